@@ -1,0 +1,119 @@
+"""Numbers as a person reads and types them: three digits on screen, every digit that counts in a field."""
+
+import math
+import re
+import unicodedata
+from decimal import Decimal
+
+MINUS = "\N{MINUS SIGN}"
+PLAIN_EXPONENTS = range(-3, 5)
+"""Powers of ten that are written out; beyond them a number carries a power of ten."""
+
+LONGEST_INPUT = 60
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_NUMBER = re.compile(
+    r"(?P<mantissa>[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+))(?:(?:e|[*·×⋅]10\^)(?P<exponent>[+-]?[0-9]+))?"
+    r"|(?P<sign>[+-]?)10\^(?P<power>[+-]?[0-9]+)"
+)
+
+
+def three(value: float) -> str:
+    """Three significant digits, trailing zeros kept: 2.00, 0.0400, −1.24, 1.23·10⁻⁷."""
+    if not math.isfinite(value):
+        return "NaN" if math.isnan(value) else ("∞" if value > 0 else MINUS + "∞")
+    if value == 0:
+        return "0.00"
+    rounded = Decimal(f"{value:.2e}")
+    if rounded.adjusted() in PLAIN_EXPONENTS:
+        return _fixed(rounded, 2 - rounded.adjusted()).replace("-", MINUS)
+    mantissa = rounded.scaleb(-rounded.adjusted())
+    return f"{mantissa:.2f}".replace("-", MINUS) + ten_to(rounded.adjusted())
+
+
+def signed(value: float) -> str:
+    """Three significant digits, always with a sign."""
+    text = three(value)
+    return text if text.startswith(MINUS) else "+" + text
+
+
+def tidy(value: float) -> str:
+    """The text of an input field: three digits, or as many as `value` needs to come back exactly."""
+    if value == 0:
+        return "0.00"
+    shortest = Decimal(repr(float(value))).normalize()
+    digits = len(shortest.as_tuple().digits)
+    if shortest.adjusted() in PLAIN_EXPONENTS:
+        return _fixed(shortest, max(3, digits) - 1 - shortest.adjusted())
+    return exact(value)
+
+
+def exact(value: float) -> str:
+    """The shortest plain text that reads back as the same double: 3, 0.04, 1e-300."""
+    if not math.isfinite(value):
+        raise ValueError(f"{value} has no digits to write")
+    number = Decimal(repr(float(value))).normalize()
+    if number == 0:
+        return "0"
+    if number.adjusted() in PLAIN_EXPONENTS:
+        return f"{number:f}"
+    return f"{number.scaleb(-number.adjusted()):f}e{number.adjusted()}"
+
+
+def parse_number(text: str) -> float:
+    """The double that a person means by `text`: 1e-3, 1,5, −3, 1.5·10^-3, 1.23·10⁻⁷, 12 000.
+
+    Raises ValueError, in words for that person, for anything else and for what no double can hold.
+    """
+    match = _NUMBER.fullmatch(_plain(text)) if len(text) <= LONGEST_INPUT else None
+    if match is None:
+        raise ValueError(f"“{excerpt(text)}” is not a number: type one such as 2.5 or 1e-3.")
+    mantissa = match["mantissa"] or match["sign"] + "1"
+    value = float(f"{mantissa}e{match['exponent'] or match['power'] or 0}")
+    if math.isinf(value):
+        raise ValueError(
+            f"{excerpt(text)} is too large: the largest number that can be held is about 1.8e308."
+        )
+    if value == 0 and mantissa.strip("+-0."):
+        raise ValueError(
+            f"{excerpt(text)} is too small: the smallest number that can be held is about 5e-324."
+        )
+    return value
+
+
+def power_unit(value: float) -> tuple[int, str]:
+    """The power of ten that an axis reaching to `value` is scaled to, and the text before its unit.
+
+    The exponent is a multiple of 3 and 0 from 1e-3 to 1e4. It stops at -306, because a smaller power of
+    ten is itself short of digits; its reciprocal is then still a double.
+    """
+    if not math.isfinite(value):
+        raise ValueError(f"an axis cannot reach to {value}")
+    if value == 0 or 1e-3 <= abs(value) < 1e4:
+        return 0, ""
+    exponent = max(-306, 3 * (Decimal(repr(float(value))).adjusted() // 3))
+    return exponent, ten_to(exponent)
+
+
+def ten_to(exponent: int) -> str:
+    """The factor ·10ⁿ."""
+    return "·10" + str(exponent).translate(_SUPERSCRIPTS)
+
+
+def excerpt(text: str, longest: int = 40) -> str:
+    """The start of a foreign text, without what cannot be seen."""
+    seen = "".join(
+        character if character.isprintable() else "\N{REPLACEMENT CHARACTER}" for character in text
+    )
+    return seen if len(seen) <= longest else seen[: longest - 1] + "…"
+
+
+def _fixed(number: Decimal, decimals: int) -> str:
+    return f"{number:.{max(0, decimals)}f}"
+
+
+def _plain(text: str) -> str:
+    """`text` in ASCII signs and digits, without the spaces that carry no meaning."""
+    text = re.sub("[⁺⁻⁰¹²³⁴-⁹]+", lambda match: "^" + match[0], text.strip())
+    text = unicodedata.normalize("NFKC", text).replace(MINUS, "-").replace(",", ".").lower()
+    text = re.sub(r"(?<![0-9])\s+|\s+(?![0-9])", "", text)
+    return re.sub(r"(?<=[0-9])\s(?=[0-9]{3}(?![0-9]))", "", text)
