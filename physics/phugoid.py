@@ -1,0 +1,277 @@
+"""The phugoid: an aircraft left alone trades height for speed and back (lecture D31, slides 8 to 10).
+
+             ___                   V      speed along the path, v_0 in level flight
+         .-''   ``-.               theta  angle of the path, up is positive
+    ____/  V, theta \\____ ...      h      height above the level flight of equal energy
+            | m g                  x      distance along the ground
+
+Lift is m g (V/v_0)^2, square to the path; thrust cancels drag. Small perturbations obey
+d2h'/dt2 + omega^2 h' = 0 with omega = sqrt(2) g/v_0, and v' = -(g/v_0) h'.
+
+Any size (Lanchester, Aerodonetics, 1908), with speeds in v_0, times in v_0/g, lengths in v_0^2/g,
+u = V cos(theta) forward and w = V sin(theta) up:
+
+    du/dt = -V w,   dw/dt = V u - 1,   dx/dt = u,   h = (1 - V^2)/2,   C = u - V^3/3 = const.
+
+C = 2/3 is level flight, C = 0 the cusp (speed excess sqrt(3) - 1), below 0 are loops. The motion is symmetric about
+its lowest and its highest point, so half a period is solved, by Taylor series, and mirrored. p = u - 1 and q = V - 1
+stand in for u and V, so that a small disturbance keeps its digits. A few u off the true motion after one period, and
+a few u more with each further one (u = 2^-53).
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from math import hypot, isfinite, pi, sqrt
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+CUSP_EXCESS = sqrt(3) - 1
+LINEAR_PERIOD = sqrt(2) * pi  # in v_0/g
+LARGEST_EXCESS = 1e6
+
+ORDER = 26
+LAST_TERM = 1e-18  # of a Taylor series, relative to the disturbance
+FREE_FALL = 1e-9  # below this speed the lift is 1e-18 of the weight
+LINEAR = 1e-20  # below this excess the motion is linear to the last bit, so that one solution, scaled, serves all
+
+
+@dataclass(frozen=True, kw_only=True)
+class LinearPhugoid:
+    """Angular frequency (rad/s) and period (s) of a small motion; no property of the aircraft but v_0 enters."""
+
+    omega: float
+    tau: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class LanchesterPeriod:
+    """One period from the lowest point, ends included, in units of v_0, v_0/g and v_0^2/g; arrays (n,)."""
+
+    t: Array
+    x: Array
+    h: Array
+    u: Array
+    w: Array
+    theta: Array
+    period: float
+    advance: float
+    C: float
+    loops: bool
+
+
+@dataclass(frozen=True, kw_only=True)
+class Flight:
+    """A flight in SI units, arrays (n,); h is above the level flight of equal energy, theta runs on through loops."""
+
+    t: Array
+    x: Array
+    h: Array
+    u: Array
+    w: Array
+    V: Array
+    theta: Array
+
+
+def linear_phugoid(v_0: float, g: float) -> LinearPhugoid:
+    """omega = sqrt(2) g/v_0 and tau = sqrt(2) pi v_0/g."""
+    _check_surroundings(v_0, g)
+    return LinearPhugoid(omega=sqrt(2) * g / v_0, tau=LINEAR_PERIOD * v_0 / g)
+
+
+def linear_flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
+    """The small motion that passes level flight's angle at t = 0 with speed v_0 (1 + excess), to first order."""
+    omega = linear_phugoid(v_0, g).omega
+    _check_excess(excess)
+    t = np.asarray(t, dtype=float)
+    speed, climb = excess * np.cos(omega * t), sqrt(2) * excess * np.sin(omega * t)
+    length = v_0 * v_0 / g
+    return Flight(
+        t=t, x=v_0 * t + length * climb / 2, h=-length * speed,
+        u=v_0 * (1 + speed), w=v_0 * climb, V=v_0 * (1 + speed), theta=climb,
+    )  # fmt: skip
+
+
+def flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
+    """The exact flight that is level at t = 0 with speed v_0 (1 + excess), at any times t (n,), in SI units."""
+    _check_surroundings(v_0, g)
+    half = _half_period(_bottom_excess(excess))
+    t = np.asarray(t, dtype=float)
+    start = half.duration if excess < 0 else 0.0
+    x, p, w, theta = half.at(t * (g / v_0) + start)
+    x_start = half.at(np.array([start]))[0][0]
+    length = v_0 * v_0 / g
+    return Flight(
+        t=t, x=length * (x - x_start), h=length * _height(p, w),
+        u=v_0 * (1 + p), w=v_0 * w, V=v_0 * np.hypot(1 + p, w), theta=theta,
+    )  # fmt: skip
+
+
+def lanchester(excess: float, n: int = 401) -> LanchesterPeriod:
+    """One period, at n equal steps of time, of the motion whose level flight has the speed 1 + excess."""
+    half = _half_period(_bottom_excess(excess))
+    t = np.linspace(0, 2 * half.duration, n)
+    x, p, w, theta = half.at(t)
+    return LanchesterPeriod(
+        t=t, x=x, h=_height(p, w), u=1 + p, w=w, theta=theta,
+        period=2 * half.duration, advance=2 * half.advance, C=invariant(excess), loops=half.loops,
+    )  # fmt: skip
+
+
+def invariant(excess: float) -> float:
+    """C = V - V^3/3 at V = 1 + excess: 2/3 in level flight, 0 at the cusp, negative for loops."""
+    _check_excess(excess)
+    return 2 / 3 - excess * excess * (1 + excess / 3)
+
+
+def period_excess(excess: float) -> float:
+    """T/T_0 - 1 of the motion of this speed excess; T_0 is the linear period."""
+    return 2 * _half_period(_bottom_excess(excess)).duration / LINEAR_PERIOD - 1
+
+
+def excess_at_period_excess(wanted: float) -> float:
+    """The speed excess, below the cusp's, at which T/T_0 - 1 has the wanted value."""
+    from scipy.optimize import brentq
+
+    largest = period_excess(CUSP_EXCESS)
+    if not 0 <= wanted <= largest:
+        raise ValueError(f"T/T_0 - 1 = {wanted!r}: from 0 at rest to {largest:.4g} at the cusp")
+    return float(brentq(lambda excess: period_excess(excess) - wanted, 0.0, CUSP_EXCESS, xtol=1e-15))
+
+
+@dataclass(frozen=True)
+class _HalfPeriod:
+    """From the lowest point to the highest: Taylor coefficients (pieces, ORDER + 1, 3) of x - t, p and w."""
+
+    starts: Array
+    coefficients: Array
+    duration: float
+    loops: bool
+
+    @property
+    def advance(self) -> float:
+        return float(self._rising(np.array([self.duration]))[0][0])
+
+    def at(self, t: Array) -> tuple[Array, Array, Array, Array]:
+        """x, p, w, theta at any times: the falling half is the mirror image of the rising one."""
+        period = 2 * self.duration
+        whole = np.floor(t / period)
+        rest = t - whole * period
+        falls = rest > self.duration
+        x, p, w, theta = self._rising(np.clip(np.where(falls, period - rest, rest), 0, self.duration))
+        turn = 2 * pi * self.loops
+        return (
+            2 * self.advance * whole + np.where(falls, 2 * self.advance - x, x),
+            p,
+            np.where(falls, -w, w),
+            turn * whole + np.where(falls, turn - theta, theta),
+        )
+
+    def _rising(self, t: Array) -> tuple[Array, Array, Array, Array]:
+        piece = np.searchsorted(self.starts, t, side="right") - 1
+        drift, p, w = _polynomial(self.coefficients[piece], (t - self.starts[piece])[:, None]).T
+        return t + drift, p, w, np.arctan2(w, 1 + p)
+
+
+@lru_cache(maxsize=256)
+def _half_period(excess: float) -> _HalfPeriod:
+    pieces = list(_pieces(max(excess, LINEAR)))
+    scale = min(excess / LINEAR, 1.0)
+    return _HalfPeriod(
+        starts=np.array([start for start, _, _ in pieces]),
+        coefficients=scale * np.array([coefficients for _, coefficients, _ in pieces]),
+        duration=sum(pieces[-1][::2]),
+        loops=excess > CUSP_EXCESS,
+    )
+
+
+def _pieces(excess: float) -> Iterator[tuple[float, Array, float]]:
+    """Start, Taylor coefficients and length of each piece, from the lowest point until w is zero again."""
+    t, state = 0.0, np.array([0.0, excess, 0.0])
+    while True:
+        _, p, w = state
+        if hypot(1 + p, w) < FREE_FALL:
+            yield t, _free_fall(state), w
+            return
+        series = _taylor(state)
+        last = np.max(np.abs(series[-2:, 1:]), axis=1) / max(abs(p), abs(w))
+        step = float(np.min((LAST_TERM / last) ** (1 / np.array([ORDER - 1, ORDER]))))
+        state = _polynomial(series, step)
+        if state[2] <= 0:
+            yield t, series, _top(series, step)
+            return
+        yield t, series, step
+        t += step
+
+
+def _taylor(state: Array) -> Array:
+    """Coefficients (ORDER + 1, 3) of x - t, p, w: each order of the equations of motion gives the next."""
+    series, q = np.zeros((ORDER + 1, 3)), np.zeros(ORDER + 1)
+    series[0] = state
+    drift, p, w = series.T
+    speed = hypot(1 + p[0], w[0])
+    q[0] = _square_minus_1(p[0], w[0]) / (1 + speed)
+    for n in range(ORDER):
+        back = slice(n, None, -1)
+        if n > 0:
+            squares = 2 * p[n] + p[: n + 1] @ p[back] + w[: n + 1] @ w[back]
+            q[n] = (squares - q[1:n] @ q[n - 1 : 0 : -1]) / (2 * speed)
+        drift[n + 1] = p[n] / (n + 1)
+        p[n + 1] = -(w[n] + q[: n + 1] @ w[back]) / (n + 1)
+        w[n + 1] = (p[n] + q[n] + p[: n + 1] @ q[back]) / (n + 1)
+    return series
+
+
+def _free_fall(state: Array) -> Array:
+    series = np.zeros((ORDER + 1, 3))
+    series[0] = state
+    series[1] = state[1], 0.0, -1.0
+    return series
+
+
+def _polynomial(series: Array, step: float | Array) -> Array:
+    """Values (..., 3) of Taylor series (..., ORDER + 1, 3), by Horner's rule."""
+    value = series[..., ORDER, :]
+    for order in range(ORDER - 1, -1, -1):
+        value = value * step + series[..., order, :]
+    return value
+
+
+def _top(series: Array, step: float) -> float:
+    """Where w falls through zero: Newton's method from the far end, where w is concave or nearly straight."""
+    rates = series[1:, 2] * np.arange(1, ORDER + 1)
+    for _ in range(8):
+        step -= _polynomial(series, step)[2] / np.polynomial.polynomial.polyval(step, rates)
+    return step
+
+
+def _square_minus_1(p: float | Array, w: float | Array) -> float | Array:
+    """V^2 - 1 without cancellation."""
+    return p * (2 + p) + w * w
+
+
+def _height(p: Array, w: Array) -> Array:
+    return -_square_minus_1(p, w) / 2
+
+
+def _bottom_excess(excess: float) -> float:
+    """The speed excess at the lowest point; a start with less speed than v_0 is the highest point."""
+    _check_excess(excess)
+    if excess >= 0:
+        return excess
+    root = sqrt(9 - 6 * excess - 3 * excess * excess)
+    return min(-2 * excess * (3 + excess) / (root + 3 + excess), CUSP_EXCESS)  # rounding alone would make a loop
+
+
+def _check_excess(excess: float) -> None:
+    if not -1 <= excess <= LARGEST_EXCESS:
+        raise ValueError(f"speed excess = {excess!r} v_0: from -1 (standing in the air) to {LARGEST_EXCESS:g}")
+
+
+def _check_surroundings(v_0: float, g: float) -> None:
+    for name, value in (("v_0", v_0), ("g", g)):
+        if not (isfinite(value) and value > 0):
+            raise ValueError(f"{name} = {value!r}: a finite number above 0")
