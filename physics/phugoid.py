@@ -13,10 +13,9 @@ u = V cos(theta) forward and w = V sin(theta) up:
 
     du/dt = -V w,   dw/dt = V u - 1,   dx/dt = u,   h = (1 - V^2)/2,   C = u - V^3/3 = const.
 
-C = 2/3 is level flight, C = 0 the cusp (speed excess sqrt(3) - 1), below 0 are loops. The motion is symmetric about
-its lowest and its highest point, so half a period is solved, by Taylor series, and mirrored. p = u - 1 and q = V - 1
-stand in for u and V, so that a small disturbance keeps its digits. A few u off the true motion after one period, and
-a few u more with each further one (u = 2^-53).
+C = 2/3 is level flight, C = 0 the cusp (speed excess sqrt(3) - 1), below 0 are loops. The motion is symmetric
+about its lowest and its highest point, so half a period is solved, by Taylor series, and mirrored. p = u - 1 and
+q = V - 1 stand in for u and V, so that a small disturbance keeps its digits.
 """
 
 from collections.abc import Iterator
@@ -36,12 +35,12 @@ LARGEST_EXCESS = 1e6
 ORDER = 26
 LAST_TERM = 1e-18  # of a Taylor series, relative to the disturbance
 FREE_FALL = 1e-9  # below this speed the lift is 1e-18 of the weight
-LINEAR = 1e-20  # below this excess the motion is linear to the last bit, so that one solution, scaled, serves all
+LINEAR = 1e-20  # below this excess the motion is linear to the last bit: one solution, scaled
 
 
 @dataclass(frozen=True, kw_only=True)
 class LinearPhugoid:
-    """Angular frequency (rad/s) and period (s) of a small motion; no property of the aircraft but v_0 enters."""
+    """Angular frequency (rad/s) and period (s) of a small motion: v_0 alone says which aircraft it is."""
 
     omega: float
     tau: float
@@ -65,7 +64,7 @@ class LanchesterPeriod:
 
 @dataclass(frozen=True, kw_only=True)
 class Flight:
-    """A flight in SI units, arrays (n,); h is above the level flight of equal energy, theta runs on through loops."""
+    """A flight in SI units, arrays (n,); h is above level flight of equal energy, theta runs on through loops."""
 
     t: Array
     x: Array
@@ -83,7 +82,7 @@ def linear_phugoid(v_0: float, g: float) -> LinearPhugoid:
 
 
 def linear_flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
-    """The small motion that passes level flight's angle at t = 0 with speed v_0 (1 + excess), to first order."""
+    """The flight that is level at t = 0 with speed v_0 (1 + excess), to first order in the excess."""
     omega = linear_phugoid(v_0, g).omega
     _check_excess(excess)
     t = np.asarray(t, dtype=float)
@@ -96,7 +95,7 @@ def linear_flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
 
 
 def flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
-    """The exact flight that is level at t = 0 with speed v_0 (1 + excess), at any times t (n,), in SI units."""
+    """The exact flight that is level at t = 0 with speed v_0 (1 + excess), at any times t (n,)."""
     _check_surroundings(v_0, g)
     half = _half_period(_bottom_excess(excess))
     t = np.asarray(t, dtype=float)
@@ -263,12 +262,13 @@ def _bottom_excess(excess: float) -> float:
     if excess >= 0:
         return excess
     root = sqrt(9 - 6 * excess - 3 * excess * excess)
-    return min(-2 * excess * (3 + excess) / (root + 3 + excess), CUSP_EXCESS)  # rounding alone would make a loop
+    rounded = -2 * excess * (3 + excess) / (root + 3 + excess)
+    return min(rounded, CUSP_EXCESS)  # a start above the level line never loops
 
 
 def _check_excess(excess: float) -> None:
     if not -1 <= excess <= LARGEST_EXCESS:
-        raise ValueError(f"speed excess = {excess!r} v_0: from -1 (standing in the air) to {LARGEST_EXCESS:g}")
+        raise ValueError(f"speed excess = {excess!r} v_0: from -1 (standstill) to {LARGEST_EXCESS:g}")
 
 
 def _check_surroundings(v_0: float, g: float) -> None:
