@@ -26,9 +26,9 @@ class Quantity(param.Number):
         *,
         symbol: str,
         unit: str,
-        label: str,
         allowed: str,
         says: str,
+        label: str | None = None,
         softbounds: tuple[float, float],
         tint: str = "ink",
         scale: Scale = "linear",
@@ -60,11 +60,9 @@ class Quantity(param.Number):
         """Why `value` is not possible, in a sentence that shows it as `given`; None where it is possible."""
         if self._possible(value):
             return None
-        text = given if given is not None else _shown(value)
-        unit = (
-            f" {self.unit}" if self.unit and isinstance(value, Real) and not isinstance(value, bool) else ""
-        )
-        return f"{text}{unit} is not possible: {self.allowed}."
+        measured = self.unit and isinstance(value, Real) and not isinstance(value, bool)
+        text = _shown(value) if given is None else given
+        return f"{text} {self.unit if measured else ''}".rstrip() + f" is not possible: {self.allowed}."
 
     def _possible(self, value: object) -> bool:
         if value is None:
@@ -122,7 +120,7 @@ def force(default: float = 1.0, *, symbol: str = "F_0", **facts: Any) -> Quantit
 
 
 def angular_frequency(default: float = 1.0, *, symbol: str = "ω", **facts: Any) -> Quantity:
-    """An angular frequency in rad/s, 0 or more; a scene that has natural frequencies sets the slider's range."""
+    """An angular frequency in rad/s, 0 or more; the scene moves the slider's range with its modes."""
     kind = {"unit": "rad/s", "label": "angular frequency", "softbounds": (0.0, 5.0), "tint": "F"}
     says = {"says": "is the drive frequency. Type any value from 0 up."}
     return not_negative(default, symbol=symbol, **(kind | says | facts))

@@ -1,0 +1,56 @@
+"""What a parameter that is not a number may be, and the words that stand for it in links and messages."""
+
+import re
+
+import param
+
+from components.numbers import exact, excerpt
+
+MOST_ITEMS = 50
+_ITEM = re.compile(r"[A-Za-z0-9_.:+-]{1,40}")
+
+
+def word(value: object) -> str:
+    """The word for one value: signed, true, 0.5."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return exact(value) if isinstance(value, float) else str(value)
+
+
+def options(parameter: param.Parameter) -> dict[str, object]:
+    """The values to choose from, by word."""
+    values = (False, True) if isinstance(parameter, param.Boolean) else parameter.get_range().values()
+    return {word(value): value for value in values}
+
+
+def chosen(parameter: param.Parameter, given: object) -> object:
+    """The value that `given` stands for; ValueError, in words for a person, where there is none.
+
+    `given` is a value or its word; for a list, a list or its words with commas between.
+    """
+    if isinstance(parameter, param.ListSelector):
+        return [_one(parameter, item) for item in _items(given)]
+    if isinstance(parameter, param.List):
+        return [_name(item) for item in _items(given)]
+    return _one(parameter, given)
+
+
+def _one(parameter: param.Parameter, given: object) -> object:
+    possible = options(parameter)
+    text = word(given)
+    if text not in possible:
+        raise ValueError(f"“{excerpt(text)}” is not possible: choose one of {', '.join(possible)}.")
+    return possible[text]
+
+
+def _items(given: object) -> list[object]:
+    items = [item for item in given.split(",") if item] if isinstance(given, str) else given
+    if not isinstance(items, list) or len(items) > MOST_ITEMS:
+        raise ValueError(f"“{excerpt(str(given))}” is not possible: give at most {MOST_ITEMS} names.")
+    return items
+
+
+def _name(item: object) -> str:
+    if not isinstance(item, str) or not _ITEM.fullmatch(item):
+        raise ValueError(f"“{excerpt(str(item))}” is not possible: a name has letters, digits, _.:+- only.")
+    return item

@@ -1,0 +1,191 @@
+"""The control panel as data for the browser, and what its messages do to a scene."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import param
+
+from components.choices import chosen, options, word
+from components.numbers import MINUS, excerpt, parse_number, tidy
+from components.parameters import Quantity
+
+if TYPE_CHECKING:
+    from components.scene import Scene
+
+Errors = dict[str, str]
+Choice = (param.Selector, param.Boolean)
+
+
+@dataclass(frozen=True)
+class Group:
+    """Parameters that belong together, under a title; the hint names another way to set them."""
+
+    title: str
+    names: tuple[str, ...]
+    hint: str = ""
+
+
+def controls_spec(
+    scene_class: type[Scene], groups: tuple[Group, ...], presets: Mapping[str, Mapping[str, Any]]
+) -> dict[str, Any]:
+    """All that the browser needs to build the panel of a scene."""
+    return {
+        "start": "Start from",
+        "presets": list(presets),
+        "groups": [
+            {
+                "title": group.title,
+                "hint": group.hint,
+                "rows": [control(name, scene_class.param[name]) for name in group.names],
+            }
+            for group in groups
+        ],
+    }
+
+
+def control(name: str, parameter: param.Parameter) -> dict[str, Any]:
+    """A slider with a field for a quantity, joined buttons for anything else."""
+    return row(name, parameter) if isinstance(parameter, Quantity) else choice(name, parameter)
+
+
+def row(name: str, quantity: Quantity) -> dict[str, Any]:
+    """The description of one slider with its field."""
+    parts = (quantity.symbol.replace("_", ""), quantity.label, quantity.unit)
+    return {
+        "name": name,
+        "symbol": quantity.symbol,
+        "unit": quantity.unit,
+        "tint": quantity.tint,
+        "scale": quantity.scale,
+        "soft": list(quantity.softbounds),
+        "says": quantity.says,
+        "label": ", ".join(part for part in parts if part),
+    }
+
+
+def choice(name: str, parameter: param.Parameter) -> dict[str, Any]:
+    """The description of one choice, shown as joined buttons."""
+    labels = parameter.names if isinstance(parameter, param.Selector) else None
+    by_word = {word(value): label for label, value in labels.items()} if labels else {}
+    return {
+        "name": name,
+        "label": parameter.label,
+        "options": [{"value": value, "label": by_word.get(value, value)} for value in options(parameter)],
+    }
+
+
+def params_state(scene: Scene) -> dict[str, dict[str, Any]]:
+    """What the controls show now; "soft" is there where the scene has moved a slider's range."""
+    state: dict[str, dict[str, Any]] = {}
+    for name in scene.param:
+        parameter, value = scene.param[name], getattr(scene, name)
+        if isinstance(parameter, Quantity):
+            state[name] = {"value": value, "text": "" if value is None else tidy(value)}
+            if parameter.softbounds != type(scene).param[name].softbounds:
+                state[name]["soft"] = list(parameter.softbounds)
+        elif isinstance(parameter, Choice) and not isinstance(parameter, param.ListSelector):
+            state[name] = {"value": word(value), "text": word(value)}
+    return state
+
+
+def apply_message(scene: Scene, message: Mapping[str, Any]) -> Errors:
+    """Do what a message of the page asks, in one batch; where that is refused, say why, by parameter.
+
+    A refused message changes nothing. A preset is refused under the name "preset", a message that says
+    nothing known under "message".
+    """
+    match message:
+        case {"type": "set", "values": dict() as values}:
+            return _set(scene, values)
+        case {"type": "typed", "name": str() as name, "text": str() as text}:
+            return _type(scene, name, text)
+        case {"type": "preset", "label": str() as label}:
+            return _take_preset(scene, label)
+        case {"type": "choose", "name": str() as name, "value": value}:
+            return _choose(scene, name, value)
+    return {"message": f"“{excerpt(str(message))}” is not a message that this page sends."}
+
+
+def _set(scene: Scene, values: dict[str, object]) -> Errors:
+    errors = {name: _problem(scene, name, value) for name, value in values.items()}
+    found = {name: error for name, error in errors.items() if error}
+    return found or _try(scene, values)
+
+
+def _type(scene: Scene, name: str, text: str) -> Errors:
+    quantity = _quantity(scene, name)
+    if quantity is None:
+        return {name: _unknown(name)}
+    try:
+        value = None if quantity.allow_None and not text.strip() else parse_number(text)
+    except ValueError as error:
+        return {name: f"{error} {_still(scene, name)}"}
+    problem = _problem(scene, name, value, excerpt(text.strip()).replace("-", MINUS))
+    return {name: problem} if problem else _try(scene, {name: value})
+
+
+def _choose(scene: Scene, name: str, value: object) -> Errors:
+    parameter = _parameter(scene, name)
+    if not isinstance(parameter, (*Choice, param.List)):
+        return {name: _unknown(name)}
+    try:
+        scene.set({name: chosen(parameter, value)})
+    except ValueError as error:
+        return {name: str(error)}
+    return {}
+
+
+def _take_preset(scene: Scene, label: str) -> Errors:
+    if label not in scene.presets:
+        return {"preset": f"“{excerpt(label)}” is not a preset: choose one of {', '.join(scene.presets)}."}
+    try:
+        scene.set({name: scene.preset_value(label, name) for name in scene.preset_names()})
+    except ValueError as error:
+        return {"preset": f"{_sentence(error)} Still drawn as before."}
+    return {}
+
+
+def _try(scene: Scene, values: dict[str, Any]) -> Errors:
+    """Set quantities that are possible one by one; the physics may still refuse them together."""
+    still = {name: _still(scene, name) for name in values}
+    try:
+        scene.set(values)
+    except ValueError as error:
+        return {name: f"{_sentence(error)} {still[name]}" for name in values}
+    return {}
+
+
+def _problem(scene: Scene, name: str, value: object, given: str | None = None) -> str | None:
+    quantity = _quantity(scene, name)
+    if quantity is None:
+        return _unknown(name)
+    refusal = quantity.refusal(value, given)
+    return f"{refusal} {_still(scene, name)}" if refusal else None
+
+
+def _quantity(scene: Scene, name: str) -> Quantity | None:
+    parameter = _parameter(scene, name)
+    return parameter if isinstance(parameter, Quantity) else None
+
+
+def _parameter(scene: Scene, name: str) -> param.Parameter | None:
+    return scene.param[name] if name in scene.param else None  # noqa: SIM401 (not a dict)
+
+
+def _still(scene: Scene, name: str) -> str:
+    value = getattr(scene, name)
+    if value is None:
+        return "Still drawn as before."
+    return f"Still drawn with {tidy(value).replace('-', MINUS)}."
+
+
+def _sentence(error: ValueError) -> str:
+    text = str(error)
+    return text[:1].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) else ".")
+
+
+def _unknown(name: str) -> str:
+    return f"“{excerpt(name)}” is not a parameter of this scene."
