@@ -14,8 +14,8 @@ u = V cos(theta) forward and w = V sin(theta) up:
     du/dt = -V w,   dw/dt = V u - 1,   dx/dt = u,   h = (1 - V^2)/2,   C = u - V^3/3 = const.
 
 C = 2/3 is level flight, C = 0 the cusp (speed excess sqrt(3) - 1), below 0 are loops. The motion is symmetric
-about its lowest and its highest point, so half a period is solved, by Taylor series, and mirrored. p = u - 1 and
-q = V - 1 stand in for u and V, so that a small disturbance keeps its digits.
+about its lowest and its highest point, so half a period is solved, by Taylor series, and mirrored. p = u - 1
+and q = V - 1 stand in for u and V, so that a small disturbance keeps its digits.
 """
 
 from collections.abc import Iterator
@@ -64,7 +64,7 @@ class LanchesterPeriod:
 
 @dataclass(frozen=True, kw_only=True)
 class Flight:
-    """A flight in SI units, arrays (n,); h is above level flight of equal energy, theta runs on through loops."""
+    """A flight in SI units, arrays (n,); h above level flight of equal energy, theta runs on in loops."""
 
     t: Array
     x: Array

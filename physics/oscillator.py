@@ -1,0 +1,141 @@
+r"""Spring and mass, the linear harmonic oscillator (lecture D31, slides 1 to 3).
+
+    wall --/\/\/ k \/\/\-- [m] --> x        F = -k x,   m x'' + k x = 0,   omega_n = sqrt(k/m)
+
+x is measured from where the spring is at its natural length. The solution, written both ways:
+
+    x = A cos(omega_n t) + B sin(omega_n t),   A = x_0, B = v_0/omega_n
+    x = C sin(omega_n t + phi),                C = hypot(A, B), phi = atan2(A, B)
+
+The slide's phi = atan(x_0 omega_n/v_0) is right for v_0 > 0 only. A spring with k = 0 leaves the mass free: it
+drifts, x = x_0 + v_0 t, which is the limit of B sin(omega_n t).
+
+The constants are worked out in 80-digit decimals and rounded once; x, v and a err by at most 4 u of their
+amplitudes at any time (u = 2^-53), whatever the exponents of m, k, x_0, v_0 and t.
+"""
+
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+from math import atan2, inf
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from physics.exact import PI, Array, angle, binary, circle, exact, precise, rounded
+from physics.valid import check_finite, check_not_negative, check_positive, finite_array
+
+
+@dataclass(frozen=True, kw_only=True)
+class OscillatorMotion:
+    """Times, displacements, velocities and accelerations, each (n,)."""
+
+    t: Array
+    x: Array
+    v: Array
+    a: Array
+
+
+@dataclass(frozen=True, kw_only=True)
+class OscillatorConstants:
+    """x = A cos(omega_n t) + B sin(omega_n t) + drift t = C sin(omega_n t + phi) + drift t; phi in (-pi, pi].
+
+    drift is 0 but for k = 0, where it is v_0 and B is 0.
+    """
+
+    A: float
+    B: float
+    C: float
+    phi: float
+    drift: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Oscillator:
+    """A mass m (kg) on a spring of stiffness k (N/m)."""
+
+    m: float
+    k: float
+
+    def __post_init__(self) -> None:
+        check_positive("a mass in kg", m=self.m)
+        check_not_negative("a stiffness in N/m", k=self.k)
+
+    @cached_property
+    def frequency(self) -> Decimal:
+        """omega_n to 80 digits."""
+        with precise():
+            return (exact(self.k) / exact(self.m)).sqrt()
+
+    @property
+    def omega_n(self) -> float:
+        """Natural frequency in rad/s, rounded once."""
+        return float(self.frequency)
+
+    @property
+    def period(self) -> float:
+        """tau = 2 pi/omega_n in s, rounded once; infinite at k = 0."""
+        with precise():
+            return float(2 * PI / self.frequency) if self.k else inf
+
+    def constants(self, x_0: float, v_0: float) -> OscillatorConstants:
+        """The constants of both forms of the solution for x(0) = x_0, x'(0) = v_0."""
+        A, B = self._amplitudes(x_0, v_0)
+        with precise():
+            C = (A * A + B * B).sqrt()
+        return OscillatorConstants(
+            A=float(x_0),
+            B=rounded("the amplitude B = v_0/omega_n", B),
+            C=rounded("the amplitude C", C),
+            phi=_phase(A, B),
+            drift=0.0 if self.k else float(v_0),
+        )
+
+    def motion(self, x_0: float, v_0: float, t: ArrayLike) -> OscillatorMotion:
+        """The motion from x(0) = x_0, x'(0) = v_0 at the times t (n,) in s.
+
+        ValueError where x, v or a leaves the range of doubles.
+        """
+        t = finite_array("t", t)
+        omega = self.frequency
+        A, B = self._amplitudes(x_0, v_0)
+        (sine, _), (cosine, _) = circle(*angle(omega, t))
+        with precise():
+            v_cosine, v_sine = exact(v_0), -omega * A
+            a_cosine, a_sine = -omega * omega * A, -omega * exact(v_0)
+        x = _oscillation(A, cosine, B, sine) if self.k else _drift(x_0, v_0, t)
+        v = _oscillation(v_cosine, cosine, v_sine, sine)
+        a = _oscillation(a_cosine, cosine, a_sine, sine)
+        for name, values in (("displacement", x), ("velocity", v), ("acceleration", a)):
+            if not np.all(np.isfinite(values)):
+                raise ValueError(f"the {name} leaves the range of doubles")
+        return OscillatorMotion(t=t, x=x, v=v, a=a)
+
+    def _amplitudes(self, x_0: float, v_0: float) -> tuple[Decimal, Decimal]:
+        check_finite("a displacement in m", x_0=x_0)
+        check_finite("a velocity in m/s", v_0=v_0)
+        with precise():
+            return exact(x_0), exact(v_0) / self.frequency if self.k else Decimal(0)
+
+
+def _phase(A: Decimal, B: Decimal) -> float:
+    """atan2(A, B) where A and B may be out of range: both are scaled by one power of two; 0 at rest."""
+    scale = max((binary(value)[2] for value in (A, B) if value), default=0)
+    with precise():
+        y, x = (float(value / Decimal(2) ** scale) for value in (A, B))
+    return atan2(y + 0.0, x + 0.0)
+
+
+def _oscillation(a: Decimal, cosine: Array, b: Decimal, sine: Array) -> Array:
+    """a cosine + b sine for a and b of any size; infinite only where the sum is."""
+    (a_hi, _, a_exponent), (b_hi, _, b_exponent) = binary(a), binary(b)
+    room = 2 if max(a_exponent, b_exponent) > 1000 else 0
+    with np.errstate(over="ignore"):
+        first, second = np.ldexp(a_hi * cosine, a_exponent - room), np.ldexp(b_hi * sine, b_exponent - room)
+        return np.ldexp(first + second, room)
+
+
+def _drift(x_0: float, v_0: float, t: Array) -> Array:
+    """x_0 + v_0 t, infinite only where the sum is."""
+    with np.errstate(over="ignore"):
+        return 2 * (x_0 / 2 + v_0 / 2 * t)

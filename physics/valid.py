@@ -1,0 +1,37 @@
+"""What physics allows of a number; each check raises a ValueError that names the value and the limit."""
+
+from math import isfinite
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+def check_positive(kind: str, **values: float) -> None:
+    """For example check_positive("a mass in kg", m=m): finite and above 0."""
+    for name, value in values.items():
+        if not (isfinite(value) and value > 0):
+            raise ValueError(f"{name} = {value!r}: {kind} is a finite number above 0")
+
+
+def check_not_negative(kind: str, **values: float) -> None:
+    """Finite, 0 or more."""
+    for name, value in values.items():
+        if not (isfinite(value) and value >= 0):
+            raise ValueError(f"{name} = {value!r}: {kind} is a finite number, 0 or more")
+
+
+def check_finite(kind: str, **values: float) -> None:
+    """Neither infinite nor NaN."""
+    for name, value in values.items():
+        if not isfinite(value):
+            raise ValueError(f"{name} = {value!r}: {kind} is a finite number")
+
+
+def finite_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """The values as an array (n,) of finite doubles."""
+    array = np.atleast_1d(np.asarray(values, dtype=np.float64))
+    if array.ndim != 1:
+        raise ValueError(f"{name} has the shape {array.shape}: one dimension is allowed")
+    if not np.all(np.isfinite(array)):
+        raise ValueError(f"{name} = {array[~np.isfinite(array)][0]!r}: only finite numbers are allowed")
+    return array
