@@ -1,8 +1,8 @@
 """Numbers carried beyond double precision: the numerical foundation of every motion.
 
-A change of a parameter needs a handful of scalars, a plot needs them at a thousand times. So scalars are worked
-out in 80-digit decimal arithmetic with unbounded exponents and rounded once; arrays stay in float64, and where that
-is not enough a number is an unevaluated sum hi + lo of two doubles.
+A change of a parameter needs a handful of scalars, a plot needs them at a thousand times. So scalars are
+worked out in 80-digit decimal arithmetic with unbounded exponents and rounded once; arrays stay in float64,
+and where that is not enough a number is an unevaluated sum hi + lo of two doubles.
 
 Sources: T. J. Dekker, Numer. Math. 18 (1971) 224 (two_product, with the splitting of G. W. Veltkamp);
 D. E. Knuth, TAOCP 2, 4.2.2 (two_sum); W. Kahan on compensation; T. Ogita, S. M. Rump, S. Oishi, SIAM J. Sci.
@@ -32,7 +32,7 @@ Pair = tuple[Array, Array]  # hi, lo: an unevaluated sum
 
 DIGITS = 80
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534")
-NOISE = Decimal("1e-60")  # what is left of a sum that cancels so far is rounding of the 80 digits, not a number
+NOISE = Decimal("1e-60")  # what is left of a sum that cancels so far is rounding of the 80 digits
 
 _CONTEXT = Context(
     prec=DIGITS,

@@ -1,0 +1,285 @@
+"""Two masses and two springs, free (lecture D34, slides 1 to 5).
+
+    wall --k1-- [m1] --k2-- [m2]        x1, x2 to the right, from equilibrium; no friction
+
+    m1 x1'' = -k1 x1 - k2 (x1 - x2)
+    m2 x2'' =  k2 (x1 - x2)
+
+With x_i = X_i sin(omega t + phi) both equations agree at two frequencies only. Of the lecture's formulas
+those that cancel are rearranged: with b = m1 k2 + m2 (k1 + k2), D = m1 k2 - m2 (k1 + k2) and
+S = sqrt(Delta) = sqrt(D^2 + 4 m1 m2 k2^2),
+
+    omega_-^2 = 2 k1 k2/(b + S),   omega_+^2 = (b + S)/(2 m1 m2),
+    omega_+ - omega_- = S/(m1 m2 (omega_- + omega_+)),
+
+and gamma = D/(2 m2 k2), delta = S/(2 m2 k2): one of the ratios X2/X1 = -gamma +- delta is a sum, the other
+follows from their product -m1/m2. k1 = 0 and k2 = 0 are physics: the slow mode is then a drift.
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from physics.curves import Curve, combined, turning
+from physics.exact import Array, exact, precise, rounded, snapped, split, sum_of
+from physics.valid import check_not_negative, check_positive, finite_array
+
+Vector = tuple[Decimal, Decimal]
+Vector3 = tuple[Decimal, Decimal, Decimal]
+QUANTITIES = ("x1", "x2", "the elongation of spring 2", "v1", "v2")
+
+
+class Mode(NamedTuple):
+    """One mode in 80 digits: the masses move as shape times one coordinate, shape = (1, X2/X1) or (0, 1)."""
+
+    omega: Decimal
+    shape: Vector
+    stretch: Decimal  # shape[1] - shape[0], the elongation of spring 2, without its cancellation
+    mass: Decimal  # M = m1 shape[0]^2 + m2 shape[1]^2
+
+    @property
+    def rows(self) -> tuple[Decimal, Decimal, Decimal]:
+        """What one unit of the coordinate adds to x1, x2 and the elongation of spring 2."""
+        return *self.shape, self.stretch
+
+
+@dataclass(frozen=True, eq=False)
+class Modes:
+    """Natural frequencies and mode shapes; arrays (2,) hold the slow mode, then the fast one.
+
+    omega (rad/s) and ratio = X2/X1 are within 0.51 ulp; inf only for the ratio of a mode that leaves mass 1
+    at rest (k2 = 0), or beyond the range of doubles. omega + omega_lo is the frequency to 106 bits,
+    beat = omega_+ - omega_-. With k2 = 0 the slow mode is mass 2 alone, gamma = -inf and delta = inf.
+    """
+
+    omega: Array
+    omega_lo: Array
+    ratio: Array
+    beat: float
+    gamma: float
+    delta: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class TwoMassChain:
+    """Masses in kg, positive; stiffnesses in N/m, zero or more. ValueError names a value that is neither."""
+
+    m1: float
+    m2: float
+    k1: float
+    k2: float
+
+    def __post_init__(self) -> None:
+        check_positive("a mass in kg", m1=self.m1, m2=self.m2)
+        check_not_negative("a stiffness in N/m", k1=self.k1, k2=self.k2)
+
+    def modes(self) -> Modes:
+        """Both modes, rounded once from 80 digits."""
+        slow, fast = self.exact_modes
+        D, S, _ = self._discriminant
+        m1, m2, _, k2 = self.exact_parameters
+        with precise():
+            beat = S / (m1 * m2 * (slow.omega + fast.omega)) if S else fast.omega
+            gamma = D / (2 * m2 * k2) if k2 else Decimal("-inf")
+            delta = S / (2 * m2 * k2) if k2 else Decimal("inf")
+            ratio = [b / a if a else Decimal("inf") for a, b in (slow.shape, fast.shape)]
+        hi, lo = np.transpose([split(mode.omega) for mode in self.exact_modes])
+        return Modes(hi, lo, np.array([float(r) for r in ratio]), float(beat), float(gamma), float(delta))
+
+    @cached_property
+    def exact_parameters(self) -> tuple[Decimal, Decimal, Decimal, Decimal]:
+        """m1, m2, k1, k2."""
+        return exact(self.m1), exact(self.m2), exact(self.k1), exact(self.k2)
+
+    @cached_property
+    def exact_modes(self) -> tuple[Mode, Mode]:
+        """The slow mode and the fast one."""
+        D, S, b = self._discriminant
+        m1, m2, k1, k2 = self.exact_parameters
+        with precise():
+            omega_minus = (2 * k1 * k2 / (b + S)).sqrt() if b else Decimal(0)
+            omega_plus = ((b + S) / (2 * m1 * m2)).sqrt()
+            if not k2:
+                one, none = Decimal(1), Decimal(0)
+                return Mode(none, (none, one), one, m2), Mode(snapped(omega_plus), (one, none), -one, m1)
+            in_phase = 2 * m1 * k2 / (D + S) if D > 0 else (S - D) / (2 * m2 * k2)
+            against = -(D + S) / (2 * m2 * k2) if D > 0 else -2 * m1 * k2 / (S - D)
+        return self._mode(omega_minus, in_phase), self._mode(omega_plus, against)
+
+    def _mode(self, omega: Decimal, ratio: Decimal) -> Mode:
+        """Newton's law for mass 2, m2 omega^2 X2 = k2 (X2 - X1), gives the stretch."""
+        m1, m2, _, k2 = self.exact_parameters
+        omega, ratio = snapped(omega), snapped(ratio)
+        with precise():
+            stretch = snapped(ratio * m2 * omega**2 / k2)
+            return Mode(omega, (Decimal(1), ratio), stretch, m1 + m2 * ratio**2)
+
+    @cached_property
+    def _discriminant(self) -> Vector3:
+        """D, S and b; the order of the terms of D matters where two of them cancel and the third is small."""
+        m1, m2, k1, k2 = self.exact_parameters
+        with precise():
+            D = m1 * k2 - m2 * k1 - m2 * k2
+            return D, (D**2 + 4 * m1 * m2 * k2**2).sqrt(), m1 * k2 + m2 * k1 + m2 * k2
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """t (n,); x, v (2, n) of both masses; e (2, n) elongations of both springs, not from rounded x."""
+
+    t: Array
+    x: Array
+    v: Array
+    e: Array
+
+
+@dataclass(frozen=True, eq=False)
+class FreeModes:
+    """A free motion as the sum of its modes; index j is the mode (slow, fast), i the mass.
+
+    x_i(t) = sum_j amplitude[j, i] sin(omega[j] t + phase[j]), amplitude[j, 0] >= 0, phase in (-pi, pi].
+    A mode of zero frequency has amplitude and phase 0; it is the drift drift_a[i] + drift_b[i] t of mass i.
+    energy[j] (J) is constant; that of a drift is kinetic. Everything is worked out from 80 digits when asked
+    for, and a ValueError names the quantity that leaves the range of doubles.
+    """
+
+    chain: TwoMassChain
+    coordinate: Vector  # of each mode at t = 0, mass 1 (or the mass that moves) being its measure
+    velocity: Vector
+
+    @property
+    def omega(self) -> Array:
+        return self.chain.modes().omega
+
+    @property
+    def omega_lo(self) -> Array:
+        return self.chain.modes().omega_lo
+
+    @cached_property
+    def amplitude(self) -> Array:
+        rows = []
+        for mode, q, v in self._each():
+            with precise():
+                size = (q**2 + (v / mode.omega) ** 2).sqrt() if mode.omega else Decimal(0)
+                rows.append([rounded("an amplitude", size * part) for part in mode.shape])
+        return np.array(rows)
+
+    @cached_property
+    def phase(self) -> Array:
+        with precise():
+            return np.array([_angle(q * mode.omega, v) if mode.omega else 0.0 for mode, q, v in self._each()])
+
+    @cached_property
+    def drift_a(self) -> Array:
+        return self._drift("the start of the drift", self.coordinate)
+
+    @cached_property
+    def drift_b(self) -> Array:
+        return self._drift("the velocity of the drift", self.velocity)
+
+    def _drift(self, quantity: str, values: Vector) -> Array:
+        modes = self.chain.exact_modes
+        with precise():
+            sums = [
+                sum((m.shape[i] * q for m, q in zip(modes, values, strict=True) if not m.omega), Decimal(0))
+                for i in (0, 1)
+            ]
+        return np.array([rounded(quantity, total) for total in sums])
+
+    @cached_property
+    def energy(self) -> Array:
+        with precise():
+            both = [mode.mass * (v**2 + (mode.omega * q) ** 2) / 2 for mode, q, v in self._each()]
+        return np.array([rounded("the energy of a mode", energy) for energy in both])
+
+    def parts(self, t: ArrayLike) -> tuple[Array, Array]:
+        """x and v (2 modes, 2 masses, n) of each mode at times t (n,), within 2 u of its amplitude."""
+        t = finite_array("t", t)
+        each = [_combination([terms]) for terms in self.terms(t)]
+        return np.array([rows[:2] for rows in each]), np.array([rows[3:] for rows in each])
+
+    def terms(self, t: Array) -> list["Terms"]:
+        """Of each mode: cos(omega t) and sin(omega t)/omega, and their coefficients in x1, x2, e2, v1, v2."""
+        result = []
+        for mode, q, v in self._each():
+            with precise():
+                rate = -(mode.omega**2) * q
+                rows = [(part * q, part * v) for part in mode.rows]
+                rows += [(part * v, part * rate) for part in mode.shape]
+            result.append(Terms(turning(mode.omega, t), rows))
+        return result
+
+    def _each(self) -> list[tuple[Mode, Decimal, Decimal]]:
+        return list(zip(self.chain.exact_modes, self.coordinate, self.velocity, strict=True))
+
+
+class Terms(NamedTuple):
+    """Curves and, a row for each of x1, x2, e2, v1, v2, their coefficients."""
+
+    curves: tuple[Curve, Curve]
+    rows: list[tuple[Decimal, Decimal]]
+
+
+def free_modes(chain: TwoMassChain, x_0: ArrayLike, v_0: ArrayLike) -> FreeModes:
+    """The modes of the free motion from displacements x_0 (2,) and velocities v_0 (2,)."""
+    return started(chain, each_mass("x_0", x_0), each_mass("v_0", v_0))
+
+
+def each_mass(name: str, values: ArrayLike) -> Vector:
+    """Two finite numbers, digit for digit."""
+    entries = finite_array(name, values)
+    if entries.shape != (2,):
+        raise ValueError(f"{name} = {values!r}: two numbers are needed, one for each mass")
+    return exact(entries[0]), exact(entries[1])
+
+
+def started(chain: TwoMassChain, x_0: Vector, v_0: Vector) -> FreeModes:
+    """The same from a start in 80 digits."""
+    slow, fast = chain.exact_modes
+    return FreeModes(
+        chain,
+        (_coordinate(chain, slow, x_0), _coordinate(chain, fast, x_0)),
+        (_coordinate(chain, slow, v_0), _coordinate(chain, fast, v_0)),
+    )
+
+
+def _coordinate(chain: TwoMassChain, mode: Mode, values: Vector) -> Decimal:
+    """The share of a mode in displacements or velocities: the modes are orthogonal in the masses."""
+    m1, m2, _, _ = chain.exact_parameters
+    with precise():
+        return sum_of(m1 * mode.shape[0] * values[0], m2 * mode.shape[1] * values[1]) / mode.mass
+
+
+def free_motion(chain: TwoMassChain, x_0: ArrayLike, v_0: ArrayLike, t: ArrayLike) -> Motion:
+    """The free motion at times t (n,), within 2 u of the sum of its amplitudes while omega_+ t < 1e15.
+
+    Past that x and v stay on the orbit of the fast mode, but its phase is no longer certain.
+    """
+    t = finite_array("t", t)
+    return motion_of(free_modes(chain, x_0, v_0).terms(t), t)
+
+
+def motion_of(terms: Sequence[Terms], t: Array) -> Motion:
+    x1, x2, e2, v1, v2 = _combination(terms)
+    return Motion(t, np.array([x1, x2]), np.array([v1, v2]), np.array([x1, e2]))
+
+
+def _combination(terms: Sequence[Terms]) -> Array:
+    curves = [curve for term in terms for curve in term.curves]
+    rows = [[c for row in place for c in row] for place in zip(*(term.rows for term in terms), strict=True)]
+    return combined(rows, curves, QUANTITIES)
+
+
+def _angle(sine: Decimal, cosine: Decimal) -> float:
+    """The angle in (-pi, pi] of a point of the plane, 0 for its origin."""
+    size = max(abs(sine), abs(cosine))
+    if not size:
+        return 0.0
+    result = math.atan2(sine / size, cosine / size)
+    return math.pi if result <= -math.pi else result

@@ -1,0 +1,183 @@
+"""Curves over time as hi + lo pairs, and linear combinations of them rounded once.
+
+A motion of the chain is a small matrix of 80-digit coefficients times a few curves: cos(omega t),
+sin(omega t)/omega and, under a drive, the response g of a mode that starts from rest,
+
+    g'' + omega_n^2 g = sin(omega t),   g(0) = g'(0) = 0.
+
+Every curve has bounded entries and a decimal scale, so that nothing overflows on the way. The product is
+formed with the slices of K. Ozaki, T. Ogita, S. Oishi, S. M. Rump, Numer. Algorithms 59 (2012) 95: leading parts of
+25 bits, whose products and sums are exact, and a remainder, for which float64 is plenty.
+"""
+
+import math
+from collections.abc import Sequence
+from decimal import Decimal
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from physics.exact import Array, Pair, angle, binary, circle, exact, precise, two_product, two_sum
+
+_SLOW = Decimal(2) ** -10  # rad; below it sin(x)/x takes three terms of its series
+_EARLY = 2.0  # rad; below it the closed form of g cancels and its series takes over
+_TERMS = 15  # of that series: the next one is below 1e-18 of the first
+_SLICER = 1.5 * 2.0**28  # adding and subtracting it rounds to a multiple of 2**-24
+
+
+class Curve(NamedTuple):
+    """(hi + lo) scale, hi and lo (n,)."""
+
+    hi: Array
+    lo: Array
+    scale: Decimal
+
+    def times(self, factor: Decimal) -> "Curve":
+        with precise():
+            return Curve(self.hi, self.lo, self.scale * factor)
+
+
+def reach(t: Array) -> Decimal:
+    """The largest |t|."""
+    return exact(np.max(np.abs(t), initial=0.0))
+
+
+def power_of_two(near: Decimal) -> tuple[int, Decimal]:
+    """(e, 2**e) with near <= 2**e, as close as a power of two gets."""
+    with precise():
+        exponent = binary(near)[2]
+        return exponent, Decimal(2) ** exponent
+
+
+def turning(omega: Decimal, t: Array) -> tuple[Curve, Curve]:
+    """cos(omega t) and sin(omega t)/omega, which is t for omega = 0."""
+    with precise():
+        slow = abs(omega) * reach(t) < _SLOW
+    if slow:
+        return _hardly_turning(omega, t)
+    sine, cosine = circle(*angle(omega, t))
+    with precise():
+        return Curve(*cosine, Decimal(1)), Curve(*sine, 1 / omega)
+
+
+def _hardly_turning(omega: Decimal, t: Array) -> tuple[Curve, Curve]:
+    exponent, unit = power_of_two(reach(t))
+    time = np.ldexp(t, -exponent)
+    with precise():
+        square = (float(omega * unit) * time) ** 2
+    cosine = -square / 2.0 * (1.0 - square / 12.0 * (1.0 - square / 30.0))
+    sine = -square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0))
+    return Curve(*two_sum(1.0, cosine), Decimal(1)), Curve(*two_sum(time, time * sine), unit)
+
+
+def response(omega: Decimal, omega_n: Decimal, t: Array) -> tuple[Curve, Curve]:
+    """g and g' of a mode of frequency omega_n under sin(omega t), at any omega > 0, omega_n included."""
+    with precise():
+        s, d = (omega + omega_n) / 2, (omega - omega_n) / 2
+        early = np.abs(t) <= _EARLY * float(1 / max(omega, omega_n))
+    speed = product(turning(s, t)[1], turning(d, t)[1]).times(omega / 2)
+    late = _late_response(omega, omega_n, t[~early])
+    return _merged(early, _early_response(omega, omega_n, t[early]), late), speed
+
+
+def _late_response(omega: Decimal, omega_n: Decimal, t: Array) -> Curve:
+    """g from half sum and half difference near resonance, as two divided sines away from it."""
+    with precise():
+        s, d = (omega + omega_n) / 2, (omega - omega_n) / 2
+        if 2 * abs(d) > s:
+            factor = -omega / (4 * s * d)
+            return difference(turning(omega, t)[1], turning(omega_n, t)[1]).times(factor)
+        (cos_s, over_s), (cos_d, over_d) = turning(s, t), turning(d, t)
+        return difference(product(cos_d, over_s), product(cos_s, over_d)).times(1 / (2 * omega_n))
+
+
+def _early_response(omega: Decimal, omega_n: Decimal, t: Array) -> Curve:
+    """g = omega t^3 sum_k (-1)^k h_k / (2 k + 3)!, h_k = sum_i (omega t)^(2 i) (omega_n t)^(2 k - 2 i)."""
+    exponent, unit = power_of_two(reach(t))
+    time = np.ldexp(t, -exponent)
+    with precise():
+        x, y = (float(omega * unit) * time) ** 2, (float(omega_n * unit) * time) ** 2
+        scale = omega * unit**3 / 6
+    h, power, rest = np.ones_like(t), np.ones_like(t), np.zeros_like(t)
+    for k in range(1, _TERMS):
+        power = -y * power
+        h = -x * h + power
+        rest += h * (6.0 / math.factorial(2 * k + 3))
+    square = two_product(time, time)
+    cube = product(Curve(*square, Decimal(1)), Curve(time, np.zeros_like(t), scale))
+    return Curve(*two_sum(cube.hi, cube.lo + cube.hi * rest), scale)
+
+
+def product(a: Curve, b: Curve) -> Curve:
+    p, e = two_product(a.hi, b.hi)
+    with precise():
+        return Curve(p, e + (a.hi * b.lo + a.lo * b.hi), a.scale * b.scale)
+
+
+def difference(a: Curve, b: Curve) -> Curve:
+    scale = max(abs(a.scale), abs(b.scale))
+    a, b = rescaled(a, scale), rescaled(b, scale)
+    s, e = two_sum(a.hi, -b.hi)
+    return Curve(s, e + (a.lo - b.lo), scale)
+
+
+def rescaled(a: Curve, scale: Decimal) -> Curve:
+    """The same curve, counted in a scale at least as large as its own."""
+    with precise():
+        hi, lo, exponent = binary(a.scale / scale)
+    factor = Curve(np.asarray(math.ldexp(hi, exponent)), np.asarray(math.ldexp(lo, exponent)), scale)
+    return product(Curve(a.hi, a.lo, Decimal(1)), factor)
+
+
+def _merged(chosen: NDArray[np.bool_], a: Curve, b: Curve) -> Curve:
+    """The values of a where chosen, those of b elsewhere, in order."""
+    scale = max(abs(a.scale), abs(b.scale))
+    hi, lo = np.empty(chosen.shape), np.empty(chosen.shape)
+    for where, part in ((chosen, rescaled(a, scale)), (~chosen, rescaled(b, scale))):
+        hi[where], lo[where] = part.hi, part.lo
+    return Curve(hi, lo, scale)
+
+
+def combined(rows: Sequence[Sequence[Decimal]], curves: Sequence[Curve], quantities: Sequence[str]) -> Array:
+    """sum_k rows[i][k] curves[k] as (rows, n), each entry rounded about once.
+
+    ValueError names the quantity, one of a row, that leaves the range of doubles.
+    """
+    curves = [_normalised(curve) for curve in curves]
+    hi, lo, exponents = _coefficients(rows, curves)
+    leading, rest = _sliced(hi)
+    leading_curves, rest_curves = _sliced(np.array([curve.hi for curve in curves]))
+    rest_curves += np.array([curve.lo for curve in curves])
+    small = leading @ rest_curves + (rest + lo) @ (leading_curves + rest_curves)
+    with np.errstate(over="ignore"):
+        result = np.ldexp(leading @ leading_curves + small, exponents[:, np.newaxis])
+    for quantity, row in zip(quantities, result, strict=True):
+        if not np.all(np.isfinite(row)):
+            raise ValueError(f"{quantity} leaves the range of doubles")
+    return result
+
+
+def _normalised(curve: Curve) -> Curve:
+    exponent = math.frexp(np.max(np.abs(curve.hi), initial=0.0))[1]
+    with precise():
+        scale = curve.scale * Decimal(2) ** exponent
+    return Curve(np.ldexp(curve.hi, -exponent), np.ldexp(curve.lo, -exponent), scale)
+
+
+def _coefficients(
+    rows: Sequence[Sequence[Decimal]], curves: Sequence[Curve]
+) -> tuple[Array, Array, NDArray[np.int_]]:
+    """Rows times scales as hi + lo, at most 1, and the power of two taken out of each row."""
+    with precise():
+        parts = [[binary(c * curve.scale) for c, curve in zip(row, curves, strict=True)] for row in rows]
+    exponents = [max((e for hi, _, e in row if hi), default=0) for row in parts]
+    shifts = [[e - top for _, _, e in row] for row, top in zip(parts, exponents, strict=True)]
+    hi, lo, _ = np.moveaxis(np.array(parts), 2, 0)
+    return np.ldexp(hi, shifts), np.ldexp(lo, shifts), np.array(exponents)
+
+
+def _sliced(a: Array) -> Pair:
+    """a = leading + rest, |a| <= 1, leading a multiple of 2**-24."""
+    leading = (a + _SLICER) - _SLICER
+    return leading, a - leading
