@@ -7,8 +7,8 @@ x is measured from where the spring is at its natural length. The solution, writ
     x = A cos(omega_n t) + B sin(omega_n t),   A = x_0, B = v_0/omega_n
     x = C sin(omega_n t + phi),                C = hypot(A, B), phi = atan2(A, B)
 
-The slide's phi = atan(x_0 omega_n/v_0) is right for v_0 > 0 only. A spring with k = 0 leaves the mass free: it
-drifts, x = x_0 + v_0 t, which is the limit of B sin(omega_n t).
+The slide's phi = atan(x_0 omega_n/v_0) is right for v_0 > 0 only. A spring with k = 0 leaves the mass free:
+it drifts, x = x_0 + v_0 t, which is the limit of B sin(omega_n t).
 
 The constants are worked out in 80-digit decimals and rounded once; x, v and a err by at most 4 u of their
 amplitudes at any time (u = 2^-53), whatever the exponents of m, k, x_0, v_0 and t.
@@ -132,7 +132,8 @@ def _oscillation(a: Decimal, cosine: Array, b: Decimal, sine: Array) -> Array:
     room = 2 if max(a_exponent, b_exponent) > 1000 else 0
     with np.errstate(over="ignore"):
         first, second = np.ldexp(a_hi * cosine, a_exponent - room), np.ldexp(b_hi * sine, b_exponent - room)
-        return np.ldexp(first + second, room)
+        total: Array = np.ldexp(first + second, room)
+        return total
 
 
 def _drift(x_0: float, v_0: float, t: Array) -> Array:

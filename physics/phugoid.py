@@ -212,7 +212,7 @@ def _taylor(state: Array) -> Array:
     series[0] = state
     drift, p, w = series.T
     speed = hypot(1 + p[0], w[0])
-    q[0] = _square_minus_1(p[0], w[0]) / (1 + speed)
+    q[0] = (p[0] * (2 + p[0]) + w[0] * w[0]) / (1 + speed)
     for n in range(ORDER):
         back = slice(n, None, -1)
         if n > 0:
@@ -247,13 +247,9 @@ def _top(series: Array, step: float) -> float:
     return step
 
 
-def _square_minus_1(p: float | Array, w: float | Array) -> float | Array:
-    """V^2 - 1 without cancellation."""
-    return p * (2 + p) + w * w
-
-
 def _height(p: Array, w: Array) -> Array:
-    return -_square_minus_1(p, w) / 2
+    """h = (1 - V^2)/2 without cancellation."""
+    return -(p * (2 + p) + w * w) / 2
 
 
 def _bottom_excess(excess: float) -> float:

@@ -1,0 +1,128 @@
+"""Energy of a mass that hangs on a spring (lecture D31, slides 4 to 6).
+
+    ////////           natural length
+       |            ------------------------
+       \\                                   delta_st = m g/k
+       / k          ------- static equilibrium, x = 0
+       \\                                   x, downward
+      [m]           -------
+
+Counted from equilibrium V = k (x + delta_st)^2/2 - k delta_st^2/2 - m g x, and because k delta_st = m g
+this is V = k x^2/2: gravity moves the equilibrium and drops out of the motion, omega_n = sqrt(k/m) does not
+contain g. d/dt (T + V) = m x' x'' + k x x' = 0 is the equation of motion; T and V are exchanged at 2 omega_n.
+
+T_max = V_max holds for this datum only. With the spring's energy k (x + delta_st)^2/2 and the weight's -m g x
+counted apart, V is k x^2/2 + k delta_st^2/2: larger by the constant m g delta_st/2.
+"""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from physics.exact import Array, exact, precise, rounded, split, two_sum
+from physics.oscillator import Oscillator, OscillatorMotion
+from physics.valid import check_not_negative, check_positive, finite_array
+
+Datum = Literal["equilibrium", "separate"]
+
+
+@dataclass(frozen=True, kw_only=True)
+class HangingEnergy:
+    """Energies in J, arrays (n,): spring from its natural length, gravity from x = 0, V by the datum."""
+
+    T: Array
+    V: Array
+    spring: Array
+    gravity: Array
+
+    @property
+    def total(self) -> Array:
+        return self.T + self.V
+
+
+@dataclass(frozen=True, kw_only=True)
+class HangingMass:
+    """A mass m (kg) on a spring of stiffness k (N/m) under gravity g (m/s^2)."""
+
+    m: float
+    k: float
+    g: float
+
+    def __post_init__(self) -> None:
+        check_positive("a mass in kg", m=self.m)
+        check_positive("the stiffness in N/m that a weight hangs on", k=self.k)
+        check_not_negative("gravity in m/s^2", g=self.g)
+
+    @cached_property
+    def oscillator(self) -> Oscillator:
+        """The motion about equilibrium; without g."""
+        return Oscillator(m=self.m, k=self.k)
+
+    @property
+    def omega_n(self) -> float:
+        """Natural frequency in rad/s."""
+        return self.oscillator.omega_n
+
+    @property
+    def delta_st(self) -> float:
+        """Static deflection m g/k in m, rounded once."""
+        with precise():
+            return rounded("the static deflection", exact(self.m) * exact(self.g) / exact(self.k))
+
+    @property
+    def datum_shift(self) -> float:
+        """V counted apart less V counted from equilibrium: k delta_st^2/2 = (m g)^2/(2 k) in J."""
+        with precise():
+            return rounded("k delta_st^2/2", (exact(self.m) * exact(self.g)) ** 2 / (2 * exact(self.k)))
+
+    def motion(self, x_0: float, v_0: float, t: ArrayLike) -> OscillatorMotion:
+        """x, v, a (n,) about equilibrium, from x(0) = x_0 downward and x'(0) = v_0."""
+        return self.oscillator.motion(x_0, v_0, t)
+
+    def total_energy(self, x_0: float, v_0: float) -> float:
+        """T + V of this start, V from equilibrium, in J, rounded once."""
+        with precise():
+            twice = exact(self.m) * exact(v_0) ** 2 + exact(self.k) * exact(x_0) ** 2
+            return rounded("the energy", twice / 2)
+
+    def turning_points(self, x_0: float, v_0: float) -> tuple[float, float]:
+        """Where the mass turns, highest (x = -C) and lowest (x = C): T = 0 and V = V_max there."""
+        C = self.oscillator.constants(x_0, v_0).C
+        return -C, C
+
+    def well(self, x: ArrayLike, datum: Datum = "equilibrium") -> Array:
+        """V(x) for x (n,) in m, off by at most 2 u: no term cancels another."""
+        V = _half_square("V", self.k, finite_array("x", x))
+        return V + self.datum_shift if datum == "separate" else V
+
+    def energies(self, x: ArrayLike, v: ArrayLike, datum: Datum = "equilibrium") -> HangingEnergy:
+        """Energies of states x, v (n,)."""
+        x, v = finite_array("x", x), finite_array("v", v)
+        with precise():
+            deflection, rest = split(exact(self.m) * exact(self.g) / exact(self.k))
+            weight = rounded("the weight m g", exact(self.m) * exact(self.g))
+        stretch, error = two_sum(x, deflection)
+        return HangingEnergy(
+            T=_half_square("T", self.m, v),
+            V=self.well(x, datum),
+            spring=_half_square("the spring's energy", self.k, stretch + (error + rest)),
+            gravity=_in_range("m g x", -weight, x),
+        )
+
+
+def _half_square(name: str, factor: float, x: Array) -> Array:
+    return _in_range(name, 0.5 * x, factor, x)
+
+
+def _in_range(name: str, *factors: float | Array) -> Array:
+    """The product, taken from left to right; ValueError where it leaves the range of doubles."""
+    product = np.asarray(factors[0], dtype=np.float64)
+    with np.errstate(over="ignore"):
+        for factor in factors[1:]:
+            product = product * factor
+    if not np.all(np.isfinite(product)):
+        raise ValueError(f"{name} leaves the range of doubles")
+    return product
