@@ -91,7 +91,14 @@ def power_unit(value: float) -> tuple[int, str]:
     if value == 0 or 1e-3 <= abs(value) < 1e4:
         return 0, ""
     exponent = max(-306, 3 * (Decimal(repr(float(value))).adjusted() // 3))
-    return exponent, ten_to(exponent)
+    return exponent, ten_to(exponent) + " "
+
+
+def axis_number(value: float) -> str:
+    """The label of a round tick: 0, −1, 2.5; what rounding left behind in 3 * 0.1 is not shown."""
+    text = exact(float(f"{value:.12g}"))
+    mantissa, _, exponent = text.replace("-", MINUS, int(value < 0)).partition("e")
+    return mantissa + (ten_to(int(exponent)) if exponent else "")
 
 
 def ten_to(exponent: int) -> str:

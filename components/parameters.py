@@ -20,6 +20,8 @@ class Quantity(param.Number):
 
     __slots__ = ["allowed", "says", "scale", "symbol", "tint", "unit"]
 
+    softbounds: tuple[float, float]  # type: ignore[assignment]  # never None here
+
     def __init__(
         self,
         default: float | None,

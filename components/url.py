@@ -47,17 +47,17 @@ def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Sc
     return Link(slug, values, _shortened(problems))
 
 
-def write_query(scene: Scene) -> dict[str, str]:
-    """The query that brings `scene` back: its slug first, then what differs from the default, in the order
-    in which the scene names its parameters. Numbers are the shortest that read back as the same double."""
+def write_query(scene: Scene) -> str:
+    """The text after the question mark that brings `scene` back.
+
+    Its slug comes first, then what differs from the default, in the order of the scene's parameters; numbers
+    are the shortest text that reads back as the same double.
+    """
     values = {name: getattr(scene, name) for name in link_parameters(type(scene))}
     changed = {name: value for name, value in values.items() if value != type(scene).param[name].default}
-    return {"scene": scene.slug} | {name: _written(value) for name, value in changed.items()}
-
-
-def query_text(scene: Scene) -> str:
-    """The same as the text after the question mark."""
-    return urlencode(write_query(scene), safe=",:")
+    return urlencode(
+        {"scene": scene.slug} | {name: _written(value) for name, value in changed.items()}, safe=",:"
+    )
 
 
 def link_parameters(scene_class: type[Scene]) -> dict[str, param.Parameter]:

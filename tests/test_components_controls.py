@@ -1,7 +1,7 @@
 """Quantities, the description of the controls, and what their messages do to a scene, without a browser."""
 
 import math
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 import param
@@ -20,41 +20,43 @@ from components.parameters import (
     stiffness,
     velocity,
 )
+from components.scene import Picture, Scene
+from components.sheet import Block, column
 
 
-class Example(param.Parameterized):
+class Example(Scene):
     """A scene with one rule of its own: k2/m1 is at most 1e6."""
 
+    slug = "example"
     m1 = mass(2.0, symbol="m_1", tint="m1")
     k2 = stiffness(1.0, symbol="k_2", says="couples the masses. Type any value from 0 up.")
     x1_0 = displacement(1.0, symbol="x_1", tint="m1")
     v1_0 = velocity(symbol="v_1", tint="m1")
-    F0 = force()
+    F_0 = force()
     omega = angular_frequency()
-    window = positive(
-        None, allow_None=True, symbol="T", unit="s", label="window", says="is the window.", softbounds=(1, 9)
+    span = positive(
+        None, allow_None=True, symbol="T", unit="s", label="span", says="is long.", softbounds=(1, 9)
     )
-    view_of = param.Selector(default="size", objects=["size", "signed"], label="Amplitude")
+    view_of: Any = param.Selector(default="size", objects=["size", "signed"], label="Amplitude")
     log = param.Boolean(default=False)
-    hidden = param.List(default=[], item_type=str)
+    solved = 0
 
-    presets = {"Stiff": {"k2": 50.0}, "Heavy": {"m1": 10.0}, "Impossible": {"k2": 1e9, "m1": 1e-9}}
+    presets: ClassVar = {"Stiff": {"k2": 50.0}, "Heavy": {"m1": 10.0}, "Impossible": {"k2": 1e9, "m1": 1e-9}}
 
-    def __init__(self, **values: Any) -> None:
-        super().__init__(**values)
-        self.batches: list[dict[str, Any]] = []
+    @classmethod
+    def sheet(cls) -> Block:
+        return column()
 
-    def set(self, values: dict[str, Any]) -> None:
-        if values.get("k2", self.k2) > 1e6 * values.get("m1", self.m1):
+    def picture(self) -> Picture:
+        if self.k2 > 1e6 * self.m1:
             raise ValueError("the motion is too fast for a double")
-        self.batches.append(values)
-        self.param.update(**values)
+        self.solved += 1
+        return Picture(columns={}, axes={})
 
-    def preset_names(self) -> list[str]:
-        return ["k2", "m1"]
 
-    def preset_value(self, label: str, name: str) -> Any:
-        return self.presets[label].get(name, self.param[name].default)
+@pytest.fixture
+def scene() -> Example:
+    return Example()
 
 
 @pytest.mark.parametrize(
@@ -126,7 +128,7 @@ def test_sliders_can_run_as_their_scale_asks() -> None:
     quantities = [
         parameter for parameter in Example.param.objects().values() if isinstance(parameter, Quantity)
     ]
-    assert len(quantities) == 7
+    assert len(quantities) == 8
     for quantity in quantities:
         low, high = quantity.softbounds
         assert low < high
@@ -151,7 +153,7 @@ def test_panel_is_described_by_groups_and_presets() -> None:
 
 
 def test_choice_shows_the_labels_of_its_options() -> None:
-    parameter = param.Selector(default=1.0, objects={"SI": 1.0, "Slide 8": 2.0}, label="Axes")
+    parameter: Any = param.Selector(default=1.0, objects={"SI": 1.0, "Slide 8": 2.0}, label="Axes")
     assert control("axes", parameter)["options"] == [
         {"value": "1", "label": "SI"},
         {"value": "2", "label": "Slide 8"},
@@ -178,7 +180,7 @@ def test_state_tells_of_a_slider_whose_range_has_moved() -> None:
 def test_slider_sets_its_values_in_one_batch() -> None:
     scene = Example()
     assert apply_message(scene, {"type": "set", "values": {"k2": 3.0, "m1": 4.0}}) == {}
-    assert scene.batches == [{"k2": 3.0, "m1": 4.0}]
+    assert (scene.k2, scene.m1, scene.solved) == (3.0, 4.0, 2)
 
 
 @pytest.mark.parametrize(
@@ -231,7 +233,7 @@ def test_refused_message_says_why_and_changes_nothing(
     before = params_state(scene)
     assert apply_message(scene, message) == errors
     assert params_state(scene) == before
-    assert scene.batches == []
+    assert scene.solved == 1
 
 
 @given(
@@ -251,7 +253,7 @@ def test_refused_message_says_why_and_changes_nothing(
 def test_no_message_breaks_the_server(message: dict[str, Any]) -> None:
     scene = Example()
     errors = apply_message(scene, message)
-    assert errors or len(scene.batches) == 1
+    assert scene.solved == 1 or not errors
     assert all(isinstance(text, str) for text in errors.values())
 
 
@@ -270,7 +272,7 @@ def test_emptied_window_is_the_scene_s_own() -> None:
 def test_preset_sets_everything_that_presets_speak_of_in_one_batch() -> None:
     scene = Example(m1=5.0)
     assert apply_message(scene, {"type": "preset", "label": "Stiff"}) == {}
-    assert scene.batches == [{"k2": 50.0, "m1": 2.0}]
+    assert (scene.k2, scene.m1, scene.solved) == (50.0, 2.0, 2)
 
 
 def test_choices_are_made_by_word_or_value() -> None:

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from components.numbers import exact, excerpt, parse_number, power_unit, signed, three, tidy
+from components.numbers import axis_number, exact, excerpt, parse_number, power_unit, signed, three, tidy
 
 finite = st.floats(allow_nan=False, allow_infinity=False)
 
@@ -126,9 +126,9 @@ def test_number_that_no_double_holds_is_refused(text: str, reason: str) -> None:
         (0.0, 0, ""),
         (9999.0, 0, ""),
         (1e-3, 0, ""),
-        (1e4, 3, "·10³"),
-        (9e-4, -6, "·10⁻⁶"),
-        (-2e300, 300, "·10³⁰⁰"),
+        (1e4, 3, "·10³ "),
+        (9e-4, -6, "·10⁻⁶ "),
+        (-2e300, 300, "·10³⁰⁰ "),
     ],
 )
 def test_axis_is_scaled_by_a_thousand_at_a_time(value: float, exponent: int, text: str) -> None:
@@ -141,6 +141,22 @@ def test_scaled_axis_reaches_to_a_readable_number(value: float) -> None:
     scaled = abs(value) / 10.0**exponent
     assert exponent % 3 == 0
     assert value == 0 or 0.999e-3 <= scaled < 1e4 or abs(value) < 1e-306
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0, "0"),
+        (-0.0, "0"),
+        (3 * 0.1, "0.3"),
+        (-1.0, "−1"),
+        (2.5, "2.5"),
+        (3000.0, "3000"),
+        (-2e-5, "−2·10⁻⁵"),
+    ],
+)
+def test_tick_is_labelled_as_round_as_it_is(value: float, text: str) -> None:
+    assert axis_number(value) == text
 
 
 def test_foreign_text_is_shortened_and_made_visible() -> None:
