@@ -164,7 +164,7 @@ class FreeModes:
     @cached_property
     def amplitude(self) -> Array:
         rows = []
-        for mode, q, v in self._each():
+        for mode, q, v in self.each():
             with precise():
                 size = (q**2 + (v / mode.omega) ** 2).sqrt() if mode.omega else Decimal(0)
                 rows.append([rounded("an amplitude", size * part) for part in mode.shape])
@@ -173,7 +173,7 @@ class FreeModes:
     @cached_property
     def phase(self) -> Array:
         with precise():
-            return np.array([_angle(q * mode.omega, v) if mode.omega else 0.0 for mode, q, v in self._each()])
+            return np.array([_angle(q * mode.omega, v) if mode.omega else 0.0 for mode, q, v in self.each()])
 
     @cached_property
     def drift_a(self) -> Array:
@@ -195,7 +195,7 @@ class FreeModes:
     @cached_property
     def energy(self) -> Array:
         with precise():
-            both = [mode.mass * (v**2 + (mode.omega * q) ** 2) / 2 for mode, q, v in self._each()]
+            both = [mode.mass * (v**2 + (mode.omega * q) ** 2) / 2 for mode, q, v in self.each()]
         return np.array([rounded("the energy of a mode", energy) for energy in both])
 
     def parts(self, t: ArrayLike) -> tuple[Array, Array]:
@@ -207,7 +207,7 @@ class FreeModes:
     def terms(self, t: Array) -> list["Terms"]:
         """Of each mode: cos(omega t) and sin(omega t)/omega, and their coefficients in x1, x2, e2, v1, v2."""
         result = []
-        for mode, q, v in self._each():
+        for mode, q, v in self.each():
             with precise():
                 rate = -(mode.omega**2) * q
                 rows = [(part * q, part * v) for part in mode.rows]
@@ -215,7 +215,7 @@ class FreeModes:
             result.append(Terms(turning(mode.omega, t), rows))
         return result
 
-    def _each(self) -> list[tuple[Mode, Decimal, Decimal]]:
+    def each(self) -> list[tuple[Mode, Decimal, Decimal]]:
         return list(zip(self.chain.exact_modes, self.coordinate, self.velocity, strict=True))
 
 
