@@ -1,0 +1,82 @@
+"""The app served by a process of its own on a free loopback port, with the flags that README names."""
+
+from __future__ import annotations
+
+import os
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).parent.parent
+FLAGS = ("app.py", "--index", "app", "--static-dirs", "assets=static")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Server:
+    port: int
+    process: subprocess.Popen[bytes]
+    log: Path
+
+    @property
+    def url(self) -> str:
+        return f"http://127.0.0.1:{self.port}/"
+
+    def complaints(self) -> list[str]:
+        """The lines of the log that speak of something gone wrong."""
+        signs = ("Traceback", "ERROR", "WARNING", "Error:", "Exception")
+        return [line for line in self.log.read_text().splitlines() if any(sign in line for sign in signs)]
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
+        return port
+
+
+@contextmanager
+def serving(
+    log: Path,
+    *,
+    port: int | None = None,
+    command: Sequence[str] | None = None,
+    folder: Path = ROOT,
+    environment: Mapping[str, str] | None = None,
+) -> Iterator[Server]:
+    """A server that listens; ended on leaving. `command` in place of the usual one must listen on `port`."""
+    port = port or free_port()
+    at = ("--address", "127.0.0.1", "--port", str(port), "--allow-websocket-origin", f"127.0.0.1:{port}")
+    with log.open("wb") as stream:
+        process = subprocess.Popen(
+            command or (sys.executable, "-m", "panel", "serve", *FLAGS, *at),
+            cwd=folder,
+            env={**os.environ, **(environment or {})},
+            stdout=stream,
+            stderr=subprocess.STDOUT,
+        )
+    try:
+        _wait_until_listening(process, port, log)
+        yield Server(port=port, process=process, log=log)
+    finally:
+        process.terminate()
+        try:
+            process.wait(10)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+
+
+def _wait_until_listening(process: subprocess.Popen[bytes], port: int, log: Path, limit: float = 60) -> None:
+    end = time.monotonic() + limit
+    while time.monotonic() < end and process.poll() is None:
+        try:
+            socket.create_connection(("127.0.0.1", port), timeout=1).close()
+            return
+        except OSError:
+            time.sleep(0.05)
+    raise RuntimeError(f"The server does not listen on port {port}:\n{log.read_text()}")
