@@ -9,7 +9,7 @@ from decimal import Decimal
 from types import SimpleNamespace
 from typing import Any, Literal
 
-from physics.exact import PI, exact, precise, rounded
+from physics.exact import exact, precise, rounded
 from physics.pendulum import Pendulum
 from physics.valid import check_positive
 
