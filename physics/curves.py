@@ -6,8 +6,8 @@ sin(omega t)/omega and, under a drive, the response g of a mode that starts from
     g'' + omega_n^2 g = sin(omega t),   g(0) = g'(0) = 0.
 
 Every curve has bounded entries and a decimal scale, so that nothing overflows on the way. The product is
-formed with the slices of K. Ozaki, T. Ogita, S. Oishi, S. M. Rump, Numer. Algorithms 59 (2012) 95: leading parts of
-25 bits, whose products and sums are exact, and a remainder, for which float64 is plenty.
+formed with the slices of K. Ozaki, T. Ogita, S. Oishi, S. M. Rump, Numer. Algorithms 59 (2012) 95: leading
+parts of 25 bits, whose products and sums are exact, and a remainder, for which float64 is plenty.
 """
 
 import math

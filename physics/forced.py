@@ -10,8 +10,8 @@ Particular solution, x_i = Xp_i sin(omega t):
     Xp1 = (k2 - m2 omega^2) F_0/D,   Xp2 = k2 F_0/D,   D = m1 m2 (omega^2 - omega_-^2)(omega^2 - omega_+^2).
 
 Near a natural frequency the lecture's split, total = complementary + particular, is a difference of two huge
-motions. So the motion is formed mode by mode: the free motion of the start plus the response g from rest, which
-grows like t at resonance and needs no particular solution.
+motions. So the motion is formed mode by mode: the free motion of the start plus the response g from rest,
+which grows like t at resonance and needs no particular solution.
 """
 
 import math
@@ -46,9 +46,9 @@ _COMFORT = Decimal("1e40")  # factors of D within this and its inverse cannot ov
 def particular_solution(chain: TwoMassChain, F_0: float, omega: ArrayLike) -> Array:
     """Amplitudes Xp1, Xp2 in m, signed: (2,) for a drive frequency omega in rad/s, (2, n) for n of them.
 
-    +inf where no steady amplitude exists, at a natural frequency exactly, whichever sign it has on the two sides.
-    One frequency is worked out in rational numbers and rounded once; a curve is within 8 ulp. ValueError if an
-    amplitude leaves the range of doubles.
+    +inf where no steady amplitude exists, at a natural frequency exactly, whichever sign it has on the two
+    sides. One frequency is worked out in rational numbers and rounded once; a curve is within 8 ulp.
+    ValueError if an amplitude leaves the range of doubles.
     """
     _check_drive(F_0, omega)
     if np.ndim(omega) == 0:
@@ -179,10 +179,11 @@ class DrivenModes:
 
     @cached_property
     def split_is_meaningful(self) -> bool:
-        """Whether x_c and x_p are worth drawing: they cancel to no less than 1/1000 within a period of the drive.
+        """Whether x_c and x_p are worth drawing: they cancel to no less than 1/1000 within a period of the
+        drive.
 
-        From rest the total grows to about |omega - omega_j| times a period of what either has; at resonance x_p does
-        not exist.
+        From rest the total grows to about |omega - omega_j| times a period of what either has; at resonance
+        x_p does not exist.
         """
         if _amplitudes(self.chain, self.F_0, self.omega) is None:
             return False

@@ -1,0 +1,50 @@
+"""Kinetic and potential energy of the chain (lecture D31, slides 4 to 6; D34, slide 5).
+
+    T_i = m_i v_i^2/2,   V_i = k_i e_i^2/2,   e_1 = x_1 and e_2 = x_2 - x_1 the elongations of the springs
+
+The elongations are carried by the motion: where k2 is 1e12 times k1, x2 - x1 of rounded displacements has no
+digit left, and the energy of a free motion would seem to change. The energies of the modes are
+FreeModes.energy.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from physics.coupled import Motion, TwoMassChain
+from physics.exact import Array
+
+
+@dataclass(frozen=True, eq=False)
+class ChainEnergy:
+    """In J: T (2, n) of the masses, V (2, n) of the springs."""
+
+    T: Array
+    V: Array
+
+    @property
+    def total(self) -> Array:
+        """T + V (n,), constant within 8 u while nothing drives the chain."""
+        result: Array = self.T[0] + self.T[1] + (self.V[0] + self.V[1])
+        return result
+
+
+def chain_energy(chain: TwoMassChain, motion: Motion) -> ChainEnergy:
+    """The energies along a motion; ValueError names the one that leaves the range of doubles."""
+    v1, v2 = motion.v
+    e1, e2 = motion.e
+    return ChainEnergy(
+        T=np.array([half_square("T1", chain.m1, v1), half_square("T2", chain.m2, v2)]),
+        V=np.array([half_square("V1", chain.k1, e1), half_square("V2", chain.k2, e2)]),
+    )
+
+
+def half_square(quantity: str, factor: float, values: Array) -> Array:
+    """factor values^2/2, also where values^2 alone is out of range."""
+    base, exponent = np.frexp(factor)
+    bases, exponents = np.frexp(values)
+    with np.errstate(over="ignore"):
+        result: Array = np.ldexp(base * bases**2, 2 * exponents + exponent - 1)
+    if not np.all(np.isfinite(result)):
+        raise ValueError(f"the energy {quantity} leaves the range of doubles")
+    return result

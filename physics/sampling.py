@@ -1,0 +1,112 @@
+"""Time windows, and what to draw where a motion is too fast for the grid.
+
+A curve drawn from fewer than about twelve samples a cycle is not the motion: its peaks are missed, and below
+two samples it is another, slower oscillation (aliasing). Such components are not drawn as a curve. What is
+true of them at the resolution of the plot is the band that they fill: components A_k sin(omega_k t + phi_k)
+whose frequencies are close move as one, with the slowly varying amplitude
+
+    |sum_k A_k exp(i ((omega_k - omega_ref) t + phi_k))|,
+
+and reach both ends of it within a cycle.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from physics.exact import Array, sin_cos
+
+SAMPLES_PER_CYCLE = 12  # the least; a peak is then drawn at 97 % or more of its height
+SLOW_PERIODS, BEAT_PERIODS, MOST_PERIODS = 4, 2, 100
+NOTHING_OSCILLATES = 10.0  # s, the window of two free masses
+
+
+class Sinusoid(NamedTuple):
+    """amplitude sin(omega t + phase); SI and rad, omega >= 0."""
+
+    amplitude: float
+    omega: float
+    phase: float
+
+
+class Sampled(NamedTuple):
+    """What can be drawn over a grid: a curve, or None and the band (lo, hi) that the motion fills."""
+
+    curve: Array | None
+    lo: Array
+    hi: Array
+
+
+def time_window(omega_slow: float, omega_fast: float) -> float:
+    """Four slow or two beat periods in s, the longer, but at most 100 slow ones.
+
+    A zero frequency is a drift: then the fast one counts; without any frequency the window is 10 s.
+    ValueError if the window leaves the range of doubles.
+    """
+    slow = omega_slow or omega_fast
+    if not slow:
+        return NOTHING_OSCILLATES
+    beat = omega_fast - omega_slow
+    in_slow_periods = BEAT_PERIODS * slow / beat if beat * MOST_PERIODS > BEAT_PERIODS * slow else math.inf
+    return periods(slow, min(max(SLOW_PERIODS, in_slow_periods), MOST_PERIODS))
+
+
+def periods(omega: float, count: float) -> float:
+    """count periods of one frequency in s."""
+    window = 2.0 * math.pi * count / float(omega) if omega else math.inf
+    if not 0.0 < window < math.inf:
+        raise ValueError(f"{count:g} periods at omega = {omega} rad/s leave the range of doubles")
+    return window
+
+
+def drawable(omega: float, t: Array) -> bool:
+    """Whether the grid t (n,) has at least SAMPLES_PER_CYCLE samples in a cycle of omega."""
+    step = float(np.max(np.diff(t), initial=0.0))
+    return step == 0.0 or abs(omega) <= 2.0 * math.pi / SAMPLES_PER_CYCLE / step
+
+
+def sampled(components: Iterable[Sinusoid], t: Array, base: Array | None = None) -> Sampled:
+    """The sum of components and a smooth base (n,) as a curve if t resolves all of them, else as a band."""
+    line, groups = _resolved(components, t, base)
+    if not groups:
+        return Sampled(line, line, line)
+    size = np.sum([_amplitude(group, t) for group in groups], axis=0)
+    return Sampled(None, line - size, line + size)
+
+
+def mean_square(components: Iterable[Sinusoid], t: Array, base: Array | None = None) -> Array:
+    """The square of the same sum (n,), averaged over the cycles that t does not resolve.
+
+    With velocities this gives the mean kinetic energy: products of different fast groups average out, and
+    each has half the square of its amplitude.
+    """
+    line, groups = _resolved(components, t, base)
+    return line**2 + sum((_amplitude(group, t) ** 2 / 2.0 for group in groups), np.zeros_like(t))
+
+
+def _resolved(
+    components: Iterable[Sinusoid], t: Array, base: Array | None
+) -> tuple[Array, list[list[Sinusoid]]]:
+    """The sum of all that t resolves, and the rest in groups whose differences of frequency it resolves."""
+    line = np.zeros_like(t) if base is None else base.copy()
+    groups: list[list[Sinusoid]] = []
+    for component in sorted(components, key=lambda c: c.omega):
+        if drawable(component.omega, t):
+            line += component.amplitude * sin_cos(component.omega, 0.0, t, component.phase)[0]
+        elif groups and drawable(component.omega - groups[-1][0].omega, t):
+            groups[-1].append(component)
+        else:
+            groups.append([component])
+    return line, groups
+
+
+def _amplitude(group: Sequence[Sinusoid], t: Array) -> Array:
+    """The modulus of the complex amplitude of a group."""
+    imaginary, real = np.zeros_like(t), np.zeros_like(t)
+    for amplitude, omega, phase in group:
+        sine, cosine = sin_cos(omega - group[0].omega, 0.0, t, phase)
+        imaginary += amplitude * sine
+        real += amplitude * cosine
+    return np.hypot(real, imaginary)
