@@ -11,7 +11,7 @@ The slide's phi = atan(x_0 omega_n/v_0) is right for v_0 > 0 only. A spring with
 it drifts, x = x_0 + v_0 t, which is the limit of B sin(omega_n t).
 
 The constants are worked out in 80-digit decimals and rounded once; x, v and a err by at most 4 u of their
-amplitudes at any time (u = 2^-53), whatever the exponents of m, k, x_0, v_0 and t.
+amplitudes (u = 2^-53) for all m, k, x_0, v_0 and t with omega_n t < 1e60.
 """
 
 from dataclasses import dataclass

@@ -1,0 +1,201 @@
+"""Oscillator against arbitrary precision, over the whole range of doubles, and against the lecture's book values."""
+
+import math
+import sys
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from physics.oscillator import Oscillator
+
+U = 2.0**-53
+TINY = 2.0**-1074
+LARGEST = sys.float_info.max
+PRECISION = 2600  # bits: omega t may reach 2^2600
+
+
+def log_uniform(low: int, high: int) -> st.SearchStrategy[float]:
+    return st.builds(math.ldexp, st.floats(0.5, 1.0, exclude_max=True), st.integers(low + 1, high))
+
+
+def signed(magnitudes: st.SearchStrategy[float]) -> st.SearchStrategy[float]:
+    return st.builds(lambda x, sign: sign * x, magnitudes, st.sampled_from([-1.0, 0.0, 1.0]))
+
+
+FAMILIES = {
+    "moderate": st.floats(0.1, 10.0),
+    "1e+-8": log_uniform(-27, 27),
+    "1e+-150": log_uniform(-498, 498),
+    "all doubles": log_uniform(-1074, 1024),
+}
+families = pytest.mark.parametrize("magnitudes", FAMILIES.values(), ids=FAMILIES)
+
+
+def ulp(x: float) -> float:
+    return math.ulp(x) if math.isfinite(x) else math.ulp(LARGEST)
+
+
+def within(value: float, true: mp.mpf, scale: mp.mpf, rounding_errors: float) -> bool:
+    step = TINY if scale < 1e-291 else 0
+    return bool(abs(mp.mpf(value) - true) <= rounding_errors * U * scale + step)
+
+
+@families
+def test_frequency_and_period_are_rounded_once(magnitudes):
+    @settings(max_examples=150, deadline=None)
+    @given(m=magnitudes, k=magnitudes)
+    def check(m, k):
+        oscillator = Oscillator(m=m, k=k)
+        with mp.workprec(PRECISION):
+            omega = mp.sqrt(mp.mpf(k) / m)
+            for value, true in ((oscillator.omega_n, omega), (oscillator.period, 2 * mp.pi / omega)):
+                if math.isinf(value):
+                    assert true >= LARGEST * (1 + mp.mpf(U) / 2)
+                else:
+                    assert abs(mp.mpf(value) - true) <= 0.51 * ulp(value)
+
+    check()
+
+
+@families
+def test_motion_stays_within_4_u_of_its_amplitudes(magnitudes):
+    @settings(max_examples=150, deadline=None)
+    @given(m=magnitudes, k=magnitudes, x_0=signed(magnitudes), v_0=signed(magnitudes), t=signed(magnitudes))
+    def check(m, k, x_0, v_0, t):
+        with mp.workprec(PRECISION):
+            omega = mp.sqrt(mp.mpf(k) / m)
+            C = mp.hypot(x_0, v_0 / omega)
+            sine, cosine = mp.sin(omega * t), mp.cos(omega * t)
+            x = x_0 * cosine + v_0 / omega * sine
+            true = {"x": x, "v": v_0 * cosine - x_0 * omega * sine, "a": -(omega**2) * x}
+            scale = {"x": C, "v": omega * C, "a": omega**2 * C}
+            try:
+                motion = Oscillator(m=m, k=k).motion(x_0, v_0, [t])
+            except ValueError as refusal:
+                name = {"displacement": "x", "velocity": "v", "acceleration": "a"}[str(refusal).split()[1]]
+                assert abs(true[name]) >= LARGEST * (1 - 8 * U) or omega * abs(t) >= 1e60 and scale[name] > LARGEST
+                return
+            known = omega * abs(t) < 1e60  # beyond, 80 digits of omega_n leave only the amplitude
+            for name in true:
+                aim, errors = (true[name], 4.0) if known else (mp.mpf(0), 2**53 + 4)
+                assert within(getattr(motion, name)[0], aim, scale[name], errors), name
+
+    check()
+
+
+@pytest.mark.parametrize("periods", [1.0, 1e6, 1e12])
+def test_a_million_million_periods_later(periods):
+    oscillator = Oscillator(m=1.3, k=7.7)
+    t = np.random.default_rng(4).uniform(0.9, 1.0, 200) * periods * oscillator.period
+    motion = oscillator.motion(0.4, -1.1, t)
+    with mp.workdps(60):
+        omega = mp.sqrt(mp.mpf(7.7) / mp.mpf(1.3))
+        A, B = mp.mpf(0.4), mp.mpf(-1.1) / omega
+        C = mp.hypot(A, B)
+        for i in range(200):
+            sine, cosine = mp.sin(omega * t[i]), mp.cos(omega * t[i])
+            assert within(motion.x[i], A * cosine + B * sine, C, 2.5)
+            assert within(motion.v[i], omega * (B * cosine - A * sine), omega * C, 2.5)
+            assert within(motion.a[i], -(omega**2) * (A * cosine + B * sine), omega**2 * C, 2.5)
+
+
+@families
+def test_constants_are_rounded_once_and_the_phase_within_2_ulp(magnitudes):
+    @settings(max_examples=150, deadline=None)
+    @given(m=magnitudes, k=magnitudes, x_0=signed(magnitudes), v_0=signed(magnitudes))
+    def check(m, k, x_0, v_0):
+        with mp.workprec(PRECISION):
+            omega = mp.sqrt(mp.mpf(k) / m)
+            B = v_0 / omega
+            C = mp.hypot(x_0, B)
+            try:
+                constants = Oscillator(m=m, k=k).constants(x_0, v_0)
+            except ValueError as refusal:
+                assert "amplitude" in str(refusal)
+                assert C > LARGEST
+                return
+            assert constants.A == x_0
+            assert abs(mp.mpf(constants.B) - B) <= 0.51 * ulp(constants.B)
+            assert abs(mp.mpf(constants.C) - C) <= 0.51 * ulp(constants.C)
+            phi = mp.atan2(x_0, B) if C else mp.mpf(0)
+            error = abs(mp.mpf(constants.phi) - phi)
+            assert min(error, abs(error - 2 * mp.pi)) <= 2 * ulp(constants.phi)  # -pi + 1e-300 may round to pi
+            assert -math.pi <= constants.phi <= math.pi
+
+    check()
+
+
+def test_k_4_pi_squared_has_a_period_of_one_second():
+    oscillator = Oscillator(m=1.0, k=4 * math.pi**2)
+    assert oscillator.period == pytest.approx(1.0, rel=1e-15)
+    motion = oscillator.motion(1.0, 0.0, [0.0, 0.25, 0.5, 0.75, 1.0])
+    np.testing.assert_allclose(motion.x, [1, 0, -1, 0, 1], atol=1e-15)
+    np.testing.assert_allclose(motion.v / oscillator.omega_n, [0, -1, 0, 1, 0], atol=1e-15)
+    np.testing.assert_allclose(motion.a / oscillator.omega_n**2, [-1, 0, 1, 0, -1], atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("x_0", "v_0", "phi"),
+    [(1, 1, 45), (1, -1, 135), (-1, -1, -135), (-1, 1, -45), (0, -1, 180), (0, 1, 0), (1, 0, 90), (0, 0, 0)],
+)
+def test_phase_is_in_the_right_quadrant(x_0, v_0, phi):
+    assert math.degrees(Oscillator(m=1.0, k=1.0).constants(x_0, v_0).phi) == pytest.approx(phi, abs=1e-13)
+
+
+def test_both_forms_of_the_solution_and_velocity_leads_by_a_quarter_period():
+    oscillator = Oscillator(m=2.0, k=3.0)
+    t = np.linspace(0, 2 * oscillator.period, 301)
+    c, motion = oscillator.constants(0.3, -0.7), oscillator.motion(0.3, -0.7, t)
+    np.testing.assert_allclose(c.C * np.sin(oscillator.omega_n * t + c.phi), motion.x, atol=4e-15)
+    later = oscillator.motion(0.3, -0.7, t + oscillator.period / 4)
+    np.testing.assert_allclose(oscillator.omega_n * later.x, motion.v, atol=4e-15)
+
+
+def test_without_a_spring_the_mass_drifts():
+    free = Oscillator(m=1.0, k=0.0)
+    assert (free.omega_n, free.period) == (0.0, math.inf)
+    motion = free.motion(1.0, 2.0, [0.0, 0.5, 3.0])
+    np.testing.assert_array_equal(motion.x, [1.0, 2.0, 7.0])
+    np.testing.assert_array_equal(motion.v, [2.0, 2.0, 2.0])
+    np.testing.assert_array_equal(motion.a, [0.0, 0.0, 0.0])
+    c = free.constants(-1.0, 2.0)
+    assert (c.A, c.B, c.C, c.phi, c.drift) == (-1.0, 0.0, 1.0, -math.pi / 2, 2.0)
+
+
+def test_the_drift_is_the_limit_of_a_soft_spring():
+    t = np.linspace(0, 100, 11)
+    soft, free = (Oscillator(m=1.0, k=k).motion(0.5, 2.0, t) for k in (TINY, 0.0))
+    np.testing.assert_allclose(soft.x, free.x, rtol=4e-16)
+    np.testing.assert_array_equal(soft.v, free.v)
+
+
+@pytest.mark.parametrize("m", [0.0, -1.0, math.inf, math.nan])
+def test_a_mass_is_positive_and_finite(m):
+    with pytest.raises(ValueError, match=f"m = {m!r}"):
+        Oscillator(m=m, k=1.0)
+
+
+@pytest.mark.parametrize("k", [-1e-300, math.inf, math.nan])
+def test_a_stiffness_is_not_negative_and_finite(k):
+    with pytest.raises(ValueError, match=f"k = {k!r}"):
+        Oscillator(m=1.0, k=k)
+
+
+def test_bad_starts_and_times_are_refused_by_name():
+    oscillator = Oscillator(m=1.0, k=1.0)
+    with pytest.raises(ValueError, match="x_0 = nan"):
+        oscillator.motion(math.nan, 0.0, [0.0])
+    with pytest.raises(ValueError, match="v_0 = inf"):
+        oscillator.constants(0.0, math.inf)
+    with pytest.raises(ValueError, match="t = .*inf"):
+        oscillator.motion(0.0, 0.0, [0.0, math.inf])
+    with pytest.raises(ValueError, match="t has the shape"):
+        oscillator.motion(0.0, 0.0, [[0.0], [1.0]])
+
+
+def test_what_leaves_the_range_of_doubles_is_named():
+    with pytest.raises(ValueError, match="acceleration leaves the range of doubles"):
+        Oscillator(m=1e-300, k=1e300).motion(1e-200, 0.0, [0.0])
