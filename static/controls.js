@@ -1,0 +1,301 @@
+// The control panel: presets, sliders with typed fields, and choices. It shows the state that the server sends and
+// sends what the visitor does; it never decides what is possible.
+
+import {element} from "./dom.js"
+
+const STEPS = 1000 // of a slider moved by arrow keys
+const PATIENCE = 1000 // ms for which the answer to an older message is not shown over a newer slider position
+
+// Where a value stands on its slider, from 0 to 1, and back.
+const SCALES = {
+  linear: {
+    value: (place, low, high) => low + (high - low) * place,
+    place: (value, low, high) => (value - low) / (high - low),
+    finest: (low, high) => (high - low) / 400,
+  },
+  log: {
+    value: (place, low, high) => low * (high / low) ** place,
+    place: (value, low, high) => Math.log(value / low) / Math.log(high / low),
+    finest: () => 0,
+  },
+  near0: {
+    value: (place, low, high) => high * place ** 3,
+    place: (value, low, high) => Math.cbrt(value / high),
+    finest: (low, high) => high / 10000,
+  },
+}
+
+export function sliderValue(scale, place, [low, high]) {
+  const {value, finest} = SCALES[scale]
+  const raw = value(place, low, high)
+  if (!finest(low, high)) return Number(raw.toPrecision(3))
+  const unit = 10 ** Math.floor(Math.log10(finest(low, high)))
+  return Number((Math.round(raw / unit) * unit).toPrecision(3)) + 0
+}
+
+export function sliderPlace(scale, value, [low, high]) {
+  const place = SCALES[scale].place(Math.min(Math.max(value, low), high), low, high)
+  return Math.min(Math.max(place, 0), 1)
+}
+
+// As the server writes a field; it puts its own text there with the answer.
+function fieldText(value) {
+  if (value === 0) return "0.00"
+  const size = Math.abs(value)
+  return size >= 1e-3 && size < 1000 ? value.toPrecision(3) : String(value).replace("e+", "e")
+}
+
+// The number in `text` one unit of its last digit further up or down; null where it is no plain number.
+export function stepped(text, direction) {
+  const match = text.trim().replace("−", "-").replace(",", ".").match(/^([+-]?)(\d+)(?:\.(\d*))?(e[+-]?\d+)?$/i)
+  if (!match) return null
+  const [, sign, whole, fraction = "", exponent = ""] = match
+  const units = BigInt(`${sign === "-" ? "-" : ""}${whole}${fraction}`) + BigInt(direction)
+  const digits = String(units < 0n ? -units : units).padStart(fraction.length + 1, "0")
+  const point = digits.length - fraction.length
+  const shown = fraction ? `${digits.slice(0, point)}.${digits.slice(point)}` : digits
+  return (units < 0n ? "-" : "") + shown + exponent
+}
+
+// k_2: a serif italic letter with its subscript.
+function symbol(text) {
+  const [letter, index] = text.split("_")
+  return element("span", {class: "v"}, letter, ...(index ? [element("sub", {}, index)] : []))
+}
+
+// A message that the row of its control makes room for; without text it takes none.
+function problemElement(id) {
+  return element("p", {class: "problem", role: "alert", id})
+}
+
+class Control {
+  constructor(spec, send, speak) {
+    Object.assign(this, {spec, send, soft: spec.soft, state: null, asked: null, unsent: false, held: false, typed: ""})
+    const {name, label, unit} = spec
+    this.slider = element("input", {type: "range", name: `${name}-slider`, min: 0, max: 1, step: "any", "aria-label": label})
+    this.field = element("input", {
+      type: "text", name, id: `field-${name}`, inputmode: "decimal", autocomplete: "off", spellcheck: "false", "aria-label": label,
+    })
+    this.problem = problemElement(`problem-${name}`)
+    this.element = element("div", {class: "control"},
+      element("label", {for: `field-${name}`, title: label}, symbol(spec.symbol)),
+      this.slider,
+      element("span", {class: "num"}, this.field, element("span", {class: "unit", "aria-hidden": "true"}, unit)),
+      this.problem)
+    this.element.style.setProperty("--c", `var(--${spec.tint})`)
+    this.element.addEventListener("focusin", () => speak(spec))
+    this.#describe()
+    this.#listenToSlider()
+    this.#listenToField()
+  }
+
+  #listenToSlider() {
+    const {slider} = this
+    slider.addEventListener("input", () => this.#slide())
+    slider.addEventListener("keydown", event => this.#stepSlider(event))
+    slider.addEventListener("pointerdown", () => { this.held = true })
+    for (const end of ["pointerup", "pointercancel", "change", "blur"]) {
+      slider.addEventListener(end, () => {
+        if (this.held) this.held = false
+        if (this.state && !this.asked) this.#place(this.state.value)
+      })
+    }
+  }
+
+  #listenToField() {
+    const {field} = this
+    field.addEventListener("input", () => { this.unsent = true })
+    field.addEventListener("change", () => this.#commit())
+    field.addEventListener("blur", () => this.#commit())
+    field.addEventListener("keydown", event => {
+      const direction = {ArrowUp: 1, ArrowDown: -1}[event.key]
+      if (event.key === "Enter") this.#commit()
+      else if (event.key === "Escape") this.#giveUp()
+      else if (direction) {
+        event.preventDefault()
+        this.#stepField(direction)
+      }
+    })
+  }
+
+  #slide() {
+    const value = this.#atSlider()
+    this.typed = this.field.value = fieldText(value)
+    this.unsent = false
+    this.#fill(value)
+    this.asked = {value, since: performance.now()}
+    this.send({type: "set", values: {[this.spec.name]: value}})
+  }
+
+  // An arrow key goes to the next value, however many places that takes where the scale is fine.
+  #stepSlider(event) {
+    const direction = {ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1}[event.key]
+    if (!direction) return
+    event.preventDefault()
+    const start = this.#atSlider()
+    const place = Number(this.slider.value)
+    for (let step = 1; step <= STEPS; step++) {
+      this.slider.value = place + direction * step / STEPS
+      if (this.#atSlider() !== start) return this.#slide()
+    }
+  }
+
+  #stepField(direction) {
+    const text = stepped(this.field.value, direction)
+    if (text === null) return
+    this.field.value = text
+    this.unsent = true
+    this.#commit()
+  }
+
+  #commit() {
+    if (!this.unsent) return
+    this.unsent = false
+    this.typed = this.field.value
+    this.asked = {}
+    this.send({type: "typed", name: this.spec.name, text: this.typed})
+  }
+
+  #giveUp() {
+    this.unsent = false
+    this.asked = null
+    this.#accept()
+  }
+
+  // A preset speaks for every control: what was typed or refused before it is over.
+  release() {
+    this.unsent = false
+    this.asked = {}
+  }
+
+  update(state, error) {
+    const moved = state.value !== this.state?.value
+    this.state = state
+    if (state.soft) this.soft = state.soft
+    if (error) return this.#refuse(error)
+    if (this.problem.textContent && !moved && !this.asked) return // the answer to another control
+    const {value, since} = this.asked ?? {}
+    if (value !== undefined && value !== state.value && performance.now() - since < PATIENCE) return
+    this.asked = null
+    this.#accept()
+  }
+
+  #accept() {
+    this.#say("")
+    if (!this.unsent) this.field.value = this.state.text
+    if (!this.held) this.#place(this.state.value)
+  }
+
+  #refuse(error) {
+    this.asked = null
+    this.#say(error)
+    if (!this.unsent) this.field.value = this.typed
+    if (!this.held) this.#place(this.state.value)
+  }
+
+  #say(error) {
+    if (this.problem.textContent !== error) this.problem.textContent = error
+    this.element.classList.toggle("bad", Boolean(error))
+    if (error) this.field.setAttribute("aria-invalid", "true")
+    else this.field.removeAttribute("aria-invalid")
+    this.#describe()
+  }
+
+  #describe() {
+    const bad = this.problem.textContent
+    this.field.setAttribute("aria-describedby", bad ? `${this.problem.id} controls-says` : "controls-says")
+    this.slider.setAttribute("aria-describedby", "controls-says")
+  }
+
+  #atSlider() {
+    return sliderValue(this.spec.scale, Number(this.slider.value), this.soft)
+  }
+
+  // A slider that already stands for the value stays where the hand has left it.
+  #place(value) {
+    if (value === null) return
+    if (this.#atSlider() !== value) this.slider.value = sliderPlace(this.spec.scale, value, this.soft)
+    this.#fill(value)
+  }
+
+  #fill(value) {
+    this.slider.style.setProperty("--at", this.slider.value)
+    this.slider.setAttribute("aria-valuetext", `${fieldText(value).replace("-", "−")} ${this.spec.unit}`.trim())
+  }
+}
+
+class Presets {
+  constructor({start, presets}, choose) {
+    this.buttons = presets.map(label => {
+      const button = element("button", {type: "button", class: "chip", "aria-pressed": "false"}, label)
+      button.addEventListener("click", () => choose(label))
+      return button
+    })
+    this.problem = problemElement("problem-preset")
+    const chips = element("div", {class: "chips", role: "group", "aria-label": start}, ...this.buttons)
+    this.element = element("section", {class: "group"}, element("h2", {}, start), chips, this.problem)
+  }
+
+  update(preset, error = "") {
+    for (const button of this.buttons) button.setAttribute("aria-pressed", String(button.textContent === preset))
+    if (this.problem.textContent !== error) this.problem.textContent = error
+  }
+}
+
+// Joined buttons for a parameter with a few values: {name, label, options: [{value, label}]}.
+export function buildChoice(host, spec, send) {
+  const buttons = spec.options.map(({value, label}) => {
+    const button = element("button", {type: "button", "aria-pressed": "false", "data-option": value}, label)
+    button.addEventListener("click", () => send({type: "choose", name: spec.name, value}))
+    return button
+  })
+  host.append(element("div", {class: "seg", role: "group", "aria-label": spec.label}, ...buttons))
+  return {
+    update(params) {
+      const now = String(params[spec.name]?.value)
+      for (const button of buttons) button.setAttribute("aria-pressed", String(button.dataset.option === now))
+    },
+  }
+}
+
+// Builds the panel in `host`. `send` takes the messages of components/controls.py; `update` takes what that module
+// calls the state of the parameters, the errors of the last message by parameter, and the label of the preset in force.
+export function buildControls(host, spec, send) {
+  const says = element("p", {class: "says", id: "controls-says"})
+  const speak = ({symbol: letter, says: sentence}) => {
+    const [first, ...rest] = sentence.split(/(?<=\.) /)
+    says.replaceChildren(symbol(letter), " ", element("b", {}, first), rest.length ? ` ${rest.join(" ")}` : "")
+  }
+  const controls = new Map()
+  const choices = []
+  const sections = spec.groups.map(group => {
+    const title = element("h2", {}, group.title, element("span", {}, group.hint))
+    const section = element("section", {class: "group", "aria-label": group.title}, title)
+    for (const row of group.rows) {
+      if (row.options) choices.push(buildChoice(section, row, send))
+      else {
+        const control = new Control(row, send, speak)
+        controls.set(row.name, control)
+        section.append(control.element)
+      }
+    }
+    return section
+  })
+  const presets = new Presets(spec, label => {
+    for (const control of controls.values()) control.release()
+    send({type: "preset", label})
+  })
+  host.classList.add("controls")
+  if (spec.presets.length) host.append(presets.element)
+  host.append(...sections, says)
+  const first = controls.values().next().value
+  if (first) speak(first.spec)
+  return {
+    sections,
+    update(params, errors = {}, preset = null) {
+      for (const [name, control] of controls) if (params[name]) control.update(params[name], errors[name])
+      for (const choice of choices) choice.update(params)
+      presets.update(preset, errors.preset)
+    },
+  }
+}
