@@ -12,7 +12,7 @@ COPY app.py ./
 COPY components components
 COPY physics physics
 COPY static static
-USER lecture
+USER 1000
 
 # ALLOWED_ORIGIN: the host:port that visitors type, several separated by commas.
 ENV PORT=5006 ALLOWED_ORIGIN=localhost:5006,127.0.0.1:5006 NUM_PROCS=1 PYTHONDONTWRITEBYTECODE=1

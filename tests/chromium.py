@@ -1,4 +1,4 @@
-"""Where the Chromium for the browser tests is: the one that CHROMIUM names, or an installed one, or a new one.
+"""Where the Chromium for the browser tests is: the one that CHROMIUM names, or an installed one, or new.
 
 `python -m tests.chromium` prints its path, or nothing where none could be had; the rest goes to stderr.
 """

@@ -28,8 +28,8 @@ class Server:
 
     def complaints(self) -> list[str]:
         """The lines of the log that speak of something gone wrong."""
-        signs = ("Traceback", "ERROR", "WARNING", "Error:", "Exception")
-        return [line for line in self.log.read_text().splitlines() if any(sign in line for sign in signs)]
+        signs = ("Traceback", "ERROR", "CRITICAL")
+        return [line for line in self.log.read_text().splitlines() if line.startswith(signs)]
 
 
 def free_port() -> int:
@@ -51,9 +51,10 @@ def serving(
     """A server that listens; ended on leaving. `command` in place of the usual one must listen on `port`."""
     port = port or free_port()
     at = ("--address", "127.0.0.1", "--port", str(port), "--allow-websocket-origin", f"127.0.0.1:{port}")
+    told = ("--log-format", "%(levelname)s %(message)s")
     with log.open("wb") as stream:
         process = subprocess.Popen(
-            command or (sys.executable, "-m", "panel", "serve", *FLAGS, *at),
+            command or (sys.executable, "-m", "panel", "serve", *FLAGS, *at, *told),
             cwd=folder,
             env={**os.environ, **(environment or {})},
             stdout=stream,

@@ -1,0 +1,243 @@
+"""What a visitor costs: the server's CPU and memory, bytes, time to repaint, frames, the first load.
+
+`make load` starts a server on a free loopback port, visits it by raw WebSockets and in Chromium, prints
+a table and keeps it as build/load/load.md. Counts are options; the run ends after --limit seconds.
+"""
+
+from __future__ import annotations
+
+import argparse
+import asyncio
+import gzip
+import os
+import platform
+import signal
+import time
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from importlib.metadata import version
+from statistics import median
+from typing import Any
+
+import psutil
+from playwright.sync_api import Browser, Page, Response, sync_playwright
+
+from tests.bench.visitor import Visitor
+from tests.chromium import find
+from tests.serving import ROOT, Server, serving
+
+REPORT = ROOT / "build" / "load" / "load.md"
+PARAMETER = "k2"
+READY = "document.documentElement.dataset.ready === 'true'"
+IDLE = 0.3  # seconds for what the server does after it has answered
+
+MOVE_SLIDER = """([selector, share]) => new Promise(painted => {
+  const slider = document.querySelector(selector), low = +slider.min, high = +slider.max
+  const start = performance.now()
+  document.addEventListener("oscillations:painted", () => painted(performance.now() - start), {once: true})
+  slider.value = low + share * (high - low)
+  slider.dispatchEvent(new Event("input", {bubbles: true}))
+})"""
+
+COUNT_FRAMES = """seconds => new Promise(counted => {
+  let frames = 0
+  const observer = new MutationObserver(() => frames++)  // called once a frame, however much has moved
+  observer.observe(document.querySelector(".stage"), {attributes: true, childList: true, subtree: true})
+  setTimeout(() => { observer.disconnect(); counted(frames / seconds) }, 1000 * seconds)
+})"""
+
+
+@dataclass(frozen=True)
+class Row:
+    """One line of the table; `unit` formats a figure, `aim` is what is hoped for."""
+
+    name: str
+    figures: Sequence[float]
+    unit: str
+    aim: str = ""
+
+    def __str__(self) -> str:
+        def show(value: float) -> str:
+            return self.unit.format(value)
+
+        spread = f"{show(min(self.figures))} to {show(max(self.figures))}"
+        return f"| {self.name} | {show(median(self.figures))} | {spread} | {self.aim} |"
+
+
+async def measure_sessions(server: Server, query: str, batches: int, size: int) -> list[Row]:
+    """CPU and memory for each session opened, in batches that stay open."""
+    process = psutil.Process(server.process.pid)
+    visitors = [await Visitor.arrive(server.url, query) for _ in range(size)]  # warms up
+    cpu, memory = [], []
+    for _ in range(batches):
+        await asyncio.sleep(IDLE)
+        before, held = busy(process), process.memory_info().rss
+        visitors += [await Visitor.arrive(server.url, query) for _ in range(size)]
+        await asyncio.sleep(IDLE)
+        cpu.append(1000 * (busy(process) - before) / size)
+        memory.append((process.memory_info().rss - held) / size / 1e6)
+    for visitor in visitors:
+        visitor.leave()
+    return [
+        Row("open a session: server CPU", cpu, "{:.0f} ms", "40 ms"),
+        Row("open a session: server memory", memory, "{:.2f} MB", "0.25 MB"),
+    ]
+
+
+async def measure_changes(server: Server, query: str, batches: int, size: int) -> list[Row]:
+    """CPU, bytes and messages for each move of a slider of one open session."""
+    process = psutil.Process(server.process.pid)
+    visitor = await Visitor.arrive(server.url, query)
+    cpu, kilobytes, patches = [], [], []
+    for batch in range(batches + 1):
+        await asyncio.sleep(IDLE)
+        before, sent, messages = busy(process), visitor.traffic.bytes, visitor.traffic.patches
+        for step in range(size):
+            await visitor.move(PARAMETER, 1 + (batch * size + step) / 100)
+        await asyncio.sleep(IDLE)
+        cpu.append(1000 * (busy(process) - before) / size)
+        kilobytes.append((visitor.traffic.bytes - sent) / size / 1000)
+        patches.append((visitor.traffic.patches - messages) / size)
+    visitor.leave()
+    return [  # the first batch warms up
+        Row("one slider change: server CPU", cpu[1:], "{:.1f} ms", "5 ms"),
+        Row("one slider change: bytes to the browser", kilobytes[1:], "{:.1f} kB", "20 kB"),
+        Row("one slider change: messages to the browser", patches[1:], "{:.2g}", "1"),
+    ]
+
+
+def measure_first_load(browser: Browser, address: str, repeats: int) -> list[Row]:
+    """Requests and bytes until the page is drawn, each time with an empty cache."""
+    requests, plain, compressed = [], [], []
+    for _ in range(repeats):
+        answers: list[Response] = []
+        frames: list[bytes] = []
+        page = browser.new_page()
+        page.on("response", answers.append)
+        page.on(
+            "websocket",
+            lambda socket, to=frames: socket.on("framereceived", lambda f: to.append(as_bytes(f))),
+        )
+        page.goto(address)
+        page.wait_for_function(READY)
+        bodies = [answer.body() for answer in answers if answer.url.startswith("http")]
+        requests.append(len(bodies) + bool(frames))
+        plain.append(total([*bodies, *frames]))
+        compressed.append(total(map(gzip.compress, [*bodies, b"".join(frames)])))
+        page.close()
+    return [
+        Row("first load: requests", requests, "{:.0f}", "20"),
+        Row("first load: bytes, as served", plain, "{:.2f} MB"),
+        Row("first load: bytes, gzip-compressed", compressed, "{:.2f} MB", "1 MB"),
+    ]
+
+
+def measure_repaint(page: Page, repeats: int) -> list[Row]:
+    """From the input event of a slider to the repaint of what depends on it."""
+    selector = f'input[type=range][name="{PARAMETER}-slider"]'
+    times = []
+    for step in range(repeats + 3):
+        times.append(page.evaluate(MOVE_SLIDER, [selector, 0.3 + 0.4 * step / (repeats + 3)]))
+        page.wait_for_timeout(150)
+    return [Row("slider to repaint in Chromium", times[3:], "{:.0f} ms", "60 ms")]  # the first three warm up
+
+
+def measure_playing(page: Page, messages: list[object], repeats: int, seconds: float = 3) -> list[Row]:
+    """Frames a second of the stage while it plays, and messages in either direction meanwhile."""
+    play = page.get_by_role("button", name="Play", exact=True)
+    if play.count():
+        play.click()
+    page.wait_for_timeout(500)
+    frames, sent = [], []
+    for _ in range(repeats):
+        before = len(messages)
+        frames.append(page.evaluate(COUNT_FRAMES, seconds))
+        sent.append(len(messages) - before)
+    return [
+        Row("playing: frames a second", frames, "{:.0f}", "60"),
+        Row("playing: messages either way", sent, "{:.0f}", "0"),
+    ]
+
+
+def measure_browser(address: str, options: argparse.Namespace) -> list[Row]:
+    path = find()
+    if path is None:
+        print("No Chromium: what a browser measures is left out.")
+        return []
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path)
+        rows = measure_first_load(browser, address, min(3, options.batches))
+        page = browser.new_page(viewport={"width": 1280, "height": 720})
+        messages: list[object] = []
+        page.on("websocket", lambda socket: listen(socket, messages.append))
+        page.goto(address)
+        page.wait_for_function(READY)
+        page.wait_for_timeout(1000)
+        pause = page.get_by_role("button", name="Pause", exact=True)
+        if pause.count():
+            pause.click()
+        rows += measure_repaint(page, options.changes)
+        rows += measure_playing(page, messages, min(5, options.batches))
+        browser.close()
+    return rows
+
+
+def listen(socket: Any, take: Callable[[object], None]) -> None:
+    socket.on("framesent", take)
+    socket.on("framereceived", take)
+
+
+def busy(process: psutil.Process) -> float:
+    """CPU seconds used so far; they advance in steps of 10 ms, hence the batches."""
+    times = process.cpu_times()
+    return float(times.user + times.system)
+
+
+def as_bytes(frame: str | bytes) -> bytes:
+    return frame.encode() if isinstance(frame, str) else frame
+
+
+def total(parts: Iterable[bytes]) -> float:
+    return sum(map(len, parts)) / 1e6
+
+
+def machine() -> str:
+    packages = ", ".join(f"{name} {version(name)}" for name in ("panel", "bokeh", "numpy"))
+    return f"{os.cpu_count()} cores, {platform.system()}, Python {platform.python_version()}, {packages}"
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--query", default="scene=coupled", help="the link to open (default: %(default)s)")
+    parser.add_argument("--batches", type=int, default=7, help="batches a median is taken over (%(default)s)")
+    parser.add_argument("--sessions", type=int, default=10, help="sessions opened in a batch (%(default)s)")
+    parser.add_argument("--changes", type=int, default=40, help="slider changes in a batch (%(default)s)")
+    parser.add_argument(
+        "--limit", type=int, default=240, help="seconds after which the run stops (%(default)s)"
+    )
+    options = parser.parse_args()
+    if hasattr(signal, "alarm"):  # not on Windows
+        signal.signal(signal.SIGALRM, stop)
+        signal.alarm(options.limit)
+    REPORT.parent.mkdir(parents=True, exist_ok=True)
+    with serving(REPORT.parent / "server.log") as server:
+        rows = asyncio.run(measure_sessions(server, options.query, options.batches, options.sessions))
+        rows += asyncio.run(measure_changes(server, options.query, options.batches, options.changes))
+        rows += measure_browser(f"{server.url}?{options.query}", options)
+    report(rows, options.query)
+
+
+def stop(*_: object) -> None:
+    raise TimeoutError("the measurement has reached its --limit")
+
+
+def report(rows: Sequence[Row], query: str) -> None:
+    head = f"`/?{query}`, {time.strftime('%Y-%m-%d')}: {machine()}"
+    table = ["| what | median | from, to | aim |", "|---|---|---|---|", *map(str, rows)]
+    text = "\n".join([head, "", *table, ""])
+    REPORT.write_text(text, encoding="utf-8")
+    print(text)
+
+
+if __name__ == "__main__":
+    main()
