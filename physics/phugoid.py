@@ -24,6 +24,7 @@ from functools import lru_cache
 from math import hypot, isfinite, pi, sqrt
 
 import numpy as np
+from numpy.polynomial.polynomial import polyval
 from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
@@ -240,11 +241,13 @@ def _polynomial(series: Array, step: float | Array) -> Array:
 
 
 def _top(series: Array, step: float) -> float:
-    """Where w falls through zero: Newton's method from the far end, where w is concave or nearly straight."""
-    rates = series[1:, 2] * np.arange(1, ORDER + 1)
-    for _ in range(8):
-        step -= _polynomial(series, step)[2] / np.polynomial.polynomial.polyval(step, rates)
-    return step
+    """Where w falls through zero: Newton's method from where the chord over the step does."""
+    w = series[:, 2]
+    rate = w[1:] * np.arange(1, ORDER + 1)
+    root = step * w[0] / (w[0] - polyval(step, w))
+    for _ in range(6):
+        root -= polyval(root, w) / polyval(root, rate)
+    return float(root)
 
 
 def _height(p: Array, w: Array) -> Array:
