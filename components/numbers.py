@@ -36,6 +36,20 @@ def signed(value: float) -> str:
     return text if text.startswith(MINUS) else "+" + text
 
 
+def plus(value: float) -> str:
+    """A number as a further term of a sum: "+ 0.667" or "− 0.667"."""
+    text = signed(value)
+    return f"{text[0]} {text[1:]}"
+
+
+def short(value: float) -> str:
+    """At most three significant digits, no trailing zeros: 5, 0.2, 1.5, 2·10⁻⁷."""
+    text = three(value)
+    head, mark, power = text.partition("·")
+    head = head.rstrip("0").rstrip(".") if "." in head else head
+    return f"{head or '0'}{mark}{power}"
+
+
 def tidy(value: float) -> str:
     """The text of an input field: three digits, or as many as `value` needs to come back exactly."""
     if value == 0:

@@ -1,0 +1,27 @@
+"""The page of one visitor: the scene that the link names, with the link's parameters, in the shell."""
+
+from __future__ import annotations
+
+import panel as pn
+
+from components.scene import Scene
+from components.scenes import SCENES
+from components.shell import navigation, page_template, version
+from components.url import read_query
+from components.view import SceneView
+
+link = read_query(pn.state.session_args, SCENES)
+scene: Scene = SCENES[link.slug]()
+problems = list(link.problems)
+try:
+    scene.set(link.values)
+except ValueError as reason:
+    problems.append(f"{reason} The link's parameters were not used.")
+
+document = pn.state.curdoc
+document.title = scene.headline
+document.template = page_template()
+document.template_variables.update(
+    headline=scene.headline, title=scene.title, navigation=navigation(SCENES, scene.slug), version=version()
+)
+SceneView(scene, problems=tuple(problems)).server_doc(document)

@@ -1,0 +1,127 @@
+"""What the scenes of the two-mass chain share: its parameters, its picture on the stage, and how it is drawn to scale."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import log10
+from typing import Any
+
+from components.controls import Group
+from components.motion import round_down, scaled
+from components.numbers import short
+from components.plots import Axis
+from components.stage import Number, Shape, W, arrow, block, line, spring, text, var, wall
+
+EQUILIBRIUM = (0.35, 0.8)
+"""Where the masses stand at rest, as fractions of the stage's width."""
+WALL = 0.02
+UNIT = 0.185
+"""The width that one metre takes at scale 1."""
+LARGEST, SMALLEST, MARGIN = 0.125, 0.02, 0.03
+
+CHAIN = Group("Chain", ("m1", "m2", "k1", "k2"))
+START = Group("Start", ("x1_0", "x2_0", "v1_0", "v2_0"))
+
+
+def sides(m1: float, m2: float) -> tuple[float, float]:
+    """Sides of the blocks as fractions of the width: area goes with mass, unless one would be too small to see."""
+    largest = max(m1, m2)
+    whole = min(0.08 * largest**0.5, LARGEST)
+    return tuple(max(whole * (m / largest) ** 0.5, SMALLEST) for m in (m1, m2))  # type: ignore[return-value]
+
+
+def wire(k: float) -> float:
+    """Width of a spring's wire: 1.5 to 4 pixels with the logarithm of the stiffness."""
+    return min(max(2.2 + 0.9 * log10(k), 1.5), 4.0) if k > 0 else 0.0
+
+
+def scale(extremes: dict[str, tuple[float, float]], side: tuple[float, float]) -> float:
+    """The largest drawing scale 1, 2, 5, ... at which no block meets another or the wall.
+
+    `extremes` holds the least and largest x1, x2 and elongation of spring 2 (e2), in metres. Scale 1 is kept where it
+    fits and shows a motion of more than a thirtieth of the stage's width.
+    """
+    (low1, high1), (low2, high2), (squeeze, _) = (extremes[name] for name in ("x1", "x2", "e2"))
+    room = [
+        (-low1, EQUILIBRIUM[0] - side[0] / 2 - WALL - MARGIN),
+        (-squeeze, EQUILIBRIUM[1] - EQUILIBRIUM[0] - sum(side) / 2 - MARGIN),
+        (high2, 0.995 - EQUILIBRIUM[1] - side[1] / 2),
+        (high1, 0.995 - EQUILIBRIUM[0] - side[0] / 2),
+        (-low2, EQUILIBRIUM[1] - side[1] / 2 - WALL - MARGIN),
+    ]
+    fits = min((free / (UNIT * reach) for reach, free in room if reach > 0), default=1.0)
+    seen = max(abs(v) for pair in (extremes["x1"], extremes["x2"]) for v in pair) * UNIT > 1 / 30
+    return 1.0 if fits >= 1 and (seen or fits == 1.0) else round_down(fits)
+
+
+@dataclass(frozen=True)
+class Drawn:
+    """How the chain is drawn: sizes for the stage, what the floor's ticks say, and a note where the scale is not 1."""
+
+    scalars: dict[str, float]
+    values: dict[str, str]
+    notes: tuple[str, ...]
+
+
+def to_scale(
+    extremes: dict[str, tuple[float, float]], masses: tuple[float, float], springs: tuple[float, float], size: Axis
+) -> Drawn:
+    """Sizes on the stage; displacements come in the unit of the axis `size`."""
+    side = sides(*masses)
+    factor = scale(extremes, side)
+    scalars = {"side1": side[0], "side2": side[1], "wire1": wire(springs[0]), "wire2": wire(springs[1])}
+    scalars |= {"metre": scaled(-size.exponent, UNIT, factor), "tick": UNIT}
+    notes = () if factor == 1 else (f"Displacements are drawn {short(factor)} times as large.",)
+    return Drawn(scalars, {"tick": f"{short(1 / factor)} m", "x_unit": size.full_unit}, notes)
+
+
+def masses(foot: Number, x1: Number, x2: Number, *, small: bool = False, style: str | None = None) -> list[Shape]:
+    """The chain standing on `foot`, its masses at x1 and x2 (pixels); `small` draws an outline at half size."""
+    size = 0.5 if small else 1.0
+    side1, side2 = var("side1") * W * size, var("side2") * W * size
+    height = foot - (0.026 * W if small else 0.04 * W)
+    teeth: dict[str, Any] = {"height": 6 if small else 13, "style": style}
+    faces = {"style": "ghost"} if small else {}
+    return [
+        spring(WALL * W, height, x1 - side1 / 2, height, var("wire1") * (0.5 if small else 1), show="wire1", **teeth),
+        spring(x1 + side1 / 2, height, x2 - side2 / 2, height, var("wire2") * (0.5 if small else 1), show="wire2", **teeth),
+        block(x1, foot, side1, "" if small else "m_1", tint="m1", **faces),
+        block(x2, foot, side2, "" if small else "m_2", tint="m2", **faces),
+    ]
+
+
+def rest(mass: int) -> Number:
+    """Where mass 1 or 2 stands at rest, in pixels."""
+    return EQUILIBRIUM[mass - 1] * W
+
+
+def place(mass: int, signal: str) -> Number:
+    """Where a mass stands when it is displaced by `signal`, in pixels."""
+    return rest(mass) + var("metre") * W * var(signal)
+
+
+def ground(foot: Number) -> list[Shape]:
+    """Floor, ticks from each mass's own zero, and the wall down to the foot."""
+    shapes = [line(WALL * W, foot, W, foot, tint="ink", style="floor")]
+    for mass in (1, 2):
+        tint = f"m{mass}"
+        shapes.append(text(rest(mass), foot + 17, "0", tint=tint, style="t0"))
+        shapes.append(line(rest(mass), foot, rest(mass), foot + 5, style="floor"))
+        tick = rest(mass) + var("tick") * W
+        shapes += [text(tick, foot + 17, "{tick}", tint=tint, style="t0"), line(tick, foot, tick, foot + 5, style="floor")]
+    return shapes
+
+
+def displacement(mass: int, foot: Number, top: int = 27) -> list[Shape]:
+    """The arrow from equilibrium to the mass, and the number over the equilibrium line, where nothing moves."""
+    x, tint = place(mass, f"x{mass}"), f"m{mass}"
+    return [
+        line(rest(mass), top - 6, rest(mass), foot, tint="mute", style="eq"),
+        line(x, top, x, foot - var(f"side{mass}") * W, tint="mute", style="eq"),
+        arrow(rest(mass), top, x, top, tint=tint),
+        text(rest(mass), top - 12, f"*x*_{mass} = {{x{mass}}} {{x_unit}}", tint=tint, style="t2 b"),
+    ]
+
+
+def standing_wall(top: Number, length: Number) -> Shape:
+    return wall(WALL * W, top, length, side="left")

@@ -1,0 +1,49 @@
+r"""The lecture's formulas, with live numbers in them.
+
+A formula is LaTeX, turned into MathML once a process. Two commands are our own:
+
+    \val{name}         the number called `name`, filled in by the browser at every change
+    \tint{class}{...}  the colour of a quantity: m1, m2, slow, fast, T, V, F, k, ...
+"""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from html import escape
+
+from latex2mathml.converter import convert
+
+_VALUE = re.compile(r"\\val\{(\w+)\}")
+_VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
+_TINT = re.compile(r"\\tint\{(\w+)\}")
+_TINT_MATHML = re.compile(r'<mstyle mathcolor="(\w+)">')
+
+
+@cache
+def mathml(latex: str) -> str:
+    """MathML of a formula; its live numbers are elements with a `data-value` attribute."""
+    source = _VALUE.sub(r"\\text{@\1@}", latex)
+    markup = convert(_TINT.sub(r"\\color{\1}", source))
+    markup = _VALUE_MATHML.sub(r'<mn class="n" data-value="\1"></mn>', markup)
+    return _TINT_MATHML.sub(r'<mstyle class="tint \1">', markup)
+
+
+_INLINE = re.compile(r"\$([^$]+)\$|\*\*([^*]+)\*\*|\{(\w+)\}")
+
+
+@cache
+def rich(text: str) -> str:
+    """HTML of a sentence: $formula$, **strong**, {name} for a live number; all else is plain text."""
+    parts, end = [], 0
+    for match in _INLINE.finditer(text):
+        parts.append(escape(text[end : match.start()]))
+        formula, strong, name = match.groups()
+        if formula:
+            parts.append(mathml(formula))
+        elif strong:
+            parts.append(f"<b>{escape(strong)}</b>")
+        else:
+            parts.append(f'<span class="n" data-value="{name}"></span>')
+        end = match.end()
+    return "".join(parts) + escape(text[end:])

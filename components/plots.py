@@ -1,0 +1,250 @@
+"""The plots: Bokeh figures without data, built once a process and mounted by every visitor's browser.
+
+A session owns only its numbers. A figure knows the names of its columns; the browser fills them from the one message
+that answers a change, and draws the time cursor, the labels at the curves' ends and the handles over the figure.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from bokeh.embed import json_item
+from bokeh.models import ColumnDataSource, FixedTicker, Plot as BokehPlot, Range1d, Span
+from bokeh.plotting import figure
+from numpy.typing import NDArray
+
+from components.numbers import MINUS, power_unit, three
+from components.sheet import Block
+
+
+@dataclass(frozen=True, kw_only=True)
+class Curve:
+    """A line of a plot: column `name` of `source`, coloured as the quantity `tint`.
+
+    `signal` names the motion that moves a dot along it; `label` stands at its right end; `group` is the name by which
+    it is switched off (its own where not given).
+    """
+
+    name: str
+    source: str = "time"
+    tint: str = "ink"
+    width: str = "line"
+    label: str = ""
+    signal: str = ""
+    group: str = ""
+    x: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Band:
+    """A filled region between the columns `low` and `high`: an envelope, or a layer of a stack."""
+
+    low: str
+    high: str
+    source: str = "time"
+    tint: str = "ink"
+    alpha: float = 1.0
+    group: str = ""
+    label: str = ""
+
+
+WIDTHS = {"sum": 3.0, "line": 1.75, "dash": 1.75, "dots": 1.0}
+DASHES = {"dash": [7, 5], "dots": [1, 3]}
+
+
+def plot(
+    name: str,
+    *,
+    x: str,
+    y: str,
+    title: str,
+    curves: tuple[Curve, ...] = (),
+    bands: tuple[Band, ...] = (),
+    heading: tuple[dict[str, Any], ...] = (),
+    source: str = "time",
+    x_column: str = "t",
+    x_labels: bool = True,
+    margin: tuple[int, int] = (40, 56),
+    cursor: str = "",
+    handle: dict[str, Any] | None = None,
+    marks: tuple[dict[str, Any], ...] = (),
+    square: bool = False,
+    grow: float = 1,
+    basis: int = 0,
+    phone: int = 50,
+    height: int = 130,
+    show: str = "",
+    plain: bool = False,
+) -> Block:
+    """A plot as a block of the sheet.
+
+    `x` and `y` name axes of the picture, `title` is its text alternative, `x_column` the column of abscissae,
+    `margin` the room for labels at the left and at the right. `cursor="time"` draws the instant shown and lets it be
+    dragged; `handle` is {"parameter": name, "symbol": text, "tint": class}: a pill on the x axis that sets a
+    parameter. `marks` are {"at": scalar, "tint": class, "label": LaTeX-free text, "set": parameter}: vertical lines
+    with a flag. `square` draws both axes to one scale; `plain` leaves out numbers at the axes. `show` is the form by which the plot stands.
+    """
+    x_labels = x_labels and not plain
+    figure_ = _figure(title, x_column, source, curves, bands, x_labels, margin, plain)
+    return {
+        "kind": "plot",
+        "name": name,
+        "x": x,
+        "y": y,
+        "source": source,
+        "x_column": x_column,
+        "curves": [{**vars(c), "group": c.group or c.name, "x": c.x or x_column} for c in curves],
+        "bands": [{**vars(b), "group": b.group} for b in bands],
+        "heading": list(heading),
+        "x_labels": x_labels,
+        "cursor": cursor,
+        "handle": handle,
+        "marks": list(marks),
+        "square": square,
+        "grow": grow,
+        "basis": basis + (30 if x_labels else 0) + (22 if heading else 0),
+        "phone": phone,
+        "height": height,
+        "show": show,
+        "item": json_item(figure_),
+    }
+
+
+def _figure(
+    title: str,
+    x_column: str,
+    source: str,
+    curves: tuple[Curve, ...],
+    bands: tuple[Band, ...],
+    x_labels: bool,
+    margin: tuple[int, int],
+    plain: bool,
+) -> BokehPlot:
+    figure_ = figure(
+        tools="",
+        toolbar_location=None,
+        sizing_mode="stretch_both",
+        x_range=Range1d(0, 1),
+        y_range=Range1d(0, 1),
+        min_border=0,
+        min_border_left=margin[0],
+        min_border_right=margin[1],
+        min_border_top=4,
+        min_border_bottom=30 if x_labels else 2,
+        outline_line_color=None,
+        background_fill_color=None,
+        border_fill_color=None,
+        output_backend="canvas",
+        html_attributes={"role": "img", "aria-label": title},
+        lod_threshold=None,
+    )
+    names = {b.source for b in bands} | {c.source for c in curves} | {source}
+    sources = {key: ColumnDataSource(name=key, data={}) for key in sorted(names)}
+    for owner in sources:
+        columns = {c.name for c in curves if c.source == owner} | {c.x or x_column for c in curves if c.source == owner}
+        columns |= {column for b in bands if b.source == owner for column in (x_column, b.low, b.high)}
+        sources[owner].data = {column: np.empty(0, np.float32) for column in sorted(columns)}
+    for band in bands:
+        glyph = figure_.varea(x=x_column, y1=band.low, y2=band.high, source=sources[band.source], fill_alpha=band.alpha)
+        glyph.tags = [band.tint, band.group]
+    for curve in curves:
+        glyph = figure_.line(x=curve.x or x_column, y=curve.name, source=sources[curve.source])
+        glyph.glyph.line_width = WIDTHS[curve.width]
+        glyph.glyph.line_dash = DASHES.get(curve.width, [])
+        glyph.glyph.line_join = "round"
+        glyph.tags = [curve.tint, curve.group or curve.name]
+    figure_.add_layout(Span(location=0, dimension="width", line_width=1, level="underlay", tags=["zero"]))
+    for axis in (*figure_.xaxis, *figure_.yaxis):
+        axis.ticker = FixedTicker(ticks=[])
+        axis.axis_line_color = axis.minor_tick_line_color = axis.major_tick_line_color = None
+        axis.major_label_text_font_size = "13px"
+        axis.major_label_standoff = 5
+    for grid in (*figure_.xgrid, *figure_.ygrid):
+        grid.ticker = figure_.xaxis[0].ticker if grid.dimension == 0 else figure_.yaxis[0].ticker
+    figure_.xaxis.visible, figure_.yaxis.visible = x_labels, not plain
+    if plain:
+        figure_.xgrid.visible = figure_.ygrid.visible = False
+        figure_.add_layout(Span(location=0, dimension="height", line_width=1, level="underlay", tags=["zero"]))
+    return figure_
+
+
+@dataclass(frozen=True)
+class Axis:
+    """The range of an axis in SI units and how it is labelled: in units of 10**exponent."""
+
+    start: float
+    end: float
+    unit: str = ""
+    exponent: int = 0
+    suffix: str = ""
+    ticks: tuple[float, ...] = field(default=(), repr=False)
+    log: bool = False
+
+    def scaled(self, values: NDArray[np.float64]) -> NDArray[np.float32]:
+        """Values in the axis' unit, ready for the wire: far outside the frame they are cut, where no line is seen."""
+        with np.errstate(over="ignore"):
+            return np.clip(scale_by_ten(values, -self.exponent), -1e30, 1e30).astype(np.float32)
+
+    @property
+    def full_unit(self) -> str:
+        """The unit with the power of ten before it."""
+        return f"{self.suffix}{self.unit}"
+
+    def places(self, signed: bool = False) -> tuple[int, bool]:
+        """How a number that changes while playing is shown on this axis: decimals, and whether its sign always stands."""
+        size = float(scale_by_ten(np.array(max(abs(self.start), abs(self.end))), -self.exponent))
+        return max(0, 2 - math.floor(math.log10(size))), signed
+
+    def number(self, value: float) -> str:
+        """A value in this axis' unit, to three digits."""
+        return three(float(scale_by_ten(np.array(value), -self.exponent)))
+
+    def wire(self) -> dict[str, Any]:
+        labels = [f"{tick:.6g}".replace("-", MINUS) for tick in self.ticks]
+        if self.ticks and self.unit:
+            labels[-1] = f"{labels[-1]} {self.full_unit}"
+        start, end = (float(scale_by_ten(np.array(v), -self.exponent)) for v in (self.start, self.end))
+        ticks = [float(tick) for tick in self.ticks]
+        return {
+            "start": start, "end": end, "ticks": ticks, "labels": labels, "unit": self.full_unit, "exponent": self.exponent
+        }
+
+
+def scale_by_ten(values: NDArray[np.float64], exponent: int) -> NDArray[np.float64]:
+    """values * 10**exponent, in two steps so that no power of ten leaves the range of doubles."""
+    half = exponent // 2
+    return values * 10.0**half * 10.0 ** (exponent - half)
+
+
+def nice_axis(low: float, high: float, unit: str = "", count: int = 4, exact: bool = False) -> Axis:
+    """An axis over [low, high] with at most `count` + 1 round ticks; unless `exact`, it grows to show the curve whole."""
+    if not high > low:
+        middle = abs(low) or 1.0
+        low, high = low - middle, high + middle
+    size = max(abs(low), abs(high))
+    exponent, suffix = power_unit(size)
+    a, b = (float(scale_by_ten(np.array(v), -exponent)) for v in (low, high))
+    step = nice_step((b - a) / count)
+    first, last = math.ceil(a / step - 1e-9), math.floor(b / step + 1e-9)
+    ticks = tuple(step * i for i in range(first, last + 1))
+    margin = 0.0 if exact else 0.08 * (high - low)
+    return Axis(low - margin, high + margin, unit, exponent, suffix, ticks)
+
+
+def nice_step(raw: float) -> float:
+    """The smallest of 1, 2, 5 times a power of ten that is not below `raw`."""
+    power = 10.0 ** math.floor(math.log10(raw))
+    return next(f * power for f in (1, 2, 5, 10) if f * power >= raw * (1 - 1e-9))
+
+
+def time_axis(end: float) -> Axis:
+    """The axis of a time window from 0 to `end` seconds."""
+    return nice_axis(0.0, end, "s", 5, exact=True)
+
+
+def widest(*ranges: tuple[float, float]) -> tuple[float, float]:
+    """The range that holds all of these."""
+    return min(low for low, _ in ranges), max(high for _, high in ranges)

@@ -1,0 +1,8 @@
+"""The scenes, in the lecture's order: the only list of them."""
+
+from __future__ import annotations
+
+from components.scene import Scene
+from components.scenes.coupled import Coupled
+
+SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (Coupled,)}

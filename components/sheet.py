@@ -1,0 +1,70 @@
+"""What stands where on the paper: rows and columns of blocks, as plain data for the browser.
+
+A block is a dict with a `kind`; `grow` and `basis` say how it shares the height (in a column) or the width (in a
+row), `phone` is its place from top to bottom on a narrow screen and `height` its height there.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from components.equations import mathml, rich
+
+Block = dict[str, Any]
+
+
+def row(*blocks: Block, grow: float = 1, basis: int = 0, gap: int = 24) -> Block:
+    return {"kind": "row", "blocks": list(blocks), "grow": grow, "basis": basis, "gap": gap}
+
+
+def column(*blocks: Block, grow: float = 1, basis: int = 0, gap: int = 0) -> Block:
+    return {"kind": "column", "blocks": list(blocks), "grow": grow, "basis": basis, "gap": gap}
+
+
+def stage(*shapes: dict[str, Any], label: str, grow: float = 1, basis: int = 0, phone: int = 0, height: int = 180) -> Block:
+    """The picture. `label` describes it to those who do not see it."""
+    return {
+        "kind": "stage",
+        "shapes": list(shapes),
+        "label": label,
+        "grow": grow,
+        "basis": basis,
+        "phone": phone,
+        "height": height,
+    }
+
+
+def words(*paragraphs: str | dict[str, str], style: str = "facts", grow: float = 0, basis: int = 0, phone: int = 50) -> Block:
+    """Sentences and formulas. A dict holds several forms by name; the picture's `forms` choose one ('' hides it).
+
+    A paragraph is text for `rich`, or a dict {"form": name, variant: text, ...}.
+    """
+    items = []
+    for paragraph in paragraphs:
+        if isinstance(paragraph, str):
+            items.append({"": rich(paragraph)})
+        else:
+            items.append({k: v if k == "form" else rich(v) for k, v in paragraph.items()})
+    return {"kind": "words", "items": items, "style": style, "grow": grow, "basis": basis, "phone": phone}
+
+
+def choice(name: str, options: dict[str, str], label: str, grow: float = 0, basis: int = 34, phone: int = 50) -> Block:
+    """A joined segment of two to four options that sets the Selector parameter `name`."""
+    pairs = [{"value": value, "label": text} for value, text in options.items()]
+    return {
+        "kind": "choice",
+        "name": name,
+        "options": pairs,
+        "label": label,
+        "grow": grow,
+        "basis": basis,
+        "phone": phone,
+    }
+
+
+def term(curve: str = "", key: str = "line", tint: str = "ink", **forms: str) -> dict[str, Any]:
+    """One term of a plot's heading: the formula of a curve, its line sample and its switch.
+
+    `key` is sum, line, dash, band or none. Forms are LaTeX by variant; a single form is called `formula`.
+    """
+    return {"curve": curve, "key": key, "tint": tint, "forms": {k: mathml(v) if v else "" for k, v in forms.items()}}

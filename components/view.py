@@ -1,0 +1,113 @@
+"""One Panel component shows a scene: the browser draws the sheet, plays the motion and sends what the visitor does.
+
+All that changes goes in one message each way, so a slider costs one round trip, one message and one repaint.
+"""
+
+from __future__ import annotations
+
+import json
+from functools import cache
+from typing import Any, ClassVar
+
+import numpy as np
+import param
+from panel.custom import JSComponent
+from panel.widgets.base import WidgetBase
+
+from components.controls import apply_message, params_state
+from components.plots import Axis
+from components.scene import Picture, Scene, static_description
+from components.sheet import Block
+from components.url import write_query
+
+LOADER = """
+export async function render({model}) {
+  const {mount} = await import(new URL("assets/main.js", document.baseURI).href)
+  return mount(model)
+}
+"""
+
+
+class SceneView(WidgetBase, JSComponent):
+    """A scene as a Panel widget: its `value` is the parameters that differ from their defaults."""
+
+    _esm = LOADER
+    _rename: ClassVar[dict[str, str | None]] = {"value": None}
+    value = param.Dict(default={})
+    description = param.String(constant=True, doc="The scene's static description, JSON.")
+    state = param.Dict(doc="The picture at page open; later ones come as messages.")
+
+    def __init__(self, scene: Scene, problems: tuple[str, ...] = (), **params: Any) -> None:
+        self.scene = scene
+        self._errors: dict[str, str] = {}
+        super().__init__(
+            description=description_json(type(scene)),
+            state=self.message(problems=list(problems)),
+            sizing_mode="stretch_both",
+            **params,
+        )
+
+    def message(self, **more: Any) -> dict[str, Any]:
+        """All that the browser needs to show the scene as it now is."""
+        scene = self.scene
+        return {
+            **picture_wire(type(scene), scene.shown),
+            "params": params_state(scene),
+            "preset": scene.preset(),
+            "hidden": list(scene.hidden),
+            "errors": self._errors,
+            "query": write_query(scene),
+            **more,
+        }
+
+    def _handle_msg(self, data: dict[str, Any]) -> None:
+        """Apply what the visitor did and answer, whatever it was: the browser waits for the answer."""
+        self._errors = apply_message(self.scene, data)
+        self.value = {name: v for name, v in self.scene.param.values().items() if v != self.scene.param[name].default}
+        self._send_msg(self.message(answer=data.get("number")))
+
+
+@cache
+def description_json(scene: type[Scene]) -> str:
+    return json.dumps(static_description(scene))
+
+
+@cache
+def column_axes(scene: type[Scene]) -> dict[tuple[str, str], str]:
+    """The axis that each column of each source is drawn on: {(source, column): axis}."""
+    axes: dict[tuple[str, str], str] = {}
+
+    def visit(block: Block) -> None:
+        for child in block.get("blocks", []):
+            visit(child)
+        if block["kind"] != "plot":
+            return
+        for curve in block["curves"]:
+            axes[curve["source"], curve["x"]] = block["x"]
+            axes[curve["source"], curve["name"]] = block["y"]
+        for band in block["bands"]:
+            axes[band["source"], block["x_column"]] = block["x"]
+            axes[band["source"], band["low"]] = axes[band["source"], band["high"]] = block["y"]
+
+    visit(scene.sheet())
+    return axes
+
+
+def picture_wire(scene: type[Scene], picture: Picture) -> dict[str, Any]:
+    """A picture as it is sent: columns as float32 in the unit of the axis they are drawn on."""
+    axes = column_axes(scene)
+    columns: dict[str, dict[str, np.ndarray]] = {}
+    for (source, column), name in axes.items():
+        if source in picture.columns and column in picture.columns[source]:
+            axis: Axis = picture.axes[name]
+            columns.setdefault(source, {})[column] = axis.scaled(picture.columns[source][column])
+    return {
+        "columns": columns,
+        "axes": {name: axis.wire() for name, axis in picture.axes.items()},
+        "signals": picture.signals,
+        "scalars": picture.scalars,
+        "values": picture.values,
+        "live": picture.live,
+        "forms": picture.forms,
+        "notes": list(picture.notes),
+    }

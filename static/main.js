@@ -1,0 +1,247 @@
+// Builds the page of a scene and keeps it in step: one message from the server repaints all, the clock moves the rest.
+
+import {buildChoice, buildControls} from "./controls.js"
+import {Clock} from "./clock.js"
+import {element, live} from "./dom.js"
+import {Plot} from "./plots.js"
+import {evaluate} from "./signals.js"
+import {Stage} from "./stage.js"
+import {Transport} from "./transport.js"
+
+class Page {
+  constructor(model) {
+    this.model = model
+    this.spec = JSON.parse(model.description)
+    this.plots = []
+    this.stages = []
+    this.choices = []
+    this.headings = []
+    this.forms = []
+    this.outbox = []
+    this.waiting = false
+    this.number = 0
+    this.clock = new Clock(t => this.draw(t))
+    this.root = element("div", {class: `page ${this.spec.slug}`})
+    this.#build()
+  }
+
+  #build() {
+    this.paper = element("main", {class: "paper"})
+    this.notice = element("div", {class: "notice", role: "alert", hidden: ""})
+    this.paper.append(element("h1", {}, this.spec.headline), this.notice, this.#block(this.spec.sheet))
+    this.transport = new Transport(this)
+    this.paper.append(this.transport.element)
+    this.panel = element("aside", {class: "panel", "aria-label": "Controls"})
+    this.controls = buildControls(this.panel, this.spec.controls, message => this.send(message))
+    this.panel.append(this.#tools())
+    this.root.append(this.paper, this.panel)
+  }
+
+  #block(block) {
+    const host = element("div", {class: `block ${block.kind} ${block.style ?? ""}`})
+    host.style.flex = `${block.grow} ${block.kind === "row" || block.kind === "column" || block.grow ? 1 : 0} ${block.basis || (block.grow ? 0 : "auto")}${block.basis ? "px" : ""}`
+    if (block.gap) host.style.gap = `${block.gap}px`
+    if (block.phone !== undefined) host.style.order = block.phone
+    if (block.height) host.style.setProperty("--phone-height", `${block.height}px`)
+    if (block.blocks) host.append(...block.blocks.map(child => this.#block(child)))
+    if (block.kind === "stage") {
+      const stage = new Stage(block, host)
+      stage.onresize = () => this.redraw()
+      this.stages.push(stage)
+    }
+    if (block.kind === "plot") {
+      if (block.heading.length) host.append(this.#heading(block))
+      const area = element("div", {class: "plot-area"})
+      host.append(area)
+      this.plots.push(new Plot(block, area, this))
+    }
+    if (block.kind === "words") this.#words(block, host)
+    if (block.kind === "choice") this.choices.push(buildChoice(host, block, message => this.send(message)))
+    return host
+  }
+
+  // The formula is the legend and the switch: a click on a term takes its curve away.
+  #heading(block) {
+    const head = element("div", {class: "head"})
+    for (const term of block.heading) {
+      const part = element(term.curve ? "button" : "span", {class: `part ${term.tint}`, type: term.curve ? "button" : undefined})
+      if (term.key !== "none") part.append(element("i", {class: `key ${term.key}`}))
+      const variants = Object.entries(term.forms).map(([name, html]) => {
+        const text = element("span", {"data-form": name})
+        text.innerHTML = html
+        part.append(text)
+        return [name, text]
+      })
+      if (term.curve) {
+        part.title = "Show or hide this curve"
+        part.addEventListener("click", () => {
+          const hidden = new Set(this.state.hidden)
+          if (!hidden.delete(term.curve)) hidden.add(term.curve)
+          this.send({type: "choose", name: "hidden", value: [...hidden]})
+        })
+      }
+      this.headings.push({term, part, variants})
+      head.append(part)
+    }
+    return head
+  }
+
+  #words(block, host) {
+    for (const item of block.items) {
+      const holder = element("div", {class: "item"})
+      const variants = Object.entries(item).filter(([key]) => key !== "form").map(([name, html]) => {
+        const text = element("div", {})
+        text.innerHTML = html
+        holder.append(text)
+        return [name, text]
+      })
+      if (item.form) this.forms.push({name: item.form, variants, holder})
+      host.append(holder)
+    }
+  }
+
+  #tools() {
+    const link = element("button", {type: "button", class: "chip"}, "Copy link")
+    link.addEventListener("click", async () => {
+      await navigator.clipboard?.writeText(location.href).catch(() => {})
+      link.textContent = "Copied"
+      setTimeout(() => { link.textContent = "Copy link" }, 1500)
+    })
+    const csv = element("button", {type: "button", class: "chip"}, "CSV")
+    csv.addEventListener("click", () => this.send({type: "csv"}))
+    return element("div", {class: "tools"}, link, csv)
+  }
+
+  // One message in flight; of what waits, the newest value of each parameter wins.
+  send(message) {
+    const last = this.outbox[this.outbox.length - 1]
+    if (message.type === "set" && last?.type === "set") Object.assign(last.values, message.values)
+    else this.outbox.push({...message, values: message.values && {...message.values}})
+    this.#flush()
+  }
+
+  #flush() {
+    if (this.waiting || !this.outbox.length) return
+    this.waiting = true
+    const message = this.outbox.shift()
+    if (message.values === undefined) delete message.values
+    this.model.send_msg({...message, number: ++this.number})
+  }
+
+  receive(state) {
+    if (state.file) return this.#download(state)
+    if (state.answer !== undefined) this.waiting = false
+    this.apply(state)
+    this.#flush()
+  }
+
+  #download({file, text}) {
+    this.waiting = false
+    const link = element("a", {href: URL.createObjectURL(new Blob([text], {type: "text/csv"})), download: file})
+    link.click()
+    URL.revokeObjectURL(link.href)
+    this.#flush()
+  }
+
+  apply(state) {
+    this.state = state
+    this.#showForms()
+    for (const [name, elements] of this.named) {
+      if (name in state.values) for (const one of elements) one.textContent = state.values[name]
+    }
+    for (const plot of this.plots) plot.update(state)
+    this.controls.update(state.params, state.errors, state.preset)
+    this.choices.forEach(choice => choice.update(state.params, state.errors))
+    this.clock.update(state.axes.t ?? {end: 1, exponent: 0}, state.scalars)
+    this.transport.update(state)
+    if (state.problems?.length) this.#notify(state.problems)
+    const address = state.query ? `?${state.query}` : location.pathname
+    if (location.search !== `?${state.query}`) history.replaceState(null, "", address)
+    requestAnimationFrame(() => requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("oscillations:painted"))))
+  }
+
+  #showForms() {
+    for (const {term, part, variants} of this.headings) {
+      const wanted = this.state.forms[term.curve] ?? this.state.forms[term.form] ?? "formula"
+      let shown = false
+      for (const [name, text] of variants) {
+        text.hidden = variants.length > 1 && name !== wanted
+        shown ||= !text.hidden && text.innerHTML !== ""
+      }
+      part.style.display = wanted === "" || !shown ? "none" : ""
+      const off = this.state.hidden.includes(term.curve)
+      part.classList.toggle("off", off)
+      if (term.curve) part.setAttribute("aria-pressed", String(!off))
+    }
+    for (const {name, variants, holder} of this.forms) {
+      const wanted = this.state.forms[name] ?? ""
+      holder.hidden = wanted === ""
+      for (const [variant, text] of variants) text.hidden = variant !== wanted
+    }
+  }
+
+  #notify(problems) {
+    const close = element("button", {type: "button", "aria-label": "Close"}, "×")
+    close.addEventListener("click", () => { this.notice.hidden = true })
+    this.notice.replaceChildren(element("span", {}, problems.join(" ")), close)
+    this.notice.hidden = false
+  }
+
+  redraw() {
+    this.clock.dirty = true
+  }
+
+  draw(t) {
+    if (!this.state) return
+    const {signals, scalars, axes} = this.state
+    const named = evaluate(signals, scalars, t)
+    for (const [name, [places, signed]] of Object.entries(this.state.live)) {
+      const text = live(named[name], places, signed)
+      for (const one of this.named.get(name) ?? []) one.textContent = text
+    }
+    const timeText = `${t.toFixed(this.timePlaces ?? 2)} ${axes.t?.unit ?? ""}`
+    this.stages.forEach(stage => stage.frame(named))
+    this.plots.forEach(plot => plot.draw(named, t, timeText))
+  }
+
+  async start() {
+    this.named = new Map()
+    for (const one of this.root.querySelectorAll("[data-value]")) {
+      const name = one.dataset.value
+      this.named.set(name, [...(this.named.get(name) ?? []), one])
+    }
+    await Promise.all(this.plots.map(plot => plot.embed()))
+    this.apply(this.model.state)
+    this.plots.forEach(plot => plot.layout())
+    document.documentElement.dataset.ready = "true"
+  }
+
+  theme() {
+    this.plots.forEach(plot => plot.theme())
+  }
+}
+
+function shell(page) {
+  const button = document.getElementById("theme")
+  if (button) button.onclick = () => {
+    const root = document.documentElement
+    root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark"
+    localStorage.setItem("theme", root.dataset.theme)
+    page.theme()
+  }
+}
+
+export function mount(model) {
+  const page = new Page(model)
+  shell(page)
+  globalThis.oscillations = page
+  model.on("msg:custom", message => page.receive(message))
+  model.on("remove", () => {
+    page.clock.stop()
+    page.root.remove()
+  })
+  // The page's own document is the place, not the component's shadow root: one style sheet serves all of it.
+  document.getElementById("app").append(page.root)
+  page.start()
+  return document.createElement("div")
+}

@@ -1,0 +1,342 @@
+// Mounts the Bokeh figures, fills them with the columns of a message, and draws over them what moves: the time cursor,
+// the dots, the labels at the curves' ends, the marks and the handles.
+
+import {colour, element, live, svg, words} from "./dom.js"
+
+const LABEL_GAP = 16
+
+export class Plot {
+  constructor(block, host, page) {
+    Object.assign(this, {block, host, page, x: {start: 0, end: 1}, y: {start: 0, end: 1}, columns: {}, hidden: new Set()})
+    this.figure = element("div", {class: "figure"})
+    this.over = svg("svg", {class: "over", "aria-hidden": "true"})
+    this.handles = element("div", {class: "handles"})
+    host.append(this.figure, this.over, this.handles)
+    this.cursor = block.cursor ? svg("line", {class: "now"}) : null
+    this.aim = svg("line", {class: "aim"})
+    this.reading = element("div", {class: "reading", hidden: ""})
+    this.marks = block.marks.map(mark => this.#mark(mark))
+    this.labels = block.curves.filter(c => c.label).map(curve => ({curve, text: svg("text", {class: `curve-label ${curve.tint}`}, ...words(curve.label))}))
+    this.bandLabels = block.bands.filter(b => b.label).map(band => ({band, text: svg("text", {class: "band-label", "text-anchor": "middle"}, ...words(band.label))}))
+    this.over.append(...this.labels.map(l => l.text), ...this.bandLabels.map(l => l.text), this.aim)
+    if (this.cursor) this.over.append(this.cursor)
+    this.dots = block.curves.filter(c => c.signal).map(curve => {
+      const dot = svg("circle", {class: `dot ${curve.tint}`, r: 4.5})
+      this.over.append(dot)
+      return {curve, dot}
+    })
+    host.append(this.reading)
+    if (block.handle) this.pill = this.#pill(block.handle.tint, block.handle.symbol, block.handle.label)
+    if (block.cursor === "time" && block.x_labels) this.timePill = this.#pill("ink", "", "Time")
+    this.#pointer()
+  }
+
+  async embed() {
+    const manager = await Bokeh.embed.embed_item(this.block.item, this.figure)
+    this.view = [...manager][0]
+    this.model = this.view.model
+    this.sources = Object.fromEntries([...this.sourceNames()].map(name => [name, this.model.document.get_model_by_name(name)]))
+    this.theme()
+    new ResizeObserver(() => requestAnimationFrame(() => this.layout())).observe(this.figure)
+  }
+
+  sourceNames() {
+    return new Set([...this.block.curves, ...this.block.bands].map(part => part.source))
+  }
+
+  // Position of a number of the axis on the page, in pixels from the host's upper left corner.
+  px(value) {
+    return this.frame.left + (value - this.x.start) / (this.x.end - this.x.start) * this.frame.width
+  }
+
+  py(value) {
+    return this.frame.top + (this.y.end - value) / (this.y.end - this.y.start) * this.frame.height
+  }
+
+  get frame() {
+    return this.box ?? {left: 0, top: 0, width: 1, height: 1}
+  }
+
+  layout() {
+    const box = this.view?.frame?.bbox
+    if (!box || !box.width) return
+    this.box = {left: box.left, top: box.top, width: box.width, height: box.height}
+    if (this.block.square) this.#ranges()
+    this.still()
+    this.page.redraw()
+  }
+
+  update(state) {
+    this.state = state
+    this.x = state.axes[this.block.x]
+    this.y = state.axes[this.block.y]
+    this.hidden = new Set(state.hidden)
+    this.host.style.display = this.block.show && !state.forms[this.block.show] ? "none" : ""
+    if (!this.x || !this.y) return
+    for (const [name, source] of Object.entries(this.sources)) {
+      const columns = state.columns[name] ?? {}
+      const empty = Object.fromEntries(Object.keys(source.data).map(key => [key, new Float32Array(0)]))
+      const data = {}
+      for (const key of Object.keys(empty)) data[key] = columns[key] ?? empty[key]
+      const lengths = Object.values(data).map(column => column.length)
+      source.data = lengths.every(length => length === lengths[0]) ? data : empty
+    }
+    this.#ranges()
+    for (const [axis, wire] of [[this.model.below[0], this.x], [this.model.left[0], this.y]]) {
+      axis.major_label_overrides = new Map(wire.ticks.map((tick, i) => [tick, wire.labels[i]]))
+      axis.ticker.ticks = wire.ticks
+    }
+    for (const renderer of this.model.renderers) {
+      const group = renderer.tags?.[1]
+      if (group) renderer.visible = !this.hidden.has(group)
+    }
+    this.still()
+  }
+
+  #ranges() {
+    let {x, y} = this
+    if (this.block.square && this.box) {
+      // One scale for both axes: the axis with room to spare shows more than it was asked to.
+      const scale = Math.max((x.end - x.start) / this.box.width, (y.end - y.start) / this.box.height)
+      const wide = (axis, pixels) => {
+        const middle = (axis.start + axis.end) / 2, half = scale * pixels / 2
+        return {...axis, start: middle - half, end: middle + half}
+      }
+      this.x = x = wide(this.state.axes[this.block.x], this.box.width)
+      this.y = y = wide(this.state.axes[this.block.y], this.box.height)
+    }
+    this.model.x_range.setv({start: x.start, end: x.end})
+    this.model.y_range.setv({start: y.start, end: y.end})
+  }
+
+  theme() {
+    const set = (model, values) => model.setv(values)
+    for (const renderer of this.model.renderers) {
+      const ink = colour(renderer.tags?.[0] || "ink"), glyph = renderer.glyph
+      if ("line_color" in glyph && glyph.type !== "VArea") set(glyph, {line_color: ink})
+      if ("fill_color" in glyph) set(glyph, {fill_color: ink})
+    }
+    for (const span of this.model.center.filter(m => m.type === "Span")) set(span, {line_color: colour("rule")})
+    for (const grid of this.model.center.filter(m => m.type === "Grid")) set(grid, {grid_line_color: colour("grid")})
+    for (const axis of [...this.model.below, ...this.model.left]) {
+      set(axis, {major_label_text_color: colour("mute"), major_label_text_font: colour("sans"), major_label_text_font_size: colour("t0")})
+    }
+  }
+
+  // What stands still between changes: end labels, band labels, marks.
+  still() {
+    if (!this.box || !this.state) return
+    const {left, top, width, height} = this.frame
+    const placed = []
+    for (const {curve, text} of this.labels) {
+      const column = this.state.columns[curve.source]?.[curve.name]
+      const shown = column?.length && !this.hidden.has(curve.group)
+      text.style.display = shown ? "" : "none"
+      if (!shown) continue
+      const y = Math.min(Math.max(this.py(column[column.length - 1]), top + 4), top + height - 2)
+      placed.push({text, y})
+    }
+    placed.sort((a, b) => a.y - b.y)
+    for (let i = 1; i < placed.length; i++) placed[i].y = Math.max(placed[i].y, placed[i - 1].y + LABEL_GAP)
+    const over = placed.length ? placed[placed.length - 1].y - (top + height + 6) : 0
+    for (const [i, {text, y}] of placed.entries()) {
+      text.setAttribute("x", left + width + 7)
+      text.setAttribute("y", (over > 0 ? Math.min(y, top + height + 6 - (placed.length - 1 - i) * LABEL_GAP) : y) + 4)
+    }
+    for (const {band, text} of this.bandLabels) this.#labelBand(band, text)
+    for (const mark of this.marks) this.#placeMark(mark)
+    if (this.pill) this.#placePill(this.pill, this.#handleValue(), this.state.params[this.block.handle.parameter]?.text)
+  }
+
+  // The name of a band stands where the band is thickest.
+  #labelBand(band, text) {
+    const columns = this.state.columns[band.source] ?? {}
+    const high = columns[band.high], low = columns[band.low], xs = columns[this.block.x_column]
+    text.style.display = "none"
+    if (!high?.length) return
+    let best = -1, size = 0
+    for (let i = Math.floor(high.length * 0.06); i < high.length * 0.94; i++) {
+      const thick = Math.abs(high[i] - low[i])
+      if (thick > size * 1.02) [best, size] = [i, thick]
+    }
+    if (best < 0 || size / (this.y.end - this.y.start) * this.frame.height < 20) return
+    text.style.display = ""
+    text.setAttribute("x", this.px(xs[best]))
+    text.setAttribute("y", this.py((high[best] + low[best]) / 2) + 5)
+  }
+
+  #mark(mark) {
+    const line = svg("line", {class: `mark ${mark.tint} ${mark.style ?? ""}`})
+    this.over.append(line)
+    const flag = element(mark.set ? "button" : "span", {class: `flag ${mark.tint}`, type: mark.set ? "button" : undefined})
+    flag.innerHTML = mark.html ?? ""
+    if (mark.set) {
+      flag.setAttribute("aria-label", mark.label)
+      flag.title = mark.label
+      flag.addEventListener("click", () => this.page.send({type: "set", values: {[mark.set]: this.state.scalars[`${mark.at}_si`] ?? this.#si(this.state.scalars[mark.at])}}))
+    }
+    this.handles.append(flag)
+    return {mark, line, flag}
+  }
+
+  #placeMark({mark, line, flag}) {
+    const at = this.state.scalars[mark.at], {left, top, width, height} = this.frame
+    const x = this.px(at), shown = at !== undefined && x >= left - 0.5 && x <= left + width + 0.5
+    line.style.display = flag.style.display = shown ? "" : "none"
+    if (!shown) return
+    for (const [key, value] of [["x1", x], ["x2", x], ["y1", top], ["y2", top + height]]) line.setAttribute(key, value)
+    flag.style.left = `${x + (mark.shift ?? 0)}px`
+    flag.style.top = `${top - (mark.lift ?? 44)}px`
+  }
+
+  #pill(tint, symbol, label) {
+    const pill = element("div", {class: `pill ${tint}`, role: "slider", tabindex: 0, "aria-label": label})
+    pill.symbol = symbol
+    this.handles.append(pill)
+    pill.addEventListener("keydown", event => {
+      const step = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10}[event.key]
+      if (!step && event.key !== "Home" && event.key !== "End") return
+      event.preventDefault()
+      const span = this.x.end - this.x.start, here = pill === this.timePill ? this.page.clock.t : this.#handleValue()
+      const target = event.key === "Home" ? this.x.start : event.key === "End" ? this.x.end : here + step * span / (event.shiftKey ? 20 : 200)
+      this.#moveTo(pill, target)
+    })
+    pill.addEventListener("pointerdown", event => this.#drag(event, pill))
+    return pill
+  }
+
+  #placePill(pill, value, text) {
+    const {left, top, width, height} = this.frame
+    const x = this.px(value), outside = x < left || x > left + width
+    pill.style.left = `${Math.min(Math.max(x, left), left + width)}px`
+    pill.style.top = `${top + height + 3}px`
+    pill.classList.toggle("outside", outside)
+    const shown = `${pill.symbol}${text ?? ""}`
+    if (pill.textContent !== shown) pill.textContent = shown
+    pill.setAttribute("aria-valuenow", value)
+    pill.setAttribute("aria-valuetext", text ?? "")
+    pill.setAttribute("aria-valuemin", this.x.start)
+    pill.setAttribute("aria-valuemax", this.x.end)
+  }
+
+  #si(value) {
+    return value * 10 ** this.x.exponent
+  }
+
+  #handleValue() {
+    return this.state.params[this.block.handle.parameter].value / 10 ** this.x.exponent
+  }
+
+  #moveTo(pill, value) {
+    const inside = Math.min(Math.max(value, this.x.start), this.x.end)
+    if (pill === this.timePill) this.page.clock.seek(inside)
+    else this.page.send({type: "set", values: {[this.block.handle.parameter]: Number(this.#si(inside).toPrecision(4))}})
+  }
+
+  #value(event) {
+    const box = this.host.getBoundingClientRect()
+    return this.x.start + (event.clientX - box.left - this.frame.left) / this.frame.width * (this.x.end - this.x.start)
+  }
+
+  #drag(event, pill) {
+    event.preventDefault()
+    pill.focus({preventScroll: true})
+    pill.setPointerCapture(event.pointerId)
+    const playing = this.page.clock.playing
+    if (pill === this.timePill) this.page.clock.playing = false
+    const move = moved => this.#moveTo(pill, this.#value(moved))
+    const stop = () => {
+      pill.removeEventListener("pointermove", move)
+      if (pill === this.timePill) {
+        this.page.clock.playing = playing
+        this.page.clock.touch()
+      }
+    }
+    pill.addEventListener("pointermove", move)
+    pill.addEventListener("lostpointercapture", stop, {once: true})
+  }
+
+  // Over a plot: the numbers at the pointer; a press on a time plot moves the instant there.
+  #pointer() {
+    this.host.addEventListener("pointermove", event => this.#read(event))
+    this.host.addEventListener("pointerleave", () => this.#unread())
+    this.host.addEventListener("pointerdown", event => {
+      if (event.target.closest(".pill, .flag") || !this.#inside(event)) return
+      if (this.block.cursor === "time") this.page.clock.seek(this.#value(event))
+      else if (this.pill) this.#moveTo(this.pill, this.#value(event))
+    })
+  }
+
+  #inside(event) {
+    const box = this.host.getBoundingClientRect(), {left, top, width, height} = this.frame
+    const x = event.clientX - box.left, y = event.clientY - box.top
+    return x >= left && x <= left + width && y >= top && y <= top + height
+  }
+
+  #unread() {
+    this.reading.hidden = true
+    this.aim.style.display = "none"
+  }
+
+  #read(event) {
+    if (!this.state || this.block.square || event.pointerType === "touch" || !this.#inside(event) || event.target.closest?.(".pill, .flag")) return this.#unread()
+    const value = this.#value(event), lines = []
+    for (const curve of this.block.curves) {
+      const columns = this.state.columns[curve.source] ?? {}, ys = columns[curve.name], xs = columns[curve.x]
+      if (!ys?.length || this.hidden.has(curve.group) || !curve.label) continue
+      const y = interpolate(xs, ys, value)
+      if (y !== null) lines.push(element("span", {class: `tint ${curve.tint}`}, `${plain(curve.label)} ${number(y)}`))
+    }
+    for (const band of this.block.bands) {
+      const columns = this.state.columns[band.source] ?? {}
+      if (!band.label || !columns[band.high]?.length) continue
+      const xs = columns[this.block.x_column]
+      lines.push(element("span", {}, `${plain(band.label)} ${number(Math.abs(interpolate(xs, columns[band.high], value) - interpolate(xs, columns[band.low], value)))}`))
+    }
+    if (!lines.length) return this.#unread()
+    this.reading.replaceChildren(element("b", {}, `${number(value)} ${this.x.unit}`), ...lines)
+    this.reading.hidden = false
+    const x = this.px(value), {left, top, width, height} = this.frame
+    this.reading.style.left = `${x > left + width / 2 ? x - this.reading.offsetWidth - 10 : x + 10}px`
+    this.reading.style.top = `${top}px`
+    this.aim.style.display = ""
+    for (const [key, at] of [["x1", x], ["x2", x], ["y1", top], ["y2", top + height]]) this.aim.setAttribute(key, at)
+  }
+
+  // Once a frame: cursor and dots at the instant shown.
+  draw(named, t, timeText) {
+    if (!this.box || !this.state) return
+    const {left, top, width, height} = this.frame
+    if (this.cursor) {
+      const x = this.px(t)
+      for (const [key, value] of [["x1", x], ["x2", x], ["y1", top], ["y2", top + height]]) this.cursor.setAttribute(key, value)
+      if (this.timePill) this.#placePill(this.timePill, t, timeText)
+    }
+    for (const {curve, dot} of this.dots) {
+      const [xName, yName] = curve.signal.includes(",") ? curve.signal.split(",") : [null, curve.signal]
+      const x = this.px(xName ? named[xName] : t), y = this.py(named[yName])
+      const shown = named[yName] !== undefined && !this.hidden.has(curve.group)
+        && x >= left - 1 && x <= left + width + 1 && y >= top - 2 && y <= top + height + 2
+      dot.style.display = shown ? "" : "none"
+      if (!shown) continue
+      dot.setAttribute("cx", x)
+      dot.setAttribute("cy", y)
+    }
+  }
+}
+
+function interpolate(xs, ys, x) {
+  if (!xs?.length || x < xs[0] || x > xs[xs.length - 1]) return null
+  let low = 0, high = xs.length - 1
+  while (high - low > 1) {
+    const middle = (low + high) >> 1
+    if (xs[middle] <= x) low = middle
+    else high = middle
+  }
+  const span = xs[high] - xs[low]
+  return span > 0 ? ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / span : ys[low]
+}
+
+const plain = label => label.replaceAll(/[*_{}]/g, "")
+const number = value => (Math.abs(value) >= 1e5 || (value !== 0 && Math.abs(value) < 1e-3) ? value.toExponential(2) : Number(value.toPrecision(3)).toString()).replace("-", "−")
+export {live}

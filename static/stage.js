@@ -1,0 +1,125 @@
+// Draws a stage: shapes whose numbers are polynomials in the signals, evaluated at every frame.
+
+import {svg, words, live} from "./dom.js"
+import {polynomial} from "./signals.js"
+
+const TEETH = 9
+
+function zigzag(x1, y1, x2, y2, height) {
+  const length = Math.hypot(x2 - x1, y2 - y1) || 1
+  const ux = (x2 - x1) / length, uy = (y2 - y1) / length
+  const ends = Math.min(12, length * 0.15), step = (length - 2 * ends) / (2 * TEETH)
+  const at = (along, across) => `${(x1 + ux * along - uy * across).toFixed(2)} ${(y1 + uy * along + ux * across).toFixed(2)}`
+  const points = [at(0, 0), at(ends, 0)]
+  for (let i = 0; i < 2 * TEETH; i++) points.push(at(ends + step * (i + 0.5), i % 2 ? height : -height))
+  points.push(at(length - ends, 0), at(length, 0))
+  return "M" + points.join("L")
+}
+
+// Each kind: make() builds the elements once, move() places them with numbers.
+const KINDS = {
+  spring: {
+    make: () => [svg("path", {class: "spring"})],
+    move([path], s) {
+      path.setAttribute("d", zigzag(s.x1, s.y1, s.x2, s.y2, s.height ?? 13))
+      path.style.strokeWidth = s.wire
+    },
+  },
+  block: {
+    make: s => [svg("rect", {class: "block", rx: 3}), svg("text", {class: "on v t3", "text-anchor": "middle"}, ...words(s.label))],
+    move([rect, text], s) {
+      for (const [key, value] of [["x", s.x - s.side / 2], ["y", s.y - s.side], ["width", s.side], ["height", s.side]]) rect.setAttribute(key, value)
+      text.setAttribute("x", s.x)
+      text.setAttribute("y", s.y - s.side / 2 + 6)
+      text.style.display = s.side < 24 ? "none" : ""
+    },
+  },
+  line: {
+    make: () => [svg("line", {class: "ln"})],
+    move([line], s) {
+      for (const key of ["x1", "y1", "x2", "y2"]) line.setAttribute(key, s[key])
+    },
+  },
+  arrow: {
+    make: () => [svg("line", {class: "shaft"}), svg("path", {class: "fill"})],
+    move([line, head], s) {
+      const length = Math.hypot(s.x2 - s.x1, s.y2 - s.y1), shown = length > 1
+      const size = Math.min(s.head ?? 11, length), angle = Math.atan2(s.y2 - s.y1, s.x2 - s.x1)
+      const bx = s.x2 - size * 0.8 * Math.cos(angle), by = s.y2 - size * 0.8 * Math.sin(angle)
+      for (const [key, value] of [["x1", s.x1], ["y1", s.y1], ["x2", bx], ["y2", by]]) line.setAttribute(key, value)
+      head.setAttribute("d", `M0 0L${-size} ${-size * 0.5}L${-size} ${size * 0.5}Z`)
+      head.setAttribute("transform", `translate(${s.x2} ${s.y2}) rotate(${angle * 180 / Math.PI})`)
+      line.style.display = head.style.display = shown ? "" : "none"
+    },
+  },
+  circle: {
+    make: () => [svg("circle", {class: "dot"})],
+    move([circle], s) {
+      circle.setAttribute("cx", s.x)
+      circle.setAttribute("cy", s.y)
+      circle.setAttribute("r", Math.max(s.r, 0))
+    },
+  },
+  path: {
+    make: s => [svg("path", {class: "ln", d: s.d})],
+    move([path], s) {
+      const sx = s.sx ?? 1, sy = s.sy ?? 1
+      path.setAttribute("transform", `translate(${s.x} ${s.y}) rotate(${s.turn * 180 / Math.PI}) scale(${sx} ${sy})`)
+    },
+  },
+  text: {
+    make: s => [svg("text", {"text-anchor": s.anchor, class: "t1"}, ...words(s.words))],
+    move([text], s) {
+      text.setAttribute("x", s.x)
+      text.setAttribute("y", s.y)
+    },
+  },
+  wall: {
+    make: () => [svg("path", {class: "hatch"}), svg("line", {class: "wall"})],
+    move([hatch, line], s) {
+      const upright = s.side === "left" || s.side === "right", depth = s.side === "left" || s.side === "top" ? -10 : 10
+      const strokes = []
+      for (let at = 0; at <= s.length - 5; at += 9) {
+        strokes.push(upright ? `M${s.x} ${s.y + at}l${depth} 10` : `M${s.x + at + 10} ${s.y}l-10 ${depth}`)
+      }
+      hatch.setAttribute("d", strokes.join(""))
+      line.setAttribute("x1", s.x)
+      line.setAttribute("y1", s.y)
+      line.setAttribute("x2", upright ? s.x : s.x + s.length)
+      line.setAttribute("y2", upright ? s.y + s.length : s.y)
+    },
+  },
+}
+
+export class Stage {
+  constructor(block, host) {
+    this.svg = svg("svg", {role: "img", "aria-label": block.label, class: "stage"})
+    host.append(this.svg)
+    this.size = {W: 1, H: 1}
+    this.shapes = block.shapes.map(spec => {
+      const kind = KINDS[spec.kind], parts = kind.make(spec)
+      const group = svg("g", {class: `${spec.tint} ${spec.style ?? ""}`}, ...parts)
+      for (const part of parts) if (spec.style) part.classList.add(...spec.style.split(" "))
+      this.svg.append(group)
+      const moving = Object.entries(spec).filter(([, value]) => Array.isArray(value) || typeof value === "number")
+      return {spec, kind, parts, group, moving}
+    })
+    new ResizeObserver(([entry]) => {
+      this.size = {W: entry.contentRect.width, H: entry.contentRect.height}
+      this.onresize?.()
+    }).observe(host)
+  }
+
+  frame(named) {
+    const all = {...named, ...this.size}
+    for (const {spec, kind, parts, group, moving} of this.shapes) {
+      const shown = spec.show === undefined || all[spec.show] !== 0 && all[spec.show] !== undefined
+      group.style.display = shown ? "" : "none"
+      if (!shown) continue
+      const s = {...spec}
+      for (const [key, value] of moving) s[key] = polynomial(value, all)
+      kind.move(parts, s)
+    }
+  }
+}
+export {live}

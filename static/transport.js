@@ -1,0 +1,88 @@
+// Play, step, restart, speed and time window.
+
+import {element} from "./dom.js"
+
+const ICONS = {
+  restart: "M5 5h2.4v14H5zM19 5v14L8.6 12z",
+  back: "M16.5 6v12l-9-6zM18 6h2v12h-2z",
+  forward: "M7.500 6v12l9-6zM4 6h2v12H4z",
+  play: "M8 5.500v13l11-6.500z",
+  pause: "M7.500 5.500h3.200v13H7.500zM13.300 5.500h3.200v13h-3.200z",
+}
+
+const icon = name => `<svg viewBox="0 0 24 24" width="22" height="22" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`
+
+function button(name, drawing, act, style = "icon") {
+  const made = element("button", {type: "button", class: style, "aria-label": name, title: name})
+  made.innerHTML = drawing
+  made.addEventListener("click", act)
+  return made
+}
+
+// 1, 1/4, 1/16 as they are said; anything else with two digits.
+function factorText(factor) {
+  for (const power of [1, 2, 4, 8, 16]) {
+    if (factor === power) return `${power}×`
+    if (factor === 1 / power) return `1/${power}×`
+  }
+  if (factor >= 0.01 && factor < 1e4) return `${Number(factor.toPrecision(2))}×`
+  const [digits, exponent] = factor.toExponential(0).split("e")
+  const raised = [...String(Number(exponent))].map(c => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻").join("")
+  return `${digits === "1" ? "" : `${digits}·`}10${raised}×`
+}
+
+export class Transport {
+  constructor(page) {
+    this.page = page
+    const {clock} = page
+    this.play = button("Pause", icon("pause"), () => clock.toggle(), "icon play")
+    this.auto = button("Auto speed", "Auto", () => clock.auto(), "")
+    this.factor = element("span", {class: "factor", title: "Simulated time over real time"})
+    this.window = element("input", {name: "window", inputmode: "decimal", autocomplete: "off", "aria-label": "Time window", placeholder: "auto"})
+    this.window.addEventListener("change", () => page.send({type: "typed", name: "window", text: this.window.value}))
+    this.windowUnit = element("span", {class: "unit"})
+    this.note = element("div", {class: "note", role: "status"})
+    this.element = element("div", {class: "transport"},
+      button("Restart", icon("restart"), () => clock.seek(0)),
+      button("Step back", icon("back"), () => clock.step(-1)),
+      this.play,
+      button("Step forward", icon("forward"), () => clock.step(1)),
+      element("div", {class: "seg speeds", role: "group", "aria-label": "Speed"},
+        this.auto, button("Slower", "−", () => clock.faster(-1), ""), this.factor, button("Faster", "+", () => clock.faster(1), "")),
+      this.note,
+      element("label", {class: "window"}, "Window ", this.window, " s"))
+    clock.listeners.push(() => this.refresh())
+  }
+
+  update(state) {
+    const {axes, params, errors, notes} = state
+    this.notes = notes
+    const error = errors?.window
+    this.window.classList.toggle("bad", Boolean(error))
+    this.window.title = error ?? "Empty: the scene chooses"
+    this.problem = error
+    if (document.activeElement !== this.window || !error) {
+      if (!error) this.window.value = params.window?.text ?? ""
+      this.window.placeholder = axes.t ? Number((axes.t.end * 10 ** axes.t.exponent).toPrecision(3)).toString() : "auto"
+    }
+    this.page.timePlaces = axes.t ? Math.min(Math.max(Math.ceil(2 - Math.log10(axes.t.end)), 0) + 1, 6) : 2
+    this.refresh()
+  }
+
+  refresh() {
+    const {clock} = this.page
+    const name = clock.playing ? "Pause" : "Play"
+    if (this.play.title !== name) {
+      this.play.title = name
+      this.play.setAttribute("aria-label", name)
+      this.play.innerHTML = icon(clock.playing ? "pause" : "play")
+    }
+    this.auto.classList.toggle("here", clock.choice === "auto")
+    this.auto.setAttribute("aria-pressed", String(clock.choice === "auto"))
+    const factor = factorText(clock.factor)
+    if (this.factor.textContent !== factor) this.factor.textContent = factor
+    const lines = [this.problem, clock.slowed ? `Slowed to ${factor}, so that the fast motion can be seen.` : "", ...(this.notes ?? [])]
+    const text = lines.filter(Boolean).join(" ")
+    if (this.note.textContent !== text) this.note.textContent = text
+  }
+}
