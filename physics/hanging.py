@@ -22,7 +22,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from physics.exact import Array, exact, precise, rounded, split, two_sum
+from physics.exact import Array, exact, precise, rounded, snapped, split, two_sum
 from physics.oscillator import Oscillator, OscillatorMotion
 from physics.valid import check_not_negative, check_positive, finite_array
 
@@ -102,7 +102,7 @@ class HangingMass:
         """Energies of states x, v (n,)."""
         x, v = finite_array("x", x), finite_array("v", v)
         with precise():
-            deflection, rest = split(exact(self.m) * exact(self.g) / exact(self.k))
+            deflection, rest = split(snapped(exact(self.m) * exact(self.g) / exact(self.k)))
             weight = rounded("the weight m g", exact(self.m) * exact(self.g))
         stretch, error = two_sum(x, deflection)
         return HangingEnergy(

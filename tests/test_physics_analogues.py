@@ -1,0 +1,101 @@
+"""Nine systems: the table of the lecture, evaluated independently."""
+
+import math
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from physics.analogues import ANALOGUES, G
+
+U = 2.0**-53
+STRING_DENSITY, AIR = 4e-4, 1.2
+OMEGA_SQUARED = {
+    "spring": lambda p: p["k"] / p["m"],
+    "shaft": lambda p: p["k_t"] / p["J"],
+    "pendulum": lambda p: p["g"] / p["l"],
+    "rocking": lambda p: G * p["d"] / (p["d"] ** 2 + p["r"] ** 2),
+    "floating": lambda p: p["rho"] * G * p["A"] / p["m"],
+    "circuit": lambda p: 1 / (p["L"] * p["C"]),
+    "string": lambda p: (p["n"] * math.pi / p["L"]) ** 2 * p["T"] / STRING_DENSITY,
+    "wave": lambda p: p["g"] * 2 * math.pi / p["wavelength"],
+    "pipe": lambda p: (p["n"] * math.pi * p["c"] / p["L"]) ** 2,
+}
+systems = pytest.mark.parametrize("slug", ANALOGUES)
+
+
+def values(parameter):
+    if parameter.kind == "count":
+        return st.integers(1, 20)
+    return st.builds(math.ldexp, st.floats(0.5, 1.0), st.integers(-100, 100))
+
+
+@systems
+def test_frequency_follows_the_table(slug):
+    system = ANALOGUES[slug]
+
+    @settings(max_examples=100, deadline=None)
+    @given(st.fixed_dictionaries({parameter.name: values(parameter) for parameter in system.parameters}))
+    def check(p):
+        true = math.sqrt(OMEGA_SQUARED[slug](p))
+        assert system.omega_n(p) == pytest.approx(true, rel=8 * U)
+        assert math.sqrt(system.stiffness(p) / system.inertia(p)) == pytest.approx(true, rel=8 * U)
+
+    check()
+
+
+def test_the_nine_systems_of_the_lecture_in_its_order():
+    assert list(ANALOGUES) == list(OMEGA_SQUARED)
+
+
+@systems
+def test_defaults_lie_on_their_sliders(slug):
+    system = ANALOGUES[slug]
+    assert set(system.defaults) == {parameter.name for parameter in system.parameters}
+    for parameter in system.parameters:
+        assert 0 < parameter.low <= parameter.default <= parameter.high
+    assert system.omega_n(system.defaults) > 0
+
+
+@pytest.mark.parametrize(
+    ("slug", "p", "omega", "inertia", "stiffness"),
+    [
+        ("spring", {"m": 2, "k": 8}, 2, 2, 8),
+        ("shaft", {"J": 0.5, "k_t": 8}, 4, 0.5, 8),
+        ("pendulum", {"l": 2, "g": 8, "m": 3}, 2, 12, 48),
+        ("circuit", {"L": 0.25, "C": 1}, 2, 0.25, 1),
+        ("rocking", {"m": 2, "d": 3, "r": 4}, math.sqrt(3 * 9.81 / 25), 50, 6 * 9.81),
+        ("floating", {"m": 1000, "A": 1, "rho": 1000}, math.sqrt(9.81), 1000, 9810),
+        ("string", {"L": 0.5, "T": 64, "n": 2}, 4 * math.pi * 400, 1e-4, 256 * math.pi**2),
+        ("wave", {"wavelength": 2 * math.pi, "g": 9, "rho": 1000}, 3, 1000, 9000),
+        ("pipe", {"L": 0.5, "c": 340, "n": 1}, 680 * math.pi, 3e-4, 1.2e-3 * 340**2 * math.pi**2),
+    ],
+)
+def test_book_values(slug, p, omega, inertia, stiffness):
+    system = ANALOGUES[slug]
+    assert system.omega_n(p) == pytest.approx(omega, rel=4 * U)
+    assert system.inertia(p) == pytest.approx(inertia, rel=4 * U)
+    assert system.stiffness(p) == pytest.approx(stiffness, rel=4 * U)
+
+
+def test_pendulums_know_their_exact_motion():
+    assert ANALOGUES["spring"].pendulum({"m": 1, "k": 1}) is None
+    simple = ANALOGUES["pendulum"].pendulum({"l": 2.0, "g": 1.6, "m": 1})
+    assert (simple.l, simple.g) == (2.0, 1.6)
+    p = {"m": 2, "d": 0.3, "r": 0.2}
+    rocking = ANALOGUES["rocking"].pendulum(p)
+    assert rocking.omega_0 == pytest.approx(ANALOGUES["rocking"].omega_n(p), rel=2 * U)
+
+
+def test_bad_parameters_are_refused_by_name():
+    with pytest.raises(ValueError, match="k_t = 0"):
+        ANALOGUES["shaft"].omega_n({"J": 1.0, "k_t": 0})
+    with pytest.raises(ValueError, match=r"n = 1\.5.*whole"):
+        ANALOGUES["string"].omega_n({"L": 1.0, "T": 1.0, "n": 1.5})
+    with pytest.raises(ValueError, match=r"plays m.*range of doubles"):
+        ANALOGUES["pendulum"].inertia({"l": 1e300, "g": 9.81, "m": 1.0})
+
+
+def test_nothing_overflows_on_the_way():
+    assert ANALOGUES["circuit"].omega_n({"L": 1e-300, "C": 1e300}) == pytest.approx(1.0, rel=4 * U)
+    assert ANALOGUES["pendulum"].omega_n({"l": 1e300, "g": 1e300, "m": 1e300}) == 1.0

@@ -1,0 +1,182 @@
+"""Phugoid against book values, quadrature in 40 digits, solve_ivp, and its own invariant."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from physics.phugoid import (
+    CUSP_EXCESS,
+    LINEAR_PERIOD,
+    excess_at_period_excess,
+    flight,
+    invariant,
+    lanchester,
+    linear_flight,
+    linear_phugoid,
+    period_excess,
+)
+
+U = 2.0**-53
+NEAR_CUSP = (np.nextafter(CUSP_EXCESS, 0), CUSP_EXCESS, np.nextafter(CUSP_EXCESS, 1))
+EXCESSES = (1e-9, 0.01, 0.1511, 0.4585, 0.6, 0.73, 0.732, *NEAR_CUSP, 0.7321, 0.74, 1.0, 3.0, 100.0, 1e6)
+units = pytest.mark.parametrize("excess", EXCESSES)
+
+
+def quadrature_period(excess):
+    """T = 2 integral of V dV/sqrt(V^2 - u^2) between the turning points, with the roots taken out."""
+    fastest = 1 + mp.mpf(excess)
+    C = fastest - fastest**3 / 3
+    if C > 0:
+        slowest = (mp.sqrt(12 - 3 * fastest**2) - fastest) / 2
+    else:
+        slowest = mp.findroot(lambda V: V**3 / 3 + V + C, min(-C, mp.cbrt(-3 * C)))
+
+    def from_bottom(s):
+        V = fastest - s * s
+        return 2 * V / mp.sqrt((V * V + V * fastest + fastest**2 - 3) / 3 * (V + C + V**3 / 3))
+
+    def from_top(s):
+        V = slowest + s * s
+        u = C + V**3 / 3
+        if C > 0:
+            return 2 * V / mp.sqrt((V + u) * (fastest - V) * (V + slowest + fastest) / 3)
+        return 2 * V / mp.sqrt((V - u) * (V * V + V * slowest + slowest**2 + 3) / 3)
+
+    middle = (fastest + slowest) / 2
+    ends = [mp.sqrt(fastest - middle), mp.sqrt(middle - slowest)]
+    graded = [0, *(ends[1] / 4**n for n in range(12, -1, -1))]
+    return 2 * (mp.quad(from_bottom, [0, ends[0]]) + mp.quad(from_top, graded))
+
+
+def test_the_light_aircraft_of_the_lecture():
+    mode = linear_phugoid(v_0=150.0, g=32.174)
+    assert mode.tau == pytest.approx(20.71, abs=0.005)
+    assert mode.omega * mode.tau == pytest.approx(2 * math.pi, rel=4 * U)
+    assert mode.omega == pytest.approx(math.sqrt(2) * 32.174 / 150, rel=4 * U)
+
+
+@pytest.mark.parametrize(("period", "excess"), [(0.001, 0.1511), (0.01, 0.4585)])
+def test_speed_excess_where_the_period_is_off(period, excess):
+    found = excess_at_period_excess(period)
+    assert found == pytest.approx(excess, abs=5e-5)
+    assert period_excess(found) == pytest.approx(period, abs=1e-14)
+
+
+def test_at_the_cusp_the_period_is_2_22_percent_longer():
+    assert period_excess(CUSP_EXCESS) == pytest.approx(0.0222, abs=5e-5)
+    assert invariant(CUSP_EXCESS) == pytest.approx(0.0, abs=4 * U)
+    assert invariant(0.0) == 2 / 3
+    for wanted in (-1e-3, 0.03, math.nan):
+        with pytest.raises(ValueError, match="at the cusp"):
+            excess_at_period_excess(wanted)
+
+
+@units
+def test_period_against_quadrature(excess):
+    with mp.workdps(40):
+        true = quadrature_period(float(excess))
+        assert abs(lanchester(excess, 3).period / true - 1) <= 4 * U
+
+
+@units
+def test_invariant_over_ten_linear_periods(excess):
+    t = np.linspace(0, 10 * LINEAR_PERIOD, 4001)
+    motion = flight(1.0, 1.0, excess, t)
+    C = motion.u - motion.V**3 / 3
+    assert np.max(np.abs(C - invariant(excess))) <= 1e-14 * max(1.0, abs(invariant(excess)))
+    np.testing.assert_allclose(motion.h + motion.V**2 / 2, 0.5, atol=2e-15 * max(1.0, np.max(motion.V) ** 2))
+
+
+@pytest.mark.parametrize("excess", [-0.9, -0.3, 0.01, 0.4585, 0.73, 0.74, 1.0, 3.0])
+def test_motion_against_an_independent_solver(excess):
+    def rates(_, state):
+        u, w, _, _ = state
+        V = math.hypot(u, w)
+        return -V * w, V * u - 1, u, w
+
+    t = np.linspace(0, 2.5 * lanchester(excess, 3).period, 60)
+    speed = 1 + excess
+    start = (speed, 0.0, 0.0, (1 - speed**2) / 2)
+    other = solve_ivp(rates, (0, t[-1]), start, t_eval=t, method="DOP853", rtol=1e-13, atol=1e-13).y
+    motion = flight(1.0, 1.0, excess, t)
+    size = (1 + abs(excess)) ** 2
+    for mine, theirs in zip((motion.u, motion.w, motion.x, motion.h), other, strict=True):
+        np.testing.assert_allclose(mine, theirs, atol=2e-11 * size)
+
+
+def test_units_scale_lengths_with_v_0_squared_over_g():
+    t = np.linspace(0, 50, 40)
+    unit, aircraft = flight(1.0, 1.0, 0.6, t * 9.81 / 46.0), flight(46.0, 9.81, 0.6, t)
+    np.testing.assert_allclose(aircraft.h, unit.h * 46**2 / 9.81, rtol=0, atol=1e-11)
+    np.testing.assert_allclose(aircraft.x, unit.x * 46**2 / 9.81, rtol=1e-14, atol=1e-11)
+    np.testing.assert_allclose(aircraft.V, unit.V * 46, rtol=1e-13)
+
+
+@pytest.mark.parametrize("excess", [1e-300, 1e-12, 1e-6, -1e-6])
+def test_small_disturbances_follow_the_linear_theory_to_second_order(excess):
+    t = np.linspace(0, 1.5 * LINEAR_PERIOD, 50)
+    exact, linear = flight(1.0, 1.0, excess, t), linear_flight(1.0, 1.0, excess, t)
+    np.testing.assert_allclose(exact.h / excess, linear.h / excess, atol=3 * abs(excess) + 1e-14)
+    np.testing.assert_allclose(exact.w / excess, linear.w / excess, atol=3 * abs(excess) + 1e-14)
+
+
+def test_the_linear_theory_exchanges_height_for_speed():
+    t = np.linspace(0, 40, 80)
+    mode = linear_flight(46.0, 9.81, 0.1, t)
+    np.testing.assert_allclose(mode.V - 46.0, -(9.81 / 46.0) * mode.h, atol=1e-13)
+    np.testing.assert_allclose(np.gradient(mode.h, t)[1:-1], mode.w[1:-1], atol=0.1)
+
+
+def test_level_flight_stays_level():
+    motion = flight(46.0, 9.81, 0.0, np.linspace(0, 100, 11))
+    np.testing.assert_array_equal(motion.h, 0.0)
+    np.testing.assert_array_equal(motion.V, 46.0)
+    np.testing.assert_allclose(motion.x, 46.0 * motion.t, rtol=4 * U)
+    assert lanchester(0.0).period == LINEAR_PERIOD
+
+
+@pytest.mark.parametrize("excess", [0.3, CUSP_EXCESS, 1.0])
+def test_a_period_is_closed_and_symmetric(excess):
+    period = lanchester(excess, 401)
+    np.testing.assert_allclose(period.h, period.h[::-1], atol=4e-15)
+    np.testing.assert_allclose(period.w, -period.w[::-1], atol=1e-14)
+    assert period.x[-1] == pytest.approx(period.advance, rel=4 * U)
+    assert period.t[-1] == period.period
+    assert period.theta[-1] == pytest.approx(2 * math.pi if period.loops else 0.0, abs=1e-14)
+
+
+def test_loops_turn_on_and_end_at_the_cusp():
+    turned = flight(1.0, 1.0, 1.0, np.linspace(0, 3 * lanchester(1.0).period, 600)).theta
+    assert np.all(np.diff(turned) > 0)
+    assert turned[-1] == pytest.approx(6 * math.pi, abs=1e-12)
+    assert [lanchester(excess).loops for excess in NEAR_CUSP] == [False, False, True]
+
+
+@pytest.mark.parametrize("slow", [-1.0, -0.999, -0.5, -0.1, -1e-9])
+def test_a_slow_start_is_the_top_of_the_same_motion(slow):
+    motion = flight(1.0, 1.0, slow, [0.0, lanchester(slow).period / 2])
+    fast = math.hypot(motion.u[1], motion.w[1]) - 1
+    assert motion.V[0] == pytest.approx(1 + slow, abs=2e-15)
+    assert motion.h[0] == np.max(motion.h)
+    assert invariant(fast) == pytest.approx(invariant(slow), abs=4e-15)
+    assert motion.theta[0] == pytest.approx(0.0, abs=1e-7) or slow == -1.0
+
+
+@pytest.mark.parametrize("excess", [-1.1, 2e6, math.nan, math.inf])
+def test_bad_disturbances_are_refused(excess):
+    for call in (lanchester, invariant, period_excess):
+        with pytest.raises(ValueError, match="speed excess = "):
+            call(excess)
+
+
+@pytest.mark.parametrize(
+    ("v_0", "g", "name"), [(0.0, 9.81, "v_0"), (46.0, -1.0, "g"), (math.inf, 9.81, "v_0")]
+)
+def test_bad_surroundings_are_refused(v_0, g, name):
+    with pytest.raises(ValueError, match=f"{name} = "):
+        linear_phugoid(v_0, g)
+    with pytest.raises(ValueError, match=f"{name} = "):
+        flight(v_0, g, 0.1, [0.0])
