@@ -16,6 +16,7 @@ from latex2mathml.converter import convert
 
 _VALUE = re.compile(r"\\val\{(\w+)\}")
 _VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
+_FUNCTION = re.compile(r"<mi>([a-z]{2,})</mi>")
 _TINT = re.compile(r"\\tint\{(\w+)\}")
 _TINT_MATHML = re.compile(r'<mstyle mathcolor="(\w+)">')
 
@@ -26,23 +27,26 @@ def mathml(latex: str) -> str:
     source = _VALUE.sub(r"\\text{@\1@}", latex)
     markup = convert(_TINT.sub(r"\\color{\1}", source))
     markup = _VALUE_MATHML.sub(r'<mn class="n" data-value="\1"></mn>', markup)
+    markup = _FUNCTION.sub(r'<mi class="up">\1</mi><mspace width="0.15em" />', markup)
     return _TINT_MATHML.sub(r'<mstyle class="tint \1">', markup)
 
 
-_INLINE = re.compile(r"\$([^$]+)\$|\*\*([^*]+)\*\*|\{(\w+)\}")
+_INLINE = re.compile(r"\$([^$]+)\$|\*\*([^*]+)\*\*|\{(\w+)\}|\[(\w+)\|([^\]]+)\]")
 
 
 @cache
 def rich(text: str) -> str:
-    """HTML of a sentence: $formula$, **strong**, {name} for a live number; all else is plain text."""
+    """HTML of a sentence: $formula$, **strong**, {name} a live number, [tint|coloured words]; all else is plain text."""
     parts, end = [], 0
     for match in _INLINE.finditer(text):
         parts.append(escape(text[end : match.start()]))
-        formula, strong, name = match.groups()
+        formula, strong, name, tint, coloured = match.groups()
         if formula:
             parts.append(mathml(formula))
         elif strong:
             parts.append(f"<b>{escape(strong)}</b>")
+        elif tint:
+            parts.append(f'<span class="tint {tint}">{rich(coloured)}</span>')
         else:
             parts.append(f'<span class="n" data-value="{name}"></span>')
         end = match.end()

@@ -115,6 +115,11 @@ def axis_number(value: float) -> str:
     return mantissa + (ten_to(int(exponent)) if exponent else "")
 
 
+def ten(exponent: int) -> str:
+    """A power of ten: 10⁻⁴."""
+    return ten_to(exponent).removeprefix("·")
+
+
 def ten_to(exponent: int) -> str:
     """The factor ·10ⁿ."""
     return "·10" + str(exponent).translate(_SUPERSCRIPTS)

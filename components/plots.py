@@ -7,7 +7,7 @@ that answers a change, and draws the time cursor, the labels at the curves' ends
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ from bokeh.models import ColumnDataSource, FixedTicker, Plot as BokehPlot, Range
 from bokeh.plotting import figure
 from numpy.typing import NDArray
 
-from components.numbers import MINUS, power_unit, three
+from components.numbers import MINUS, power_unit, ten, three
 from components.sheet import Block
 
 
@@ -25,7 +25,8 @@ class Curve:
     """A line of a plot: column `name` of `source`, coloured as the quantity `tint`.
 
     `signal` names the motion that moves a dot along it; `label` stands at its right end; `group` is the name by which
-    it is switched off (its own where not given).
+    it is switched off (its own where not given). `x` is its column of abscissae where not the plot's. With a `marker`
+    ("disc" or "ring") its points are marked; with width "none" only they are drawn.
     """
 
     name: str
@@ -36,6 +37,7 @@ class Curve:
     signal: str = ""
     group: str = ""
     x: str = ""
+    marker: str = ""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,8 +70,9 @@ def plot(
     x_column: str = "t",
     x_labels: bool = True,
     margin: tuple[int, int] = (40, 56),
+    top: int = 4,
     cursor: str = "",
-    handle: dict[str, Any] | None = None,
+    handles: tuple[dict[str, Any], ...] = (),
     marks: tuple[dict[str, Any], ...] = (),
     square: bool = False,
     grow: float = 1,
@@ -83,12 +86,13 @@ def plot(
 
     `x` and `y` name axes of the picture, `title` is its text alternative, `x_column` the column of abscissae,
     `margin` the room for labels at the left and at the right. `cursor="time"` draws the instant shown and lets it be
-    dragged; `handle` is {"parameter": name, "symbol": text, "tint": class}: a pill on the x axis that sets a
-    parameter. `marks` are {"at": scalar, "tint": class, "label": LaTeX-free text, "set": parameter}: vertical lines
-    with a flag. `square` draws both axes to one scale; `plain` leaves out numbers at the axes. `show` is the form by which the plot stands.
+    dragged; `handles` are pills on an axis that set a parameter: {"parameter": name, "symbol": text,
+    "label": accessible name, "tint": class, "axis": "x" or "y"}. `marks` are lines with a flag across the plot at a scalar (in the axis' unit): {"at": scalar,
+    "tint": class, "html": rich text of the flag, "label": accessible name, "set": parameter it is the button for,
+    "axis": "x" or "y", "lift": pixels of the flag over the frame, "style": "dashed"}; `top` makes room for flags. `square` draws both axes to one scale; `plain` leaves out numbers at the axes. `show` is the form by which the plot stands.
     """
     x_labels = x_labels and not plain
-    figure_ = _figure(title, x_column, source, curves, bands, x_labels, margin, plain)
+    figure_ = _figure(title, x_column, source, curves, bands, x_labels, (*margin, top), plain)
     return {
         "kind": "plot",
         "name": name,
@@ -101,7 +105,7 @@ def plot(
         "heading": list(heading),
         "x_labels": x_labels,
         "cursor": cursor,
-        "handle": handle,
+        "handles": list(handles),
         "marks": list(marks),
         "square": square,
         "grow": grow,
@@ -120,7 +124,7 @@ def _figure(
     curves: tuple[Curve, ...],
     bands: tuple[Band, ...],
     x_labels: bool,
-    margin: tuple[int, int],
+    margin: tuple[int, int, int],
     plain: bool,
 ) -> BokehPlot:
     figure_ = figure(
@@ -132,7 +136,7 @@ def _figure(
         min_border=0,
         min_border_left=margin[0],
         min_border_right=margin[1],
-        min_border_top=4,
+        min_border_top=margin[2],
         min_border_bottom=30 if x_labels else 2,
         outline_line_color=None,
         background_fill_color=None,
@@ -151,11 +155,13 @@ def _figure(
         glyph = figure_.varea(x=x_column, y1=band.low, y2=band.high, source=sources[band.source], fill_alpha=band.alpha)
         glyph.tags = [band.tint, band.group]
     for curve in curves:
-        glyph = figure_.line(x=curve.x or x_column, y=curve.name, source=sources[curve.source])
-        glyph.glyph.line_width = WIDTHS[curve.width]
-        glyph.glyph.line_dash = DASHES.get(curve.width, [])
-        glyph.glyph.line_join = "round"
-        glyph.tags = [curve.tint, curve.group or curve.name]
+        place = {"x": curve.x or x_column, "y": curve.name, "source": sources[curve.source]}
+        tags = [curve.tint, curve.group or curve.name]
+        if curve.width != "none":
+            look = {"line_width": WIDTHS[curve.width], "line_dash": DASHES.get(curve.width, []), "line_join": "round"}
+            figure_.line(**place, **look).tags = tags
+        if curve.marker:
+            figure_.scatter(**place, size=9, line_width=1.75).tags = [*tags, curve.marker]
     figure_.add_layout(Span(location=0, dimension="width", line_width=1, level="underlay", tags=["zero"]))
     for axis in (*figure_.xaxis, *figure_.yaxis):
         axis.ticker = FixedTicker(ticks=[])
@@ -184,7 +190,9 @@ class Axis:
     log: bool = False
 
     def scaled(self, values: NDArray[np.float64]) -> NDArray[np.float32]:
-        """Values in the axis' unit, ready for the wire: far outside the frame they are cut, where no line is seen."""
+        """Values in the axis' unit (logarithms to base ten on a log axis), ready for the wire: cut far outside the frame."""
+        if self.log:
+            return np.log10(np.maximum(values, 5e-324)).astype(np.float32)
         with np.errstate(over="ignore"):
             return np.clip(scale_by_ten(values, -self.exponent), -1e30, 1e30).astype(np.float32)
 
@@ -202,14 +210,19 @@ class Axis:
         """A value in this axis' unit, to three digits."""
         return three(float(scale_by_ten(np.array(value), -self.exponent)))
 
+    def place(self, value: float) -> float:
+        """Where a value stands on this axis, in its unit: for scalars and handles."""
+        return float(self.scaled(np.array(value, dtype=float)))
+
     def wire(self) -> dict[str, Any]:
-        labels = [f"{tick:.6g}".replace("-", MINUS) for tick in self.ticks]
+        labels = [ten(round(tick)) if self.log else f"{tick:.6g}".replace("-", MINUS) for tick in self.ticks]
         if self.ticks and self.unit:
             labels[-1] = f"{labels[-1]} {self.full_unit}"
-        start, end = (float(scale_by_ten(np.array(v), -self.exponent)) for v in (self.start, self.end))
+        start, end = self.place(self.start), self.place(self.end)
         ticks = [float(tick) for tick in self.ticks]
         return {
-            "start": start, "end": end, "ticks": ticks, "labels": labels, "unit": self.full_unit, "exponent": self.exponent
+            "start": start, "end": end, "ticks": ticks, "labels": labels, "unit": self.full_unit,
+            "exponent": self.exponent, "log": self.log,
         }
 
 
@@ -238,6 +251,20 @@ def nice_step(raw: float) -> float:
     """The smallest of 1, 2, 5 times a power of ten that is not below `raw`."""
     power = 10.0 ** math.floor(math.log10(raw))
     return next(f * power for f in (1, 2, 5, 10) if f * power >= raw * (1 - 1e-9))
+
+
+def log_axis(low: float, high: float, unit: str = "", count: int = 5) -> Axis:
+    """A logarithmic axis with ticks at powers of ten."""
+    first, last = math.ceil(math.log10(low) - 1e-9), math.floor(math.log10(high) + 1e-9)
+    step = max(1, math.ceil((last - first) / count))
+    return Axis(low, high, unit, ticks=tuple(float(p) for p in range(first, last + 1, step)), log=True)
+
+
+def whole_axis(end: float, unit: str) -> Axis:
+    """An axis from 0 to `end`, both marked: for what is a share of a total."""
+    axis = nice_axis(0.0, end, unit, exact=True)
+    top = axis.place(axis.end)
+    return replace(axis, ticks=(0.0, float(f"{top:.3g}")))
 
 
 def time_axis(end: float) -> Axis:

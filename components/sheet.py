@@ -39,13 +39,23 @@ def words(*paragraphs: str | dict[str, str], style: str = "facts", grow: float =
 
     A paragraph is text for `rich`, or a dict {"form": name, variant: text, ...}.
     """
-    items = []
-    for paragraph in paragraphs:
-        if isinstance(paragraph, str):
-            items.append({"": rich(paragraph)})
-        else:
-            items.append({k: v if k == "form" else rich(v) for k, v in paragraph.items()})
+    items = [_item(paragraph) for paragraph in paragraphs]
     return {"kind": "words", "items": items, "style": style, "grow": grow, "basis": basis, "phone": phone}
+
+
+def table(
+    *rows: list[str | dict[str, str]], head: list[str] | None = None, grow: float = 0, basis: int = 0, phone: int = 50
+) -> Block:
+    """Rows of cells, each a paragraph as in `words`; the first cell of a row is its name."""
+    cells = [[_item(cell) for cell in line] for line in rows]
+    heads = [rich(text) for text in head or []]
+    return {"kind": "table", "head": heads, "rows": cells, "grow": grow, "basis": basis, "phone": phone}
+
+
+def _item(paragraph: str | dict[str, str]) -> dict[str, str]:
+    if isinstance(paragraph, str):
+        return {"": rich(paragraph)}
+    return {key: text if key == "form" else rich(text) for key, text in paragraph.items()}
 
 
 def choice(name: str, options: dict[str, str], label: str, grow: float = 0, basis: int = 34, phone: int = 50) -> Block:

@@ -60,6 +60,16 @@ def var(name: str) -> Expression:
 W, H = var("W"), var("H")
 
 
+def on_x(plot: str, value: Number) -> Expression:
+    """Where a value of the horizontal axis of a plot stands, in pixels of the stage: stage and plots share lines."""
+    return var(f"{plot}.x0") + var(f"{plot}.x1") * value
+
+
+def on_y(plot: str, value: Number) -> Expression:
+    """The same on the vertical axis; the value is in the unit of the axis, as signals are."""
+    return var(f"{plot}.y0") + var(f"{plot}.y1") * value
+
+
 def shape(kind: str, *, tint: str = "ink", **attributes: Any) -> Shape:
     """A shape; expressions among its attributes become their wire form.
 

@@ -55,7 +55,8 @@ class Page {
       host.append(area)
       this.plots.push(new Plot(block, area, this))
     }
-    if (block.kind === "words") this.#words(block, host)
+    if (block.kind === "words") host.append(...block.items.map(item => this.#item(item)))
+    if (block.kind === "table") host.append(this.#table(block))
     if (block.kind === "choice") this.choices.push(buildChoice(host, block, message => this.send(message)))
     return host
   }
@@ -86,18 +87,27 @@ class Page {
     return head
   }
 
-  #words(block, host) {
-    for (const item of block.items) {
-      const holder = element("div", {class: "item"})
-      const variants = Object.entries(item).filter(([key]) => key !== "form").map(([name, html]) => {
-        const text = element("div", {})
-        text.innerHTML = html
-        holder.append(text)
-        return [name, text]
-      })
-      if (item.form) this.forms.push({name: item.form, variants, holder})
-      host.append(holder)
+  #item(item, tag = "div") {
+    const holder = element(tag, {class: "item"})
+    const variants = Object.entries(item).filter(([key]) => key !== "form").map(([name, html]) => {
+      const text = element("div", {})
+      text.innerHTML = html
+      holder.append(text)
+      return [name, text]
+    })
+    if (item.form) this.forms.push({name: item.form, variants, holder})
+    return holder
+  }
+
+  #table(block) {
+    const table = element("table", {})
+    if (block.head.length) {
+      const head = element("tr", {})
+      for (const html of block.head) head.append(Object.assign(element("th", {scope: "col"}), {innerHTML: html}))
+      table.append(head)
     }
+    for (const cells of block.rows) table.append(element("tr", {}, ...cells.map((cell, i) => this.#item(cell, i ? "td" : "th"))))
+    return table
   }
 
   #tools() {
@@ -152,6 +162,7 @@ class Page {
     for (const plot of this.plots) plot.update(state)
     this.controls.update(state.params, state.errors, state.preset)
     this.choices.forEach(choice => choice.update(state.params, state.errors))
+    this.measured = false
     this.clock.update(state.axes.t ?? {end: 1, exponent: 0}, state.scalars)
     this.transport.update(state)
     if (state.problems?.length) this.#notify(state.problems)
@@ -188,6 +199,7 @@ class Page {
   }
 
   redraw() {
+    this.measured = false
     this.clock.dirty = true
   }
 
@@ -200,6 +212,8 @@ class Page {
       for (const one of this.named.get(name) ?? []) one.textContent = text
     }
     const timeText = `${t.toFixed(this.timePlaces ?? 2)} ${axes.t?.unit ?? ""}`
+    if (!this.measured) this.stages.forEach(stage => stage.measure(this.plots))
+    this.measured = true
     this.stages.forEach(stage => stage.frame(named))
     this.plots.forEach(plot => plot.draw(named, t, timeText))
   }

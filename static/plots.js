@@ -1,7 +1,7 @@
 // Mounts the Bokeh figures, fills them with the columns of a message, and draws over them what moves: the time cursor,
 // the dots, the labels at the curves' ends, the marks and the handles.
 
-import {colour, element, live, svg, words} from "./dom.js"
+import {colour, element, svg, words} from "./dom.js"
 
 const LABEL_GAP = 16
 
@@ -26,7 +26,7 @@ export class Plot {
       return {curve, dot}
     })
     host.append(this.reading)
-    if (block.handle) this.pill = this.#pill(block.handle.tint, block.handle.symbol, block.handle.label)
+    this.pills = block.handles.map(handle => this.#pill(handle.tint, handle.symbol, handle.label, handle))
     if (block.cursor === "time" && block.x_labels) this.timePill = this.#pill("ink", "", "Time")
     this.#pointer()
   }
@@ -57,6 +57,18 @@ export class Plot {
     return this.box ?? {left: 0, top: 0, width: 1, height: 1}
   }
 
+  // The frame and the axes as named quantities for a stage whose upper left corner is at (left, top) on the page.
+  geometry(origin) {
+    const box = this.host.getBoundingClientRect(), name = this.block.name
+    const dx = box.left - origin.left, dy = box.top - origin.top
+    return {
+      [`${name}.left`]: this.frame.left + dx, [`${name}.right`]: this.frame.left + this.frame.width + dx,
+      [`${name}.top`]: this.frame.top + dy, [`${name}.bottom`]: this.frame.top + this.frame.height + dy,
+      [`${name}.x0`]: this.px(0) + dx, [`${name}.x1`]: this.frame.width / (this.x.end - this.x.start),
+      [`${name}.y0`]: this.py(0) + dy, [`${name}.y1`]: -this.frame.height / (this.y.end - this.y.start),
+    }
+  }
+
   layout() {
     const box = this.view?.frame?.bbox
     if (!box || !box.width) return
@@ -71,7 +83,7 @@ export class Plot {
     this.x = state.axes[this.block.x]
     this.y = state.axes[this.block.y]
     this.hidden = new Set(state.hidden)
-    this.host.style.display = this.block.show && !state.forms[this.block.show] ? "none" : ""
+    this.host.parentElement.style.display = this.block.show && !state.forms[this.block.show] ? "none" : ""
     if (!this.x || !this.y) return
     for (const [name, source] of Object.entries(this.sources)) {
       const columns = state.columns[name] ?? {}
@@ -114,7 +126,7 @@ export class Plot {
     for (const renderer of this.model.renderers) {
       const ink = colour(renderer.tags?.[0] || "ink"), glyph = renderer.glyph
       if ("line_color" in glyph && glyph.type !== "VArea") set(glyph, {line_color: ink})
-      if ("fill_color" in glyph) set(glyph, {fill_color: ink})
+      if ("fill_color" in glyph) set(glyph, {fill_color: renderer.tags?.[2] === "ring" ? colour("paper") : ink})
     }
     for (const span of this.model.center.filter(m => m.type === "Span")) set(span, {line_color: colour("rule")})
     for (const grid of this.model.center.filter(m => m.type === "Grid")) set(grid, {grid_line_color: colour("grid")})
@@ -145,7 +157,7 @@ export class Plot {
     }
     for (const {band, text} of this.bandLabels) this.#labelBand(band, text)
     for (const mark of this.marks) this.#placeMark(mark)
-    if (this.pill) this.#placePill(this.pill, this.#handleValue(), this.state.params[this.block.handle.parameter]?.text)
+    for (const pill of this.pills) this.#placePill(pill, this.#handleValue(pill), this.state.params[pill.handle.parameter]?.text)
   }
 
   // The name of a band stands where the band is thickest.
@@ -173,68 +185,82 @@ export class Plot {
     if (mark.set) {
       flag.setAttribute("aria-label", mark.label)
       flag.title = mark.label
-      flag.addEventListener("click", () => this.page.send({type: "set", values: {[mark.set]: this.state.scalars[`${mark.at}_si`] ?? this.#si(this.state.scalars[mark.at])}}))
+      flag.addEventListener("click", () => this.page.send({type: "set", values: {[mark.set]: this.state.scalars[`${mark.at}_si`] ?? this.#si(this.state.scalars[mark.at], mark.axis)}}))
     }
     this.handles.append(flag)
     return {mark, line, flag}
   }
 
   #placeMark({mark, line, flag}) {
-    const at = this.state.scalars[mark.at], {left, top, width, height} = this.frame
-    const x = this.px(at), shown = at !== undefined && x >= left - 0.5 && x <= left + width + 0.5
+    const at = this.state.scalars[mark.at], {left, top, width, height} = this.frame, across = mark.axis === "y"
+    const place = across ? this.py(at) : this.px(at)
+    const shown = at !== undefined && place >= (across ? top : left) - 0.5 && place <= (across ? top + height : left + width) + 0.5
     line.style.display = flag.style.display = shown ? "" : "none"
     if (!shown) return
-    for (const [key, value] of [["x1", x], ["x2", x], ["y1", top], ["y2", top + height]]) line.setAttribute(key, value)
-    flag.style.left = `${x + (mark.shift ?? 0)}px`
-    flag.style.top = `${top - (mark.lift ?? 44)}px`
+    const ends = across ? {x1: left, x2: left + width, y1: place, y2: place} : {x1: place, x2: place, y1: top, y2: top + height}
+    for (const [key, value] of Object.entries(ends)) line.setAttribute(key, value)
+    flag.style.left = `${(across ? left + width : place) + (mark.shift ?? 0)}px`
+    flag.style.top = `${(across ? place - 12 : top) - (mark.lift ?? (across ? 0 : 44))}px`
+    flag.hidden = flag.innerHTML === ""
   }
 
-  #pill(tint, symbol, label) {
-    const pill = element("div", {class: `pill ${tint}`, role: "slider", tabindex: 0, "aria-label": label})
-    pill.symbol = symbol
+  #pill(tint, symbol, label, handle = null) {
+    const upright = handle?.axis === "y"
+    const pill = element("div", {class: `pill ${tint} ${upright ? "upright" : ""}`, role: "slider", tabindex: 0, "aria-label": label, "aria-orientation": upright ? "vertical" : "horizontal"})
+    Object.assign(pill, {symbol, handle})
     this.handles.append(pill)
     pill.addEventListener("keydown", event => {
       const step = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10}[event.key]
       if (!step && event.key !== "Home" && event.key !== "End") return
       event.preventDefault()
-      const span = this.x.end - this.x.start, here = pill === this.timePill ? this.page.clock.t : this.#handleValue()
-      const target = event.key === "Home" ? this.x.start : event.key === "End" ? this.x.end : here + step * span / (event.shiftKey ? 20 : 200)
-      this.#moveTo(pill, target)
+      const axis = this.#axis(pill), span = axis.end - axis.start, here = handle ? this.#handleValue(pill) : this.page.clock.t
+      this.#moveTo(pill, event.key === "Home" ? axis.start : event.key === "End" ? axis.end : here + step * span / (event.shiftKey ? 20 : 200))
     })
     pill.addEventListener("pointerdown", event => this.#drag(event, pill))
     return pill
   }
 
+  #axis(pill) {
+    return pill.handle?.axis === "y" ? this.y : this.x
+  }
+
   #placePill(pill, value, text) {
-    const {left, top, width, height} = this.frame
-    const x = this.px(value), outside = x < left || x > left + width
-    pill.style.left = `${Math.min(Math.max(x, left), left + width)}px`
-    pill.style.top = `${top + height + 3}px`
-    pill.classList.toggle("outside", outside)
-    const shown = `${pill.symbol}${text ?? ""}`
+    const {left, top, width, height} = this.frame, axis = this.#axis(pill)
+    const inside = Math.min(Math.max(value, axis.start), axis.end)
+    if (axis === this.y) {
+      pill.style.left = `${left - 6}px`
+      pill.style.top = `${this.py(inside) - 12}px`
+    } else {
+      pill.style.left = `${this.px(inside)}px`
+      pill.style.top = `${top + height + 3}px`
+    }
+    pill.classList.toggle("outside", inside !== value)
+    const shown = `${pill.symbol ? `${pill.symbol} ` : ""}${text ?? ""}`
     if (pill.textContent !== shown) pill.textContent = shown
-    pill.setAttribute("aria-valuenow", value)
-    pill.setAttribute("aria-valuetext", text ?? "")
-    pill.setAttribute("aria-valuemin", this.x.start)
-    pill.setAttribute("aria-valuemax", this.x.end)
+    const facts = {"aria-valuenow": value, "aria-valuetext": text ?? "", "aria-valuemin": axis.start, "aria-valuemax": axis.end}
+    for (const [key, fact] of Object.entries(facts)) pill.setAttribute(key, fact)
   }
 
-  #si(value) {
-    return value * 10 ** this.x.exponent
+  // From a number of an axis to SI, and back.
+  #si(value, which = "x") {
+    const axis = this[which ?? "x"]
+    return axis.log ? 10 ** value : value * 10 ** axis.exponent
   }
 
-  #handleValue() {
-    return this.state.params[this.block.handle.parameter].value / 10 ** this.x.exponent
+  #handleValue(pill) {
+    const axis = this.#axis(pill), value = this.state.params[pill.handle.parameter].value
+    return axis.log ? Math.log10(value) : value / 10 ** axis.exponent
   }
 
   #moveTo(pill, value) {
-    const inside = Math.min(Math.max(value, this.x.start), this.x.end)
-    if (pill === this.timePill) this.page.clock.seek(inside)
-    else this.page.send({type: "set", values: {[this.block.handle.parameter]: Number(this.#si(inside).toPrecision(4))}})
+    const axis = this.#axis(pill), inside = Math.min(Math.max(value, axis.start), axis.end)
+    if (!pill.handle) this.page.clock.seek(inside)
+    else this.page.send({type: "set", values: {[pill.handle.parameter]: Number(this.#si(inside, pill.handle.axis).toPrecision(4))}})
   }
 
-  #value(event) {
+  #value(event, which = "x") {
     const box = this.host.getBoundingClientRect()
+    if (which === "y") return this.y.end - (event.clientY - box.top - this.frame.top) / this.frame.height * (this.y.end - this.y.start)
     return this.x.start + (event.clientX - box.left - this.frame.left) / this.frame.width * (this.x.end - this.x.start)
   }
 
@@ -242,15 +268,14 @@ export class Plot {
     event.preventDefault()
     pill.focus({preventScroll: true})
     pill.setPointerCapture(event.pointerId)
-    const playing = this.page.clock.playing
-    if (pill === this.timePill) this.page.clock.playing = false
-    const move = moved => this.#moveTo(pill, this.#value(moved))
+    const {clock} = this.page, playing = clock.playing
+    if (!pill.handle) clock.playing = false
+    const move = moved => this.#moveTo(pill, this.#value(moved, pill.handle?.axis))
     const stop = () => {
       pill.removeEventListener("pointermove", move)
-      if (pill === this.timePill) {
-        this.page.clock.playing = playing
-        this.page.clock.touch()
-      }
+      if (pill.handle) return
+      clock.playing = playing
+      clock.touch()
     }
     pill.addEventListener("pointermove", move)
     pill.addEventListener("lostpointercapture", stop, {once: true})
@@ -263,7 +288,7 @@ export class Plot {
     this.host.addEventListener("pointerdown", event => {
       if (event.target.closest(".pill, .flag") || !this.#inside(event)) return
       if (this.block.cursor === "time") this.page.clock.seek(this.#value(event))
-      else if (this.pill) this.#moveTo(this.pill, this.#value(event))
+      else for (const pill of this.pills) this.#moveTo(pill, this.#value(event, pill.handle.axis))
     })
   }
 
@@ -339,4 +364,3 @@ function interpolate(xs, ys, x) {
 
 const plain = label => label.replaceAll(/[*_{}]/g, "")
 const number = value => (Math.abs(value) >= 1e5 || (value !== 0 && Math.abs(value) < 1e-3) ? value.toExponential(2) : Number(value.toPrecision(3)).toString()).replace("-", "−")
-export {live}

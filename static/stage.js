@@ -1,6 +1,6 @@
 // Draws a stage: shapes whose numbers are polynomials in the signals, evaluated at every frame.
 
-import {svg, words, live} from "./dom.js"
+import {svg, words} from "./dom.js"
 import {polynomial} from "./signals.js"
 
 const TEETH = 9
@@ -110,8 +110,14 @@ export class Stage {
     }).observe(host)
   }
 
+  // Where the plots stand, seen from this stage; measured anew only when the page has changed.
+  measure(plots) {
+    const origin = this.svg.getBoundingClientRect()
+    this.plots = Object.assign({}, ...plots.map(plot => plot.geometry(origin)))
+  }
+
   frame(named) {
-    const all = {...named, ...this.size}
+    const all = {...named, ...this.plots, ...this.size}
     for (const {spec, kind, parts, group, moving} of this.shapes) {
       const shown = spec.show === undefined || all[spec.show] !== 0 && all[spec.show] !== undefined
       group.style.display = shown ? "" : "none"
@@ -122,4 +128,3 @@ export class Stage {
     }
   }
 }
-export {live}

@@ -14,7 +14,7 @@ from components import chain
 from components.motion import derived, pace, rates, scaled, sines, total
 from components.numbers import plus, signed, three
 from components.parameters import displacement, mass, stiffness, velocity
-from components.plots import Axis, Band, Curve, nice_axis, plot, time_axis, widest
+from components.plots import Axis, Band, Curve, nice_axis, plot, time_axis, whole_axis, widest
 from components.scene import Columns, Picture, Scene
 from components.sheet import Block, choice, column, row, stage, term, words
 from components.stage import H, Shape, W, arrow, line, var
@@ -69,8 +69,8 @@ class Coupled(Scene):
                     words("**Mass 2 against mass 1**", style="plain", phone=6),
                     _plane(),
                     words(
-                        r"$\tint{slow}{\text{Slow period}}$ {slow_period}",
-                        r"$\tint{fast}{\text{Fast period}}$ {fast_period}",
+                        "[slow|Slow period] {slow_period}",
+                        "[fast|Fast period] {fast_period}",
                         "Beat period {beat_period}",
                         style="numbers",
                         phone=7,
@@ -95,7 +95,7 @@ class Coupled(Scene):
         extremes = _extremes(curves, bands)
         time = time_axis(end)
         size = nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 3)
-        energy = nice_axis(0.0, float(free.energy.sum()), "J", 1, exact=True)
+        energy = whole_axis(float(free.energy.sum()), "J")
         drawn = chain.to_scale(extremes, (self.m1, self.m2), (self.k1, self.k2), size)
         return Picture(
             columns={
@@ -136,21 +136,19 @@ def _shapes() -> list[Shape]:
 def _facts() -> list[str | dict[str, str]]:
     facts: list[str | dict[str, str]] = ["**The motion**"]
     for mode, sign in (("slow", "="), ("fast", "+")):
-        name = SIGN[mode]
+        name, index = SIGN[mode], {"slow": "-", "fast": "+"}[mode]
         facts.append({
             "form": f"{mode}_fact",
-            "sine": rf"$\tint{{{mode}}}{{\text{{{sign} {mode} mode}}}}$",
-            "drift": rf"$\tint{{{mode}}}{{\text{{{sign} drift, no wall spring}}}}$",
-            "free": rf"$\tint{{{mode}}}{{\text{{{sign} drift of mass 2, not coupled}}}}$",
-            "two": rf"$\tint{{{mode}}}{{\text{{{sign} drift, no spring at all}}}}$",
-            "still": rf"$\tint{{{mode}}}{{\text{{{sign} drift of mass 1}}}}$",
+            "sine": f"[{mode}|{sign} {mode} mode]",
+            "drift": f"[{mode}|{sign} drift: no spring to the wall]",
+            "free": f"[{mode}|{sign} mass 2 drifts: it is not coupled]",
+            "two": f"[{mode}|{sign} drift: no spring at all]",
         })
         facts.append({
             "form": f"{mode}_omega",
-            "sine": rf"$\omega_{{{'-' if mode == 'slow' else '+'}}} = \val{{omega_{name}}}$ rad/s",
-            "drift": r"$\omega_- = 0$: $x = a + b\,t$",
+            "sine": rf"$\omega_{{{index}}} = \val{{omega_{name}}}$ rad/s, $X_2 / X_1 = \val{{ratio_{name}}}$",
+            "drift": rf"$\omega_{{{index}}} = 0$: $x = a + b\,t$, $X_2 / X_1 = \val{{ratio_{name}}}$",
         })
-        facts.append(rf"$X_2 / X_1 = \val{{ratio_{name}}}$")
     return facts
 
 
@@ -371,7 +369,7 @@ def _forms(scene: Coupled, free: FreeModes) -> dict[str, str]:
     """Which sentence stands: a mode of frequency zero is a drift, and with no spring at all both are."""
     slow, fast = free.omega
     kind = "sine" if slow else ("two" if not fast else "drift" if scene.k2 else "free")
-    forms = {"slow_fact": kind, "fast_fact": "sine" if fast else "still", scene.energy: "shown"}
+    forms = {"slow_fact": kind, "fast_fact": "sine" if fast else "", scene.energy: "shown"}
     forms |= {"slow_omega": "sine" if slow else "drift", "fast_omega": "sine" if fast else ""}
     for i in (1, 2):
         forms[f"x{i}_slow"] = "sine" if slow else "drift"
