@@ -13,14 +13,13 @@ import os
 import platform
 import signal
 import time
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from importlib.metadata import version
 from statistics import median
-from typing import Any
 
 import psutil
-from playwright.sync_api import Browser, Page, Response, sync_playwright
+from playwright.sync_api import Browser, Page, Response, WebSocket, sync_playwright
 
 from tests.bench.visitor import Visitor
 from tests.chromium import find
@@ -113,7 +112,7 @@ def measure_first_load(browser: Browser, address: str, repeats: int) -> list[Row
         answers: list[Response] = []
         frames: list[bytes] = []
         page = browser.new_page()
-        page.on("response", answers.append)
+        page.on("response", lambda answer, to=answers: to.append(answer))
         page.on(
             "websocket",
             lambda socket, to=frames: socket.on("framereceived", lambda f: to.append(as_bytes(f))),
@@ -169,7 +168,7 @@ def measure_browser(address: str, options: argparse.Namespace) -> list[Row]:
         rows = measure_first_load(browser, address, min(3, options.batches))
         page = browser.new_page(viewport={"width": 1280, "height": 720})
         messages: list[object] = []
-        page.on("websocket", lambda socket: listen(socket, messages.append))
+        page.on("websocket", lambda socket: listen(socket, messages))
         page.goto(address)
         page.wait_for_function(READY)
         page.wait_for_timeout(1000)
@@ -182,9 +181,9 @@ def measure_browser(address: str, options: argparse.Namespace) -> list[Row]:
     return rows
 
 
-def listen(socket: Any, take: Callable[[object], None]) -> None:
-    socket.on("framesent", take)
-    socket.on("framereceived", take)
+def listen(socket: WebSocket, messages: list[object]) -> None:
+    socket.on("framesent", lambda frame: messages.append(frame))
+    socket.on("framereceived", lambda frame: messages.append(frame))
 
 
 def busy(process: psutil.Process) -> float:

@@ -56,7 +56,9 @@ class Visitor:
             raise RuntimeError(f"{url} is not a page of Bokeh's")
         address = f"{url.replace('http', 'ws', 1)}ws?{query}"
         visitor = cls(await websocket_connect(address, subprotocols=["bokeh", token[1]]))
+        welcome = visitor._expect("ACK")
         visitor._reader = asyncio.create_task(visitor._read())
+        await asyncio.wait_for(welcome, PATIENCE)
         await visitor._start()
         return visitor
 
@@ -105,14 +107,17 @@ class Visitor:
             for _ in range(2 * header.get("num_buffers", 0)):
                 await self._frame()
             self.traffic.patches += header["msgtype"] == "PATCH-DOC"
-            for name in (header.get("reqid"), *_answers(content)):
+            for name in (header.get("reqid", header["msgtype"]), *_answers(content)):
                 if waiting := self._arrived.pop(name, None):
                     waiting.set_result(content)
 
     async def _frame(self) -> str | bytes:
         frame = await self._socket.read_message()
         if frame is None:
-            raise ConnectionError("the server closed the session")
+            closed = ConnectionError("the server closed the session")
+            for waiting in self._arrived.values():
+                waiting.set_exception(closed)
+            raise closed
         self.traffic.bytes += len(frame)
         return frame
 
