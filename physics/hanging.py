@@ -22,6 +22,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from physics.energy import half_square
 from physics.exact import Array, exact, precise, rounded, snapped, split, two_sum
 from physics.oscillator import Oscillator, OscillatorMotion
 from physics.valid import check_not_negative, check_positive, finite_array
@@ -95,7 +96,7 @@ class HangingMass:
 
     def well(self, x: ArrayLike, datum: Datum = "equilibrium") -> Array:
         """V(x) for x (n,) in m, off by at most 2 u: no term cancels another."""
-        V = _half_square("V", self.k, finite_array("x", x))
+        V = half_square("V", self.k, finite_array("x", x))
         return V + self.datum_shift if datum == "separate" else V
 
     def energies(self, x: ArrayLike, v: ArrayLike, datum: Datum = "equilibrium") -> HangingEnergy:
@@ -106,23 +107,16 @@ class HangingMass:
             weight = rounded("the weight m g", exact(self.m) * exact(self.g))
         stretch, error = two_sum(x, deflection)
         return HangingEnergy(
-            T=_half_square("T", self.m, v),
+            T=half_square("T", self.m, v),
             V=self.well(x, datum),
-            spring=_half_square("the spring's energy", self.k, stretch + (error + rest)),
-            gravity=_in_range("m g x", -weight, x),
+            spring=half_square("of the spring", self.k, stretch + (error + rest)),
+            gravity=_weight_times_height(-weight, x),
         )
 
 
-def _half_square(name: str, factor: float, x: Array) -> Array:
-    return _in_range(name, 0.5 * x, factor, x)
-
-
-def _in_range(name: str, *factors: float | Array) -> Array:
-    """The product, taken from left to right; ValueError where it leaves the range of doubles."""
-    product = np.asarray(factors[0], dtype=np.float64)
+def _weight_times_height(weight: float, height: Array) -> Array:
     with np.errstate(over="ignore"):
-        for factor in factors[1:]:
-            product = product * factor
-    if not np.all(np.isfinite(product)):
-        raise ValueError(f"{name} leaves the range of doubles")
-    return product
+        energy = weight * height
+    if not np.all(np.isfinite(energy)):
+        raise ValueError("the energy of gravity leaves the range of doubles")
+    return energy

@@ -119,11 +119,10 @@ class Oscillator:
 
 
 def _phase(A: Decimal, B: Decimal) -> float:
-    """atan2(A, B) where A and B may be out of range: both are scaled by one power of two; 0 at rest."""
-    scale = max((binary(value)[2] for value in (A, B) if value), default=0)
+    """atan2(A, B), where A and B may be out of the range of doubles; 0 at rest."""
+    size = max(abs(A), abs(B))
     with precise():
-        y, x = (float(value / Decimal(2) ** scale) for value in (A, B))
-    return atan2(y + 0.0, x + 0.0)
+        return atan2(A / size, B / size) if size else 0.0
 
 
 def _oscillation(a: Decimal, cosine: Array, b: Decimal, sine: Array) -> Array:
