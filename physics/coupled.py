@@ -241,19 +241,27 @@ def each_mass(name: str, values: ArrayLike) -> Vector:
 
 def started(chain: TwoMassChain, x_0: Vector, v_0: Vector) -> FreeModes:
     """The same from a start in 80 digits."""
+    (x_slow, x_fast), (v_slow, v_fast) = _coordinates(chain, x_0), _coordinates(chain, v_0)
+    return FreeModes(chain, (x_slow, x_fast), (v_slow, v_fast))
+
+
+def _coordinates(chain: TwoMassChain, values: Vector) -> Vector:
+    """The shares of the modes in displacements or velocities, the modes being orthogonal in the masses.
+
+    m1 x1 + m2 r x2 is written with r - 1 in place of r, and for the fast mode with the slow one's, since r =
+    1 is where the digits would go.
+    """
     slow, fast = chain.exact_modes
-    return FreeModes(
-        chain,
-        (_coordinate(chain, slow, x_0), _coordinate(chain, fast, x_0)),
-        (_coordinate(chain, slow, v_0), _coordinate(chain, fast, v_0)),
-    )
-
-
-def _coordinate(chain: TwoMassChain, mode: Mode, values: Vector) -> Decimal:
-    """The share of a mode in displacements or velocities: the modes are orthogonal in the masses."""
-    m1, m2, _, _ = chain.exact_parameters
+    m1, m2, _, k2 = chain.exact_parameters
+    x1, x2 = values
+    if not k2:
+        return x2, x1
     with precise():
-        return sum_of(m1 * mode.shape[0] * values[0], m2 * mode.shape[1] * values[1]) / mode.mass
+        momentum, gap = sum_of(m1 * x1, m2 * x2), sum_of(x1, -x2)
+        return (
+            sum_of(momentum, m2 * slow.stretch * x2) / slow.mass,
+            m1 * sum_of(gap, slow.stretch * x1) / (slow.shape[1] * fast.mass),
+        )
 
 
 def free_motion(chain: TwoMassChain, x_0: ArrayLike, v_0: ArrayLike, t: ArrayLike) -> Motion:

@@ -18,10 +18,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from physics.exact import Array, Pair, angle, binary, circle, exact, precise, two_product, two_sum
+from physics.exact import Array, Pair, angle, binary, circle, exact, pair_product, precise, two_sum
 
 _SLOW = Decimal(2) ** -10  # rad; below it sin(x)/x takes three terms of its series
-_EARLY = 2.0  # rad; below it the closed form of g cancels and its series takes over
+_EARLY = Decimal(2)  # rad; below it the closed form of g cancels and its series takes over
 _TERMS = 15  # of that series: the next one is below 1e-18 of the first
 _SLICER = 1.5 * 2.0**28  # adding and subtracting it rounds to a multiple of 2**-24
 
@@ -75,10 +75,10 @@ def response(omega: Decimal, omega_n: Decimal, t: Array) -> tuple[Curve, Curve]:
     """g and g' of a mode of frequency omega_n under sin(omega t), at any omega > 0, omega_n included."""
     with precise():
         s, d = (omega + omega_n) / 2, (omega - omega_n) / 2
-        early = np.abs(t) <= _EARLY * float(1 / max(omega, omega_n))
+    start = is_early((omega, omega_n), t)
     speed = product(turning(s, t)[1], turning(d, t)[1]).times(omega / 2)
-    late = _late_response(omega, omega_n, t[~early])
-    return _merged(early, _early_response(omega, omega_n, t[early]), late), speed
+    late = _late_response(omega, omega_n, t[~start])
+    return _merged(start, early((omega, omega_n), t[start], 3), late), speed
 
 
 def _late_response(omega: Decimal, omega_n: Decimal, t: Array) -> Curve:
@@ -92,27 +92,43 @@ def _late_response(omega: Decimal, omega_n: Decimal, t: Array) -> Curve:
         return difference(product(cos_d, over_s), product(cos_s, over_d)).times(1 / (2 * omega_n))
 
 
-def _early_response(omega: Decimal, omega_n: Decimal, t: Array) -> Curve:
-    """g = omega t^3 sum_k (-1)^k h_k / (2 k + 3)!, h_k = sum_i (omega t)^(2 i) (omega_n t)^(2 k - 2 i)."""
+def is_early(frequencies: Sequence[Decimal], t: Array) -> NDArray[np.bool_]:
+    """Where no phase passes 2 rad, so that closed forms cancel and series serve."""
+    with precise():
+        first: NDArray[np.bool_] = np.abs(t) <= float(_EARLY / max(frequencies))
+    return first
+
+
+def early(frequencies: Sequence[Decimal], t: Array, power: int) -> Curve:
+    """omega t^power sum_k (-1)^k h_k / (2 k + power)!, omega the first frequency, while no phase passes 2
+    rad.
+
+    h_k is the sum of all products of k of the (omega_i t)^2, repetitions included. These are divided
+    differences of sin(omega t)/omega in omega^2: with two frequencies and the power 3 the response g, with
+    three and the power 5 that of a mass which only the other one drives; a power less, the velocities.
+    """
     exponent, unit = power_of_two(reach(t))
     time = np.ldexp(t, -exponent)
     with precise():
-        x, y = (float(omega * unit) * time) ** 2, (float(omega_n * unit) * time) ** 2
-        scale = omega * unit**3 / 6
-    h, power, rest = np.ones_like(t), np.ones_like(t), np.zeros_like(t)
+        squares = [-((float(omega * unit) * time) ** 2) for omega in frequencies]
+        scale = frequencies[0] * unit**power / math.factorial(power)
+    h = [np.ones_like(t) for _ in frequencies]
+    rest = np.zeros_like(t)
     for k in range(1, _TERMS):
-        power = -y * power
-        h = -x * h + power
-        rest += h * (6.0 / math.factorial(2 * k + 3))
-    square = two_product(time, time)
-    cube = product(Curve(*square, Decimal(1)), Curve(time, np.zeros_like(t), scale))
-    return Curve(*two_sum(cube.hi, cube.lo + cube.hi * rest), scale)
+        for i, square in enumerate(squares):
+            h[i] = square * h[i] + (h[i - 1] if i else 0.0)
+        rest += h[-1] * (math.factorial(power) / math.factorial(2 * k + power))
+    factor = Curve(time, np.zeros_like(t), Decimal(1))
+    leading = factor
+    for _ in range(power - 1):
+        leading = product(leading, factor)
+    return Curve(*two_sum(leading.hi, leading.lo + leading.hi * rest), scale)
 
 
 def product(a: Curve, b: Curve) -> Curve:
-    p, e = two_product(a.hi, b.hi)
+    hi, lo = pair_product((a.hi, a.lo), (b.hi, b.lo))
     with precise():
-        return Curve(p, e + (a.hi * b.lo + a.lo * b.hi), a.scale * b.scale)
+        return Curve(hi, lo, a.scale * b.scale)
 
 
 def difference(a: Curve, b: Curve) -> Curve:
@@ -132,6 +148,10 @@ def rescaled(a: Curve, scale: Decimal) -> Curve:
 
 def _merged(chosen: NDArray[np.bool_], a: Curve, b: Curve) -> Curve:
     """The values of a where chosen, those of b elsewhere, in order."""
+    if not np.any(chosen):
+        return b
+    if np.all(chosen):
+        return a
     scale = max(abs(a.scale), abs(b.scale))
     hi, lo = np.empty(chosen.shape), np.empty(chosen.shape)
     for where, part in ((chosen, rescaled(a, scale)), (~chosen, rescaled(b, scale))):

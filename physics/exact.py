@@ -122,6 +122,12 @@ def two_product(a: Any, b: Any) -> Pair:
     return p, ((a_hi * b_hi - p) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo
 
 
+def pair_product(a: tuple[Any, Any], b: tuple[Any, Any]) -> Pair:
+    """a b to about 104 bits."""
+    p, e = two_product(a[0], b[0])
+    return p, e + (a[0] * b[1] + a[1] * b[0])
+
+
 def angle(omega: Decimal, t: Array) -> Pair:
     """omega t as hi + lo, known to 1e-16 rad up to 1e15 rad; above 2**53 rad modulo 2 pi."""
     hi, lo, exponent = binary(omega)

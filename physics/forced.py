@@ -21,7 +21,7 @@ from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from physics.coupled import (
     FreeModes,
@@ -34,11 +34,24 @@ from physics.coupled import (
     motion_of,
     started,
 )
-from physics.curves import Curve, combined, product, response, turning
-from physics.exact import PI, Array, exact, precise, rounded, snapped, split
+from physics.curves import Curve, combined, early, is_early, product, response, turning
+from physics.exact import (
+    PI,
+    Array,
+    Pair,
+    exact,
+    pair_product,
+    precise,
+    rounded,
+    snapped,
+    split,
+    two_product,
+    two_sum,
+)
 from physics.valid import check_finite, check_not_negative, finite_array
 
 REST = (0.0, 0.0)
+NONE = Decimal(0)
 _CANCELS = Decimal("1e-3")  # of x_c and x_p, what is left of them after a period of the drive
 _COMFORT = Decimal("1e40")  # factors of D within this and its inverse cannot over- or underflow
 
@@ -47,13 +60,12 @@ def particular_solution(chain: TwoMassChain, F_0: float, omega: ArrayLike) -> Ar
     """Amplitudes Xp1, Xp2 in m, signed: (2,) for a drive frequency omega in rad/s, (2, n) for n of them.
 
     +inf where no steady amplitude exists, at a natural frequency exactly, whichever sign it has on the two
-    sides. One frequency is worked out in rational numbers and rounded once; a curve is within 8 ulp.
+    sides. One frequency is worked out in rational numbers and rounded once; a curve is within 2 ulp.
     ValueError if an amplitude leaves the range of doubles.
     """
-    _check_drive(F_0, omega)
+    frequencies = _checked_drive(F_0, omega)
     if np.ndim(omega) == 0:
-        return _rounded_amplitudes(chain, F_0, float(np.asarray(omega)))
-    frequencies = finite_array("omega", omega)
+        return _rounded_amplitudes(chain, F_0, frequencies[0])
     if _comfortable(chain, F_0, frequencies):
         return _response_curve(chain, F_0, frequencies)
     return np.array([_rounded_amplitudes(chain, F_0, w) for w in frequencies]).reshape(-1, 2).T
@@ -71,10 +83,12 @@ def _antiresonance(chain: TwoMassChain) -> Decimal:
         return snapped((k2 / m2).sqrt())
 
 
-def _check_drive(F_0: float, omega: ArrayLike) -> None:
+def _checked_drive(F_0: float, omega: ArrayLike) -> Array:
+    """omega (n,), one frequency included."""
     check_finite("a force in N", F_0=F_0)
-    for w in finite_array("omega", np.ravel(np.asarray(omega, dtype=np.float64))):
-        check_not_negative("a drive frequency in rad/s", omega=w)
+    frequencies = finite_array("omega", omega)
+    check_not_negative("a drive frequency in rad/s", omega=float(np.min(frequencies, initial=0.0)))
+    return frequencies
 
 
 def _amplitudes(chain: TwoMassChain, F_0: float, omega: float) -> tuple[Fraction, Fraction] | None:
@@ -94,10 +108,17 @@ def _rounded_amplitudes(chain: TwoMassChain, F_0: float, omega: float) -> Array:
     exactly = _amplitudes(chain, F_0, omega)
     if exactly is None:
         return np.array([math.inf, math.inf if chain.k2 else 0.0])
+    X1, X2 = exactly
+    return np.array(
+        [_nearest(f"Xp1 at omega = {omega} rad/s", X1), _nearest(f"Xp2 at omega = {omega} rad/s", X2)]
+    )
+
+
+def _nearest(quantity: str, value: Fraction) -> float:
     try:
-        return np.array([float(amplitude) for amplitude in exactly])
+        return float(value)
     except OverflowError:
-        raise ValueError(f"the amplitude Xp at omega = {omega} rad/s leaves the range of doubles") from None
+        raise ValueError(f"{quantity} leaves the range of doubles") from None
 
 
 def _comfortable(chain: TwoMassChain, F_0: float, omega: Array) -> bool:
@@ -119,22 +140,38 @@ def _response_curve(chain: TwoMassChain, F_0: float, omega: Array) -> Array:
     """Xp1, Xp2 (2, n) from the factors of D and of k2 - m2 omega^2, none of which cancels."""
     slow, fast = chain.exact_modes
     m1, m2, _, k2 = chain.exact_parameters
-    with precise():
-        unit1, unit2 = float(-exact(F_0) / m1), float(exact(F_0) * k2 / (m1 * m2))
     D = _from_root(omega, fast.omega)
-    over = np.ones_like(omega)
+    over1 = over2 = np.ones_like(omega), np.zeros_like(omega)
     if k2:
-        over = _from_root(omega, _antiresonance(chain))
-        D *= _from_root(omega, slow.omega)
-    with np.errstate(divide="ignore"):
-        X = np.array([unit1 * (over / D), unit2 / D])
-    return np.where((D == 0.0) & (np.array([[F_0], [unit2]]) != 0.0), math.inf, X)
+        over1 = _from_root(omega, _antiresonance(chain))
+        D = pair_product(D, _from_root(omega, slow.omega))
+    with precise():
+        units = split(-exact(F_0) / m1), split(exact(F_0) * k2 / (m1 * m2))
+    at_root = D[0] == 0.0
+    D = np.where(at_root, 1.0, D[0]), D[1]
+    X = np.array(
+        [_quotient(pair_product(unit, over), D) for unit, over in zip(units, (over1, over2), strict=True)]
+    )
+    return np.where(at_root & (X != 0.0), math.inf, X)
 
 
-def _from_root(omega: Array, root: Decimal) -> Array:
-    """omega^2 - root^2, to 4 u also next to the root."""
+def _from_root(omega: Array, root: Decimal) -> Pair:
+    """omega^2 - root^2 from its two factors: exact digits also next to the root."""
     hi, lo = split(root)
-    return ((omega - hi) - lo) * (omega + hi)
+    return pair_product(_plus(omega, -hi, -lo), _plus(omega, hi, lo))
+
+
+def _plus(omega: Array, hi: float, lo: float) -> Pair:
+    s, e = two_sum(omega, hi)
+    return two_sum(s, e + lo)
+
+
+def _quotient(a: Pair, b: Pair) -> Array:
+    """a/b, the quotient of the leading parts corrected once."""
+    first = a[0] / b[0]
+    p, e = two_product(first, b[0])
+    result: Array = first + ((a[0] - p) - e + a[1] - first * b[1]) / b[0]
+    return result
 
 
 @dataclass(frozen=True, eq=False)
@@ -198,7 +235,14 @@ class DrivenModes:
     def motion(self, t: ArrayLike) -> Motion:
         """The motion at times t (n,), within 16 u of its envelope at every detuning."""
         t = finite_array("t", t)
-        return motion_of([*self.free.terms(t), *self._driven(t)], t)
+        start = self._early(t)
+        x, v, e = (np.empty((2, t.size)) for _ in range(3))
+        for where, terms in ((start, self._from_rest), (~start, self._driven)):
+            if not np.any(where):
+                continue
+            part = motion_of([*self.free.terms(t[where]), *terms(t[where])], t[where])
+            x[:, where], v[:, where], e[:, where] = part.x, part.v, part.e
+        return Motion(t, x, v, e)
 
     def complementary(self, t: ArrayLike) -> Array:
         """x_c (2, n), the free motion that remains without the particular one; ValueError at resonance."""
@@ -230,6 +274,27 @@ class DrivenModes:
                 curves.append(curve)
         return combined([row], curves, ("the work of the drive",))[0] if row else np.zeros_like(t)
 
+    def _early(self, t: Array) -> NDArray[np.bool_]:
+        if not self.omega:
+            return np.zeros(t.shape, dtype=np.bool_)
+        return is_early(self._frequencies, t)
+
+    @property
+    def _frequencies(self) -> list[Decimal]:
+        return [exact(self.omega), *(mode.omega for mode in self.chain.exact_modes)]
+
+    def _from_rest(self, t: Array) -> list[Terms]:
+        """At first the modes all but cancel in mass 2, which starts like t^5: series give its motion."""
+        m1, m2, _, k2 = self.chain.exact_parameters
+        curves = early(self._frequencies, t, 5), early(self._frequencies, t, 4)
+        with precise():
+            push = exact(self.F_0) * k2 / (m1 * m2)
+        nothing, x2, v2 = (NONE, NONE), (push, NONE), (NONE, push)
+        rest = [
+            Terms(curves, [x1, nothing, e2, v1, nothing]) for curves, (x1, _, e2, v1, _) in self._driven(t)
+        ]
+        return [*rest, Terms(curves, [nothing, x2, nothing, nothing, v2])]
+
     def _driven(self, t: Array) -> list[Terms]:
         result = []
         for mode in self.chain.exact_modes:
@@ -237,9 +302,8 @@ class DrivenModes:
                 continue
             with precise():
                 share = exact(self.F_0) * mode.shape[0] / mode.mass
-                none = Decimal(0)
-                rows = [(part * share, none) for part in mode.rows]
-                rows += [(none, part * share) for part in mode.shape]
+                rows = [(part * share, NONE) for part in mode.rows]
+                rows += [(NONE, part * share) for part in mode.shape]
             result.append(Terms(response(exact(self.omega), mode.omega, t), rows))
         return result
 
@@ -272,7 +336,7 @@ def driven_modes(
     chain: TwoMassChain, F_0: float, omega: float, x_0: ArrayLike = REST, v_0: ArrayLike = REST
 ) -> DrivenModes:
     """The modes of the chain under F_0 sin(omega t) on mass 1, F_0 in N, omega >= 0 in rad/s."""
-    _check_drive(F_0, omega)
+    _checked_drive(F_0, omega)
     return DrivenModes(chain, float(F_0), float(omega), each_mass("x_0", x_0), each_mass("v_0", v_0))
 
 
