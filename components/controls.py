@@ -21,11 +21,17 @@ Choice = (param.Selector, param.Boolean)
 
 @dataclass(frozen=True)
 class Group:
-    """Parameters that belong together, under a title; the hint names another way to set them."""
+    """Parameters that belong together, under a title; the hint names another way to set them.
+
+    `actions` are buttons, (name, label): the scene's `action(name)` says what they set. A `folded` group opens when
+    asked for, or when one of its values is not the default.
+    """
 
     title: str
     names: tuple[str, ...]
     hint: str = ""
+    actions: tuple[tuple[str, str], ...] = ()
+    folded: bool = False
 
 
 def controls_spec(
@@ -40,6 +46,8 @@ def controls_spec(
                 "title": group.title,
                 "hint": group.hint,
                 "rows": [control(name, scene_class.param[name]) for name in group.names],
+                "actions": [{"name": name, "label": label} for name, label in group.actions],
+                "folded": group.folded,
             }
             for group in groups
         ],
@@ -84,6 +92,8 @@ def params_state(scene: Scene) -> dict[str, dict[str, Any]]:
         parameter, value = scene.param[name], getattr(scene, name)
         if isinstance(parameter, Quantity):
             state[name] = {"value": value, "text": "" if value is None else tidy(value)}
+            if value != parameter.default:
+                state[name]["changed"] = True
             if parameter.softbounds != type(scene).param[name].softbounds:
                 state[name]["soft"] = list(parameter.softbounds)
         elif isinstance(parameter, Choice) and not isinstance(parameter, param.ListSelector):
@@ -104,6 +114,8 @@ def apply_message(scene: Scene, message: Mapping[str, Any]) -> Errors:
             return _type(scene, name, text)
         case {"type": "preset", "label": str() as label}:
             return _take_preset(scene, label)
+        case {"type": "act", "name": str() as name}:
+            return _act(scene, name)
         case {"type": "choose", "name": str() as name, "value": value}:
             return _choose(scene, name, value)
     return {"message": f"“{excerpt(str(message))}” is not a message that this page sends."}
@@ -135,6 +147,17 @@ def _choose(scene: Scene, name: str, value: object) -> Errors:
         scene.set({name: chosen(parameter, value)})
     except ValueError as error:
         return {name: str(error)}
+    return {}
+
+
+def _act(scene: Scene, name: str) -> Errors:
+    known = [action for group in scene.groups for action, _ in group.actions]
+    if name not in known:
+        return {"action": f"“{excerpt(name)}” is not an action of this scene."}
+    try:
+        scene.set(scene.action(name))
+    except ValueError as error:
+        return {"action": f"{_sentence(error)} Still drawn as before."}
     return {}
 
 

@@ -179,7 +179,7 @@ def _figure(
 
 @dataclass(frozen=True)
 class Axis:
-    """The range of an axis in SI units and how it is labelled: in units of 10**exponent."""
+    """The range of an axis in SI units, and how it is labelled: in units of `factor` (in SI) times 10**exponent."""
 
     start: float
     end: float
@@ -188,31 +188,34 @@ class Axis:
     suffix: str = ""
     ticks: tuple[float, ...] = field(default=(), repr=False)
     log: bool = False
+    factor: float = 1.0
+
+    def places(self, values: NDArray[np.float64] | float) -> NDArray[np.float64]:
+        """Where values stand on this axis, in its unit; logarithms to base ten on a log axis."""
+        measured = np.asarray(values, dtype=float) / self.factor
+        return np.log10(np.maximum(measured, 5e-324)) if self.log else scale_by_ten(measured, -self.exponent)
+
+    def place(self, value: float) -> float:
+        """The same of one value: for scalars and marks."""
+        return float(self.places(value))
 
     def scaled(self, values: NDArray[np.float64]) -> NDArray[np.float32]:
-        """Values in the axis' unit (logarithms to base ten on a log axis), ready for the wire: cut far outside the frame."""
-        if self.log:
-            return np.log10(np.maximum(values, 5e-324)).astype(np.float32)
+        """Places ready for the wire: cut far outside the frame, where no line is seen."""
         with np.errstate(over="ignore"):
-            return np.clip(scale_by_ten(values, -self.exponent), -1e30, 1e30).astype(np.float32)
+            return np.clip(self.places(values), -1e30, 1e30).astype(np.float32)
 
     @property
     def full_unit(self) -> str:
         """The unit with the power of ten before it."""
         return f"{self.suffix}{self.unit}"
 
-    def places(self, signed: bool = False) -> tuple[int, bool]:
+    def digits(self, signed: bool = False) -> tuple[int, bool]:
         """How a number that changes while playing is shown on this axis: decimals, and whether its sign always stands."""
-        size = float(scale_by_ten(np.array(max(abs(self.start), abs(self.end))), -self.exponent))
-        return max(0, 2 - math.floor(math.log10(size))), signed
+        return max(0, 2 - math.floor(math.log10(max(abs(self.place(self.start)), abs(self.place(self.end)))))), signed
 
     def number(self, value: float) -> str:
         """A value in this axis' unit, to three digits."""
-        return three(float(scale_by_ten(np.array(value), -self.exponent)))
-
-    def place(self, value: float) -> float:
-        """Where a value stands on this axis, in its unit: for scalars and handles."""
-        return float(self.scaled(np.array(value, dtype=float)))
+        return three(self.place(value))
 
     def wire(self) -> dict[str, Any]:
         labels = [ten(round(tick)) if self.log else f"{tick:.6g}".replace("-", MINUS) for tick in self.ticks]
@@ -222,7 +225,7 @@ class Axis:
         ticks = [float(tick) for tick in self.ticks]
         return {
             "start": start, "end": end, "ticks": ticks, "labels": labels, "unit": self.full_unit,
-            "exponent": self.exponent, "log": self.log,
+            "exponent": self.exponent, "factor": self.factor, "log": self.log,
         }
 
 
@@ -232,19 +235,23 @@ def scale_by_ten(values: NDArray[np.float64], exponent: int) -> NDArray[np.float
     return values * 10.0**half * 10.0 ** (exponent - half)
 
 
-def nice_axis(low: float, high: float, unit: str = "", count: int = 4, exact: bool = False) -> Axis:
-    """An axis over [low, high] with at most `count` + 1 round ticks; unless `exact`, it grows to show the curve whole."""
+def nice_axis(
+    low: float, high: float, unit: str = "", count: int = 4, exact: bool = False, factor: float = 1.0
+) -> Axis:
+    """An axis over [low, high] with at most `count` + 1 round ticks; unless `exact`, it grows to show the curve whole.
+
+    `factor` is the unit of its labels in SI: 0.3048 for feet.
+    """
     if not high > low:
-        middle = abs(low) or 1.0
+        middle = abs(low) or factor
         low, high = low - middle, high + middle
-    size = max(abs(low), abs(high))
-    exponent, suffix = power_unit(size)
-    a, b = (float(scale_by_ten(np.array(v), -exponent)) for v in (low, high))
+    exponent, suffix = power_unit(max(abs(low), abs(high)) / factor)
+    bare = Axis(low, high, unit, exponent, suffix, factor=factor)
+    a, b = bare.place(low), bare.place(high)
     step = nice_step((b - a) / count)
-    first, last = math.ceil(a / step - 1e-9), math.floor(b / step + 1e-9)
-    ticks = tuple(step * i for i in range(first, last + 1))
+    ticks = tuple(step * i for i in range(math.ceil(a / step - 1e-9), math.floor(b / step + 1e-9) + 1))
     margin = 0.0 if exact else 0.08 * (high - low)
-    return Axis(low - margin, high + margin, unit, exponent, suffix, ticks)
+    return replace(bare, start=low - margin, end=high + margin, ticks=ticks)
 
 
 def nice_step(raw: float) -> float:

@@ -95,6 +95,10 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     def picture(self) -> Picture:
         """What is shown, as a pure function of the parameters. ValueError where the physics has no answer in doubles."""
 
+    def action(self, name: str) -> dict[str, Any]:
+        """The values that a button of a group sets; ValueError, in words, where there are none."""
+        raise NotImplementedError(name)
+
     @property
     def shown(self) -> Picture:
         """The picture in force."""

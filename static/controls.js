@@ -258,6 +258,17 @@ export function buildChoice(host, spec, send) {
   }
 }
 
+// Buttons that have the server set several parameters at once.
+function actionButtons(actions, send, problems) {
+  const buttons = actions.map(({name, label}) => {
+    const button = element("button", {type: "button", class: "chip"}, label)
+    button.addEventListener("click", () => send({type: "act", name}))
+    return button
+  })
+  problems.push(problemElement(`problem-${actions[0].name}`))
+  return element("div", {class: "chips"}, ...buttons, problems[problems.length - 1])
+}
+
 // Builds the panel in `host`. `send` takes the messages of components/controls.py; `update` takes what that module
 // calls the state of the parameters, the errors of the last message by parameter, and the label of the preset in force.
 export function buildControls(host, spec, send) {
@@ -268,17 +279,23 @@ export function buildControls(host, spec, send) {
   }
   const controls = new Map()
   const choices = []
+  const folds = []
+  const actionProblems = []
   const sections = spec.groups.map(group => {
     const title = element("h2", {}, group.title, element("span", {}, group.hint))
     const section = element("section", {class: "group", "aria-label": group.title}, title)
+    const rows = group.folded ? element("details", {class: "fold"}, element("summary", {}, "Set each value")) : section
+    if (group.folded) folds.push({rows, names: group.rows.map(row => row.name)})
     for (const row of group.rows) {
-      if (row.options) choices.push(buildChoice(section, row, send))
+      if (row.options) choices.push(buildChoice(rows, row, send))
       else {
         const control = new Control(row, send, speak)
         controls.set(row.name, control)
-        section.append(control.element)
+        rows.append(control.element)
       }
     }
+    if (group.actions.length) section.append(actionButtons(group.actions, send, actionProblems))
+    if (rows !== section) section.append(rows)
     return section
   })
   const presets = new Presets(spec, label => {
@@ -296,6 +313,8 @@ export function buildControls(host, spec, send) {
       for (const [name, control] of controls) if (params[name]) control.update(params[name], errors[name])
       for (const choice of choices) choice.update(params)
       presets.update(preset, errors.preset)
+      for (const problem of actionProblems) problem.textContent = errors.action ?? ""
+      for (const {rows, names} of folds) if (names.some(name => params[name]?.changed)) rows.open = true
     },
   }
 }

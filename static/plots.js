@@ -157,6 +157,7 @@ export class Plot {
     }
     for (const {band, text} of this.bandLabels) this.#labelBand(band, text)
     for (const mark of this.marks) this.#placeMark(mark)
+    this.#spreadFlags()
     for (const pill of this.pills) this.#placePill(pill, this.#handleValue(pill), this.state.params[pill.handle.parameter]?.text)
   }
 
@@ -204,6 +205,18 @@ export class Plot {
     flag.hidden = flag.innerHTML === ""
   }
 
+  // Flags that would overlap stand side by side; their lines tell where they belong.
+  #spreadFlags() {
+    const flags = this.marks.filter(({mark, flag}) => mark.axis !== "y" && flag.style.display !== "none" && !flag.hidden)
+      .map(({flag, mark}) => ({flag, x: parseFloat(flag.style.left), half: flag.offsetWidth / 2 + 3, lift: mark.lift}))
+      .sort((a, b) => a.x - b.x)
+    for (let i = 1; i < flags.length; i++) {
+      const gap = flags[i - 1].x + flags[i - 1].half + flags[i].half
+      if (flags[i].lift === flags[i - 1].lift && flags[i].x < gap) flags[i].x = gap
+    }
+    for (const {flag, x} of flags) flag.style.left = `${x}px`
+  }
+
   #pill(tint, symbol, label, handle = null) {
     const upright = handle?.axis === "y"
     const pill = element("div", {class: `pill ${tint} ${upright ? "upright" : ""}`, role: "slider", tabindex: 0, "aria-label": label, "aria-orientation": upright ? "vertical" : "horizontal"})
@@ -244,12 +257,12 @@ export class Plot {
   // From a number of an axis to SI, and back.
   #si(value, which = "x") {
     const axis = this[which ?? "x"]
-    return axis.log ? 10 ** value : value * 10 ** axis.exponent
+    return (axis.log ? 10 ** value : value * 10 ** axis.exponent) * axis.factor
   }
 
   #handleValue(pill) {
     const axis = this.#axis(pill), value = this.state.params[pill.handle.parameter].value
-    return axis.log ? Math.log10(value) : value / 10 ** axis.exponent
+    return axis.log ? Math.log10(value / axis.factor) : value / axis.factor / 10 ** axis.exponent
   }
 
   #moveTo(pill, value) {

@@ -109,8 +109,8 @@ class Coupled(Scene):
             scalars={**drawn.scalars, **pace(slow or fast, fast)},
             values={**_values(free, energy), **drawn.values},
             live={
-                **{name: size.places(signed=True) for name in ("x1", "x2")},
-                **{name: energy.places() for name in ("T1", "V1", "V2", "T2")},
+                **{name: size.digits(signed=True) for name in ("x1", "x2")},
+                **{name: energy.digits() for name in ("T1", "V1", "V2", "T2")},
             },
             forms=_forms(self, free),
             notes=drawn.notes,
