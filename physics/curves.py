@@ -179,9 +179,10 @@ def combined(rows: Sequence[Sequence[Decimal]], curves: Sequence[Curve], quantit
 
 
 def _normalised(curve: Curve) -> Curve:
-    exponent = math.frexp(np.max(np.abs(curve.hi), initial=0.0))[1]
+    """Entries at most 1, the largest above 1/2; a curve that is zero has the scale zero."""
+    largest, exponent = math.frexp(np.max(np.abs(curve.hi), initial=0.0))
     with precise():
-        scale = curve.scale * Decimal(2) ** exponent
+        scale = curve.scale * Decimal(2) ** exponent if largest else Decimal(0)
     return Curve(np.ldexp(curve.hi, -exponent), np.ldexp(curve.lo, -exponent), scale)
 
 
