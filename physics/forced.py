@@ -244,13 +244,18 @@ class DrivenModes:
             x[:, where], v[:, where], e[:, where] = part.x, part.v, part.e
         return Motion(t, x, v, e)
 
-    def complementary(self, t: ArrayLike) -> Array:
-        """x_c (2, n), the free motion that remains without the particular one; ValueError at resonance."""
-        t = finite_array("t", t)
+    @cached_property
+    def complementary_modes(self) -> FreeModes:
+        """The modes of x_c, the free motion that remains without the particular one; ValueError at resonance."""
         X = self._exact_particular()
         with precise():
-            v_0 = [v - exact(self.omega) * part for v, part in zip(self.v_0, X, strict=True)]
-        return motion_of(started(self.chain, self.x_0, (v_0[0], v_0[1])).terms(t), t).x
+            v1_0, v2_0 = (v - exact(self.omega) * part for v, part in zip(self.v_0, X, strict=True))
+        return started(self.chain, self.x_0, (v1_0, v2_0))
+
+    def complementary(self, t: ArrayLike) -> Array:
+        """x_c (2, n); ValueError at resonance."""
+        t = finite_array("t", t)
+        return motion_of(self.complementary_modes.terms(t), t).x
 
     def particular_motion(self, t: ArrayLike) -> Array:
         """x_p (2, n) = Xp sin(omega t); ValueError at resonance."""
@@ -330,6 +335,15 @@ class DrivenModes:
         with precise():
             X1, X2 = (Decimal(part.numerator) / Decimal(part.denominator) for part in exactly)
             return X1, X2
+
+
+def determinant(chain: TwoMassChain, omega: float) -> float:
+    """D = det A at a frequency in rad/s, correctly rounded; ValueError if it leaves the range of doubles."""
+    m1, m2, k1, k2, w = (Fraction(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2, omega))
+    try:
+        return float((k1 + k2 - m1 * w**2) * (k2 - m2 * w**2) - k2**2)
+    except OverflowError:
+        raise ValueError(f"D at omega = {omega} rad/s leaves the range of doubles") from None
 
 
 def driven_modes(
