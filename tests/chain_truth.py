@@ -1,0 +1,161 @@
+"""The two-mass chain in arbitrary precision: the lecture's formulas as they stand, with digits to burn.
+
+Independent of physics/: mpmath instead of decimal, the formulas of the slides instead of the rearranged ones.
+6000 bits outlast every cancellation that positive doubles can cause; motions need far fewer.
+"""
+
+from functools import cached_property
+
+import mpmath as mp
+import numpy as np
+
+U = 2.0**-53
+SETUP_BITS = 6000
+MOTION_BITS = 400
+
+
+class Truth:
+    """mpmath numbers for one chain: omega, ratio, shape, mass of the modes (slow, fast), and its motions."""
+
+    def __init__(self, m1, m2, k1, k2):
+        with mp.workprec(SETUP_BITS):
+            self.m1, self.m2, self.k1, self.k2 = (mp.mpf(value) for value in (m1, m2, k1, k2))
+            b = self.m1 * self.k2 + self.m2 * (self.k1 + self.k2)
+            product = self.m1 * self.m2
+            root = mp.sqrt(b**2 - 4 * product * self.k1 * self.k2)
+            self.omega = [mp.sqrt((b - root) / (2 * product)), mp.sqrt((b + root) / (2 * product))]
+            self.beat = self.omega[1] - self.omega[0]
+            self.shape = self._shapes()
+            self.ratio = [b / a if a else mp.inf for a, b in self.shape]
+            self.stretch = [b - a for a, b in self.shape]
+            self.mass = [self.m1 * a**2 + self.m2 * b**2 for a, b in self.shape]
+
+    def _shapes(self):
+        if not self.k2:
+            return [(mp.mpf(0), mp.mpf(1)), (mp.mpf(1), mp.mpf(0))]
+        return [(mp.mpf(1), (self.k1 + self.k2 - self.m1 * w**2) / self.k2) for w in self.omega]
+
+    @cached_property
+    def antiresonance(self):
+        with mp.workprec(SETUP_BITS):
+            return mp.sqrt(self.k2 / self.m2)
+
+    def particular(self, F_0, omega):
+        """Xp1, Xp2; inf exactly at resonance."""
+        with mp.workprec(SETUP_BITS):
+            F, square = mp.mpf(F_0), mp.mpf(omega) ** 2
+            D = (self.m1 * square - self.k1 - self.k2) * (self.m2 * square - self.k2) - self.k2**2
+            if not self.k2:
+                stiffness = self.k1 - self.m1 * square
+                return (F / stiffness if stiffness else mp.inf), mp.mpf(0)
+            return tuple(X / D if D else mp.inf for X in ((self.k2 - self.m2 * square) * F, self.k2 * F))
+
+    def coordinates(self, x_0, v_0):
+        """Of each mode, (displacement, velocity) at t = 0."""
+        with mp.workprec(SETUP_BITS):
+            return [
+                tuple((self.m1 * a * mp.mpf(p[0]) + self.m2 * b * mp.mpf(p[1])) / M for p in (x_0, v_0))
+                for (a, b), M in zip(self.shape, self.mass, strict=True)
+            ]
+
+    def free(self, x_0, v_0, t):
+        """x1, x2, e2, v1, v2 at the time t, and the scale (sum of amplitudes) of each."""
+        values, scales = [mp.mpf(0)] * 5, [mp.mpf(0)] * 5
+        t = mp.mpf(t)
+        for j, (q, v) in enumerate(self.coordinates(x_0, v_0)):
+            with mp.workprec(phase_bits(self.omega[j], t)):
+                w = self.omega[j]
+                c, s = mp.cos(w * t), mp.sin(w * t) / w if w else t
+                size = mp.sqrt(q**2 + (v / w) ** 2) if w else abs(q) + abs(v * t)
+                speed = w * size if w else abs(v)
+                self._add(values, scales, j, q * c + v * s, v * c - q * w**2 * s, size, speed)
+        return values, scales
+
+    def driven(self, F_0, omega, t):
+        """The same from rest under F_0 sin(omega t), and the envelope of each."""
+        values, scales = [mp.mpf(0)] * 5, [mp.mpf(0)] * 5
+        for j in (0, 1):
+            share = self.shape[j][0] * mp.mpf(F_0) / self.mass[j]
+            g, speed = response(mp.mpf(omega), self.omega[j], mp.mpf(t))
+            size, swiftness = envelope(mp.mpf(omega), self.omega[j], abs(mp.mpf(t)))
+            self._add(values, scales, j, share * g, share * speed, abs(share) * size, abs(share) * swiftness)
+        return values, scales
+
+    def _add(self, values, scales, j, x, v, size, speed):
+        a, b = self.shape[j]
+        parts = [(a, x, size), (b, x, size), (self.stretch[j], x, size), (a, v, speed), (b, v, speed)]
+        for i, (part, value, scale) in enumerate(parts):
+            values[i] += part * value
+            scales[i] += abs(part) * scale
+
+    def energy(self, values):
+        """T + V of x1, x2, e2, v1, v2."""
+        x1, _, e2, v1, v2 = values
+        return (self.m1 * v1**2 + self.m2 * v2**2 + self.k1 * x1**2 + self.k2 * e2**2) / 2
+
+
+def phase_bits(omega, t):
+    return MOTION_BITS + (max(0, mp.mag(omega * t)) if omega * t else 0)
+
+
+def response(omega, omega_n, t):
+    """g, g' of g'' + omega_n^2 g = sin(omega t) from rest, by the direct quotient."""
+    if not omega or not t:
+        return mp.mpf(0), mp.mpf(0)
+    lost = 6 * abs(mp.mag(max(omega, omega_n) * t)) + abs(mp.mag(omega) - mp.mag(omega_n or omega)) * 2
+    closeness = abs(mp.mag(omega - omega_n) - mp.mag(omega)) if omega != omega_n else 0
+    with mp.workprec(min(20000, MOTION_BITS + lost + 2 * closeness)):
+        if omega == omega_n:
+            g = (mp.sin(omega * t) / omega - t * mp.cos(omega * t)) / (2 * omega)
+            return g, t * mp.sin(omega * t) / 2
+        over_n = mp.sin(omega_n * t) / omega_n if omega_n else t
+        D = omega_n**2 - omega**2
+        return (
+            (mp.sin(omega * t) - omega * over_n) / D,
+            omega * (mp.cos(omega * t) - mp.cos(omega_n * t)) / D,
+        )
+
+
+def envelope(omega, omega_n, t):
+    """Bounds of |g| and |g'| that hold up to the time t: what errors are measured by."""
+    if not omega:
+        return mp.mpf(0), mp.mpf(0)
+    s, d = (omega + omega_n) / 2, abs(omega - omega_n) / 2
+    over_s, over_d = min(t, 1 / s), min(t, 1 / d) if d else t
+    bounds = [omega * t**3 / 6]
+    if omega_n:
+        bounds.append((over_s + over_d) / (2 * omega_n))
+    if d:
+        bounds.append(omega * (1 / omega + (min(t, 1 / omega_n) if omega_n else t)) / (4 * s * d))
+    return min(bounds), omega * over_s * over_d / 2
+
+
+def ulps(value, truth):
+    """The error of a double in units of its last place; one subnormal step is forgiven below 1e-291."""
+    if mp.isinf(truth) or np.isinf(value):
+        return 0.0 if float(truth) == value else np.inf
+    if not truth:
+        return 0.0 if value == 0.0 else np.inf
+    unit = mp.mpf(2) ** max(mp.mag(truth) - 53, -1074)
+    return float(abs(mp.mpf(float(value)) - truth) / unit)
+
+
+def units(value, truth, scale):
+    """The error in units u = 2**-53 of a scale, less one subnormal step where the scale is below 1e-291."""
+    error = abs(mp.mpf(float(value)) - truth)
+    if scale < mp.mpf("1e-291"):
+        error = max(mp.mpf(0), error - mp.mpf(2) ** -1074)
+    if not scale:
+        return 0.0 if not error else np.inf
+    return float(error / (scale * U))
+
+
+def rows(motion):
+    """x1, x2, e2, v1, v2, each (n,): the order of free() and driven()."""
+    return [*motion.x, motion.e[1], *motion.v]
+
+
+def worst(motion, n, values, scales):
+    """The largest error at the n-th time, in u of its scale."""
+    pairs = zip(rows(motion), values, scales, strict=True)
+    return max(units(row[n], value, scale) for row, value, scale in pairs)
