@@ -14,9 +14,10 @@ COPY physics physics
 COPY static static
 USER 1000
 
-# ALLOWED_ORIGIN: the host:port that visitors type, several separated by commas.
-ENV PORT=5006 ALLOWED_ORIGIN=localhost:5006,127.0.0.1:5006 NUM_PROCS=1 PYTHONDONTWRITEBYTECODE=1
+# ALLOWED_ORIGIN: host:port of pages that may connect, with commas between them. A page from the host that it asks
+# may connect in any case, so this is for a proxy that changes the Host header and for other sites' frames.
+ENV PORT=5006 NUM_PROCS=1 PYTHONDONTWRITEBYTECODE=1
 EXPOSE 5006
 HEALTHCHECK --interval=30s --timeout=5s --start-period=20s CMD ["python", "-c", "import os, urllib.request as u; u.urlopen(f\"http://127.0.0.1:{os.environ['PORT']}/liveness\", timeout=4)"]
 ENTRYPOINT ["tini", "-g", "--"]
-CMD ["sh", "-c", "BOKEH_ALLOW_WS_ORIGIN=\"$ALLOWED_ORIGIN\" exec panel serve app.py --index app --static-dirs assets=static --liveness --port \"$PORT\" --num-procs \"$NUM_PROCS\""]
+CMD ["sh", "-c", "BOKEH_ALLOW_WS_ORIGIN=\"${ALLOWED_ORIGIN:-localhost:$PORT,127.0.0.1:$PORT}\" exec panel serve app.py --index app --static-dirs assets=static --liveness --port \"$PORT\" --num-procs \"$NUM_PROCS\""]
