@@ -122,10 +122,23 @@ def two_product(a: Any, b: Any) -> Pair:
     return p, ((a_hi * b_hi - p) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo
 
 
+def pair_sum(a: tuple[Any, Any], b: tuple[Any, Any]) -> Pair:
+    """a + b; where the leading parts cancel to nothing the low ones remain, digit for digit."""
+    s, e = two_sum(a[0], b[0])
+    return two_sum(s, e + (a[1] + b[1]))
+
+
 def pair_product(a: tuple[Any, Any], b: tuple[Any, Any]) -> Pair:
     """a b to about 104 bits."""
     p, e = two_product(a[0], b[0])
     return p, e + (a[0] * b[1] + a[1] * b[0])
+
+
+def pair_quotient(a: tuple[Any, Any], b: tuple[Any, Any]) -> Any:
+    """a/b rounded to one double: the quotient of the leading parts, corrected once."""
+    first = a[0] / b[0]
+    p, e = two_product(first, b[0])
+    return first + ((a[0] - p) - e + a[1] - first * b[1]) / b[0]
 
 
 def angle(omega: Decimal, t: Array) -> Pair:

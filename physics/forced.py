@@ -5,19 +5,14 @@
     m1 x1'' = -k1 x1 - k2 (x1 - x2) + F_0 sin(omega t)
     m2 x2'' =  k2 (x1 - x2)
 
-Particular solution, x_i = Xp_i sin(omega t):
-
-    Xp1 = (k2 - m2 omega^2) F_0/D,   Xp2 = k2 F_0/D,   D = m1 m2 (omega^2 - omega_-^2)(omega^2 - omega_+^2).
-
-Near a natural frequency the lecture's split, total = complementary + particular, is a difference of two huge
-motions. So the motion is formed mode by mode: the free motion of the start plus the response g from rest,
-which grows like t at resonance and needs no particular solution.
+The particular solution x_i = Xp_i sin(omega t) is in physics.particular. Near a natural frequency the lecture's
+split, total = complementary + particular, is a difference of two huge motions. So the motion is formed mode by
+mode: the free motion of the start plus the response g from rest, which grows like t at resonance and needs no
+particular solution.
 """
 
-import math
 from dataclasses import dataclass
 from decimal import Decimal
-from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
@@ -35,143 +30,30 @@ from physics.coupled import (
     started,
 )
 from physics.curves import Curve, combined, early, is_early, product, response, turning
-from physics.exact import (
-    PI,
-    Array,
-    Pair,
-    exact,
-    pair_product,
-    precise,
-    rounded,
-    snapped,
-    split,
-    two_product,
-    two_sum,
+from physics.exact import PI, Array, exact, precise, rounded
+from physics.particular import (
+    antiresonance,
+    checked_drive,
+    determinant,
+    exact_amplitudes,
+    particular_solution,
 )
-from physics.valid import check_finite, check_not_negative, finite_array
+from physics.valid import finite_array
+
+__all__ = [
+    "DrivenModes",
+    "antiresonance",
+    "determinant",
+    "drive_work",
+    "driven_modes",
+    "forced_motion",
+    "particular_solution",
+    "steady_start",
+]
 
 REST = (0.0, 0.0)
 NONE = Decimal(0)
 _CANCELS = Decimal("1e-3")  # of x_c and x_p, what is left of them after a period of the drive
-_COMFORT = Decimal("1e40")  # factors of D within this and its inverse cannot over- or underflow
-
-
-def particular_solution(chain: TwoMassChain, F_0: float, omega: ArrayLike) -> Array:
-    """Amplitudes Xp1, Xp2 in m, signed: (2,) for a drive frequency omega in rad/s, (2, n) for n of them.
-
-    +inf where no steady amplitude exists, at a natural frequency exactly, whichever sign it has on the two
-    sides. One frequency is worked out in rational numbers and rounded once; a curve is within 2 ulp.
-    ValueError if an amplitude leaves the range of doubles.
-    """
-    frequencies = _checked_drive(F_0, omega)
-    if np.ndim(omega) == 0:
-        return _rounded_amplitudes(chain, F_0, frequencies[0])
-    if _comfortable(chain, F_0, frequencies):
-        return _response_curve(chain, F_0, frequencies)
-    return np.array([_rounded_amplitudes(chain, F_0, w) for w in frequencies]).reshape(-1, 2).T
-
-
-def antiresonance(chain: TwoMassChain) -> float:
-    """The frequency sqrt(k2/m2) at which mass 1 stands still, correctly rounded."""
-    with precise():
-        return float(_antiresonance(chain))
-
-
-def _antiresonance(chain: TwoMassChain) -> Decimal:
-    _, m2, _, k2 = chain.exact_parameters
-    with precise():
-        return snapped((k2 / m2).sqrt())
-
-
-def _checked_drive(F_0: float, omega: ArrayLike) -> Array:
-    """omega (n,), one frequency included."""
-    check_finite("a force in N", F_0=F_0)
-    frequencies = finite_array("omega", omega)
-    check_not_negative("a drive frequency in rad/s", omega=float(np.min(frequencies, initial=0.0)))
-    return frequencies
-
-
-def _amplitudes(chain: TwoMassChain, F_0: float, omega: float) -> tuple[Fraction, Fraction] | None:
-    """Xp1 and Xp2, exactly; None at a natural frequency."""
-    F, w = Fraction(F_0), Fraction(omega)
-    m1, m2, k1, k2 = (Fraction(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2))
-    if not F:
-        return F, F
-    if not k2:
-        D = k1 - m1 * w**2
-        return (F / D, Fraction(0)) if D else None
-    D = (k1 + k2 - m1 * w**2) * (k2 - m2 * w**2) - k2**2
-    return ((k2 - m2 * w**2) * F / D, k2 * F / D) if D else None
-
-
-def _rounded_amplitudes(chain: TwoMassChain, F_0: float, omega: float) -> Array:
-    exactly = _amplitudes(chain, F_0, omega)
-    if exactly is None:
-        return np.array([math.inf, math.inf if chain.k2 else 0.0])
-    X1, X2 = exactly
-    return np.array(
-        [_nearest(f"Xp1 at omega = {omega} rad/s", X1), _nearest(f"Xp2 at omega = {omega} rad/s", X2)]
-    )
-
-
-def _nearest(quantity: str, value: Fraction) -> float:
-    try:
-        return float(value)
-    except OverflowError:
-        raise ValueError(f"{quantity} leaves the range of doubles") from None
-
-
-def _comfortable(chain: TwoMassChain, F_0: float, omega: Array) -> bool:
-    slow, fast = chain.exact_modes
-    m1, m2, _, k2 = chain.exact_parameters
-    with precise():
-        factors = [
-            slow.omega,
-            fast.omega,
-            exact(F_0) / m1,
-            exact(F_0) * k2 / (m1 * m2),
-            _antiresonance(chain),
-        ]
-    factors += [exact(w) for w in (np.max(omega, initial=0.0), np.min(omega[omega > 0.0], initial=1.0))]
-    return all(1 / _COMFORT < abs(factor) < _COMFORT for factor in factors if factor)
-
-
-def _response_curve(chain: TwoMassChain, F_0: float, omega: Array) -> Array:
-    """Xp1, Xp2 (2, n) from the factors of D and of k2 - m2 omega^2, none of which cancels."""
-    slow, fast = chain.exact_modes
-    m1, m2, _, k2 = chain.exact_parameters
-    D = _from_root(omega, fast.omega)
-    over1 = over2 = np.ones_like(omega), np.zeros_like(omega)
-    if k2:
-        over1 = _from_root(omega, _antiresonance(chain))
-        D = pair_product(D, _from_root(omega, slow.omega))
-    with precise():
-        units = split(-exact(F_0) / m1), split(exact(F_0) * k2 / (m1 * m2))
-    at_root = D[0] == 0.0
-    D = np.where(at_root, 1.0, D[0]), D[1]
-    X = np.array(
-        [_quotient(pair_product(unit, over), D) for unit, over in zip(units, (over1, over2), strict=True)]
-    )
-    return np.where(at_root & (X != 0.0), math.inf, X)
-
-
-def _from_root(omega: Array, root: Decimal) -> Pair:
-    """omega^2 - root^2 from its two factors: exact digits also next to the root."""
-    hi, lo = split(root)
-    return pair_product(_plus(omega, -hi, -lo), _plus(omega, hi, lo))
-
-
-def _plus(omega: Array, hi: float, lo: float) -> Pair:
-    s, e = two_sum(omega, hi)
-    return two_sum(s, e + lo)
-
-
-def _quotient(a: Pair, b: Pair) -> Array:
-    """a/b, the quotient of the leading parts corrected once."""
-    first = a[0] / b[0]
-    p, e = two_product(first, b[0])
-    result: Array = first + ((a[0] - p) - e + a[1] - first * b[1]) / b[0]
-    return result
 
 
 @dataclass(frozen=True, eq=False)
@@ -222,7 +104,7 @@ class DrivenModes:
         From rest the total grows to about |omega - omega_j| times a period of what either has; at resonance
         x_p does not exist.
         """
-        if _amplitudes(self.chain, self.F_0, self.omega) is None:
+        if exact_amplitudes(self.chain, self.F_0, self.omega) is None:
             return False
         with precise():
             shares = [
@@ -246,7 +128,7 @@ class DrivenModes:
 
     @cached_property
     def complementary_modes(self) -> FreeModes:
-        """The modes of x_c, the free motion that remains without the particular one; ValueError at resonance."""
+        """The modes of x_c, the free motion that remains without x_p; ValueError at resonance."""
         X = self._exact_particular()
         with precise():
             v1_0, v2_0 = (v - exact(self.omega) * part for v, part in zip(self.v_0, X, strict=True))
@@ -327,7 +209,7 @@ class DrivenModes:
             return [(F * c, product(a, b)) for c, a, b in zip(factors, first, second, strict=True)]
 
     def _exact_particular(self) -> tuple[Decimal, Decimal]:
-        exactly = _amplitudes(self.chain, self.F_0, self.omega)
+        exactly = exact_amplitudes(self.chain, self.F_0, self.omega)
         if exactly is None:
             raise ValueError(
                 f"omega = {self.omega} rad/s is a natural frequency: no particular solution exists"
@@ -337,20 +219,11 @@ class DrivenModes:
             return X1, X2
 
 
-def determinant(chain: TwoMassChain, omega: float) -> float:
-    """D = det A at a frequency in rad/s, correctly rounded; ValueError if it leaves the range of doubles."""
-    m1, m2, k1, k2, w = (Fraction(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2, omega))
-    try:
-        return float((k1 + k2 - m1 * w**2) * (k2 - m2 * w**2) - k2**2)
-    except OverflowError:
-        raise ValueError(f"D at omega = {omega} rad/s leaves the range of doubles") from None
-
-
 def driven_modes(
     chain: TwoMassChain, F_0: float, omega: float, x_0: ArrayLike = REST, v_0: ArrayLike = REST
 ) -> DrivenModes:
     """The modes of the chain under F_0 sin(omega t) on mass 1, F_0 in N, omega >= 0 in rad/s."""
-    _checked_drive(F_0, omega)
+    checked_drive(F_0, omega)
     return DrivenModes(chain, float(F_0), float(omega), each_mass("x_0", x_0), each_mass("v_0", v_0))
 
 

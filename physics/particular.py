@@ -1,0 +1,148 @@
+"""The particular solution of the driven chain, the response curve and the absorber (lecture D34, slides 8 and
+9).
+
+With F_0 sin(omega t) on mass 1 the chain can move as x_i = Xp_i sin(omega t),
+
+    Xp1 = (k2 - m2 omega^2) F_0/D,   Xp2 = k2 F_0/D,   D = m1 m2 (omega^2 - omega_-^2)(omega^2 - omega_+^2).
+
+Mass 1 stands still at omega^2 = k2/m2. D and k2 - m2 omega^2 lose their digits near their roots; so one
+frequency is worked out in rational numbers, and a curve from factors omega -+ root with the roots as hi + lo.
+"""
+
+import math
+from decimal import Decimal
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from physics.coupled import TwoMassChain
+from physics.exact import (
+    Array,
+    Pair,
+    exact,
+    pair_product,
+    pair_quotient,
+    pair_sum,
+    precise,
+    snapped,
+    split,
+)
+from physics.valid import check_finite, check_not_negative, finite_array
+
+_COMFORT = Decimal("1e40")  # factors of D within this and its inverse cannot over- or underflow
+
+
+def particular_solution(chain: TwoMassChain, F_0: float, omega: ArrayLike) -> Array:
+    """Amplitudes Xp1, Xp2 in m, signed: (2,) for a drive frequency omega in rad/s, (2, n) for n of them.
+
+    +inf where no steady amplitude exists, at a natural frequency exactly, whichever sign it has on the two
+    sides. One frequency is worked out in rational numbers and rounded once; a curve is within 2 ulp.
+    ValueError if an amplitude leaves the range of doubles.
+    """
+    frequencies = checked_drive(F_0, omega)
+    if np.ndim(omega) == 0:
+        return _rounded_amplitudes(chain, F_0, frequencies[0])
+    if _comfortable(chain, F_0, frequencies):
+        return _response_curve(chain, F_0, frequencies)
+    return np.array([_rounded_amplitudes(chain, F_0, w) for w in frequencies]).reshape(-1, 2).T
+
+
+def antiresonance(chain: TwoMassChain) -> float:
+    """The frequency sqrt(k2/m2) at which mass 1 stands still, correctly rounded."""
+    with precise():
+        return float(_antiresonance(chain))
+
+
+def _antiresonance(chain: TwoMassChain) -> Decimal:
+    _, m2, _, k2 = chain.exact_parameters
+    with precise():
+        return snapped((k2 / m2).sqrt())
+
+
+def checked_drive(F_0: float, omega: ArrayLike) -> Array:
+    """omega (n,), one frequency included."""
+    check_finite("a force in N", F_0=F_0)
+    frequencies = finite_array("omega", omega)
+    check_not_negative("a drive frequency in rad/s", omega=float(np.min(frequencies, initial=0.0)))
+    return frequencies
+
+
+def exact_amplitudes(chain: TwoMassChain, F_0: float, omega: float) -> tuple[Fraction, Fraction] | None:
+    """Xp1 and Xp2, exactly; None at a natural frequency."""
+    F, w = Fraction(F_0), Fraction(omega)
+    m1, m2, k1, k2 = (Fraction(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2))
+    if not F:
+        return F, F
+    if not k2:
+        D = k1 - m1 * w**2
+        return (F / D, Fraction(0)) if D else None
+    D = (k1 + k2 - m1 * w**2) * (k2 - m2 * w**2) - k2**2
+    return ((k2 - m2 * w**2) * F / D, k2 * F / D) if D else None
+
+
+def _rounded_amplitudes(chain: TwoMassChain, F_0: float, omega: float) -> Array:
+    exactly = exact_amplitudes(chain, F_0, omega)
+    if exactly is None:
+        return np.array([math.inf, math.inf if chain.k2 else 0.0])
+    X1, X2 = exactly
+    return np.array(
+        [_nearest(f"Xp1 at omega = {omega} rad/s", X1), _nearest(f"Xp2 at omega = {omega} rad/s", X2)]
+    )
+
+
+def _nearest(quantity: str, value: Fraction) -> float:
+    try:
+        return float(value)
+    except OverflowError:
+        raise ValueError(f"{quantity} leaves the range of doubles") from None
+
+
+def _comfortable(chain: TwoMassChain, F_0: float, omega: Array) -> bool:
+    slow, fast = chain.exact_modes
+    m1, m2, _, k2 = chain.exact_parameters
+    with precise():
+        factors = [
+            slow.omega,
+            fast.omega,
+            exact(F_0) / m1,
+            exact(F_0) * k2 / (m1 * m2),
+            _antiresonance(chain),
+        ]
+    factors += [exact(w) for w in (np.max(omega, initial=0.0), np.min(omega[omega > 0.0], initial=1.0))]
+    return all(1 / _COMFORT < abs(factor) < _COMFORT for factor in factors if factor)
+
+
+def _response_curve(chain: TwoMassChain, F_0: float, omega: Array) -> Array:
+    """Xp1, Xp2 (2, n) from the factors of D and of k2 - m2 omega^2, none of which cancels."""
+    slow, fast = chain.exact_modes
+    m1, m2, _, k2 = chain.exact_parameters
+    D = _from_root(omega, fast.omega)
+    over1 = over2 = np.ones_like(omega), np.zeros_like(omega)
+    if k2:
+        over1 = _from_root(omega, _antiresonance(chain))
+        D = pair_product(D, _from_root(omega, slow.omega))
+    with precise():
+        units = split(-exact(F_0) / m1), split(exact(F_0) * k2 / (m1 * m2))
+    at_root = D[0] == 0.0
+    D = np.where(at_root, 1.0, D[0]), D[1]
+    X = np.array(
+        [pair_quotient(pair_product(unit, over), D) for unit, over in zip(units, (over1, over2), strict=True)]
+    )
+    return np.where(at_root & (X != 0.0), math.inf, X)
+
+
+def _from_root(omega: Array, root: Decimal) -> Pair:
+    """omega^2 - root^2 from its two factors: exact digits also next to the root."""
+    hi, lo = split(root)
+    return pair_product(pair_sum((omega, 0.0), (-hi, -lo)), pair_sum((omega, 0.0), (hi, lo)))
+
+
+def determinant(chain: TwoMassChain, omega: float) -> float:
+    """D = det A at a frequency in rad/s, correctly rounded; ValueError if it leaves the range of doubles."""
+    checked_drive(0.0, omega)
+    m1, m2, k1, k2, w = (Fraction(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2, omega))
+    try:
+        return float((k1 + k2 - m1 * w**2) * (k2 - m2 * w**2) - k2**2)
+    except OverflowError:
+        raise ValueError(f"D at omega = {omega} rad/s leaves the range of doubles") from None
