@@ -7,10 +7,15 @@ from math import log10
 from typing import Any
 
 from components.controls import Group
-from components.motion import round_down, scaled
+from components.motion import rates, round_down, scaled, sines
 from components.numbers import short
 from components.plots import Axis
+from components.scene import Columns
 from components.stage import Number, Shape, W, arrow, block, line, spring, text, var, wall
+from physics.coupled import FreeModes
+from physics.sampling import Sinusoid
+
+Extremes = dict[str, tuple[float, float]]
 
 EQUILIBRIUM = (0.35, 0.8)
 """Where the masses stand at rest, as fractions of the stage's width."""
@@ -35,7 +40,21 @@ def wire(k: float) -> float:
     return min(max(2.2 + 0.9 * log10(k), 1.5), 4.0) if k > 0 else 0.0
 
 
-def scale(extremes: dict[str, tuple[float, float]], side: tuple[float, float]) -> float:
+def extremes(curves: Columns, bands: Columns) -> Extremes:
+    """Least and largest x1 and x2 of what is drawn, and of the elongation of spring 2 (where a band is drawn: bounds)."""
+
+    def ends(name: str) -> tuple[float, float]:
+        low, high = (curves[name],) * 2 if name in curves else (bands[f"{name}_lo"], bands[f"{name}_hi"])
+        return float(low.min()), float(high.max())
+
+    one, two = ends("x1"), ends("x2")
+    if "x1" in curves and "x2" in curves:
+        stretch = curves["x2"] - curves["x1"]
+        return {"x1": one, "x2": two, "e2": (float(stretch.min()), float(stretch.max()))}
+    return {"x1": one, "x2": two, "e2": (two[0] - one[1], two[1] - one[0])}
+
+
+def scale(extremes: Extremes, side: tuple[float, float]) -> float:
     """The largest drawing scale 1, 2, 5, ... at which no block meets another or the wall.
 
     `extremes` holds the least and largest x1, x2 and elongation of spring 2 (e2), in metres. Scale 1 is kept where it
@@ -64,7 +83,7 @@ class Drawn:
 
 
 def to_scale(
-    extremes: dict[str, tuple[float, float]], masses: tuple[float, float], springs: tuple[float, float], size: Axis
+    extremes: Extremes, masses: tuple[float, float], springs: tuple[float, float], size: Axis
 ) -> Drawn:
     """Sizes on the stage; displacements come in the unit of the axis `size`."""
     side = sides(*masses)
@@ -121,6 +140,26 @@ def displacement(mass: int, foot: Number, top: int = 27) -> list[Shape]:
         arrow(rest(mass), top, x, top, tint=tint),
         text(rest(mass), top - 12, f"*x*_{mass} = {{x{mass}}} {{x_unit}}", tint=tint, style="t2 b"),
     ]
+
+
+def free_signals(free: FreeModes, size: Axis, time: Axis) -> dict[str, Any]:
+    """The slow and the fast part of each displacement and velocity, as x1_slow, v1_slow, ...: the clock's signals.
+
+    A mode of frequency zero is a drift, counted with the slow part.
+    """
+    signals: dict[str, Any] = {}
+    for i in (0, 1):
+        for j, mode in enumerate(("slow", "fast")):
+            term = (free.amplitude[j, i], free.omega[j], free.phase[j])
+            a, b = (free.drift_a[i], free.drift_b[i]) if j == 0 else (0.0, 0.0)
+            signals[f"x{i + 1}_{mode}"] = sines(size, time, term, line=(a, b))
+            signals[f"v{i + 1}_{mode}"] = rates(size, time, term, drift=b)
+    return signals
+
+
+def components(free: FreeModes, i: int, modes: tuple[int, ...] = (0, 1)) -> list[Sinusoid]:
+    """The oscillating terms of x_i (i = 0, 1) in a free motion."""
+    return [Sinusoid(free.amplitude[j, i], free.omega[j], free.phase[j]) for j in modes if free.omega[j] > 0]
 
 
 def standing_wall(top: Number, length: Number) -> Shape:

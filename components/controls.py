@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 import param
 
 from components.choices import chosen, options, word
-from components.numbers import MINUS, excerpt, parse_number, tidy
+from components.numbers import MINUS, exact, excerpt, parse_number, tidy
 from components.parameters import Quantity
+from components.stage import Shape
 
 if TYPE_CHECKING:
     from components.scene import Scene
@@ -24,7 +25,8 @@ class Group:
     """Parameters that belong together, under a title; the hint names another way to set them.
 
     `actions` are buttons, (name, label): the scene's `action(name)` says what they set. A `folded` group opens when
-    asked for, or when one of its values is not the default.
+    asked for, or when one of its values is not the default. `show` is the form by which a group stands. `pictures`
+    makes a choice one of pictures: the shapes of a stage for each value.
     """
 
     title: str
@@ -32,6 +34,8 @@ class Group:
     hint: str = ""
     actions: tuple[tuple[str, str], ...] = ()
     folded: bool = False
+    show: str = ""
+    pictures: Mapping[str, list[Shape]] = field(default_factory=dict)
 
 
 def controls_spec(
@@ -48,6 +52,8 @@ def controls_spec(
                 "rows": [control(name, scene_class.param[name]) for name in group.names],
                 "actions": [{"name": name, "label": label} for name, label in group.actions],
                 "folded": group.folded,
+                "show": group.show,
+                "pictures": dict(group.pictures),
             }
             for group in groups
         ],
@@ -91,7 +97,8 @@ def params_state(scene: Scene) -> dict[str, dict[str, Any]]:
     for name in scene.param:
         parameter, value = scene.param[name], getattr(scene, name)
         if isinstance(parameter, Quantity):
-            state[name] = {"value": value, "text": "" if value is None else tidy(value)}
+            text = "" if value is None else exact(value) if parameter.scale == "count" else tidy(value)
+            state[name] = {"value": value, "text": text}
             if value != parameter.default:
                 state[name]["changed"] = True
             if parameter.softbounds != type(scene).param[name].softbounds:

@@ -45,9 +45,32 @@ def rates(size: Axis, time: Axis, *terms: tuple[float, float, float], drift: flo
     }
 
 
+def responses(size: Axis, time: Axis, *terms: tuple[float, float, float, float]) -> dict[str, Any]:
+    """Motion from rest under a drive: sum of F c g(t), g'' + omega_n^2 g = sin(omega t), from (F, c, omega, omega_n).
+
+    F in N, c in 1/kg. It is regular at resonance and at omega_n = 0.
+    """
+    return {
+        "responses": [
+            [scaled(size.exponent - 2 * time.exponent, F, c), scaled(-time.exponent, omega), scaled(-time.exponent, omega_n)]
+            for F, c, omega, omega_n in terms
+        ]
+    }
+
+
 def derived(expression: Number) -> dict[str, Any]:
     """A signal that is a polynomial in signals named before it and in scalars."""
     return {"polynomial": as_expression(expression).wire()}
+
+
+def sine_of(name: str) -> dict[str, Any]:
+    """The sine of a signal in rad named before it: for what turns."""
+    return {"sine": name}
+
+
+def cosine_of(name: str) -> dict[str, Any]:
+    """The cosine of a signal in rad named before it."""
+    return {"cosine": name}
 
 
 def total(*names: str) -> dict[str, Any]:

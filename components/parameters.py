@@ -8,14 +8,14 @@ import param
 
 from components.numbers import MINUS, exact, excerpt
 
-Scale = Literal["linear", "log", "near0"]
+Scale = Literal["linear", "log", "near0", "count"]
 
 
 class Quantity(param.Number):
     """A physical number: `bounds` are what physics allows, `softbounds` what its slider spans.
 
     `symbol` is written k_2; `tint` names its colour; `scale` says how the slider runs ("near0" is finer
-    near 0); `says` continues the symbol to a sentence; `allowed` says in words what values are possible.
+    near 0, "count" has whole numbers only); `says` continues the symbol to a sentence; `allowed` says in words what values are possible.
     """
 
     __slots__ = ["allowed", "says", "scale", "symbol", "tint", "unit"]
@@ -78,6 +78,7 @@ class Quantity(param.Number):
             math.isfinite(number)
             and (low is None or number > low or (low_included and number == low))
             and (high is None or number < high or (high_included and number == high))
+            and (self.scale != "count" or number.is_integer())
         )
 
     def _validate(self, val: object) -> None:
@@ -133,6 +134,12 @@ def positive(default: float | None, *, label: str, **facts: Any) -> Quantity:
     allowed = f"{_a(label)} is a finite number above 0"
     options = {"bounds": (0.0, None), "inclusive_bounds": (False, True), "allowed": allowed} | facts
     return Quantity(default, label=label, **options)
+
+
+def count(default: float, *, label: str, **facts: Any) -> Quantity:
+    """A whole number from 1 on."""
+    kind = {"bounds": (1.0, None), "scale": "count", "unit": "", "allowed": f"{_a(label)} is a whole number, 1 or more"}
+    return Quantity(default, label=label, **(kind | facts))
 
 
 def not_negative(default: float | None, *, label: str, **facts: Any) -> Quantity:

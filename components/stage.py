@@ -2,7 +2,7 @@
 
 A stage is a list of shapes. Every number of a shape may be an expression in named quantities: the scene's signals
 (x1, x2, ... at the instant shown, in the unit of their axis), its scalars, and W and H, the size of the stage in
-pixels. Expressions are polynomials, so the browser evaluates them without running any code it was sent.
+pixels; `wide` is 1 where plots stand beside the stage and 0 on a phone, `narrow` the reverse. Expressions are polynomials, so the browser evaluates them without running any code it was sent.
 """
 
 from __future__ import annotations
@@ -107,11 +107,29 @@ def path(d: str, x: Number = 0, y: Number = 0, turn: Number = 0, **more: Any) ->
     return shape("path", d=d, x=x, y=y, turn=turn, **more)
 
 
+def arc(x: Number, y: Number, r: Number, start: Number, end: Number, **more: Any) -> Shape:
+    """Part of a circle, between two angles in rad from straight down, counted to the right (anticlockwise)."""
+    return shape("arc", x=x, y=y, r=r, start=start, end=end, **more)
+
+
+def wave(x: Number, y: Number, length: Number, size: Number, turns: Number, phase: Number = 0, **more: Any) -> Shape:
+    """size sin(2 pi turns s + phase) upwards over a length from (x, y); with a `depth` filled down to there."""
+    return shape("wave", x=x, y=y, length=length, size=size, turns=turns, phase=phase, **more)
+
+
+def layers(x: Number, y: Number, length: Number, height: Number, count: int, size: Number, turns: Number, **more: Any) -> Shape:
+    """`count` slices of a medium from (x, y) to the right, their edges displaced along it by size sin(2 pi turns s)."""
+    return shape("layers", x=x, y=y, length=length, height=height, count=count, size=size, turns=turns, **more)
+
+
 def text(x: Number, y: Number, words: str, anchor: str = "middle", **more: Any) -> Shape:
     """Words; `{name}` is a signal or a value shown live, `_1` a subscript, `*x*` a symbol in serif italic."""
     return shape("text", x=x, y=y, words=words, anchor=anchor, **more)
 
 
 def wall(x: Number, y: Number, length: Number, side: str = "left", **more: Any) -> Shape:
-    """A hatched wall; (x, y) is its upper or left end, `side` where the solid is: left, top or bottom."""
+    """A hatched wall; (x, y) is its upper or left end, `side` where the solid is: left, top or bottom.
+
+    `depth` is the size of its hatching, 10 pixels where not given.
+    """
     return shape("wall", x=x, y=y, length=length, side=side, **more)

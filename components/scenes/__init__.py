@@ -4,5 +4,6 @@ from __future__ import annotations
 
 from components.scene import Scene
 from components.scenes.coupled import Coupled
+from components.scenes.forced import Forced
 
-SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (Coupled,)}
+SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (Coupled, Forced)}

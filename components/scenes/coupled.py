@@ -11,7 +11,7 @@ import param
 from numpy.typing import NDArray
 
 from components import chain
-from components.motion import derived, pace, rates, scaled, sines, total
+from components.motion import derived, pace, scaled, total
 from components.numbers import plus, signed, three
 from components.parameters import displacement, mass, stiffness, velocity
 from components.plots import Axis, Band, Curve, nice_axis, plot, time_axis, whole_axis, widest
@@ -21,7 +21,7 @@ from components.stage import H, Shape, W, arrow, line, var
 from components.traces import samples, trace, traced
 from physics.coupled import FreeModes, TwoMassChain, free_modes, free_motion
 from physics.energy import chain_energy
-from physics.sampling import Sinusoid, drawable, mean_square, time_window
+from physics.sampling import time_window
 
 MODES = ("slow", "fast")
 SIGN = {"slow": "minus", "fast": "plus"}
@@ -92,7 +92,7 @@ class Coupled(Scene):
         t = np.linspace(0.0, end, samples(end, fast))
         curves, bands = _motion_columns(free, t)
         stack, flat = _energy_columns(self, system, free, t)
-        extremes = _extremes(curves, bands)
+        extremes = chain.extremes(curves, bands)
         time = time_axis(end)
         size = nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 3)
         energy = whole_axis(float(free.energy.sum()), "J")
@@ -266,10 +266,6 @@ def _plane() -> Block:
     )
 
 
-def _components(free: FreeModes, i: int, modes: tuple[int, ...] = (0, 1)) -> list[Sinusoid]:
-    return [Sinusoid(free.amplitude[j, i], free.omega[j], free.phase[j]) for j in modes if free.omega[j] > 0]
-
-
 def _motion_columns(free: FreeModes, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
     """Columns of x1, x2, their parts, and the elongation of spring 2 (for the stage); curves, and bands where too fast."""
     parts, _ = free.parts(t)
@@ -281,24 +277,10 @@ def _motion_columns(free: FreeModes, t: NDArray[np.float64]) -> tuple[Columns, C
         motions |= {f"x{i + 1}_{mode}": ((j,), parts[j, i]) for j, mode in enumerate(MODES)}
         for name, (modes, exact) in motions.items():
             base = drift if any(free.omega[j] == 0 for j in modes) else None
-            curve, band = trace(name, _components(free, i, modes), t, base, exact)
+            curve, band = trace(name, chain.components(free, i, modes), t, base, exact)
             curves |= curve
             bands |= band
     return curves, bands
-
-
-def _extremes(curves: Columns, bands: Columns) -> dict[str, tuple[float, float]]:
-    """Least and largest x1, x2 over the window, and of x2 - x1 at the least a safe bound."""
-    def reach(name: str) -> tuple[float, float]:
-        if name in curves:
-            return float(curves[name].min()), float(curves[name].max())
-        return float(bands[f"{name}_lo"].min()), float(bands[f"{name}_hi"].max())
-
-    one, two = reach("x1"), reach("x2")
-    if "x1" in curves and "x2" in curves:
-        stretch = curves["x2"] - curves["x1"]
-        return {"x1": one, "x2": two, "e2": (float(stretch.min()), float(stretch.max()))}
-    return {"x1": one, "x2": two, "e2": (two[0] - one[1], two[1] - one[0])}
 
 
 def _energy_columns(scene: Coupled, system: TwoMassChain, free: FreeModes, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
@@ -323,22 +305,15 @@ def _mode_lines(free: FreeModes, size: Axis) -> Columns:
 
 
 def _signals(scene: Coupled, free: FreeModes, size: Axis, time: Axis, energy: Axis) -> dict[str, Any]:
-    """The two parts of each displacement and velocity, their sums, and the four energies."""
-    signals: dict[str, Any] = {}
-    for i in (1, 2):
-        for j, mode in enumerate(MODES):
-            amplitude, omega, phase = free.amplitude[j, i - 1], free.omega[j], free.phase[j]
-            drift = (free.drift_a[i - 1], free.drift_b[i - 1]) if omega == 0 else (0.0, 0.0)
-            if omega == 0 and free.omega[1] == 0 and j == 1:
-                drift = (0.0, 0.0)
-            signals[f"x{i}_{mode}"] = sines(size, time, (amplitude, omega, phase), line=drift)
-            signals[f"v{i}_{mode}"] = rates(size, time, (amplitude, omega, phase), drift=drift[1])
-        signals[f"x{i}"], signals[f"v{i}"] = total(f"x{i}_slow", f"x{i}_fast"), total(f"v{i}_slow", f"v{i}_fast")
-    signals["e2_"] = derived(var("x2") - var("x1"))
+    """The parts of each displacement and velocity, their sums, and the four energies."""
+    signals = chain.free_signals(free, size, time)
+    for name in ("x1", "x2", "v1", "v2"):
+        signals[name] = total(f"{name}_slow", f"{name}_fast")
+    signals["stretch"] = derived(var("x2") - var("x1"))
     kinetic, potential = energy.exponent - 2 * size.exponent + 2 * time.exponent, energy.exponent - 2 * size.exponent
     for name, factor, rate in (("T1", scene.m1, "v1"), ("T2", scene.m2, "v2")):
         signals[name] = derived(scaled(kinetic, 0.5, factor) * var(rate) * var(rate))
-    for name, factor, stretch in (("V1", scene.k1, "x1"), ("V2", scene.k2, "e2_")):
+    for name, factor, stretch in (("V1", scene.k1, "x1"), ("V2", scene.k2, "stretch")):
         signals[name] = derived(scaled(potential, 0.5, factor) * var(stretch) * var(stretch))
     return signals
 

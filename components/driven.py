@@ -1,0 +1,96 @@
+"""The driven motion as it is drawn: its parts, its energies, and near resonance the envelope of the growing beat."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from components.chain import components, free_signals
+from components.motion import derived, responses, sines, total
+from components.plots import Axis
+from components.scene import Columns
+from components.stage import var
+from components.traces import trace
+from physics.coupled import Motion
+from physics.energy import chain_energy
+from physics.forced import DrivenModes
+from physics.sampling import Sinusoid, drawable
+
+Floats = NDArray[np.float64]
+
+
+def motion_columns(driven: DrivenModes, motion: Motion) -> tuple[Columns, Columns]:
+    """x1, x2 and their particular and complementary parts, as curves, or as bands where too fast to draw.
+
+    Where the parts are huge and opposite they are left out, and the envelope of the beat and its limit are given.
+    """
+    draw = _split if driven.split_is_meaningful else _resonant
+    curves: Columns = {}
+    bands: Columns = {}
+    for i in (0, 1):
+        curve, band = draw(driven, i, motion.t, motion.x[i])
+        curves, bands = curves | curve, bands | band
+    return curves, bands
+
+
+def _split(driven: DrivenModes, i: int, t: Floats, x: Floats) -> tuple[Columns, Columns]:
+    name, X = f"x{i + 1}", driven.particular
+    rest = driven.complementary_modes
+    particular, complementary = [Sinusoid(X[i], driven.omega, 0.0)], components(rest, i)
+    drift = rest.drift_a[i] + rest.drift_b[i] * t
+    motions = (
+        trace(name, [*particular, *complementary], t, drift, x),
+        trace(f"{name}_p", particular, t, None, driven.particular_motion(t)[i]),
+        trace(f"{name}_c", complementary, t, drift, driven.complementary(t)[i]),
+    )
+    return {k: v for c, _ in motions for k, v in c.items()}, {k: v for _, b in motions for k, v in b.items()}
+
+
+def _resonant(driven: DrivenModes, i: int, t: Floats, x: Floats) -> tuple[Columns, Columns]:
+    """Envelope F_0 c |sin(d t)/d|/(2 omega_n), 2 d the detuning from the nearest mode; d -> 0 gives F_0 c t/(2 omega_n)."""
+    name = f"x{i + 1}"
+    j = int(np.argmin(np.abs(driven.detuning)))
+    growth = driven.F_0 * abs(driven.coupling[j, i]) / (2 * driven.free.omega[j])
+    # sin(d t)/d = t sinc(d t/pi), exactly t at d = 0.
+    beat = growth * t * np.abs(np.sinc(driven.detuning[j] / 2 * t / np.pi))
+    limits = {f"{name}_beat": beat, f"{name}_growth": growth * t}
+    if drawable(max(*driven.free.omega, driven.omega), t):
+        return {name: x, **limits}, {}
+    size = beat + _others(driven, i, j)
+    drift = driven.free.drift_a[i] + driven.free.drift_b[i] * t
+    return limits, {f"{name}_lo": drift - size, f"{name}_hi": drift + size}
+
+
+def _others(driven: DrivenModes, i: int, j: int) -> float:
+    """How far all but the resonant response can reach: the free motion of the start and the other mode's response."""
+    other = 1 - j
+    omega_n, omega = driven.free.omega[other], driven.omega
+    reach = float(np.abs(driven.free.amplitude[:, i]).sum())
+    if omega_n > 0 and driven.coupling[other, i]:
+        reach += abs(driven.F_0 * driven.coupling[other, i] / driven.detuning[other]) / omega_n
+    return reach
+
+
+def energy_columns(driven: DrivenModes, motion: Motion) -> Columns:
+    """The gain of T + V since the start and the work of the drive."""
+    energy = chain_energy(driven.chain, motion).total
+    return {"gain": energy - energy[0], "work": driven.work(motion.t), "none": np.zeros_like(motion.t)}
+
+
+def motion_signals(driven: DrivenModes, size: Axis, time: Axis, force: Axis) -> dict[str, Any]:
+    """What the clock plays: the free motion of the start plus each mode's response, regular at resonance."""
+    signals = free_signals(driven.free, size, time)
+    X, omega = driven.particular, driven.omega
+    for i in (0, 1):
+        name = f"x{i + 1}"
+        terms = [(driven.F_0, driven.coupling[j, i], omega, driven.free.omega[j]) for j in (0, 1) if driven.coupling[j, i]]
+        signals[f"{name}_driven"] = responses(size, time, *terms)
+        signals[name] = total(f"{name}_slow", f"{name}_fast", f"{name}_driven")
+        if driven.split_is_meaningful:
+            signals[f"{name}_p"] = sines(size, time, (X[i], omega, 0.0))
+            signals[f"{name}_c"] = derived(var(name) - var(f"{name}_p"))
+    signals["drive"] = sines(Axis(0.0, 1.0), time, (1.0 if driven.F_0 else 0.0, omega, 0.0))
+    signals["force_now"] = sines(force, time, (driven.F_0, omega, 0.0))
+    return signals
