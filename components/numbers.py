@@ -17,9 +17,9 @@ _NUMBER = re.compile(
 )
 
 
-def three(value: float) -> str:
-    """Three significant digits, trailing zeros kept: 2.00, 0.0400, −1.24, 1.23·10⁻⁷."""
-    if not math.isfinite(value):
+def three(value: float | Decimal) -> str:
+    """Three significant digits, trailing zeros kept: 2.00, 0.0400, −1.24, 1.23·10⁻⁷; decimals of any size."""
+    if not (value.is_finite() if isinstance(value, Decimal) else math.isfinite(value)):
         return "NaN" if math.isnan(value) else ("∞" if value > 0 else MINUS + "∞")
     if value == 0:
         return "0.00"
@@ -30,13 +30,13 @@ def three(value: float) -> str:
     return f"{mantissa:.2f}".replace("-", MINUS) + ten_to(rounded.adjusted())
 
 
-def signed(value: float) -> str:
+def signed(value: float | Decimal) -> str:
     """Three significant digits, always with a sign."""
     text = three(value)
     return text if text.startswith(MINUS) else "+" + text
 
 
-def plus(value: float) -> str:
+def plus(value: float | Decimal) -> str:
     """A number as a further term of a sum: "+ 0.667" or "− 0.667"."""
     text = signed(value)
     return f"{text[0]} {text[1:]}"

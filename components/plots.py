@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
+from decimal import Decimal
 from typing import Any
 
 import numpy as np
@@ -179,7 +180,10 @@ def _figure(
 
 @dataclass(frozen=True)
 class Axis:
-    """The range of an axis in SI units, and how it is labelled: in units of `factor` (in SI) times 10**exponent."""
+    """The range of an axis in SI units, and how it is labelled: in units of `factor` (in SI) times 10**exponent.
+
+    With a `power` the axis shows that power of the number: columns and handles hold omega, the axis shows omega^2.
+    """
 
     start: float
     end: float
@@ -189,11 +193,14 @@ class Axis:
     ticks: tuple[float, ...] = field(default=(), repr=False)
     log: bool = False
     factor: float = 1.0
+    power: int = 1
 
     def places(self, values: NDArray[np.float64] | float) -> NDArray[np.float64]:
         """Where values stand on this axis, in its unit; logarithms to base ten on a log axis."""
         measured = np.asarray(values, dtype=float) / self.factor
-        return np.log10(np.maximum(measured, 5e-324)) if self.log else scale_by_ten(measured, -self.exponent)
+        if self.log:
+            return np.log10(np.maximum(measured, 5e-324))
+        return scale_by_ten(measured, -(self.exponent // self.power)) ** self.power
 
     def place(self, value: float) -> float:
         """The same of one value: for scalars and marks."""
@@ -225,7 +232,7 @@ class Axis:
         ticks = [float(tick) for tick in self.ticks]
         return {
             "start": start, "end": end, "ticks": ticks, "labels": labels, "unit": self.full_unit,
-            "exponent": self.exponent, "factor": self.factor, "log": self.log,
+            "exponent": self.exponent, "factor": self.factor, "power": self.power, "log": self.log,
         }
 
 
@@ -252,6 +259,14 @@ def nice_axis(
     ticks = tuple(step * i for i in range(math.ceil(a / step - 1e-9), math.floor(b / step + 1e-9) + 1))
     margin = 0.0 if exact else 0.08 * (high - low)
     return replace(bare, start=low - margin, end=high + margin, ticks=ticks)
+
+
+def squared_axis(end: float, unit: str, count: int = 5) -> Axis:
+    """An axis of the squares of numbers from 0 to `end`, whose own range is then twice that of doubles."""
+    exponent = 6 * (Decimal(end).adjusted() // 3) if not 1e-3 <= end < 1e2 else 0
+    bare = Axis(0.0, end, unit, exponent, f"{ten(exponent)} " if exponent else "", power=2)
+    step = nice_step(bare.place(end) / count)
+    return replace(bare, ticks=tuple(step * i for i in range(math.floor(bare.place(end) / step + 1e-9) + 1)))
 
 
 def nice_step(raw: float) -> float:

@@ -58,14 +58,25 @@ def _item(paragraph: str | dict[str, str]) -> dict[str, str]:
     return {key: text if key == "form" else rich(text) for key, text in paragraph.items()}
 
 
-def choice(name: str, options: dict[str, str], label: str, grow: float = 0, basis: int = 34, phone: int = 50) -> Block:
-    """A joined segment of two to four options that sets the Selector parameter `name`."""
+def when(form: str, block: Block) -> Block:
+    """The block, standing only while the picture has a form of that name: how a scene has several views."""
+    return {**block, "show": form}
+
+
+def choice(
+    name: str, options: dict[str, str], label: str, grow: float = 0, basis: int = 34, phone: int = 50, style: str = ""
+) -> Block:
+    """A joined segment of two to four options that sets the Selector parameter `name`.
+
+    With the style "views" it stands right of the headline and switches the views of the scene.
+    """
     pairs = [{"value": value, "label": text} for value, text in options.items()]
     return {
         "kind": "choice",
         "name": name,
         "options": pairs,
         "label": label,
+        "style": style,
         "grow": grow,
         "basis": basis,
         "phone": phone,

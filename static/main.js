@@ -17,6 +17,7 @@ class Page {
     this.choices = []
     this.headings = []
     this.forms = []
+    this.conditional = []
     this.outbox = []
     this.waiting = false
     this.number = 0
@@ -45,6 +46,7 @@ class Page {
     if (block.height) host.style.setProperty("--phone-height", `${block.height}px`)
     if (block.blocks) host.append(...block.blocks.map(child => this.#block(child)))
     if (block.kind === "stage") {
+    if (block.show && block.kind !== "plot") this.conditional.push({host, form: block.show})
       const stage = new Stage(block, host)
       stage.onresize = () => this.redraw()
       this.stages.push(stage)
@@ -184,6 +186,7 @@ class Page {
       part.classList.toggle("off", off)
       if (term.curve) part.setAttribute("aria-pressed", String(!off))
     }
+    for (const {host, form} of this.conditional) host.hidden = !this.state.forms[form]
     for (const {name, variants, holder} of this.forms) {
       const wanted = this.state.forms[name] ?? ""
       holder.hidden = wanted === ""

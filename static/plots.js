@@ -27,6 +27,7 @@ export class Plot {
     })
     host.append(this.reading)
     this.pills = block.handles.map(handle => this.#pill(handle.tint, handle.symbol, handle.label, handle))
+    if (block.handles.some(handle => handle.axis === "y")) host.style.touchAction = "none"
     if (block.cursor === "time" && block.x_labels) this.timePill = this.#pill("ink", "", "Time")
     this.#pointer()
   }
@@ -257,12 +258,12 @@ export class Plot {
   // From a number of an axis to SI, and back.
   #si(value, which = "x") {
     const axis = this[which ?? "x"]
-    return (axis.log ? 10 ** value : value * 10 ** axis.exponent) * axis.factor
+    return (axis.log ? 10 ** value : value ** (1 / axis.power) * 10 ** (axis.exponent / axis.power)) * axis.factor
   }
 
   #handleValue(pill) {
     const axis = this.#axis(pill), value = this.state.params[pill.handle.parameter].value
-    return axis.log ? Math.log10(value / axis.factor) : value / axis.factor / 10 ** axis.exponent
+    return axis.log ? Math.log10(value / axis.factor) : (value / axis.factor / 10 ** (axis.exponent / axis.power)) ** axis.power
   }
 
   #moveTo(pill, value) {
@@ -301,8 +302,18 @@ export class Plot {
     this.host.addEventListener("pointerdown", event => {
       if (event.target.closest(".pill, .flag") || !this.#inside(event)) return
       if (this.block.cursor === "time") this.page.clock.seek(this.#value(event))
-      else for (const pill of this.pills) this.#moveTo(pill, this.#value(event, pill.handle.axis))
+      else if (this.pills.length) this.#dragPoint(event)
     })
+  }
+
+  // A press on a plot takes all of its handles there at once, and they follow until it ends.
+  #dragPoint(event) {
+    event.preventDefault()
+    this.host.setPointerCapture(event.pointerId)
+    const move = moved => this.pills.forEach(pill => this.#moveTo(pill, this.#value(moved, pill.handle.axis)))
+    move(event)
+    this.host.addEventListener("pointermove", move)
+    this.host.addEventListener("lostpointercapture", () => this.host.removeEventListener("pointermove", move), {once: true})
   }
 
   #inside(event) {

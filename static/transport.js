@@ -64,6 +64,8 @@ export class Transport {
     if (document.activeElement !== this.window || !error) {
       if (!error) this.window.value = params.window?.text ?? ""
       this.window.placeholder = axes.t ? Number((axes.t.end * 10 ** axes.t.exponent).toPrecision(3)).toString() : "auto"
+    // Where nothing moves there is nothing to play.
+    this.element.style.visibility = axes.t ? "" : "hidden"
     }
     this.page.timePlaces = axes.t ? Math.min(Math.max(Math.ceil(2 - Math.log10(axes.t.end)), 0) + 1, 6) : 2
     this.refresh()
