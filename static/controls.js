@@ -2,6 +2,7 @@
 // sends what the visitor does; it never decides what is possible.
 
 import {element} from "./dom.js"
+import {buildPicker} from "./picker.js"
 
 const STEPS = 1000 // of a slider moved by arrow keys
 const PATIENCE = 1000 // ms for which the answer to an older message is not shown over a newer slider position
@@ -17,6 +18,11 @@ const SCALES = {
     value: (place, low, high) => low * (high / low) ** place,
     place: (value, low, high) => Math.log(value / low) / Math.log(high / low),
     finest: () => 0,
+  },
+  count: {
+    value: (place, low, high) => low + (high - low) * place,
+    place: (value, low, high) => (value - low) / (high - low),
+    finest: () => 1,
   },
   near0: {
     value: (place, low, high) => high * place ** 3,
@@ -120,7 +126,7 @@ class Control {
 
   #slide() {
     const value = this.#atSlider()
-    this.typed = this.field.value = fieldText(value)
+    this.typed = this.field.value = this.spec.scale === "count" ? String(value) : fieldText(value)
     this.unsent = false
     this.#fill(value)
     this.asked = {value, since: performance.now()}
@@ -273,13 +279,17 @@ function actionButtons(actions, send, problems) {
 // calls the state of the parameters, the errors of the last message by parameter, and the label of the preset in force.
 export function buildControls(host, spec, send) {
   const says = element("p", {class: "says", id: "controls-says"})
-  const speak = ({symbol: letter, says: sentence}) => {
+  let spoken = null
+  const speak = spec => {
+    const {symbol: letter, says: sentence} = spec
+    spoken = spec
     const [first, ...rest] = sentence.split(/(?<=\.) /)
     says.replaceChildren(symbol(letter), " ", element("b", {}, first), rest.length ? ` ${rest.join(" ")}` : "")
   }
   const controls = new Map()
   const choices = []
   const folds = []
+  const stages = []
   const actionProblems = []
   const sections = spec.groups.map(group => {
     const title = element("h2", {}, group.title, element("span", {}, group.hint))
@@ -287,7 +297,11 @@ export function buildControls(host, spec, send) {
     const rows = group.folded ? element("details", {class: "fold"}, element("summary", {}, "Set each value")) : section
     if (group.folded) folds.push({rows, names: group.rows.map(row => row.name)})
     for (const row of group.rows) {
-      if (row.options) choices.push(buildChoice(rows, row, send))
+      if (row.options && group.pictures?.[row.options[0].value]) {
+        const picker = buildPicker(rows, row, group.pictures, send)
+        choices.push(picker)
+        stages.push(...picker.stages)
+      } else if (row.options) choices.push(buildChoice(rows, row, send))
       else {
         const control = new Control(row, send, speak)
         controls.set(row.name, control)
@@ -307,9 +321,17 @@ export function buildControls(host, spec, send) {
   host.append(...sections, says)
   const first = controls.values().next().value
   if (first) speak(first.spec)
+  // What is said belongs to a control that is seen.
+  const showGroups = forms => {
+    spec.groups.forEach((group, i) => { sections[i].hidden = Boolean(group.show) && !forms[group.show] })
+    const seen = spec.groups.filter((group, i) => !sections[i].hidden).flatMap(group => group.rows).filter(row => controls.has(row.name))
+    if (seen.length && !seen.some(row => row.name === spoken?.name)) speak(seen[0])
+  }
   return {
     sections,
-    update(params, errors = {}, preset = null) {
+    stages,
+    update(params, errors = {}, preset = null, forms = {}) {
+      showGroups(forms)
       for (const [name, control] of controls) if (params[name]) control.update(params[name], errors[name])
       for (const choice of choices) choice.update(params)
       presets.update(preset, errors.preset)

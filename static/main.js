@@ -34,6 +34,8 @@ class Page {
     this.paper.append(this.transport.element)
     this.panel = element("aside", {class: "panel", "aria-label": "Controls"})
     this.controls = buildControls(this.panel, this.spec.controls, message => this.send(message))
+    this.stages.push(...this.controls.stages)
+    for (const stage of this.stages) stage.onresize = () => this.redraw()
     this.panel.append(this.#tools())
     this.root.append(this.paper, this.panel)
   }
@@ -44,12 +46,10 @@ class Page {
     if (block.gap) host.style.gap = `${block.gap}px`
     if (block.phone !== undefined) host.style.order = block.phone
     if (block.height) host.style.setProperty("--phone-height", `${block.height}px`)
+    if (block.show && block.kind !== "plot") this.conditional.push({host, form: block.show})
     if (block.blocks) host.append(...block.blocks.map(child => this.#block(child)))
     if (block.kind === "stage") {
-    if (block.show && block.kind !== "plot") this.conditional.push({host, form: block.show})
-      const stage = new Stage(block, host)
-      stage.onresize = () => this.redraw()
-      this.stages.push(stage)
+      this.stages.push(new Stage(block, host))
     }
     if (block.kind === "plot") {
       if (block.heading.length) host.append(this.#heading(block))
@@ -162,7 +162,7 @@ class Page {
       if (name in state.values) for (const one of elements) one.textContent = state.values[name]
     }
     for (const plot of this.plots) plot.update(state)
-    this.controls.update(state.params, state.errors, state.preset)
+    this.controls.update(state.params, state.errors, state.preset, state.forms)
     this.choices.forEach(choice => choice.update(state.params, state.errors))
     this.measured = false
     this.clock.update(state.axes.t ?? {end: 1, exponent: 0}, state.scalars)

@@ -43,6 +43,8 @@ export function evaluate(signals, scalars, t) {
     for (const [size, omega, phase] of signal.sines ?? []) value += size * Math.sin(omega * t + phase)
     for (const [size, w, n] of signal.responses ?? []) value += size * response(w, n, t)[0]
     for (const [size, w, n] of signal.rates ?? []) value += size * response(w, n, t)[1]
+    if (signal.sine) value += Math.sin(named[signal.sine])
+    if (signal.cosine) value += Math.cos(named[signal.cosine])
     if (signal.table) value += hermite(signal.table, t)
     named[name] = value
   }

@@ -67,6 +67,37 @@ const KINDS = {
       path.setAttribute("transform", `translate(${s.x} ${s.y}) rotate(${s.turn * 180 / Math.PI}) scale(${sx} ${sy})`)
     },
   },
+  arc: {
+    make: () => [svg("path", {class: "ln"})],
+    move([path], s) {
+      const at = angle => `${(s.x + s.r * Math.sin(angle)).toFixed(2)} ${(s.y + s.r * Math.cos(angle)).toFixed(2)}`
+      const middle = (s.start + s.end) / 2, sweep = s.end > s.start ? 0 : 1
+      path.setAttribute("d", `M${at(s.start)}${[middle, s.end].map(angle => `A${s.r} ${s.r} 0 0 ${sweep} ${at(angle)}`).join("")}`)
+    },
+  },
+  wave: {
+    make: () => [svg("path", {class: "ln"})],
+    move([path], s) {
+      const count = 24 * Math.ceil(Math.abs(s.turns) + 1), points = []
+      for (let i = 0; i <= count; i++) {
+        const share = i / count
+        points.push(`${(s.x + s.length * share).toFixed(2)} ${(s.y - s.size * Math.sin(2 * Math.PI * s.turns * share + s.phase)).toFixed(2)}`)
+      }
+      const floor = s.depth ? `L${s.x + s.length} ${s.y + s.depth}L${s.x} ${s.y + s.depth}Z` : ""
+      path.setAttribute("d", `M${points.join("L")}${floor}`)
+    },
+  },
+  layers: {
+    make: () => [svg("path", {class: "ln"})],
+    move([path], s) {
+      const strokes = []
+      for (let i = 1; i < s.count; i++) {
+        const share = i / s.count, x = s.x + s.length * share + s.size * Math.sin(2 * Math.PI * s.turns * share)
+        strokes.push(`M${x.toFixed(2)} ${s.y}v${s.height}`)
+      }
+      path.setAttribute("d", strokes.join(""))
+    },
+  },
   text: {
     make: s => [svg("text", {"text-anchor": s.anchor, class: "t1"}, ...words(s.words))],
     move([text], s) {
@@ -77,10 +108,11 @@ const KINDS = {
   wall: {
     make: () => [svg("path", {class: "hatch"}), svg("line", {class: "wall"})],
     move([hatch, line], s) {
-      const upright = s.side === "left" || s.side === "right", depth = s.side === "left" || s.side === "top" ? -10 : 10
+      const upright = s.side === "left" || s.side === "right", long = s.depth ?? 10
+      const depth = s.side === "left" || s.side === "top" ? -long : long
       const strokes = []
-      for (let at = 0; at <= s.length - 5; at += 9) {
-        strokes.push(upright ? `M${s.x} ${s.y + at}l${depth} 10` : `M${s.x + at + 10} ${s.y}l-10 ${depth}`)
+      for (let at = 0; at <= s.length - long / 2; at += 0.9 * long) {
+        strokes.push(upright ? `M${s.x} ${s.y + at}l${depth} ${long}` : `M${s.x + at + long} ${s.y}l${-long} ${depth}`)
       }
       hatch.setAttribute("d", strokes.join(""))
       line.setAttribute("x1", s.x)
@@ -105,7 +137,8 @@ export class Stage {
       return {spec, kind, parts, group, moving}
     })
     new ResizeObserver(([entry]) => {
-      this.size = {W: entry.contentRect.width, H: entry.contentRect.height}
+      const narrow = innerWidth <= 700 ? 1 : 0
+      this.size = {W: entry.contentRect.width, H: entry.contentRect.height, narrow, wide: 1 - narrow}
       this.onresize?.()
     }).observe(host)
   }

@@ -31,6 +31,14 @@ function factorText(factor) {
   return `${digits === "1" ? "" : `${digits}·`}10${raised}×`
 }
 
+// How fast the motion is played, in words: the element of the live number "speed" shows it.
+function speedText(factor) {
+  if (Math.abs(factor - 1) < 1e-9) return "as fast as in life"
+  const times = Math.max(factor, 1 / factor)
+  const text = times < 1e6 ? Number(times.toPrecision(3)).toLocaleString("en").replaceAll(",", "\u202f") : factorText(times).replace("×", "")
+  return `${text} times ${factor < 1 ? "slower" : "faster"}`
+}
+
 export class Transport {
   constructor(page) {
     this.page = page
@@ -56,6 +64,8 @@ export class Transport {
 
   update(state) {
     const {axes, params, errors, notes} = state
+    // Where nothing moves there is nothing to play.
+    this.element.style.visibility = axes.t ? "" : "hidden"
     this.notes = notes
     const error = errors?.window
     this.window.classList.toggle("bad", Boolean(error))
@@ -64,8 +74,6 @@ export class Transport {
     if (document.activeElement !== this.window || !error) {
       if (!error) this.window.value = params.window?.text ?? ""
       this.window.placeholder = axes.t ? Number((axes.t.end * 10 ** axes.t.exponent).toPrecision(3)).toString() : "auto"
-    // Where nothing moves there is nothing to play.
-    this.element.style.visibility = axes.t ? "" : "hidden"
     }
     this.page.timePlaces = axes.t ? Math.min(Math.max(Math.ceil(2 - Math.log10(axes.t.end)), 0) + 1, 6) : 2
     this.refresh()
@@ -83,6 +91,7 @@ export class Transport {
     this.auto.setAttribute("aria-pressed", String(clock.choice === "auto"))
     const factor = factorText(clock.factor)
     if (this.factor.textContent !== factor) this.factor.textContent = factor
+    for (const one of this.page.named?.get("speed") ?? []) one.textContent = speedText(clock.factor)
     const lines = [this.problem, clock.slowed ? `Slowed to ${factor}, so that the fast motion can be seen.` : "", ...(this.notes ?? [])]
     const text = lines.filter(Boolean).join(" ")
     if (this.note.textContent !== text) this.note.textContent = text
