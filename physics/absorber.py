@@ -1,0 +1,213 @@
+"""A machine with a tuned absorber (lecture D34, notes), and damping between the two (beyond the lecture).
+
+    wall --k1-- [m1] --k2, c-- [m2]        F_0 sin(omega t) on m1, the machine; m2 is the absorber
+
+    m1 x1'' = -k1 x1 - k2 (x1 - x2) - c (x1' - x2') + F_0 sin(omega t)
+    m2 x2'' =  k2 (x1 - x2) + c (x1' - x2')
+
+With x_i = Im(X_i exp(i omega t)) and kappa = k2 + i c omega in the place of k2 the lecture's formulas stand:
+
+    X1 = (kappa - m2 omega^2) F_0/D,   X2 = kappa F_0/D,
+    D = (k1 - m1 omega^2)(kappa - m2 omega^2) - m2 omega^2 kappa.
+
+Every number is a double, so N, kappa and D are whole numbers times powers of two: amplitudes come from
+these without error and are rounded once, next to a resonance and at the ends of the range of doubles too.
+Source of what is beyond the lecture: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 3.3.
+"""
+
+import math
+from decimal import Decimal
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from physics.coupled import TwoMassChain
+from physics.exact import Array, exact, precise, rounded
+from physics.forced import particular_solution
+from physics.valid import check_finite, check_not_negative, check_positive, finite_array
+
+_BITS = 120  # of a modulus before it is rounded to the 53 of a double
+
+Band = tuple[float, float]
+
+
+class Optimum(NamedTuple):
+    """Den Hartog's stiffness (N/m) and damping (N s/m), and how high the fixed points are in units of F_0/k1."""
+
+    k2: float
+    c: float
+    height: float
+
+
+def tuned_stiffness(m2: float, omega: float) -> float:
+    """The k2 in N/m at which the machine stands still: m2 omega^2, rounded once."""
+    check_positive("a mass in kg", m2=m2)
+    check_not_negative("a drive frequency in rad/s", omega=omega)
+    with precise():
+        return rounded("the tuned stiffness", exact(m2) * exact(omega) ** 2)
+
+
+def alone(chain: TwoMassChain) -> TwoMassChain:
+    """The machine without its absorber: mass 2 lies there, on no spring."""
+    return TwoMassChain(m1=chain.m1, m2=chain.m2, k1=chain.k1, k2=0.0)
+
+
+def damped_solution(chain: TwoMassChain, c: float, F_0: float, omega: float) -> NDArray[np.complex128]:
+    """X1, X2 (2,) in m, complex: x_i = Im(X_i exp(i omega t)); both parts rounded once.
+
+    c >= 0 in N s/m; c = 0 gives particular_solution. inf where no steady amplitude exists. ValueError if
+    a part leaves the range of doubles.
+    """
+    _check(c, F_0, omega=[omega])
+    parts = _Whole.of(chain, c, F_0).at(omega)
+    (a, b), size = parts.D, parts.D[0] ** 2 + parts.D[1] ** 2
+    result = []
+    for re, im in (parts.N, parts.kappa):
+        if not size:
+            result.append(complex(math.inf if re or im else 0.0))
+            continue
+        top = parts.unit.numerator * (re * a + im * b), parts.unit.numerator * (im * a - re * b)
+        result.append(complex(*(_ratio(part, parts.unit.denominator * size, omega) for part in top)))
+    return np.array(result)
+
+
+def damped_amplitude(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike) -> Array:
+    """|X1|, |X2| in m: (2,) for one drive frequency omega in rad/s, (2, n) for n of them, within 0.51 ulp.
+
+    c >= 0 in N s/m; c = 0 is |particular_solution| itself. inf where no steady amplitude exists. ValueError
+    if an amplitude leaves the range of doubles.
+    """
+    frequencies = _check(c, F_0, omega)
+    if not c:
+        return np.abs(particular_solution(chain, F_0, omega))
+    whole = _Whole.of(chain, c, F_0)
+    rows = [whole.at(w).moduli(w) for w in frequencies.tolist()]
+    return np.array(rows).T if np.ndim(omega) else np.array(rows[0])
+
+
+def helped_band(chain: TwoMassChain, c: float = 0.0) -> Band | None:
+    """The drive frequencies in rad/s, from and to, at which the machine swings less than without an absorber.
+
+    |X1| is that of the machine alone where A s^2 + B s + C = 0 in s = omega^2, with A = c^2 (2 m1 + m2) -
+    2 m1 m2 k2, B = k2^2 (2 m1 + m2) + 2 k1 (m2 k2 - c^2), C = -2 k1 k2^2: it helps where this is positive.
+    inf as the upper end where it helps at every higher frequency; None where it never helps.
+    """
+    check_not_negative("a damping in N s/m", c=c)
+    m1, m2, k1, k2, damping = (Fraction(v) for v in (chain.m1, chain.m2, chain.k1, chain.k2, c))
+    A = damping**2 * (2 * m1 + m2) - 2 * m1 * m2 * k2
+    B = k2**2 * (2 * m1 + m2) + 2 * k1 * (m2 * k2 - damping**2)
+    C = -2 * k1 * k2**2
+    square = B**2 - 4 * A * C
+    if A <= 0 and not (B > 0 and square > 0):
+        return None
+    with precise():
+        a, b, constant, root = _decimal(A), _decimal(B), _decimal(C), _decimal(square).sqrt()
+        if B <= 0:
+            return float(((root - b) / (2 * a)).sqrt()), math.inf
+        q = -(b + root) / 2
+        return float((constant / q).sqrt()), float((q / a).sqrt()) if A < 0 else math.inf
+
+
+def fixed_points(chain: TwoMassChain) -> Array:
+    """The two frequencies (2,) in rad/s at which |X1| is the same whatever the damping; rounded once.
+
+    There no damping and a rigid link give the same amplitude: m2 (2 m1 + m2) s^2 - 2 (k1 m2 +
+    k2 (m1 + m2)) s + 2 k1 k2 = 0 in s = omega^2.
+    """
+    m1, m2, k1, k2 = chain.exact_parameters
+    with precise():
+        a, b = m2 * (2 * m1 + m2), k1 * m2 + k2 * (m1 + m2)
+        root = ((k1 * m2 - k2 * (m1 + m2)) ** 2 + 2 * m2**2 * k1 * k2).sqrt()
+        squares = (2 * k1 * k2 / (b + root), (b + root) / a) if b else (Decimal(0), Decimal(0))
+        return np.array([float(square.sqrt()) for square in squares])
+
+
+def den_hartog(m1: float, k1: float, m2: float) -> Optimum:
+    """The absorber of mass m2 with the lowest peak: fixed points of one height, each near the top of a hump.
+
+    omega_2 = omega_1/(1 + mu) and c/(2 m2 omega_1) = sqrt(3 mu/(8 (1 + mu)^3)), mu = m2/m1; the fixed points
+    are then sqrt(1 + 2/mu) F_0/k1 high. ValueError if a number leaves the range of doubles.
+    """
+    check_positive("a mass in kg", m1=m1, m2=m2)
+    check_positive("a stiffness in N/m", k1=k1)
+    big, small, k = exact(m1), exact(m2), exact(k1)
+    with precise():
+        k2 = k * big * small / (big + small) ** 2
+        c = 2 * small * (3 * k * big * small / (8 * (big + small) ** 3)).sqrt()
+        height = ((2 * big + small) / small).sqrt()
+    return Optimum(rounded("the stiffness", k2), rounded("the damping", c), rounded("the height", height))
+
+
+class _Parts(NamedTuple):
+    """X1 = unit N/D, X2 = unit kappa/D: complex whole numbers (re, im), and a fraction."""
+
+    N: tuple[int, int]
+    kappa: tuple[int, int]
+    D: tuple[int, int]
+    unit: Fraction
+
+    def moduli(self, omega: float) -> tuple[float, float]:
+        below = (self.D[0] ** 2 + self.D[1] ** 2) * self.unit.denominator**2
+        over = [(re**2 + im**2) * self.unit.numerator**2 for re, im in (self.N, self.kappa)]
+        return _root(over[0], below, omega), _root(over[1], below, omega)
+
+
+class _Whole(NamedTuple):
+    """The parameters as whole numbers: each is that number over `scale`, a power of two."""
+
+    m1: int
+    m2: int
+    k1: int
+    k2: int
+    c: int
+    F_0: Fraction
+    scale: int
+
+    @classmethod
+    def of(cls, chain: TwoMassChain, c: float, F_0: float) -> "_Whole":
+        ratios = [v.as_integer_ratio() for v in map(float, (chain.m1, chain.m2, chain.k1, chain.k2, c))]
+        scale = max(below for _, below in ratios)
+        m1, m2, k1, k2, damping = (above * (scale // below) for above, below in ratios)
+        return cls(m1, m2, k1, k2, damping, Fraction(F_0), scale)
+
+    def at(self, omega: float) -> _Parts:
+        """N, kappa and D for omega = p/q; where k2 = 0, the factor omega that N and kappa share is left out."""
+        p, q = float(omega).as_integer_ratio()
+        machine = self.k1 * q**2 - self.m1 * p**2
+        inertia = self.m2 * p**2
+        if self.k2:
+            N, kappa = (self.k2 * q**2 - inertia, self.c * p * q), (self.k2 * q**2, self.c * p * q)
+        else:
+            N, kappa = (-self.m2 * p, self.c * q), (0, self.c * q)
+        D = machine * N[0] - inertia * kappa[0], machine * N[1] - inertia * kappa[1]
+        return _Parts(N, kappa, D, self.F_0 * self.scale * q**2)
+
+
+def _check(c: float, F_0: float, omega: ArrayLike) -> Array:
+    check_not_negative("a damping in N s/m", c=c)
+    check_finite("a force in N", F_0=F_0)
+    frequencies = finite_array("omega", omega)
+    check_not_negative("a drive frequency in rad/s", omega=float(np.min(frequencies, initial=0.0)))
+    return frequencies
+
+
+def _ratio(above: int, below: int, omega: float) -> float:
+    """The double nearest to a quotient of whole numbers."""
+    try:
+        return above / below
+    except OverflowError:
+        raise ValueError(f"the amplitude Xp at omega = {omega} rad/s leaves the range of doubles") from None
+
+
+def _root(above: int, below: int, omega: float) -> float:
+    """The square root of a quotient of whole numbers; inf over 0."""
+    if not below:
+        return math.inf if above else 0.0
+    shift = max(0, (below.bit_length() - above.bit_length()) // 2 + _BITS)
+    return _ratio(math.isqrt((above << 2 * shift) // below), 1 << shift, omega)
+
+
+def _decimal(value: Fraction) -> Decimal:
+    return Decimal(value.numerator) / Decimal(value.denominator)

@@ -1,0 +1,277 @@
+"""The absorber: damped amplitudes against arbitrary precision, the undamped limit, Den Hartog's book values."""
+
+import math
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+from scipy.optimize import minimize_scalar
+
+from physics.absorber import (
+    alone,
+    damped_amplitude,
+    damped_solution,
+    den_hartog,
+    fixed_points,
+    helped_band,
+    tuned_stiffness,
+)
+from physics.coupled import TwoMassChain
+from physics.forced import antiresonance, particular_solution
+
+MACHINE = {"m1": 100.0, "k1": 250e3}
+F_0 = 500.0
+TUNED = TwoMassChain(**MACHINE, m2=16.0, k2=36864.0)
+LARGEST = sys.float_info.max
+
+
+def log_uniform(low: int, high: int) -> st.SearchStrategy[float]:
+    return st.builds(math.ldexp, st.floats(0.5, 1.0, exclude_max=True), st.integers(low + 1, high))
+
+
+FAMILIES = {
+    "moderate": st.floats(0.1, 10.0),
+    "1e+-8": log_uniform(-27, 27),
+    "all doubles": log_uniform(-1074, 1024),
+}
+families = pytest.mark.parametrize("numbers", FAMILIES.values(), ids=FAMILIES)
+
+
+@pytest.fixture(autouse=True)
+def strict() -> Iterator[None]:
+    with np.errstate(all="raise", under="ignore"):
+        yield
+
+
+@contextmanager
+def exactly() -> Iterator[None]:
+    """Bits enough for sums and products of any few doubles."""
+    with mp.workprec(20000):
+        yield
+
+
+def truth(chain: TwoMassChain, c: float, F: float, omega: float) -> tuple[mp.mpc, mp.mpc]:
+    """The steady amplitudes from Newton's laws as two linear equations."""
+    m1, m2, k1, k2, c, F, w = map(mp.mpf, (chain.m1, chain.m2, chain.k1, chain.k2, c, F, omega))
+    link = mp.mpc(k2, c * w)
+    a, d = k1 + link - m1 * w**2, link - m2 * w**2
+    det = a * d - link**2
+    return d * F / det, link * F / det
+
+
+def close(value: float, true: mp.mpf, ulps: float) -> bool:
+    if math.isinf(value):
+        return bool(abs(true) > LARGEST)
+    return bool(abs(mp.mpf(value) - true) <= ulps * math.ulp(value))
+
+
+@families
+def test_damped_amplitudes_are_rounded_once(numbers):
+    @settings(max_examples=80, deadline=None)
+    @given(*[numbers] * 7)
+    def check(m1, m2, k1, k2, c, F, omega):
+        chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
+        with exactly():
+            true = truth(chain, c, F, omega)
+            try:
+                size, parts = (
+                    damped_amplitude(chain, c, F, [omega])[:, 0],
+                    damped_solution(chain, c, F, omega),
+                )
+            except ValueError as refusal:
+                assert "leaves the range of doubles" in str(refusal)
+                assert max(abs(x) for x in true) > LARGEST
+                return
+            for i in (0, 1):
+                assert close(size[i], abs(true[i]), 0.51)
+                assert close(parts[i].real, true[i].real, 0.51)
+                assert close(parts[i].imag, true[i].imag, 0.51)
+
+    check()
+
+
+def test_damped_amplitudes_next_to_a_resonance():
+    """Next to a double at which nothing but the damping holds the motion."""
+    chain = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
+    near = [math.nextafter(1.0, 2.0), 1.0, math.nextafter(2.0, 1.0), 2.0]
+    for c in (1e-3, 1e-12, 1e-300):
+        with exactly():
+            for omega, column in zip(near, damped_amplitude(chain, c, 1.0, near).T, strict=True):
+                for value, true in zip(column, truth(chain, c, 1.0, omega), strict=True):
+                    assert close(value, abs(true), 0.51)
+
+
+def test_without_damping_it_is_the_undamped_result():
+    omega = np.linspace(0.0, 100.0, 401)
+    assert np.array_equal(
+        damped_amplitude(TUNED, 0.0, F_0, omega), np.abs(particular_solution(TUNED, F_0, omega))
+    )
+    for w in (*omega, *TUNED.modes().omega, 48.0):
+        exact = damped_solution(TUNED, 0.0, F_0, float(w))
+        assert np.array_equal(exact.real, particular_solution(TUNED, F_0, float(w)))
+        assert not np.any(exact.imag)
+
+
+@pytest.mark.parametrize("c", [5e-324, 1e-300])
+def test_no_seam_between_damped_and_undamped(c):
+    omega = np.array([0.0, 30.0, 40.0, 48.5, 59.0, 70.0])
+    undamped = [np.abs(particular_solution(TUNED, F_0, w)) for w in omega]
+    assert np.array_equal(damped_amplitude(TUNED, c, F_0, omega), np.transpose(undamped))
+
+
+def test_no_steady_amplitude_at_an_undamped_resonance():
+    chain = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
+    assert np.all(np.isinf(damped_amplitude(chain, 0.0, 1.0, [1.0, 2.0])))
+    assert np.all(np.isinf(damped_solution(chain, 0.0, 1.0, 2.0)))
+    assert np.all(np.isfinite(damped_amplitude(chain, 1e-9, 1.0, [1.0, 2.0])))
+
+
+def test_damped_motion_is_that_of_the_equations():
+    chain, c, omega = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0), 0.7, 1.3
+    X = damped_solution(chain, c, 3.0, omega)
+
+    def law(t, y):
+        x1, x2, v1, v2 = y
+        link = chain.k2 * (x2 - x1) + c * (v2 - v1)
+        return [v1, v2, (-chain.k1 * x1 + link + 3.0 * math.sin(omega * t)) / chain.m1, -link / chain.m2]
+
+    start = [*X.imag, *(1j * omega * X).imag]
+    t = np.linspace(0.0, 20.0, 50)
+    run = solve_ivp(law, (0, 20), start, t_eval=t, rtol=1e-10, atol=1e-12)
+    steady = (X[:, None] * np.exp(1j * omega * t)).imag
+    assert np.max(np.abs(run.y[:2] - steady)) < 1e-7
+
+
+@pytest.mark.parametrize("k1", [0.0, 250e3])
+def test_damper_without_a_spring(k1):
+    """N and kappa share a factor omega, which must not become 0/0 at rest."""
+    chain = TwoMassChain(m1=100.0, m2=16.0, k1=k1, k2=0.0)
+    still, moving = damped_amplitude(chain, 50.0, F_0, [0.0, 40.0]).T
+    assert np.array_equal(still, np.full(2, F_0 / k1 if k1 else math.inf))
+    with exactly():
+        assert all(
+            close(x, abs(true), 0.51) for x, true in zip(moving, truth(chain, 50.0, F_0, 40.0), strict=True)
+        )
+
+
+def test_tuned_absorber_holds_the_machine():
+    assert tuned_stiffness(16.0, 48.0) == 36864.0
+    assert antiresonance(TUNED) == 48.0
+    assert np.array_equal(damped_solution(TUNED, 0.0, F_0, 48.0), [0.0, -F_0 / 36864.0])
+
+
+def test_machine_alone():
+    swing = F_0 / (250e3 - 100 * 48.0**2)
+    assert particular_solution(alone(TUNED), F_0, 48.0) == pytest.approx((swing, 0.0), rel=1e-15)
+
+
+def test_helped_band_of_the_book_example():
+    assert helped_band(TUNED) == pytest.approx((42.60648, 56.32946), abs=1e-5)
+
+
+@pytest.mark.parametrize("c", [0.0, 3.0, 100.0, 313.7, 600.0, 2000.0, 1e6])
+@pytest.mark.parametrize(("m2", "k2"), [(16.0, 36864.0), (16.0, 60000.0), (1.0, 100.0), (200.0, 1e5)])
+def test_helped_band_is_where_the_machine_swings_less(m2, k2, c):
+    chain = TwoMassChain(**MACHINE, m2=m2, k2=k2)
+    band = helped_band(chain, c)
+    omega = np.geomspace(1.0, 1e4, 4001)
+    less = damped_amplitude(chain, c, F_0, omega)[0] < np.abs(
+        particular_solution(alone(chain), F_0, omega)[0]
+    )
+    if band is None:
+        assert not less.any()
+        return
+    edges = [e for e in band if math.isfinite(e)]
+    clear = np.all([np.abs(omega / e - 1) > 1e-6 for e in edges], axis=0)
+    assert np.array_equal(less[clear], ((omega > band[0]) & (omega < band[1]))[clear])
+    assert less.any()
+
+
+def test_helped_band_over_the_range_of_doubles():
+    @settings(max_examples=60, deadline=None)
+    @given(*[FAMILIES["all doubles"]] * 4)
+    def check(m1, m2, k1, k2):
+        low, high = helped_band(TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2))
+        with exactly():
+            a, b, c, d = map(mp.mpf, (m1, m2, k1, k2))
+            half, product = a * d + b * c + b * d / 2, a * b * c * d
+            root = mp.sqrt(half**2 - 4 * product)
+            assert close(low, mp.sqrt(2 * c * d / (half + root)), 0.51)
+            assert close(high, mp.sqrt((half + root) / (2 * a * b)), 0.51)
+
+    check()
+
+
+def test_no_absorber_helps_nowhere():
+    assert helped_band(alone(TUNED)) is None
+    assert helped_band(alone(TUNED), 10.0) == (pytest.approx(math.sqrt(2 * 250e3 / 216)), math.inf)
+
+
+@pytest.mark.parametrize("c", [0.0, 1.0, 100.0, 313.7, 1e4, 1e9])
+def test_fixed_points_do_not_feel_the_damping(c):
+    free, held = (
+        damped_amplitude(TUNED, c, F_0, fixed_points(TUNED)),
+        damped_amplitude(TUNED, 50.0, F_0, fixed_points(TUNED)),
+    )
+    assert free[0] == pytest.approx(held[0], rel=1e-12)
+
+
+def test_fixed_points_by_den_hartogs_quadratic():
+    mu, f = 0.16, 0.96
+    squares = np.sort(np.roots([1, -2 * (1 + f**2 + mu * f**2) / (2 + mu), 2 * f**2 / (2 + mu)]))
+    assert fixed_points(TUNED) == pytest.approx(50.0 * np.sqrt(squares), rel=1e-12)
+
+
+@pytest.mark.parametrize("mu", [0.01, 0.05, 0.16, 0.25, 1.0])
+def test_optimum_is_den_hartogs(mu):
+    m2 = 100.0 * mu
+    best = den_hartog(100.0, 250e3, m2)
+    assert math.sqrt(best.k2 / m2) == pytest.approx(50.0 / (1 + mu), rel=1e-14)
+    assert best.c / (2 * m2 * 50.0) == pytest.approx(math.sqrt(3 * mu / (8 * (1 + mu) ** 3)), rel=1e-14)
+    assert best.height == pytest.approx(math.sqrt(1 + 2 / mu), rel=1e-14)
+    chain = TwoMassChain(**MACHINE, m2=m2, k2=best.k2)
+    at_points = damped_amplitude(chain, best.c, F_0, fixed_points(chain))[0]
+    assert at_points == pytest.approx(best.height * F_0 / 250e3, rel=1e-12)
+
+
+@pytest.mark.parametrize("mu", [0.05, 0.25])
+def test_no_other_damping_and_tuning_peaks_much_lower(mu):
+    """Den Hartog's damping is the mean of two that level one hump each: close to the lowest peak."""
+    m2, omega = 100.0 * mu, np.linspace(20.0, 80.0, 600)
+    best = den_hartog(100.0, 250e3, m2)
+
+    def peak(k2, c):
+        return float(damped_amplitude(TwoMassChain(**MACHINE, m2=m2, k2=k2), c, F_0, omega)[0].max()) / (
+            F_0 / 250e3
+        )
+
+    top = peak(best.k2, best.c)
+    assert best.height <= top * (1 + 1e-3) <= 1.02 * best.height
+    for k2 in best.k2 * np.array([0.9, 0.97, 1.03, 1.1]):
+        least = minimize_scalar(
+            lambda c, k2=k2: peak(k2, c), bounds=(0.3 * best.c, 3 * best.c), method="bounded"
+        )
+        assert least.fun > top
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: damped_amplitude(TUNED, -1.0, F_0, 48.0), "c = -1.0: a damping"),
+        (lambda: damped_solution(TUNED, math.nan, F_0, 48.0), "c = nan: a damping"),
+        (lambda: damped_amplitude(TUNED, 1.0, math.inf, 48.0), "F_0 = inf: a force"),
+        (lambda: damped_amplitude(TUNED, 1.0, F_0, [1.0, -2.0]), "omega = -2.0: a drive frequency"),
+        (lambda: helped_band(TUNED, -2.0), "c = -2.0: a damping"),
+        (lambda: tuned_stiffness(1.0, 1e200), "the tuned stiffness"),
+        (lambda: den_hartog(100.0, 0.0, 1.0), "k1 = 0.0: a stiffness"),
+    ],
+)
+def test_refusals_name_the_value(call, words):
+    with pytest.raises(ValueError, match=words):
+        call()
