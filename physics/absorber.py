@@ -34,7 +34,7 @@ Band = tuple[float, float]
 
 
 class Optimum(NamedTuple):
-    """Den Hartog's stiffness (N/m) and damping (N s/m), and how high the fixed points are in units of F_0/k1."""
+    """Den Hartog's stiffness (N/m) and damping (N s/m), and the height of the fixed points over F_0/k1."""
 
     k2: float
     c: float
@@ -173,7 +173,7 @@ class _Whole(NamedTuple):
         return cls(m1, m2, k1, k2, damping, Fraction(F_0), scale)
 
     def at(self, omega: float) -> _Parts:
-        """N, kappa and D for omega = p/q; where k2 = 0, the factor omega that N and kappa share is left out."""
+        """N, kappa and D for omega = p/q; where k2 = 0, the omega that N and kappa share is left out."""
         p, q = float(omega).as_integer_ratio()
         machine = self.k1 * q**2 - self.m1 * p**2
         inertia = self.m2 * p**2

@@ -1,4 +1,4 @@
-"""The absorber: damped amplitudes against arbitrary precision, the undamped limit, Den Hartog's book values."""
+"""Damped amplitudes against arbitrary precision, the undamped limit, Den Hartog's book values."""
 
 import math
 import sys
