@@ -32,6 +32,7 @@ Array = NDArray[np.float64]
 CUSP_EXCESS = sqrt(3) - 1
 LINEAR_PERIOD = sqrt(2) * pi  # in v_0/g
 LARGEST_EXCESS = 1e6
+EXCESS_AT_LATENESS = {0.001: 0.15114630935641565, 0.01: 0.4585246908361407}  # T/T_0 - 1: excess in v_0
 
 ORDER = 26
 LAST_TERM = 1e-18  # of a Taylor series, relative to the disturbance
@@ -74,6 +75,16 @@ class Flight:
     w: Array
     V: Array
     theta: Array
+
+    def gain(self, v_0: float, g: float) -> Array:
+        """V - v_0, from the height, so that a small one keeps its digits."""
+        return -2 * g * self.h / (v_0 + self.V)
+
+    def rates(self, v_0: float, g: float) -> tuple[Array, Array, Array]:
+        """du/dt, dw/dt and dV/dt, which at standstill is taken as 0 between its two limits -g and g."""
+        lift, moves = g * self.V / v_0, self.V > 0
+        sine = np.divide(self.w, self.V, out=np.zeros_like(self.V), where=moves)
+        return -lift * self.w / v_0, lift * self.u / v_0 - g, -g * sine
 
 
 def linear_phugoid(v_0: float, g: float) -> LinearPhugoid:

@@ -9,6 +9,7 @@ from scipy.integrate import solve_ivp
 
 from physics.phugoid import (
     CUSP_EXCESS,
+    EXCESS_AT_LATENESS,
     LINEAR_PERIOD,
     excess_at_period_excess,
     flight,
@@ -180,3 +181,34 @@ def test_bad_surroundings_are_refused(v_0, g, name):
         linear_phugoid(v_0, g)
     with pytest.raises(ValueError, match=f"{name} = "):
         flight(v_0, g, 0.1, [0.0])
+
+
+def test_lateness_constants_are_the_solved_excesses():
+    for lateness, excess in EXCESS_AT_LATENESS.items():
+        assert excess_at_period_excess(lateness) == pytest.approx(excess, rel=1e-9)
+        assert period_excess(excess) == pytest.approx(lateness, rel=1e-9)
+
+
+@pytest.mark.parametrize("excess", [1e-9, 0.1, 0.6, 1.0, -0.5])
+def test_gain_of_speed_keeps_the_digits_of_a_small_disturbance(excess):
+    v_0, g = 45.72, 9.80665
+    motion = flight(v_0, g, excess, np.linspace(0, 40, 200))
+    gain = motion.gain(v_0, g)
+    assert gain[0] == pytest.approx(excess * v_0, rel=1e-14)
+    assert gain == pytest.approx(motion.V - v_0, abs=8 * U * v_0)
+
+
+@pytest.mark.parametrize("excess", [0.1, 0.6, 1.0, -0.5])
+def test_rates_are_the_derivatives_of_the_flight(excess):
+    v_0, g, step = 45.72, 9.80665, 1e-3
+    t = np.linspace(1, 40, 100)
+    ahead, behind = (flight(v_0, g, excess, t + shift) for shift in (step, -step))
+    names = ("u", "w", "V")
+    for name, rate in zip(names, flight(v_0, g, excess, t).rates(v_0, g), strict=True):
+        slope = (getattr(ahead, name) - getattr(behind, name)) / (2 * step)
+        assert rate == pytest.approx(slope, abs=2e-4 * g)
+
+
+def test_rates_at_standstill_are_finite():
+    still = flight(45.72, 9.80665, -1.0, [0.0])
+    assert [float(rate[0]) for rate in still.rates(45.72, 9.80665)] == pytest.approx([0.0, -9.80665, 0.0])
