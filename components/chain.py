@@ -94,13 +94,14 @@ def to_scale(
     return Drawn(scalars, {"tick": f"{short(1 / factor)} m", "x_unit": size.full_unit}, notes)
 
 
-def masses(foot: Number, x1: Number, x2: Number, *, small: bool = False, style: str | None = None) -> list[Shape]:
-    """The chain standing on `foot`, its masses at x1 and x2 (pixels); `small` draws an outline at half size."""
+def masses(foot: Number, x1: Number, x2: Number, *, small: bool = False, corner: bool = False) -> list[Shape]:
+    """The chain standing on `foot`, its masses at x1 and x2 (pixels); `small` draws an outline at half size,
+    `corner` puts the symbols aside, for what stands on the mass."""
     size = 0.5 if small else 1.0
     side1, side2 = var("side1") * W * size, var("side2") * W * size
     height = foot - (0.026 * W if small else 0.04 * W)
-    teeth: dict[str, Any] = {"height": 6 if small else 13, "style": style}
-    faces = {"style": "ghost"} if small else {}
+    teeth: dict[str, Any] = {"height": 6 if small else 13, "style": "faint" if small else None}
+    faces: dict[str, Any] = {"style": "ghost"} if small else {"corner": 1} if corner else {}
     return [
         spring(WALL * W, height, x1 - side1 / 2, height, var("wire1") * (0.5 if small else 1), show="wire1", **teeth),
         spring(x1 + side1 / 2, height, x2 - side2 / 2, height, var("wire2") * (0.5 if small else 1), show="wire2", **teeth),

@@ -24,7 +24,7 @@ Floats = NDArray[np.float64]
 def motion_columns(driven: DrivenModes, motion: Motion) -> tuple[Columns, Columns]:
     """x1, x2 and their particular and complementary parts, as curves, or as bands where too fast to draw.
 
-    Where the parts are huge and opposite they are left out, and the envelope of the beat and its limit are given.
+    Where the parts are huge and opposite they are left out: see `limit_columns`.
     """
     draw = _split if driven.split_is_meaningful else _resonant
     curves: Columns = {}
@@ -48,19 +48,33 @@ def _split(driven: DrivenModes, i: int, t: Floats, x: Floats) -> tuple[Columns, 
     return {k: v for c, _ in motions for k, v in c.items()}, {k: v for _, b in motions for k, v in b.items()}
 
 
-def _resonant(driven: DrivenModes, i: int, t: Floats, x: Floats) -> tuple[Columns, Columns]:
-    """Envelope F_0 c |sin(d t)/d|/(2 omega_n), 2 d the detuning from the nearest mode; d -> 0 gives F_0 c t/(2 omega_n)."""
-    name = f"x{i + 1}"
+def limit_columns(driven: DrivenModes, t: Floats) -> Columns:
+    """Near resonance the envelope of the beat and its limit, the straight line of growth; empty elsewhere.
+
+    With 2 d the detuning from the nearest mode it is F_0 c |sin(d t)/d|/(2 omega_n), at d = 0 F_0 c t/(2 omega_n).
+    """
+    if driven.split_is_meaningful:
+        return {}
+    columns: Columns = {"t": t}
+    for i in (0, 1):
+        columns[f"x{i + 1}_beat"], columns[f"x{i + 1}_growth"] = _beat(driven, i, t)
+    return columns
+
+
+def _beat(driven: DrivenModes, i: int, t: Floats) -> tuple[Floats, Floats]:
     j = int(np.argmin(np.abs(driven.detuning)))
-    growth = driven.F_0 * abs(driven.coupling[j, i]) / (2 * driven.free.omega[j])
-    # sin(d t)/d = t sinc(d t/pi), exactly t at d = 0.
-    beat = growth * t * np.abs(np.sinc(driven.detuning[j] / 2 * t / np.pi))
-    limits = {f"{name}_beat": beat, f"{name}_growth": growth * t}
+    growth = driven.F_0 * abs(driven.coupling[j, i]) / (2 * driven.free.omega[j]) * t
+    # |sin(d t)/(d t)|, exactly 1 at d = 0.
+    return growth * np.abs(np.sinc(driven.detuning[j] / 2 * t / np.pi)), growth
+
+
+def _resonant(driven: DrivenModes, i: int, t: Floats, x: Floats) -> tuple[Columns, Columns]:
+    name = f"x{i + 1}"
     if drawable(max(*driven.free.omega, driven.omega), t):
-        return {name: x, **limits}, {}
-    size = beat + _others(driven, i, j)
+        return {name: x}, {}
+    size = _beat(driven, i, t)[0] + _others(driven, i, int(np.argmin(np.abs(driven.detuning))))
     drift = driven.free.drift_a[i] + driven.free.drift_b[i] * t
-    return limits, {f"{name}_lo": drift - size, f"{name}_hi": drift + size}
+    return {}, {f"{name}_lo": drift - size, f"{name}_hi": drift + size}
 
 
 def _others(driven: DrivenModes, i: int, j: int) -> float:

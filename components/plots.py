@@ -255,8 +255,7 @@ def nice_axis(
     exponent, suffix = power_unit(max(abs(low), abs(high)) / factor)
     bare = Axis(low, high, unit, exponent, suffix, factor=factor)
     a, b = bare.place(low), bare.place(high)
-    step = nice_step((b - a) / count)
-    ticks = tuple(step * i for i in range(math.ceil(a / step - 1e-9), math.floor(b / step + 1e-9) + 1))
+    ticks = nice_ticks(a, b, count)
     margin = 0.0 if exact else 0.08 * (high - low)
     return replace(bare, start=low - margin, end=high + margin, ticks=ticks)
 
@@ -269,10 +268,14 @@ def squared_axis(end: float, unit: str, count: int = 5) -> Axis:
     return replace(bare, ticks=tuple(step * i for i in range(math.floor(bare.place(end) / step + 1e-9) + 1)))
 
 
-def nice_step(raw: float) -> float:
-    """The smallest of 1, 2, 5 times a power of ten that is not below `raw`."""
-    power = 10.0 ** math.floor(math.log10(raw))
-    return next(f * power for f in (1, 2, 5, 10) if f * power >= raw * (1 - 1e-9))
+def nice_ticks(low: float, high: float, count: int) -> tuple[float, ...]:
+    """At most `count` + 1 multiples of a round step within [low, high]; two at the least where the range allows."""
+    power = 10.0 ** math.floor(math.log10((high - low) / count))
+    for step in (f * power for f in (1, 2, 2.5, 4, 5, 10)):
+        first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+        if last - first <= count:
+            break
+    return tuple(step * i for i in range(first, last + 1))
 
 
 def log_axis(low: float, high: float, unit: str = "", count: int = 5) -> Axis:

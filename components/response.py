@@ -124,7 +124,7 @@ def _marks(
 
 FLAGS = (
     ("mark_minus", "slow", r"$\omega_-$", "Drive at the slow natural frequency", None),
-    ("mark_still", "m1", r"$X_{p1} = 0$", "Drive where mass 1 stands still", "dashed"),
+    ("mark_still", "m1", r"$X_{\mathrm{p}1} = 0$", "Drive where mass 1 stands still", "dashed"),
     ("mark_plus", "fast", r"$\omega_+$", "Drive at the fast natural frequency", None),
 )
 

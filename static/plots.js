@@ -86,24 +86,24 @@ export class Plot {
     this.hidden = new Set(state.hidden)
     this.host.parentElement.style.display = this.block.show && !state.forms[this.block.show] ? "none" : ""
     if (!this.x || !this.y) return
-    for (const [name, source] of Object.entries(this.sources)) {
-      const columns = state.columns[name] ?? {}
-      const empty = Object.fromEntries(Object.keys(source.data).map(key => [key, new Float32Array(0)]))
-      const data = {}
-      for (const key of Object.keys(empty)) data[key] = columns[key] ?? empty[key]
-      const lengths = Object.values(data).map(column => column.length)
-      source.data = lengths.every(length => length === lengths[0]) ? data : empty
-    }
+    for (const [name, source] of Object.entries(this.sources)) this.#fill(source, state.columns[name] ?? {})
     this.#ranges()
     for (const [axis, wire] of [[this.model.below[0], this.x], [this.model.left[0], this.y]]) {
       axis.major_label_overrides = new Map(wire.ticks.map((tick, i) => [tick, wire.labels[i]]))
       axis.ticker.ticks = wire.ticks
     }
     for (const renderer of this.model.renderers) {
-      const group = renderer.tags?.[1]
-      if (group) renderer.visible = !this.hidden.has(group)
+      const given = state.columns[renderer.data_source.name] ?? {}, {glyph} = renderer
+      const needed = [glyph.x, glyph.y, glyph.y1, glyph.y2].filter(Boolean).map(value => value.field)
+      renderer.visible = !this.hidden.has(renderer.tags?.[1]) && needed.every(column => given[column]?.length)
     }
     this.still()
+  }
+
+  // Columns that the picture does without (their renderers are not drawn) are filled up to the common length.
+  #fill(source, given) {
+    const length = Object.values(given)[0]?.length ?? 0, nothing = new Float32Array(length)
+    source.data = Object.fromEntries(Object.keys(source.data).map(key => [key, given[key] ?? nothing]))
   }
 
   #ranges() {
@@ -159,7 +159,7 @@ export class Plot {
     for (const {band, text} of this.bandLabels) this.#labelBand(band, text)
     for (const mark of this.marks) this.#placeMark(mark)
     this.#spreadFlags()
-    for (const pill of this.pills) this.#placePill(pill, this.#handleValue(pill), this.state.params[pill.handle.parameter]?.text)
+    for (const pill of this.pills) this.#placePill(pill, this.#handleValue(pill), this.state.params[pill.handle.parameter]?.shown)
   }
 
   // The name of a band stands where the band is thickest.

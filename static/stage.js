@@ -29,8 +29,8 @@ const KINDS = {
     make: s => [svg("rect", {class: "block", rx: 3}), svg("text", {class: "on v t3", "text-anchor": "middle"}, ...words(s.label))],
     move([rect, text], s) {
       for (const [key, value] of [["x", s.x - s.side / 2], ["y", s.y - s.side], ["width", s.side], ["height", s.side]]) rect.setAttribute(key, value)
-      text.setAttribute("x", s.x)
-      text.setAttribute("y", s.y - s.side / 2 + 6)
+      text.setAttribute("x", s.corner ? s.x - s.side / 2 + 14 : s.x)
+      text.setAttribute("y", s.corner ? s.y - 9 : s.y - s.side / 2 + 6)
       text.style.display = s.side < 24 ? "none" : ""
     },
   },

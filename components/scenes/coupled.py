@@ -35,8 +35,8 @@ class Coupled(Scene):
     groups = (chain.CHAIN, chain.START)
     presets = {
         "Both": {},
-        "Slow": {"x1_0": 0.5, "x2_0": 1.0},
-        "Fast": {"x1_0": 1.0, "x2_0": -1.0},
+        "Slow": {"x1_0": 0.4, "x2_0": 0.8},
+        "Fast": {"x1_0": 0.7, "x2_0": -0.7},
         "Beats": {"m1": 1.0, "k1": 0.96, "m2": 0.04, "k2": 0.04, "x1_0": 0.2},
         "Equal (slide 8)": {"m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0},
         "Drift": {"k1": 0.0, "x1_0": 0.3, "v1_0": 0.2, "v2_0": 0.2},
@@ -173,14 +173,14 @@ def _displacements(i: int) -> Block:
                 f"x{i}_slow",
                 "line",
                 "slow",
-                sine=rf"\val{{X{i}m}} \sin(\val{{omega_minus}}\,t \val{{phi_minus}})",
+                sine=rf"\val{{X{i}m}}\,\sin(\val{{omega_minus}}\,t \val{{phi_minus}})",
                 drift=rf"\val{{a{i}}} \val{{b{i}}}\,t",
             ),
             term(
                 f"x{i}_fast",
                 "dash",
                 "fast",
-                sine=rf"\val{{X{i}p}} \sin(\val{{omega_plus}}\,t \val{{phi_plus}})",
+                sine=rf"\val{{X{i}p}}\,\sin(\val{{omega_plus}}\,t \val{{phi_plus}})",
             ),
         ),
         x_labels=False,

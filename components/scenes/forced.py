@@ -10,9 +10,9 @@ import param
 
 from components import chain
 from components.controls import Group
-from components.driven import energy_columns, motion_columns, motion_signals
+from components.driven import energy_columns, limit_columns, motion_columns, motion_signals
 from components.motion import pace
-from components.numbers import signed, three
+from components.numbers import short, signed, three
 from components.parameters import angular_frequency, displacement, force, mass, stiffness, velocity
 from components.plots import Axis, Band, Curve, nice_axis, plot, time_axis, widest
 from components.response import response, response_plot
@@ -70,14 +70,14 @@ class Forced(Scene):
     def sheet(cls) -> Block:
         options = row(
             words("**Steady swing**", phone=9),
-            choice("curve", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as", phone=9),
-            choice("units", {"si": "SI", "lecture": "Slide 8"}, "Units of the response", phone=9),
+            choice("curve", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as", basis=0, phone=9),
+            choice("units", {"si": "SI", "lecture": "Slide 8"}, "Units of the response", basis=0, phone=9),
             grow=0, basis=34, gap=10,
         )
         return column(
             row(
                 stage(*_shapes(), label="Two masses and two springs, the first one driven by a force", height=150),
-                words(*_formulas(), style="facts", basis=290, phone=4),
+                words(*_formulas(), style="facts", basis=300, phone=4),
                 grow=165,
             ),
             row(
@@ -109,7 +109,7 @@ class Forced(Scene):
         motion = driven.motion(t)
         curves, bands = motion_columns(driven, motion)
         extremes = chain.extremes(curves, bands)
-        time, size = time_axis(end), nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 2)
+        time, size = time_axis(end), nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 3)
         work = energy_columns(driven, motion) if drawable(2 * fastest, t) else {}
         energy = nice_axis(*widest(*((float(c.min()), float(c.max())) for c in work.values())), "J", 2) if work else Axis(0, 1, "J")
         push = nice_axis(0.0, self.F_0 or 1.0, "N")
@@ -118,7 +118,7 @@ class Forced(Scene):
         drawn = chain.to_scale(extremes, (self.m1, self.m2), (self.k1, self.k2), size)
         self.param.omega.softbounds = (0.0, 2.5 * float(fast) if fast else 5.0)
         return Picture(
-            columns={"time": {"t": t, **curves}, "band": bands and {"t": t, **bands}, "energy": work and {"t": t, **work}, **swing.columns},
+            columns={"time": {"t": t, **curves}, "band": bands and {"t": t, **bands}, "limit": limit_columns(driven, t), "energy": work and {"t": t, **work}, **swing.columns},
             axes={"t": time, "x": size, "E": energy, **swing.axes},
             signals=motion_signals(driven, size, time, push),
             scalars={**drawn.scalars, **pace(slow or fast or self.omega, fastest), **swing.scalars},
@@ -136,7 +136,7 @@ def _shapes() -> list[Shape]:
         chain.standing_wall(0.2 * H, 0.62 * H),
         *chain.ground(foot),
         *(s for i in (1, 2) for s in chain.displacement(i, foot)),
-        *chain.masses(foot, push, chain.place(2, "x2")),
+        *chain.masses(foot, push, chain.place(2, "x2"), corner=True),
         arrow(push, middle, push + 0.13 * W * var("drive"), middle, tint="F", style="thick", head=18),
         circle(push, middle, 5, tint="F"),
         text(push + 0.13 * W * var("drive"), middle - 14, "*F*", tint="F", style="t3 b"),
@@ -147,16 +147,16 @@ def _formulas() -> list[str | dict[str, str]]:
     return [
         {
             "form": "steady",
-            "finite": r"$\tint{m1}{X_{p1} = \frac{(k_2 - m_2 \omega^2) F_0}{D} = \val{Xp1}}$ [m1|m]",
+            "finite": r"$\tint{m1}{X_{\mathrm{p}1} = \dfrac{(k_2 - m_2 \omega^2) F_0}{D} = \val{Xp1}}$ [m1|m]",
             "resonance": "**Drive at a natural frequency:** no steady swing exists. From rest the motion grows like *t*.",
         },
         {
             "form": "steady",
-            "finite": r"$\tint{m2}{X_{p2} = \frac{k_2 F_0}{D} = \val{Xp2}}$ [m2|m]",
+            "finite": r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = \val{Xp2}}$ [m2|m]",
             "resonance": r"$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = 0$",
         },
         r"$\tint{F}{F = F_0 \sin \omega t =}$ [F|{force_now} {F_unit}]",
-        {"form": "steady", "finite": r"$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = \val{D}$", "resonance": ""},
+        {"form": "steady", "finite": r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = \val{D}$]", "resonance": ""},
     ]
 
 
@@ -169,8 +169,8 @@ def _motion(i: int) -> Block:
         strict=True,
     )
     envelope = (
-        Curve(name=f"x{i}_beat", tint="xp", label="beat", group=f"x{i}_limit"),
-        Curve(name=f"x{i}_growth", tint="mute", width="dots", label="growth", group=f"x{i}_limit"),
+        Curve(name=f"x{i}_beat", source="limit", tint="xp", label="beat", group=f"x{i}_limit"),
+        Curve(name=f"x{i}_growth", source="limit", tint="mute", width="dots", label="growth", group=f"x{i}_limit"),
     )
     return plot(
         f"x{i}",
@@ -181,7 +181,7 @@ def _motion(i: int) -> Block:
         bands=bands,
         heading=(
             term(f"x{i}", "sum", f"m{i}", formula=f"x_{i} ="),
-            term(f"x{i}_p", "line", "xp", formula=rf"\text{{particular }}\val{{X{i}}} \sin(\val{{omega}}\,t)"),
+            term(f"x{i}_p", "line", "xp", formula=rf"\text{{particular }}\val{{X{i}}}\,\sin(\val{{omega}}\,t)"),
             term(f"x{i}_c", "dash", "xc", formula=r"+\; \text{complementary}"),
             term(f"x{i}_limit", "line", "xp", formula=r"|\sin(d\,t)/d| \text{ and its limit } t"),
         ),
@@ -204,7 +204,7 @@ def _energy() -> Block:
         heading=(
             term("", "band", "k2fill", formula=r"\text{gain of } T + V"),
             term("", "dash", "F", formula=r"=\; \text{work of the drive}"),
-            term("gap", "none", "mute", formula=r"\text{difference at most } \val{gap}"),
+            term("gap", "none", "mute", formula=r"\text{off by } \val{gap}"),
         ),
         source="energy",
         cursor="time",
@@ -223,7 +223,7 @@ def _values(driven: DrivenModes, columns: Columns) -> dict[str, str]:
     if columns:
         largest = max(float(np.abs(columns["gain"]).max()), 5e-324)
         gap = float(np.abs(columns["gain"] - columns["work"]).max()) / largest
-        values["gap"] = f"{three(gap)} of the largest" if gap else "0"
+        values["gap"] = short(gap)
     return values
 
 
