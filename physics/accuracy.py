@@ -1,7 +1,7 @@
 """Error against run time: every method on the same motions, measured against arbitrary precision.
 
-A System is a chain with a start and perhaps a drive. Each method at each setting is asked for the motion at the
-same 1000 times over 50 slow periods, timed a few times, and compared with a reference in mpmath:
+A System is a chain with a start and perhaps a drive. Each method at each setting is asked for the motion at
+the same 1000 times over 50 slow periods, timed a few times, and compared with a reference in mpmath:
 
     for run in measure(SYSTEMS["stiff"]): ...
 
@@ -29,6 +29,7 @@ from physics.solvers import METHODS
 PERIODS = 50
 OUTPUTS_A_PERIOD = 20
 EXPLODED = 1e3  # times the largest true displacement: a step that gets there is unstable
+TIME_LIMIT = "time limit"
 GLANCE = 256  # evaluations between two looks at the clock
 
 Cancelled = Callable[[str], bool]
@@ -121,17 +122,16 @@ def measure(
     problem = system.problem()
     truth = reference(problem)
     problem = replace(problem, size=truth.size)
-    out_of_time: dict[str, float] = {}
+    out_of_time: set[str] = set()
     for case in plan(system) if cases is None else cases:
         if cancelled(case.method):
             continue
         if case.method in out_of_time:
-            reached = out_of_time[case.method]
-            yield _run(system, case, failure="time limit, at a coarser setting already", reached=reached)
+            yield _run(system, case, failure="not started: time limit at a coarser setting", reached=0.0)
             continue
         run = _measured(system, problem, truth, case, limits, cancelled)
-        if run.failure and "time limit" in run.failure:
-            out_of_time[case.method] = run.reached
+        if run.failure and run.failure.startswith(TIME_LIMIT):
+            out_of_time.add(case.method)
         yield run
 
 
@@ -211,7 +211,7 @@ def _clock(
         if watch.evaluations % GLANCE:
             return
         if perf_counter() > deadline:
-            raise StoppedError(f"time limit {limits.seconds:g} s", t)
+            raise StoppedError(f"{TIME_LIMIT} {limits.seconds:g} s", t)
         if cancelled(method):
             raise StoppedError("cancelled", t)
 

@@ -14,7 +14,7 @@ floats: for two masses NumPy's cost of a call would be most of the time.
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from math import inf, sin
+from math import inf, pi, sin
 from typing import Protocol
 
 import numpy as np
@@ -202,6 +202,12 @@ def stability_limit(method: str) -> float:
         stable = _stability(method, np.array([middle]))[1][0] <= 0
         below, above = (middle, above) if stable else (below, middle)
     return below
+
+
+def stable_steps(method: str, chain: TwoMassChain) -> float:
+    """Steps a slow period that the method needs to be stable; like sqrt(k2/k1) for an explicit one."""
+    slow, fast = chain.modes().omega
+    return float(2 * pi * (fast / slow) / stability_limit(method))
 
 
 def _stability(method: str, z: Array) -> tuple[Array, Array]:
