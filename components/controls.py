@@ -12,6 +12,7 @@ from components.choices import chosen, options, word
 from components.numbers import MINUS, exact, excerpt, parse_number, tidy
 from components.parameters import Quantity
 from components.stage import Shape
+from components.units import Unit
 
 if TYPE_CHECKING:
     from components.scene import Scene
@@ -39,12 +40,16 @@ class Group:
 
 
 def controls_spec(
-    scene_class: type[Scene], groups: tuple[Group, ...], presets: Mapping[str, Mapping[str, Any]]
+    scene_class: type[Scene],
+    groups: tuple[Group, ...],
+    presets: Mapping[str, Mapping[str, Any]],
+    drawings: Mapping[str, str] | None = None,
 ) -> dict[str, Any]:
-    """All that the browser needs to build the panel of a scene."""
+    """All that the browser needs to build the panel of a scene; `drawings` are the outlines of presets by label."""
     return {
         "start": "Start from",
         "presets": list(presets),
+        "drawings": dict(drawings or {}),
         "groups": [
             {
                 "title": group.title,
@@ -68,6 +73,7 @@ def control(name: str, parameter: param.Parameter) -> dict[str, Any]:
 def row(name: str, quantity: Quantity) -> dict[str, Any]:
     """The description of one slider with its field."""
     parts = (quantity.symbol.replace("_", ""), quantity.label, quantity.unit)
+    marks = {"marks": [{"value": value, "text": text} for value, text in quantity.marks]} if quantity.marks else {}
     return {
         "name": name,
         "symbol": quantity.symbol,
@@ -77,6 +83,7 @@ def row(name: str, quantity: Quantity) -> dict[str, Any]:
         "soft": list(quantity.softbounds),
         "says": quantity.says,
         "label": ", ".join(part for part in parts if part),
+        **marks,
     }
 
 
@@ -92,13 +99,18 @@ def choice(name: str, parameter: param.Parameter) -> dict[str, Any]:
 
 
 def params_state(scene: Scene) -> dict[str, dict[str, Any]]:
-    """What the controls show now; "soft" is there where the scene has moved a slider's range."""
+    """What the controls show now; "soft" is there where the scene has moved a slider's range, "unit" where the
+    quantity is shown in another unit than its own, of which one is "size"."""
     state: dict[str, dict[str, Any]] = {}
+    units = scene.units()
     for name in scene.param:
         parameter, value = scene.param[name], getattr(scene, name)
         if isinstance(parameter, Quantity):
             text = "" if value is None else exact(value) if parameter.scale == "count" else tidy(value)
             state[name] = {"value": value, "text": text}
+            if name in units and value is not None:
+                unit = units[name]
+                state[name] = {"value": value, "text": unit.field(value), "unit": unit.text, "size": unit.size}
             if value != parameter.default:
                 state[name]["changed"] = True
             if parameter.softbounds != type(scene).param[name].softbounds:
@@ -142,7 +154,10 @@ def _type(scene: Scene, name: str, text: str) -> Errors:
         value = None if quantity.allow_None and not text.strip() else parse_number(text)
     except ValueError as error:
         return {name: f"{error} {_still(scene, name)}"}
-    problem = _problem(scene, name, value, excerpt(text.strip()).replace("-", MINUS))
+    unit = scene.units().get(name)
+    if unit and value is not None:
+        value = unit.value(value)
+    problem = _problem(scene, name, value, excerpt(text.strip()).replace("-", MINUS), unit)
     return {name: problem} if problem else _try(scene, {name: value})
 
 
@@ -188,11 +203,13 @@ def _try(scene: Scene, values: dict[str, Any]) -> Errors:
     return {}
 
 
-def _problem(scene: Scene, name: str, value: object, given: str | None = None) -> str | None:
+def _problem(
+    scene: Scene, name: str, value: object, given: str | None = None, unit: Unit | None = None
+) -> str | None:
     quantity = _quantity(scene, name)
     if quantity is None:
         return _unknown(name)
-    refusal = quantity.refusal(value, given)
+    refusal = quantity.refusal(value, given, unit and unit.text)
     return f"{refusal} {_still(scene, name)}" if refusal else None
 
 
@@ -209,7 +226,8 @@ def _still(scene: Scene, name: str) -> str:
     value = getattr(scene, name)
     if value is None:
         return "Still drawn as before."
-    return f"Still drawn with {tidy(value).replace('-', MINUS)}."
+    unit = scene.units().get(name)
+    return f"Still drawn with {(unit.field(value) if unit else tidy(value)).replace('-', MINUS)}."
 
 
 def _sentence(error: ValueError) -> str:

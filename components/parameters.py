@@ -16,9 +16,10 @@ class Quantity(param.Number):
 
     `symbol` is written k_2; `tint` names its colour; `scale` says how the slider runs ("near0" is finer
     near 0, "count" has whole numbers only); `says` continues the symbol to a sentence; `allowed` says in words what values are possible.
+    `marks` are values with a name under the slider, which then has the width of the panel.
     """
 
-    __slots__ = ["allowed", "says", "scale", "symbol", "tint", "unit"]
+    __slots__ = ["allowed", "marks", "says", "scale", "symbol", "tint", "unit"]
 
     softbounds: tuple[float, float]  # type: ignore[assignment]  # never None here
 
@@ -34,6 +35,7 @@ class Quantity(param.Number):
         softbounds: tuple[float, float],
         tint: str = "ink",
         scale: Scale = "linear",
+        marks: tuple[tuple[float, str], ...] = (),
         **options: Any,
     ) -> None:
         facts = {
@@ -43,6 +45,7 @@ class Quantity(param.Number):
             "scale": scale,
             "says": says,
             "allowed": allowed,
+            "marks": marks,
         }
         for slot, fact in facts.items():
             object.__setattr__(self, slot, fact)
@@ -58,13 +61,14 @@ class Quantity(param.Number):
         self._validate(value)
         super().__set__(obj, None if value is None else float(value))
 
-    def refusal(self, value: object, given: str | None = None) -> str | None:
-        """Why `value` is not possible, in a sentence that shows it as `given`; None where it is possible."""
+    def refusal(self, value: object, given: str | None = None, unit: str | None = None) -> str | None:
+        """Why `value` is not possible, in a sentence that shows it as `given` in `unit`; None where it is possible."""
         if self._possible(value):
             return None
-        measured = self.unit and isinstance(value, Real) and not isinstance(value, bool)
+        sign = self.unit if unit is None else unit
+        measured = isinstance(value, Real) and not isinstance(value, bool)
         text = _shown(value) if given is None else given
-        return f"{text} {self.unit if measured else ''}".rstrip() + f" is not possible: {self.allowed}."
+        return f"{text} {sign if measured else ''}".rstrip() + f" is not possible: {self.allowed}."
 
     def _possible(self, value: object) -> bool:
         if value is None:

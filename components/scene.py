@@ -18,6 +18,7 @@ from components.controls import Group, controls_spec
 from components.parameters import Quantity
 from components.plots import Axis
 from components.sheet import Block
+from components.units import Unit
 
 Columns = dict[str, NDArray[np.float64]]
 
@@ -94,6 +95,15 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     @abstractmethod
     def picture(self) -> Picture:
         """What is shown, as a pure function of the parameters. ValueError where the physics has no answer in doubles."""
+
+    @classmethod
+    def drawings(cls) -> dict[str, str]:
+        """A small picture for each preset that has one: SVG path data in a box of 128 by 46."""
+        return {}
+
+    def units(self) -> dict[str, Unit]:
+        """The units in which quantities are now shown and typed, where they are not their own."""
+        return {}
 
     def action(self, name: str) -> dict[str, Any]:
         """The values that a button of a group sets; ValueError, in words, where there are none."""
@@ -173,5 +183,5 @@ def static_description(scene: type[Scene]) -> dict[str, Any]:
         "slug": scene.slug,
         "headline": scene.headline,
         "sheet": scene.sheet(),
-        "controls": controls_spec(scene, scene.groups, scene.presets),
+        "controls": controls_spec(scene, scene.groups, scene.presets, scene.drawings()),
     }
