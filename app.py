@@ -22,6 +22,6 @@ document = pn.state.curdoc
 document.title = scene.headline
 document.template = page_template()
 document.template_variables.update(
-    headline=scene.headline, title=scene.title, navigation=navigation(SCENES, scene.slug), version=version()
+    headline=scene.headline, scene_title=scene.title, navigation=navigation(SCENES, scene.slug), version=version()
 )
 SceneView(scene, problems=tuple(problems)).server_doc(document)

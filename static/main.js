@@ -239,6 +239,8 @@ class Page {
 }
 
 function shell(page) {
+  const menu = document.querySelector(".scene-menu")
+  menu?.addEventListener("toggle", () => document.querySelector(".nav nav").classList.toggle("open", menu.open))
   const button = document.getElementById("theme")
   if (button) button.onclick = () => {
     const root = document.documentElement

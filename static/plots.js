@@ -159,7 +159,7 @@ export class Plot {
     for (const {band, text} of this.bandLabels) this.#labelBand(band, text)
     for (const mark of this.marks) this.#placeMark(mark)
     this.#spreadFlags()
-    for (const pill of this.pills) this.#placePill(pill, this.#handleValue(pill), this.state.params[pill.handle.parameter]?.shown)
+    for (const pill of this.pills) this.#placePill(pill, this.#handleValue(pill), brief(this.state.params[pill.handle.parameter]?.text))
   }
 
   // The name of a band stands where the band is thickest.
@@ -386,5 +386,7 @@ function interpolate(xs, ys, x) {
   return span > 0 ? ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / span : ys[low]
 }
 
+// A handle shows three digits of a number that was typed with more.
+const brief = text => (text?.length > 7 && !text.includes("e") ? String(Number(text).toPrecision(3)) : text)?.replace("-", "−")
 const plain = label => label.replaceAll(/[*_{}]/g, "")
 const number = value => (Math.abs(value) >= 1e5 || (value !== 0 && Math.abs(value) < 1e-3) ? value.toExponential(2) : Number(value.toPrecision(3)).toString()).replace("-", "−")

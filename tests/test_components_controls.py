@@ -163,7 +163,7 @@ def test_choice_shows_the_labels_of_its_options() -> None:
 def test_state_holds_values_and_the_texts_of_the_fields() -> None:
     scene = Example(k2=0.04)
     state = params_state(scene)
-    assert state["k2"] == {"value": 0.04, "text": "0.0400", "shown": "0.0400", "changed": True}
+    assert state["k2"] == {"value": 0.04, "text": "0.0400", "changed": True}
     assert state["window"] == {"value": None, "text": ""}
     assert state["view_of"]["value"] == "size"
     assert state["log"]["value"] == "false"

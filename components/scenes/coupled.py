@@ -66,16 +66,16 @@ class Coupled(Scene):
             row(
                 column(_displacements(1), _displacements(2), _part_energies(), _mode_energies()),
                 column(
-                    words("**Mass 2 against mass 1**", style="plain", phone=6),
+                    words("**Mass 2 against mass 1**", style="plain", phone=15),
                     _plane(),
                     words(
                         "[slow|Slow period] {slow_period}",
                         "[fast|Fast period] {fast_period}",
                         "Beat period {beat_period}",
                         style="numbers",
-                        phone=7,
+                        phone=17,
                     ),
-                    choice("energy", {"parts": "Masses, springs", "modes": "Modes"}, "Energy of", phone=8),
+                    choice("energy", {"parts": "Masses, springs", "modes": "Modes"}, "Energy of", phone=14),
                     basis=212,
                     grow=0,
                 ),
@@ -261,7 +261,7 @@ def _plane() -> Block:
         square=True,
         plain=True,
         grow=1,
-        phone=6,
+        phone=16,
         height=300,
     )
 

@@ -27,6 +27,9 @@ from physics.sampling import drawable, time_window
 SLOW, FAST = (5**0.5 - 1) / 2, (5**0.5 + 1) / 2
 """The natural frequencies of the lecture's chain of equal masses and springs, in units of sqrt(k/m)."""
 
+PARTS = 4.0
+"""The parts are drawn whole while they are less than this many times as large as their sum."""
+
 
 class Forced(Scene):
     slug = "forced"
@@ -109,7 +112,7 @@ class Forced(Scene):
         motion = driven.motion(t)
         curves, bands = motion_columns(driven, motion)
         extremes = chain.extremes(curves, bands)
-        time, size = time_axis(end), nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 3)
+        time, size = time_axis(end), nice_axis(*_span(extremes, curves), "m", 3)
         work = energy_columns(driven, motion) if drawable(2 * fastest, t) else {}
         energy = nice_axis(*widest(*((float(c.min()), float(c.max())) for c in work.values())), "J", 2) if work else Axis(0, 1, "J")
         push = nice_axis(0.0, self.F_0 or 1.0, "N")
@@ -212,6 +215,14 @@ def _energy() -> Block:
         phone=13,
         height=120,
     )
+
+
+def _span(extremes: chain.Extremes, curves: Columns) -> tuple[float, float]:
+    """The range of x(t): the motion, and its parts as long as it does not vanish beside them."""
+    motion = widest(extremes["x1"], extremes["x2"])
+    parts = [(float(c.min()), float(c.max())) for name, c in curves.items() if "_" in name]
+    whole = widest(motion, *parts)
+    return whole if whole[1] - whole[0] < PARTS * (motion[1] - motion[0]) or motion[0] == motion[1] else motion
 
 
 def _values(driven: DrivenModes, columns: Columns) -> dict[str, str]:
