@@ -26,9 +26,13 @@ def scaled(exponent: int, *factors: float) -> float:
 def sines(size: Axis, time: Axis, *terms: tuple[float, float, float], line: tuple[float, float] = (0, 0)) -> dict[str, Any]:
     """a + b t + sum of A sin(omega t + phi), from (A, omega, phi) in SI units and line = (a, b)."""
     return {
-        "line": [scaled(size.exponent, line[0]), scaled(size.exponent - time.exponent, line[1])],
+        "line": [
+            scaled(size.exponent, line[0], 1 / size.factor),
+            scaled(size.exponent - time.exponent, line[1], 1 / size.factor),
+        ],
         "sines": [
-            [scaled(size.exponent, amplitude), scaled(-time.exponent, omega), phase] for amplitude, omega, phase in terms
+            [scaled(size.exponent, amplitude, 1 / size.factor), scaled(-time.exponent, omega), phase]
+            for amplitude, omega, phase in terms
         ],
     }
 

@@ -88,7 +88,7 @@ def plot(
     `x` and `y` name axes of the picture, `title` is its text alternative, `x_column` the column of abscissae,
     `margin` the room for labels at the left and at the right. `cursor="time"` draws the instant shown and lets it be
     dragged; `handles` are pills on an axis that set a parameter: {"parameter": name, "symbol": text,
-    "label": accessible name, "tint": class, "axis": "x" or "y"}. `marks` are lines with a flag across the plot at a scalar (in the axis' unit): {"at": scalar,
+    "label": accessible name, "tint": class, "axis": "x" or "y", "least": its lowest value}. `marks` are lines with a flag across the plot at a scalar (in the axis' unit): {"at": scalar,
     "tint": class, "html": rich text of the flag, "label": accessible name, "set": parameter it is the button for,
     "axis": "x" or "y", "lift": pixels of the flag over the frame, "style": "dashed"}; `top` makes room for flags. `square` draws both axes to one scale; `plain` leaves out numbers at the axes. `show` is the form by which the plot stands.
     """
@@ -182,6 +182,7 @@ def _figure(
 class Axis:
     """The range of an axis in SI units, and how it is labelled: in units of `factor` (in SI) times 10**exponent.
 
+    Ticks are labelled by their numbers, or by `labels` where these are given.
     With a `power` the axis shows that power of the number: columns and handles hold omega, the axis shows omega^2.
     """
 
@@ -194,6 +195,7 @@ class Axis:
     log: bool = False
     factor: float = 1.0
     power: int = 1
+    labels: tuple[str, ...] = field(default=(), repr=False)
 
     def places(self, values: NDArray[np.float64] | float) -> NDArray[np.float64]:
         """Where values stand on this axis, in its unit; logarithms to base ten on a log axis."""
@@ -226,7 +228,9 @@ class Axis:
 
     def wire(self) -> dict[str, Any]:
         labels = [ten(round(tick)) if self.log else f"{tick:.6g}".replace("-", MINUS) for tick in self.ticks]
-        if self.ticks and self.unit:
+        if self.labels:
+            labels = list(self.labels)
+        elif self.ticks and self.unit:
             labels[-1] = f"{labels[-1]} {self.full_unit}"
         start, end = self.place(self.start), self.place(self.end)
         ticks = [float(tick) for tick in self.ticks]

@@ -96,6 +96,7 @@ def line(x1: Number, y1: Number, x2: Number, y2: Number, **more: Any) -> Shape:
 
 
 def arrow(x1: Number, y1: Number, x2: Number, y2: Number, **more: Any) -> Shape:
+    """An arrow; with a `gap` it is moved ahead along itself by so many pixels."""
     return shape("arrow", x1=x1, y1=y1, x2=x2, y2=y2, **more)
 
 
@@ -104,7 +105,10 @@ def circle(x: Number, y: Number, r: Number, **more: Any) -> Shape:
 
 
 def path(d: str, x: Number = 0, y: Number = 0, turn: Number = 0, **more: Any) -> Shape:
-    """A fixed outline (SVG path data), moved to (x, y) and turned by `turn` radians, clockwise on the screen."""
+    """A fixed outline (SVG path data), moved to (x, y) and turned by `turn` radians, clockwise on the screen.
+
+    With `dx` and `dy` its right end is turned into that direction; `sx` and `sy` scale it.
+    """
     return shape("path", d=d, x=x, y=y, turn=turn, **more)
 
 

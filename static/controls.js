@@ -1,7 +1,7 @@
 // The control panel: presets, sliders with typed fields, and choices. It shows the state that the server sends and
 // sends what the visitor does; it never decides what is possible.
 
-import {element} from "./dom.js"
+import {element, svg} from "./dom.js"
 import {buildPicker} from "./picker.js"
 
 const STEPS = 1000 // of a slider moved by arrow keys
@@ -88,11 +88,25 @@ class Control {
       this.slider,
       element("span", {class: "num"}, this.field, element("span", {class: "unit", "aria-hidden": "true"}, unit)),
       this.problem)
+    this.unit = this.element.querySelector(".unit")
+    this.size = 1 // of the unit shown, in the quantity's own
+    if (spec.marks) this.#mark(spec.marks)
     this.element.style.setProperty("--c", `var(--${spec.tint})`)
     this.element.addEventListener("focusin", () => speak(spec))
     this.#describe()
     this.#listenToSlider()
     this.#listenToField()
+  }
+
+  // Named values under the slider, which then has a row of its own.
+  #mark(marks) {
+    this.element.classList.add("marked")
+    const rule = element("div", {class: "marks", "aria-hidden": "true"}, ...marks.map(({value, text}) => {
+      const mark = element("span", {}, text)
+      mark.style.setProperty("--at", sliderPlace(this.spec.scale, value, this.soft))
+      return mark
+    }))
+    this.slider.after(rule)
   }
 
   #listenToSlider() {
@@ -126,7 +140,7 @@ class Control {
 
   #slide() {
     const value = this.#atSlider()
-    this.typed = this.field.value = this.spec.scale === "count" ? String(value) : fieldText(value)
+    this.typed = this.field.value = this.spec.scale === "count" ? String(value) : fieldText(this.#shown(value))
     this.unsent = false
     this.#fill(value)
     this.asked = {value, since: performance.now()}
@@ -178,12 +192,22 @@ class Control {
     const moved = state.value !== this.state?.value
     this.state = state
     if (state.soft) this.soft = state.soft
+    this.#measure(state)
     if (error) return this.#refuse(error)
     if (this.problem.textContent && !moved && !this.asked) return // the answer to another control
     const {value, since} = this.asked ?? {}
     if (value !== undefined && value !== state.value && performance.now() - since < PATIENCE) return
     this.asked = null
     this.#accept()
+  }
+
+  #measure({unit = this.spec.unit, size = 1}) {
+    this.size = size
+    if (this.unit.textContent === unit) return
+    this.unit.textContent = unit
+    const label = [this.spec.label.replace(`, ${this.spec.unit}`, ""), unit].filter(Boolean).join(", ")
+    for (const part of [this.slider, this.field]) part.setAttribute("aria-label", label)
+    this.element.querySelector("label").title = label
   }
 
   #accept() {
@@ -213,8 +237,14 @@ class Control {
     this.slider.setAttribute("aria-describedby", "controls-says")
   }
 
+  // A slider goes in round numbers of the unit shown.
   #atSlider() {
-    return sliderValue(this.spec.scale, Number(this.slider.value), this.soft)
+    const {size} = this, number = sliderValue(this.spec.scale, Number(this.slider.value), this.soft.map(end => end / size))
+    return size === 1 ? number : Number((number * size).toPrecision(15))
+  }
+
+  #shown(value) {
+    return this.size === 1 ? value : Number((value / this.size).toPrecision(12))
   }
 
   // A slider that already stands for the value stays where the hand has left it.
@@ -226,19 +256,24 @@ class Control {
 
   #fill(value) {
     this.slider.style.setProperty("--at", this.slider.value)
-    this.slider.setAttribute("aria-valuetext", `${fieldText(value).replace("-", "−")} ${this.spec.unit}`.trim())
+    this.slider.setAttribute("aria-valuetext", `${fieldText(this.#shown(value)).replace("-", "−")} ${this.unit.textContent}`.trim())
   }
 }
 
+// A small drawing, if there is one.
+function outline(d) {
+  return d ? svg("svg", {viewBox: "0 0 128 46", "aria-hidden": "true"}, svg("path", {class: "ln m1", d})) : ""
+}
+
 class Presets {
-  constructor({start, presets}, choose) {
+  constructor({start, presets, drawings = {}}, choose) {
     this.buttons = presets.map(label => {
-      const button = element("button", {type: "button", class: "chip", "aria-pressed": "false"}, label)
+      const button = element("button", {type: "button", class: drawings[label] ? "tile" : "chip", "aria-pressed": "false"}, outline(drawings[label]), element("span", {}, label))
       button.addEventListener("click", () => choose(label))
       return button
     })
     this.problem = problemElement("problem-preset")
-    const chips = element("div", {class: "chips", role: "group", "aria-label": start}, ...this.buttons)
+    const chips = element("div", {class: Object.keys(drawings).length ? "tiles pair" : "chips", role: "group", "aria-label": start}, ...this.buttons)
     this.element = element("section", {class: "group"}, element("h2", {}, start), chips, this.problem)
   }
 

@@ -269,7 +269,14 @@ export class Plot {
   #moveTo(pill, value) {
     const axis = this.#axis(pill), inside = Math.min(Math.max(value, axis.start), axis.end)
     if (!pill.handle) this.page.clock.seek(inside)
-    else this.page.send({type: "set", values: {[pill.handle.parameter]: Number(this.#si(inside, pill.handle.axis).toPrecision(4))}})
+    else this.page.send({type: "set", values: {[pill.handle.parameter]: this.#rounded(inside, pill.handle)}})
+  }
+
+  // Four digits of the unit of the axis; `least` is the lowest value that a handle may have.
+  #rounded(value, {axis = "x", least = -Infinity}) {
+    const {factor, log, power} = this[axis]
+    const si = factor === 1 || log || power > 1 ? this.#si(value, axis).toPrecision(4) : this.#si(Number(value.toPrecision(4)), axis).toPrecision(15)
+    return Math.max(Number(si), least)
   }
 
   #value(event, which = "x") {

@@ -16,6 +16,12 @@ function zigzag(x1, y1, x2, y2, height) {
   return "M" + points.join("L")
 }
 
+// A line moved along itself.
+function ahead({x1, y1, x2, y2, ...rest}, gap) {
+  const length = Math.hypot(x2 - x1, y2 - y1) || 1, dx = (x2 - x1) / length * gap, dy = (y2 - y1) / length * gap
+  return {...rest, x1: x1 + dx, y1: y1 + dy, x2: x2 + dx, y2: y2 + dy}
+}
+
 // Each kind: make() builds the elements once, move() places them with numbers.
 const KINDS = {
   spring: {
@@ -42,7 +48,8 @@ const KINDS = {
   },
   arrow: {
     make: () => [svg("line", {class: "shaft"}), svg("path", {class: "fill"})],
-    move([line, head], s) {
+    move([line, head], given) {
+      const s = given.gap ? ahead(given, given.gap) : given
       const length = Math.hypot(s.x2 - s.x1, s.y2 - s.y1), shown = length > 1
       const size = Math.min(s.head ?? 11, length), angle = Math.atan2(s.y2 - s.y1, s.x2 - s.x1)
       const bx = s.x2 - size * 0.8 * Math.cos(angle), by = s.y2 - size * 0.8 * Math.sin(angle)
@@ -64,7 +71,8 @@ const KINDS = {
     make: s => [svg("path", {class: "ln", d: s.d})],
     move([path], s) {
       const sx = s.sx ?? 1, sy = s.sy ?? 1
-      path.setAttribute("transform", `translate(${s.x} ${s.y}) rotate(${s.turn * 180 / Math.PI}) scale(${sx} ${sy})`)
+      const turn = s.dx || s.dy ? Math.atan2(s.dy, s.dx) : s.turn
+      path.setAttribute("transform", `translate(${s.x} ${s.y}) rotate(${turn * 180 / Math.PI}) scale(${sx} ${sy})`)
     },
   },
   arc: {
