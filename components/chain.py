@@ -95,9 +95,9 @@ def to_scale(
 
 
 def masses(foot: Number, x1: Number, x2: Number, *, small: bool = False, corner: bool = False) -> list[Shape]:
-    """The chain standing on `foot`, its masses at x1 and x2 (pixels); `small` draws an outline at half size,
+    """The chain standing on `foot`, its masses at x1 and x2 (pixels); `small` draws smaller outlines,
     `corner` puts the symbols aside, for what stands on the mass."""
-    size = 0.5 if small else 1.0
+    size = 0.42 if small else 1.0
     side1, side2 = var("side1") * W * size, var("side2") * W * size
     height = foot - (0.026 * W if small else 0.04 * W)
     teeth: dict[str, Any] = {"height": 6 if small else 13, "style": "faint" if small else None}

@@ -44,7 +44,7 @@ class Page {
     const host = element("div", {class: `block ${block.kind} ${block.style ?? ""}`})
     host.style.flex = `${block.grow} ${block.kind === "row" || block.kind === "column" || block.grow ? 1 : 0} ${block.basis || (block.grow ? 0 : "auto")}${block.basis ? "px" : ""}`
     if (block.gap) host.style.gap = `${block.gap}px`
-    if (block.phone !== undefined) host.style.order = block.phone
+    if (block.phone !== undefined) host.style.setProperty("--place", block.phone)
     if (block.height) host.style.setProperty("--phone-height", `${block.height}px`)
     if (block.show && block.kind !== "plot") this.conditional.push({host, form: block.show})
     if (block.blocks) host.append(...block.blocks.map(child => this.#block(child)))

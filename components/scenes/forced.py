@@ -66,7 +66,7 @@ class Forced(Scene):
     v1_0 = velocity(0.0, symbol="v_1", tint="m1", says="is the velocity of mass 1 at the start. Type any value.")
     v2_0 = velocity(0.0, symbol="v_2", tint="m2", says="is the velocity of mass 2 at the start. Type any value.")
     curve = param.Selector(default="size", objects=["size", "signed", "log"], label="Response shown as")
-    units = param.Selector(default="si", objects=["si", "lecture"], label="Units of the response")
+    axes = param.Selector(default="si", objects=["si", "lecture"], label="Units of the response")
 
     @classmethod
     @cache
@@ -74,7 +74,7 @@ class Forced(Scene):
         options = row(
             words("**Steady swing**", phone=9),
             choice("curve", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as", basis=0, phone=9),
-            choice("units", {"si": "SI", "lecture": "Slide 8"}, "Units of the response", basis=0, phone=9),
+            choice("axes", {"si": "SI", "lecture": "Slide 8"}, "Units of the response", basis=0, phone=9),
             grow=0, basis=34, gap=10,
         )
         return column(
@@ -116,7 +116,7 @@ class Forced(Scene):
         work = energy_columns(driven, motion) if drawable(2 * fastest, t) else {}
         energy = nice_axis(*widest(*((float(c.min()), float(c.max())) for c in work.values())), "J", 2) if work else Axis(0, 1, "J")
         push = nice_axis(0.0, self.F_0 or 1.0, "N")
-        lecture = self.units == "lecture" and self.k1 > 0 and self.F_0 > 0
+        lecture = self.axes == "lecture" and self.k1 > 0 and self.F_0 > 0
         swing = response(system, self.F_0, self.omega, self.curve, lecture)
         drawn = chain.to_scale(extremes, (self.m1, self.m2), (self.k1, self.k2), size)
         self.param.omega.softbounds = (0.0, 2.5 * float(fast) if fast else 5.0)
@@ -128,7 +128,7 @@ class Forced(Scene):
             values={**_values(driven, work), **swing.values, **drawn.values, "F_unit": push.full_unit},
             live={**{name: size.digits(signed=True) for name in ("x1", "x2")}, "force_now": push.digits(signed=True)},
             forms=_forms(driven, bool(work)),
-            notes=(*drawn.notes, *_notes(driven, self.units, lecture, bool(work))),
+            notes=(*drawn.notes, *_notes(driven, self.axes, lecture, bool(work))),
         )
 
 
