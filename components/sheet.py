@@ -89,3 +89,8 @@ def term(curve: str = "", key: str = "line", tint: str = "ink", **forms: str) ->
     `key` is sum, line, dash, band or none. Forms are LaTeX by variant; a single form is called `formula`.
     """
     return {"curve": curve, "key": key, "tint": tint, "forms": {k: mathml(v) if v else "" for k, v in forms.items()}}
+
+
+def phrase(curve: str = "", key: str = "line", tint: str = "ink", **forms: str) -> dict[str, Any]:
+    """The same with words, as for `rich`, in place of formulas."""
+    return {"curve": curve, "key": key, "tint": tint, "forms": {k: rich(v) if v else "" for k, v in forms.items()}}

@@ -162,6 +162,7 @@ def test_damper_without_a_spring(k1):
 
 def test_tuned_absorber_holds_the_machine():
     assert tuned_stiffness(16.0, 48.0) == 36864.0
+    assert tuned_stiffness(16.7, 48.0) == 38476.8
     assert antiresonance(TUNED) == 48.0
     assert np.array_equal(damped_solution(TUNED, 0.0, F_0, 48.0), [0.0, -F_0 / 36864.0])
 
