@@ -14,7 +14,7 @@ floats: for two masses NumPy's cost of a call would be most of the time.
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from math import inf, pi, sin
+from math import inf, pi, sin, ulp
 from typing import Protocol
 
 import numpy as np
@@ -117,16 +117,19 @@ def acceleration(problem: Problem, watch: Watch) -> Acceleration:
     return evaluate
 
 
-def run_fixed(method: str, problem: Problem, steps: int, watch: Watch) -> Trajectory:
-    """`steps` equal steps of a method of FIXED_STEP from one output time to the next."""
-    if steps < 1:
-        raise ValueError(f"steps = {steps!r}: 1 or more from one output time to the next")
+def run_fixed(method: str, problem: Problem, steps: float, watch: Watch) -> Trajectory:
+    """A whole number of equal steps of a method of FIXED_STEP from one output time to the next."""
+    if not (steps >= 1 and steps == int(steps)):
+        raise ValueError(f"steps = {steps!r}: a whole number from one output time to the next")
+    h, end = problem.spacing / steps, float(problem.t[-1])
+    if h < ulp(end):
+        raise StoppedError(f"step below spacing: h = {h:.3g} s, doubles at {end:.3g} s lie wider", 0.0)
     stepping = _midpoint if method == "midpoint" else _composition
     states = np.empty((problem.t.size, 4))
     states[0] = problem.start
-    for n, state in enumerate(stepping(method, problem, steps, watch), start=1):
+    for n, state in enumerate(stepping(method, problem, int(steps), watch), start=1):
         if not (abs(state[0]) <= watch.bound and abs(state[1]) <= watch.bound):
-            reach = problem.spacing / steps * problem.chain.modes().omega[1]
+            reach = h * problem.chain.modes().omega[1]
             raise StoppedError(f"unstable step: h omega_+ = {reach:.3g}", float(problem.t[n]))
         states[n] = state
     return trajectory(states[:, :2].T, states[:, 2:].T)

@@ -139,7 +139,7 @@ def invariant(excess: float) -> float:
 
 
 def period_excess(excess: float) -> float:
-    """T/T_0 - 1 of the motion of this speed excess; T_0 is the linear period."""
+    """T/T_0 - 1 of the motion of this speed excess, to 1e-15; T_0 is the linear period."""
     return 2 * _half_period(_bottom_excess(excess)).duration / LINEAR_PERIOD - 1
 
 

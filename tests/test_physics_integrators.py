@@ -141,6 +141,12 @@ def test_fixed_steps_always_offer_a_stable_one():
     assert METHODS["midpoint"].settings(stiff)[-1] == 256
 
 
+def test_a_step_that_doubles_cannot_tell_apart_is_refused():
+    stiff = replace(FREE, chain=TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1e40))
+    with pytest.raises(StoppedError, match="step below spacing"):
+        METHODS["verlet"].run(stiff, METHODS["verlet"].settings(stiff)[-1], Watch())
+
+
 def test_the_slides_have_no_particular_solution_at_resonance():
     at_it = replace(DRIVEN, chain=TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0), omega=1.0)
     with pytest.raises(StoppedError, match=r"D\(omega\) = 0"):
@@ -165,5 +171,6 @@ def test_steps_are_counted_and_checked():
     watch = Watch()
     run_fixed("yoshida4", FREE, 2, watch)
     assert (watch.steps, watch.evaluations) == (120, 361)
-    with pytest.raises(ValueError, match="steps = 0"):
-        run_fixed("verlet", FREE, 0, Watch())
+    for steps in (0, 1.5, -3):
+        with pytest.raises(ValueError, match=f"steps = {steps}"):
+            run_fixed("verlet", FREE, steps, Watch())
