@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import param
 
 from components.choices import chosen, options, word
+from components.equations import rich
 from components.numbers import MINUS, exact, excerpt, parse_number, tidy
 from components.parameters import Quantity
 from components.stage import Shape
@@ -27,7 +28,8 @@ class Group:
 
     `actions` are buttons, (name, label): the scene's `action(name)` says what they set. A `folded` group opens when
     asked for, or when one of its values is not the default. `show` is the form by which a group stands. `pictures`
-    makes a choice one of pictures: the shapes of a stage for each value.
+    makes a choice one of pictures: the shapes of a stage for each value. `facts` are rows of cells, texts for `rich`,
+    under the controls.
     """
 
     title: str
@@ -37,6 +39,7 @@ class Group:
     folded: bool = False
     show: str = ""
     pictures: Mapping[str, list[Shape]] = field(default_factory=dict)
+    facts: tuple[tuple[str, ...], ...] = ()
 
 
 def controls_spec(
@@ -47,7 +50,7 @@ def controls_spec(
 ) -> dict[str, Any]:
     """All that the browser needs to build the panel of a scene; `drawings` are the outlines of presets by label."""
     return {
-        "start": "Start from",
+        "start": scene_class.start,
         "presets": list(presets),
         "drawings": dict(drawings or {}),
         "groups": [
@@ -59,6 +62,7 @@ def controls_spec(
                 "folded": group.folded,
                 "show": group.show,
                 "pictures": dict(group.pictures),
+                "facts": [[rich(cell) for cell in cells] for cells in group.facts],
             }
             for group in groups
         ],

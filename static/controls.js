@@ -299,6 +299,12 @@ export function buildChoice(host, spec, send) {
   }
 }
 
+// Rows of cells with live numbers; the last but one of four and the last of two are numbers.
+function factTable(rows) {
+  const cells = row => row.map(html => Object.assign(element("td", {}), {innerHTML: html}))
+  return element("table", {class: "facts-table"}, ...rows.map(row => element("tr", {class: `cells-${row.length}`}, ...cells(row))))
+}
+
 // Buttons that have the server set several parameters at once.
 function actionButtons(actions, send, problems) {
   const buttons = actions.map(({name, label}) => {
@@ -344,6 +350,7 @@ export function buildControls(host, spec, send) {
       }
     }
     if (group.actions.length) section.append(actionButtons(group.actions, send, actionProblems))
+    if (group.facts?.length) section.append(factTable(group.facts))
     if (rows !== section) section.append(rows)
     return section
   })
