@@ -5,8 +5,11 @@ All that changes goes in one message each way, so a slider costs one round trip,
 
 from __future__ import annotations
 
+import csv
+import io
 import json
 from functools import cache
+from itertools import zip_longest
 from typing import Any, ClassVar
 
 import numpy as np
@@ -62,9 +65,25 @@ class SceneView(WidgetBase, JSComponent):
 
     def _handle_msg(self, data: dict[str, Any]) -> None:
         """Apply what the visitor did and answer, whatever it was: the browser waits for the answer."""
+        if data.get("type") == "csv":
+            self._send_msg({"file": f"{self.scene.slug}.csv", "text": as_csv(self.scene)})
+            return
         self._errors = apply_message(self.scene, data)
         self.value = {name: v for name, v in self.scene.param.values().items() if v != self.scene.param[name].default}
         self._send_msg(self.message(answer=data.get("number")))
+
+
+def as_csv(scene: Scene) -> str:
+    """The numbers of all plots, unrounded and in SI units, as columns side by side; the first line is the link."""
+    columns = {
+        f"{source}.{name}": column for source, data in scene.sources.items() for name, column in data.data.items()
+    }
+    text = io.StringIO()
+    writer = csv.writer(text)
+    writer.writerow([f"?{write_query(scene)}"])
+    writer.writerow(columns)
+    writer.writerows(zip_longest(*(column.tolist() for column in columns.values()), fillvalue=""))
+    return text.getvalue()
 
 
 @cache

@@ -7,12 +7,14 @@ digit left, and the energy of a free motion would seem to change. The energies o
 FreeModes.energy.
 """
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
-from physics.coupled import Motion, TwoMassChain
+from physics.coupled import FreeModes, Motion, TwoMassChain
 from physics.exact import Array
+from physics.sampling import Sinusoid, root_mean_square
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,6 +38,27 @@ def chain_energy(chain: TwoMassChain, motion: Motion) -> ChainEnergy:
     return ChainEnergy(
         T=np.array([half_square("T1", chain.m1, v1), half_square("T2", chain.m2, v2)]),
         V=np.array([half_square("V1", chain.k1, e1), half_square("V2", chain.k2, e2)]),
+    )
+
+
+def mean_energy(free: FreeModes, t: Array) -> ChainEnergy:
+    """The energies of a free motion, averaged over the swings that the grid t (n,) is too coarse to draw."""
+    chain = free.chain
+    shapes = [[*row, row[1] - row[0]] for row in free.amplitude]
+    drifts = list(zip(free.drift_a, free.drift_b, strict=True))
+    stretch = (drifts[1][0] - drifts[0][0], drifts[1][1] - drifts[0][1])
+
+    def root(place: int, base: tuple[float, float], rate: bool) -> Array:
+        terms = [
+            Sinusoid(shape[place] * (omega if rate else 1.0), omega, phase + (math.pi / 2 if rate else 0.0))
+            for shape, omega, phase in zip(shapes, free.omega, free.phase, strict=True)
+            if omega
+        ]
+        return root_mean_square(terms, t, base[1] + 0.0 * t if rate else base[0] + base[1] * t)
+
+    return ChainEnergy(
+        T=np.array([half_square(f"T{i + 1}", (chain.m1, chain.m2)[i], root(i, drifts[i], True)) for i in (0, 1)]),
+        V=np.array([half_square("V1", chain.k1, root(0, drifts[0], False)), half_square("V2", chain.k2, root(2, stretch, False))]),
     )
 
 

@@ -76,14 +76,19 @@ def sampled(components: Iterable[Sinusoid], t: Array, base: Array | None = None)
     return Sampled(None, line - size, line + size)
 
 
-def mean_square(components: Iterable[Sinusoid], t: Array, base: Array | None = None) -> Array:
-    """The square of the same sum (n,), averaged over the cycles that t does not resolve.
+def root_mean_square(components: Sequence[Sinusoid], t: Array, base: Array | None = None) -> Array:
+    """The size of the same sum (n,): the root of its square, averaged over the cycles that t does not resolve.
 
     With velocities this gives the mean kinetic energy: products of different fast groups average out, and
-    each has half the square of its amplitude.
+    each has half the square of its amplitude. It is formed in units of the largest term, so that no square overflows.
     """
-    line, groups = _resolved(components, t, base)
-    return line**2 + sum((_amplitude(group, t) ** 2 / 2.0 for group in groups), np.zeros_like(t))
+    sizes = [abs(c.amplitude) for c in components] + ([] if base is None else [float(np.max(np.abs(base), initial=0.0))])
+    unit = max(sizes, default=0.0)
+    if not unit:
+        return np.zeros_like(t)
+    scaled = [c._replace(amplitude=c.amplitude / unit) for c in components]
+    line, groups = _resolved(scaled, t, None if base is None else base / unit)
+    return unit * np.sqrt(line**2 + sum((_amplitude(group, t) ** 2 / 2.0 for group in groups), np.zeros_like(t)))
 
 
 def _resolved(

@@ -20,8 +20,8 @@ from components.sheet import Block, choice, column, row, stage, term, words
 from components.stage import H, Shape, W, arrow, line, var
 from components.traces import samples, trace, traced
 from physics.coupled import FreeModes, TwoMassChain, free_modes, free_motion
-from physics.energy import chain_energy
-from physics.sampling import time_window
+from physics.energy import chain_energy, mean_energy
+from physics.sampling import drawable, time_window
 
 MODES = ("slow", "fast")
 SIGN = {"slow": "minus", "fast": "plus"}
@@ -113,7 +113,7 @@ class Coupled(Scene):
                 **{name: energy.digits() for name in ("T1", "V1", "V2", "T2")},
             },
             forms=_forms(self, free),
-            notes=drawn.notes,
+            notes=(*drawn.notes, *_notes(fast, t)),
         )
 
 
@@ -289,9 +289,25 @@ def _energy_columns(scene: Coupled, system: TwoMassChain, free: FreeModes, t: ND
         slow, fast = free.energy
         flat = {"E_slow": slow, "E_fast": fast, "E_total": slow + fast}
         return {}, {"t": t[[0, -1]], **{name: np.full(2, level) for name, level in flat.items()}}
-    energy = chain_energy(system, free_motion(system, (scene.x1_0, scene.x2_0), (scene.v1_0, scene.v2_0), t))
-    layers = np.cumsum([np.zeros_like(t), energy.T[0], energy.V[0], energy.V[1], energy.T[1]], axis=0)
+    layers = np.cumsum([np.zeros_like(t), *_energies(scene, free, t)], axis=0)
     return {f"e{i}": edge for i, edge in enumerate(layers)}, {}
+
+
+def _energies(scene: Coupled, free: FreeModes, t: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    """T1, V1, V2, T2; where a swing is too fast to draw, its mean."""
+    if drawable(2 * free.omega[1], t):
+        motion = free_motion(free.chain, (scene.x1_0, scene.x2_0), (scene.v1_0, scene.v2_0), t)
+        energy = chain_energy(free.chain, motion)
+        return [energy.T[0], energy.V[0], energy.V[1], energy.T[1]]
+    means = mean_energy(free, t)
+    return [means.T[0], means.V[0], means.V[1], means.T[1]]
+
+
+def _notes(fast: float, t: NDArray[np.float64]) -> list[str]:
+    if drawable(2 * fast, t):
+        return []
+    band = "" if drawable(fast, t) else "The fast motion fills the band that is drawn, too fast for a line. "
+    return [f"{band}Energies are means over a fast swing."]
 
 
 def _mode_lines(free: FreeModes, size: Axis) -> Columns:
