@@ -75,7 +75,8 @@ def shape(kind: str, *, tint: str = "ink", **attributes: Any) -> Shape:
     """A shape; expressions among its attributes become their wire form.
 
     Common attributes: `tint` (colour class), `style` (more classes), `show` (the name of a scalar: drawn while it is
-    not 0), `drag` (the parameter that dragging it sets, with `drag_unit`, the pixels of one unit).
+    not 0), `inside` (the plot whose frame cuts it), `drag` (the parameter that dragging it sets, with `drag_unit`,
+    the pixels of one unit).
     """
     wired = {key: value.wire() if isinstance(value, Expression) else value for key, value in attributes.items()}
     return {"kind": kind, "tint": tint, **{key: value for key, value in wired.items() if value is not None}}

@@ -136,11 +136,13 @@ export class Stage {
     this.svg = svg("svg", {role: "img", "aria-label": block.label, class: "stage"})
     host.append(this.svg)
     this.size = {W: 1, H: 1}
+    this.frames = new Map()
     this.shapes = block.shapes.map(spec => {
       const kind = KINDS[spec.kind], parts = kind.make(spec)
       const group = svg("g", {class: `${spec.tint} ${spec.style ?? ""}`}, ...parts)
       for (const part of parts) if (spec.style) part.classList.add(...spec.style.split(" "))
       this.svg.append(group)
+      if (spec.inside) group.setAttribute("clip-path", `url(#${this.#frame(spec.inside)})`)
       const moving = Object.entries(spec).filter(([, value]) => Array.isArray(value) || typeof value === "number")
       return {spec, kind, parts, group, moving}
     })
@@ -155,6 +157,21 @@ export class Stage {
   measure(plots) {
     const origin = this.svg.getBoundingClientRect()
     this.plots = Object.assign({}, ...plots.map(plot => plot.geometry(origin)))
+    for (const [plot, {rect}] of this.frames) {
+      const [left, right, top, bottom] = ["left", "right", "top", "bottom"].map(side => this.plots[`${plot}.${side}`])
+      const box = {x: left - 6, y: top - 6, width: Math.max(right - left, 0) + 12, height: Math.max(bottom - top, 0) + 12}
+      for (const [key, value] of Object.entries(box)) rect.setAttribute(key, value)
+    }
+  }
+
+  // The clip that keeps a shape inside the frame of a plot, made when first asked for.
+  #frame(plot) {
+    if (!this.frames.has(plot)) {
+      const rect = svg("rect"), clip = svg("clipPath", {id: `frame-of-${plot}`}, rect)
+      this.svg.prepend(clip)
+      this.frames.set(plot, {rect, id: clip.id})
+    }
+    return this.frames.get(plot).id
   }
 
   frame(named) {
