@@ -44,6 +44,7 @@ def serving(
     log: Path,
     *,
     port: int | None = None,
+    app: Sequence[str] = FLAGS,
     command: Sequence[str] | None = None,
     folder: Path = ROOT,
     environment: Mapping[str, str] | None = None,
@@ -54,7 +55,7 @@ def serving(
     told = ("--log-format", "%(levelname)s %(message)s")
     with log.open("wb") as stream:
         process = subprocess.Popen(
-            command or (sys.executable, "-m", "panel", "serve", *FLAGS, *at, *told),
+            command or (sys.executable, "-m", "panel", "serve", *app, *at, *told),
             cwd=folder,
             env={**os.environ, **(environment or {})},
             stdout=stream,

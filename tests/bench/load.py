@@ -63,7 +63,9 @@ class Row:
         return f"| {self.name} | {show(median(self.figures))} | {spread} | {self.aim} |"
 
 
-async def measure_sessions(server: Server, query: str, batches: int, size: int) -> list[Row]:
+async def measure_sessions(
+    server: Server, query: str, batches: int, size: int, aims: bool = True
+) -> list[Row]:
     """CPU and memory for each session opened, in batches that stay open."""
     process = psutil.Process(server.process.pid)
     visitors = [await Visitor.arrive(server.url, query) for _ in range(size)]  # warms up
@@ -77,9 +79,10 @@ async def measure_sessions(server: Server, query: str, batches: int, size: int) 
         memory.append((process.memory_info().rss - held) / size / 1e6)
     for visitor in visitors:
         visitor.leave()
+    page = "a session" if aims else "an empty page of Panel's"
     return [
-        Row("open a session: server CPU", cpu, "{:.0f} ms", "40 ms"),
-        Row("open a session: server memory", memory, "{:.2f} MB", "0.25 MB"),
+        Row(f"open {page}: server CPU", cpu, "{:.0f} ms", "40 ms" if aims else ""),
+        Row(f"open {page}: server memory", memory, "{:.2f} MB", "0.25 MB" if aims else ""),
     ]
 
 
@@ -219,11 +222,13 @@ def main() -> None:
         signal.signal(signal.SIGALRM, stop)
         signal.alarm(options.limit)
     REPORT.parent.mkdir(parents=True, exist_ok=True)
+    with serving(REPORT.parent / "empty.log", app=("tests/bench/empty_page.py",)) as server:
+        floor = asyncio.run(measure_sessions(server, "", options.batches, options.sessions, aims=False))
     with serving(REPORT.parent / "server.log") as server:
         rows = asyncio.run(measure_sessions(server, options.query, options.batches, options.sessions))
         rows += asyncio.run(measure_changes(server, options.query, options.batches, options.changes))
         rows += measure_browser(f"{server.url}?{options.query}", options)
-    report(rows, options.query)
+    report([*rows, *floor], options.query)
 
 
 def stop(*_: object) -> None:

@@ -55,7 +55,10 @@ class Visitor:
         if token is None:
             raise RuntimeError(f"{url} is not a page of Bokeh's")
         address = f"{url.replace('http', 'ws', 1)}ws?{query}"
-        visitor = cls(await websocket_connect(address, subprotocols=["bokeh", token[1]]))
+        socket = await websocket_connect(address, subprotocols=["bokeh", token[1]])
+        if socket.protocol:
+            socket.protocol.set_nodelay(True)  # as browsers do
+        visitor = cls(socket)
         welcome = visitor._expect("ACK")
         visitor._reader = asyncio.create_task(visitor._read())
         await asyncio.wait_for(welcome, PATIENCE)
@@ -78,8 +81,7 @@ class Visitor:
     async def _start(self) -> None:
         document = (await self._send("PULL-DOC-REQ"))["doc"]
         models = {model["name"]: model["id"] for model in _models(document["roots"])}
-        views = [model["id"] for model in _models(document["roots"]) if "esm" in model.get("attributes", {})]
-        self._view = views[0]
+        self._view = models.get("panel.models.esm.ReactiveESM", "")
         if info := models.get("panel.models.browser.BrowserInfo"):
             for name, value in ABOUT.items():
                 await self._patch({"kind": "ModelChanged", "model": {"id": info}, "attr": name, "new": value})
