@@ -26,6 +26,7 @@ from tests.chromium import find
 from tests.serving import ROOT, Server, serving
 
 REPORT = ROOT / "build" / "load" / "load.md"
+EMPTY = ("tests/bench/empty_page.py", "--index", "empty_page")
 PARAMETER = "k2"
 READY = "document.documentElement.dataset.ready === 'true'"
 IDLE = 0.3  # seconds for what the server does after it has answered
@@ -222,7 +223,7 @@ def main() -> None:
         signal.signal(signal.SIGALRM, stop)
         signal.alarm(options.limit)
     REPORT.parent.mkdir(parents=True, exist_ok=True)
-    with serving(REPORT.parent / "empty.log", app=("tests/bench/empty_page.py",)) as server:
+    with serving(REPORT.parent / "empty.log", app=EMPTY) as server:
         floor = asyncio.run(measure_sessions(server, "", options.batches, options.sessions, aims=False))
     with serving(REPORT.parent / "server.log") as server:
         rows = asyncio.run(measure_sessions(server, options.query, options.batches, options.sessions))
