@@ -6,12 +6,13 @@ Formulas are functions of 80-digit decimals and rounded once.
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
+from math import sin
 from types import SimpleNamespace
 from typing import Any, Literal
 
 from physics.exact import exact, precise, rounded
 from physics.pendulum import Pendulum
-from physics.valid import check_positive
+from physics.valid import check_finite, check_positive
 
 Formula = Callable[[Any], Decimal]
 
@@ -83,6 +84,20 @@ class Analogue:
         with precise():
             ratio = self.stiffness_of(values) / self.inertia_of(values)
             return rounded(f"{self.name}: omega_n", ratio.sqrt())
+
+    def energy(self, p: Mapping[str, float], q_0: float) -> float:
+        """T + V in J of the linear system released at rest from q_0: stiffness q_0^2/2."""
+        check_finite(f"a start in {self.unit}", q_0=q_0)
+        with precise():
+            return rounded("the energy", self.stiffness_of(self._values(p)) * exact(q_0) ** 2 / 2)
+
+    def exact_energy(self, p: Mapping[str, float], q_0: float) -> float:
+        """The same of a pendulum at any angle, stiffness (1 - cos q_0); of a linear system no other."""
+        if self.length_of is None or not q_0:
+            return self.energy(p, q_0)
+        with precise():
+            share = exact(sin(q_0 / 2)) / exact(q_0 / 2)
+            return rounded("the energy", exact(self.energy(p, q_0)) * share**2)
 
     def pendulum(self, p: Mapping[str, float]) -> Pendulum | None:
         """The simple pendulum that moves alike at every amplitude; None where the system is linear."""

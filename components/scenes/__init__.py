@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from components.scene import Scene
+from components.scenes.analogues import Analogues
 from components.scenes.coupled import Coupled
 from components.scenes.forced import Forced
 
-SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (Coupled, Forced)}
+SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (Analogues, Coupled, Forced)}

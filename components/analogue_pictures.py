@@ -1,0 +1,251 @@
+"""The nine systems as pictures, each drawn once: small in the picker, large on the stage.
+
+Blue is what has inertia, grey is what pulls back; wires, rods and walls are ink. Coordinates are those of an area of
+84 by 54 units.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from components.stage import (
+    H, Expression, Number, Shape, W, arrow, circle, layers, line, path, shape, spring, text, var, wall, wave,
+)
+
+WIDTH, HEIGHT = 84, 54
+TWIST = 0.9
+"""The twist of the rotor as drawn, in rad: its share of the largest is true, its size is not."""
+
+
+@dataclass(frozen=True)
+class Canvas:
+    """The area in which a picture stands, from its upper left corner; `large` pictures carry names."""
+
+    left: Number
+    top: Number
+    unit: Expression
+    large: bool = False
+
+    def x(self, units: Number) -> Expression:
+        return self.left + self.unit * units
+
+    def y(self, units: Number) -> Expression:
+        return self.top + self.unit * units
+
+    def line(self, x1: Number, y1: Number, x2: Number, y2: Number, style: str, tint: str = "ink") -> Shape:
+        return line(self.x(x1), self.y(y1), self.x(x2), self.y(y2), style=style, tint=tint)
+
+    def arrow(self, x1: Number, y1: Number, x2: Number, y2: Number, tint: str) -> Shape:
+        ends = (self.x(x1), self.y(y1), self.x(x2), self.y(y2))
+        return arrow(*ends, tint=tint, head=self.unit * 4.5, style="thin")
+
+    def path(self, d: str, x: Number = 0, y: Number = 0, turn: Number = 0, **more: str) -> Shape:
+        look = {"style": "scaled"} | more
+        return path(d, self.x(x), self.y(y), turn, sx=self.unit, sy=self.unit, **look)
+
+    def disc(self, x: Number, y: Number, r: float, style: str = "body", tint: str = "m1") -> Shape:
+        return circle(self.x(x), self.y(y), self.unit * r, style=style, tint=tint)
+
+    def wall(self, x: float, y: float, length: float, side: str) -> Shape:
+        style, depth = ("", 10) if self.large else ("bar", 5)
+        return wall(self.x(x), self.y(y), self.unit * length, side=side, depth=depth, style=style)
+
+    def name(self, x: Number, y: Number, words: str, tint: str, anchor: str = "middle", style: str = "t3 halo") -> list[Shape]:
+        if not self.large:
+            return []
+        return [text(self.x(x), self.y(y), words, tint=tint, anchor=anchor, style=style)]
+
+
+@dataclass(frozen=True)
+class Swing:
+    """What moves a picture.
+
+    `size` is the amplitude as a share of the largest drawn, `q` the displacement so and `behind` the same a quarter
+    period later; `angle` is that of what rocks, with its sine and cosine; `half_waves` counts those of what vibrates
+    and `along` is how far air moves in the pipe; `phase` is omega t.
+    """
+
+    size: Number
+    q: Expression
+    behind: Expression
+    angle: Expression
+    sine: Expression
+    cosine: Expression
+    half_waves: Number
+    along: Number
+    phase: Expression
+
+
+def small_angle(angle: Expression) -> tuple[Expression, Expression]:
+    """Sine and cosine as polynomials, within 0.001 up to 0.9 rad."""
+    square = angle * angle
+    return angle - angle * square / 6 + angle * square * square / 120, 1 - square / 2 + square * square / 24
+
+
+def _spring(c: Canvas, s: Swing) -> list[Shape]:
+    x = 46 + 11 * s.q
+    return [
+        c.wall(10, 14, 28, "left"),
+        c.line(10, 42, 80, 42, "floor"),
+        c.line(46, 12, 46, 46, "eq", "mute"),
+        spring(c.x(10), c.y(31), c.x(x - 10.5), c.y(31), 2.5 if c.large else 1.6, height=c.unit * 5),
+        shape("block", x=c.x(x), y=c.y(42), side=c.unit * 21, label="m", tint="m1"),
+        *c.name(22, 22, "*k*", "k"),
+    ]
+
+
+def _shaft(c: Canvas, s: Swing) -> list[Shape]:
+    sine, cosine = small_angle(TWIST * s.q)
+    rest = (math.cos(0.5), math.sin(0.5))
+    mark = (rest[0] * cosine - rest[1] * sine, rest[1] * cosine + rest[0] * sine)
+    hoops = [c.line(39, y, 45, y - 5 * s.q * (y - 8) / 26, "fine", "k") for y in range(13, 34, 5)]
+    return [
+        c.wall(26, 8, 32, "top"),
+        c.path("M-3 0h6v27h-6z", 42, 8, style="body", tint="k1fill"),
+        *hoops,
+        c.path("M-26 0a26 8 0 0 1 52 0v5a26 8 0 0 1 -52 0z", 42, 38, style="body", tint="m1"),
+        c.path("M-26 0a26 8 0 1 0 52 0a26 8 0 1 0 -52 0z", 42, 38, style="ghost scaled", tint="m1"),
+        c.line(42, 38, 42 + 25 * rest[0], 38 + 7.7 * rest[1], "eq", "mute"),
+        c.line(42, 38, 42 + 25 * mark[0], 38 + 7.7 * mark[1], "sum" if c.large else "", "m1"),
+        *c.name(51, 22, "*k*_t", "k"),
+        *c.name(74, 46, "*J*", "m1"),
+    ]
+
+
+def _pendulum(c: Canvas, s: Swing) -> list[Shape]:
+    x, y = 42 + 29 * s.sine, 5 + 29 * s.cosine
+    return [
+        c.wall(26, 5, 32, "top"),
+        c.line(42, 5, 42, 46, "eq", "mute"),
+        c.line(42, 5, x, y, "rod"),
+        c.arrow(x, y, x, y + 17, "k"),
+        c.disc(x, y, 7.5),
+    ]
+
+
+def _rocking(c: Canvas, s: Swing) -> list[Shape]:
+    top, arm = (24, 12) if c.large else (12, 13)
+    x, y = 42 + arm * s.sine, top + arm * s.cosine
+    return [
+        c.line(42, top - 9, 42, 54, "eq", "mute"),
+        c.path("M-11 -6L11 -6L14 26L-14 26Z", 42, top, turn=-s.angle, style="body", tint="m1"),
+        c.arrow(x, y, x, y + 27, "k"),
+        c.disc(42, top, 2.2 if c.large else 3.2, "dot", "ink"),
+        *([c.disc(x, y, 1.2, "dot", "k")] if c.large else []),
+        *c.name(x + 3, y + 26, "*m g*", "k", "start"),
+    ]
+
+
+def _floating(c: Canvas, s: Swing) -> list[Shape]:
+    top = 17 - 7 * s.q
+    surface = (c.x(4), c.y(30), c.unit * 76, c.unit * 0.7, 5)
+    return [
+        c.path("M-14 0h28v27h-28z", 42, top, style="body", tint="m1"),
+        wave(*surface, depth=c.unit * 22, style="water"),
+        wave(*surface, style="fine", tint="k"),
+        c.path("M-14 0h28v27h-28z", 42, top, style="outline scaled", tint="m1"),
+        c.line(29, top + 13, 55, top + 13, "inner"),
+        *c.name(42, top + 9, "*m*", "m1", style="t3 on"),
+        *c.name(70, 45, "*ρ g A*", "k"),
+    ]
+
+
+def _circuit(c: Canvas, s: Swing) -> list[Shape]:
+    loops = [i / 160 for i in range(161)]
+    coil = "L".join(
+        f"{27 + 28 * a - 3.4 * math.sin(10 * math.pi * a):.2f} {10 + 5.5 * math.cos(10 * math.pi * a) - 0.5:.2f}" for a in loops
+    )
+    field = [c.arrow(x, 30 - 5 * s.q, x, 30 + 5 * s.q, "k") for x in (60, 66, 72)]
+    return [
+        c.path("M27 15H14V48H66V37M55 15H66V23", style="rod scaled"),
+        c.path(f"M{coil}", style="scaled" if c.large else "fine scaled", tint="m1"),
+        c.line(55, 23.5, 77, 23.5, "plate", "k"),
+        c.line(55, 36.5, 77, 36.5, "plate", "k"),
+        *field,
+        c.arrow(40 - 11 * s.behind, 48, 40 + 11 * s.behind, 48, "m1"),
+        *c.name(41, 24, "*L*", "m1"),
+        *c.name(81, 31.5, "*C*", "k"),
+        *c.name(40, 44, "current", "m1"),
+    ]
+
+
+def _string(c: Canvas, s: Swing) -> list[Shape]:
+    place = (c.x(9), c.y(27), c.unit * 66)
+    return [
+        c.line(9, 14, 9, 40, "wall bar"),
+        c.line(75, 14, 75, 40, "wall bar"),
+        wave(*place, c.unit * 17 * s.size, s.half_waves / 2, style="eq", tint="mute"),
+        wave(*place, c.unit * -17 * s.size, s.half_waves / 2, style="eq", tint="mute"),
+        c.line(9, 27, 75, 27, "eq", "mute"),
+        wave(*place, c.unit * 17 * s.q, s.half_waves / 2, style="sum", tint="m1"),
+        *c.name(5, 29, "*T*", "k"),
+        *c.name(79, 29, "*T*", "k"),
+    ]
+
+
+def _wave(c: Canvas, s: Swing) -> list[Shape]:
+    surface = (c.x(4), c.y(17), c.unit * 76, c.unit * 8 * s.size, 1.0, -s.phase - math.pi / 2)
+    return [
+        wave(*surface, depth=c.unit * 35, style="water"),
+        c.line(4, 17, 80, 17, "eq", "mute"),
+        wave(*surface, style="sum", tint="m1"),
+        *(orbit for x in (18, 42, 66) for orbit in _orbits(c, s, x)),
+        c.disc(42, 17 - 8 * s.q, 2.4, "dot", "m1"),
+    ]
+
+
+def _orbits(c: Canvas, s: Swing, x: float) -> list[Shape]:
+    """Where the water moves below x: circles that shrink as exp(-kappa depth)."""
+    ahead, shapes = 2 * math.pi * (x - 42) / 76, []
+    up = math.cos(ahead) * s.q + math.sin(ahead) * s.behind
+    along = math.cos(ahead) * s.behind - math.sin(ahead) * s.q
+    for y in (27, 36, 45):
+        r = 8 * math.exp(-2 * math.pi * (y - 17) / 76)
+        shapes += [circle(c.x(x), c.y(y), c.unit * r * s.size, style="outline", tint="k"), c.disc(x + r * along, y - r * up, 1.1, "body", "m1")]
+    return shapes
+
+
+def _pipe(c: Canvas, s: Swing) -> list[Shape]:
+    return [
+        layers(
+            c.x(10), c.y(17), c.unit * 64, c.unit * 20, 40 if c.large else 14, c.unit * s.q * s.along, s.half_waves / 2,
+            tint="m1", style="fine",
+        ),
+        c.path("M10 15h64v24h-64z", style="rod scaled"),
+        c.line(10, 12, 10, 42, "wall bar"),
+        c.line(74, 12, 74, 42, "wall bar"),
+        *([] if c.large else [c.arrow(42 - 10 * s.q, 47, 42 + 10 * s.q, 47, "m1")]),
+    ]
+
+
+PICTURES: dict[str, Callable[[Canvas, Swing], list[Shape]]] = {
+    "spring": _spring,
+    "shaft": _shaft,
+    "pendulum": _pendulum,
+    "rocking": _rocking,
+    "floating": _floating,
+    "circuit": _circuit,
+    "string": _string,
+    "wave": _wave,
+    "pipe": _pipe,
+}
+
+
+def tiles() -> dict[str, list[Shape]]:
+    """The pictures of the picker, by system: all at the same moment of their swing."""
+    unit = H / HEIGHT
+    canvas = Canvas(W / 2 - unit * (WIDTH / 2), 0, unit)
+    angle = 0.5 * var("cosine")
+    swing = Swing(1, var("cosine"), var("sine"), angle, *small_angle(angle), 1, 5.4, var("phase"))
+    return {slug: draw(canvas, swing) for slug, draw in PICTURES.items()}
+
+
+def large(slug: str, canvas: Canvas) -> list[Shape]:
+    """One picture on the stage, shown while its system is chosen."""
+    swing = Swing(
+        var("size"), var("size") * var("share"), var("size") * var("sine"), var("angle"), var("angle_sine"),
+        var("angle_cosine"), var("half_waves"), var("along"), var("phase"),
+    )
+    return [{**one, "show": slug} for one in PICTURES[slug](canvas, swing)]

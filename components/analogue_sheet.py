@@ -1,0 +1,146 @@
+"""What stands where in the scene of the analogues: stage and motion, the table of roles, and lateness or formula."""
+
+from __future__ import annotations
+
+import math
+
+from components.analogue_controls import SWINGING
+from components.analogue_stage import shapes
+from components.numbers import three
+from components.plots import Curve, plot
+from components.sheet import Block, column, row, stage, table, term, words
+from components.traces import traced
+from physics.analogues import ANALOGUES
+from physics.pendulum import amplitude_at_excess
+
+LIMITS = {"late_01": 0.001, "late_1": 0.01, "late_5": 0.05}
+"""Excesses T/T_0 - 1 that have a flag, by the scalar that places it."""
+
+EXACT_V = {"pendulum": r"m g l (1 - \cos \theta)", "rocking": r"m g d (1 - \cos \theta)"}
+
+_STARTS = {slug: rf"{system.coordinate.replace('_n', '')}_0" for slug, system in ANALOGUES.items()}
+
+
+def analogue_sheet() -> Block:
+    return column(
+        row(
+            stage(*shapes(), label="The chosen system, and the spring and mass of equal frequency, in motion", grow=430, height=190),
+            _motion(),
+            grow=318,
+            gap=0,
+        ),
+        row(column(_roles(), basis=424, grow=0), column(_lateness(), _formula()), grow=255),
+    )
+
+
+def _motion() -> Block:
+    (rule, rule_band), (swing, swing_band) = (
+        traced("x", tint="m1", width="dash", label="spring"),
+        traced("q", tint="m1", width="sum", label="", signal="level"),
+    )
+    exact = {slug: rf"{ANALOGUES[slug].coordinate} \text{{ exact}}" for slug in SWINGING}
+    cosine = {
+        slug: rf"{system.coordinate} = {_STARTS[slug]} \cos(\val{{omega}} t)" for slug, system in ANALOGUES.items() if slug not in SWINGING
+    }
+    rules = {slug: rf"{_STARTS[slug]} \cos(\val{{omega}} t) \text{{ spring}}" for slug in SWINGING}
+    return plot(
+        "motion",
+        x="t",
+        y="q",
+        title="The coordinate of the chosen system and of the spring and mass of equal frequency, against time",
+        curves=(rule, swing),
+        bands=(rule_band, swing_band),
+        heading=(
+            term("q", "sum", "m1", **exact, **cosine),
+            term("x", "dash", "m1", **rules, linear=r"\text{spring, the same}"),
+            term("", "none", "mute", formula=r"\val{speed}"),
+        ),
+        cursor="time",
+        margin=(52, 52),
+        top=34,
+        grow=470,
+        phone=10,
+        height=210,
+    )
+
+
+def _roles() -> Block:
+    """What plays x, m, k, T, V and omega_n, in formulas and numbers that agree or part as one watches."""
+    rows = [
+        _role("m1", "x", "x = ", "x", "m", {slug: f"{s.coordinate} = " for slug, s in ANALOGUES.items()}, "q", "q_unit"),
+        _role("m1", "m", "m = ", "m", "kg", {slug: f"{s.inertia_formula} = " for slug, s in ANALOGUES.items()}, "m", "m_unit"),
+        _role("k", "k", "k = ", "k", "N/m", {slug: f"{s.stiffness_formula} = " for slug, s in ANALOGUES.items()}, "k", "k_unit"),
+        _role("T", "T", r"\tfrac{1}{2} m \dot{x}^2 = ", "T_x", "J", {slug: f"{s.T_formula} = " for slug, s in ANALOGUES.items()}, "T_q", "E_unit"),
+        _role("V", "V", r"\tfrac{1}{2} k x^2 = ", "V_x", "J",
+              {slug: f"{EXACT_V.get(slug, s.V_formula)} = " for slug, s in ANALOGUES.items()}, "V_q", "E_unit"),
+    ]
+    omega = {slug: rf"${s.omega_formula} = \val{{omega}}$ rad/s" for slug, s in ANALOGUES.items()}
+    rows.append([r"gives $\omega_n$", r"$\sqrt{k/m} = \val{omega}$ rad/s", {"form": "system", **omega}])
+    return table(*rows, head=["", "Spring and mass", "{system_name}"], phone=30)
+
+
+def _role(
+    tint: str, symbol: str, formula: str, value: str, unit: str, formulas: dict[str, str], own: str, own_unit: str
+) -> list[str | dict[str, str]]:
+    """A row: its name, the spring's side, and the side of the chosen system; `unit` of the spring gets its power of ten."""
+    powers = {"x": "{x_power}", "T_x": "{E_power}", "V_x": "{E_power}"}.get(value, "")
+    return [
+        f"plays ${symbol}$",
+        f"[{tint}|${formula}\\val{{{value}}}$ {powers}{unit}]",
+        {"form": "system", **{slug: f"[{tint}|${text}\\val{{{own}}}$ {{{own_unit}}}]" for slug, text in formulas.items()}},
+    ]
+
+
+def _lateness() -> Block:
+    """T/T_0 - 1 against the amplitude, which is a handle; flags go where it passes 0.1, 1 and 5 percent."""
+    marks = tuple(
+        {
+            "at": name,
+            "tint": "mute",
+            "style": "dashed",
+            "html": f"<b>{100 * excess:g} %</b><span>{three(math.degrees(amplitude_at_excess(excess)))}°</span>",
+            "label": f"Start from {three(math.degrees(amplitude_at_excess(excess)))}°, where the swing is {100 * excess:g} % late",
+            "set": "theta_0",
+        }
+        for name, excess in LIMITS.items()
+    )
+    return plot(
+        "late",
+        x="angle",
+        y="late",
+        title="How late a large swing is, in percent of the period of small ones, against the angle at the start",
+        curves=(
+            Curve(name="excess", source="late", x="angle", tint="ink", width="sum"),
+            Curve(name="excess", source="limits", x="angle", tint="ink", width="none", marker="disc", group="limits"),
+            Curve(name="excess", source="here", x="angle", tint="m1", width="none", marker="disc", group="here"),
+        ),
+        heading=(
+            term("", "none", "ink", formula=r"\text{How late: } \tau / \tau_0 - 1 \text{ of the pendulum},"),
+            term("", "none", "ink", formula=r"\tau = \val{period} \text{ s}, \; \tau_0 = \val{small_period} \text{ s}"),
+        ),
+        source="late",
+        x_column="angle",
+        handles=({"parameter": "theta_0", "symbol": "θ₀", "label": "Angle at the start, °", "tint": "m1"},),
+        marks=marks,
+        margin=(44, 30),
+        top=46,
+        phone=20,
+        height=240,
+        show="swinging",
+    )
+
+
+def _formula() -> Block:
+    """For what is linear at any size: the frequency, large, and what there is to say of the system."""
+    omega = {slug: rf"$\omega_n = {s.omega_formula}$" for slug, s in ANALOGUES.items() if slug not in SWINGING}
+    notes = {slug: s.note for slug, s in ANALOGUES.items() if s.note}
+    block = words(
+        {"form": "system", **omega},
+        r"$= \val{omega}$ rad/s",
+        "{frequency} Hz: one swing takes {period} s.",
+        {"form": "note", **notes},
+        "Linear at any size: the spring's dashed line stays under the curve, however large the start.",
+        style="formula",
+        phone=20,
+    )
+    return {**block, "show": "linear"}

@@ -1,0 +1,121 @@
+"""The stage of the analogues: the chosen system, the spring and mass of equal omega, and what joins them to the plot."""
+
+from __future__ import annotations
+
+from components.analogue_pictures import HEIGHT, PICTURES, Canvas, large
+from components.stage import (
+    H, Number, Shape, W, arc, arrow, circle, line, on_x, on_y, shape, spring, text, var, wall,
+)
+
+PLOT = "motion"
+WIDE, NARROW = var("wide"), var("narrow")
+TWIN = W - 46
+"""Where the spring and mass stands."""
+SIDE = 0.112 * H
+CENTRE = 0.5 * (W - 92)
+"""The middle of what is left to the chosen system."""
+
+COORDINATES = {
+    "spring": "*x*",
+    "shaft": "*θ*",
+    "pendulum": "*θ*",
+    "rocking": "*θ*",
+    "floating": "*z*",
+    "circuit": "*q*",
+    "string": "*q_n*",
+    "wave": "*η*",
+    "pipe": "*q_n*",
+}
+
+
+def shapes() -> list[Shape]:
+    """All of the stage: the nine systems, of which one is shown, and the spring."""
+    unit = W / 112
+    canvas = Canvas(CENTRE - unit * 42, 0.55 * H - unit * (HEIGHT / 2), unit, large=True)
+    found = [one for slug in PICTURES if slug != "pendulum" for one in large(slug, canvas)]
+    return [*found, *pendulum(), *coordinates(), *twin(), *bracket(), *lateness()]
+
+
+def coordinates() -> list[Shape]:
+    """The coordinate as a number, where nothing moves."""
+    look = {"tint": "m1", "style": "t2 b halo"}
+    return [
+        text(CENTRE, 14, f"{symbol.replace('_n*', '*_n')} = {{level}} {{level_unit}}", show=slug, **look)
+        for slug, symbol in COORDINATES.items()
+    ]
+
+
+def pendulum() -> list[Shape]:
+    """Pivot, arc of travel, the bob, and in outline where the small-angle rule would have it."""
+    x, y, rod, radius = CENTRE, var("pivot") * H, var("rod") * H, 0.066 * H
+    bob = (x + rod * var("angle_sine"), y + rod * var("angle_cosine"))
+    rule = (x + rod * var("rule_sine"), y + rod * var("rule_cosine"))
+    end, near = var("theta_0"), rod - 7
+    found = [wall(x - 42, y, 84, side="top"), line(x, y, x, y + rod + 34, style="eq", tint="mute")]
+    found.append(arc(x, y, rod, -1 * end, end, style="eq", tint="mute"))
+    for side in (-1, 1):
+        along, down = side * var("end_sine"), var("end_cosine")
+        found.append(line(x + along * near, y + down * near, x + along * (rod + 7), y + down * (rod + 7), style="floor"))
+        found.append(text(x + along * (rod + 24), y + down * (rod + 24) + 5, "{end_right}" if side > 0 else "{end_left}", tint="mute"))
+    found += [
+        line(x, y, *rule, style="faint"),
+        circle(*rule, radius, style="ghost", tint="m1"),
+        text(rule[0], rule[1] + 5, "spring", tint="m1", style="desk t0"),
+        line(x, y, *bob, style="rod"),
+        arc(x, y, 0.42 * rod, 0, var("angle"), style="sum", tint="m1"),
+        arrow(*bob, bob[0], bob[1] + 0.17 * H, tint="k", style="thick", head=17),
+        circle(*bob, radius, style="body", tint="m1"),
+        text(bob[0], bob[1] + 5, "*m*", tint="m1", style="t3 on"),
+        text(bob[0] + 12, bob[1] + 0.16 * H, "*m g*", anchor="start", tint="k", style="t2 b halo"),
+        circle(x, y, 5, style="dot", tint="ink"),
+    ]
+    return [{**one, "show": "pendulum"} for one in found]
+
+
+def height(signal: str, share: Number) -> Number:
+    """Where the spring's mass is: on the plot's axis beside it; on a phone, where there is none, to its own scale."""
+    return WIDE * on_y(PLOT, var(signal)) + NARROW * (0.45 * H - 0.24 * H * share)
+
+
+def twin() -> list[Shape]:
+    """The spring and mass of equal omega: it stands at the plot's axis and runs along it."""
+    level = WIDE * on_y(PLOT, 0) + NARROW * 0.45 * H
+    foot = WIDE * (var(f"{PLOT}.bottom") + 30) + NARROW * (H - 10)
+    y = height("rule", var("cosine") * var("drawn_sign"))
+    return [
+        wall(TWIN - 36, foot, 72, side="bottom"),
+        line(TWIN - 36, level, WIDE * var(f"{PLOT}.left") + NARROW * W, level, style="eq", tint="mute"),
+        spring(TWIN, y + SIDE / 2, TWIN, foot, 2.4, height=0.036 * H),
+        line(TWIN + SIDE / 2, y, on_x(PLOT, var("t")), y, style="level desk", tint="m1"),
+        shape("block", x=TWIN, y=y + SIDE / 2, side=SIDE, label="m", tint="m1"),
+        circle(on_x(PLOT, var("t")), on_y(PLOT, var("rule")), 5, style="ghost", tint="m1", show="rule_seen"),
+    ]
+
+
+def bracket() -> list[Shape]:
+    """Over the third peak: how late the swing is. Over the first period of what is linear: how long it takes."""
+    y = on_y(PLOT, var("amplitude")) - 9
+    found = []
+    for show, start, end, words in (
+        ("late_seen", "third_rule", "third_swing", "3 swings, {late} s late"),
+        ("period_seen", "first_peak", "second_peak", "one swing {period} s"),
+    ):
+        a, b = on_x(PLOT, var(start)), on_x(PLOT, var(end))
+        ticks = [line(at, y - 5, at, y + 9, style="floor") for at in (a, b)]
+        heads = [arrow(a, y, b, y, head=8, style="thin")]
+        if show == "period_seen":
+            heads.append(arrow(b, y, a, y, head=8, style="thin"))
+        label = text((a + b) / 2, y - 8, words, style="b halo")
+        found += [{**one, "show": show} for one in (*ticks, *heads, label)]
+    return found
+
+
+def lateness() -> list[Shape]:
+    """On the plot of T/T_0 - 1: the dotted line to the axis and the number at the point."""
+    x, y = on_x("late", var("size_angle")), on_y("late", var("late_now"))
+    found = [
+        line(on_x("late", 0), y, x, y, style="level"),
+        line(x, y, x, on_y("late", 0), style="", tint="m1"),
+        text(x - 10, y - 8, "+{late_percent} %", anchor="end", style="t2 b halo"),
+    ]
+    return [{**one, "show": "late_point"} for one in found]
