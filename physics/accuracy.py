@@ -12,7 +12,7 @@ does not certify phase: implicit midpoint keeps every digit of the energy while 
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
-from math import frexp, ldexp, pi
+from math import frexp, inf, ldexp, pi
 from statistics import median
 from time import perf_counter
 from types import MappingProxyType
@@ -29,6 +29,7 @@ from physics.solvers import METHODS
 PERIODS = 50
 OUTPUTS_A_PERIOD = 20
 EXPLODED = 1e3  # times the largest true displacement: a step that gets there is unstable
+SMALLEST_ENERGY = 1e-290  # J: below, doubles run out of digits
 TIME_LIMIT = "time limit"
 GLANCE = 256  # evaluations between two looks at the clock
 
@@ -114,108 +115,105 @@ def measure(
     limits: Limits | None = None,
     cancelled: Cancelled = lambda method: False,
 ) -> Iterator[Run]:
-    """Runs as they come. cancelled(method) is asked before and within each run: True gives that method up."""
+    """Runs as they come. cancelled(method) is asked before and within each run: True gives that method up.
+
+    ValueError where there is nothing to compare with: a chain at rest, an energy no double holds.
+    """
     import scipy.integrate  # here, so that no run pays for it
     import scipy.linalg  # noqa: F401
 
-    limits = limits or Limits()
     problem = system.problem()
     truth = reference(problem)
-    problem = replace(problem, size=truth.size)
+    if not (truth.size > 0 and SMALLEST_ENERGY < truth.largest_energy < inf):
+        raise ValueError(
+            f"largest displacement {truth.size:g} m, energy {truth.largest_energy:g} J: no scale"
+        )
+    bench = _Bench(system, replace(problem, size=truth.size), truth, limits or Limits(), cancelled)
     out_of_time: set[str] = set()
     for case in plan(system) if cases is None else cases:
         if cancelled(case.method):
             continue
         if case.method in out_of_time:
-            yield _run(system, case, failure="not started: time limit at a coarser setting", reached=0.0)
+            yield bench.row(case, failure="not started: time limit at a coarser setting", reached=0.0)
             continue
-        run = _measured(system, problem, truth, case, limits, cancelled)
+        run = bench.measured(case)
         if run.failure and run.failure.startswith(TIME_LIMIT):
             out_of_time.add(case.method)
         yield run
 
 
-def _measured(
-    system: System, problem: Problem, truth: Reference, case: Case, limits: Limits, cancelled: Cancelled
-) -> Run:
-    times: list[float] = []
-    while not times or (len(times) < limits.repeats and sum(times) < limits.budget):
-        watch = Watch(bound=EXPLODED * truth.size)
-        fresh = replace(problem, chain=replace(problem.chain))  # nothing remembered from the run before
+@dataclass(frozen=True)
+class _Bench:
+    """What all runs on one system share."""
+
+    system: System
+    problem: Problem
+    truth: Reference
+    limits: Limits
+    cancelled: Cancelled
+
+    def measured(self, case: Case) -> Run:
+        """A timed and judged run, or the row that says why there is none."""
+        times: list[float] = []
+        while not times or (len(times) < self.limits.repeats and sum(times) < self.limits.budget):
+            watch = Watch(bound=EXPLODED * self.truth.size)
+            try:
+                with np.errstate(all="raise", under="ignore"):
+                    time, result = self._timed(case, watch)
+                    run = self._judged(case, watch, result)
+            except StoppedError as stop:
+                reached = stop.reached / float(self.problem.t[-1])
+                return self.row(case, watch, failure=str(stop), reached=reached)
+            except (ArithmeticError, ValueError, np.linalg.LinAlgError) as fault:
+                return self.row(case, watch, failure=f"cannot be computed: {fault}", reached=0.0)
+            times.append(time)
+        return replace(run, time=median(times), time_low=min(times), time_high=max(times))
+
+    def row(self, case: Case, watch: Watch | None = None, **outcome: Any) -> Run:
+        """The bare row of a case."""
+        method, watch = METHODS[case.method], watch or Watch()
+        return Run(
+            system=self.system.slug,
+            method=case.method,
+            name=method.name,
+            family=method.family,
+            setting=case.setting,
+            evaluations=watch.evaluations,
+            steps=watch.steps,
+            **outcome,
+        )
+
+    def _timed(self, case: Case, watch: Watch) -> tuple[float, Trajectory]:
+        fresh = replace(self.problem, chain=replace(self.problem.chain))  # nothing kept from the run before
         start = perf_counter()
-        watch.check = _clock(case.method, watch, start, limits, cancelled)
-        try:
-            with np.errstate(all="raise", under="ignore"):
-                result = METHODS[case.method].run(fresh, case.setting, watch)
-        except StoppedError as stop:
-            reached = stop.reached / float(problem.t[-1])
-            return _run(system, case, watch=watch, failure=str(stop), reached=reached)
-        except (ArithmeticError, ValueError, np.linalg.LinAlgError) as fault:
-            return _run(system, case, watch=watch, failure=f"cannot be computed: {fault}", reached=0.0)
-        times.append(perf_counter() - start)
-    return _judged(system, problem, truth, case, watch, times, result)
+        watch.check = self._clock(case.method, watch, start + self.limits.seconds)
+        result = METHODS[case.method].run(fresh, case.setting, watch)
+        return perf_counter() - start, result
 
+    def _clock(self, method: str, watch: Watch, deadline: float) -> Callable[[float], None]:
+        def check(t: float) -> None:
+            if watch.evaluations % GLANCE:
+                return
+            if perf_counter() > deadline:
+                raise StoppedError(f"{TIME_LIMIT} {self.limits.seconds:g} s", t)
+            if self.cancelled(method):
+                raise StoppedError("cancelled", t)
 
-def _judged(
-    system: System,
-    problem: Problem,
-    truth: Reference,
-    case: Case,
-    watch: Watch,
-    times: list[float],
-    result: Trajectory,
-) -> Run:
-    if not (np.all(np.isfinite(result.x)) and np.all(np.isfinite(result.v))):
-        return _run(system, case, watch=watch, failure="not a number", reached=0.0)
-    error, energy_error = truth.errors(result.x), truth.energy_errors(problem.chain, result)
-    return replace(
-        _run(system, case, watch=watch),
-        time=median(times),
-        time_low=min(times),
-        time_high=max(times),
-        error=float(np.max(error)),
-        energy_error=float(np.max(energy_error)),
-        error_growth=_growth(error),
-        energy_growth=_growth(energy_error),
-    )
+        return check
 
-
-def _run(
-    system: System,
-    case: Case,
-    *,
-    watch: Watch | None = None,
-    failure: str | None = None,
-    reached: float = 1.0,
-) -> Run:
-    method, watch = METHODS[case.method], watch or Watch()
-    return Run(
-        system=system.slug,
-        method=case.method,
-        name=method.name,
-        family=method.family,
-        setting=case.setting,
-        failure=failure,
-        reached=reached,
-        evaluations=watch.evaluations,
-        steps=watch.steps,
-    )
-
-
-def _clock(
-    method: str, watch: Watch, start: float, limits: Limits, cancelled: Cancelled
-) -> Callable[[float], None]:
-    deadline = start + limits.seconds
-
-    def check(t: float) -> None:
-        if watch.evaluations % GLANCE:
-            return
-        if perf_counter() > deadline:
-            raise StoppedError(f"{TIME_LIMIT} {limits.seconds:g} s", t)
-        if cancelled(method):
-            raise StoppedError("cancelled", t)
-
-    return check
+    def _judged(self, case: Case, watch: Watch, result: Trajectory) -> Run:
+        error = self.truth.errors(result.x)
+        energy_error = self.truth.energy_errors(self.problem.chain, result)
+        if not np.all(np.isfinite(error + energy_error)):
+            return self.row(case, watch, failure="not a number", reached=0.0)
+        return self.row(
+            case,
+            watch,
+            error=float(np.max(error)),
+            energy_error=float(np.max(energy_error)),
+            error_growth=_growth(error),
+            energy_growth=_growth(energy_error),
+        )
 
 
 def _growth(errors: Array) -> tuple[float, ...]:

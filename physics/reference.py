@@ -36,6 +36,11 @@ class Reference:
         """The largest displacement."""
         return float(np.max(np.abs(self.x)))
 
+    @property
+    def largest_energy(self) -> float:
+        """The largest T + V."""
+        return float(np.max(self.energy))
+
     def errors(self, x: Array) -> Array:
         """|x - true| (n,), the worse of both masses, in units of the largest displacement."""
         difference = np.abs((x - self.x) - self.x_rest)
@@ -45,7 +50,7 @@ class Reference:
         """|T + V - true| (n,) in units of the largest energy."""
         T = chain.m1 * result.v[0] ** 2 + chain.m2 * result.v[1] ** 2
         V = chain.k1 * result.x[0] ** 2 + chain.k2 * result.stretch**2
-        return np.asarray(np.abs((T + V) / 2 - self.energy) / np.max(self.energy))
+        return np.asarray(np.abs((T + V) / 2 - self.energy) / self.largest_energy)
 
 
 class _Mode(NamedTuple):

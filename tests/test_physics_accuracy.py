@@ -178,3 +178,22 @@ def test_two_free_masses_have_nothing_to_measure():
     )
     with pytest.raises(ValueError, match="two free masses"):
         list(measure(free))
+
+
+@pytest.mark.parametrize("x_0", [(0.0, 0.0), (1e300, 1e300), (1e-320, 0.0)])
+def test_a_motion_without_a_scale_is_refused(x_0):
+    still = replace(SYSTEMS["benign"], x_0=x_0, v_0=(0.0, 0.0))
+    with pytest.raises(ValueError, match="no scale"):
+        list(measure(still))
+
+
+@pytest.mark.parametrize("chain", [(1e300, 1, 1, 1), (1, 1e-300, 1, 1), (1, 1, 1e-250, 1), (1, 1, 1, 1e300)])
+def test_extreme_chains_give_rows_and_never_an_exception(chain):
+    m1, m2, k1, k2 = map(float, chain)
+    system = System(slug="link", name="?", chain=TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2), x_0=(1.0, 1.0))
+    cases = plan(system)
+    runs = list(measure(system, cases, Limits(seconds=0.02, repeats=1)))
+    assert [(run.method, run.setting) for run in runs] == list(cases)
+    assert all((run.error is None) != (run.failure is None) for run in runs)
+    assert any(run.failure and run.failure.startswith("step below spacing") for run in runs)
+    json.dumps([run.to_dict() for run in runs], allow_nan=False)
