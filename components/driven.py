@@ -26,7 +26,7 @@ def motion_columns(driven: DrivenModes, motion: Motion) -> tuple[Columns, Column
 
     Where the parts are huge and opposite they are left out: see `limit_columns`.
     """
-    draw = _split if driven.split_is_meaningful else _resonant
+    draw = _split if driven.split_is_meaningful else _whole
     curves: Columns = {}
     bands: Columns = {}
     for i in (0, 1):
@@ -48,12 +48,17 @@ def _split(driven: DrivenModes, i: int, t: Floats, x: Floats) -> tuple[Columns, 
     return {k: v for c, _ in motions for k, v in c.items()}, {k: v for _, b in motions for k, v in b.items()}
 
 
+def resonant(driven: DrivenModes) -> bool:
+    """Whether the drive is so close to a natural frequency that the motion is not shown as two parts."""
+    return driven.omega > 0 and not driven.split_is_meaningful
+
+
 def limit_columns(driven: DrivenModes, t: Floats) -> Columns:
     """Near resonance the envelope of the beat and its limit, the straight line of growth; empty elsewhere.
 
     With 2 d the detuning from the nearest mode it is F_0 c |sin(d t)/d|/(2 omega_n), at d = 0 F_0 c t/(2 omega_n).
     """
-    if driven.split_is_meaningful:
+    if not resonant(driven):
         return {}
     columns: Columns = {"t": t}
     for i in (0, 1):
@@ -68,11 +73,12 @@ def _beat(driven: DrivenModes, i: int, t: Floats) -> tuple[Floats, Floats]:
     return growth * np.abs(np.sinc(driven.detuning[j] / 2 * t / np.pi)), growth
 
 
-def _resonant(driven: DrivenModes, i: int, t: Floats, x: Floats) -> tuple[Columns, Columns]:
+def _whole(driven: DrivenModes, i: int, t: Floats, x: Floats) -> tuple[Columns, Columns]:
     name = f"x{i + 1}"
     if drawable(max(*driven.free.omega, driven.omega), t):
         return {name: x}, {}
-    size = _beat(driven, i, t)[0] + _others(driven, i, int(np.argmin(np.abs(driven.detuning))))
+    beat = _beat(driven, i, t)[0] if resonant(driven) else 0.0
+    size = beat + _others(driven, i, int(np.argmin(np.abs(driven.detuning))))
     drift = driven.free.drift_a[i] + driven.free.drift_b[i] * t
     return {}, {f"{name}_lo": drift - size, f"{name}_hi": drift + size}
 

@@ -10,7 +10,7 @@ import param
 
 from components import chain
 from components.controls import Group
-from components.driven import energy_columns, limit_columns, motion_columns, motion_signals
+from components.driven import energy_columns, limit_columns, motion_columns, motion_signals, resonant
 from components.motion import pace
 from components.numbers import short, signed, three
 from components.parameters import angular_frequency, displacement, force, mass, stiffness, velocity
@@ -151,15 +151,17 @@ def _formulas() -> list[str | dict[str, str]]:
         {
             "form": "steady",
             "finite": r"$\tint{m1}{X_{\mathrm{p}1} = \dfrac{(k_2 - m_2 \omega^2) F_0}{D} = \val{Xp1}}$ [m1|m]",
-            "resonance": "**Drive at a natural frequency:** no steady swing exists. From rest the motion grows like *t*.",
+            "none": "**No drive:** at $\\omega = 0$ the force is 0 at all times.",
+            "resonance": "**Drive at a natural frequency:** no steady swing exists. From rest the motion grows like $t$.",
         },
         {
             "form": "steady",
             "finite": r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = \val{Xp2}}$ [m2|m]",
             "resonance": r"$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = 0$",
+            "none": "",
         },
         r"$\tint{F}{F = F_0 \sin \omega t =}$ [F|{force_now} {F_unit}]",
-        {"form": "steady", "finite": r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = \val{D}$]", "resonance": ""},
+        {"form": "steady", "finite": r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = \val{D}$]", "resonance": "", "none": ""},
     ]
 
 
@@ -241,16 +243,17 @@ def _values(driven: DrivenModes, columns: Columns) -> dict[str, str]:
 def _forms(driven: DrivenModes, energies: bool) -> dict[str, str]:
     """Close to a natural frequency the two parts are huge and opposite: there the envelope stands in their place."""
     split = driven.split_is_meaningful
-    forms = {"steady": "finite" if np.all(np.isfinite(driven.particular)) else "resonance"}
+    steady = "finite" if np.all(np.isfinite(driven.particular)) else "resonance" if driven.omega else "none"
+    forms = {"steady": steady}
     for i in (1, 2):
         forms |= dict.fromkeys((f"x{i}_p", f"x{i}_c"), "formula" if split else "")
-        forms[f"x{i}_limit"] = "" if split else "formula"
+        forms[f"x{i}_limit"] = "formula" if resonant(driven) else ""
     return forms | {"gap": "formula" if energies else ""}
 
 
 def _notes(driven: DrivenModes, units: str, lecture: bool, energies: bool) -> list[str]:
     notes = []
-    if not driven.split_is_meaningful:
+    if resonant(driven):
         notes.append("Complementary and particular part are huge and opposite here, so they are not drawn.")
     if units == "lecture" and not lecture:
         notes.append("The lecture's units F₀/k₁ and √(k₁/m₁) need k₁ and F₀ above 0: shown in SI.")

@@ -1,0 +1,75 @@
+"""What holds of every scene's picture, whatever its parameters."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from components.parameters import Quantity
+from components.scene import Scene
+from components.view import SceneView
+
+LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|nan|inf\b|e[-+]?\d", re.IGNORECASE)
+EXTREMES = (1e-300, 1e-150, 1e150, 1e300)
+
+
+def quantities(scene: type[Scene]) -> dict[str, Quantity]:
+    return {name: p for name in scene.param if isinstance(p := scene.param[name], Quantity) and p.default is not None}
+
+
+def corners(scene: type[Scene], most: int = 64) -> Iterator[dict[str, float]]:
+    """The corners of all sliders; where they are many, an even choice of them."""
+    names = list(quantities(scene))
+    whole = list(itertools.islice(itertools.product((0, 1), repeat=len(names)), 2 ** min(len(names), 16)))
+    for pick in whole[:: max(1, len(whole) // most)]:
+        yield {name: _inside(scene.param[name], end) for name, end in zip(names, pick, strict=True)}
+
+
+def _inside(quantity: Quantity, end: int) -> float:
+    low, high = quantity.softbounds
+    return float((low, high)[end])
+
+
+def typed(scene: type[Scene]) -> Iterator[dict[str, float]]:
+    """Every quantity alone at values far beyond its slider, at 0 and with the other sign, as far as physics allows."""
+    for name, quantity in quantities(scene).items():
+        for value in (0.0, *EXTREMES, *(-v for v in EXTREMES)):
+            if quantity.refusal(value) is None:
+                yield {name: value}
+
+
+def check_picture(scene: Scene) -> None:
+    """All numbers of the picture, as Python has them and as they are sent, are finite, and its texts can be read."""
+    for source, data in scene.sources.items():
+        for name, column in data.data.items():
+            assert np.all(np.isfinite(column)), f"{source}.{name}"
+    message = SceneView(scene).message()
+    for source, columns in message["columns"].items():
+        for name, column in columns.items():
+            assert np.all(np.isfinite(column)), f"{source}.{name} as sent"
+    for name, axis in message["axes"].items():
+        assert math.isfinite(axis["start"]) and math.isfinite(axis["end"]) and axis["start"] < axis["end"], (name, axis)
+        assert all(map(math.isfinite, axis["ticks"])), (name, axis)
+    assert all(map(math.isfinite, message["scalars"].values())), message["scalars"]
+    check_numbers(message["signals"])
+    for name, text in {**message["values"], **{f"note {i}": n for i, n in enumerate(message["notes"])}}.items():
+        assert not LONG_NUMBER.search(text), f"{name}: {text}"
+    for axis in message["axes"].values():
+        assert not any(LONG_NUMBER.search(label) for label in axis["labels"]), axis
+
+
+def check_numbers(value: Any) -> None:
+    """Every number in nested lists and dicts is finite."""
+    if isinstance(value, dict):
+        for part in value.values():
+            check_numbers(part)
+    elif isinstance(value, (list, tuple)):
+        for part in value:
+            check_numbers(part)
+    elif isinstance(value, float):
+        assert math.isfinite(value), value
