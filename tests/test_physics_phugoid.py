@@ -108,6 +108,22 @@ def test_motion_against_an_independent_solver(excess):
         np.testing.assert_allclose(mine, theirs, atol=2e-11 * size)
 
 
+@pytest.mark.parametrize("excess", [0.3, 1.0])
+def test_motion_within_32_u_of_arbitrary_precision(excess):
+    def rates(_, state):
+        u, w, _ = state
+        V = mp.hypot(u, w)
+        return [-V * w, V * u - 1, u]
+
+    t = [0.7, 2.3, 3.1]
+    motion = flight(1.0, 1.0, excess, t)
+    with mp.workdps(22):
+        true = mp.odefun(rates, 0, [1 + mp.mpf(excess), 0, 0])
+        for n, time in enumerate(t):
+            for mine, exact in zip((motion.u, motion.w, motion.x), true(mp.mpf(time)), strict=True):
+                assert abs(mine[n] - exact) <= 32 * U
+
+
 def test_units_scale_lengths_with_v_0_squared_over_g():
     t = np.linspace(0, 50, 40)
     unit, aircraft = flight(1.0, 1.0, 0.6, t * 9.81 / 46.0), flight(46.0, 9.81, 0.6, t)
