@@ -5,9 +5,8 @@ sin(omega t)/omega and, under a drive, the response g of a mode that starts from
 
     g'' + omega_n^2 g = sin(omega t),   g(0) = g'(0) = 0.
 
-Every curve has bounded entries and a decimal scale, so that nothing overflows on the way. The product is
-formed with the slices of K. Ozaki, T. Ogita, S. Oishi, S. M. Rump, Numer. Algorithms 59 (2012) 95: leading
-parts of 25 bits, whose products and sums are exact, and a remainder, for which float64 is plenty.
+Every curve has bounded entries and a decimal scale, so that nothing overflows on the way. The product is a
+compensated dot product, so that what remains is the rounding of the result.
 """
 
 import math
@@ -18,12 +17,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from physics.exact import Array, Pair, angle, binary, circle, exact, pair_product, precise, two_sum
+from physics.exact import Array, angle, binary, circle, exact, pair_product, precise, two_sum
 
 _SLOW = Decimal(2) ** -10  # rad; below it sin(x)/x takes three terms of its series
 _EARLY = Decimal(2)  # rad; below it the closed form of g cancels and its series takes over
 _TERMS = 15  # of that series: the next one is below 1e-18 of the first
-_SLICER = 1.5 * 2.0**28  # adding and subtracting it rounds to a multiple of 2**-24
 
 
 class Curve(NamedTuple):
@@ -160,18 +158,20 @@ def _merged(chosen: NDArray[np.bool_], a: Curve, b: Curve) -> Curve:
 
 
 def combined(rows: Sequence[Sequence[Decimal]], curves: Sequence[Curve], quantities: Sequence[str]) -> Array:
-    """sum_k rows[i][k] curves[k] as (rows, n), each entry rounded about once.
+    """sum_k rows[i][k] curves[k] as (rows, n), rounded once at the end.
 
     ValueError names the quantity, one of a row, that leaves the range of doubles.
     """
     curves = [_normalised(curve) for curve in curves]
-    hi, lo, exponents = _coefficients(rows, curves)
-    leading, rest = _sliced(hi)
-    leading_curves, rest_curves = _sliced(np.array([curve.hi for curve in curves]))
-    rest_curves += np.array([curve.lo for curve in curves])
-    small = leading @ rest_curves + (rest + lo) @ (leading_curves + rest_curves)
+    coefficients, exponents = _coefficients(rows, curves)
+    total = rest = np.zeros((len(rows), curves[0].hi.size))
+    for (hi, lo), curve in zip(coefficients, curves, strict=True):
+        if np.any(hi):
+            p, e = pair_product((hi, lo), (curve.hi, curve.lo))
+            total, carried = two_sum(total, p)
+            rest = rest + (carried + e)
     with np.errstate(over="ignore"):
-        result = np.ldexp(leading @ leading_curves + small, exponents[:, np.newaxis])
+        result = np.ldexp(total + rest, exponents)
     for quantity, row in zip(quantities, result, strict=True):
         if not np.all(np.isfinite(row)):
             raise ValueError(f"{quantity} leaves the range of doubles")
@@ -188,17 +188,13 @@ def _normalised(curve: Curve) -> Curve:
 
 def _coefficients(
     rows: Sequence[Sequence[Decimal]], curves: Sequence[Curve]
-) -> tuple[Array, Array, NDArray[np.int_]]:
-    """Rows times scales as hi + lo, at most 1, and the power of two taken out of each row."""
+) -> tuple[Array, NDArray[np.int_]]:
+    """Rows times scales as hi + lo (curves, 2, rows, 1), at most 1, and the power of two of each row."""
     with precise():
         parts = [[binary(c * curve.scale) for c, curve in zip(row, curves, strict=True)] for row in rows]
-    exponents = [max((e for hi, _, e in row if hi), default=0) for row in parts]
-    shifts = [[e - top for _, _, e in row] for row, top in zip(parts, exponents, strict=True)]
-    hi, lo, _ = np.moveaxis(np.array(parts), 2, 0)
-    return np.ldexp(hi, shifts), np.ldexp(lo, shifts), np.array(exponents)
-
-
-def _sliced(a: Array) -> Pair:
-    """a = leading + rest, |a| <= 1, leading a multiple of 2**-24."""
-    leading = (a + _SLICER) - _SLICER
-    return leading, a - leading
+    tops = [max((e for hi, _, e in row if hi), default=0) for row in parts]
+    pairs = [
+        [(math.ldexp(hi, e - top), math.ldexp(lo, e - top)) for hi, lo, e in row]
+        for row, top in zip(parts, tops, strict=True)
+    ]
+    return np.array(pairs).transpose(1, 2, 0)[..., np.newaxis], np.array(tops)[:, np.newaxis]

@@ -6,7 +6,8 @@ and where that is not enough a number is an unevaluated sum hi + lo of two doubl
 
 Sources: T. J. Dekker, Numer. Math. 18 (1971) 224 (two_product, with the splitting of G. W. Veltkamp);
 D. E. Knuth, TAOCP 2, 4.2.2 (two_sum); W. Kahan on compensation; T. Ogita, S. M. Rump, S. Oishi, SIAM J. Sci.
-Comput. 26 (2005) 1955 (sums and products of such pairs).
+Comput. 26 (2005) 1955 (sums and products of such pairs); W. J. Cody, W. Waite, Software Manual for the
+Elementary Functions (1980), and S. Gal, B. Bachelis, ACM Trans. Math. Softw. 17 (1991) 26 (sine and cosine).
 """
 
 import math
@@ -41,8 +42,9 @@ _CONTEXT = Context(
     Emax=MAX_EMAX,
     traps=[InvalidOperation, DivisionByZero, Overflow],
 )
+_POINTS = 32  # of the circle, with tabulated sine and cosine
+_FAR = 2.0**50  # rad; past it a phase is reduced in decimal, angle by angle
 _VELTKAMP = 2.0**27 + 1.0
-_FAR = 2.0**53  # rad; past it a phase is reduced in decimal, angle by angle
 
 
 def precise() -> AbstractContextManager[Context]:
@@ -141,8 +143,20 @@ def pair_quotient(a: tuple[Any, Any], b: tuple[Any, Any]) -> Any:
     return first + ((a[0] - p) - e + a[1] - first * b[1]) / b[0]
 
 
+def sin_cos(omega_hi: float, omega_lo: float, t: Array, phase: float = 0.0) -> tuple[Array, Array]:
+    """sin and cos of (omega_hi + omega_lo) t + phase, rounded about once while |omega t| < 1e15.
+
+    t (n,) in s; any finite omega and t.
+    """
+    with precise():
+        theta, rest = angle(exact(omega_hi) + exact(omega_lo), t)
+    theta, shift = two_sum(theta, phase)
+    sine, cosine = circle(theta, rest + shift)
+    return sine[0], cosine[0]
+
+
 def angle(omega: Decimal, t: Array) -> Pair:
-    """omega t as hi + lo, known to 1e-16 rad up to 1e15 rad; above 2**53 rad modulo 2 pi."""
+    """omega t as hi + lo, known to 1e-16 rad up to 1e15 rad; above 2**50 rad modulo 2 pi."""
     hi, lo, exponent = binary(omega)
     with np.errstate(over="ignore"):
         scaled = np.ldexp(t, exponent)
@@ -163,22 +177,78 @@ def _modulo_turn(omega: Decimal, t: float) -> Decimal:
 
 
 def circle(theta: Array, rest: Array) -> tuple[Pair, Pair]:
-    """sin and cos of theta + rest, each as hi + lo: as near as numpy.sin and numpy.cos of a double are.
+    """sin and cos of theta + rest, each as hi + lo; |theta| up to 2**50, |rest| up to the ulp of theta.
 
-    The low part turns the pair by a small angle; 1 - cos(rest) = 2 sin(rest / 2)**2 keeps that exact enough.
+    The library's functions are off by half an ulp, some vectorised ones by four. Here the phase is reduced to
+    the nearest of 32 points of the circle with 2 pi/32 in three doubles (Cody and Waite), and the point is
+    turned by what remains, less than 0.2 rad, whose series need only float64.
     """
-    s, c = np.sin(theta), np.cos(theta)
-    turn, versine = np.sin(rest), 2.0 * np.sin(0.5 * rest) ** 2
-    return two_sum(s, c * turn - s * versine), two_sum(c, -s * turn - c * versine)
+    count = np.rint(theta / _STEP[0])
+    point = np.mod(count, _POINTS).astype(np.intp)
+    r, r_lo = _reduced(theta, rest, count)
+    square = r * r
+    versine = square * _polynomial(square, 1 / 479001600, -1 / 3628800, 1 / 40320, -1 / 720, 1 / 24, -1 / 2)
+    excess = square * _polynomial(
+        square, 1 / 6227020800, -1 / 39916800, 1 / 362880, -1 / 5040, 1 / 120, -1 / 6
+    )
+    excess = r_lo + r * excess
+    (s, s_lo), (c, c_lo) = ((hi[point], lo[point]) for hi, lo in (_SINES, _COSINES))
+    return (
+        _turned(s, s_lo + s * versine + c * excess, c, c_lo, r),
+        _turned(c, c_lo + c * versine - s * excess, -s, -s_lo, r),
+    )
 
 
-def sin_cos(omega_hi: float, omega_lo: float, t: Array, phase: float = 0.0) -> tuple[Array, Array]:
-    """sin and cos of (omega_hi + omega_lo) t + phase, off by at most 1.1 u while |omega t| < 1e15.
+def _polynomial(x: Array, *coefficients: float) -> Array:
+    """The highest power first (Horner)."""
+    result = np.full_like(x, coefficients[0])
+    for coefficient in coefficients[1:]:
+        result = result * x + coefficient
+    return result
 
-    t (n,) in s; any finite omega and t. Dekker's product gives omega t without error.
-    """
+
+def _turned(start: Array, correction: Array, slope: Array, slope_lo: Array, r: Array) -> Pair:
+    """start + slope r + correction, the product without error."""
+    p, e = two_product(slope, r)
+    hi, lo = two_sum(start, p)
+    return two_sum(hi, lo + (e + slope_lo * r + correction))
+
+
+def _reduced(theta: Array, rest: Array, count: Array) -> Pair:
+    """theta + rest - count 2 pi/32 as hi + lo; its leading subtraction is exact."""
+    p1, e1 = two_product(count, _STEP[0])
+    p2, e2 = two_product(count, _STEP[1])
+    r, low1 = two_sum(theta - p1, -e1)
+    r, low2 = two_sum(r, -p2)
+    r, low3 = two_sum(r, rest)
+    return two_sum(r, low1 + low2 + low3 - e2 - count * _STEP[2])
+
+
+def _step() -> tuple[float, float, float]:
+    """2 pi/32 as three doubles."""
     with precise():
-        theta, rest = angle(exact(omega_hi) + exact(omega_lo), t)
-    theta, shift = two_sum(theta, phase)
-    sine, cosine = circle(theta, rest + shift)
-    return sine[0], cosine[0]
+        step = 2 * PI / _POINTS
+        first, second = split(step)
+        return first, second, float(step - Decimal(first) - Decimal(second))
+
+
+def _points() -> tuple[Pair, Pair]:
+    """Sines and cosines of the 32 points as hi + lo, the first from half angles, the others by addition."""
+    with precise():
+        c, s = Decimal(0), Decimal(1)
+        for _ in range(3):
+            c, s = ((1 + c) / 2).sqrt(), ((1 - c) / 2).sqrt()
+        sines, cosines = [Decimal(0)], [Decimal(1)]
+        for _ in range(_POINTS - 1):
+            sines.append(sines[-1] * c + cosines[-1] * s)
+            cosines.append(cosines[-1] * c - sines[-2] * s)
+    return _pairs(sines), _pairs(cosines)
+
+
+def _pairs(values: list[Decimal]) -> Pair:
+    hi, lo = np.transpose([split(value) if abs(value) > Decimal("1e-70") else (0.0, 0.0) for value in values])
+    return hi, lo
+
+
+_STEP = _step()
+_SINES, _COSINES = _points()

@@ -5,10 +5,10 @@
     m1 x1'' = -k1 x1 - k2 (x1 - x2) + F_0 sin(omega t)
     m2 x2'' =  k2 (x1 - x2)
 
-The particular solution x_i = Xp_i sin(omega t) is in physics.particular. Near a natural frequency the lecture's
-split, total = complementary + particular, is a difference of two huge motions. So the motion is formed mode by
-mode: the free motion of the start plus the response g from rest, which grows like t at resonance and needs no
-particular solution.
+The particular solution x_i = Xp_i sin(omega t) is in physics.particular. Near a natural frequency the
+lecture's split, total = complementary + particular, is a difference of two huge motions. So the motion is
+formed mode by mode: the free motion of the start plus the response g from rest, which grows like t at
+resonance and needs no particular solution.
 """
 
 from dataclasses import dataclass
@@ -83,13 +83,12 @@ class DrivenModes:
     @cached_property
     def coupling(self) -> Array:
         """(2 modes, 2 masses) in 1/kg."""
-        with precise():
-            return np.array(
-                [
-                    [rounded("a coupling", mode.shape[0] * part / mode.mass) for part in mode.shape]
-                    for mode in self.chain.exact_modes
-                ]
-            )
+        rows = []
+        for mode in self.chain.exact_modes:
+            with precise():
+                share = mode.shape[0] / mode.mass
+                rows.append([rounded("a coupling", share * part) for part in mode.shape])
+        return np.array(rows)
 
     @cached_property
     def particular(self) -> Array:
@@ -98,11 +97,10 @@ class DrivenModes:
 
     @cached_property
     def split_is_meaningful(self) -> bool:
-        """Whether x_c and x_p are worth drawing: they cancel to no less than 1/1000 within a period of the
-        drive.
+        """Whether x_c and x_p are worth drawing apart: at least 1/1000 of them does not cancel.
 
-        From rest the total grows to about |omega - omega_j| times a period of what either has; at resonance
-        x_p does not exist.
+        From rest the total reaches, within a period of the drive, about |omega - omega_j| times that period
+        of what either has. At resonance x_p does not exist.
         """
         if exact_amplitudes(self.chain, self.F_0, self.omega) is None:
             return False
@@ -162,9 +160,12 @@ class DrivenModes:
         return combined([row], curves, ("the work of the drive",))[0] if row else np.zeros_like(t)
 
     def _early(self, t: Array) -> NDArray[np.bool_]:
-        if not self.omega:
-            return np.zeros(t.shape, dtype=np.bool_)
-        return is_early(self._frequencies, t)
+        return is_early(self._frequencies, t) if self._pushes else np.zeros(t.shape, dtype=np.bool_)
+
+    @property
+    def _pushes(self) -> bool:
+        """Whether there is a force at all: F_0 sin(0 t) is none."""
+        return bool(self.F_0 and self.omega)
 
     @property
     def _frequencies(self) -> list[Decimal]:
@@ -176,16 +177,16 @@ class DrivenModes:
         curves = early(self._frequencies, t, 5), early(self._frequencies, t, 4)
         with precise():
             push = exact(self.F_0) * k2 / (m1 * m2)
-        nothing, x2, v2 = (NONE, NONE), (push, NONE), (NONE, push)
+        none, x2, v2 = (NONE, NONE), (push, NONE), (NONE, push)
         rest = [
-            Terms(curves, [x1, nothing, e2, v1, nothing]) for curves, (x1, _, e2, v1, _) in self._driven(t)
+            Terms(own, [x1, none, (-x1[0], NONE), v1, none]) for own, (x1, _, _, v1, _) in self._driven(t)
         ]
-        return [*rest, Terms(curves, [nothing, x2, nothing, nothing, v2])]
+        return [*rest, Terms(curves, [none, x2, x2, none, v2])]
 
     def _driven(self, t: Array) -> list[Terms]:
         result = []
         for mode in self.chain.exact_modes:
-            if not (self.omega and mode.shape[0]):
+            if not (self._pushes and mode.shape[0]):
                 continue
             with precise():
                 share = exact(self.F_0) * mode.shape[0] / mode.mass
@@ -197,7 +198,7 @@ class DrivenModes:
     def _works(
         self, mode: Mode, q: Decimal, v: Decimal, free: tuple[Curve, Curve], t: Array
     ) -> list[tuple[Decimal, Curve]]:
-        if not (self.omega and mode.shape[0]):
+        if not (self._pushes and mode.shape[0]):
             return []
         g, speed = response(exact(self.omega), mode.omega, t)
         cosine, sine = free
