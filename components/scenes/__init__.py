@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from components.scene import Scene
+from components.scenes.absorber import Absorber
 from components.scenes.analogues import Analogues
 from components.scenes.coupled import Coupled
 from components.scenes.forced import Forced
+from components.scenes.modes import Modes
 
-SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (Analogues, Coupled, Forced)}
+SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (Analogues, Coupled, Modes, Forced, Absorber)}

@@ -1,0 +1,222 @@
+"""The numbers of the absorber's scene: curves, motions, sizes on the stage, texts."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from components.chain import wire
+from components.duty import AWAY, Duty
+from components.motion import responses, round_down, scaled, sines
+from components.numbers import short, three
+from components.plots import Axis
+from components.scene import Columns
+from physics.absorber import damped_amplitude, den_hartog, fixed_points
+from physics.exact import exact, precise, rounded
+from physics.forced import DrivenModes
+
+Floats = NDArray[np.float64]
+
+LARGEST, SMALLEST = 0.26, 0.045
+"""Sides of the masses as fractions of the stage's height."""
+DEFLECTION = 0.00767
+"""The width that the static deflection takes where all fits."""
+ROOM = (0.22, 0.2, 0.28)
+"""Free ways on the stage as fractions of its width: mass 1 to the wall, mass 2 to mass 1, mass 2 to the right."""
+
+
+def columns(duty: Duty, axes: dict[str, Axis]) -> tuple[dict[str, Columns], dict[str, float]]:
+    """The curves, cut far above the frame, and where the name of the helped band stands."""
+    low, high = axes["w"].start, axes["w"].end
+    caps = 6 * axes["X1"].end, 6 * axes["X2"].end
+    w = duty.frequencies(low, high)
+    swing, stroke, alone = (np.minimum(c, cap) for c, cap in zip(duty.curves(w), (caps[0], caps[1], caps[0]), strict=True))
+    swing_now, stroke_now, alone_now = (min(x, cap) for x, cap in zip(duty.swings, (caps[0], caps[1], caps[0]), strict=True))
+    sources: dict[str, Columns] = {
+        "sweep": {"w": w, "swing": swing, "stroke": stroke, "alone": alone},
+        "now": {name: np.array([x]) for name, x in (("w", duty.omega), ("swing_now", swing_now), ("stroke_now", stroke_now), ("alone_now", alone_now))},
+        "helped": {}, "compare": {}, "points": {},
+    }  # fmt: skip
+    label: dict[str, float] = {}
+    if duty.band is not None:
+        inside = (w >= duty.band[0]) & (w <= duty.band[1])
+        sources["helped"] = {"w": w[inside], "helped_lo": swing[inside], "helped_hi": alone[inside]}
+        label = help_label(duty, axes, w, swing, alone)
+    if duty.c:
+        free = damped_amplitude(duty.chain, 0.0, duty.F_0, w)
+        sources["compare"] = {"w": w, "free": np.minimum(free[0], caps[0]), "free2": np.minimum(free[1], caps[1])}
+        points = fixed_points(duty.chain)
+        sources["points"] = {"w": points, "height": np.minimum(damped_amplitude(duty.chain, duty.c, duty.F_0, points)[0], caps[0])}
+    return sources, label
+
+
+def help_label(duty: Duty, axes: dict[str, Axis], w: Floats, swing: Floats, alone: Floats) -> dict[str, float]:
+    """In the wider half of the band, half-way up, where there is room."""
+    edges = [min(max(edge, axes["w"].start), axes["w"].end) for edge in duty.band or ()]
+    x = (duty.omega + max(edges, key=lambda edge: abs(edge - duty.omega))) / 2
+    top = axes["X1"].end
+    low, high = (float(np.interp(x, w, np.minimum(curve, top / 2))) for curve in (swing, alone))
+    return {
+        "help_x": axes["w"].place(x),
+        "help_y": axes["X1"].place((low + high) / 2),
+        "help_seen": float(high - low > top / 8 and edges[1] - edges[0] > 0.1 * (axes["w"].end - axes["w"].start)),
+    }
+
+
+def signals(duty: Duty, size: Axis, time: Axis, push: Axis) -> dict[str, Any]:
+    """The machine alone and with the absorber at the same instant: steady, or from rest where no steady swing exists."""
+    drive = (1.0, duty.omega, 0.0)
+    unit = Axis(0.0, 1.0)
+    moving: dict[str, Any] = {"drive": sines(unit, time, drive), "drive_now": sines(push, time, (duty.F_0, duty.omega, 0.0))}
+    if duty.bare.split_is_meaningful:
+        moving["x_alone"] = sines(size, time, (float(duty.bare.particular[0]), duty.omega, 0.0))
+    else:
+        moving["x_alone"] = _from_rest(duty.bare, 0, size, time)
+    if duty.steady:
+        for i, X in enumerate(duty.X):
+            moving[f"x{i + 1}"] = sines(size, time, (abs(X), duty.omega, float(np.angle(X))))
+        X2 = complex(duty.X[1])
+        moving["pull_now"] = sines(push, time, (_pull(duty), duty.omega, float(np.angle(X2))))
+    else:
+        for i in (0, 1):
+            moving[f"x{i + 1}"] = _from_rest(duty.driven, i, size, time)
+        with precise():
+            k2 = rounded("the pull of spring 2", exact(duty.k2).scaleb(size.exponent - push.exponent))
+        moving["pull_now"] = {"polynomial": [[k2, "x2"], [-k2, "x1"]]}
+    moving["pull"] = {"polynomial": [[1 / push.place(duty.F_0), "pull_now"]]}
+    return moving
+
+
+def _from_rest(driven: DrivenModes, i: int, size: Axis, time: Axis) -> dict[str, Any]:
+    terms = zip(driven.coupling[:, i].tolist(), driven.free.omega.tolist(), strict=True)
+    return responses(size, time, *((driven.F_0, c, driven.omega, omega_n) for c, omega_n in terms if c))
+
+
+def _pull(duty: Duty) -> float:
+    """The amplitude of the force of spring and damper, which is what mass 2 needs: m2 omega^2 |X2|."""
+    with precise():
+        return rounded("the pull of spring 2", exact(duty.m2) * exact(duty.omega) ** 2 * exact(duty.swings[1]))
+
+
+def _reach(duty: Duty, end: float) -> tuple[float, float, float]:
+    """The largest way of mass 1 (alone too), of mass 2 against it, and of mass 2, in m."""
+    t = np.linspace(0.0, end, 400)
+    swing, stroke, alone = duty.swings
+    if not duty.bare.split_is_meaningful:
+        alone = float(np.abs(duty.bare.motion(t).x[0]).max())
+    if duty.steady:
+        return max(swing, alone), abs(duty.X[1] - duty.X[0]), stroke
+    motion = duty.driven.motion(t)
+    one, two, stretch = (float(np.abs(part).max()) for part in (*motion.x, motion.e[1]))
+    return max(one, alone), stretch, two
+
+
+def drawn(duty: Duty, end: float, size: Axis) -> tuple[dict[str, float], str]:
+    """Sizes on the stage, and what the ruler's tick is. Displacements are drawn at one scale as long as they fit; the ruler tells which."""
+    deflection = duty.deflections(1.0)
+    whole = max(duty.m1, duty.m2)
+    fits = min(room * deflection / (DEFLECTION * way) if way else 1.0 for room, way in zip(ROOM, _reach(duty, end), strict=True))
+    metre = DEFLECTION * (1.0 if fits >= 1 else round_down(fits)) / size.place(deflection)
+    tick = round_down(DEFLECTION * 10 / metre)
+    scalars = {
+        "side1": max(LARGEST * math.sqrt(duty.m1 / whole), SMALLEST),
+        "side2": max(LARGEST * math.sqrt(duty.m2 / whole), SMALLEST),
+        "wire1": wire(duty.k1 / 1e4),
+        "wire2": wire(duty.k2 / 1e4),
+        "metre": metre,
+        "tick": tick * metre,
+        "alone_steady": float(duty.bare.split_is_meaningful),
+        "alone_grows": float(not duty.bare.split_is_meaningful),
+        **{f"is_{name}": float(name == duty.verdict) for name in ("still", "less", "more", "grow", "detached")},
+        **{f"met{i}": float(met) for i, met in enumerate(duty.met)},
+        **{f"open{i}": float(not met) for i, met in enumerate(duty.met)},
+    }
+    return scalars, f"{short(tick)} {size.full_unit}"
+
+
+def marks(duty: Duty, axes: dict[str, Axis]) -> dict[str, float]:
+    """Where frequencies, limits and readings stand in the plots."""
+    w, X1, X2 = axes["w"], axes["X1"], axes["X2"]
+    slow, fast = duty.driven.free.omega.tolist()
+    swing, stroke, alone = duty.swings
+    places = {"slow": slow, "omega": duty.omega, "fast": fast, "away_low": (1 - AWAY) * duty.omega, "away_high": (1 + AWAY) * duty.omega}
+    scalars = {name: w.place(x) for name, x in places.items()}
+    scalars |= {f"{name}_seen": float(w.start <= places[name] <= w.end) for name in ("slow", "omega", "fast")}
+    scalars |= {"limit1": X1.place(duty.limits[0]), "limit2": X2.place(duty.limits[1])}
+    for name, axis, x in (("alone", X1, alone), ("swing", X1, swing), ("stroke", X2, stroke)):
+        scalars |= {name: axis.place(min(x, axis.end)), f"{name}_seen": float(x <= axis.end)}
+    scalars["fixed_seen"] = float(duty.c > 0)
+    if duty.c:
+        points = fixed_points(duty.chain)
+        for name, point, height in zip("PQ", points, damped_amplitude(duty.chain, duty.c, duty.F_0, points)[0], strict=True):
+            scalars |= {f"{name}_x": w.place(point), f"{name}_y": X1.place(min(height, X1.end))}
+    return scalars
+
+
+def values(duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: float | None) -> dict[str, str]:
+    """The texts of the live numbers."""
+    X1, X2 = axes["X1"], axes["X2"]
+    swing, stroke, alone = duty.swings
+    j, share = duty.nearest
+    slow, fast = duty.driven.free.omega
+    Xp1, Xp2 = duty.X.real.tolist()
+    best = den_hartog(duty.m1, duty.k1, duty.m2).height * duty.deflections(1.0)
+    texts = {
+        "m1": three(duty.m1), "k1": three(duty.k1 / 1e3), "F_0": three(duty.F_0), "omega": three(duty.omega),
+        "slow": three(slow), "fast": three(fast), "mu": three(m2 / duty.m1),
+        "lightest": f"{lightest:.4g} kg" if lightest else "none yet",
+        "Xp1": _text(X1, Xp1), "Xp2": _text(X2, Xp2), "swing": _text(X1, swing), "stroke": _text(X2, stroke),
+        "alone": _text(X1, alone), "x_unit": X1.full_unit, "F_unit": push.full_unit, "push": f"{push.number(duty.F_0)} {push.full_unit}",
+        "pull": push.number(_pull(duty)) if duty.steady else "",
+        "link": "spring, damper" if duty.c else "spring 2",
+        "height": _text(X1, best),
+        "help_low": three(duty.band[0]) if duty.band else "", "help_high": three(duty.band[1]) if duty.band else "",
+    }  # fmt: skip
+    texts |= {f"goal{i}": text for i, text in enumerate((
+        f"Resonances {short(100 * AWAY)} % away",
+        f"Machine within {short(X1.place(duty.limits[0]))} {X1.full_unit}",
+        f"Stroke within {short(X2.place(duty.limits[1]))} {X2.full_unit}",
+    ))}  # fmt: skip
+    near = f"{('ω₋', 'ω₊')[j]} {three(float((slow, fast)[j]))} rad/s"
+    texts["found0"] = f"nearest is {_percent(share)} % away: {near}"
+    texts["found1"] = f"{_grows(X1, swing)}; alone {_grows(X1, alone).removeprefix('swings ')}"
+    texts["found2"] = f"F₀/k₂ = {texts['stroke']} {X2.full_unit}" if duty.verdict == "still" else _grows(X2, stroke)
+    return texts
+
+
+def _text(axis: Axis, value: float) -> str:
+    """Three digits; what is no longer seen on the axis is zero."""
+    place = axis.place(value)
+    return three(place) if abs(place) >= 0.005 or not axis.exponent else "0.00"
+
+
+def _grows(axis: Axis, value: float) -> str:
+    return f"swings {_text(axis, value)} {axis.full_unit}" if math.isfinite(value) else "it grows without end"
+
+
+def _percent(share: float) -> str:
+    """A share in percent, never rounded up to the limit where it does not reach it."""
+    if share >= 10:
+        return short(100 * share)
+    short_of_it = share < AWAY <= round(share, 3)
+    return f"{math.floor(1000 * share) / 10 if short_of_it else 100 * share:.1f}"
+
+
+def forms(duty: Duty, *, own: bool, damped: bool) -> dict[str, str]:
+    """Which sentence stands, and which groups of the panel."""
+    verdict = duty.verdict
+    finite = bool(np.all(np.isfinite(duty.X)))
+    kind = "damped" if duty.c else "undamped" if finite else "none"
+    band = "never" if duty.band is None else "above" if math.isinf(duty.band[1]) else "band"
+    return {
+        "first": kind,
+        "second": "still" if verdict == "still" else kind if kind != "none" else "",
+        "why": "damped" if duty.c else verdict,
+        "helped": band,
+        "free": "undamped" if duty.c else "",
+        "own" if own else "fixed": "shown",
+        **({"damped": "shown"} if damped else {}),
+    }

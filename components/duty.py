@@ -1,0 +1,123 @@
+"""What a machine on a mounting does under its drive with an absorber on it, and the goals it is held to."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from physics.absorber import Band, alone, damped_amplitude, damped_solution, helped_band
+from physics.coupled import TwoMassChain
+from physics.exact import exact, precise, rounded
+from physics.forced import DrivenModes, antiresonance, driven_modes, particular_solution
+from physics.oscillator import Oscillator
+
+Floats = NDArray[np.float64]
+
+SWING, STROKE, AWAY = 0.5, 7.5, 0.2
+"""The goals: swing and stroke over the static deflection F_0/k1, and the share of the speed kept free of resonances."""
+SAME = 5e-4
+"""How near to the speed the absorber's own frequency counts as tuned to it: the same three digits."""
+SEGMENT = 110
+
+
+@dataclass(frozen=True, kw_only=True)
+class Duty:
+    """Machine m1, k1 under F_0 sin(omega t), absorber m2, k2 with damping c; SI."""
+
+    m1: float
+    k1: float
+    F_0: float
+    omega: float
+    m2: float
+    k2: float
+    c: float = 0.0
+
+    @cached_property
+    def chain(self) -> TwoMassChain:
+        return TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=self.k2)
+
+    @cached_property
+    def driven(self) -> DrivenModes:
+        return driven_modes(self.chain, self.F_0, self.omega)
+
+    @cached_property
+    def bare(self) -> DrivenModes:
+        """The machine alone."""
+        return driven_modes(alone(self.chain), self.F_0, self.omega)
+
+    @cached_property
+    def own(self) -> float:
+        """The natural frequency of the machine alone."""
+        return Oscillator(m=self.m1, k=self.k1).omega_n
+
+    def deflections(self, count: float) -> float:
+        """So many times the static deflection F_0/k1, in m."""
+        with precise():
+            return rounded("the static deflection F_0/k1", exact(count) * exact(self.F_0) / exact(self.k1))
+
+    @cached_property
+    def X(self) -> NDArray[np.complex128]:
+        return damped_solution(self.chain, self.c, self.F_0, self.omega)
+
+    @cached_property
+    def swings(self) -> tuple[float, float, float]:
+        """The machine's swing, the absorber's stroke, and the machine's swing alone, in m."""
+        with_it = damped_amplitude(self.chain, self.c, self.F_0, self.omega)
+        return float(with_it[0]), float(with_it[1]), abs(float(self.bare.particular[0]))
+
+    @cached_property
+    def steady(self) -> bool:
+        """Whether a steady swing exists and is worth drawing."""
+        return self.c > 0 or self.driven.split_is_meaningful
+
+    @property
+    def nearest(self) -> tuple[int, float]:
+        """Which resonance is the nearest (0 slow, 1 fast), and how far away it is over the speed."""
+        shares = np.abs(self.driven.detuning) / self.omega
+        j = int(np.argmin(shares))
+        return j, float(shares[j])
+
+    @cached_property
+    def limits(self) -> tuple[float, float]:
+        return self.deflections(SWING), self.deflections(STROKE)
+
+    @property
+    def met(self) -> tuple[bool, bool, bool]:
+        """No resonance near, the machine quiet, the absorber's stroke short."""
+        swing, stroke, _ = self.swings
+        return self.nearest[1] >= AWAY, swing <= self.limits[0], stroke <= self.limits[1]
+
+    @property
+    def verdict(self) -> str:
+        swing, _, without = self.swings
+        if not self.k2 and not self.c:
+            return "detached"
+        if not self.steady:
+            return "grow"
+        if not self.c and abs(antiresonance(self.chain) / self.omega - 1) < SAME:
+            return "still"
+        return "less" if swing < without else "more"
+
+    @cached_property
+    def band(self) -> Band | None:
+        return helped_band(self.chain, self.c)
+
+    def frequencies(self, low: float, high: float) -> Floats:
+        """Drive frequencies for curves over [low, high], dense next to the poles, with all that is marked."""
+        poles = {self.own, *self.chain.modes().omega.tolist()}
+        if self.c:
+            poles.add(Oscillator(m=self.m1 + self.m2, k=self.k1).omega_n)
+        ends = [low, *sorted(p for p in poles if low < p < high), high]
+        bend = (1 - np.cos(np.linspace(0, math.pi, SEGMENT))) / 2
+        pieces = [a + (b - a) * bend for a, b in zip(ends, ends[1:], strict=False)]
+        marked = [w for w in (self.omega, antiresonance(self.chain), *(self.band or ())) if low < w < high]
+        return np.unique(np.concatenate([*pieces, marked]))
+
+    def curves(self, w: Floats) -> tuple[Floats, Floats, Floats]:
+        """Swing, stroke and swing alone at drive frequencies w."""
+        swing, stroke = damped_amplitude(self.chain, self.c, self.F_0, w)
+        return swing, stroke, np.abs(particular_solution(self.bare.chain, self.F_0, w)[0])
