@@ -77,18 +77,21 @@ def sampled(components: Iterable[Sinusoid], t: Array, base: Array | None = None)
 
 
 def root_mean_square(components: Sequence[Sinusoid], t: Array, base: Array | None = None) -> Array:
-    """The size of the same sum (n,): the root of its square, averaged over the cycles that t does not resolve.
+    """The size of the same sum (n,): the root of its square, averaged over cycles that t does not resolve.
 
     With velocities this gives the mean kinetic energy: products of different fast groups average out, and
-    each has half the square of its amplitude. It is formed in units of the largest term, so that no square overflows.
+    each has half the square of its amplitude. It is formed in units of the largest term, so that no square
+    overflows.
     """
-    sizes = [abs(c.amplitude) for c in components] + ([] if base is None else [float(np.max(np.abs(base), initial=0.0))])
-    unit = max(sizes, default=0.0)
+    line = np.zeros_like(t) if base is None else base
+    unit = max([abs(c.amplitude) for c in components] + [float(np.max(np.abs(line), initial=0.0))])
     if not unit:
         return np.zeros_like(t)
     scaled = [c._replace(amplitude=c.amplitude / unit) for c in components]
-    line, groups = _resolved(scaled, t, None if base is None else base / unit)
-    return unit * np.sqrt(line**2 + sum((_amplitude(group, t) ** 2 / 2.0 for group in groups), np.zeros_like(t)))
+    line, groups = _resolved(scaled, t, line / unit)
+    for group in groups:
+        line = np.hypot(line, _amplitude(group, t) / math.sqrt(2.0))
+    return unit * np.abs(line)
 
 
 def _resolved(
