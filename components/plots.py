@@ -88,7 +88,9 @@ def plot(
     `x` and `y` name axes of the picture, `title` is its text alternative, `x_column` the column of abscissae,
     `margin` the room for labels at the left and at the right. `cursor="time"` draws the instant shown and lets it be
     dragged; `handles` are pills on an axis that set a parameter: {"parameter": name, "symbol": text,
-    "label": accessible name, "tint": class, "axis": "x" or "y", "least": its lowest value}. `marks` are lines with a flag across the plot at a scalar (in the axis' unit): {"at": scalar,
+    "label": accessible name, "tint": class, "axis": "x" or "y", "least": its lowest value,
+    "text": the live number shown in place of the parameter's, "show": the form by which it stands, "bare": moved by a
+    press on the plot alone, without a pill}. `marks` are lines with a flag across the plot at a scalar (in the axis' unit): {"at": scalar,
     "tint": class, "html": rich text of the flag, "label": accessible name, "set": parameter it is the button for,
     "axis": "x" or "y", "lift": pixels of the flag over the frame, "style": "dashed"}; `top` makes room for flags. `square` draws both axes to one scale; `plain` leaves out numbers at the axes. `show` is the form by which the plot stands.
     """
@@ -268,8 +270,7 @@ def squared_axis(end: float, unit: str, count: int = 5) -> Axis:
     """An axis of the squares of numbers from 0 to `end`, whose own range is then twice that of doubles."""
     exponent = 6 * (Decimal(end).adjusted() // 3) if not 1e-3 <= end < 1e2 else 0
     bare = Axis(0.0, end, unit, exponent, f"{ten(exponent)} " if exponent else "", power=2)
-    step = nice_step(bare.place(end) / count)
-    return replace(bare, ticks=tuple(step * i for i in range(math.floor(bare.place(end) / step + 1e-9) + 1)))
+    return replace(bare, ticks=nice_ticks(0.0, bare.place(end), count))
 
 
 def nice_ticks(low: float, high: float, count: int) -> tuple[float, ...]:

@@ -74,18 +74,19 @@ export class Plot {
     const box = this.view?.frame?.bbox
     if (!box || !box.width) return
     this.box = {left: box.left, top: box.top, width: box.width, height: box.height}
-    if (this.block.square) this.#ranges()
+    if (this.block.square && !this.absent) this.#ranges()
     this.still()
     this.page.redraw()
   }
 
   update(state) {
     this.state = state
-    this.x = state.axes[this.block.x]
-    this.y = state.axes[this.block.y]
+    this.absent = !state.axes[this.block.x] || !state.axes[this.block.y]
+    this.x = state.axes[this.block.x] ?? this.x
+    this.y = state.axes[this.block.y] ?? this.y
     this.hidden = new Set(state.hidden)
     this.host.parentElement.style.display = this.block.show && !state.forms[this.block.show] ? "none" : ""
-    if (!this.x || !this.y) return
+    if (this.absent) return
     for (const [name, source] of Object.entries(this.sources)) this.#fill(source, state.columns[name] ?? {})
     this.#ranges()
     for (const [axis, wire] of [[this.model.below[0], this.x], [this.model.left[0], this.y]]) {
@@ -138,7 +139,7 @@ export class Plot {
 
   // What stands still between changes: end labels, band labels, marks.
   still() {
-    if (!this.box || !this.state) return
+    if (!this.box || !this.state || this.absent) return
     const {left, top, width, height} = this.frame
     const placed = []
     for (const {curve, text} of this.labels) {
@@ -159,7 +160,12 @@ export class Plot {
     for (const {band, text} of this.bandLabels) this.#labelBand(band, text)
     for (const mark of this.marks) this.#placeMark(mark)
     this.#spreadFlags()
-    for (const pill of this.pills) this.#placePill(pill, this.#handleValue(pill), brief(this.state.params[pill.handle.parameter]?.text))
+    for (const pill of this.pills) {
+      const {parameter, text, show, bare} = pill.handle
+      pill.off = Boolean(show) && !this.state.forms[show]
+      pill.hidden = pill.off || Boolean(bare)
+      this.#placePill(pill, this.#handleValue(pill), this.state.values[text] ?? brief(this.state.params[parameter]?.text))
+    }
   }
 
   // The name of a band stands where the band is thickest.
@@ -182,7 +188,7 @@ export class Plot {
   #mark(mark) {
     const line = svg("line", {class: `mark ${mark.tint} ${mark.style ?? ""}`})
     this.over.append(line)
-    const flag = element(mark.set ? "button" : "span", {class: `flag ${mark.tint}`, type: mark.set ? "button" : undefined})
+    const flag = element(mark.set ? "button" : "span", {class: `flag ${mark.tint} ${mark.flag ?? ""}`, type: mark.set ? "button" : undefined})
     flag.innerHTML = mark.html ?? ""
     if (mark.set) {
       flag.setAttribute("aria-label", mark.label)
@@ -317,7 +323,7 @@ export class Plot {
   #dragPoint(event) {
     event.preventDefault()
     this.host.setPointerCapture(event.pointerId)
-    const move = moved => this.pills.forEach(pill => this.#moveTo(pill, this.#value(moved, pill.handle.axis)))
+    const move = moved => this.pills.filter(pill => !pill.off).forEach(pill => this.#moveTo(pill, this.#value(moved, pill.handle.axis)))
     move(event)
     this.host.addEventListener("pointermove", move)
     this.host.addEventListener("lostpointercapture", () => this.host.removeEventListener("pointermove", move), {once: true})
@@ -361,7 +367,7 @@ export class Plot {
 
   // Once a frame: cursor and dots at the instant shown.
   draw(named, t, timeText) {
-    if (!this.box || !this.state) return
+    if (!this.box || !this.state || this.absent) return
     const {left, top, width, height} = this.frame
     if (this.cursor) {
       const x = this.px(t)

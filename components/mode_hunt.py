@@ -1,0 +1,182 @@
+"""The view Hunt of the scene modes: find the starts from which the motion is a straight line."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from components import chain
+from components.motion import pace, round_down, total
+from components.numbers import signed, three
+from components.plots import Axis, Curve, nice_axis, plot, time_axis
+from components.scene import Columns, Picture
+from components.sheet import Block, choice, column, row, stage, words
+from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text, var
+from physics.coupled import FreeModes, TwoMassChain, free_modes, free_motion
+from physics.modes import shares
+from physics.sampling import time_window
+
+MODES = ("slow", "fast")
+FOUND = 1e-3
+"""As much of the other mode, in parts of the energy, is not seen: the path is then 3 % as wide as long."""
+SWINGS, PER_SWING = 40, 32
+"""The path is drawn over so many swings of the fast mode at most."""
+
+
+def sheet() -> Block:
+    return row(
+        _plane(),
+        column(
+            words(
+                "**Mass 2 against mass 1, let go from rest.** Drag the start, the ring, until the path is a straight line. "
+                "There are two such directions.",
+                phone=6,
+            ),
+            stage(*_shapes(), label="The chain in motion, and how much of the energy is in each mode", grow=1, height=210),
+            words(_verdict(), _answer(), style="verdict", phone=7),
+            choice("answer", {"hidden": "Answer hidden", "shown": "Reveal"}, "The answer", phone=8),
+            basis=352, grow=0, gap=10,
+        ),
+    )
+
+
+def _verdict() -> dict[str, str]:
+    return {
+        "form": "verdict",
+        "mixed": "**Not yet:** both modes are in it, so mass 1 and mass 2 do not keep step.",
+        "slow": "[slow|**✓ Found: a straight line, the slow mode.**] Both masses pass 0 together, in phase. There is another one.",
+        "fast": "[fast|**✓ Found: a straight line, the fast mode.**] Both masses pass 0 together, opposite. There is another one.",
+        "rest": "**Nothing moves:** the start is at rest in equilibrium.",
+        "drift": "**Every start gives a line here:** with a spring missing the slow mode is a drift, and from rest it stands still.",
+    }
+
+
+def _answer() -> dict[str, str]:
+    return {
+        "form": "answer",
+        "shown": r"The lines: [slow|$X_2/X_1 = \val{answer_slow}$] and [fast|$X_2/X_1 = \val{answer_fast}$].",
+    }
+
+
+def _plane() -> Block:
+    return plot(
+        "plane", x="x", y="x", title="Displacement of mass 2 against that of mass 1, from a start that can be dragged",
+        source="path", x_column="x1",
+        curves=(
+            Curve(name="slow2", source="answer", x="slow1", tint="slow", width="sum"),
+            Curve(name="fast2", source="answer", x="fast1", tint="fast", width="dash"),
+            Curve(name="x2", source="path", x="x1", tint="ink", signal="x1,x2"),
+        ),
+        margin=(64, 10), top=10, square=True,
+        handles=(
+            {"parameter": "x1_0", "symbol": "x₁", "label": "Start of mass 1", "tint": "m1", "axis": "x"},
+            {"parameter": "x2_0", "symbol": "x₂", "label": "Start of mass 2", "tint": "m2", "axis": "y"},
+        ),
+        grow=536, phone=10, height=380,
+    )
+
+
+def _shapes() -> list[Shape]:
+    foot = 0.5 * H
+    shapes = [chain.standing_wall(0.17 * H, 0.33 * H), *chain.ground(foot)]
+    for i in (1, 2):
+        place = chain.place(i, f"x{i}")
+        shapes += [
+            line(chain.rest(i), 0.14 * H, chain.rest(i), foot, tint="mute", style="eq"),
+            arrow(chain.rest(i), 0.15 * H, place, 0.15 * H, tint=f"m{i}"),
+            text(chain.rest(i), 0.1 * H, f"*x*_{i} = {{x{i}}} {{x_unit}}", tint=f"m{i}", style="t2 b"),
+        ]
+    shapes += chain.masses(foot, chain.place(1, "x1"), chain.place(2, "x2"))
+    for n, mode in enumerate(MODES):
+        y = (0.76 + 0.18 * n) * H
+        shapes += [
+            text(0, y - 12, f"{mode} mode {{share_{mode}}} of the energy", "start", tint=mode, style="t1 b"),
+            line(0, y, W, y, tint="rule", style="thick faint"),
+            line(0, y, var(f"share_{mode}") * W, y, tint=mode, style="thick", show=f"share_{mode}"),
+        ]
+    ring = {"tint": "ink", "style": "ring"}
+    return [*shapes, circle(on_x("plane", var("start1")), on_y("plane", var("start2")), 8, **ring)]
+
+
+def picture(system: TwoMassChain, x_0: tuple[float, float], revealed: bool, window: float | None) -> Picture:
+    """All of the view for one chain and one start; the answer is in it only where it was asked for."""
+    modes, free, parts = system.modes(), free_modes(system, x_0, (0.0, 0.0)), shares(system, x_0)
+    slow, fast = (float(w) for w in modes.omega)
+    end = window or time_window(slow, fast)
+    path, bound = _path(system, x_0, end, fast), _bound(free)
+    size = _frame(bound)
+    time = time_axis(end)
+    extremes = {f"x{i}": (-bound[i - 1], bound[i - 1]) for i in (1, 2)} | {"e2": (-bound[2], bound[2])}
+    drawn = chain.to_scale(extremes, (system.m1, system.m2), (system.k1, system.k2), size)
+    signals = chain.free_signals(free, size, time)
+    signals |= {f"x{i}": total(f"x{i}_slow", f"x{i}_fast") for i in (1, 2)}
+    return Picture(
+        columns={"path": path, "answer": _lines(system, size) if revealed else {}},
+        axes={"t": time, "x": size},
+        signals=signals,
+        scalars={
+            **drawn.scalars, **pace(slow or fast, fast), "start1": size.place(x_0[0]), "start2": size.place(x_0[1]),
+            **{f"share_{mode}": part for mode, part in zip(MODES, parts, strict=True)},
+        },
+        values={**drawn.values, **_values(system, parts, revealed)},
+        live={name: size.digits(signed=True) for name in ("x1", "x2")},
+        forms={"verdict": _found(system, parts), "answer": "shown" if revealed else ""},
+        notes=drawn.notes,
+    )
+
+
+def _path(system: TwoMassChain, x_0: tuple[float, float], end: float, fast: float) -> Columns:
+    shown = min(end, SWINGS * 2 * math.pi / fast) if fast else end
+    count = int(min(max(PER_SWING * shown * fast / (2 * math.pi), 300), SWINGS * PER_SWING)) + 1
+    t = np.linspace(0.0, shown, count)
+    motion = free_motion(system, x_0, (0.0, 0.0), t)
+    return {"t": t, "x1": motion.x[0], "x2": motion.x[1]}
+
+
+def _bound(free: FreeModes) -> tuple[float, float, float]:
+    """What x1, x2 and the elongation of spring 2 cannot exceed."""
+    reach = np.abs(free.amplitude).sum(axis=0) + np.abs(free.drift_a)
+    one, two = (float(value) for value in reach)
+    return one, two, one + two
+
+
+def _frame(bound: tuple[float, float, float]) -> Axis:
+    """A frame that does not follow every move of the start: it grows in steps of 1, 2, 5."""
+    reach = max(bound[:2])
+    if not math.isfinite(reach):
+        raise ValueError("the motion leaves the range of doubles")
+    half = _round_up(1.05 * reach) if reach else 1.0
+    return nice_axis(-half, half, "m", 4, exact=True)
+
+
+def _round_up(value: float) -> float:
+    """The smallest of 1, 2, 4, 5 times a power of ten that is not below `value`."""
+    below = round_down(value)
+    return value if below == value else min(f * below for f in (2.0, 2.5) if f * below >= value * (1 - 1e-9))
+
+
+def _lines(system: TwoMassChain, size: Axis) -> Columns:
+    """Both mode directions, as far as the frame and beyond."""
+    far = 2 * size.end
+    lines: Columns = {}
+    for mode, ratio in zip(MODES, system.modes().ratio, strict=True):
+        one, two = (0.0, 1.0) if math.isinf(ratio) else (1 / max(1.0, abs(ratio)), ratio / max(1.0, abs(ratio)))
+        lines[f"{mode}1"], lines[f"{mode}2"] = far * one * np.array([-1.0, 1.0]), far * two * np.array([-1.0, 1.0])
+    return lines
+
+
+def _values(system: TwoMassChain, parts: tuple[float, float], revealed: bool) -> dict[str, str]:
+    values = {f"share_{mode}": f"{three(100 * part)} %" for mode, part in zip(MODES, parts, strict=True)}
+    if revealed:
+        values |= {f"answer_{mode}": signed(float(r)) for mode, r in zip(MODES, system.modes().ratio, strict=True)}
+    return values
+
+
+def _found(system: TwoMassChain, parts: tuple[float, float]) -> str:
+    if not sum(parts):
+        return "rest"
+    if not (system.k1 and system.k2):
+        return "drift"
+    slow, fast = parts
+    return "slow" if fast <= FOUND else "fast" if slow <= FOUND else "mixed"

@@ -1,0 +1,191 @@
+"""The view Sweep of the scene modes: frequencies and shapes while one parameter runs over six decades."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from components.equations import rich
+from components.numbers import three
+from components.plots import Axis, Curve, log_axis, plot
+from components.scene import Columns, Picture
+from components.sheet import Block, choice, column, row, term, words
+from physics.coupled import TwoMassChain
+from physics.modes import PARAMETERS, Sweep, limit, sweep
+
+DECADES = 6
+SYMBOLS = {"m1": "m₁", "m2": "m₂", "k1": "k₁", "k2": "k₂"}
+PARTNER = {"m1": "m2", "m2": "m1", "k1": "k2", "k2": "k1"}
+"""The parameter of the same kind: a sweep is centred where both are alike."""
+
+LIMITS = {
+    "apart": (
+        "two oscillators of their own",
+        r"\sqrt{k_2/m_2},\ X_2/X_1 \to k_1/k_2", r"\sqrt{k_1/m_1},\ X_2/X_1 \to -m_1 k_2/(m_2 k_1)",
+    ),
+    "rigid": (
+        "one block on the wall's spring; the masses against each other",
+        r"\sqrt{k_1/(m_1 + m_2)},\ X_2/X_1 \to 1", r"\sqrt{k_2 (1/m_1 + 1/m_2)},\ X_2/X_1 \to -m_1/m_2",
+    ),
+    "series": (
+        "both springs in series under mass 2; mass 1 between them",
+        r"\sqrt{k_1 k_2/((k_1 + k_2) m_2)},\ X_2/X_1 \to 1 + k_1/k_2",
+        r"\sqrt{(k_1 + k_2)/m_1},\ X_2/X_1 \to -m_1 k_2/(m_2 (k_1 + k_2))",
+    ),
+    "stand": (
+        "mass 1 alone on its spring; mass 2 hangs on it as on a wall",
+        r"\sqrt{k_1/m_1},\ X_2/X_1 \to 1", r"\sqrt{k_2/m_2},\ X_2/X_1 \to -m_1/m_2",
+    ),
+}
+
+
+def sheet() -> Block:
+    return row(
+        column(
+            choice("swept", {name: SYMBOLS[name] for name in PARAMETERS}, "Swept parameter", phone=6),
+            _frequencies(),
+            _ratios(),
+            grow=600,
+        ),
+        words(
+            "**Now**",
+            r"[slow|$\omega_- = \val{now_slow}$ rad/s, $X_2/X_1 = \val{now_ratio_slow}$]",
+            r"[fast|$\omega_+ = \val{now_fast}$ rad/s, $X_2/X_1 = \val{now_ratio_fast}$]",
+            *_limits("low"), *_limits("high"),
+            "**The thin lines** are each mass on its springs while the other is held. They cross; the modes keep outside of both and "
+            "never meet.",
+            r"The two shapes mirror each other: $|X_2/X_1|_- \cdot |X_2/X_1|_+ = m_1/m_2$.",
+            grow=288, phone=20,
+        ),
+    )
+
+
+def _limits(end: str) -> list[str | dict[str, str]]:
+    """The limit at one end, in words and formulas, by its kind."""
+    kinds = {kind: texts for kind, texts in LIMITS.items()}
+    return [
+        {"form": end, **{kind: f"**{{{end}_name}}:** {texts[0]}" for kind, texts in kinds.items()}},
+        {"form": end, **{kind: rf"[slow|$\omega_- \to {texts[1]}$]" for kind, texts in kinds.items()}},
+        {"form": end, **{kind: rf"[fast|$\omega_+ \to {texts[2]}$]" for kind, texts in kinds.items()}},
+    ]
+
+
+def _curves(kind: str) -> tuple[Curve, ...]:
+    """Both modes, the asymptotes at both ends, dotted; `kind` is omega or ratio."""
+    curves = [
+        Curve(name=f"{kind}_{mode}", source=f"{kind}_{end}", tint=mode, width="dots", group="limits")
+        for end in ("low", "high") for mode in ("slow", "fast")
+    ]
+    labels = {"omega": ("*ω*_−", "*ω*_+"), "ratio": ("in phase", "opposite")}[kind]
+    curves += [
+        Curve(name=f"{kind}_{mode}", source=f"{kind}_sweep", tint=mode, width="sum", label=label)
+        for mode, label in zip(("slow", "fast"), labels, strict=True)
+    ]
+    return tuple(curves)
+
+
+def _frequencies() -> Block:
+    held = tuple(Curve(name=f"held{i}", source="omega_sweep", tint=f"m{i}", width="line", group="held") for i in (1, 2))
+    return plot(
+        "frequencies", x="p", y="f", title="Both natural frequencies against the swept parameter, with their asymptotes",
+        source="omega_sweep", x_column="p", curves=held + _curves("omega"),
+        heading=(
+            term("", "none", "ink", formula=r"\omega_\pm"),
+            term("held", "line", "mute", formula=r"\text{held: } \sqrt{(k_1 + k_2)/m_1},\ \sqrt{k_2/m_2}"),
+            term("limits", "dash", "mute", formula=r"\text{limits}"),
+        ),
+        x_labels=False, margin=(52, 60), top=30, handles=_handles(bare=True),
+        marks=({"at": "cross", "tint": "mute", "style": "dashed", "html": rich("the held ones cross"), "lift": 0},),
+        phone=10, height=230,
+    )
+
+
+def _ratios() -> Block:
+    return plot(
+        "ratios", x="p", y="q", title="Both mode ratios, without their sign, against the swept parameter",
+        source="ratio_sweep", x_column="p", curves=_curves("ratio"),
+        heading=(term("", "none", "ink", formula=r"|X_2/X_1|"),),
+        margin=(52, 60), handles=_handles(), phone=11, height=200,
+    )
+
+
+def _handles(bare: bool = False) -> tuple[dict[str, object], ...]:
+    return tuple(
+        {"parameter": name, "symbol": SYMBOLS[name], "label": f"{SYMBOLS[name]}, swept", "tint": "ink", "axis": "x",
+         "show": f"swept_{name}", "bare": bare}
+        for name in PARAMETERS
+    )
+
+
+def picture(system: TwoMassChain, swept: str) -> Picture:
+    """All of the view for one chain; ValueError where a frequency leaves the range of doubles."""
+    values = np.geomspace(*_range(system, swept), 241)
+    run = sweep(system, swept, values)
+    if not np.all(np.isfinite(run.omega)):
+        raise ValueError("a natural frequency leaves the range of doubles in this sweep")
+    kinds, columns = {}, _columns(run)
+    for end, name, part in ((0, "low", slice(None, 121)), (1, "high", slice(120, None))):
+        tends = limit(system, swept, end, values[part])
+        kinds[name] = tends.kind
+        columns |= _pair(name, values[part], tends.omega, tends.ratio)
+    modes = system.modes()
+    now = {"now_slow": modes.omega[0], "now_fast": modes.omega[1], "now_ratio_slow": modes.ratio[0], "now_ratio_fast": modes.ratio[1]}
+    decades = log_axis(float(values[0]), float(values[-1]), {"m": "kg", "k": "N/m"}[swept[0]], DECADES)
+    shown = bool(system.k2 or swept == "k2")
+    return Picture(
+        columns={name: {k: v for k, v in source.items()} for name, source in columns.items()},
+        axes={"p": decades, "f": _log_range(run.omega, "rad/s"), "q": _log_range(np.abs(run.ratio), "") if shown else log_axis(0.1, 10)},
+        scalars=_crossing(run, decades),
+        values={
+            **{name: three(float(value)) for name, value in now.items()},
+            "low_name": f"{SYMBOLS[swept]} → 0", "high_name": f"{SYMBOLS[swept]} → ∞",
+        },
+        forms={**kinds, f"swept_{swept}": "shown"},
+    )
+
+
+def _range(system: TwoMassChain, swept: str) -> tuple[float, float]:
+    """Six decades about the parameter of the same kind, or about the value itself, or about 1."""
+    about = getattr(system, PARTNER[swept]) or getattr(system, swept) or 1.0
+    middle = min(max(math.floor(math.log10(about)), -304), 304)
+    return float(f"1e{middle - DECADES // 2}"), float(f"1e{middle + DECADES // 2}")
+
+
+def _columns(run: Sweep) -> dict[str, Columns]:
+    columns = _pair("sweep", run.values, run.omega, run.ratio)
+    columns["omega_sweep"] |= {"held1": run.held[0], "held2": run.held[1]}
+    return columns
+
+
+def _pair(name: str, values: NDArray[np.float64], omega: NDArray[np.float64], ratio: NDArray[np.float64]) -> dict[str, Columns]:
+    """Columns of both frequencies, and of both ratios without sign; none where a ratio is infinite: nothing is coupled."""
+    columns: dict[str, Columns] = {f"omega_{name}": {"p": values, "omega_slow": omega[0], "omega_fast": omega[1]}, f"ratio_{name}": {}}
+    if np.all(np.isfinite(ratio)):
+        columns[f"ratio_{name}"] = {"p": values, "ratio_slow": np.abs(ratio[0]), "ratio_fast": np.abs(ratio[1])}
+    return columns
+
+
+def _log_range(rows: NDArray[np.float64], unit: str) -> Axis:
+    """A logarithmic axis that shows all positive numbers of the rows, up to twelve decades."""
+    seen = rows[(rows > 0) & np.isfinite(rows)]
+    if not len(seen):
+        return log_axis(0.1, 10.0, unit)
+    low, high = float(np.log10(seen.min())), float(np.log10(seen.max()))
+    low, high = max(low, high - 12), high + 0.06 * (high - low) + 0.02
+    axis = log_axis(10.0 ** max(low - 0.04 * (high - low) - 0.02, -307), 10.0 ** min(high, 307), unit, 4)
+    return replace(axis, ticks=axis.ticks or (float(round(high)),))
+
+
+def _crossing(run: Sweep, axis: Axis) -> dict[str, float]:
+    """Where both masses alone, the other held, have one frequency."""
+    gap = np.log(run.held[0]) - np.log(run.held[1]) if np.all(run.held > 0) else np.ones(2)
+    change = np.flatnonzero(np.sign(gap[:-1]) != np.sign(gap[1:]))
+    if not len(change):
+        return {}
+    i = int(change[0])
+    share = float(gap[i] / (gap[i] - gap[i + 1]))
+    low, high = axis.place(float(run.values[i])), axis.place(float(run.values[i + 1]))
+    return {"cross": low + share * (high - low)}
