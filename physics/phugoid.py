@@ -20,14 +20,16 @@ and q = V - 1 stand in for u and V, so that a small disturbance keeps its digits
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from decimal import Decimal
 from functools import lru_cache
-from math import hypot, isfinite, pi, sqrt
+from math import hypot, pi, sqrt
 
 import numpy as np
 from numpy.polynomial.polynomial import polyval
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from physics.exact import PI, Array, exact, precise, rounded
+from physics.valid import check_positive, finite_array
 
 CUSP_EXCESS = sqrt(3) - 1
 LINEAR_PERIOD = sqrt(2) * pi  # in v_0/g
@@ -82,43 +84,45 @@ class Flight:
 
     def rates(self, v_0: float, g: float) -> tuple[Array, Array, Array]:
         """du/dt, dw/dt and dV/dt, which at standstill is taken as 0 between its two limits -g and g."""
-        lift, moves = g * self.V / v_0, self.V > FREE_FALL * v_0
+        lift, moves = g * self.V / v_0, FREE_FALL * v_0 < self.V
         sine = np.divide(self.w, self.V, out=np.zeros_like(self.V), where=moves)
         return -lift * self.w / v_0, lift * self.u / v_0 - g, -g * sine
 
 
 def linear_phugoid(v_0: float, g: float) -> LinearPhugoid:
-    """omega = sqrt(2) g/v_0 and tau = sqrt(2) pi v_0/g."""
-    _check_surroundings(v_0, g)
-    return LinearPhugoid(omega=sqrt(2) * g / v_0, tau=LINEAR_PERIOD * v_0 / g)
+    """omega = sqrt(2) g/v_0 and tau = sqrt(2) pi v_0/g, rounded once."""
+    check_positive("a speed in m/s", v_0=v_0)
+    check_positive("gravity in m/s^2", g=g)
+    with precise():
+        omega = Decimal(2).sqrt() * exact(g) / exact(v_0)
+        return LinearPhugoid(omega=rounded("omega", omega), tau=rounded("the period", 2 * PI / omega))
 
 
 def linear_flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
     """The flight that is level at t = 0 with speed v_0 (1 + excess), to first order in the excess."""
     omega = linear_phugoid(v_0, g).omega
     _check_excess(excess)
-    t = np.asarray(t, dtype=float)
-    speed, climb = excess * np.cos(omega * t), sqrt(2) * excess * np.sin(omega * t)
-    length = v_0 * v_0 / g
-    return Flight(
-        t=t, x=v_0 * t + length * climb / 2, h=-length * speed,
-        u=v_0 * (1 + speed), w=v_0 * climb, V=v_0 * (1 + speed), theta=climb,
-    )  # fmt: skip
+    t = finite_array("t", t)
+    phase = _product("the phase", omega, t)
+    speed, climb = excess * np.cos(phase), sqrt(2) * excess * np.sin(phase)
+    return _in_si(
+        v_0, g, t=t, x=phase / sqrt(2) + climb / 2, h=-speed, u=1 + speed, w=climb, V=1 + speed, theta=climb
+    )
 
 
 def flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
-    """The exact flight that is level at t = 0 with speed v_0 (1 + excess), at any times t (n,)."""
-    _check_surroundings(v_0, g)
+    """The exact flight that is level at t = 0 with speed v_0 (1 + excess), at any times t (n,).
+
+    Within 32 u of v_0 and v_0^2/g in the first period (u = 2^-53); the phase loses 2 u more in each period.
+    """
+    omega = linear_phugoid(v_0, g).omega
     half = _half_period(_bottom_excess(excess))
-    t = np.asarray(t, dtype=float)
+    t = finite_array("t", t)
     start = half.duration if excess < 0 else 0.0
-    x, p, w, theta = half.at(t * (g / v_0) + start)
+    x, p, w, theta = half.at(_product("the phase", omega, t) / sqrt(2) + start)
     x_start = half.at(np.array([start]))[0][0]
-    length = v_0 * v_0 / g
-    return Flight(
-        t=t, x=length * (x - x_start), h=length * _height(p, w),
-        u=v_0 * (1 + p), w=v_0 * w, V=v_0 * np.hypot(1 + p, w), theta=theta,
-    )  # fmt: skip
+    V = np.hypot(1 + p, w)
+    return _in_si(v_0, g, t=t, x=x - x_start, h=_height(p, w), u=1 + p, w=w, V=V, theta=theta)
 
 
 def lanchester(excess: float, n: int = 401) -> LanchesterPeriod:
@@ -281,7 +285,17 @@ def _check_excess(excess: float) -> None:
         raise ValueError(f"speed excess = {excess!r} v_0: from -1 (standstill) to {LARGEST_EXCESS:g}")
 
 
-def _check_surroundings(v_0: float, g: float) -> None:
-    for name, value in (("v_0", v_0), ("g", g)):
-        if not (isfinite(value) and value > 0):
-            raise ValueError(f"{name} = {value!r}: a finite number above 0")
+def _in_si(v_0: float, g: float, *, t: Array, theta: Array, x: Array, h: Array, **speeds: Array) -> Flight:
+    """From lengths in v_0^2/g and speeds in v_0."""
+    with precise():
+        length = rounded("v_0^2/g", exact(v_0) ** 2 / exact(g))
+    lengths = {name: _product(name, length, values) for name, values in (("x", x), ("h", h))}
+    return Flight(t=t, theta=theta, **lengths, **{name: _product(name, v_0, u) for name, u in speeds.items()})
+
+
+def _product(quantity: str, factor: float, values: Array) -> Array:
+    with np.errstate(over="ignore"):
+        product = factor * values
+    if not np.all(np.isfinite(product)):
+        raise ValueError(f"{quantity} leaves the range of doubles")
+    return product

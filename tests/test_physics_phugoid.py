@@ -228,3 +228,24 @@ def test_rates_are_the_derivatives_of_the_flight(excess):
 def test_rates_at_standstill_are_finite():
     still = flight(45.72, 9.80665, -1.0, [0.0])
     assert [float(rate[0]) for rate in still.rates(45.72, 9.80665)] == pytest.approx([0.0, -9.80665, 0.0])
+
+
+def test_what_leaves_the_range_of_doubles_is_named():
+    with pytest.raises(ValueError, match=r"omega = 1\.41.*range of doubles"):
+        linear_phugoid(1e-300, 1e300)
+    with pytest.raises(ValueError, match=r"v_0\^2/g = 1\.0.*range of doubles"):
+        flight(1e200, 1.0, 0.1, [0.0])
+    for fly in (flight, linear_flight):
+        with pytest.raises(ValueError, match="the phase leaves"):
+            fly(1e-10, 1e10, 0.1, [1e300])
+        with pytest.raises(ValueError, match="t = inf"):
+            fly(1.0, 1.0, 0.1, [math.inf])
+
+
+@pytest.mark.parametrize(("v_0", "g"), [(1e-150, 1e-300), (1e150, 1e300), (1e-300, 1e-300), (1e150, 1e-5)])
+def test_extreme_aircraft_fly_the_same_path(v_0, g):
+    period = linear_phugoid(v_0, g).tau
+    t = np.linspace(0, 2, 9)
+    extreme, unit = flight(v_0, g, 0.6, t * period), flight(1.0, 1.0, 0.6, t * LINEAR_PERIOD)
+    np.testing.assert_allclose(extreme.V / v_0, unit.V, rtol=1e-13)
+    np.testing.assert_allclose(extreme.h / v_0 / v_0 * g, unit.h, rtol=1e-12, atol=1e-14)
