@@ -116,7 +116,7 @@ def groups() -> tuple[Group, ...]:
             show=system.slug,
         )
         for system in ANALOGUES.values()
-    ) + (Group("Start", ("theta_0",), show="swinging"),)
+    ) + (Group("", ("theta_0",), show="swinging"),)
 
 
 def _quantity(name: str, parameter: Parameter) -> Quantity:

@@ -64,7 +64,7 @@ class Swing:
 
     `size` is the amplitude as a share of the largest drawn, `q` the displacement so and `behind` the same a quarter
     period later; `angle` is that of what rocks, with its sine and cosine; `half_waves` counts those of what vibrates
-    and `along` is how far air moves in the pipe; `phase` is omega t.
+    (`belly` is where the first is widest, as a share of the length) and `along` is how far air moves; `phase` is omega t.
     """
 
     size: Number
@@ -74,6 +74,7 @@ class Swing:
     sine: Expression
     cosine: Expression
     half_waves: Number
+    belly: Number
     along: Number
     phase: Expression
 
@@ -180,6 +181,7 @@ def _string(c: Canvas, s: Swing) -> list[Shape]:
         wave(*place, c.unit * -17 * s.size, s.half_waves / 2, style="eq", tint="mute"),
         c.line(9, 27, 75, 27, "eq", "mute"),
         wave(*place, c.unit * 17 * s.q, s.half_waves / 2, style="sum", tint="m1"),
+        *([c.arrow(9 + 66 * s.belly, 27, 9 + 66 * s.belly, 27 - 17 * s.q, "m1")] if c.large else []),
         *c.name(5, 29, "*T*", "k"),
         *c.name(79, 29, "*T*", "k"),
     ]
@@ -216,7 +218,8 @@ def _pipe(c: Canvas, s: Swing) -> list[Shape]:
         c.path("M10 15h64v24h-64z", style="rod scaled"),
         c.line(10, 12, 10, 42, "wall bar"),
         c.line(74, 12, 74, 42, "wall bar"),
-        *([] if c.large else [c.arrow(42 - 10 * s.q, 47, 42 + 10 * s.q, 47, "m1")]),
+        c.arrow(10 + 64 * s.belly, 47, 10 + 64 * s.belly + s.along * s.q, 47, "m1"),
+        c.line(10 + 64 * s.belly, 41, 10 + 64 * s.belly, 50, "eq", "mute"),
     ]
 
 
@@ -238,7 +241,7 @@ def tiles() -> dict[str, list[Shape]]:
     unit = H / HEIGHT
     canvas = Canvas(W / 2 - unit * (WIDTH / 2), 0, unit)
     angle = 0.5 * var("cosine")
-    swing = Swing(1, var("cosine"), var("sine"), angle, *small_angle(angle), 1, 5.4, var("phase"))
+    swing = Swing(1, var("cosine"), var("sine"), angle, *small_angle(angle), 1, 0.5, 10, var("phase"))
     return {slug: draw(canvas, swing) for slug, draw in PICTURES.items()}
 
 
@@ -246,6 +249,6 @@ def large(slug: str, canvas: Canvas) -> list[Shape]:
     """One picture on the stage, shown while its system is chosen."""
     swing = Swing(
         var("size"), var("size") * var("share"), var("size") * var("sine"), var("angle"), var("angle_sine"),
-        var("angle_cosine"), var("half_waves"), var("along"), var("phase"),
+        var("angle_cosine"), var("half_waves"), var("belly"), var("along"), var("phase"),
     )
     return [{**one, "show": slug} for one in PICTURES[slug](canvas, swing)]

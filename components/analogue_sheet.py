@@ -17,6 +17,15 @@ LIMITS = {"late_01": 0.001, "late_1": 0.01, "late_5": 0.05}
 """Excesses T/T_0 - 1 that have a flag, by the scalar that places it."""
 
 EXACT_V = {"pendulum": r"m g l (1 - \cos \theta)", "rocking": r"m g d (1 - \cos \theta)"}
+EQUATIONS = {
+    "pendulum": r"m l^2 \ddot{\theta} + m g l \sin \theta = 0",
+    "rocking": r"I \ddot{\theta} + m g d \sin \theta = 0",
+    "string": r"\tfrac{1}{2} \rho_L L \, \ddot{q}_n + T \tfrac{n^2 \pi^2}{2 L} q_n = 0",
+    "wave": r"\tfrac{\rho}{\kappa} \ddot{\eta} + \rho g \eta = 0",
+    "circuit": r"L \ddot{q} + q / C = 0",
+    "pipe": r"\tfrac{1}{2} \rho A L \, \ddot{q}_n + \rho c^2 A \tfrac{n^2 \pi^2}{2 L} q_n = 0",
+}
+"""Equations of motion where they are not the formulas of the table put together."""
 
 _STARTS = {slug: rf"{system.coordinate.replace('_n', '')}_0" for slug, system in ANALOGUES.items()}
 
@@ -29,14 +38,14 @@ def analogue_sheet() -> Block:
             grow=318,
             gap=0,
         ),
-        row(column(_roles(), basis=424, grow=0), column(_lateness(), _formula()), grow=255),
+        row(column(_roles(), _equation(), basis=436, grow=0), column(_lateness(), _formula()), grow=255),
     )
 
 
 def _motion() -> Block:
     (rule, rule_band), (swing, swing_band) = (
         traced("x", tint="m1", width="dash", label="spring"),
-        traced("q", tint="m1", width="sum", label="", signal="level"),
+        traced("q", tint="m1", width="sum", label="exact", signal="level"),
     )
     exact = {slug: rf"{ANALOGUES[slug].coordinate} \text{{ exact}}" for slug in SWINGING}
     cosine = {
@@ -52,8 +61,8 @@ def _motion() -> Block:
         bands=(rule_band, swing_band),
         heading=(
             term("q", "sum", "m1", **exact, **cosine),
-            term("x", "dash", "m1", **rules, linear=r"\text{spring, the same}"),
-            term("", "none", "mute", formula=r"\val{speed}"),
+            term("x", "dash", "m1", **rules, linear=r"\text{spring}"),
+            term("", "none", "mute", formula=r"\text{played }\val{speed}"),
         ),
         cursor="time",
         margin=(52, 52),
@@ -66,29 +75,53 @@ def _motion() -> Block:
 
 def _roles() -> Block:
     """What plays x, m, k, T, V and omega_n, in formulas and numbers that agree or part as one watches."""
+    systems = ANALOGUES.items()
     rows = [
-        _role("m1", "x", "x = ", "x", "m", {slug: f"{s.coordinate} = " for slug, s in ANALOGUES.items()}, "q", "q_unit"),
-        _role("m1", "m", "m = ", "m", "kg", {slug: f"{s.inertia_formula} = " for slug, s in ANALOGUES.items()}, "m", "m_unit"),
-        _role("k", "k", "k = ", "k", "N/m", {slug: f"{s.stiffness_formula} = " for slug, s in ANALOGUES.items()}, "k", "k_unit"),
-        _role("T", "T", r"\tfrac{1}{2} m \dot{x}^2 = ", "T_x", "J", {slug: f"{s.T_formula} = " for slug, s in ANALOGUES.items()}, "T_q", "E_unit"),
-        _role("V", "V", r"\tfrac{1}{2} k x^2 = ", "V_x", "J",
-              {slug: f"{EXACT_V.get(slug, s.V_formula)} = " for slug, s in ANALOGUES.items()}, "V_q", "E_unit"),
+        _role("m1", "x", "x", "x_unit", {slug: s.coordinate for slug, s in systems}, "q", "q_unit"),
+        _role("m1", "m", "m", "kg", {slug: s.inertia_formula for slug, s in systems}, "m", "m_unit"),
+        _role("k", "k", "k", "N/m", {slug: s.stiffness_formula for slug, s in systems}, "k", "k_unit"),
+        _role("T", "T", r"\tfrac{1}{2} m \dot{x}^2", "J_unit", {slug: s.T_formula for slug, s in systems}, "T_q", "E_unit"),
+        _role(
+            "V", "V", r"\tfrac{1}{2} k x^2", "J_unit",
+            {slug: EXACT_V.get(slug, s.V_formula) for slug, s in systems}, "V_q", "E_unit",
+        ),
     ]
-    omega = {slug: rf"${s.omega_formula} = \val{{omega}}$ rad/s" for slug, s in ANALOGUES.items()}
+    omega = {slug: rf"${s.omega_formula} = \val{{omega}}$ rad/s" for slug, s in systems}
     rows.append([r"gives $\omega_n$", r"$\sqrt{k/m} = \val{omega}$ rad/s", {"form": "system", **omega}])
-    return table(*rows, head=["", "Spring and mass", "{system_name}"], phone=30)
+    return {**table(*rows, head=["", "Spring and mass", "{system_name}"], phone=30), "style": "roles"}
 
 
 def _role(
-    tint: str, symbol: str, formula: str, value: str, unit: str, formulas: dict[str, str], own: str, own_unit: str
+    tint: str, symbol: str, formula: str, unit: str, formulas: dict[str, str], own: str, own_unit: str
 ) -> list[str | dict[str, str]]:
-    """A row: its name, the spring's side, and the side of the chosen system; `unit` of the spring gets its power of ten."""
-    powers = {"x": "{x_power}", "T_x": "{E_power}", "V_x": "{E_power}"}.get(value, "")
+    """A row: its name, the spring's side, and the side of the chosen system. A unit may be a live text, ..._unit."""
+    value = {"T": "T_x", "V": "V_x"}.get(symbol, symbol)
+    suffix = f"{{{unit}}}" if unit.endswith("_unit") else f"\N{NO-BREAK SPACE}{unit}"
     return [
         f"plays ${symbol}$",
-        f"[{tint}|${formula}\\val{{{value}}}$ {powers}{unit}]",
-        {"form": "system", **{slug: f"[{tint}|${text}\\val{{{own}}}$ {{{own_unit}}}]" for slug, text in formulas.items()}},
+        f"[{tint}|${_compact(formula)} = \\val{{{value}}}$" + suffix + "]",
+        {"form": "system", **{
+            slug: f"[{tint}|${_compact(text)} = \\val{{{own}}}${{{own_unit}}}]" for slug, text in formulas.items()
+        }},
     ]
+
+
+def _compact(formula: str) -> str:
+    """Halves and quarters as one sign, so that rows stay low."""
+    return formula.replace(r"\tfrac{1}{2}", r"\text{½}").replace(r"\tfrac{1}{4}", r"\text{¼}")
+
+
+def _equation() -> Block:
+    """The equation of motion in the names of the chosen system."""
+    equations = {
+        slug: EQUATIONS.get(slug, rf"{s.inertia_formula} \, \ddot{{{s.coordinate}}} + {s.stiffness_formula} \, {s.coordinate} = 0")
+        for slug, s in ANALOGUES.items()
+    }
+    return words(
+        {"form": "system", **{slug: f"**The same equation{', for small angles' * (slug in SWINGING)}:** ${equation}$" for slug, equation in equations.items()}},
+        style="equation",
+        phone=31,
+    )
 
 
 def _lateness() -> Block:
@@ -120,7 +153,7 @@ def _lateness() -> Block:
         ),
         source="late",
         x_column="angle",
-        handles=({"parameter": "theta_0", "symbol": "θ₀", "label": "Angle at the start, °", "tint": "m1"},),
+        handles=({"parameter": "theta_0", "symbol": "θ₀", "label": "Angle at the start, °", "tint": "m1", "unit": "°"},),
         marks=marks,
         margin=(44, 30),
         top=46,
@@ -137,10 +170,10 @@ def _formula() -> Block:
     block = words(
         {"form": "system", **omega},
         r"$= \val{omega}$ rad/s",
-        "{frequency} Hz: one swing takes {period} s.",
+        "{frequency} Hz, one swing takes {period} s",
+        "**Linear at any size:** the dashed line of the spring stays under the curve, however large the start.",
         {"form": "note", **notes},
-        "Linear at any size: the spring's dashed line stays under the curve, however large the start.",
-        style="formula",
+        style="omega",
         phone=20,
     )
-    return {**block, "show": "linear"}
+    return {**block, "grow": 1, "show": "linear"}

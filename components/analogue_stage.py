@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from components.analogue_pictures import HEIGHT, PICTURES, Canvas, large
+from components.analogue_pictures import HEIGHT, PICTURES, WIDTH, Canvas, large
 from components.stage import (
     H, Number, Shape, W, arc, arrow, circle, line, on_x, on_y, shape, spring, text, var, wall,
 )
@@ -12,6 +12,7 @@ WIDE, NARROW = var("wide"), var("narrow")
 TWIN = W - 46
 """Where the spring and mass stands."""
 SIDE = 0.112 * H
+UNIT = W / 112
 CENTRE = 0.5 * (W - 92)
 """The middle of what is left to the chosen system."""
 
@@ -30,8 +31,7 @@ COORDINATES = {
 
 def shapes() -> list[Shape]:
     """All of the stage: the nine systems, of which one is shown, and the spring."""
-    unit = W / 112
-    canvas = Canvas(CENTRE - unit * 42, 0.55 * H - unit * (HEIGHT / 2), unit, large=True)
+    canvas = Canvas(CENTRE - UNIT * (WIDTH / 2), 0.55 * H - UNIT * (HEIGHT / 2), UNIT, large=True)
     found = [one for slug in PICTURES if slug != "pendulum" for one in large(slug, canvas)]
     return [*found, *pendulum(), *coordinates(), *twin(), *bracket(), *lateness()]
 
@@ -39,8 +39,9 @@ def shapes() -> list[Shape]:
 def coordinates() -> list[Shape]:
     """The coordinate as a number, where nothing moves."""
     look = {"tint": "m1", "style": "t2 b halo"}
+    over = {"pendulum": 14}
     return [
-        text(CENTRE, 14, f"{symbol.replace('_n*', '*_n')} = {{level}} {{level_unit}}", show=slug, **look)
+        text(CENTRE, over.get(slug, 0.55 * H - UNIT * (HEIGHT / 2) - 6), f"{symbol.replace('_n*', '*_n')} = {{level}}{{level_unit}}", show=slug, **look)
         for slug, symbol in COORDINATES.items()
     ]
 
@@ -56,7 +57,7 @@ def pendulum() -> list[Shape]:
     for side in (-1, 1):
         along, down = side * var("end_sine"), var("end_cosine")
         found.append(line(x + along * near, y + down * near, x + along * (rod + 7), y + down * (rod + 7), style="floor"))
-        found.append(text(x + along * (rod + 24), y + down * (rod + 24) + 5, "{end_right}" if side > 0 else "{end_left}", tint="mute"))
+        found.append(text(x + along * (rod + 8), y + down * (rod + 8) - 8, "{end_right}" if side > 0 else "{end_left}", tint="mute"))
     found += [
         line(x, y, *rule, style="faint"),
         circle(*rule, radius, style="ghost", tint="m1"),
@@ -80,7 +81,7 @@ def height(signal: str, share: Number) -> Number:
 def twin() -> list[Shape]:
     """The spring and mass of equal omega: it stands at the plot's axis and runs along it."""
     level = WIDE * on_y(PLOT, 0) + NARROW * 0.45 * H
-    foot = WIDE * (var(f"{PLOT}.bottom") + 30) + NARROW * (H - 10)
+    foot = WIDE * (var(f"{PLOT}.bottom") + 16) + NARROW * (H - 10)
     y = height("rule", var("cosine") * var("drawn_sign"))
     return [
         wall(TWIN - 36, foot, 72, side="bottom"),

@@ -26,6 +26,8 @@ Choice = (param.Selector, param.Boolean)
 class Group:
     """Parameters that belong together, under a title; the hint names another way to set them.
 
+    Without a title they go on with the group before.
+
     `actions` are buttons, (name, label): the scene's `action(name)` says what they set. A `folded` group opens when
     asked for, or when one of its values is not the default. `show` is the form by which a group stands. `pictures`
     makes a choice one of pictures: the shapes of a stage for each value. `facts` are rows of cells, texts for `rich`,

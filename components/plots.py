@@ -54,7 +54,7 @@ class Band:
     label: str = ""
 
 
-WIDTHS = {"sum": 3.0, "line": 1.75, "dash": 1.75, "dots": 1.0}
+WIDTHS = {"sum": 3.0, "line": 1.75, "dash": 1.75, "dots": 1.0, "thin": 1.0}
 DASHES = {"dash": [7, 5], "dots": [1, 3]}
 
 
@@ -233,7 +233,7 @@ class Axis:
         if self.labels:
             labels = list(self.labels)
         elif self.ticks and self.unit:
-            labels[-1] = f"{labels[-1]} {self.full_unit}"
+            labels[-1] = f"{labels[-1]}{'' if self.full_unit == '°' else ' '}{self.full_unit}"
         start, end = self.place(self.start), self.place(self.end)
         ticks = [float(tick) for tick in self.ticks]
         return {

@@ -333,8 +333,9 @@ export function buildControls(host, spec, send) {
   const stages = []
   const actionProblems = []
   const sections = spec.groups.map(group => {
-    const title = element("h2", {}, group.title, element("span", {}, group.hint))
-    const section = element("section", {class: "group", "aria-label": group.title}, title)
+    const section = element("section", {class: "group", "aria-label": group.title || undefined})
+    if (group.title) section.append(element("h2", {}, group.title, element("span", {}, group.hint)))
+    else section.classList.add("on")
     const rows = group.folded ? element("details", {class: "fold"}, element("summary", {}, "Set each value")) : section
     if (group.folded) folds.push({rows, names: group.rows.map(row => row.name)})
     for (const row of group.rows) {

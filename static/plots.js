@@ -110,6 +110,7 @@ export class Plot {
   #ranges() {
     let {x, y} = this
     if (this.block.square && this.box) {
+      [x, y] = [this.state.axes[this.block.x], this.state.axes[this.block.y]]
       // One scale for both axes: the axis with room to spare shows more than it was asked to.
       const scale = Math.max((x.end - x.start) / this.box.width, (y.end - y.start) / this.box.height)
       const wide = (axis, pixels) => {
@@ -255,7 +256,7 @@ export class Plot {
       pill.style.top = `${top + height + 3}px`
     }
     pill.classList.toggle("outside", inside !== value)
-    const shown = `${pill.symbol ? `${pill.symbol} ` : ""}${text ?? ""}`
+    const shown = `${pill.symbol ? `${pill.symbol} ` : ""}${text ?? ""}${pill.handle?.unit ?? ""}`
     if (pill.textContent !== shown) pill.textContent = shown
     const facts = {"aria-valuenow": value, "aria-valuetext": text ?? "", "aria-valuemin": axis.start, "aria-valuemax": axis.end}
     for (const [key, fact] of Object.entries(facts)) pill.setAttribute(key, fact)

@@ -33,7 +33,7 @@ function factorText(factor) {
 
 // How fast the motion is played, in words: the element of the live number "speed" shows it.
 function speedText(factor) {
-  if (Math.abs(factor - 1) < 1e-9) return "as fast as in life"
+  if (Math.abs(factor - 1) < 1e-9) return "in real time"
   const times = Math.max(factor, 1 / factor)
   const text = times < 1e6 ? Number(times.toPrecision(3)).toLocaleString("en").replaceAll(",", "\u202f") : factorText(times).replace("×", "")
   return `${text} times ${factor < 1 ? "slower" : "faster"}`

@@ -33,6 +33,8 @@ DEGREE = math.pi / 180
 SWINGS = 3.5
 TINY = 1e-9
 """rad; smaller swings have this one's shape to the last digit."""
+UNHURRIED = (1.0, 10.0)
+"""s; periods that are easy to watch as they are."""
 MOST_HALF_WAVES = 12
 """More would not be seen in a picture."""
 
@@ -164,9 +166,7 @@ def _motion_columns(case: Case) -> tuple[Columns, Columns, NDArray[np.float64]]:
 
 def _late_axes(case: Case) -> dict[str, Axis]:
     """Angle and lateness; they reach to 90 degrees and 19 %, or as far as the start is beyond."""
-    if not case.pendulum:
-        return {}
-    wide = abs(case.q_0) > 88 * DEGREE
+    wide = case.pendulum is not None and abs(case.q_0) > 88 * DEGREE
     end, step = (180, 30) if wide else (90, 15)
     angle = Axis(0.0, end, "°", ticks=tuple(float(tick) for tick in range(0, end + 1, step)))
     return {"angle": angle, "late": nice_axis(0.0, max(1.25 * case.excess, 0.19), "%", 4, exact=True, factor=0.01)}
@@ -236,10 +236,10 @@ def _scalars(case: Case, axes: dict[str, Axis]) -> dict[str, float]:
     """Sizes on the stage, what is shown of it, places of brackets and flags, and the clock's speed."""
     time, T_0, T = axes["t"], case.spring.period, case.period
     scalars = {case.system.slug: 1.0, "amplitude": axes["q"].place(abs(case.q_0)), "drawn_sign": math.copysign(1.0, case.q_0)}
-    scalars |= pace(2 * math.pi / T, case.omega)
+    scalars |= pace(2 * math.pi / T, case.omega) | ({"pace": 1.0} if UNHURRIED[0] <= T <= UNHURRIED[1] else {})
     scalars["size"] = math.copysign(min(abs(case.q_0) / (LARGEST * case.system.swing), 1.0), case.q_0)
     scalars |= {"half_waves": min(case.p.get("n", 1.0), MOST_HALF_WAVES)}
-    scalars["along"] = 5.4 / scalars["half_waves"]
+    scalars |= {"along": 10 / scalars["half_waves"], "belly": 0.5 / scalars["half_waves"]}
     drawn = samples(case.end, case.omega) > 12 * case.end / T_0
     if case.pendulum:
         scalars |= _pendulum_scalars(case, axes)
@@ -281,17 +281,22 @@ def _values(case: Case, size: Axis, energy: Axis) -> dict[str, str]:
         "late_percent": three(100 * case.excess),
         "end_right": f"{degrees}°",
         "end_left": f"−{degrees}°",
-        "level_unit": size.full_unit,
+        "level_unit": _unit(size, "") if case.pendulum else _unit(size),
         "system_name": system.name,
         "m": three(case.spring.m),
-        "m_unit": system.inertia_unit,
+        "m_unit": f"\N{NO-BREAK SPACE}{system.inertia_unit}",
         "k": three(case.spring.k),
-        "k_unit": system.stiffness_unit,
-        "x_power": own.suffix,
-        "q_unit": own.full_unit,
-        "E_power": energy.suffix,
-        "E_unit": energy.full_unit + ("/m²" if system.slug == "wave" else ""),
+        "k_unit": f"\N{NO-BREAK SPACE}{system.stiffness_unit}",
+        "x_unit": _unit(replace(own, unit="m")),
+        "q_unit": _unit(own),
+        "J_unit": _unit(energy),
+        "E_unit": _unit(energy) + ("/m²" if system.slug == "wave" else ""),
     }
+
+
+def _unit(axis: Axis, gap: str = "\N{NO-BREAK SPACE}") -> str:
+    """The unit as it follows a number: ·10⁻⁶ m, or a space and m."""
+    return axis.suffix.replace(" ", "\N{NO-BREAK SPACE}") + axis.unit if axis.suffix else gap + axis.unit
 
 
 def _forms(case: Case) -> dict[str, str]:
