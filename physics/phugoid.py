@@ -6,40 +6,51 @@
             | m g                  x      distance along the ground
 
 Lift is m g (V/v_0)^2, square to the path; thrust cancels drag. Small perturbations obey
-d2h'/dt2 + omega^2 h' = 0 with omega = sqrt(2) g/v_0, and v' = -(g/v_0) h'.
-
-Any size (Lanchester, Aerodonetics, 1908), with speeds in v_0, times in v_0/g, lengths in v_0^2/g,
-u = V cos(theta) forward and w = V sin(theta) up:
-
-    du/dt = -V w,   dw/dt = V u - 1,   dx/dt = u,   h = (1 - V^2)/2,   C = u - V^3/3 = const.
-
-C = 2/3 is level flight, C = 0 the cusp (speed excess sqrt(3) - 1), below 0 are loops. The motion is symmetric
-about its lowest and its highest point, so half a period is solved, by Taylor series, and mirrored. p = u - 1
-and q = V - 1 stand in for u and V, so that a small disturbance keeps its digits.
+d2h'/dt2 + omega^2 h' = 0 with omega = sqrt(2) g/v_0, and v' = -(g/v_0) h'. The exchange of m g h for m V^2/2
+is of first order and runs at omega; T and V of the spring that it mimics are quadratic and run at 2 omega.
+Disturbances of any size are in physics.lanchester; here they get their units.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from decimal import Decimal
-from functools import lru_cache
-from math import hypot, pi, sqrt
+from math import sqrt
 
 import numpy as np
-from numpy.polynomial.polynomial import polyval
 from numpy.typing import ArrayLike
 
 from physics.exact import PI, Array, exact, precise, rounded
+from physics.lanchester import (
+    CUSP_EXCESS,
+    EXCESS_AT_LATENESS,
+    FREE_FALL,
+    LINEAR_PERIOD,
+    LanchesterPeriod,
+    bottom_excess,
+    check_excess,
+    excess_at_period_excess,
+    half_period,
+    height,
+    invariant,
+    lanchester,
+    period_excess,
+)
 from physics.valid import check_positive, finite_array
 
-CUSP_EXCESS = sqrt(3) - 1
-LINEAR_PERIOD = sqrt(2) * pi  # in v_0/g
-LARGEST_EXCESS = 1e6
-EXCESS_AT_LATENESS = {0.001: 0.15114630935641565, 0.01: 0.4585246908361407}  # T/T_0 - 1: excess in v_0
-
-ORDER = 26
-LAST_TERM = 1e-18  # of a Taylor series, relative to the disturbance
-FREE_FALL = 1e-9  # below this speed the lift is 1e-18 of the weight
-LINEAR = 1e-20  # below this excess the motion is linear to the last bit: one solution, scaled
+__all__ = [
+    "CUSP_EXCESS",
+    "EXCESS_AT_LATENESS",
+    "LINEAR_PERIOD",
+    "Flight",
+    "LanchesterPeriod",
+    "LinearPhugoid",
+    "excess_at_period_excess",
+    "flight",
+    "invariant",
+    "lanchester",
+    "linear_flight",
+    "linear_phugoid",
+    "period_excess",
+]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,22 +59,6 @@ class LinearPhugoid:
 
     omega: float
     tau: float
-
-
-@dataclass(frozen=True, kw_only=True)
-class LanchesterPeriod:
-    """One period from the lowest point, ends included, in units of v_0, v_0/g and v_0^2/g; arrays (n,)."""
-
-    t: Array
-    x: Array
-    h: Array
-    u: Array
-    w: Array
-    theta: Array
-    period: float
-    advance: float
-    C: float
-    loops: bool
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -101,7 +96,7 @@ def linear_phugoid(v_0: float, g: float) -> LinearPhugoid:
 def linear_flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
     """The flight that is level at t = 0 with speed v_0 (1 + excess), to first order in the excess."""
     omega = linear_phugoid(v_0, g).omega
-    _check_excess(excess)
+    check_excess(excess)
     t = finite_array("t", t)
     phase = _product("the phase", omega, t)
     speed, climb = excess * np.cos(phase), sqrt(2) * excess * np.sin(phase)
@@ -116,173 +111,13 @@ def flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
     Within 32 u of v_0 and v_0^2/g in the first period (u = 2^-53); the phase loses 2 u more in each period.
     """
     omega = linear_phugoid(v_0, g).omega
-    half = _half_period(_bottom_excess(excess))
+    half = half_period(bottom_excess(excess))
     t = finite_array("t", t)
     start = half.duration if excess < 0 else 0.0
     x, p, w, theta = half.at(_product("the phase", omega, t) / sqrt(2) + start)
     x_start = half.at(np.array([start]))[0][0]
     V = np.hypot(1 + p, w)
-    return _in_si(v_0, g, t=t, x=x - x_start, h=_height(p, w), u=1 + p, w=w, V=V, theta=theta)
-
-
-def lanchester(excess: float, n: int = 401) -> LanchesterPeriod:
-    """One period, at n equal steps of time, of the motion whose level flight has the speed 1 + excess."""
-    half = _half_period(_bottom_excess(excess))
-    t = np.linspace(0, 2 * half.duration, n)
-    x, p, w, theta = half.at(t)
-    return LanchesterPeriod(
-        t=t, x=x, h=_height(p, w), u=1 + p, w=w, theta=theta,
-        period=2 * half.duration, advance=2 * half.advance, C=invariant(excess), loops=half.loops,
-    )  # fmt: skip
-
-
-def invariant(excess: float) -> float:
-    """C = V - V^3/3 at V = 1 + excess: 2/3 in level flight, 0 at the cusp, negative for loops."""
-    _check_excess(excess)
-    return 2 / 3 - excess * excess * (1 + excess / 3)
-
-
-def period_excess(excess: float) -> float:
-    """T/T_0 - 1 of the motion of this speed excess, to 1e-15; T_0 is the linear period."""
-    return 2 * _half_period(_bottom_excess(excess)).duration / LINEAR_PERIOD - 1
-
-
-def excess_at_period_excess(wanted: float) -> float:
-    """The speed excess, below the cusp's, at which T/T_0 - 1 has the wanted value."""
-    from scipy.optimize import brentq
-
-    largest = period_excess(CUSP_EXCESS)
-    if not 0 <= wanted <= largest:
-        raise ValueError(f"T/T_0 - 1 = {wanted!r}: from 0 at rest to {largest:.4g} at the cusp")
-    return float(brentq(lambda excess: period_excess(excess) - wanted, 0.0, CUSP_EXCESS, xtol=1e-15))
-
-
-@dataclass(frozen=True)
-class _HalfPeriod:
-    """From the lowest point to the highest: Taylor coefficients (pieces, ORDER + 1, 3) of x - t, p and w."""
-
-    starts: Array
-    coefficients: Array
-    duration: float
-    loops: bool
-
-    @property
-    def advance(self) -> float:
-        return float(self._rising(np.array([self.duration]))[0][0])
-
-    def at(self, t: Array) -> tuple[Array, Array, Array, Array]:
-        """x, p, w, theta at any times: the falling half is the mirror image of the rising one."""
-        period = 2 * self.duration
-        whole = np.floor(t / period)
-        rest = t - whole * period
-        falls = rest > self.duration
-        x, p, w, theta = self._rising(np.clip(np.where(falls, period - rest, rest), 0, self.duration))
-        turn = 2 * pi * self.loops
-        return (
-            2 * self.advance * whole + np.where(falls, 2 * self.advance - x, x),
-            p,
-            np.where(falls, -w, w),
-            turn * whole + np.where(falls, turn - theta, theta),
-        )
-
-    def _rising(self, t: Array) -> tuple[Array, Array, Array, Array]:
-        piece = np.searchsorted(self.starts, t, side="right") - 1
-        drift, p, w = _polynomial(self.coefficients[piece], (t - self.starts[piece])[:, None]).T
-        return t + drift, p, w, np.arctan2(w, 1 + p)
-
-
-@lru_cache(maxsize=256)
-def _half_period(excess: float) -> _HalfPeriod:
-    pieces = list(_pieces(max(excess, LINEAR)))
-    scale = min(excess / LINEAR, 1.0)
-    return _HalfPeriod(
-        starts=np.array([start for start, _, _ in pieces]),
-        coefficients=scale * np.array([coefficients for _, coefficients, _ in pieces]),
-        duration=sum(pieces[-1][::2]),
-        loops=excess > CUSP_EXCESS,
-    )
-
-
-def _pieces(excess: float) -> Iterator[tuple[float, Array, float]]:
-    """Start, Taylor coefficients and length of each piece, from the lowest point until w is zero again."""
-    t, state = 0.0, np.array([0.0, excess, 0.0])
-    while True:
-        _, p, w = state
-        if hypot(1 + p, w) < FREE_FALL:
-            yield t, _free_fall(state), w
-            return
-        series = _taylor(state)
-        last = np.max(np.abs(series[-2:, 1:]), axis=1) / max(abs(p), abs(w))
-        step = float(np.min((LAST_TERM / last) ** (1 / np.array([ORDER - 1, ORDER]))))
-        state = _polynomial(series, step)
-        if state[2] <= 0:
-            yield t, series, _top(series, step)
-            return
-        yield t, series, step
-        t += step
-
-
-def _taylor(state: Array) -> Array:
-    """Coefficients (ORDER + 1, 3) of x - t, p, w: each order of the equations of motion gives the next."""
-    series, q = np.zeros((ORDER + 1, 3)), np.zeros(ORDER + 1)
-    series[0] = state
-    drift, p, w = series.T
-    speed = hypot(1 + p[0], w[0])
-    q[0] = (p[0] * (2 + p[0]) + w[0] * w[0]) / (1 + speed)
-    for n in range(ORDER):
-        back = slice(n, None, -1)
-        if n > 0:
-            squares = 2 * p[n] + p[: n + 1] @ p[back] + w[: n + 1] @ w[back]
-            q[n] = (squares - q[1:n] @ q[n - 1 : 0 : -1]) / (2 * speed)
-        drift[n + 1] = p[n] / (n + 1)
-        p[n + 1] = -(w[n] + q[: n + 1] @ w[back]) / (n + 1)
-        w[n + 1] = (p[n] + q[n] + p[: n + 1] @ q[back]) / (n + 1)
-    return series
-
-
-def _free_fall(state: Array) -> Array:
-    series = np.zeros((ORDER + 1, 3))
-    series[0] = state
-    series[1] = state[1], 0.0, -1.0
-    return series
-
-
-def _polynomial(series: Array, step: float | Array) -> Array:
-    """Values (..., 3) of Taylor series (..., ORDER + 1, 3), by Horner's rule."""
-    value = series[..., ORDER, :]
-    for order in range(ORDER - 1, -1, -1):
-        value = value * step + series[..., order, :]
-    return value
-
-
-def _top(series: Array, step: float) -> float:
-    """Where w falls through zero: Newton's method from where the chord over the step does."""
-    w = series[:, 2]
-    rate = w[1:] * np.arange(1, ORDER + 1)
-    root = step * w[0] / (w[0] - polyval(step, w))
-    for _ in range(6):
-        root -= polyval(root, w) / polyval(root, rate)
-    return float(root)
-
-
-def _height(p: Array, w: Array) -> Array:
-    """h = (1 - V^2)/2 without cancellation."""
-    return -(p * (2 + p) + w * w) / 2
-
-
-def _bottom_excess(excess: float) -> float:
-    """The speed excess at the lowest point; a start with less speed than v_0 is the highest point."""
-    _check_excess(excess)
-    if excess >= 0:
-        return excess
-    root = sqrt(9 - 6 * excess - 3 * excess * excess)
-    rounded = -2 * excess * (3 + excess) / (root + 3 + excess)
-    return min(rounded, CUSP_EXCESS)  # a start above the level line never loops
-
-
-def _check_excess(excess: float) -> None:
-    if not -1 <= excess <= LARGEST_EXCESS:
-        raise ValueError(f"speed excess = {excess!r} v_0: from -1 (standstill) to {LARGEST_EXCESS:g}")
+    return _in_si(v_0, g, t=t, x=x - x_start, h=height(p, w), u=1 + p, w=w, V=V, theta=theta)
 
 
 def _in_si(v_0: float, g: float, *, t: Array, theta: Array, x: Array, h: Array, **speeds: Array) -> Flight:
