@@ -74,7 +74,7 @@ export class Plot {
     const box = this.view?.frame?.bbox
     if (!box || !box.width) return
     this.box = {left: box.left, top: box.top, width: box.width, height: box.height}
-    if (this.block.square && !this.absent) this.#ranges()
+    if (this.block.square && this.state && !this.absent) this.#ranges()
     this.still()
     this.page.redraw()
   }
@@ -90,7 +90,8 @@ export class Plot {
     for (const [name, source] of Object.entries(this.sources)) this.#fill(source, state.columns[name] ?? {})
     this.#ranges()
     for (const [axis, wire] of [[this.model.below[0], this.x], [this.model.left[0], this.y]]) {
-      axis.major_label_overrides = new Map(wire.ticks.map((tick, i) => [tick, wire.labels[i]]))
+      const narrow = axis === this.model.left[0]
+      axis.major_label_overrides = new Map(wire.ticks.map((tick, i) => [tick, narrow ? broken(wire.labels[i]) : wire.labels[i]]))
       axis.ticker.ticks = wire.ticks
     }
     for (const renderer of this.model.renderers) {
@@ -122,6 +123,8 @@ export class Plot {
     }
     this.model.x_range.setv({start: x.start, end: x.end})
     this.model.y_range.setv({start: y.start, end: y.end})
+    // At a fixed place the labels take no room of the frame, so that stacked plots keep one time axis.
+    this.model.left[0].fixed_location = x.start
   }
 
   theme() {
@@ -144,7 +147,7 @@ export class Plot {
     const {left, top, width, height} = this.frame
     const placed = []
     for (const {curve, text} of this.labels) {
-      const column = this.state.columns[curve.source]?.[curve.name]
+      const column = this.state.columns[curve.source]?.[curve.name] ?? this.#middle(curve.name)
       const shown = column?.length && !this.hidden.has(curve.group)
       text.style.display = shown ? "" : "none"
       if (!shown) continue
@@ -167,6 +170,12 @@ export class Plot {
       pill.hidden = pill.off || Boolean(bare)
       this.#placePill(pill, this.#handleValue(pill), this.state.values[text] ?? brief(this.state.params[parameter]?.text))
     }
+  }
+
+  // Where a curve is drawn as its band, its name stands at the band's middle.
+  #middle(name) {
+    const {[`${name}_lo`]: low, [`${name}_hi`]: high} = this.state.columns.band ?? {}
+    return low?.length ? [(low[low.length - 1] + high[high.length - 1]) / 2] : undefined
   }
 
   // The name of a band stands where the band is thickest.
@@ -400,6 +409,8 @@ function interpolate(xs, ys, x) {
   return span > 0 ? ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / span : ys[low]
 }
 
+// A long unit goes below its number, where there is little room beside the plot.
+const broken = label => (label.length > 6 ? label.replace(" ", "\n") : label)
 // A handle shows three digits of a number that was typed with more.
 const brief = text => (text?.length > 7 && !text.includes("e") ? String(Number(text).toPrecision(3)) : text)?.replace("-", "−")
 const plain = label => label.replaceAll(/[*_{}]/g, "")

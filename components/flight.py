@@ -1,0 +1,155 @@
+"""The picture of a flight: its path with the aircraft on it, at one scale up and along, beside the spring it mimics."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from components.numbers import short
+from components.plots import Axis, nice_axis, nice_ticks
+from components.stage import (
+    Number,
+    Shape,
+    W,
+    arrow,
+    block,
+    circle,
+    line,
+    on_x,
+    on_y,
+    path,
+    spring,
+    text,
+    var,
+    wall,
+)
+from components.swing import Swing
+from physics.phugoid import flight
+
+HULL = "M27 0C26-3.6 18-4.8 10-5.2C7-9.4-1-9.8-5-5.8L-18-3.6L-24-12.5L-29-12.5L-26.5-1C-16 4.4 6 6 18 5C23 4.4 27 2.8 27 0Z"
+WING = "M11 1.6C7-.6-5-.4-10 1.9C-5 3.6 7 3.6 11 1.6Z"
+PROPELLER = "M28-9V9"
+
+ASPECT = 4.6
+"""Width over height of the frame of the path on a desk."""
+BEFORE = 0.3
+"""Room before the start, in v_0^2/g: the length of the aircraft's tail."""
+BOX = (128, 46)
+SIDE, APART = 32, 104
+"""The mass of the spring, and how far the spring stands before the frame, in pixels."""
+
+
+def ground_axes(swing: Swing, window: float, unit: str, factor: float) -> tuple[Axis, Axis]:
+    """Axes along and up, of one scale: as far as the flight comes in the window, and at least as wide as the swing is high.
+
+    Labels are in `unit`, which is `factor` metres.
+    """
+    length, size = swing.length, abs(swing.excess)
+    low, high = min(float(swing.lap.h.min()), -size), max(float(swing.lap.h.max()), size)
+    room = 0.16 * (high - low)
+    end = max(swing.distance(window), ASPECT * (high - low + 2 * room), 0.5)
+    along = nice_axis(-BEFORE * length, end * length, unit, 6, exact=True, factor=factor)
+    half, middle = (end + BEFORE) / ASPECT / 2, (low + high) / 2
+    return along, _up(along, (middle - half) * length, (middle + half) * length)
+
+
+def _up(along: Axis, low: float, high: float) -> Axis:
+    """The vertical axis in the unit of the horizontal one; its zero is named by the stage."""
+    axis = replace(along, start=low, end=high, ticks=())
+    ticks = nice_ticks(0.9 * axis.place(low), 0.9 * axis.place(high), 3)
+    return replace(axis, ticks=tuple(tick for tick in ticks if tick))
+
+
+def velocity_axes(swing: Swing) -> dict[str, Axis]:
+    """Axes forward (of u - v_0, so that it starts at -1) and up, in v_0; one frame holds all up to the widest loop shown."""
+    far = max(1.0, float(swing.lap.w.max()) / 1.05, (1 + swing.excess) / 3.05)
+    whole = math.ceil(far / 4)
+    ticks = tuple(float(whole * i - 1) for i in range(-math.ceil(far), math.ceil(3.1 * far) + 1))
+    labels = tuple("0" if tick == -1 else "v₀" if tick == 0 else f"{short(tick + 1)} v₀" for tick in ticks)
+    return {
+        "forward": Axis(-0.85 * far - 1, 3.05 * far - 1, ticks=ticks, labels=labels),
+        "upward": Axis(-1.155 * far, 1.155 * far),
+    }
+
+
+def flight_shapes(plot: str) -> list[Shape]:
+    """Spring, level line, both aircraft and the arrows of h' and v over the plot of the path.
+
+    Signals: x, y of the exact flight and x_lin, y_lin of the linear one in the unit of the axes; u, w and u_lin, w_lin
+    forward and up in v_0.
+    """
+    level, foot, left, right = on_y(plot, 0), var(f"{plot}.bottom"), var(f"{plot}.left"), var(f"{plot}.right")
+    x, y, x_lin, y_lin = on_x(plot, var("x")), on_y(plot, var("y")), on_x(plot, var("x_lin")), on_y(plot, var("y_lin"))
+    size = 0.45 + W * 0.0006
+    own: dict[str, Any] = {"inside": plot}
+    return [
+        *_labels(plot, left, level),
+        line(left, level, right, level, tint="mute", style="eq"),
+        line(left, foot, right, foot, style="floor"),
+        *_spring(left - APART, y_lin, level, foot),
+        line(left - APART + SIDE / 2, y_lin, x_lin, y_lin, tint="V", style="dots", **own),
+        line(left - APART + SIDE / 2, y_lin, left, y_lin, tint="V", style="dots"),
+        path(HULL, x_lin, y_lin, dx=var("u_lin"), dy=-var("w_lin"), sx=size, sy=size, tint="m1", style="fine", **own),
+        arrow(x, level, x, y, tint="V", **own),
+        arrow(x, y, x + 50 * size * var("u"), y - 50 * size * var("w"), gap=34 * size, head=12, tint="T", **own),
+        *(
+            path(d, x, y, dx=var("u"), dy=-var("w"), sx=1.15 * size, sy=1.15 * size, tint="m1", style=style, **own)
+            for d, style in ((HULL, "fill"), (WING, "ghost fine"), (PROPELLER, "fine"))
+        ),
+    ]
+
+
+def _labels(plot: str, left: Number, level: Number) -> list[Shape]:
+    top, top_lin = ((on_x(plot, var(f"{name}_x")), on_y(plot, var(f"{name}_y")) - 8) for name in ("top", "top_lin"))
+    return [
+        text(left - 8, level + 5, "*h*_0", anchor="end", style="t2 b halo"),
+        text(top[0] - 4, top[1], "exact", anchor="end", tint="m1", style="halo", inside=plot),
+        text(top_lin[0] + 4, top_lin[1], "linear", anchor="start", tint="m1", style="halo", inside=plot),
+    ]
+
+
+def _spring(x: Number, y: Number, level: Number, foot: Number) -> list[Shape]:
+    half = SIDE / 2
+    return [
+        line(x - 32, level, x + 32, level, tint="mute", style="eq"),
+        wall(x - 32, foot, 64, side="bottom"),
+        spring(x, foot, x, y + half, 2.2, height=10),
+        block(x, y + half, SIDE, "m", tint="m1"),
+    ]
+
+
+def velocity_shapes(plot: str, show: str) -> list[Shape]:
+    """The velocity from standstill to its tip, over a plot of u - v_0 and w in v_0; its pill stands at `excess`."""
+    still = on_x(plot, -1)
+    tip, level = (on_x(plot, var("u") - 1), on_y(plot, var("w"))), on_y(plot, 0)
+    start = on_x(plot, var("excess"))
+    own: dict[str, Any] = {"inside": plot, "show": show}
+    return [
+        line(still, var(f"{plot}.top"), still, var(f"{plot}.bottom"), tint="rule", style="hair", **own),
+        line(start, level, start, var(f"{plot}.bottom"), tint="T", **own),
+        arrow(still, level, *tip, head=13, tint="T", **own),
+        circle(still, level, 5, **own),
+        circle(on_x(plot, 0), level, 4, **own),
+        circle(start, level, 5, tint="T", **own),
+        circle(*tip, 6, tint="m1", **own),
+        text(on_x(plot, 0), level - 10, "*C* = 2/3", style="halo", **own),
+        text(on_x(plot, 0.68), on_y(plot, 0.68), "cusp, *C* = 0", anchor="start", style="b halo", **own),
+        text(on_x(plot, 1.06), on_y(plot, 0.3), "loop, *C* = −0.667", anchor="start", tint="mute", style="halo", **own),
+        text(still - 6, var(f"{plot}.top") + 12, "up", anchor="end", tint="mute", style="halo", **own),
+        text(var(f"{plot}.right"), level - 7, "forward", anchor="end", tint="mute", style="halo", **own),
+    ]
+
+
+@cache
+def outline(excess: float) -> str:
+    """The path of a little more than two swings, as SVG path data in a box of 128 by 46."""
+    motion = flight(1.0, 1.0, excess, np.linspace(0.0, 9.6, 120))
+    width, height = float(np.ptp(motion.x)), float(np.ptp(motion.h))
+    scale = min((BOX[0] - 8) / width, (BOX[1] - 10) / max(height, 0.2))
+    x = BOX[0] / 2 + scale * (motion.x - motion.x.min() - width / 2)
+    y = BOX[1] / 2 - scale * (motion.h - motion.h.min() - height / 2)
+    return "M" + "L".join(f"{a:.1f} {b:.1f}" for a, b in zip(x, y, strict=True))

@@ -1,0 +1,205 @@
+"""An aircraft left alone trades height for speed and back; its speed alone sets the period (D31, slides 8 to 10)."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+import param
+
+from components.controls import Group
+from components.flight import flight_shapes, ground_axes, outline, velocity_axes, velocity_shapes
+from components.flight_plots import (
+    exchange_plots,
+    path_plot,
+    period_plot,
+    period_shapes,
+    swing_plot,
+    velocity_plot,
+)
+from components.motion import pace
+from components.numbers import three
+from components.parameters import Quantity, mass, positive
+from components.plots import Axis, nice_axis, time_axis
+from components.scene import Picture, Scene
+from components.sheet import Block, choice, column, row, stage, when
+from components.stage import Shape, W, text
+from components.swing import Swing, along_path, energy_shares, motion_signals, over_time, velocities, verdict
+from components.traces import samples
+from components.units import Unit
+from physics.phugoid import CUSP_EXCESS, EXCESS_AT_LATENESS, linear_phugoid
+
+FOOT, KNOT = 0.3048, 1852 / 3600
+SPEEDS = {"ft/s": FOOT, "m/s": 1.0, "knots": KNOT, "km/h": 1 / 3.6}
+LENGTHS = {"ft/s": ("ft", FOOT), "knots": ("ft", FOOT), "m/s": ("m", 1.0), "km/h": ("m", 1.0)}
+AIRCRAFT = {
+    "model": ("Model", 35 * FOOT, 2.0),
+    "glider": ("Glider", 90 * FOOT, 450.0),
+    "light": ("Light", 150 * FOOT, 1100.0),
+    "airliner": ("Airliner", 250.0, 70000.0),
+}
+FASTEST = 275.0  # m/s, the end of the plot of periods
+LARGEST = 10.0  # v_0; the flight is then a tight circle that creeps forward
+NAMES = {name: label for name, (label, _, _) in AIRCRAFT.items()}
+VIEWS = {"period": "Period", "exchange": "Exchange", "limits": "Limits"}
+
+
+class Phugoid(Scene):
+    slug = "phugoid"
+    title = "Phugoid"
+    lecture = "D31"
+    headline = "Left alone, an aircraft swings; only its speed sets the period"
+    groups = (
+        Group("Excess of speed", ("excess",), "period late by"),
+        Group(
+            "Aircraft",
+            ("v_0", "m", "g"),
+            actions=tuple((name, label) for name, (label, _, _) in AIRCRAFT.items()),
+        ),
+        Group("Speeds in", ("unit",)),
+    )
+    presets = {
+        "Ripple, 0.1": {"excess": 0.1},
+        "Deep, 0.6": {"excess": 0.6},
+        "Cusp, 0.732": {"excess": CUSP_EXCESS},
+        "Loop, 1": {"excess": 1.0},
+    }
+
+    excess = Quantity(
+        0.6, symbol="v′", unit="v₀", label="excess of speed", tint="T", bounds=(-1.0, LARGEST), softbounds=(0.0, 1.1),
+        allowed="an excess of speed is from −v₀ (standstill) to 10 v₀",
+        says="is the speed in excess of v₀ at the start, in level flight. Below 0 the flight starts at its top.",
+        marks=(
+            (0.0, "0"), *((excess, f"{100 * late:.3g} %") for late, excess in EXCESS_AT_LATENESS.items()),
+            (CUSP_EXCESS, "cusp"), (1.1, "loops"),
+        ),
+    )  # fmt: skip
+    v_0 = positive(
+        150 * FOOT, symbol="v_0", unit="m/s", label="speed of steady flight", tint="T", scale="log", softbounds=(5.0, 300.0),
+        says="is the speed of steady flight. It alone sets the period.",
+    )  # fmt: skip
+    m = mass(
+        1100.0, symbol="m", tint="m1", label="mass of the aircraft", softbounds=(1.0, 1e5),
+        says="is the mass. Move it: the flight does not change. Only v₀ and g enter.",
+    )  # fmt: skip
+    g = positive(
+        9.80665, symbol="g", unit="m/s²", label="gravity", tint="k", softbounds=(1.0, 30.0),
+        says="is the gravity. A weaker one swings more slowly.",
+    )  # fmt: skip
+    unit = param.Selector(default="ft/s", objects=list(SPEEDS), label="Unit of speed")
+    show = param.Selector(default="period", objects=list(VIEWS), label="View")
+
+    @classmethod
+    def drawings(cls) -> dict[str, str]:
+        return {label: outline(values["excess"]) for label, values in cls.presets.items()}
+
+    def units(self) -> dict[str, Unit]:
+        size, (length, metres) = SPEEDS[self.unit], LENGTHS[self.unit]
+        own = {"excess": Unit(self.unit, size / self.v_0)}
+        speed = {} if size == 1 else {"v_0": Unit(self.unit, size)}
+        return own | speed | ({} if metres == 1 else {"g": Unit(f"{length}/s²", metres)})
+
+    def action(self, name: str) -> dict[str, Any]:
+        _, speed, weight = AIRCRAFT[name]
+        return {"v_0": speed, "m": weight}
+
+    @classmethod
+    @cache
+    def sheet(cls) -> Block:
+        shapes = [*_words(), *flight_shapes("path"), *period_shapes(NAMES, "is_period"), *velocity_shapes("velocity", "is_limits")]
+        label = "The flight path with the aircraft, beside the spring and mass it mimics"
+        return column(
+            column(stage(*shapes, label=label, grow=0, basis=26, phone=0, height=28), path_plot(), grow=290),
+            row(
+                column(
+                    choice("show", VIEWS, "View", phone=5),
+                    when("period", period_plot(NAMES)),
+                    *(when("exchange", block) for block in exchange_plots()),
+                    when("limits", velocity_plot()),
+                    grow=430,
+                ),
+                column(swing_plot("h", "V", low=False), swing_plot("v", "T", low=True), grow=456),
+                grow=342,
+                gap=26,
+            ),
+        )
+
+    def picture(self) -> Picture:
+        swing = Swing(self.v_0, self.g, self.excess)
+        end = self.window or float(f"{2.2 * swing.linear.tau:.2g}")
+        t = np.linspace(0.0, end, samples(end, swing.fastest))
+        axes = self._axes(swing, end)
+        curves, bands = over_time(swing, t)
+        path, path_band = along_path(swing, end, axes["along"].end / swing.length)
+        shares = energy_shares(swing, t) if self.show == "exchange" else {}
+        own, family = velocities(swing) if self.show == "limits" else ({}, {})
+        reach = np.array([0.0, axes["v_0"].end])
+        return Picture(
+            columns={
+                "time": {"t": t, **curves, **shares},
+                "band": bands and {"t": t, **bands},
+                "path": path,
+                "path_band": path_band,
+                "velocity": own,
+                "family": family,
+                "periods": {"v_0": reach, "tau": linear_phugoid(1.0, self.g).tau * reach},
+            },
+            axes=axes,
+            signals=motion_signals(swing, axes["t"], axes["along"], axes["h"], axes["v"]),
+            scalars={**pace(swing.linear.omega, swing.fastest), **self._scalars(swing, axes)},
+            values=self._values(swing, axes),
+            live={name: axes[name].digits(signed=True) for name in ("h", "v")},
+            forms={self.show: "shown"},
+        )
+
+    def _axes(self, swing: Swing, end: float) -> dict[str, Axis]:
+        size, (length, metres) = SPEEDS[self.unit], LENGTHS[self.unit]
+        along, up = ground_axes(swing, end, length, metres)
+        # One frame for both: h' in v_0^2/g and v' in v_0 are mirror images in the linear theory.
+        reach = max(abs(float(swing.lap.h.min())), abs(float(swing.lap.h.max())), abs(self.excess))
+        fastest = FASTEST if self.v_0 <= FASTEST else 1.25 * self.v_0
+        return {
+            "t": time_axis(end),
+            "along": along,
+            "up": up,
+            "h": nice_axis(-reach * swing.length, reach * swing.length, length, 3, factor=metres),
+            "v": nice_axis(-reach * swing.v_0, reach * swing.v_0, self.unit, 3, factor=size),
+            "v_0": nice_axis(0.0, fastest, self.unit, 4, exact=True, factor=size),
+            "tau": nice_axis(0.0, linear_phugoid(fastest, self.g).tau, "s", 4, exact=True),
+            "share": Axis(0.0, 1.0, "%", ticks=(0.0, 50.0, 100.0), factor=0.01),
+            **velocity_axes(swing),
+        }
+
+    def _scalars(self, swing: Swing, axes: dict[str, Axis]) -> dict[str, float]:
+        scalars = {"excess": self.excess, "is_period": float(self.show == "period"), "is_limits": float(self.show == "limits")}
+        for name, top in (("top", swing.top), ("top_lin", swing.top_linear)):
+            scalars |= {f"{name}_x": axes["along"].place(top[0]), f"{name}_y": axes["up"].place(top[1])}
+        scalars |= {"v_here": axes["v_0"].place(self.v_0), "tau_here": axes["tau"].place(swing.linear.tau)}
+        for name, (_, speed, _) in AIRCRAFT.items():
+            tau = linear_phugoid(speed, self.g).tau
+            scalars |= {f"at_{name}": axes["v_0"].place(speed), f"at_{name}_si": speed, f"tau_{name}_at": axes["tau"].place(tau)}
+        return scalars
+
+    def _values(self, swing: Swing, axes: dict[str, Axis]) -> dict[str, str]:
+        late = swing.late
+        return {
+            "h_unit": axes["h"].full_unit,
+            "v_unit": axes["v"].full_unit,
+            "h_size": axes["h"].number(-swing.climb),
+            "v_size": axes["v"].number(self.excess * self.v_0),
+            "omega": three(swing.linear.omega),
+            "tau": three(swing.linear.tau),
+            "C": three(swing.lap.C),
+            "late": f"{three(100 * abs(late))} % {'longer' if late >= 0 else 'shorter'}",
+            "verdict": verdict(swing),
+            **{f"tau_{name}": f"{three(linear_phugoid(speed, self.g).tau)} s" for name, (_, speed, _) in AIRCRAFT.items()},
+        }
+
+
+def _words() -> list[Shape]:
+    return [
+        text(0, 17, "*h*′ = {h} {h_unit}", anchor="start", tint="V", style="t2 b"),
+        text(150, 17, "*v*′ = {v} {v_unit}", anchor="start", tint="T", style="t2 b"),
+        text(W, 17, "{verdict}", anchor="end", tint="ink", show="wide"),
+    ]
