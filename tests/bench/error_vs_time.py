@@ -88,7 +88,7 @@ def _measured(system: System, limits: Limits) -> list[Run]:
     total, runs = len(plan(system)), []
     for run in measure(system, limits=limits):
         runs.append(run)
-        outcome = run.failure or f"error {run.error:.1e} in {1e3 * (run.time or 0):.3g} ms"
+        outcome = run.failure or f"error {run.error:.1e} in {_ms(run.time)}"
         print(f"{system.name} {len(runs)}/{total}: {run.name} {_setting(run)}: {outcome}", file=sys.stderr)
     return runs
 
@@ -97,13 +97,17 @@ def _setting(run: Run) -> str:
     return SETTINGS[run.family].format(run.setting)
 
 
+def _ms(seconds: float | None) -> str:
+    return f"{1e3 * (seconds or 0):.3g} ms" if (seconds or 0) < 1 else f"{seconds:.3g} s"
+
+
 def _row(run: Run) -> str:
     cells = [run.name, _setting(run)]
     if run.error is None or run.time is None:
         cells += [f"{run.failure}, at {100 * run.reached:.3g} % of the motion", "", "", ""]
     else:
-        spread = f"{1e3 * (run.time_low or 0):.3g} to {1e3 * (run.time_high or 0):.3g} ms"
-        cells += [f"{run.error:.1e}", f"{run.energy_error:.1e}", f"{1e3 * run.time:.3g} ms", spread]
+        spread = f"{_ms(run.time_low)} to {_ms(run.time_high)}"
+        cells += [f"{run.error:.1e}", f"{run.energy_error:.1e}", _ms(run.time), spread]
     return "| " + " | ".join([*cells, str(run.evaluations), str(run.steps)]) + " |"
 
 
@@ -113,9 +117,9 @@ def _prices(runs: list[Run]) -> str:
     for run in runs:
         if run.error is not None and run.time is not None and run.error <= GOOD_ENOUGH:
             best[run.name] = min(run.time, best.get(run.name, run.time))
-    reached = [f"{name} {1e3 * time:.3g} ms" for name, time in sorted(best.items(), key=lambda item: item[1])]
+    reached = [f"{name} {_ms(time)}" for name, time in sorted(best.items(), key=lambda item: item[1])]
     missed = list(dict.fromkeys(run.name for run in runs if run.name not in best))
-    return ", ".join(reached) + (f"; not reached by {', '.join(missed)}" if missed else "")
+    return "; ".join([*reached, *(f"{name} does not get there" for name in missed)])
 
 
 def _described(system: System) -> str:
