@@ -111,6 +111,7 @@ def plot(
         "handles": list(handles),
         "marks": list(marks),
         "square": square,
+        "plain": plain,
         "grow": grow,
         "basis": basis + (30 if x_labels else 0) + (22 if heading else 0),
         "phone": phone,
@@ -173,7 +174,7 @@ def _figure(
         axis.major_label_standoff = 5
     for grid in (*figure_.xgrid, *figure_.ygrid):
         grid.ticker = figure_.xaxis[0].ticker if grid.dimension == 0 else figure_.yaxis[0].ticker
-    figure_.xaxis.visible, figure_.yaxis.visible = x_labels, not plain
+    figure_.xaxis.visible, figure_.yaxis.visible = x_labels, False
     if plain:
         figure_.xgrid.visible = figure_.ygrid.visible = False
         figure_.add_layout(Span(location=0, dimension="height", line_width=1, level="underlay", tags=["zero"]))

@@ -18,7 +18,8 @@ export class Plot {
     this.marks = block.marks.map(mark => this.#mark(mark))
     this.labels = block.curves.filter(c => c.label).map(curve => ({curve, text: svg("text", {class: `curve-label ${curve.tint}`}, ...words(curve.label))}))
     this.bandLabels = block.bands.filter(b => b.label).map(band => ({band, text: svg("text", {class: "band-label", "text-anchor": "middle"}, ...words(band.label))}))
-    this.over.append(...this.labels.map(l => l.text), ...this.bandLabels.map(l => l.text), this.aim)
+    this.scale = svg("g", {class: "scale"})
+    this.over.append(this.scale, ...this.labels.map(l => l.text), ...this.bandLabels.map(l => l.text), this.aim)
     if (this.cursor) this.over.append(this.cursor)
     this.dots = block.curves.filter(c => c.signal).map(curve => {
       const dot = svg("circle", {class: `dot ${curve.tint}`, r: 4.5})
@@ -89,11 +90,10 @@ export class Plot {
     if (this.absent) return
     for (const [name, source] of Object.entries(this.sources)) this.#fill(source, state.columns[name] ?? {})
     this.#ranges()
-    for (const [axis, wire] of [[this.model.below[0], this.x], [this.model.left[0], this.y]]) {
-      const narrow = axis === this.model.left[0]
-      axis.major_label_overrides = new Map(wire.ticks.map((tick, i) => [tick, narrow ? broken(wire.labels[i]) : wire.labels[i]]))
-      axis.ticker.ticks = wire.ticks
-    }
+    const [below] = this.model.below
+    below.major_label_overrides = new Map(this.x.ticks.map((tick, i) => [tick, this.x.labels[i]]))
+    below.ticker.ticks = this.x.ticks
+    this.model.left[0].ticker.ticks = this.y.ticks
     for (const renderer of this.model.renderers) {
       const given = state.columns[renderer.data_source.name] ?? {}, {glyph} = renderer
       const needed = [glyph.x, glyph.y, glyph.y1, glyph.y2].filter(Boolean).map(value => value.field)
@@ -123,8 +123,6 @@ export class Plot {
     }
     this.model.x_range.setv({start: x.start, end: x.end})
     this.model.y_range.setv({start: y.start, end: y.end})
-    // At a fixed place the labels take no room of the frame, so that stacked plots keep one time axis.
-    this.model.left[0].fixed_location = x.start
   }
 
   theme() {
@@ -145,6 +143,7 @@ export class Plot {
   still() {
     if (!this.box || !this.state || this.absent) return
     const {left, top, width, height} = this.frame
+    this.#numbers()
     const placed = []
     for (const {curve, text} of this.labels) {
       const column = this.state.columns[curve.source]?.[curve.name] ?? this.#middle(curve.name)
@@ -170,6 +169,18 @@ export class Plot {
       pill.hidden = pill.off || Boolean(bare)
       this.#placePill(pill, this.#handleValue(pill), this.state.values[text] ?? brief(this.state.params[parameter]?.text))
     }
+  }
+
+  // Numbers beside the vertical axis. They are not Bokeh's, which would move the frame: stacked plots share a time axis.
+  #numbers() {
+    const {left, top, height} = this.frame, {ticks, labels} = this.y
+    this.scale.replaceChildren(...(this.block.plain ? [] : ticks).flatMap((tick, i) => {
+      const y = this.py(tick)
+      if (y < top - 1 || y > top + height + 1) return []
+      const [value, ...rest] = labels[i].length > 6 ? labels[i].split(" ") : [labels[i]], unit = rest.join(" ")
+      const lines = [svg("tspan", {x: left - 7}, value), ...(unit ? [svg("tspan", {x: left - 7, dy: "1.1em"}, unit)] : [])]
+      return [svg("text", {"text-anchor": "end", y: y + 4.5}, ...lines)]
+    }))
   }
 
   // Where a curve is drawn as its band, its name stands at the band's middle.
@@ -409,8 +420,6 @@ function interpolate(xs, ys, x) {
   return span > 0 ? ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / span : ys[low]
 }
 
-// A long unit goes below its number, where there is little room beside the plot.
-const broken = label => (label.length > 6 ? label.replace(" ", "\n") : label)
 // A handle shows three digits of a number that was typed with more.
 const brief = text => (text?.length > 7 && !text.includes("e") ? String(Number(text).toPrecision(3)) : text)?.replace("-", "−")
 const plain = label => label.replaceAll(/[*_{}]/g, "")
