@@ -36,7 +36,8 @@ _INLINE = re.compile(r"\$([^$]+)\$|\*\*([^*]+)\*\*|\{(\w+)\}|\[(\w+)\|([^\]]+)\]
 
 @cache
 def rich(text: str) -> str:
-    """HTML of a sentence: $formula$, **strong**, {name} a live number, [tint|coloured words]; all else is plain text."""
+    """HTML of a sentence: $formula$, **strong**, {name} a live number, [tint|coloured words]; what is strong or
+    coloured may hold the others; all else is plain text."""
     parts, end = [], 0
     for match in _INLINE.finditer(text):
         parts.append(escape(text[end : match.start()]))
@@ -44,7 +45,7 @@ def rich(text: str) -> str:
         if formula:
             parts.append(mathml(formula))
         elif strong:
-            parts.append(f"<b>{escape(strong)}</b>")
+            parts.append(f"<b>{rich(strong)}</b>")
         elif tint:
             parts.append(f'<span class="tint {tint}">{rich(coloured)}</span>')
         else:

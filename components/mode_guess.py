@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from decimal import Decimal
 from typing import Any
 
@@ -42,8 +43,15 @@ def sheet() -> Block:
             ),
             grow=222,
         ),
-        row(_shape_plot(), words(*_readings(), grow=296, phone=21), grow=195),
-        row(_determinant_plot(), words(*_determinant_words(), grow=296, phone=22), grow=116),
+        row(
+            column(_shape_plot(), _determinant_plot(), grow=590),
+            column(
+                words(*_readings(), style="facts", grow=195, phone=21),
+                words(*_determinant_words(), style="facts", grow=116, phone=22),
+                grow=296,
+            ),
+            grow=350,
+        ),
     )
 
 
@@ -103,7 +111,7 @@ def _shape_plot() -> Block:
             {"parameter": "omega", "symbol": "", "label": "Trial frequency", "tint": "F", "axis": "x", "bare": True},
         ),
         marks=tuple({"at": f"w_{mode}", "tint": mode} for mode in ("slow", "fast")),
-        grow=590, phone=10, height=220,
+        grow=195, phone=10, height=220,
     )
 
 
@@ -112,7 +120,7 @@ def _determinant_plot() -> Block:
         "det", x="w", y="D", title="The determinant D of A against omega squared",
         source="det", x_column="w",
         curves=(Curve(name="D", source="det", tint="ink", width="sum"),),
-        heading=(term("", "none", "ink", formula=r"D = \text{det } A"), term("", "none", "mute", formula=r"\val{D_unit}")),
+        heading=(term("", "none", "ink", formula=r"D = \text{det } A"),),
         margin=(60, 12), top=6,
         handles=({"parameter": "omega", "symbol": "ω²", "label": "Trial frequency, squared", "tint": "F", "axis": "x", "text": "square"},),
         marks=tuple(
@@ -120,7 +128,7 @@ def _determinant_plot() -> Block:
              "html": rich(rf"$\omega_{sign}$ {{omega_{mode}}}"), "flag": "one"}
             for mode, sign in (("slow", "-"), ("fast", "+"))
         ),
-        grow=590, phone=11, height=150,
+        grow=100, phone=11, height=150,
     )
 
 
@@ -172,8 +180,8 @@ def _over_plots() -> list[Shape]:
         line(w, var("shape.top"), w, var("det.bottom"), tint="F", show="w_in"),
         line(w, on_y("shape", var("gap_low")), w, on_y("shape", var("gap_high")), tint="F", style="thick", show="gap"),
         line(var("shape.left"), r, w, r, tint="F", style="dots", show="guess_in"),
-        *_point("det", var("w0"), var("D0"), 4, "ink", "", (18, 4), "{k1k2}", "start", show="D0_in"),
-        *_point("det", var("w_held"), var("D_held"), 4, "ink", "", (-3, -9), "{k2k2}", "middle", show="held_in"),
+        *_point("det", var("w0"), var("D0"), 4, "ink", "", (14, 4), "*k*_1*k*_2 = {k1k2}", "start", show="D0_in"),
+        *_point("det", var("w_held"), var("D_held"), 4, "ink", "", (-3, -9), "−*k*_2² = {k2k2}", "middle", show="held_in"),
     ]
     for mode, sign, shift, anchor in (("slow", "-", (14, -8), "start"), ("fast", "+", (11, -14), "start")):
         at = var(f"w_{mode}")
@@ -191,7 +199,8 @@ def _point(
 ) -> list[Shape]:
     px, py = on_x(plot_, x), on_y(plot_, y)
     dot = circle(px, py, radius, tint=tint, style=style or None, show=show)
-    return [dot] + ([text(px + shift[0], py + shift[1], label, anchor, tint=tint, style="t1 b halo", show=show)] if label else [])
+    weight = "t0 halo" if radius < 5 else "t1 b halo"
+    return [dot] + ([text(px + shift[0], py + shift[1], label, anchor, tint=tint, style=weight, show=show)] if label else [])
 
 
 def picture(system: TwoMassChain, omega: float, ratio: float, moving: bool, window: float | None) -> Picture:
@@ -202,6 +211,7 @@ def picture(system: TwoMassChain, omega: float, ratio: float, moving: bool, wind
     end = math.sqrt(1.375) * float(modes.omega[1]) or 2 * omega or 1.0
     half = 2 * max((abs(float(r)) for r in modes.ratio if r and math.isfinite(r)), default=2.0)
     frequency, shape = squared_axis(end, "(rad/s)²"), nice_axis(-half, half, "", 4, exact=True)
+    shape = replace(shape, ticks=shape.ticks[1:-1])
     columns, D, exponent = _columns(system, end, 3 * half)
     seconds = window or time_window(float(modes.omega[0]), float(modes.omega[1]))
     clock = {"t": time_axis(seconds)} if moving else {}
@@ -236,7 +246,7 @@ def _columns(system: TwoMassChain, end: float, largest: float) -> tuple[dict[str
     low, at_zero = float(np.min(curve)), float(curve[0])
     unit = f"{ten(exponent)} N²/m²" if exponent else "N²/m²"
     size = max(1.2 * at_zero, -2.1 * low, 0.0) or 1.0
-    return columns, nice_axis(min(1.33 * low, -0.1 * size), size, unit, 3, exact=True), exponent
+    return columns, nice_axis(min(1.33 * low, -0.1 * size), size, unit, 2, exact=True), exponent
 
 
 def _force_scalars(push: Forces) -> dict[str, float]:
@@ -294,11 +304,11 @@ def _values(
     system: TwoMassChain, modes: Modes, asked: Trial, push: Forces, omega: float, ratio: float, exponent: int
 ) -> dict[str, str]:
     (a11, a12), (_, a22) = asked.matrix
-    values = {"a11": three(a11), "a12": three(a12), "a22": three(a22), "D": three(asked.determinant), "D_unit": "in N²/m²"}
+    values = {"a11": three(a11), "a12": three(a12), "a22": three(a22), "D": three(asked.determinant)}
     values |= {"square": three(Decimal(omega) ** 2), "apart": "" if asked.apart is None else three(asked.apart)}
     values |= {"slow_long": f"{modes.omega[0]:.6g}", "fast_long": f"{modes.omega[1]:.6g}"}
     equation = quadratic(system)
-    values |= {"k1k2": f"k₁k₂ = {three(equation.constant)}", "k2k2": f"−k₂² = {three(-Decimal(system.k2) ** 2)}"}
+    values |= {"k1k2": three(equation.constant), "k2k2": three(-Decimal(system.k2) ** 2)}
     largest = max(abs(value) for pair in push[1:] for value in pair)
     for i in (1, 2):
         row_ = asked.rows[i - 1]

@@ -84,7 +84,7 @@ def _shapes() -> list[Shape]:
         shapes += [
             chain.standing_wall((top + 0.07) * H, 0.115 * H),
             line(chain.WALL * W, foot, W, foot, style="floor"),
-            text(chain.WALL * W, (top + 0.03) * H, f"{mode} mode, *ω*_{sign} = {{{mode}_omega}} rad/s, *X*_2/*X*_1 = {{{mode}_ratio}}",
+            text(chain.WALL * W, (top + 0.03) * H, f"{mode} mode, *ω*_{{{sign}}} = {{{mode}_omega}} rad/s, *X*_2/*X*_1 = {{{mode}_ratio}}",
                  "start", tint=mode, style="t2 b"),
         ]
         places = [chain.rest(i) + METRE * W * var(f"x{i}_{mode}") for i in (1, 2)]
@@ -95,8 +95,9 @@ def _shapes() -> list[Shape]:
         for i, place in zip((1, 2), places, strict=True):
             rest, tip = chain.rest(i), axle - METRE * W * var(f"y{i}_{mode}")
             shapes += [
-                line(rest, foot, rest, axle + 0.06 * H, tint="mute", style="eq"),
-                arrow(rest, foot - 0.02 * H, place, foot - 0.02 * H, tint=mode),
+                line(rest, (top + 0.055) * H, rest, axle, tint="mute", style="eq"),
+                line(place, (top + 0.062) * H, place, foot - var(f"side{i}") * W, tint="mute", style="eq"),
+                arrow(rest, (top + 0.062) * H, place, (top + 0.062) * H, tint=mode),
                 circle(rest, axle, METRE * W * var(f"R{i}_{mode}"), tint=f"m{i}", style="orbit"),
                 line(place, foot, place, tip, tint="mute", style="eq"),
                 arrow(rest, axle, place, tip, tint=f"m{i}"),

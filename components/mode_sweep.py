@@ -22,24 +22,21 @@ PARTNER = {"m1": "m2", "m2": "m1", "k1": "k2", "k2": "k1"}
 """The parameter of the same kind: a sweep is centred where both are alike."""
 
 LIMITS = {
-    "apart": (
-        "two oscillators of their own",
-        r"\sqrt{k_2/m_2},\ X_2/X_1 \to k_1/k_2", r"\sqrt{k_1/m_1},\ X_2/X_1 \to -m_1 k_2/(m_2 k_1)",
-    ),
+    "apart": ("two oscillators of their own", r"\sqrt{k_2/m_2}", r"k_1/k_2", r"\sqrt{k_1/m_1}", r"-m_1 k_2/(m_2 k_1)"),
     "rigid": (
         "one block on the wall's spring; the masses against each other",
-        r"\sqrt{k_1/(m_1 + m_2)},\ X_2/X_1 \to 1", r"\sqrt{k_2 (1/m_1 + 1/m_2)},\ X_2/X_1 \to -m_1/m_2",
+        r"\sqrt{k_1/(m_1 + m_2)}", "1", r"\sqrt{k_2 (1/m_1 + 1/m_2)}", "-m_1/m_2",
     ),
     "series": (
         "both springs in series under mass 2; mass 1 between them",
-        r"\sqrt{k_1 k_2/((k_1 + k_2) m_2)},\ X_2/X_1 \to 1 + k_1/k_2",
-        r"\sqrt{(k_1 + k_2)/m_1},\ X_2/X_1 \to -m_1 k_2/(m_2 (k_1 + k_2))",
+        r"\sqrt{k_1 k_2/((k_1 + k_2)\, m_2)}", "1 + k_1/k_2", r"\sqrt{(k_1 + k_2)/m_1}", r"-m_1 k_2/(m_2 (k_1 + k_2))",
     ),
     "stand": (
         "mass 1 alone on its spring; mass 2 hangs on it as on a wall",
-        r"\sqrt{k_1/m_1},\ X_2/X_1 \to 1", r"\sqrt{k_2/m_2},\ X_2/X_1 \to -m_1/m_2",
+        r"\sqrt{k_1/m_1}", "1", r"\sqrt{k_2/m_2}", "-m_1/m_2",
     ),
 }
+"""Each kind of limit in words, then what omega_- tends to and its X2/X1, then omega_+ and its X2/X1."""
 
 
 def sheet() -> Block:
@@ -65,21 +62,20 @@ def sheet() -> Block:
 
 def _limits(end: str) -> list[str | dict[str, str]]:
     """The limit at one end, in words and formulas, by its kind."""
-    kinds = {kind: texts for kind, texts in LIMITS.items()}
-    return [
-        {"form": end, **{kind: f"**{{{end}_name}}:** {texts[0]}" for kind, texts in kinds.items()}},
-        {"form": end, **{kind: rf"[slow|$\omega_- \to {texts[1]}$]" for kind, texts in kinds.items()}},
-        {"form": end, **{kind: rf"[fast|$\omega_+ \to {texts[2]}$]" for kind, texts in kinds.items()}},
-    ]
+    lines: list[str | dict[str, str]] = [{"form": end, **{kind: f"**{{{end}_name}}:** {texts[0]}" for kind, texts in LIMITS.items()}}]
+    for mode, sign, at in (("slow", "-", 1), ("fast", "+", 3)):
+        for name, place in ((rf"\omega_{sign}", at), ("X_2/X_1", at + 1)):
+            lines.append({"form": end, **{kind: rf"[{mode}|${name} \to {texts[place]}$]" for kind, texts in LIMITS.items()}})
+    return lines
 
 
 def _curves(kind: str) -> tuple[Curve, ...]:
     """Both modes, the asymptotes at both ends, dotted; `kind` is omega or ratio."""
     curves = [
-        Curve(name=f"{kind}_{mode}", source=f"{kind}_{end}", tint=mode, width="dots", group="limits")
+        Curve(name=f"{kind}_{mode}", source=f"{kind}_{end}", tint=mode, width="dash", group="limits")
         for end in ("low", "high") for mode in ("slow", "fast")
     ]
-    labels = {"omega": ("*ω*_−", "*ω*_+"), "ratio": ("in phase", "opposite")}[kind]
+    labels = {"omega": ("*ω*_{−}", "*ω*_{+}"), "ratio": ("in phase", "opposite")}[kind]
     curves += [
         Curve(name=f"{kind}_{mode}", source=f"{kind}_sweep", tint=mode, width="sum", label=label)
         for mode, label in zip(("slow", "fast"), labels, strict=True)
@@ -88,7 +84,7 @@ def _curves(kind: str) -> tuple[Curve, ...]:
 
 
 def _frequencies() -> Block:
-    held = tuple(Curve(name=f"held{i}", source="omega_sweep", tint=f"m{i}", width="line", group="held") for i in (1, 2))
+    held = tuple(Curve(name=f"held{i}", source="omega_sweep", tint=f"m{i}", width="thin", group="held") for i in (1, 2))
     return plot(
         "frequencies", x="p", y="f", title="Both natural frequencies against the swept parameter, with their asymptotes",
         source="omega_sweep", x_column="p", curves=held + _curves("omega"),
