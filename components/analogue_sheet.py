@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from components.analogue_controls import SWINGING
-from components.analogue_stage import shapes
+from components.analogue_stage import over_lateness, over_motion, shapes
 from components.numbers import three
 from components.plots import Curve, plot
 from components.sheet import Block, column, row, stage, table, term, words
@@ -65,6 +65,7 @@ def _motion() -> Block:
             term("", "none", "mute", formula=r"\text{played }\val{speed}"),
         ),
         cursor="time",
+        shapes=over_motion(),
         margin=(52, 52),
         top=34,
         grow=470,
@@ -155,6 +156,7 @@ def _lateness() -> Block:
         x_column="angle",
         handles=({"parameter": "theta_0", "symbol": "θ₀", "label": "Angle at the start, °", "tint": "m1", "unit": "°"},),
         marks=marks,
+        shapes=over_lateness(),
         margin=(44, 30),
         top=46,
         phone=20,

@@ -33,7 +33,7 @@ def shapes() -> list[Shape]:
     """All of the stage: the nine systems, of which one is shown, and the spring."""
     canvas = Canvas(CENTRE - UNIT * (WIDTH / 2), 0.55 * H - UNIT * (HEIGHT / 2), UNIT, large=True)
     found = [one for slug in PICTURES if slug != "pendulum" for one in large(slug, canvas)]
-    return [*found, *pendulum(), *coordinates(), *twin(), *bracket(), *lateness()]
+    return [*found, *pendulum(), *coordinates(), *twin()]
 
 
 def coordinates() -> list[Shape]:
@@ -51,17 +51,19 @@ def pendulum() -> list[Shape]:
     x, y, rod, radius = CENTRE, var("pivot") * H, var("rod") * H, 0.066 * H
     bob = (x + rod * var("angle_sine"), y + rod * var("angle_cosine"))
     rule = (x + rod * var("rule_sine"), y + rod * var("rule_cosine"))
-    end, near = var("theta_0"), rod - 7
+    end, near, ends = var("theta_0"), rod - 7, []
     found = [wall(x - 42, y, 84, side="top"), line(x, y, x, y + rod + 34, style="eq", tint="mute")]
     found.append(arc(x, y, rod, -1 * end, end, style="eq", tint="mute"))
     for side in (-1, 1):
         along, down = side * var("end_sine"), var("end_cosine")
-        found.append(line(x + along * near, y + down * near, x + along * (rod + 7), y + down * (rod + 7), style="floor"))
-        found.append(text(x + along * (rod + 8), y + down * (rod + 8) - 8, "{end_right}" if side > 0 else "{end_left}", tint="mute"))
+        ends.append(line(x + along * near, y + down * near, x + along * (rod + 7), y + down * (rod + 7), style="floor"))
+        label = "{end_right}" if side > 0 else "{end_left}"
+        ends.append(text(x + along * (rod + 8), y + down * (rod + 8) - 8, label, tint="mute"))
     found += [
+        *({**one, "show": "ends_seen"} for one in ends),
         line(x, y, *rule, style="faint"),
         circle(*rule, radius, style="ghost", tint="m1"),
-        text(rule[0], rule[1] + 5, "spring", tint="m1", style="desk t0"),
+        text(rule[0], rule[1] + 5, "spring", tint="m1", style="t0", show="pendulum wide"),
         line(x, y, *bob, style="rod"),
         arc(x, y, 0.42 * rod, 0, var("angle"), style="sum", tint="m1"),
         arrow(*bob, bob[0], bob[1] + 0.17 * H, tint="k", style="thick", head=17),
@@ -70,7 +72,7 @@ def pendulum() -> list[Shape]:
         text(bob[0] + 12, bob[1] + 0.16 * H, "*m g*", anchor="start", tint="k", style="t2 b halo"),
         circle(x, y, 5, style="dot", tint="ink"),
     ]
-    return [{**one, "show": "pendulum"} for one in found]
+    return [{"show": "pendulum", **one} for one in found]
 
 
 def height(signal: str, share: Number) -> Number:
@@ -87,16 +89,15 @@ def twin() -> list[Shape]:
         wall(TWIN - 36, foot, 72, side="bottom"),
         line(TWIN - 36, level, WIDE * var(f"{PLOT}.left") + NARROW * W, level, style="eq", tint="mute"),
         spring(TWIN, y + SIDE / 2, TWIN, foot, 2.4, height=0.036 * H),
-        line(TWIN + SIDE / 2, y, on_x(PLOT, var("t")), y, style="level desk", tint="m1"),
+        line(TWIN + SIDE / 2, y, on_x(PLOT, var("t")), y, style="level", tint="m1", show="wide"),
         shape("block", x=TWIN, y=y + SIDE / 2, side=SIDE, label="m", tint="m1"),
-        circle(on_x(PLOT, var("t")), on_y(PLOT, var("rule")), 5, style="ghost", tint="m1", show="rule_seen"),
     ]
 
 
-def bracket() -> list[Shape]:
-    """Over the third peak: how late the swing is. Over the first period of what is linear: how long it takes."""
+def over_motion() -> tuple[Shape, ...]:
+    """The spring's place on its curve; over the third peak how late the swing is, over a linear period how long it is."""
     y = on_y(PLOT, var("amplitude")) - 9
-    found = []
+    found = [circle(on_x(PLOT, var("t")), on_y(PLOT, var("rule")), 5, style="ghost", tint="m1", show="rule_seen")]
     for show, start, end, words in (
         ("late_seen", "third_rule", "third_swing", "3 swings, {late} s late"),
         ("period_seen", "first_peak", "second_peak", "one swing {period} s"),
@@ -108,15 +109,14 @@ def bracket() -> list[Shape]:
             heads.append(arrow(b, y, a, y, head=8, style="thin"))
         label = text((a + b) / 2, y - 8, words, style="b halo")
         found += [{**one, "show": show} for one in (*ticks, *heads, label)]
-    return found
+    return tuple(found)
 
 
-def lateness() -> list[Shape]:
+def over_lateness() -> tuple[Shape, ...]:
     """On the plot of T/T_0 - 1: the dotted line to the axis and the number at the point."""
     x, y = on_x("late", var("size_angle")), on_y("late", var("late_now"))
-    found = [
+    return (
         line(on_x("late", 0), y, x, y, style="level"),
         line(x, y, x, on_y("late", 0), style="", tint="m1"),
         text(x - 10, y - 8, "+{late_percent} %", anchor="end", style="t2 b halo"),
-    ]
-    return [{**one, "show": "late_point"} for one in found]
+    )

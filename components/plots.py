@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from components.numbers import MINUS, power_unit, ten, three
 from components.sheet import Block
+from components.stage import Shape
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -82,6 +83,7 @@ def plot(
     height: int = 130,
     show: str = "",
     plain: bool = False,
+    shapes: tuple[Shape, ...] = (),
 ) -> Block:
     """A plot as a block of the sheet.
 
@@ -93,6 +95,7 @@ def plot(
     press on the plot alone, without a pill}. `marks` are lines with a flag across the plot at a scalar (in the axis' unit): {"at": scalar,
     "tint": class, "html": rich text of the flag, "label": accessible name, "set": parameter it is the button for,
     "axis": "x" or "y", "lift": pixels of the flag over the frame, "style": "dashed"}; `top` makes room for flags. `square` draws both axes to one scale; `plain` leaves out numbers at the axes. `show` is the form by which the plot stands.
+    `shapes` are drawn over it as on a stage, with `on_x`, `on_y` of this plot.
     """
     x_labels = x_labels and not plain
     figure_ = _figure(title, x_column, source, curves, bands, x_labels, (*margin, top), plain)
@@ -117,6 +120,7 @@ def plot(
         "phone": phone,
         "height": height,
         "show": show,
+        "shapes": list(shapes),
         "item": json_item(figure_),
     }
 

@@ -74,8 +74,8 @@ def on_y(plot: str, value: Number) -> Expression:
 def shape(kind: str, *, tint: str = "ink", **attributes: Any) -> Shape:
     """A shape; expressions among its attributes become their wire form.
 
-    Common attributes: `tint` (colour class), `style` (more classes), `show` (the name of a scalar: drawn while it is
-    not 0), `inside` (the plot whose frame cuts it), `drag` (the parameter that dragging it sets, with `drag_unit`,
+    Common attributes: `tint` (colour class), `style` (more classes), `show` (names of scalars, with spaces: drawn while
+    none is 0), `inside` (the plot whose frame cuts it), `drag` (the parameter that dragging it sets, with `drag_unit`,
     the pixels of one unit).
     """
     wired = {key: value.wire() if isinstance(value, Expression) else value for key, value in attributes.items()}

@@ -56,6 +56,7 @@ class Page {
       const area = element("div", {class: "plot-area"})
       host.append(area)
       this.plots.push(new Plot(block, area, this))
+      if (block.shapes.length) this.stages.push(new Stage({shapes: block.shapes}, area))
     }
     if (block.kind === "words") host.append(...block.items.map(item => this.#item(item)))
     if (block.kind === "table") host.append(this.#table(block))

@@ -8,12 +8,11 @@ export function buildPicker(host, spec, pictures, send) {
   const stages = []
   const buttons = spec.options.map(({value, label}) => {
     const picture = element("div", {class: "picture"})
-    stages.push(new Stage({shapes: pictures[value], label: ""}, picture))
+    stages.push(new Stage({shapes: pictures[value]}, picture))
     const button = element("button", {type: "button", class: "tile", "aria-pressed": "false", "data-option": value}, picture, element("span", {}, label))
     button.addEventListener("click", () => send({type: "choose", name: spec.name, value}))
     return button
   })
-  for (const {svg} of stages) svg.setAttribute("aria-hidden", "true")
   host.append(element("div", {class: "tiles", role: "group", "aria-label": spec.label}, ...buttons))
   return {
     stages,

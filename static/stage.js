@@ -133,7 +133,7 @@ const KINDS = {
 
 export class Stage {
   constructor(block, host) {
-    this.svg = svg("svg", {role: "img", "aria-label": block.label, class: "stage"})
+    this.svg = svg("svg", block.label ? {role: "img", "aria-label": block.label, class: "stage"} : {"aria-hidden": "true", class: "stage"})
     host.append(this.svg)
     this.size = {W: 1, H: 1}
     this.frames = new Map()
@@ -177,7 +177,7 @@ export class Stage {
   frame(named) {
     const all = {...named, ...this.plots, ...this.size}
     for (const {spec, kind, parts, group, moving} of this.shapes) {
-      const shown = spec.show === undefined || all[spec.show] !== 0 && all[spec.show] !== undefined
+      const shown = !spec.show || spec.show.split(" ").every(name => all[name])
       group.style.display = shown ? "" : "none"
       if (!shown) continue
       const s = {...spec}

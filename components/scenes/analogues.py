@@ -253,17 +253,17 @@ def _scalars(case: Case, axes: dict[str, Axis]) -> dict[str, float]:
 def _pendulum_scalars(case: Case, axes: dict[str, Axis]) -> dict[str, float]:
     """Where the pendulum hangs: lower and shorter where it swings over its pivot."""
     theta = abs(case.q_0)
-    pivot, rod = (0.14, 0.5) if theta < 61 * DEGREE else (0.14, 0.43) if theta <= 91 * DEGREE else (0.5, 0.34)
+    pivot, rod = (0.14, 0.5) if theta < 61 * DEGREE else (0.14, 0.43) if theta <= 91 * DEGREE else (0.46, 0.3)
     flags = {name: math.degrees(amplitude_at_excess(value)) for name, value in LIMITS.items()}
     return {
         "pivot": pivot,
         "rod": rod,
         "theta_0": theta,
+        "ends_seen": float(theta < 150 * DEGREE),
         "end_sine": math.sin(theta),
         "end_cosine": math.cos(theta),
         "size_angle": math.degrees(theta),
         "late_now": axes["late"].place(case.excess),
-        "late_point": 1.0,
         "rule_seen": 1.0,
         **flags,
     }
