@@ -17,6 +17,8 @@ from latex2mathml.converter import convert
 _VALUE = re.compile(r"\\val\{(\w+)\}")
 _VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
 _FUNCTION = re.compile(r"<mi>([a-z]{2,})</mi>")
+_PRIMED = re.compile(r"<msup><mi>(\w)</mi><mi>&#x02032;</mi></msup>")
+_PRIMED_POWER = re.compile(r"<msup><mi>(\w)</mi><mrow><mi>&#x02032;</mi>(<mn>\d+</mn>)</mrow></msup>")
 _TINT = re.compile(r"\\tint\{(\w+)\}")
 _TINT_MATHML = re.compile(r'<mstyle mathcolor="(\w+)">')
 
@@ -27,6 +29,8 @@ def mathml(latex: str) -> str:
     source = _VALUE.sub(r"\\text{@\1@}", latex)
     markup = convert(_TINT.sub(r"\\color{\1}", source))
     markup = _VALUE_MATHML.sub(r'<mn class="n" data-value="\1"></mn>', markup)
+    # A prime belongs to its letter: as an exponent it would stand too high.
+    markup = _PRIMED_POWER.sub(r"<msup><mi>\1′</mi>\2</msup>", _PRIMED.sub(r"<mi>\1′</mi>", markup))
     markup = _FUNCTION.sub(r'<mi class="up">\1</mi><mspace width="0.15em" />', markup)
     return _TINT_MATHML.sub(r'<mstyle class="tint \1">', markup)
 
