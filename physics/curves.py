@@ -70,24 +70,23 @@ def _hardly_turning(omega: Decimal, t: Array) -> tuple[Curve, Curve]:
 
 
 def response(omega: Decimal, omega_n: Decimal, t: Array) -> tuple[Curve, Curve]:
-    """g and g' of a mode of frequency omega_n under sin(omega t), at any omega > 0, omega_n included."""
+    """g and g' of a mode of frequency omega_n under sin(omega t), at any omega > 0, omega_n included.
+
+    Near resonance g comes from half the sum s and half the difference d of the frequencies, elsewhere from
+    two divided sines, and at first from its series.
+    """
     with precise():
         s, d = (omega + omega_n) / 2, (omega - omega_n) / 2
+        near, half = 2 * abs(d) <= s, omega / 2
+        factor = 1 / (2 * omega_n) if near else -omega / (4 * s * d)
+    (cos_s, over_s), (cos_d, over_d) = turning(s, t), turning(d, t)
+    if near:
+        late = difference(product(cos_d, over_s), product(cos_s, over_d)).times(factor)
+    else:
+        late = difference(turning(omega, t)[1], turning(omega_n, t)[1]).times(factor)
     start = is_early((omega, omega_n), t)
-    speed = product(turning(s, t)[1], turning(d, t)[1]).times(omega / 2)
-    late = _late_response(omega, omega_n, t[~start])
-    return _merged(start, early((omega, omega_n), t[start], 3), late), speed
-
-
-def _late_response(omega: Decimal, omega_n: Decimal, t: Array) -> Curve:
-    """g from half sum and half difference near resonance, as two divided sines away from it."""
-    with precise():
-        s, d = (omega + omega_n) / 2, (omega - omega_n) / 2
-        if 2 * abs(d) > s:
-            factor = -omega / (4 * s * d)
-            return difference(turning(omega, t)[1], turning(omega_n, t)[1]).times(factor)
-        (cos_s, over_s), (cos_d, over_d) = turning(s, t), turning(d, t)
-        return difference(product(cos_d, over_s), product(cos_s, over_d)).times(1 / (2 * omega_n))
+    g = replaced(late, start, early((omega, omega_n), t[start], 3)) if np.any(start) else late
+    return g, product(over_s, over_d).times(half)
 
 
 def is_early(frequencies: Sequence[Decimal], t: Array) -> NDArray[np.bool_]:
@@ -144,17 +143,14 @@ def rescaled(a: Curve, scale: Decimal) -> Curve:
     return product(Curve(a.hi, a.lo, Decimal(1)), factor)
 
 
-def _merged(chosen: NDArray[np.bool_], a: Curve, b: Curve) -> Curve:
-    """The values of a where chosen, those of b elsewhere, in order."""
-    if not np.any(chosen):
+def replaced(a: Curve, where: NDArray[np.bool_], b: Curve) -> Curve:
+    """a, but with the values of b, in order, at the places chosen."""
+    if np.all(where):
         return b
-    if np.all(chosen):
-        return a
     scale = max(abs(a.scale), abs(b.scale))
-    hi, lo = np.empty(chosen.shape), np.empty(chosen.shape)
-    for where, part in ((chosen, rescaled(a, scale)), (~chosen, rescaled(b, scale))):
-        hi[where], lo[where] = part.hi, part.lo
-    return Curve(hi, lo, scale)
+    a, b = rescaled(a, scale), rescaled(b, scale)
+    a.hi[where], a.lo[where] = b.hi, b.lo
+    return a
 
 
 def combined(rows: Sequence[Sequence[Decimal]], curves: Sequence[Curve], quantities: Sequence[str]) -> Array:
