@@ -160,7 +160,8 @@ export class Plot {
       text.setAttribute("x", left + width + 7)
       text.setAttribute("y", (over > 0 ? Math.min(y, top + height + 6 - (placed.length - 1 - i) * LABEL_GAP) : y) + 4)
     }
-    for (const {band, text} of this.bandLabels) this.#labelBand(band, text)
+    const taken = []
+    for (const {band, text} of this.bandLabels) this.#labelBand(band, text, taken)
     for (const mark of this.marks) this.#placeMark(mark)
     this.#spreadFlags()
     for (const pill of this.pills) {
@@ -190,20 +191,23 @@ export class Plot {
   }
 
   // The name of a band stands where the band is thickest.
-  #labelBand(band, text) {
+  #labelBand(band, text, taken) {
     const columns = this.state.columns[band.source] ?? {}
     const high = columns[band.high], low = columns[band.low], xs = columns[this.block.x_column]
     text.style.display = "none"
     if (!high?.length) return
     let best = -1, size = 0
     for (let i = Math.floor(high.length * 0.06); i < high.length * 0.94; i++) {
-      const thick = Math.abs(high[i] - low[i])
-      if (thick > size * 1.02) [best, size] = [i, thick]
+      const thick = Math.abs(high[i] - low[i]), x = this.px(xs[i]), y = this.py((high[i] + low[i]) / 2)
+      if (thick <= size * 1.02 || taken.some(other => Math.abs(other.x - x) < 56 && Math.abs(other.y - y) < 14)) continue
+      [best, size] = [i, thick]
     }
     if (best < 0 || size / (this.y.end - this.y.start) * this.frame.height < 20) return
     text.style.display = ""
-    text.setAttribute("x", this.px(xs[best]))
-    text.setAttribute("y", this.py((high[best] + low[best]) / 2) + 5)
+    const place = {x: this.px(xs[best]), y: this.py((high[best] + low[best]) / 2)}
+    taken.push(place)
+    text.setAttribute("x", place.x)
+    text.setAttribute("y", place.y + 5)
   }
 
   #mark(mark) {
@@ -348,6 +352,21 @@ export class Plot {
     move(event)
     this.host.addEventListener("pointermove", move)
     this.host.addEventListener("lostpointercapture", () => this.host.removeEventListener("pointermove", move), {once: true})
+  }
+
+  // The point nearest to a press, at most 16 pixels away, as [source, place in its column].
+  #nearest(event) {
+    const box = this.host.getBoundingClientRect(), x = event.clientX - box.left, y = event.clientY - box.top
+    let best = null, closest = 16
+    for (const curve of this.block.curves) {
+      const {[curve.x]: xs, [curve.name]: ys} = this.state.columns[curve.source] ?? {}
+      if (this.hidden.has(curve.group)) continue
+      for (let i = 0; i < (ys?.length ?? 0); i++) {
+        const distance = Math.hypot(this.px(xs[i]) - x, this.py(ys[i]) - y)
+        if (distance < closest) [best, closest] = [[curve.source, String(i)], distance]
+      }
+    }
+    return best
   }
 
   #inside(event) {
