@@ -34,7 +34,7 @@ HULL = "M27 0C26-3.6 18-4.8 10-5.2C7-9.4-1-9.8-5-5.8L-18-3.6L-24-12.5L-29-12.5L-
 WING = "M11 1.6C7-.6-5-.4-10 1.9C-5 3.6 7 3.6 11 1.6Z"
 PROPELLER = "M28-9V9"
 
-ASPECT = 4.6
+ASPECT = 4.4
 """Width over height of the frame of the path on a desk."""
 BEFORE = 0.3
 """Room before the start, in v_0^2/g: the length of the aircraft's tail."""

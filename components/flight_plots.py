@@ -87,7 +87,7 @@ def _example(name: str, label: str, i: int, last: bool) -> dict[str, Any]:
         "at": f"at_{name}",
         "tint": "ink",
         "style": "bare",
-        "html": rich(f"{label}, {{tau_{name}}}"),
+        "html": rich(f"{label}{{tau_{name}}}"),
         "label": f"Speed of: {label}",
         "set": "v_0",
         "flag": "one end" if last else "one start",
@@ -120,9 +120,9 @@ def exchange_plots() -> tuple[Block, ...]:
         words("**Spring:** stretch and motion trade twice a swing (second order)", phone=14),
         _shares("spring_energy", "twin", "½ *k x*²", "½ *m x*′²", "Energy of the spring it mimics: stretch and motion", True),
         words(
-            r"$\frac{1}{2} m v^2 = \frac{1}{2} m v_0^2 + m v_0 v' + \frac{1}{2} m v'^2$: what is traded, $m v_0 v'$ "
-            r"for $m g h'$, is of first order and swings at $\omega$. A spring trades squares, and "
-            r"$\sin^2 \omega t = \frac{1}{2}(1 - \cos 2 \omega t)$ swings at $2 \omega$.",
+            r"$\frac{1}{2} m\,v^2 = \frac{1}{2} m\,v_0^2 + m\,v_0 v' + \frac{1}{2} m\,v'^2$: what is traded for $m\,g\,h'$ is the "
+            r"middle term, of first order, at $\omega$. A spring trades squares, $\frac{1}{2} k\,x^2 \propto 1 + \cos 2 \omega t$, "
+            r"at $2 \omega$.",
             style="small",
             phone=16,
         ),
@@ -173,7 +173,7 @@ def velocity_plot() -> Block:
         ),
         heading=(
             term("w", "sum", "m1", formula=r"C = u - V^3/3 = \val{C}"),
-            term("w_lin", "dash", "m1", formula=r"\text{linear; the exact swing takes }\val{late}"),
+            term("w_lin", "dash", "m1", formula=r"\text{linear; exact }\val{late}"),
         ),
         margin=(8, 8),
         square=True,

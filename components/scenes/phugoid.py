@@ -36,7 +36,7 @@ LENGTHS = {"ft/s": ("ft", FOOT), "knots": ("ft", FOOT), "m/s": ("m", 1.0), "km/h
 AIRCRAFT = {
     "model": ("Model", 35 * FOOT, 2.0),
     "glider": ("Glider", 90 * FOOT, 450.0),
-    "light": ("Light", 150 * FOOT, 1100.0),
+    "light": ("Light aircraft", 150 * FOOT, 1100.0),
     "airliner": ("Airliner", 250.0, 70000.0),
 }
 FASTEST = 275.0  # m/s, the end of the plot of periods
@@ -55,7 +55,7 @@ class Phugoid(Scene):
         Group(
             "Aircraft",
             ("v_0", "m", "g"),
-            actions=tuple((name, label) for name, (label, _, _) in AIRCRAFT.items()),
+            actions=tuple((name, label.split()[0]) for name, (label, _, _) in AIRCRAFT.items()),
         ),
         Group("Speeds in", ("unit",)),
     )
@@ -110,7 +110,7 @@ class Phugoid(Scene):
         shapes = [*_words(), *flight_shapes("path"), *period_shapes(NAMES, "is_period"), *velocity_shapes("velocity", "is_limits")]
         label = "The flight path with the aircraft, beside the spring and mass it mimics"
         return column(
-            column(stage(*shapes, label=label, grow=0, basis=26, phone=0, height=28), path_plot(), grow=290),
+            column(stage(*shapes, label=label, grow=0, basis=26, phone=0, height=28), path_plot(), grow=262),
             row(
                 column(
                     choice("show", VIEWS, "View", phone=5),
@@ -120,7 +120,7 @@ class Phugoid(Scene):
                     grow=430,
                 ),
                 column(swing_plot("h", "V", low=False), swing_plot("v", "T", low=True), grow=456),
-                grow=342,
+                grow=370,
                 gap=26,
             ),
         )
