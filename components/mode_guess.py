@@ -213,8 +213,7 @@ def picture(system: TwoMassChain, omega: float, ratio: float, moving: bool, wind
     frequency, shape = squared_axis(end, "(rad/s)²"), nice_axis(-half, half, "", 4, exact=True)
     shape = replace(shape, ticks=shape.ticks[1:-1])
     columns, D, exponent = _columns(system, end, 3 * half)
-    seconds = window or time_window(float(modes.omega[0]), float(modes.omega[1]))
-    clock = {"t": time_axis(seconds)} if moving else {}
+    clock = {"t": time_axis(window or time_window(omega, omega))} if moving else {}
     metres = Axis(-1.0, 1.0, "m")
     rate = omega if moving else 0.0
     time = clock.get("t", Axis(0.0, 1.0))

@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from components.equations import rich
-from components.numbers import three
+from components.numbers import signed, three
 from components.plots import Axis, Curve, log_axis, plot
 from components.scene import Columns, Picture
 from components.sheet import Block, choice, column, row, term, words
 from physics.coupled import TwoMassChain
 from physics.modes import PARAMETERS, Sweep, limit, sweep
 
+MODES = ("slow", "fast")
 DECADES = 6
 SYMBOLS = {"m1": "m₁", "m2": "m₂", "k1": "k₁", "k2": "k₂"}
 PARTNER = {"m1": "m2", "m2": "m1", "k1": "k2", "k2": "k1"}
@@ -73,13 +74,14 @@ def _curves(kind: str) -> tuple[Curve, ...]:
     """Both modes, the asymptotes at both ends, dotted; `kind` is omega or ratio."""
     curves = [
         Curve(name=f"{kind}_{mode}", source=f"{kind}_{end}", tint=mode, width="dash", group="limits")
-        for end in ("low", "high") for mode in ("slow", "fast")
+        for end in ("low", "high") for mode in MODES
     ]
     labels = {"omega": ("*ω*_{−}", "*ω*_{+}"), "ratio": ("in phase", "opposite")}[kind]
     curves += [
         Curve(name=f"{kind}_{mode}", source=f"{kind}_sweep", tint=mode, width="sum", label=label)
-        for mode, label in zip(("slow", "fast"), labels, strict=True)
+        for mode, label in zip(MODES, labels, strict=True)
     ]
+    curves += [Curve(name=f"{kind}_{mode}", source=f"{kind}_now", tint=mode, width="none", marker="disc", group="now") for mode in MODES]
     return tuple(curves)
 
 
@@ -93,7 +95,7 @@ def _frequencies() -> Block:
             term("held", "line", "mute", formula=r"\text{held: } \sqrt{(k_1 + k_2)/m_1},\ \sqrt{k_2/m_2}"),
             term("limits", "dash", "mute", formula=r"\text{limits}"),
         ),
-        x_labels=False, margin=(52, 60), top=30, handles=_handles(bare=True),
+        x_labels=False, margin=(72, 60), top=30, handles=_handles(bare=True),
         marks=({"at": "cross", "tint": "mute", "style": "dashed", "html": rich("the held ones cross"), "lift": 0},),
         phone=10, height=230,
     )
@@ -104,7 +106,7 @@ def _ratios() -> Block:
         "ratios", x="p", y="q", title="Both mode ratios, without their sign, against the swept parameter",
         source="ratio_sweep", x_column="p", curves=_curves("ratio"),
         heading=(term("", "none", "ink", formula=r"|X_2/X_1|"),),
-        margin=(52, 60), handles=_handles(), phone=11, height=200,
+        margin=(72, 60), handles=_handles(), phone=11, height=200,
     )
 
 
@@ -122,21 +124,24 @@ def picture(system: TwoMassChain, swept: str) -> Picture:
     run = sweep(system, swept, values)
     if not np.all(np.isfinite(run.omega)):
         raise ValueError("a natural frequency leaves the range of doubles in this sweep")
+    shown = bool(system.k2 or swept == "k2")
+    if shown and not np.all(np.isfinite(run.ratio)):
+        raise ValueError("a mode ratio X2/X1 leaves the range of doubles in this sweep")
     kinds, columns = {}, _columns(run)
     for end, name, part in ((0, "low", slice(None, 121)), (1, "high", slice(120, None))):
         tends = limit(system, swept, end, values[part])
         kinds[name] = tends.kind
         columns |= _pair(name, values[part], tends.omega, tends.ratio)
     modes = system.modes()
-    now = {"now_slow": modes.omega[0], "now_fast": modes.omega[1], "now_ratio_slow": modes.ratio[0], "now_ratio_fast": modes.ratio[1]}
+    columns |= _pair("now", np.array([getattr(system, swept)]), modes.omega[:, None], modes.ratio[:, None])
     decades = log_axis(float(values[0]), float(values[-1]), {"m": "kg", "k": "N/m"}[swept[0]], DECADES)
-    shown = bool(system.k2 or swept == "k2")
     return Picture(
-        columns={name: {k: v for k, v in source.items()} for name, source in columns.items()},
+        columns=columns,
         axes={"p": decades, "f": _log_range(run.omega, "rad/s"), "q": _log_range(np.abs(run.ratio), "") if shown else log_axis(0.1, 10)},
         scalars=_crossing(run, decades),
         values={
-            **{name: three(float(value)) for name, value in now.items()},
+            **{f"now_{mode}": three(float(w)) for mode, w in zip(MODES, modes.omega, strict=True)},
+            **{f"now_ratio_{mode}": signed(float(r)) for mode, r in zip(MODES, modes.ratio, strict=True)},
             "low_name": f"{SYMBOLS[swept]} → 0", "high_name": f"{SYMBOLS[swept]} → ∞",
         },
         forms={**kinds, f"swept_{swept}": "shown"},

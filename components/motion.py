@@ -20,7 +20,10 @@ def scaled(exponent: int, *factors: float) -> float:
     product = Decimal(1).scaleb(-exponent)
     for factor in factors:
         product *= Decimal(factor)
-    return float(product)
+    result = float(product)
+    if math.isinf(result):
+        raise ValueError("the motion does not fit this time window: its numbers leave the range of doubles")
+    return result
 
 
 def sines(size: Axis, time: Axis, *terms: tuple[float, float, float], line: tuple[float, float] = (0, 0)) -> dict[str, Any]:

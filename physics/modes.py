@@ -170,18 +170,26 @@ def row_curves(chain: TwoMassChain, end: float, largest: float, count: int = 120
         upright = np.full(2, np.sqrt(chain.k1) / np.sqrt(chain.m1))
         reach = np.array([-largest, largest])
         return Branches([upright], [reach]), Branches([np.array([0.0, end])], [np.zeros(2)])
-    held = np.sqrt([chain.k1 + chain.k2 if chain.k1 + chain.k2 < np.inf else chain.k1, chain.k2]) / np.sqrt([chain.m1, chain.m2])
-    coupling = np.sqrt(chain.k2) / np.sqrt(chain.m1)
-    top = (held[0] / coupling) ** 2  # row 1 at omega = 0
-    last = top - (end / coupling) ** 2
-    line = np.clip([top, last], -largest, largest)
-    first = Branches([coupling * np.sqrt(np.maximum(top - line, 0.0))], [line])
-    inverse = np.geomspace(1.0, 1.0 / largest, count)
-    left = (held[1] * np.sqrt(1.0 - inverse), 1.0 / inverse)
-    beyond = (end / held[1]) ** 2 - 1.0
-    gap = np.geomspace(min(1.0 / largest, beyond), beyond, count)
-    right = (held[1] * np.sqrt(1.0 + gap), -1.0 / gap)
-    return first, Branches([left[0], right[0]], [left[1], right[1]])
+    return _row_one(chain, end, largest), _row_two(chain, end, largest, count)
+
+
+def _row_one(chain: TwoMassChain, end: float, largest: float) -> Branches:
+    m1, _, k1, k2 = chain.exact_parameters
+    with precise():
+        both, far = k1 + k2, exact(largest)
+        line = [min(both / k2, far), max((both - m1 * exact(end) ** 2) / k2, -far)]
+        square = [max((both - k2 * r) / m1, Decimal(0)) for r in line]
+        omega = [min(float(value.sqrt()), end) for value in square]
+    return Branches([np.array(omega)], [np.array([float(r) for r in line])])
+
+
+def _row_two(chain: TwoMassChain, end: float, largest: float, count: int) -> Branches:
+    pole = float(np.sqrt(chain.k2) / np.sqrt(chain.m2))
+    below = np.geomspace(1.0, largest, count)
+    last = 1.0 / ((end / pole) ** 2 - 1.0) if end < 1e100 * pole else 0.0
+    above = np.geomspace(largest, max(last, 1e-6), count)
+    omega = np.append(pole * np.sqrt(1.0 + 1.0 / above[:-1]), end)
+    return Branches([pole * np.sqrt(1.0 - 1.0 / below), omega], [below, -np.append(above[:-1], last)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -211,16 +219,21 @@ def sweep(chain: TwoMassChain, name: str, values: ArrayLike) -> Sweep:
     with np.errstate(divide="ignore", over="ignore", under="ignore"):
         own = [np.sqrt(a) / np.sqrt(b) for a, b in ((k1, m1), (k2, m1), (k2, m2))]
         held = np.array([np.hypot(own[0], own[1]), own[2]])
-        unit = np.max(held, axis=0)
+        unit = _not_zero(np.max(held, axis=0))
         a, c = (held / unit) ** 2
-        root = np.hypot(a - c, 2.0 * (own[1] / unit) * np.sqrt(c))
+        coupling = own[1] / unit
+        root = np.hypot(a - c, 2.0 * coupling * np.sqrt(c))
         fast = np.sqrt((a + c + root) / 2.0)
-        omega = np.array([own[0] / unit * own[2] / fast, unit * fast])
-        larger = (np.abs(a - c) + root) / 2.0
-        above = larger / (own[1] / unit) ** 2  # the ratio that is a sum without cancellation
-        below = m1 / m2 / above
+        omega = np.array([own[0] / unit * own[2] / _not_zero(fast), unit * fast])
+        larger = _not_zero((np.abs(a - c) + root) / 2.0)  # a sum without cancellation, in both ratios
+        above, below = larger / coupling**2, c / larger
     ratio = np.where(a >= c, [above, -below], [below, -above])
     return Sweep(values, omega, ratio, held)
+
+
+def _not_zero(values: Array) -> Array:
+    """1 in place of 0, where there is no spring at all."""
+    return np.where(values > 0.0, values, 1.0)
 
 
 def _swept(chain: TwoMassChain, name: str, values: Array) -> list[Array]:
@@ -253,22 +266,35 @@ stand   mass 1 minds mass 2 no more: it is alone on k1, and mass 2 hangs on it a
 
 
 def limit(chain: TwoMassChain, name: str, end: int, values: ArrayLike) -> Limit:
-    """The asymptotes of a sweep of `name` towards 0 (end = 0) or infinity (end = 1), to leading order."""
+    """The asymptotes of a sweep of `name` towards 0 (end = 0) or infinity (end = 1), to leading order.
+
+    Without k2 the masses are apart all along, without k1 there is only the pair: there the limits are exact.
+    """
     values = np.asarray(values, dtype=float)
     m1, m2, k1, k2 = _swept(chain, name, values)
     kind = LIMITS[name, end]
-    one, two = np.sqrt(k1) / np.sqrt(m1), np.sqrt(k2) / np.sqrt(m2)
+    if name != "k2" and not chain.k2:
+        kind = "apart"
+    elif name != "k1" and not chain.k1:
+        kind = "rigid"
+    with np.errstate(over="ignore", divide="ignore", invalid="raise"):
+        return Limit(kind, *(np.array(pair) for pair in _tends(kind, m1, m2, k1, k2)))
+
+
+def _tends(kind: str, m1: Array, m2: Array, k1: Array, k2: Array) -> tuple[list[Array], list[Array]]:
+    """Both frequencies and both ratios; sums of roots of sums are hypotenuses, which do not overflow."""
+    root_m, root_k = np.hypot(np.sqrt(m1), np.sqrt(m2)), np.hypot(np.sqrt(k1), np.sqrt(k2))
+    one, two, coupling = (np.sqrt(k) / np.sqrt(m) for k, m in ((k1, m1), (k2, m2), (k2, m1)))
     if kind == "apart":
-        # the lower of the two is the slow mode; far out it is mass 2 on k2
-        return Limit(kind, np.array([two, one]), np.array([k1 / k2, -(m1 / m2) * (k2 / k1)]))
+        with np.errstate(invalid="ignore"):
+            ratios = [np.where(k2 > 0.0, k1 / k2, np.inf), -np.where(k2 > 0.0, (two / one) ** 2, 0.0)]
+        return [two, one], ratios
     if kind == "rigid":
-        together, internal = np.sqrt(k1) / np.sqrt(m1 + m2), two * np.sqrt(1.0 + m2 / m1)
-        return Limit(kind, np.array([together, internal]), np.array([np.ones_like(values), -m1 / m2]))
+        return [np.sqrt(k1) / root_m, np.hypot(two, coupling)], [np.ones_like(m1), -m1 / m2]
     if kind == "series":
-        share = k1 / (k1 + k2)
-        between = np.sqrt(k1 + k2) / np.sqrt(m1)
-        return Limit(kind, np.array([two * np.sqrt(share), between]), np.array([1.0 + k1 / k2, -(m1 / m2) * (k2 / (k1 + k2))]))
-    return Limit(kind, np.array([one, two]), np.array([np.ones_like(values), -m1 / m2]))
+        between = root_k / np.sqrt(m1)
+        return [two * (np.sqrt(k1) / root_k), between], [1.0 + k1 / k2, -((two / between) ** 2)]
+    return [one, two], [np.ones_like(m1), -m1 / m2]
 
 
 def shares(chain: TwoMassChain, x_0: ArrayLike) -> tuple[float, float]:

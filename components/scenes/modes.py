@@ -19,7 +19,7 @@ from physics.modes import PARAMETERS, trial
 VIEWS = {"guess": "Guess", "solve": "Solve", "sweep": "Sweep", "hunt": "Hunt"}
 SOURCES = (
     "row1", "row2_below", "row2_above", "det",
-    *(f"{kind}_{part}" for kind in ("omega", "ratio") for part in ("sweep", "low", "high")),
+    *(f"{kind}_{part}" for kind in ("omega", "ratio") for part in ("sweep", "low", "high", "now")),
     "path", "answer",
 )
 
