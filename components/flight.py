@@ -52,9 +52,17 @@ def ground_axes(swing: Swing, window: float, unit: str, factor: float) -> tuple[
     low, high = min(float(swing.lap.h.min()), -size), max(float(swing.lap.h.max()), size)
     room = 0.16 * (high - low)
     end = max(swing.distance(window), ASPECT * (high - low + 2 * room), 0.5)
-    along = nice_axis(-BEFORE * length, end * length, unit, 6, exact=True, factor=factor)
+    along = _along(-BEFORE * length, end * length, unit, factor)
     half, middle = (end + BEFORE) / ASPECT / 2, (low + high) / 2
     return along, _up(along, (middle - half) * length, (middle + half) * length)
+
+
+def _along(low: float, high: float, unit: str, factor: float) -> Axis:
+    """The horizontal axis; distances of five digits do without a power of ten."""
+    axis = nice_axis(low, high, unit, 5, exact=True, factor=factor)
+    if not 1e4 <= high / factor < 1e5:
+        return axis
+    return replace(axis, exponent=0, suffix="", ticks=nice_ticks(low / factor, high / factor, 5))
 
 
 def _up(along: Axis, low: float, high: float) -> Axis:
@@ -69,11 +77,15 @@ def velocity_axes(swing: Swing) -> dict[str, Axis]:
     far = max(1.0, float(swing.lap.w.max()) / 1.05, (1 + swing.excess) / 3.05)
     whole = math.ceil(far / 4)
     ticks = tuple(float(whole * i - 1) for i in range(-math.ceil(far), math.ceil(3.1 * far) + 1))
-    labels = tuple("0" if tick == -1 else "v₀" if tick == 0 else f"{short(tick + 1)} v₀" for tick in ticks)
+    labels = tuple(_times_v_0(tick + 1) for tick in ticks)
     return {
         "forward": Axis(-0.85 * far - 1, 3.05 * far - 1, ticks=ticks, labels=labels),
         "upward": Axis(-1.155 * far, 1.155 * far),
     }
+
+
+def _times_v_0(number: float) -> str:
+    return {0.0: "0", 1.0: "v₀", -1.0: "−v₀"}.get(number, f"{short(number)} v₀")
 
 
 def flight_shapes(plot: str) -> list[Shape]:

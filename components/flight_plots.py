@@ -29,7 +29,7 @@ def path_plot() -> Block:
         margin=(138, 4),
         square=True,
         phone=0,
-        height=190,
+        height=150,
     )
 
 
@@ -177,7 +177,7 @@ def velocity_plot() -> Block:
         ),
         margin=(8, 8),
         square=True,
-        handles=({"parameter": "excess", "symbol": "v′", "label": "Excess of speed", "tint": "T", "least": -1},),
+        handles=({"parameter": "excess", "symbol": "v′", "label": "Excess of speed", "tint": "T", "least": -1, "text": "gain"},),
         phone=14,
         height=280,
     )

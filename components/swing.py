@@ -56,6 +56,13 @@ class Swing:
                 "is beyond what numbers can hold."
             )
 
+    def check(self, window: float) -> None:
+        """ValueError where a time window and a swing cannot be counted in one unit of time."""
+        if not 1e-100 < window / self.period < 1e100:
+            raise ValueError(
+                f"a window of {window:g} s and a swing of {self.period:g} s are too far apart to be shown together."
+            )
+
     @property
     def length(self) -> float:
         """The unit of lengths, v_0^2/g in m."""

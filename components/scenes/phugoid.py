@@ -19,11 +19,11 @@ from components.flight_plots import (
     velocity_plot,
 )
 from components.motion import pace
-from components.numbers import three
+from components.numbers import signed, three
 from components.parameters import Quantity, mass, positive
 from components.plots import Axis, nice_axis, time_axis
 from components.scene import Picture, Scene
-from components.sheet import Block, choice, column, row, stage, when
+from components.sheet import Block, choice, column, row, stage, when, words
 from components.stage import Shape, W, text
 from components.swing import Swing, along_path, energy_shares, motion_signals, over_time, velocities, verdict
 from components.traces import samples
@@ -55,6 +55,7 @@ class Phugoid(Scene):
         Group(
             "Aircraft",
             ("v_0", "m", "g"),
+            "move m: no change",
             actions=tuple((name, label.split()[0]) for name, (label, _, _) in AIRCRAFT.items()),
         ),
         Group("Speeds in", ("unit",)),
@@ -111,6 +112,7 @@ class Phugoid(Scene):
         label = "The flight path with the aircraft, beside the spring and mass it mimics"
         return column(
             column(stage(*shapes, label=label, grow=0, basis=26, phone=0, height=28), path_plot(), grow=262),
+            words("{verdict}", style="narrow", phone=6),
             row(
                 column(
                     choice("show", VIEWS, "View", phone=5),
@@ -128,6 +130,7 @@ class Phugoid(Scene):
     def picture(self) -> Picture:
         swing = Swing(self.v_0, self.g, self.excess)
         end = self.window or float(f"{2.2 * swing.linear.tau:.2g}")
+        swing.check(end)
         t = np.linspace(0.0, end, samples(end, swing.fastest))
         axes = self._axes(swing, end)
         curves, bands = over_time(swing, t)
@@ -188,6 +191,7 @@ class Phugoid(Scene):
             "v_unit": axes["v"].full_unit,
             "h_size": axes["h"].number(-swing.climb),
             "v_size": axes["v"].number(self.excess * self.v_0),
+            "gain": signed(axes["v"].place(self.excess * self.v_0)),
             "omega": three(swing.linear.omega),
             "tau": three(swing.linear.tau),
             "C": three(swing.lap.C),
