@@ -8,6 +8,7 @@ from components.scenes.analogues import Analogues
 from components.scenes.coupled import Coupled
 from components.scenes.forced import Forced
 from components.scenes.modes import Modes
+from components.scenes.oscillator import OscillatorScene
 from components.scenes.phugoid import Phugoid
 
-SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (Analogues, Phugoid, Coupled, Modes, Forced, Absorber)}
+SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (OscillatorScene, Analogues, Phugoid, Coupled, Modes, Forced, Absorber)}

@@ -1,0 +1,195 @@
+"""The stage of the oscillator: the mass, the turning arrow whose height is x, and the arrow at the start."""
+
+from __future__ import annotations
+
+from components.stage import (
+    H,
+    Expression,
+    Number,
+    Shape,
+    W,
+    arc,
+    arrow,
+    circle,
+    line,
+    on_x,
+    on_y,
+    shape,
+    spring,
+    text,
+    var,
+    wall,
+    wave,
+)
+
+WIDE, NARROW, T = var("wide"), var("narrow"), var("t")
+MASS = WIDE * 0.15 * W + NARROW * 0.1 * W
+"""Where the mass stands, and below where the arrow turns: across the stage."""
+PIVOT = WIDE * 0.635 * W + NARROW * 0.395 * W
+FRAME = WIDE * (var("x.bottom") - var("x.top")) + NARROW * 0.9 * H
+"""The height of the plot of x, on whose scale all is drawn; on a phone, where it stands elsewhere, one like it."""
+LEVEL = WIDE * on_y("x", 0) + NARROW * 0.53 * H
+RADIUS = WIDE * -1 * var("x.y1") * var("C") + NARROW * 0.36 * H * var("turns")
+STRIP, STRIP_LENGTH = 0.64 * W, 0.31 * W
+"""On a phone the stage has a small x(t) of its own."""
+FIRST = 132
+"""Pixels of the words left of the start arrow; it stands under the turning one."""
+
+WAYS = (("x", "m1", ""), ("v", "T", "thin"), ("a", "F", "thin"))
+NAMES = {"x": "*x*", "v": "*v*/*ω*_n", "a": "*a*/*ω*_n²"}
+REACH = {"x": (15, 13), "v": (26, 16), "a": (30, 16)}
+"""Pixels from the tip of an arrow to the middle of its name, across and up."""
+
+Vector = tuple[Number, Number]
+
+
+def unit(name: str) -> Vector:
+    """The direction of the arrow of x, v or a, up positive: each a quarter turn ahead of the one before."""
+    cosine, sine = var("cosine"), var("sine")
+    return {"x": (cosine, sine), "v": (-1 * sine, cosine), "a": (-1 * cosine, -1 * sine)}[name]
+
+
+def at(centre: Vector, way: Vector, length: Number) -> Vector:
+    return centre[0] + length * way[0], centre[1] - length * way[1]
+
+
+def hero() -> list[Shape]:
+    """Mass, tip of the arrow and curve on one level line."""
+    now = WIDE * on_x("x", T) + NARROW * (STRIP + STRIP_LENGTH * T * var("per_window"))
+    y = mass_height()
+    return [
+        line(0.04 * W, LEVEL, WIDE * var("x.left") + NARROW * STRIP, LEVEL, style="eq", tint="mute"),
+        line(MASS, y, now, y, style="level", tint="m1"),
+        *strip(now, y),
+        *table(y),
+        *[{**one, "show": "turns"} for one in turning((PIVOT, LEVEL))],
+    ]
+
+
+def mass_height() -> Expression:
+    return WIDE * on_y("x", var("x")) + NARROW * (LEVEL - 0.36 * H * var("x") * var("per_x"))
+
+
+def table(y: Number) -> list[Shape]:
+    """The table seen from above: wall, spring and mass; x points up, as in the plot."""
+    side = 0.2 * FRAME * var("side")
+    foot = LEVEL + WIDE * 0.7 * FRAME + NARROW * 0.43 * H
+    aside = MASS - 0.5 * side - 13
+    return [
+        wall(MASS - 42, foot, 84, side="bottom"),
+        spring(MASS, y + 0.5 * side, MASS, foot, var("wire"), height=13, show="wire"),
+        shape("block", x=MASS, y=y + 0.5 * side, side=side, label="m", tint="m1"),
+        arrow(aside, LEVEL, aside, y, tint="m1"),
+        text(2, 16, "*x* = {x} {x_unit}", "start", tint="m1", style="t2 b halo"),
+        text(MASS + 52, foot + 4, "smooth table, seen from above", "start", tint="mute", style="halo", show="wide"),
+    ]
+
+
+def turning(centre: Vector) -> list[Shape]:
+    """The arrow of x and its two companions, all drawn at the length C, on their circle."""
+    found = [*cross(centre, RADIUS), *right_angles(centre)]
+    for name, tint, style in reversed(WAYS):
+        tip = at(centre, unit(name), RADIUS)
+        found.append(arrow(*centre, *tip, tint=tint, style=style, head=13 if name == "x" else 11))
+    found.append(circle(*centre, 4, tint="ink"))
+    start = (var("start_cosine"), var("start_sine"))
+    name_x, name_y = at(centre, start, RADIUS + 18)
+    found += [
+        circle(*at(centre, start, RADIUS), 4, style="ghost", tint="mute"),
+        text(name_x, name_y + 4, "*t* = 0", tint="mute", style="halo"),
+        circle(*at(centre, unit("x"), RADIUS), 5, tint="m1"),
+    ]
+    for name, tint, _ in WAYS:
+        (x, y), (across, up) = unit(name), REACH[name]
+        place = centre[0] + (RADIUS + across) * x, centre[1] - (RADIUS + up) * y + 5
+        found.append(text(*place, NAMES[name], tint=tint, style="t2 b halo"))
+    return found
+
+
+def cross(centre: Vector, radius: Number) -> list[Shape]:
+    x, y = centre
+    reach = radius + 8
+    return [
+        circle(x, y, radius, style="orbit", tint="mute"),
+        line(x - reach, y, x + reach, y, style="hair"),
+        line(x, y - reach, x, y + reach, style="hair"),
+    ]
+
+
+def right_angles(centre: Vector) -> list[Shape]:
+    """The marks that say: a quarter turn."""
+    found = []
+    for one, other in (("x", "v"), ("v", "a")):
+        a, b = unit(one), unit(other)
+        corner = at(centre, (a[0] + b[0], a[1] + b[1]), 13)
+        found += [line(*at(centre, a, 13), *corner, style="floor"), line(*corner, *at(centre, b, 13), style="floor")]
+    return found
+
+
+def strip(now: Number, y: Number) -> list[Shape]:
+    """The small x(t) on a phone, with its cursor."""
+    top, bottom = LEVEL - 0.42 * H, LEVEL + 0.42 * H
+    curve = wave(STRIP, LEVEL, STRIP_LENGTH, 0.36 * H, var("swings"), var("phi"), style="sum", tint="m1", show="narrow swings")
+    marks = [line(now, top, now, bottom, style="now"), circle(now, y, 5, tint="m1")]
+    return [curve, *[{**one, "show": "narrow"} for one in marks]]
+
+
+def first() -> list[Shape]:
+    """The arrow at t = 0: its legs are A and B; atan would send it the other way where v_0 < 0."""
+    centre = (WIDE * (0.635 * (W + FIRST) - FIRST) + NARROW * 0.5 * W, 0.5 * H)
+    radius = WIDE * RADIUS + NARROW * 0.42 * H
+    way = (var("start_cosine"), var("start_sine"))
+    x, y = centre
+    tip, foot = at(centre, way, radius), (x + radius * way[0], y)
+    wrong = at(centre, (-1 * way[0], -1 * way[1]), radius)
+    name = at(centre, (-1 * way[0], -1 * way[1]), radius + 22)
+    middle = at(centre, (var("middle_cosine"), var("middle_sine")), 40)
+    beside = at(centre, (way[0] - 0.22 * way[1], way[1] + 0.22 * way[0]), 0.58 * radius)
+    quarter = 1.5707963267948966
+    shapes = [
+        *cross(centre, radius),
+        line(*centre, *wrong, style="dotted", tint="mute", show="wrong"),
+        circle(*wrong, 4, style="ghost", tint="mute", show="wrong"),
+        text(name[0], name[1] + 5, "atan", tint="mute", style="halo", show="wrong"),
+        arc(x, y, 28, quarter, var("phi") + quarter, style="floor", tint="ink"),
+        line(x, y, *foot, style="sum", tint="T"),
+        line(*foot, *tip, style="sum", tint="m1"),
+        arrow(x, y, *tip, tint="m1", head=13),
+        circle(x, y, 4, tint="ink"),
+        text(middle[0], middle[1] + 5, "*φ*", style="t2 b halo"),
+        text(x + 0.5 * radius * way[0], y + 13 * var("under") + 5, "*B*", tint="T", style="t2 b halo", show="has_B"),
+        text(foot[0] + 13 * var("outside"), y - 0.5 * radius * way[1] + 5, "*A*", tint="m1", style="t2 b halo", show="has_A"),
+        text(beside[0], beside[1] + 5, "*C*", tint="m1", style="t2 b halo", show="has_A has_B"),
+    ]
+    return [{**one, "show": f"turns {one.get('show', '')}".strip()} for one in shapes]
+
+
+def lead(late: str, early: str) -> tuple[Shape, ...]:
+    """Over the plot of v or a: from a peak of what is late to the peak of what leads it by a quarter period."""
+    a, b = on_x(early, var(f"peak_{late}")), on_x(early, var(f"peak_{early}"))
+    y = on_y(early, var(f"top_{early}")) - 11
+    shapes = (
+        line(a, on_y(late, var(f"top_{late}")), a, y + 5, style="eq", tint="mute"),
+        line(b, y - 5, b, y + 11, style="floor"),
+        arrow(a, y, b, y, style="thin", head=8),
+        text((a + b) * 0.5, y - 6, "*τ*/4", style="b halo"),
+    )
+    return tuple({**one, "show": "leads"} for one in shapes)
+
+
+def planes() -> tuple[tuple[Shape, ...], tuple[Shape, ...]]:
+    """Over the phase plane and over the law: names of the axes, and the lines shared with v(t), with a(t), in x."""
+    x = on_x("plane", var("x"))
+    links = (
+        line(on_x("v", T), on_y("v", var("v")), x, on_y("plane", var("v")), style="level", tint="mute", show="wide"),
+        line(x, on_y("plane", var("v")), x, on_y("law", var("a")), style="level", tint="mute", show="wide"),
+        line(on_x("a", T), on_y("a", var("a")), x, on_y("law", var("a")), style="level", tint="mute", show="wide"),
+    )
+    return (*links, *axis_names("plane", "v", "T")), tuple(axis_names("law", "a", "F"))
+
+
+def axis_names(plot: str, upward: str, tint: str) -> list[Shape]:
+    return [
+        text(var(f"{plot}.right") + 4, on_y(plot, 0) - 6, "*x*", "end", tint="m1", style="t2 b halo"),
+        text(on_x(plot, 0) + 7, var(f"{plot}.top") + 11, f"*{upward}*", "start", tint=tint, style="t2 b halo"),
+    ]
