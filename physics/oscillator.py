@@ -126,13 +126,16 @@ def _phase(A: Decimal, B: Decimal) -> float:
 
 
 def _oscillation(a: Decimal, cosine: Array, b: Decimal, sine: Array) -> Array:
-    """a cosine + b sine for a and b of any size; infinite only where the sum is."""
+    """a cosine + b sine for a and b of any size; infinite only where the sum is.
+
+    Where a term overflows and yet the sum may not, both are added in units of the larger amplitude.
+    """
     (a_hi, _, a_exponent), (b_hi, _, b_exponent) = binary(a), binary(b)
-    room = 2 if max(a_exponent, b_exponent) > 1000 else 0
-    with np.errstate(over="ignore"):
-        first, second = np.ldexp(a_hi * cosine, a_exponent - room), np.ldexp(b_hi * sine, b_exponent - room)
-        total: Array = np.ldexp(first + second, room)
-        return total
+    largest = max(a_exponent, b_exponent)
+    with np.errstate(over="ignore", invalid="ignore"):
+        total: Array = np.ldexp(a_hi * cosine, a_exponent) + np.ldexp(b_hi * sine, b_exponent)
+        scaled = np.ldexp(a_hi * cosine, a_exponent - largest) + np.ldexp(b_hi * sine, b_exponent - largest)
+        return np.where(np.isfinite(total), total, np.ldexp(scaled, largest))
 
 
 def _drift(x_0: float, v_0: float, t: Array) -> Array:

@@ -199,6 +199,21 @@ def test_bad_starts_and_times_are_refused_by_name():
         oscillator.motion(0.0, 0.0, [[0.0], [1.0]])
 
 
+def test_terms_that_overflow_may_have_a_sum_that_does_not():
+    """At a zero of x both terms of a are 7e309 and cancel."""
+    x_0, v_0, t = 1e300, 1e305, 0.75e-5 * math.pi
+    motion = Oscillator(m=1.0, k=1e10).motion(x_0, v_0, [t])
+    with mp.workdps(40):
+        omega = mp.mpf(10) ** 5
+        true = -(omega**2) * x_0 * mp.cos(omega * t) - omega * v_0 * mp.sin(omega * t)
+        assert abs(mp.mpf(motion.a[0]) - true) <= 4 * U * omega**2 * mp.hypot(x_0, v_0 / omega)
+
+
+def test_both_terms_beyond_the_range_are_named():
+    with pytest.raises(ValueError, match="leaves the range of doubles"):
+        Oscillator(m=2.0**-54, k=1.5 * 2.0**1023).motion(-0.5, -8e146, [-0.5])
+
+
 def test_what_leaves_the_range_of_doubles_is_named():
     with pytest.raises(ValueError, match="acceleration leaves the range of doubles"):
         Oscillator(m=1e-300, k=1e300).motion(1e-200, 0.0, [0.0])
