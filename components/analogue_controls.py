@@ -1,4 +1,4 @@
-"""The parameters of the nine systems as quantities of one scene: shaft_J, shaft_k_t, pendulum_l, ..., and their groups."""
+"""The parameters of the nine systems as quantities of one scene: shaft_J, shaft_k_t, pendulum_l, ..."""
 
 from __future__ import annotations
 
@@ -91,32 +91,47 @@ _SAYS = {
     "pipe_n": "counts half waves in the pipe. Type any whole number from 1 up.",
 }
 
-_PULLS = {"spring_k", "shaft_k_t", "pendulum_g", "floating_A", "floating_rho", "circuit_C", "string_T", "wave_g", "pipe_c"}
+_PULLS = {
+    "spring_k",
+    "shaft_k_t",
+    "pendulum_g",
+    "floating_A",
+    "floating_rho",
+    "circuit_C",
+    "string_T",
+    "wave_g",
+    "pipe_c",
+}
 
 _LETTERS = {r"\rho": "ρ", r"\lambda": "λ"}
 
 
 def quantities() -> dict[str, Quantity]:
-    """All parameters of the scene but the choice of the system, by name."""
+    """The parameters of all systems by name; the start of the pendulums is not among them."""
     found = {}
     for system in ANALOGUES.values():
-        found |= {f"{system.slug}_{p.name}": _quantity(f"{system.slug}_{p.name}", p) for p in system.parameters}
+        found |= {
+            f"{system.slug}_{p.name}": _quantity(f"{system.slug}_{p.name}", p) for p in system.parameters
+        }
         if system.slug in LINEAR:
             found[f"{system.slug}_start"] = _start(system)
-    return found | {"theta_0": _angle()}
+    return found
 
 
 def groups() -> tuple[Group, ...]:
     """The group of each system, shown while it is chosen."""
-    return tuple(
-        Group(
-            system.name,
-            tuple(f"{system.slug}_{parameter.name}" for parameter in system.parameters)
-            + ((f"{system.slug}_start",) if system.slug in LINEAR else ()),
-            show=system.slug,
-        )
-        for system in ANALOGUES.values()
-    ) + (Group("", ("theta_0",), show="swinging"),)
+    return (
+        *tuple(
+            Group(
+                system.name,
+                tuple(f"{system.slug}_{parameter.name}" for parameter in system.parameters)
+                + ((f"{system.slug}_start",) if system.slug in LINEAR else ()),
+                show=system.slug,
+            )
+            for system in ANALOGUES.values()
+        ),
+        Group("", ("theta_0",), show="swinging"),
+    )
 
 
 def _quantity(name: str, parameter: Parameter) -> Quantity:
@@ -145,7 +160,8 @@ def _start(system: Analogue) -> Quantity:
     )
 
 
-def _angle() -> Quantity:
+def angle() -> Quantity:
+    """The angle at which a pendulum is released, in degrees."""
     return Quantity(
         60.0,
         label="angle at the start",

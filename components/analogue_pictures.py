@@ -1,7 +1,7 @@
 """The nine systems as pictures, each drawn once: small in the picker, large on the stage.
 
-Blue is what has inertia, grey is what pulls back; wires, rods and walls are ink. Coordinates are those of an area of
-84 by 54 units.
+Blue is what has inertia, grey is what pulls back; wires, rods and walls are ink. Coordinates are those of an
+area of 84 by 54 units.
 """
 
 from __future__ import annotations
@@ -11,7 +11,22 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from components.stage import (
-    H, Expression, Number, Shape, W, arrow, circle, layers, line, path, shape, spring, text, var, wall, wave,
+    Expression,
+    H,
+    Number,
+    Shape,
+    W,
+    arrow,
+    circle,
+    layers,
+    line,
+    path,
+    shape,
+    spring,
+    text,
+    var,
+    wall,
+    wave,
 )
 
 WIDTH, HEIGHT = 84, 54
@@ -52,7 +67,9 @@ class Canvas:
         style, depth = ("", 10) if self.large else ("bar", 5)
         return wall(self.x(x), self.y(y), self.unit * length, side=side, depth=depth, style=style)
 
-    def name(self, x: Number, y: Number, words: str, tint: str, anchor: str = "middle", style: str = "t3 halo") -> list[Shape]:
+    def name(
+        self, x: Number, y: Number, words: str, tint: str, anchor: str = "middle", style: str = "t3 halo"
+    ) -> list[Shape]:
         if not self.large:
             return []
         return [text(self.x(x), self.y(y), words, tint=tint, anchor=anchor, style=style)]
@@ -62,9 +79,10 @@ class Canvas:
 class Swing:
     """What moves a picture.
 
-    `size` is the amplitude as a share of the largest drawn, `q` the displacement so and `behind` the same a quarter
-    period later; `angle` is that of what rocks, with its sine and cosine; `half_waves` counts those of what vibrates
-    (`belly` is where the first is widest, as a share of the length) and `along` is how far air moves; `phase` is omega t.
+    `size` is the amplitude as a share of the largest drawn, `q` the displacement so and `behind` the same a
+    quarter period later; `angle` is that of what rocks, with its sine and cosine; `half_waves` counts those of
+    what vibrates, `belly` is where the first is widest, as a share of the length, and `along` how far air moves;
+    `phase` is omega t.
     """
 
     size: Number
@@ -156,7 +174,8 @@ def _floating(c: Canvas, s: Swing) -> list[Shape]:
 def _circuit(c: Canvas, s: Swing) -> list[Shape]:
     loops = [i / 160 for i in range(161)]
     coil = "L".join(
-        f"{27 + 28 * a - 3.4 * math.sin(10 * math.pi * a):.2f} {10 + 5.5 * math.cos(10 * math.pi * a) - 0.5:.2f}" for a in loops
+        f"{27 + 28 * a - 3.4 * math.sin(10 * math.pi * a):.2f} {9.5 + 5.5 * math.cos(10 * math.pi * a):.2f}"
+        for a in loops
     )
     field = [c.arrow(x, 30 - 5 * s.q, x, 30 + 5 * s.q, "k") for x in (60, 66, 72)]
     return [
@@ -205,15 +224,25 @@ def _orbits(c: Canvas, s: Swing, x: float) -> list[Shape]:
     along = math.cos(ahead) * s.behind - math.sin(ahead) * s.q
     for y in (27, 36, 45):
         r = 8 * math.exp(-2 * math.pi * (y - 17) / 76)
-        shapes += [circle(c.x(x), c.y(y), c.unit * r * s.size, style="outline", tint="k"), c.disc(x + r * along, y - r * up, 1.1, "body", "m1")]
+        shapes += [
+            circle(c.x(x), c.y(y), c.unit * r * s.size, style="outline", tint="k"),
+            c.disc(x + r * along, y - r * up, 1.1, "body", "m1"),
+        ]
     return shapes
 
 
 def _pipe(c: Canvas, s: Swing) -> list[Shape]:
     return [
         layers(
-            c.x(10), c.y(17), c.unit * 64, c.unit * 20, 40 if c.large else 14, c.unit * s.q * s.along, s.half_waves / 2,
-            tint="m1", style="fine",
+            c.x(10),
+            c.y(17),
+            c.unit * 64,
+            c.unit * 20,
+            40 if c.large else 14,
+            c.unit * s.q * s.along,
+            s.half_waves / 2,
+            tint="m1",
+            style="fine",
         ),
         c.path("M10 15h64v24h-64z", style="rod scaled"),
         c.line(10, 12, 10, 42, "wall bar"),
@@ -248,7 +277,15 @@ def tiles() -> dict[str, list[Shape]]:
 def large(slug: str, canvas: Canvas) -> list[Shape]:
     """One picture on the stage, shown while its system is chosen."""
     swing = Swing(
-        var("size"), var("size") * var("share"), var("size") * var("sine"), var("angle"), var("angle_sine"),
-        var("angle_cosine"), var("half_waves"), var("belly"), var("along"), var("phase"),
+        var("size"),
+        var("size") * var("share"),
+        var("size") * var("sine"),
+        var("angle"),
+        var("angle_sine"),
+        var("angle_cosine"),
+        var("half_waves"),
+        var("belly"),
+        var("along"),
+        var("phase"),
     )
     return [{**one, "show": slug} for one in PICTURES[slug](canvas, swing)]

@@ -1,9 +1,10 @@
-"""What stands where in the scene of the analogues: stage and motion, the table of roles, and lateness or formula."""
+"""What stands where in the scene of the analogues: stage, motion, table of roles, lateness or formula."""
 
 from __future__ import annotations
 
 import math
 
+from components.analogue_case import LIMITS
 from components.analogue_controls import SWINGING
 from components.analogue_stage import over_lateness, over_motion, shapes
 from components.numbers import three
@@ -12,9 +13,6 @@ from components.sheet import Block, column, row, stage, table, term, words
 from components.traces import traced
 from physics.analogues import ANALOGUES
 from physics.pendulum import amplitude_at_excess
-
-LIMITS = {"late_01": 0.001, "late_1": 0.01, "late_5": 0.05}
-"""Excesses T/T_0 - 1 that have a flag, by the scalar that places it."""
 
 EXACT_V = {"pendulum": r"m g l (1 - \cos \theta)", "rocking": r"m g d (1 - \cos \theta)"}
 EQUATIONS = {
@@ -33,7 +31,12 @@ _STARTS = {slug: rf"{system.coordinate.replace('_n', '')}_0" for slug, system in
 def analogue_sheet() -> Block:
     return column(
         row(
-            stage(*shapes(), label="The chosen system, and the spring and mass of equal frequency, in motion", grow=430, height=190),
+            stage(
+                *shapes(),
+                label="The chosen system, and the spring and mass of equal frequency, in motion",
+                grow=430,
+                height=190,
+            ),
             _motion(),
             grow=318,
             gap=0,
@@ -49,14 +52,16 @@ def _motion() -> Block:
     )
     exact = {slug: rf"{ANALOGUES[slug].coordinate} \text{{ exact}}" for slug in SWINGING}
     cosine = {
-        slug: rf"{system.coordinate} = {_STARTS[slug]} \cos(\val{{omega}} t)" for slug, system in ANALOGUES.items() if slug not in SWINGING
+        slug: rf"{system.coordinate} = {_STARTS[slug]} \cos(\val{{omega}} t)"
+        for slug, system in ANALOGUES.items()
+        if slug not in SWINGING
     }
     rules = {slug: rf"{_STARTS[slug]} \cos(\val{{omega}} t) \text{{ spring}}" for slug in SWINGING}
     return plot(
         "motion",
         x="t",
         y="q",
-        title="The coordinate of the chosen system and of the spring and mass of equal frequency, against time",
+        title="The coordinate of the chosen system and of the spring of equal frequency, against time",
         curves=(rule, swing),
         bands=(rule_band, swing_band),
         heading=(
@@ -81,10 +86,23 @@ def _roles() -> Block:
         _role("m1", "x", "x", "x_unit", {slug: s.coordinate for slug, s in systems}, "q", "q_unit"),
         _role("m1", "m", "m", "kg", {slug: s.inertia_formula for slug, s in systems}, "m", "m_unit"),
         _role("k", "k", "k", "N/m", {slug: s.stiffness_formula for slug, s in systems}, "k", "k_unit"),
-        _role("T", "T", r"\tfrac{1}{2} m \dot{x}^2", "J_unit", {slug: s.T_formula for slug, s in systems}, "T_q", "E_unit"),
         _role(
-            "V", "V", r"\tfrac{1}{2} k x^2", "J_unit",
-            {slug: EXACT_V.get(slug, s.V_formula) for slug, s in systems}, "V_q", "E_unit",
+            "T",
+            "T",
+            r"\tfrac{1}{2} m \dot{x}^2",
+            "J_unit",
+            {slug: s.T_formula for slug, s in systems},
+            "T_q",
+            "E_unit",
+        ),
+        _role(
+            "V",
+            "V",
+            r"\tfrac{1}{2} k x^2",
+            "J_unit",
+            {slug: EXACT_V.get(slug, s.V_formula) for slug, s in systems},
+            "V_q",
+            "E_unit",
         ),
     ]
     omega = {slug: rf"${s.omega_formula} = \val{{omega}}$ rad/s" for slug, s in systems}
@@ -95,15 +113,19 @@ def _roles() -> Block:
 def _role(
     tint: str, symbol: str, formula: str, unit: str, formulas: dict[str, str], own: str, own_unit: str
 ) -> list[str | dict[str, str]]:
-    """A row: its name, the spring's side, and the side of the chosen system. A unit may be a live text, ..._unit."""
+    """A row: its name, the spring's side, the chosen system's side. A unit may be a live text, ..._unit."""
     value = {"T": "T_x", "V": "V_x"}.get(symbol, symbol)
     suffix = f"{{{unit}}}" if unit.endswith("_unit") else f"\N{NO-BREAK SPACE}{unit}"
     return [
         f"plays ${symbol}$",
         f"[{tint}|${_compact(formula)} = \\val{{{value}}}$" + suffix + "]",
-        {"form": "system", **{
-            slug: f"[{tint}|${_compact(text)} = \\val{{{own}}}${{{own_unit}}}]" for slug, text in formulas.items()
-        }},
+        {
+            "form": "system",
+            **{
+                slug: f"[{tint}|${_compact(text)} = \\val{{{own}}}${{{own_unit}}}]"
+                for slug, text in formulas.items()
+            },
+        },
     ]
 
 
@@ -115,11 +137,20 @@ def _compact(formula: str) -> str:
 def _equation() -> Block:
     """The equation of motion in the names of the chosen system."""
     equations = {
-        slug: EQUATIONS.get(slug, rf"{s.inertia_formula} \, \ddot{{{s.coordinate}}} + {s.stiffness_formula} \, {s.coordinate} = 0")
+        slug: EQUATIONS.get(
+            slug,
+            rf"{s.inertia_formula} \, \ddot{{{s.coordinate}}} + {s.stiffness_formula} \, {s.coordinate} = 0",
+        )
         for slug, s in ANALOGUES.items()
     }
     return words(
-        {"form": "system", **{slug: f"**The same equation{', for small angles' * (slug in SWINGING)}:** ${equation}$" for slug, equation in equations.items()}},
+        {
+            "form": "system",
+            **{
+                slug: f"**The same equation{', for small angles' * (slug in SWINGING)}:** ${equation}$"
+                for slug, equation in equations.items()
+            },
+        },
         style="equation",
         phone=31,
     )
@@ -132,8 +163,8 @@ def _lateness() -> Block:
             "at": name,
             "tint": "mute",
             "style": "dashed",
-            "html": f"<b>{100 * excess:g} %</b><span>{three(math.degrees(amplitude_at_excess(excess)))}°</span>",
-            "label": f"Start from {three(math.degrees(amplitude_at_excess(excess)))}°, where the swing is {100 * excess:g} % late",
+            "html": f"<b>{100 * excess:g} %</b><span>{_start_at(excess)}</span>",
+            "label": f"Start from {_start_at(excess)}, where the swing is {100 * excess:g} % late",
             "set": "theta_0",
         }
         for name, excess in LIMITS.items()
@@ -142,19 +173,42 @@ def _lateness() -> Block:
         "late",
         x="angle",
         y="late",
-        title="How late a large swing is, in percent of the period of small ones, against the angle at the start",
+        title="How late a large swing is, in percent of the small period, against the angle at the start",
         curves=(
             Curve(name="excess", source="late", x="angle", tint="ink", width="sum"),
-            Curve(name="excess", source="limits", x="angle", tint="ink", width="none", marker="disc", group="limits"),
-            Curve(name="excess", source="here", x="angle", tint="m1", width="none", marker="disc", group="here"),
+            Curve(
+                name="excess",
+                source="limits",
+                x="angle",
+                tint="ink",
+                width="none",
+                marker="disc",
+                group="limits",
+            ),
+            Curve(
+                name="excess", source="here", x="angle", tint="m1", width="none", marker="disc", group="here"
+            ),
         ),
         heading=(
             term("", "none", "ink", formula=r"\text{How late: } \tau / \tau_0 - 1 \text{ of the pendulum},"),
-            term("", "none", "ink", formula=r"\tau = \val{period} \text{ s}, \; \tau_0 = \val{small_period} \text{ s}"),
+            term(
+                "",
+                "none",
+                "ink",
+                formula=r"\tau = \val{period} \text{ s}, \; \tau_0 = \val{small_period} \text{ s}",
+            ),
         ),
         source="late",
         x_column="angle",
-        handles=({"parameter": "theta_0", "symbol": "θ₀", "label": "Angle at the start, °", "tint": "m1", "unit": "°"},),
+        handles=(
+            {
+                "parameter": "theta_0",
+                "symbol": "θ₀",
+                "label": "Angle at the start, °",
+                "tint": "m1",
+                "unit": "°",
+            },
+        ),
         marks=marks,
         shapes=over_lateness(),
         margin=(44, 30),
@@ -165,15 +219,22 @@ def _lateness() -> Block:
     )
 
 
+def _start_at(excess: float) -> str:
+    """The amplitude at which T/T_0 - 1 is `excess`."""
+    return f"{three(math.degrees(amplitude_at_excess(excess)))}°"
+
+
 def _formula() -> Block:
     """For what is linear at any size: the frequency, large, and what there is to say of the system."""
-    omega = {slug: rf"$\omega_n = {s.omega_formula}$" for slug, s in ANALOGUES.items() if slug not in SWINGING}
+    omega = {
+        slug: rf"$\omega_n = {s.omega_formula}$" for slug, s in ANALOGUES.items() if slug not in SWINGING
+    }
     notes = {slug: s.note for slug, s in ANALOGUES.items() if s.note}
     block = words(
         {"form": "system", **omega},
         r"$= \val{omega}$ rad/s",
         "{frequency} Hz, one swing takes {period} s",
-        "**Linear at any size:** the dashed line of the spring stays under the curve, however large the start.",
+        "**Linear at any size:** the spring's dashed line stays under the curve, however large the start.",
         {"form": "note", **notes},
         style="omega",
         phone=20,

@@ -1,10 +1,24 @@
-"""The stage of the analogues: the chosen system, the spring and mass of equal omega, and what joins them to the plot."""
+"""The stage of the analogues: the chosen system, the spring of equal omega, and their ties to the plot."""
 
 from __future__ import annotations
 
 from components.analogue_pictures import HEIGHT, PICTURES, WIDTH, Canvas, large
 from components.stage import (
-    H, Number, Shape, W, arc, arrow, circle, line, on_x, on_y, shape, spring, text, var, wall,
+    H,
+    Number,
+    Shape,
+    W,
+    arc,
+    arrow,
+    circle,
+    line,
+    on_x,
+    on_y,
+    shape,
+    spring,
+    text,
+    var,
+    wall,
 )
 
 PLOT = "motion"
@@ -41,7 +55,13 @@ def coordinates() -> list[Shape]:
     look = {"tint": "m1", "style": "t2 b halo"}
     over = {"pendulum": 14}
     return [
-        text(CENTRE, over.get(slug, 0.55 * H - UNIT * (HEIGHT / 2) - 6), f"{symbol.replace('_n*', '*_n')} = {{level}}{{level_unit}}", show=slug, **look)
+        text(
+            CENTRE,
+            over.get(slug, 0.55 * H - UNIT * (HEIGHT / 2) - 6),
+            f"{symbol.replace('_n*', '*_n')} = {{level}}{{level_unit}}",
+            show=slug,
+            **look,
+        )
         for slug, symbol in COORDINATES.items()
     ]
 
@@ -56,7 +76,11 @@ def pendulum() -> list[Shape]:
     found.append(arc(x, y, rod, -1 * end, end, style="eq", tint="mute"))
     for side in (-1, 1):
         along, down = side * var("end_sine"), var("end_cosine")
-        ends.append(line(x + along * near, y + down * near, x + along * (rod + 7), y + down * (rod + 7), style="floor"))
+        ends.append(
+            line(
+                x + along * near, y + down * near, x + along * (rod + 7), y + down * (rod + 7), style="floor"
+            )
+        )
         label = "{end_right}" if side > 0 else "{end_left}"
         ends.append(text(x + along * (rod + 8), y + down * (rod + 8) - 8, label, tint="mute"))
     found += [
@@ -76,7 +100,7 @@ def pendulum() -> list[Shape]:
 
 
 def height(signal: str, share: Number) -> Number:
-    """Where the spring's mass is: on the plot's axis beside it; on a phone, where there is none, to its own scale."""
+    """Where the spring's mass is: on the axis of the plot beside it; on a phone to a scale of its own."""
     return WIDE * on_y(PLOT, var(signal)) + NARROW * (0.45 * H - 0.24 * H * share)
 
 
@@ -95,9 +119,11 @@ def twin() -> list[Shape]:
 
 
 def over_motion() -> tuple[Shape, ...]:
-    """The spring's place on its curve; over the third peak how late the swing is, over a linear period how long it is."""
+    """The spring's place on its curve; how late the third swing is, or how long one that is linear takes."""
     y = on_y(PLOT, var("amplitude")) - 9
-    found = [circle(on_x(PLOT, var("t")), on_y(PLOT, var("rule")), 5, style="ghost", tint="m1", show="rule_seen")]
+    found = [
+        circle(on_x(PLOT, var("t")), on_y(PLOT, var("rule")), 5, style="ghost", tint="m1", show="rule_seen")
+    ]
     for show, start, end, words in (
         ("late_seen", "third_rule", "third_swing", "3 swings, {late} s late"),
         ("period_seen", "first_peak", "second_peak", "one swing {period} s"),
@@ -116,7 +142,7 @@ def over_lateness() -> tuple[Shape, ...]:
     """On the plot of T/T_0 - 1: the dotted line to the axis and the number at the point."""
     x, y = on_x("late", var("size_angle")), on_y("late", var("late_now"))
     return (
-        line(on_x("late", 0), y, x, y, style="level"),
-        line(x, y, x, on_y("late", 0), style="", tint="m1"),
-        text(x - 10, y - 8, "+{late_percent} %", anchor="end", style="t2 b halo"),
+        line(on_x("late", 0), y, x, y, style="level", show="rule_seen"),
+        line(x, y, x, on_y("late", 0), style="", tint="m1", show="rule_seen"),
+        text(x - 10, y - 8, "+{late_percent} %", anchor="end", style="t2 b halo", show="rule_seen"),
     )
