@@ -17,6 +17,7 @@ from urllib.request import urlopen
 import grimp
 import pytest
 
+from components.scenes import SCENES
 from tests.serving import FLAGS, ROOT, Server, free_port, serving
 
 LOCKS = ("requirements.txt", "requirements-test.txt")
@@ -91,6 +92,10 @@ def test_the_commands_of_the_readme_exist() -> None:
     assert {"run", "test", "load", "accuracy", "bench"} <= targets
     for target in targets:
         assert make(target)
+
+
+def test_the_readme_has_a_link_to_every_scene() -> None:
+    assert re.findall(r"^\| `/\?scene=(\w+)` \|", README, re.M) == list(SCENES)
 
 
 def test_every_way_to_start_serves_the_app_with_the_same_flags() -> None:

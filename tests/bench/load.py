@@ -212,11 +212,11 @@ def machine() -> str:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--query", default="scene=coupled", help="the link to open (default: %(default)s)")
-    parser.add_argument("--batches", type=int, default=7, help="batches a median is taken over (%(default)s)")
+    parser.add_argument("--batches", type=int, default=5, help="batches a median is taken over (%(default)s)")
     parser.add_argument("--sessions", type=int, default=10, help="sessions opened in a batch (%(default)s)")
     parser.add_argument("--changes", type=int, default=40, help="slider changes in a batch (%(default)s)")
     parser.add_argument(
-        "--limit", type=int, default=240, help="seconds after which the run stops (%(default)s)"
+        "--limit", type=int, default=300, help="seconds after which the run stops (%(default)s)"
     )
     options = parser.parse_args()
     if hasattr(signal, "alarm"):  # not on Windows
