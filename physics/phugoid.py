@@ -79,9 +79,9 @@ class Flight:
 
     def rates(self, v_0: float, g: float) -> tuple[Array, Array, Array]:
         """du/dt, dw/dt and dV/dt, which at standstill is taken as 0 between its two limits -g and g."""
-        lift, moves = g * self.V / v_0, FREE_FALL * v_0 < self.V
+        lift, moves = g * (self.V / v_0), FREE_FALL * v_0 < self.V
         sine = np.divide(self.w, self.V, out=np.zeros_like(self.V), where=moves)
-        return -lift * self.w / v_0, lift * self.u / v_0 - g, -g * sine
+        return -lift * (self.w / v_0), lift * (self.u / v_0) - g, -g * sine
 
 
 def linear_phugoid(v_0: float, g: float) -> LinearPhugoid:
