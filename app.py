@@ -24,4 +24,6 @@ document.template = page_template()
 document.template_variables.update(
     headline=scene.headline, scene_title=scene.title, navigation=navigation(SCENES, scene.slug), version=version()
 )
+scene.later = document.add_next_tick_callback
+pn.state.on_session_destroyed(lambda _: scene.close())
 SceneView(scene, problems=tuple(problems)).server_doc(document)

@@ -116,7 +116,9 @@ def axis_number(value: float) -> str:
 
 
 def ten(exponent: int) -> str:
-    """A power of ten: 10⁻⁴."""
+    """A power of ten: 10⁻⁴, and 1 for the power 0."""
+    if exponent == 0:
+        return "1"
     return ten_to(exponent).removeprefix("·")
 
 

@@ -84,6 +84,7 @@ def plot(
     show: str = "",
     plain: bool = False,
     shapes: tuple[Shape, ...] = (),
+    pick: str = "",
 ) -> Block:
     """A plot as a block of the sheet.
 
@@ -95,7 +96,8 @@ def plot(
     press on the plot alone, without a pill}. `marks` are lines with a flag across the plot at a scalar (in the axis' unit): {"at": scalar,
     "tint": class, "html": rich text of the flag, "label": accessible name, "set": parameter it is the button for,
     "axis": "x" or "y", "lift": pixels of the flag over the frame, "style": "dashed"}; `top` makes room for flags. `square` draws both axes to one scale; `plain` leaves out numbers at the axes. `show` is the form by which the plot stands.
-    `shapes` are drawn over it as on a stage, with `on_x`, `on_y` of this plot.
+    `shapes` are drawn over it as on a stage, with `on_x`, `on_y` of this plot. A press near a point of a curve sets
+    the list `pick` to its source and its place in the column.
     """
     x_labels = x_labels and not plain
     figure_ = _figure(title, x_column, source, curves, bands, x_labels, (*margin, top), plain)
@@ -121,6 +123,7 @@ def plot(
         "height": height,
         "show": show,
         "shapes": list(shapes),
+        "pick": pick,
         "item": json_item(figure_),
     }
 

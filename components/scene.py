@@ -54,6 +54,8 @@ class _SceneMeta(ParameterizedMetaclass, ABCMeta):
 class Scene(param.Parameterized, metaclass=_SceneMeta):
     """One idea of the lecture. Subclasses are final: they declare parameters, a sheet, and `picture`.
 
+    `later` runs a function under the page's own lock: for what comes from another thread.
+
     Setting parameters (one, or a batch with `param.update`) leads to exactly one `picture`. A ValueError, from a
     parameter's own limits or from the physics, leaves every parameter and every source as it was.
     """
@@ -65,6 +67,8 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     groups: ClassVar[tuple[Group, ...]]
     presets: ClassVar[dict[str, dict[str, Any]]] = {}
     start: ClassVar[str] = "Start from"
+    runs: ClassVar[bool] = False
+    """Whether the scene measures instead of playing: then its `progress` stands in the transport's place."""
 
     window = Quantity(
         default=None,
@@ -87,6 +91,7 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
         self.sources = {name: ColumnDataSource(data=data) for name, data in self._shown.columns.items()}
         self._good = self._state()
         self._listeners: list[Callable[[Picture], None]] = []
+        self.later: Callable[[Callable[[], None]], object] = lambda act: act()
         self.param.watch(self._solve, list(self._good))
 
     @classmethod
@@ -114,6 +119,18 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     def action(self, name: str) -> dict[str, Any]:
         """The values that a button of a group sets; ValueError, in words, where there are none."""
         raise NotImplementedError(name)
+
+    @property
+    def progress(self) -> dict[str, Any] | None:
+        """Of a scene that `runs`: {"state", "done", "total", "text"}."""
+        return None
+
+    def run(self, order: str) -> None:
+        """Of a scene that `runs`: start, cancel or skip. ValueError, in words, where that cannot be."""
+        raise ValueError(f"{order}: there is nothing to run here")
+
+    def close(self) -> None:
+        """The visitor has left."""
 
     @property
     def shown(self) -> Picture:
@@ -194,6 +211,7 @@ def static_description(scene: type[Scene]) -> dict[str, Any]:
     return {
         "slug": scene.slug,
         "headline": scene.headline,
+        "runs": scene.runs,
         "sheet": scene.sheet(),
         "controls": controls_spec(scene, scene.groups, scene.presets, scene.drawings()),
     }

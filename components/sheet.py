@@ -44,12 +44,12 @@ def words(*paragraphs: str | dict[str, str], style: str = "facts", grow: float =
 
 
 def table(
-    *rows: list[str | dict[str, str]], head: list[str] | None = None, grow: float = 0, basis: int = 0, phone: int = 50
+    *rows: list[str | dict[str, str]], head: list[str] | None = None, grow: float = 0, basis: int = 0, phone: int = 50, style: str = ""
 ) -> Block:
-    """Rows of cells, each a paragraph as in `words`; the first cell of a row is its name."""
+    """Rows of cells, each a paragraph as in `words`; the first cell of a row is its name. `style` may be tight."""
     cells = [[_item(cell) for cell in line] for line in rows]
     heads = [rich(text) for text in head or []]
-    return {"kind": "table", "head": heads, "rows": cells, "grow": grow, "basis": basis, "phone": phone}
+    return {"kind": "table", "head": heads, "rows": cells, "style": style, "grow": grow, "basis": basis, "phone": phone}
 
 
 def _item(paragraph: str | dict[str, str]) -> dict[str, str]:

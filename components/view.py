@@ -43,12 +43,14 @@ class SceneView(WidgetBase, JSComponent):
     def __init__(self, scene: Scene, problems: tuple[str, ...] = (), **params: Any) -> None:
         self.scene = scene
         self._errors: dict[str, str] = {}
+        self._answering = False
         super().__init__(
             description=description_json(type(scene)),
             state=self.message(problems=list(problems)),
             sizing_mode="stretch_both",
             **params,
         )
+        scene.on_picture(self._tell)
 
     def message(self, **more: Any) -> dict[str, Any]:
         """All that the browser needs to show the scene as it now is."""
@@ -60,6 +62,7 @@ class SceneView(WidgetBase, JSComponent):
             "hidden": list(scene.hidden),
             "errors": self._errors,
             "query": write_query(scene),
+            "progress": scene.progress,
             **more,
         }
 
@@ -68,9 +71,27 @@ class SceneView(WidgetBase, JSComponent):
         if data.get("type") == "csv":
             self._send_msg({"file": f"{self.scene.slug}.csv", "text": as_csv(self.scene)})
             return
-        self._errors = apply_message(self.scene, data)
+        self._answering = True
+        try:
+            self._errors = self._apply(data)
+        finally:
+            self._answering = False
         self.value = {name: v for name, v in self.scene.param.values().items() if v != self.scene.param[name].default}
         self._send_msg(self.message(answer=data.get("number")))
+
+    def _apply(self, data: dict[str, Any]) -> dict[str, str]:
+        if data.get("type") != "run":
+            return apply_message(self.scene, data)
+        try:
+            self.scene.run(str(data.get("order")))
+        except ValueError as error:
+            return {"run": str(error)}
+        return {}
+
+    def _tell(self, _: Picture) -> None:
+        """A change that no message of this page has asked for is sent at once; the others are with the answer."""
+        if not self._answering:
+            self._send_msg(self.message())
 
 
 def as_csv(scene: Scene) -> str:

@@ -6,6 +6,7 @@ import {element, live} from "./dom.js"
 import {Plot} from "./plots.js"
 import {evaluate} from "./signals.js"
 import {Stage} from "./stage.js"
+import {RunBar} from "./runbar.js"
 import {Transport} from "./transport.js"
 
 class Page {
@@ -30,7 +31,7 @@ class Page {
     this.paper = element("main", {class: "paper"})
     this.notice = element("div", {class: "notice", role: "alert", hidden: ""})
     this.paper.append(element("h1", {}, this.spec.headline), this.notice, this.#block(this.spec.sheet))
-    this.transport = new Transport(this)
+    this.transport = this.spec.runs ? new RunBar(this) : new Transport(this)
     this.paper.append(this.transport.element)
     this.panel = element("aside", {class: "panel", "aria-label": "Controls"})
     this.controls = buildControls(this.panel, this.spec.controls, message => this.send(message))

@@ -339,7 +339,9 @@ export class Plot {
     this.host.addEventListener("pointerleave", () => this.#unread())
     this.host.addEventListener("pointerdown", event => {
       if (event.target.closest(".pill, .flag") || !this.#inside(event)) return
-      if (this.block.cursor === "time") this.page.clock.seek(this.#value(event))
+      const point = this.block.pick && this.#nearest(event)
+      if (point) this.page.send({type: "choose", name: this.block.pick, value: point})
+      else if (this.block.cursor === "time") this.page.clock.seek(this.#value(event))
       else if (this.pills.length) this.#dragPoint(event)
     })
   }

@@ -6,11 +6,12 @@ const ICONS = {
   restart: "M5 5h2.4v14H5zM19 5v14L8.6 12z",
   back: "M16.5 6v12l-9-6zM18 6h2v12h-2z",
   forward: "M7.500 6v12l9-6zM4 6h2v12H4z",
+  stop: "M8 8h8v8H8z",
   play: "M8 5.500v13l11-6.500z",
   pause: "M7.500 5.500h3.200v13H7.500zM13.300 5.500h3.200v13h-3.200z",
 }
 
-const icon = name => `<svg viewBox="0 0 24 24" width="22" height="22" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`
+export const icon = name => `<svg viewBox="0 0 24 24" width="22" height="22" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`
 
 function button(name, drawing, act, style = "icon") {
   const made = element("button", {type: "button", class: style, "aria-label": name, title: name})
@@ -65,7 +66,7 @@ export class Transport {
   update(state) {
     const {axes, params, errors, notes} = state
     // Where nothing moves there is nothing to play.
-    this.element.style.visibility = axes.t ? "" : "hidden"
+    this.element.classList.toggle("idle", !axes.t)
     this.notes = notes
     const error = errors?.window
     this.window.classList.toggle("bad", Boolean(error))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from components.scene import Scene
 from components.scenes.absorber import Absorber
+from components.scenes.accuracy import Accuracy
 from components.scenes.analogues import Analogues
 from components.scenes.coupled import Coupled
 from components.scenes.forced import Forced
@@ -11,4 +12,4 @@ from components.scenes.modes import Modes
 from components.scenes.oscillator import OscillatorScene
 from components.scenes.phugoid import Phugoid
 
-SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (OscillatorScene, Analogues, Phugoid, Coupled, Modes, Forced, Absorber)}
+SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (OscillatorScene, Analogues, Phugoid, Coupled, Modes, Forced, Absorber, Accuracy)}

@@ -1,0 +1,160 @@
+"""The plots and lists of the accuracy scene. A method has no hue: solid chooses its steps, dashed has fixed steps."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from components.accuracy_data import FIXED
+from components.plots import Curve, plot
+from components.sheet import Block, phrase, table
+from components.stage import circle, on_x, on_y, text, var
+from physics.solvers import METHODS
+
+ROWS, STOPPED = len(METHODS), 5
+LOOK: dict[str, dict[str, str]] = {
+    "closed": {"tint": "ink", "width": "none", "marker": "disc"},
+    "fixed": {"tint": "mute", "width": "dash", "marker": "ring"},
+    "adaptive": {"tint": "ink", "width": "line", "marker": "disc"},
+}
+KEYS = (
+    phrase("adaptive", "line", "ink", formula="chooses its steps"),
+    phrase("fixed", "dash", "mute", formula="fixed steps"),
+    phrase("closed", "none", "ink", formula="● no steps"),
+)
+
+
+def work_plot() -> Block:
+    """Error against run time; the pill on the error axis is the error that is good enough."""
+    curves = tuple(
+        Curve(name="error", source=slug, x="time", group=method.family, **LOOK[method.family]) for slug, method in METHODS.items()
+    )
+    names = tuple(
+        text(
+            on_x("work", var(f"{slug}_at")) + aside,
+            on_y("work", var(f"{slug}_error")) + var(f"{slug}_shift"),
+            method.name,
+            anchor=anchor,
+            tint=LOOK[method.family]["tint"],
+            style="halo",
+            show=f"{slug}_{anchor}",
+        )
+        for slug, method in METHODS.items()
+        for anchor, aside in (("start", 9), ("end", -9))
+    )
+    ring = circle(on_x("work", var("picked_at")), on_y("work", var("picked_error")), 9, tint="ink", style="pick", show="picked")
+    return plot(
+        "work",
+        x="time",
+        y="error",
+        title="Error of the motion against run time, one line a method",
+        curves=curves,
+        source=next(iter(METHODS)),
+        x_column="time",
+        heading=(phrase("", "none", "ink", formula="**Error of the motion, against run time**"), *KEYS),
+        handles=({"parameter": "wanted", "symbol": "", "label": "Error that is good enough", "tint": "mute", "axis": "y"},),
+        marks=(
+            {"at": "wanted_at", "tint": "ink", "html": "", "label": "good enough", "axis": "y"},
+            {"at": "rounding_at", "tint": "mute", "html": "", "label": "one rounding", "axis": "y", "style": "dashed"},
+            {"at": "limit_at", "tint": "mute", "html": "", "label": "time limit", "style": "dashed"},
+        ),
+        shapes=(*names, ring),
+        pick="picked",
+        margin=(54, 12),
+        phone=10,
+        height=420,
+    )
+
+
+def growth_plot(of: str, title: str, form: str) -> Block:
+    """The worst error so far against simulated time, the finest run of each method."""
+    curves = tuple(
+        Curve(
+            name=of, source=f"{of}_{slug}", x="period", group=method.family, label=method.name,
+            tint=LOOK[method.family]["tint"], width="dash" if method.family == "fixed" else "line",
+        )
+        for slug, method in METHODS.items()
+    )
+    return plot(
+        of,
+        x="period",
+        y=of,
+        title=title,
+        curves=curves,
+        source=f"{of}_{next(iter(METHODS))}",
+        x_column="period",
+        heading=(phrase("", "none", "ink", formula=f"**{title}**"), *KEYS),
+        margin=(54, 130),
+        phone=10,
+        height=420,
+        show=form,
+    )
+
+
+def picked_plot() -> Block:
+    """Energy kept, phase lost: both errors of the picked run on one axis."""
+    return plot(
+        "kept",
+        x="period",
+        y="percent",
+        title="Error of the motion and of the energy of the picked run, in percent, against simulated time",
+        curves=(
+            Curve(name="motion", source="kept", x="period", tint="m1", width="sum", label="motion"),
+            Curve(name="energy", source="kept", x="period", tint="ink", width="dash", label="energy"),
+        ),
+        source="kept",
+        x_column="period",
+        margin=(44, 60),
+        phone=13,
+        height=150,
+    )
+
+
+def stability_plot() -> Block:
+    """Amplification a step against h omega; the present step of the picked run is marked."""
+    return plot(
+        "stability",
+        x="h_omega",
+        y="growth",
+        title="Growth of an oscillation in one step, against step times angular frequency",
+        curves=tuple(Curve(name=slug, source="stability", x="h_omega", tint="ink" if slug == "verlet" else "mute",
+                           width="sum" if slug == "verlet" else "dash" if slug == "midpoint" else "line", label=METHODS[slug].name) for slug in FIXED),
+        source="stability",
+        x_column="h_omega",
+        heading=(phrase("", "none", "ink", formula="**Growth a step**, against $h\\,\\omega_+$: above 1 it explodes"),),
+        marks=({"at": "step_at", "tint": "F", "html": "picked", "label": "Step of the picked run", "lift": 24},),
+        margin=(44, 130),
+        top=28,
+        phone=10,
+        height=260,
+    )
+
+
+def steps_plot() -> Block:
+    """How many steps stability asks of an explicit method as spring 2 stiffens."""
+    explicit = [slug for slug in FIXED if slug != "midpoint"]
+    return plot(
+        "explosion",
+        x="ratio",
+        y="steps",
+        title="Steps in a slow period that stability asks for, against k2/k1",
+        curves=tuple(Curve(name=f"steps_{slug}", source="explosion", x="ratio", tint="ink", width="line", label=METHODS[slug].name) for slug in explicit),
+        source="explosion",
+        x_column="ratio",
+        heading=(phrase("", "none", "ink", formula="**Steps in a slow period** that stability asks for, against $k_2/k_1$"),),
+        margin=(54, 130),
+        phone=11,
+        height=220,
+    )
+
+
+def price_rows(**place: Any) -> Block:
+    """The methods in the order of what the wanted error costs with each."""
+    rows = [[{"form": f"price{i}", "shown": f"{{price{i}_name}}"}, {"form": f"price{i}", "shown": f"{{price{i}_time}}"},
+             {"form": f"price{i}", "shown": f"{{price{i}_ratio}}"}] for i in range(ROWS)]
+    return table(*rows, style="tight", **place)
+
+
+def stopped_rows(**place: Any) -> Block:
+    """Runs without a result, each with its reason."""
+    rows = [[{"form": f"stopped{i}", "shown": f"{{stopped{i}_name}}"}, {"form": f"stopped{i}", "shown": f"{{stopped{i}_why}}"}] for i in range(STOPPED)]
+    return table(*rows, style="tight", **place)

@@ -1,0 +1,32 @@
+// In the transport's place where a scene does not play but measures: run or cancel, progress, skip.
+
+import {element} from "./dom.js"
+import {icon} from "./transport.js"
+
+export class RunBar {
+  constructor(page) {
+    this.page = page
+    this.disc = element("button", {type: "button", class: "icon play"})
+    this.disc.addEventListener("click", () => page.send({type: "run", order: this.busy ? "cancel" : "start"}))
+    this.name = element("b", {})
+    this.count = element("span", {class: "count"})
+    this.bar = element("progress", {max: 1, value: 0, "aria-label": "Runs done"})
+    this.now = element("span", {class: "note", role: "status"})
+    this.skip = element("button", {type: "button", class: "chip"}, "Skip this method")
+    this.skip.addEventListener("click", () => page.send({type: "run", order: "skip"}))
+    this.element = element("div", {class: "transport"}, this.disc, this.name, this.count, this.bar, this.now, this.skip)
+  }
+
+  update({progress, notes}) {
+    const {state, done, total, text} = progress
+    this.busy = state === "running" || state === "waiting"
+    const name = this.busy ? "Cancel" : done ? "Run again" : "Run"
+    this.disc.setAttribute("aria-label", name)
+    this.disc.innerHTML = icon(this.busy ? "stop" : "play")
+    this.name.textContent = name
+    this.count.textContent = total ? `${done} of ${total} runs` : ""
+    this.bar.value = total ? done / total : 0
+    this.now.textContent = [text, ...notes].filter(Boolean).join(" ")
+    this.skip.hidden = state !== "running"
+  }
+}
