@@ -10,8 +10,6 @@ from components.stage import H, Number, Shape, W, arrow, block, circle, line, on
 WALL, REST = 0.024, (0.36, 0.687)
 """Where the wall and the masses at rest stand, as fractions of the stage's width."""
 FLOORS = (0.377 * H, 0.86 * H)
-PUSH = 0.1125
-"""The width that the largest drive takes."""
 GOALS = 3
 TICK, CROSS = "M-3.5 .5l2.6 2.6 5-5.600", "M-2.800 -2.800l5.600 5.600M2.800 -2.800l-5.600 5.600"
 
@@ -31,7 +29,7 @@ def picture() -> Block:
     """The same instant twice: above, as an outline, the machine alone; below, with the absorber."""
     shapes = [wall(WALL * W, 0.02 * H, FLOORS[1] - 0.02 * H + 1), *_rests(), *_alone(), *_both(), *_forces(), *_verdicts()]
     return stage(
-        *shapes, label="The machine alone and with the absorber at the same instant, with the forces on it", height=228
+        *shapes, label="The machine alone and with the absorber at the same instant, with the forces on it", height=245
     )
 
 
@@ -43,7 +41,7 @@ def _rests() -> list[Shape]:
         zero, tint = REST[i - 1] * W, f"m{i}"
         shapes.append(line(zero, top, zero, foot, tint="mute", style="eq"))
         for x, label in ((zero, "0"), (zero + var("tick") * W, "{tick}")):
-            shapes += [line(x, foot, x, foot + 5, style="floor"), text(x, foot + 18, label, tint=tint, style="t0")]
+            shapes += [line(x, foot, x, foot + 5, style="floor"), text(x + (0 if x is zero else 12 * var("narrow")), foot + 18, label, tint=tint, style="t0")]
     return shapes
 
 
@@ -61,7 +59,7 @@ def _alone() -> list[Shape]:
     return [
         spring(WALL * W, _hook(floor), x - 0.5 * side(1), _hook(floor), 1.75, height=11, style="faint"),
         block(x, floor, side(1), tint="m1", style="ghost"),
-        arrow(x, middle, x + PUSH * W * var("drive"), middle, tint="F", style="thick", head=16),
+        arrow(x, middle, x + var("push") * W * var("drive"), middle, tint="F", style="thick", head=16),
         circle(x, middle, 5, tint="F"),
         *_displacement(1, "x_alone", top - 13, top),
     ]
@@ -95,13 +93,12 @@ def _both() -> list[Shape]:
 def _forces() -> list[Shape]:
     """The drive and the pull of spring 2 start at one point of the machine: equally long, they are the explanation."""
     x, y = _place(1, "x1"), FLOORS[1] - 0.5 * side(1) - 4
-    left, right = (REST[0] - PUSH) * W - 8, (REST[0] + PUSH) * W + 8
     return [
-        arrow(x, y, x + PUSH * W * var("drive"), y, tint="F", style="thick", head=16),
-        arrow(x, y, x + PUSH * W * var("pull"), y, tint="k", style="thick", head=16),
+        arrow(x, y, x + var("push") * W * var("drive"), y, tint="F", style="thick", head=16),
+        arrow(x, y, x + var("push") * W * var("pull"), y, tint="k", style="thick", head=16),
         circle(x, y, 5),
-        text(left, y + 5, "{link}: {pull_now} {F_unit}", "end", tint="k", style="t1 b halo"),
-        text(right, y + 5, "*F* = {drive_now} {F_unit}", "start", tint="F", style="t1 b halo"),
+        text(var("tag_left") * W, y + 5, "{link}: {pull_now} {F_unit}", "end", tint="k", style="t1 b halo", show="wide"),
+        text(var("tag_right") * W, y + 5, "*F* = {drive_now} {F_unit}", "start", tint="F", style="t1 b halo", show="wide"),
     ]
 
 
@@ -111,14 +108,14 @@ def sentences() -> list[str | dict[str, str]]:
         {
             "form": "first",
             "undamped": undamped,
-            "damped": r"$\tint{m1}{|X_1| = \left|\dfrac{(k_2 + i c \omega - m_2 \omega^2) F_0}{D}\right| = \val{swing}}$ [m1|{x_unit}]",
+            "damped": r"$\tint{m1}{|X_1| = \dfrac{|\kappa - m_2 \omega^2| F_0}{|D|} = \val{swing}}$ [m1|{x_unit}]",
             "none": r"$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = 0$",
         },
         {
             "form": "second",
             "still": r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = -\dfrac{F_0}{k_2} = \val{Xp2}}$ [m2|{x_unit}]",
             "undamped": r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = \val{Xp2}}$ [m2|{x_unit}]",
-            "damped": r"$\tint{m2}{|X_2| = \left|\dfrac{(k_2 + i c \omega) F_0}{D}\right| = \val{stroke}}$ [m2|{x_unit}]",
+            "damped": r"$\tint{m2}{|X_2| = \dfrac{|\kappa| F_0}{|D|} = \val{stroke}}$ [m2|{x_unit}]",
         },
         {
             "form": "why",
@@ -127,7 +124,7 @@ def sentences() -> list[str | dict[str, str]]:
             "more": r"Here the absorber does harm: alone the machine swings {alone} {x_unit}, with it {swing} {x_unit}. A resonance is too near.",
             "grow": "The drive meets a natural frequency: no steady swing exists. From rest the motion grows like the time.",
             "detached": "Nothing pulls back: the machine takes the whole drive.",
-            "damped": "Beyond the lecture: the damper lowers both peaks and fills the valley. $P$ and $Q$ are the same for every $c$; Den Hartog's best makes them the peaks, {height} {x_unit} high.",
+            "damped": r"$\kappa = k_2 + i c \omega$ takes the place of $k_2$: both peaks fall, the valley fills. $P$ and $Q$ are the same for every $c$; at Den Hartog's optimum they are the peaks, {height} {x_unit} high.",
         },
     ]
 
@@ -143,11 +140,15 @@ VERDICTS = {
 
 def _verdicts() -> list[Shape]:
     above, below = FLOORS[0] - 0.5 * side(1) + 6, FLOORS[1] - 0.5 * side(1) + 1
+    # On a phone there is no room beside the masses: over the upper one, and under the floor.
+    above, below = above - var("narrow") * (0.5 * side(1) + 13), below + var("narrow") * (0.5 * side(1) + 38)
     shapes = [
-        text(W, above, "Alone, the machine shakes", "end", style="t3 b halo", show="alone_steady"),
-        text(W, above, "Alone, it shakes without end", "end", style="t3 b halo", show="alone_grows"),
+        text(W, above, "Alone, the machine shakes", "end", style="verdict b halo", show="alone_steady"),
+        text(W, above, "Alone, it shakes without end", "end", style="verdict b halo", show="alone_grows"),
     ]
-    return shapes + [text(W, below, words, "end", style="t3 b halo", show=f"is_{name}") for name, words in VERDICTS.items()]
+    return shapes + [
+        text(W, below, words, "end", style="verdict b halo", show=f"is_{name}") for name, words in VERDICTS.items()
+    ]
 
 
 MARKS = (("slow", r"$\omega_-$ {slow}"), ("F", r"$\omega$ {omega}"), ("fast", r"$\omega_+$ {fast}"))
@@ -164,12 +165,9 @@ def swing_plot() -> Block:
         x_column="w",
         bands=(Band(low="helped_lo", high="helped_hi", source="helped", tint="k2fill", group="helped"),),
         curves=(
-            Curve(name="alone", source="sweep", tint="m1", width="dash", label="alone"),
+            Curve(name="alone", source="sweep", tint="m1", width="dash"),
             Curve(name="free", source="compare", tint="m1", width="dots"),
-            Curve(name="swing", source="sweep", tint="m1", width="sum", label="|*X*_{p1}|"),
-            Curve(name="alone_now", source="now", tint="m1", width="none", marker="ring", group="alone"),
-            Curve(name="swing_now", source="now", tint="m1", width="none", marker="disc", group="swing"),
-            Curve(name="height", source="points", tint="ink", width="none", marker="ring", group="points"),
+            Curve(name="swing", source="sweep", tint="m1", width="sum"),
         ),
         heading=(
             phrase("swing", "sum", "m1", words="machine, with the absorber"),
@@ -197,9 +195,8 @@ def stroke_plot() -> Block:
         source="sweep",
         x_column="w",
         curves=(
-            Curve(name="stroke", source="sweep", tint="m2", width="sum", label="|*X*_{p2}|"),
+            Curve(name="stroke", source="sweep", tint="m2", width="sum"),
             Curve(name="free2", source="compare", tint="m2", width="dots", group="free"),
-            Curve(name="stroke_now", source="now", tint="m2", width="none", marker="disc", group="stroke"),
         ),
         heading=(phrase("stroke", "sum", "m2", words="stroke of the absorber"),),
         margin=(52, 8),
@@ -233,7 +230,7 @@ def goals() -> Block:
         shapes += [circle(9, y, 8, style="hollow", show=f"open{i}"), path(CROSS, 9, y, show=f"open{i}")]
         shapes.append(text(26, y + 5, f"{{goal{i}}}", "start", style="t2 b"))
         shapes.append(text(26, y + 23, f"{{found{i}}}", "start", tint="mute", style="t0"))
-    return stage(*shapes, label="The goals, met or not", grow=0, basis=286, phone=12, height=150)
+    return {**stage(*shapes, label="The goals, met or not", grow=0, basis=286, phone=12, height=150), "style": "still"}
 
 
 def _limits() -> tuple[Number, Number, Number]:
@@ -249,14 +246,22 @@ def _bracket() -> list[Shape]:
 
 def _readings() -> list[Shape]:
     """The numbers at the machine's speed, and the names of the fixed points."""
-    here = on_x("swing", var("omega"))
+    here, own, aside = (on_x("swing", var(name)) for name in ("omega", "own", "aside"))
+    alone, swing, stroke = on_y("swing", var("alone")), on_y("swing", var("swing")), on_y("stroke", var("stroke"))
     return [
-        text(here - 11, on_y("swing", var("alone")) + 5, "{alone}", "end", tint="m1", style="t1 b halo", show="alone_seen"),
-        text(here + 11, on_y("swing", var("swing")) - 9, "{swing}", "start", tint="m1", style="t1 b halo", show="swing_seen"),
-        text(here + 11, on_y("stroke", var("stroke")) - 8, "{stroke}", "start", tint="m2", style="t1 b halo", show="stroke_seen"),
+        circle(here, alone, 6, tint="m1", style="hollow", show="alone_seen"),
+        circle(here, swing, 7, tint="m1", show="swing_seen"),
+        circle(here, stroke, 7, tint="m2", show="stroke_seen"),
+        text(own + 46, var("swing.top") + 15, "alone", tint="m1", style="t1 b halo", show="own_seen"),
+        text(aside, on_y("swing", var("aside1")) - 14, "|*X*_{p1}|", tint="m1", style="t2 b"),
+        text(aside, on_y("stroke", var("aside2")) - 14, "|*X*_{p2}|", tint="m2", style="t2 b"),
+        text(here - 11, alone + 5, "{alone}", "end", tint="m1", style="t1 b halo", show="alone_seen"),
+        text(here + 11, swing - 9, "{swing}", "start", tint="m1", style="t1 b halo", show="swing_seen"),
+        text(here + 11, stroke - 8, "{stroke}", "start", tint="m2", style="t1 b halo", show="stroke_seen"),
         text(on_x("swing", var("help_x")), on_y("swing", var("help_y")) + 5, "helped", style="t0", show="help_seen"),
+        *(circle(on_x("swing", var(f"{name}_x")), on_y("swing", var(f"{name}_y")), 4, show="fixed_seen") for name in ("P", "Q")),
         *(
-            text(on_x("swing", var(f"{name}_x")), on_y("swing", var(f"{name}_y")) - 9, f"*{name}*", style="t1 b halo", show="fixed_seen")
+            text(on_x("swing", var(f"{name}_x")), on_y("swing", var(f"{name}_y")) - 11, f"*{name}*", style="t1 b halo", show="fixed_seen")
             for name in ("P", "Q")
         ),
     ]

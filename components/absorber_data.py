@@ -20,49 +20,58 @@ from physics.forced import DrivenModes
 
 Floats = NDArray[np.float64]
 
-LARGEST, SMALLEST = 0.26, 0.045
+LARGEST, SMALLEST = 0.265, 0.045
 """Sides of the masses as fractions of the stage's height."""
 DEFLECTION = 0.00767
 """The width that the static deflection takes where all fits."""
+TINY = 1e-200
+PUSH = 0.1125
+"""The width that the largest drive takes where the pull of spring 2 is not more than twice as large."""
 ROOM = (0.22, 0.2, 0.28)
 """Free ways on the stage as fractions of its width: mass 1 to the wall, mass 2 to mass 1, mass 2 to the right."""
 
 
 def columns(duty: Duty, axes: dict[str, Axis]) -> tuple[dict[str, Columns], dict[str, float]]:
-    """The curves, cut far above the frame, and where the name of the helped band stands."""
+    """The curves, cut far above the frame, and where the names in the plots stand."""
     low, high = axes["w"].start, axes["w"].end
     caps = 6 * axes["X1"].end, 6 * axes["X2"].end
     w = duty.frequencies(low, high)
     swing, stroke, alone = (np.minimum(c, cap) for c, cap in zip(duty.curves(w), (caps[0], caps[1], caps[0]), strict=True))
-    swing_now, stroke_now, alone_now = (min(x, cap) for x, cap in zip(duty.swings, (caps[0], caps[1], caps[0]), strict=True))
     sources: dict[str, Columns] = {
         "sweep": {"w": w, "swing": swing, "stroke": stroke, "alone": alone},
-        "now": {name: np.array([x]) for name, x in (("w", duty.omega), ("swing_now", swing_now), ("stroke_now", stroke_now), ("alone_now", alone_now))},
-        "helped": {}, "compare": {}, "points": {},
-    }  # fmt: skip
-    label: dict[str, float] = {}
+        "helped": {},
+        "compare": {},
+    }
+    labels = _labels(axes, w, swing, stroke)
     if duty.band is not None:
         inside = (w >= duty.band[0]) & (w <= duty.band[1])
         sources["helped"] = {"w": w[inside], "helped_lo": swing[inside], "helped_hi": alone[inside]}
-        label = help_label(duty, axes, w, swing, alone)
+        labels |= _help_label(duty, axes, w, swing, alone)
     if duty.c:
         free = damped_amplitude(duty.chain, 0.0, duty.F_0, w)
         sources["compare"] = {"w": w, "free": np.minimum(free[0], caps[0]), "free2": np.minimum(free[1], caps[1])}
-        points = fixed_points(duty.chain)
-        sources["points"] = {"w": points, "height": np.minimum(damped_amplitude(duty.chain, duty.c, duty.F_0, points)[0], caps[0])}
-    return sources, label
+    return sources, labels
 
 
-def help_label(duty: Duty, axes: dict[str, Axis], w: Floats, swing: Floats, alone: Floats) -> dict[str, float]:
+def _labels(axes: dict[str, Axis], w: Floats, swing: Floats, stroke: Floats) -> dict[str, float]:
+    """Where the curves' names stand: right of the resonances, over the curve."""
+    x = axes["w"].start + 0.8 * (axes["w"].end - axes["w"].start)
+    over = {"aside1": (axes["X1"], swing), "aside2": (axes["X2"], stroke)}
+    at = np.argmin(np.abs(w - x))
+    heights = {name: axis.place(min(float(curve[at]), 0.75 * axis.end)) for name, (axis, curve) in over.items()}
+    return {"aside": axes["w"].place(x), **heights}
+
+
+def _help_label(duty: Duty, axes: dict[str, Axis], w: Floats, swing: Floats, alone: Floats) -> dict[str, float]:
     """In the wider half of the band, half-way up, where there is room."""
     edges = [min(max(edge, axes["w"].start), axes["w"].end) for edge in duty.band or ()]
     x = (duty.omega + max(edges, key=lambda edge: abs(edge - duty.omega))) / 2
     top = axes["X1"].end
-    low, high = (float(np.interp(x, w, np.minimum(curve, top / 2))) for curve in (swing, alone))
+    low, high = (min(float(curve[np.argmin(np.abs(w - x))]), top / 2) for curve in (swing, alone))
     return {
         "help_x": axes["w"].place(x),
-        "help_y": axes["X1"].place((low + high) / 2),
-        "help_seen": float(high - low > top / 8 and edges[1] - edges[0] > 0.1 * (axes["w"].end - axes["w"].start)),
+        "help_y": axes["X1"].place(low + 0.6 * (high - low)),
+        "help_seen": float(not duty.c and high - low > top / 8 and edges[1] - edges[0] > 0.1 * (axes["w"].end - axes["w"].start)),
     }
 
 
@@ -102,31 +111,43 @@ def _pull(duty: Duty) -> float:
 
 
 def _reach(duty: Duty, end: float) -> tuple[float, float, float]:
-    """The largest way of mass 1 (alone too), of mass 2 against it, and of mass 2, in m."""
+    """The largest way of mass 1 (alone too), of mass 2 against it, and of mass 2, over the static deflection."""
     t = np.linspace(0.0, end, 400)
     swing, stroke, alone = duty.swings
     if not duty.bare.split_is_meaningful:
         alone = float(np.abs(duty.bare.motion(t).x[0]).max())
     if duty.steady:
-        return max(swing, alone), abs(duty.X[1] - duty.X[0]), stroke
-    motion = duty.driven.motion(t)
-    one, two, stretch = (float(np.abs(part).max()) for part in (*motion.x, motion.e[1]))
-    return max(one, alone), stretch, two
+        ways = max(swing, alone), abs(complex(duty.X[1]) - complex(duty.X[0])), stroke
+    else:
+        motion = duty.driven.motion(t)
+        one, two, stretch = (float(np.abs(part).max()) for part in (*motion.x, motion.e[1]))
+        ways = max(one, alone), stretch, two
+    return duty.over_deflection(ways[0]), duty.over_deflection(ways[1]), duty.over_deflection(ways[2])
 
 
 def drawn(duty: Duty, end: float, size: Axis) -> tuple[dict[str, float], str]:
-    """Sizes on the stage, and what the ruler's tick is. Displacements are drawn at one scale as long as they fit; the ruler tells which."""
-    deflection = duty.deflections(1.0)
+    """Sizes on the stage, and what the ruler's tick stands for.
+
+    Displacements are drawn at one scale as long as they fit; the ruler tells which.
+    """
     whole = max(duty.m1, duty.m2)
-    fits = min(room * deflection / (DEFLECTION * way) if way else 1.0 for room, way in zip(ROOM, _reach(duty, end), strict=True))
-    metre = DEFLECTION * (1.0 if fits >= 1 else round_down(fits)) / size.place(deflection)
+    reach = _reach(duty, end)
+    fits = min(room / (DEFLECTION * way) if way > TINY else 1.0 for room, way in zip(ROOM, reach, strict=True))
+    scale = DEFLECTION * (1.0 if fits >= 1 else round_down(fits))
+    metre = scale / size.place(duty.deflections(1.0))
     tick = round_down(DEFLECTION * 10 / metre)
+    way = scale * (duty.over_deflection(duty.swings[0]) if duty.steady else reach[0])
+    pull = _pull(duty) if duty.steady else duty.k2 * reach[1] / duty.k1 * duty.F_0
     scalars = {
         "side1": max(LARGEST * math.sqrt(duty.m1 / whole), SMALLEST),
         "side2": max(LARGEST * math.sqrt(duty.m2 / whole), SMALLEST),
         "wire1": wire(duty.k1 / 1e4),
         "wire2": wire(duty.k2 / 1e4),
         "metre": metre,
+        "push": PUSH * min(1.0, 2 * duty.F_0 / pull) if pull else PUSH,
+        # Beside the tips of the force arrows, wherever the machine swings to.
+        "tag_left": max(0.234 - way, 0.19),
+        "tag_right": min(0.486 + way, 0.535),
         "tick": tick * metre,
         "alone_steady": float(duty.bare.split_is_meaningful),
         "alone_grows": float(not duty.bare.split_is_meaningful),
@@ -142,17 +163,18 @@ def marks(duty: Duty, axes: dict[str, Axis]) -> dict[str, float]:
     w, X1, X2 = axes["w"], axes["X1"], axes["X2"]
     slow, fast = duty.driven.free.omega.tolist()
     swing, stroke, alone = duty.swings
-    places = {"slow": slow, "omega": duty.omega, "fast": fast, "away_low": (1 - AWAY) * duty.omega, "away_high": (1 + AWAY) * duty.omega}
-    scalars = {name: w.place(x) for name, x in places.items()}
-    scalars |= {f"{name}_seen": float(w.start <= places[name] <= w.end) for name in ("slow", "omega", "fast")}
+    places = {"slow": slow, "omega": duty.omega, "fast": fast, "own": duty.own, "away_low": (1 - AWAY) * duty.omega, "away_high": (1 + AWAY) * duty.omega}
+    scalars = {name: w.place(min(x, 4 * w.end)) for name, x in places.items()}
+    scalars |= {f"{name}_seen": float(w.start <= places[name] <= w.end) for name in ("slow", "omega", "fast", "own")}
     scalars |= {"limit1": X1.place(duty.limits[0]), "limit2": X2.place(duty.limits[1])}
     for name, axis, x in (("alone", X1, alone), ("swing", X1, swing), ("stroke", X2, stroke)):
         scalars |= {name: axis.place(min(x, axis.end)), f"{name}_seen": float(x <= axis.end)}
+    scalars["alone_seen"] *= float(duty.verdict != "detached")
     scalars["fixed_seen"] = float(duty.c > 0)
     if duty.c:
         points = fixed_points(duty.chain)
         for name, point, height in zip("PQ", points, damped_amplitude(duty.chain, duty.c, duty.F_0, points)[0], strict=True):
-            scalars |= {f"{name}_x": w.place(point), f"{name}_y": X1.place(min(height, X1.end))}
+            scalars |= {f"{name}_x": w.place(min(point, 4 * w.end)), f"{name}_y": X1.place(min(height, X1.end))}
     return scalars
 
 
@@ -171,7 +193,7 @@ def values(duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: f
         "Xp1": _text(X1, Xp1), "Xp2": _text(X2, Xp2), "swing": _text(X1, swing), "stroke": _text(X2, stroke),
         "alone": _text(X1, alone), "x_unit": X1.full_unit, "F_unit": push.full_unit, "push": f"{push.number(duty.F_0)} {push.full_unit}",
         "pull": push.number(_pull(duty)) if duty.steady else "",
-        "link": "spring, damper" if duty.c else "spring 2",
+        "link": "pull" if duty.c else "spring 2",
         "height": _text(X1, best),
         "help_low": three(duty.band[0]) if duty.band else "", "help_high": three(duty.band[1]) if duty.band else "",
     }  # fmt: skip
@@ -188,13 +210,15 @@ def values(duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: f
 
 
 def _text(axis: Axis, value: float) -> str:
-    """Three digits; what is no longer seen on the axis is zero."""
-    place = axis.place(value)
-    return three(place) if abs(place) >= 0.005 or not axis.exponent else "0.00"
+    """Three digits; what rounding leaves of nothing is zero, and so is what is less than a hundredth of a millimetre."""
+    least = 0.005 if axis.unit == "mm" else 1e-9 * axis.place(axis.end)
+    with precise():
+        place = exact(value).scaleb(-axis.exponent)
+    return three(place) if abs(place) >= least else "0.00"
 
 
 def _grows(axis: Axis, value: float) -> str:
-    return f"swings {_text(axis, value)} {axis.full_unit}" if math.isfinite(value) else "it grows without end"
+    return f"swings {_text(axis, value)} {axis.full_unit}" if math.isfinite(value) else "swings without limit"
 
 
 def _percent(share: float) -> str:

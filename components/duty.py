@@ -22,6 +22,7 @@ SWING, STROKE, AWAY = 0.5, 7.5, 0.2
 SAME = 5e-4
 """How near to the speed the absorber's own frequency counts as tuned to it: the same three digits."""
 SEGMENT = 110
+LARGEST, SMALLEST = 1e200, 1e-300
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,7 +58,18 @@ class Duty:
     def deflections(self, count: float) -> float:
         """So many times the static deflection F_0/k1, in m."""
         with precise():
-            return rounded("the static deflection F_0/k1", exact(count) * exact(self.F_0) / exact(self.k1))
+            deflection = rounded("the static deflection F_0/k1", exact(count) * exact(self.F_0) / exact(self.k1))
+        if deflection < SMALLEST:
+            raise ValueError(f"the static deflection F_0/k1 = {deflection:.3g} m is too small to draw by")
+        return deflection
+
+    def over_deflection(self, way: float) -> float:
+        """A displacement over the static deflection."""
+        with precise():
+            ratio = exact(way) * exact(self.k1) / exact(self.F_0)
+        if ratio > LARGEST:
+            raise ValueError("the motion is too large beside the static deflection F_0/k1 to be drawn with it")
+        return float(ratio)
 
     @cached_property
     def X(self) -> NDArray[np.complex128]:
@@ -77,9 +89,10 @@ class Duty:
     @property
     def nearest(self) -> tuple[int, float]:
         """Which resonance is the nearest (0 slow, 1 fast), and how far away it is over the speed."""
-        shares = np.abs(self.driven.detuning) / self.omega
-        j = int(np.argmin(shares))
-        return j, float(shares[j])
+        with precise():
+            shares = [abs(exact(d)) / exact(self.omega) for d in self.driven.detuning.tolist()]
+        j = int(shares[1] < shares[0])
+        return j, float(min(shares[j], exact(LARGEST)))
 
     @cached_property
     def limits(self) -> tuple[float, float]:
@@ -98,7 +111,7 @@ class Duty:
             return "detached"
         if not self.steady:
             return "grow"
-        if not self.c and abs(antiresonance(self.chain) / self.omega - 1) < SAME:
+        if not self.c and abs(antiresonance(self.chain) - self.omega) < SAME * self.omega:
             return "still"
         return "less" if swing < without else "more"
 
