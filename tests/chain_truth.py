@@ -11,6 +11,7 @@ import numpy as np
 
 U = 2.0**-53
 SETUP_BITS = 6000
+WORKING_BITS = 1500  # around a test; what needs more sets it itself
 MOTION_BITS = 400
 
 

@@ -21,7 +21,7 @@ import numpy as np
 
 from tests.bench.float_chains import METHODS
 from tests.chain_families import FAMILIES
-from tests.chain_truth import SETUP_BITS, Truth, U, ulps, units
+from tests.chain_truth import WORKING_BITS, Truth, U, ulps, units
 
 QUANTITIES = (
     "frequencies, ulp",
@@ -44,7 +44,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--out", type=Path, default=Path("build/accuracy"))
     options = parser.parse_args()
-    with mp.workprec(SETUP_BITS), np.errstate(all="ignore"), warnings.catch_warnings():
+    with mp.workprec(WORKING_BITS), np.errstate(all="ignore"), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # what the plain forms overflow to is their result
         table = {name: measured(family, options.samples, options.seed) for name, family in FAMILIES.items()}
     options.out.mkdir(parents=True, exist_ok=True)
