@@ -80,9 +80,9 @@ class Swing:
     """What moves a picture.
 
     `size` is the amplitude as a share of the largest drawn, `q` the displacement so and `behind` the same a
-    quarter period later; `angle` is that of what rocks, with its sine and cosine; `half_waves` counts those of
-    what vibrates, `belly` is where the first is widest, as a share of the length, and `along` how far air moves;
-    `phase` is omega t.
+    quarter period later; `angle` is that of what rocks, with its sine and cosine; `half_waves` counts those
+    of what vibrates, `belly` is where the first is widest, as a share of the length, and `along` how far air
+    moves; `phase` is omega t.
     """
 
     size: Number

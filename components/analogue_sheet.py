@@ -71,7 +71,7 @@ def _motion() -> Block:
         ),
         cursor="time",
         shapes=over_motion(),
-        margin=(52, 52),
+        margin=(58, 52),
         top=34,
         grow=470,
         phone=10,

@@ -84,7 +84,7 @@ def pendulum() -> list[Shape]:
         label = "{end_right}" if side > 0 else "{end_left}"
         ends.append(text(x + along * (rod + 8), y + down * (rod + 8) - 8, label, tint="mute"))
     found += [
-        *({**one, "show": "ends_seen"} for one in ends),
+        *({**one, "show": "pendulum ends_seen"} for one in ends),
         line(x, y, *rule, style="faint"),
         circle(*rule, radius, style="ghost", tint="m1"),
         text(rule[0], rule[1] + 5, "spring", tint="m1", style="t0", show="pendulum wide"),

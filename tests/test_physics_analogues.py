@@ -99,3 +99,28 @@ def test_bad_parameters_are_refused_by_name():
 def test_nothing_overflows_on_the_way():
     assert ANALOGUES["circuit"].omega_n({"L": 1e-300, "C": 1e300}) == pytest.approx(1.0, rel=4 * U)
     assert ANALOGUES["pendulum"].omega_n({"l": 1e300, "g": 1e300, "m": 1e300}) == 1.0
+
+
+@systems
+def test_energy_is_that_of_the_stretched_spring(slug):
+    system = ANALOGUES[slug]
+    start = 3 * system.swing
+    stretched = system.stiffness(system.defaults) * start**2 / 2
+    assert system.energy(system.defaults, start) == pytest.approx(stretched, rel=4 * U)
+    if system.length_of is None:
+        assert system.exact_energy(system.defaults, start) == system.energy(system.defaults, start)
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-200, -1e-9, 1.0, 3.0])
+def test_energy_of_a_pendulum_is_what_it_was_lifted(angle):
+    system = ANALOGUES["pendulum"]
+    p = {"l": 2.0, "g": 8.0, "m": 3.0}
+    lifted = 48.0 * 2 * math.sin(angle / 2) ** 2
+    assert system.exact_energy(p, angle) == pytest.approx(lifted, rel=8 * U)
+
+
+def test_energy_out_of_range_is_refused():
+    with pytest.raises(ValueError, match=r"energy.*range of doubles"):
+        ANALOGUES["spring"].energy({"m": 1.0, "k": 40.0}, 1e300)
+    with pytest.raises(ValueError, match="q_0 = nan"):
+        ANALOGUES["spring"].energy({"m": 1.0, "k": 40.0}, math.nan)

@@ -26,7 +26,7 @@ from physics.analogues import ANALOGUES
 from physics.pendulum import amplitude_at_excess
 
 ONE = Axis(-1.0, 1.0)
-UNHURRIED = (1.0, 10.0)
+UNHURRIED = (0.5, 10.0)
 """s; periods that are easy to watch as they are."""
 MOST_HALF_WAVES = 12
 """More would not be seen in a picture."""
@@ -129,7 +129,7 @@ def _shares(case: Case, time: Axis) -> dict[str, Any]:
     """q over q_0, and the square root of V over its largest: both the cosine where the system is linear."""
     if not case.pendulum:
         return {name: derived(var("cosine")) for name in ("share", "root")}
-    count = min(96 * math.ceil(1 + case.excess), 512)
+    count = min(math.ceil(96 * (1 + case.excess)), 512)
     motion, size = case.swing(np.linspace(0.0, case.period, count + 1))
     half = math.sin(size / 2)
     return {
