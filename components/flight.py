@@ -119,8 +119,8 @@ def _labels(plot: str, left: Number, level: Number) -> list[Shape]:
     top, top_lin = ((on_x(plot, var(f"{name}_x")), on_y(plot, var(f"{name}_y")) - 8) for name in ("top", "top_lin"))
     return [
         text(left - 8, level + 5, "*h*_0", anchor="end", style="t2 b halo"),
-        text(top[0] - 4, top[1], "exact", anchor="end", tint="m1", style="halo", inside=plot),
-        text(top_lin[0] + 4, top_lin[1], "linear", anchor="start", tint="m1", style="halo", inside=plot),
+        text(top[0] - 4, top[1], "exact", anchor="end", tint="m1", style="halo", show="named"),
+        text(top_lin[0] + 4, top_lin[1], "linear", anchor="start", tint="m1", style="halo", show="named"),
     ]
 
 

@@ -40,7 +40,7 @@ AIRCRAFT = {
     "airliner": ("Airliner", 250.0, 70000.0),
 }
 FASTEST = 275.0  # m/s, the end of the plot of periods
-LARGEST = 10.0  # v_0; the flight is then a tight circle that creeps forward
+LARGEST = 3.0  # v_0; the flight is then a small circle far below the level line
 NAMES = {name: label for name, (label, _, _) in AIRCRAFT.items()}
 VIEWS = {"period": "Period", "exchange": "Exchange", "limits": "Limits"}
 
@@ -69,7 +69,7 @@ class Phugoid(Scene):
 
     excess = Quantity(
         0.6, symbol="v′", unit="v₀", label="excess of speed", tint="T", bounds=(-1.0, LARGEST), softbounds=(0.0, 1.1),
-        allowed="an excess of speed is from −v₀ (standstill) to 10 v₀",
+        allowed="an excess of speed is from −v₀ (standstill) to 3 v₀",
         says="is the speed in excess of v₀ at the start, in level flight. Below 0 the flight starts at its top.",
         marks=(
             (0.0, "0"), *((excess, f"{100 * late:.3g} %") for late, excess in EXCESS_AT_LATENESS.items()),
@@ -178,6 +178,8 @@ class Phugoid(Scene):
         scalars = {"excess": self.excess, "is_period": float(self.show == "period"), "is_limits": float(self.show == "limits")}
         for name, top in (("top", swing.top), ("top_lin", swing.top_linear)):
             scalars |= {f"{name}_x": axes["along"].place(top[0]), f"{name}_y": axes["up"].place(top[1])}
+        # Where many swings share the frame the names of the two paths have no room.
+        scalars["named"] = float(swing.top[0] > 0.07 * axes["along"].end)
         scalars |= {"v_here": axes["v_0"].place(self.v_0), "tau_here": axes["tau"].place(swing.linear.tau)}
         for name, (_, speed, _) in AIRCRAFT.items():
             tau = linear_phugoid(speed, self.g).tau
@@ -204,6 +206,6 @@ class Phugoid(Scene):
 def _words() -> list[Shape]:
     return [
         text(0, 17, "*h*′ = {h} {h_unit}", anchor="start", tint="V", style="t2 b"),
-        text(150, 17, "*v*′ = {v} {v_unit}", anchor="start", tint="T", style="t2 b"),
+        text(176, 17, "*v*′ = {v} {v_unit}", anchor="start", tint="T", style="t2 b"),
         text(W, 17, "{verdict}", anchor="end", tint="ink", show="wide"),
     ]
