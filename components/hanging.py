@@ -1,0 +1,134 @@
+"""The pictures of the hanging mass: natural length, equilibrium and mass as three lines; and the ball in its well."""
+
+from __future__ import annotations
+
+from components.stage import (
+    H,
+    Expression,
+    Number,
+    Shape,
+    W,
+    arrow,
+    circle,
+    line,
+    on_x,
+    on_y,
+    path,
+    shape,
+    spring,
+    text,
+    var,
+    wall,
+    wave,
+)
+
+WIDE, NARROW, T = var("wide"), var("narrow"), var("t")
+CENTRE = WIDE * 0.5 * W + NARROW * 0.4 * W
+STRIP, STRIP_LENGTH = 0.68 * W, 0.28 * W
+"""On a phone the stage has a small x(t) of its own."""
+SQUARE = "M0 0H1V1H0Z"
+BAR = 22
+PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.81), "jupiter": ("Jupiter", 24.8)}
+"""Names and gravities in m/s^2."""
+
+
+def height(x: Number) -> Expression:
+    """Where a displacement stands: on the axis of the plot beside it; on a phone, on one like it."""
+    return WIDE * on_y("x", x) + NARROW * (0.2 * H + 0.58 * H * (x - var("x_top")) * var("per_span"))
+
+
+TOP, BOTTOM = height(var("x_top")), height(var("x_bottom"))
+
+
+def shapes() -> list[Shape]:
+    return [*levels(), *body(), *planets(), *bar(), *strip()]
+
+
+def levels() -> list[Shape]:
+    """Natural length and equilibrium, and delta_st between them."""
+    natural, level = height(var("natural")), height(0)
+    left, right = CENTRE - 68, WIDE * var("x.right") + NARROW * (STRIP + STRIP_LENGTH)
+    name = {"anchor": "end", "tint": "mute", "style": "halo"}
+    return [
+        line(left + 6, natural, right, natural, style="eq", tint="mute", show="natural_seen"),
+        line(left + 6, level, right, level, style="eq", tint="mute"),
+        text(left, natural - 4, "natural", show="natural_seen apart", **name),
+        text(left, natural + 11, "length", show="natural_seen apart", **name),
+        text(left, TOP + 5, "natural length: above", show="natural_far", **name),
+        text(left, level + 5, "equilibrium", show="apart", **name),
+        text(left, level - 4, "equilibrium,", show="together", **name),
+        text(left, level + 11, "natural length", show="together", **name),
+        arrow(CENTRE - 44, natural, CENTRE - 44, level, tint="k", head=9, show="apart"),
+        text(CENTRE - 54, (natural + level) * 0.5 + 6, "*δ*_{st} {delta_st}", "end", style="b halo", show="apart"),
+    ]
+
+
+def body() -> list[Shape]:
+    """Ceiling, spring and mass; its end is the level line."""
+    hook, side = height(var("x")), (WIDE * 58 + NARROW * 40) * var("side")
+    now = WIDE * on_x("x", T) + NARROW * (STRIP + STRIP_LENGTH * T * var("per_window"))
+    return [
+        wall(CENTRE - 62, WIDE * 16 + NARROW * 12, 124, side="top"),
+        line(CENTRE, hook, now, hook, style="level", tint="m1"),
+        spring(CENTRE, WIDE * 16 + NARROW * 12, CENTRE, hook, var("wire"), height=15),
+        shape("block", x=CENTRE, y=hook + side, side=side, label="m", tint="m1"),
+        arrow(CENTRE + 46, height(0), CENTRE + 46, hook, tint="m1"),
+        text(CENTRE + 46, BOTTOM + 22, "*x* = {x} {x_unit}", "start", tint="m1", style="t2 b halo"),
+    ]
+
+
+def planets() -> list[Shape]:
+    """Where the same mass would hang elsewhere."""
+    x = CENTRE + 62
+    found = []
+    for slug, (name, _) in PLANETS.items():
+        y = height(var(slug))
+        found += [
+            line(x, y, x + 8, y, style="floor", show=f"{slug}_seen"),
+            text(x + 12, y + 4.5, name, "start", tint="mute", style="halo", show=f"{slug}_seen"),
+            text(x + 12, y - 5, name, "start", style="b halo", show=f"{slug}_here"),
+        ]
+    return found
+
+
+def bar() -> list[Shape]:
+    """T on V, stacked to their constant sum, beside the mass."""
+    whole = BOTTOM - TOP
+    V = whole * var("V") * var("per_total")
+    letters = {"anchor": "start", "style": "t2 b halo", "show": "has_energy"}
+    return [
+        path(SQUARE, 2, BOTTOM - V, sx=BAR, sy=V, style="body", tint="V", show="has_energy"),
+        path(SQUARE, 2, TOP, sx=BAR, sy=whole - V, style="body", tint="T", show="has_energy"),
+        path(SQUARE, 2, TOP, sx=BAR, sy=whole, style="scaled outline", tint="ink"),
+        text(BAR + 9, TOP + 13, "*T*", tint="T", **letters),
+        text(BAR + 9, BOTTOM - 3, "*V*", tint="V", **letters),
+    ]
+
+
+def strip() -> list[Shape]:
+    """The small x(t) on a phone, with its cursor."""
+    now, size = STRIP + STRIP_LENGTH * T * var("per_window"), -0.58 * H * var("C") * var("per_span")
+    return [
+        wave(STRIP, height(0), STRIP_LENGTH, size, var("swings"), var("phi"), style="sum", tint="m1", show="narrow swings"),
+        line(now, TOP, now, BOTTOM, style="now", show="narrow"),
+        circle(now, height(var("x")), 5, tint="m1", show="narrow"),
+    ]
+
+
+def well() -> tuple[Shape, ...]:
+    """Over the well: the level of T + V to its plot over time, the stack V, T at the mass, and the ball."""
+    x, floor, V, level = on_x("well", var("x")), on_y("well", 0), on_y("well", var("V")), on_y("well", var("total"))
+    left, middle = on_x("well", -1 * var("C")), on_x("well", 0)
+    end = WIDE * var("energy.left") + NARROW * on_x("well", var("C"))
+    shift = on_y("well", var("shift"))
+    return (
+        line(left, level, end, level, style="sum", show="has_energy"),
+        text(left + 12, level - 8, "turns here", "start", tint="mute", style="halo", show="swinging"),
+        path(SQUARE, x - 4, V, sx=8, sy=floor - V, style="body", tint="V"),
+        path(SQUARE, x - 4, level, sx=8, sy=V - level, style="body", tint="T"),
+        line(x, V, WIDE * on_x("energy", T) + NARROW * x, V, style="level", tint="V", show="wide"),
+        *[circle(on_x("well", side * var("C")), level, 4, tint="ink", show="swinging") for side in (-1, 1)],
+        arrow(middle, floor, middle, shift, tint="ink", style="thin", head=9, show="shifted"),
+        text(middle - 8, (floor + shift) * 0.5 + 5, "½ *k δ*_{st}² = {shift}", "end", style="b halo", show="shifted"),
+        circle(x, V, 8, tint="m1"),
+    )

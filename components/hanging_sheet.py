@@ -1,0 +1,161 @@
+"""What stands where in the scene of the hanging mass: rows share x and energy, the right column of plots the time."""
+
+from __future__ import annotations
+
+from components.hanging import shapes, well
+from components.plots import Curve, plot
+from components.sheet import Block, column, phrase, row, stage, term, words
+from components.traces import traced
+
+UPPER, LOWER, BETWEEN = 300, 190, 44
+"""Shares of the height, and pixels between the rows."""
+DATUM = {"form": "datum"}
+
+
+def hanging_sheet() -> Block:
+    label = "Mass on a spring, its natural length and its equilibrium, and its energy as a bar"
+    between = _between()
+    return row(
+        column(stage(*shapes(), label=label, grow=UPPER, basis=BETWEEN, height=230), _well(), grow=330),
+        column(_displacement(), between, _energies(), grow=390),
+        column(_gravity(), _law(), grow=190),
+        gap=0,
+    )
+
+
+def _displacement() -> Block:
+    curve, band = traced("x", tint="m1", width="sum", label="*x*", signal="x")
+    return plot(
+        "x",
+        x="t",
+        y="x",
+        title="Displacement from equilibrium, downwards, against time",
+        curves=(curve,),
+        bands=(band,),
+        x_labels=False,
+        margin=(58, 44),
+        top=84,
+        cursor="time",
+        grow=UPPER,
+        phone=10,
+        height=220,
+    )
+
+
+def _between() -> Block:
+    """What the datum of V decides."""
+    return words(
+        {
+            **DATUM,
+            "equilibrium": r"$T_{max} = V_{max} = \val{T_max}$ {E_unit}: all is $T$ at equilibrium, all is $V$ where it turns.",
+            "separate": r"$V_{max} = \val{V_max}$ {E_unit} is not $T_{max} = \val{T_max}$ {E_unit}: this $V$ is larger by a "
+            "constant, so the motion is the same.",
+        },
+        style="small",
+        basis=BETWEEN,
+        phone=12,
+    )
+
+
+def _energies() -> Block:
+    parts = [
+        traced("spring", tint="k", width="line", label="spring"),
+        traced("gravity", tint="k", width="dash", label="gravity"),
+        traced("V", tint="V", label="*V*", signal="V"),
+        traced("T", tint="T", width="dash", label="*T*", signal="T"),
+    ]
+    curves, bands = zip(*parts, strict=True)
+    total = Curve(name="total", source="level", tint="total", width="sum", label="*T*+*V*", signal="total")
+    separate = {
+        name: {**phrase(name, key, "k", equilibrium="", separate=name), **DATUM}
+        for name, key in (("spring", "line"), ("gravity", "dash"))
+    }
+    return plot(
+        "energy",
+        x="t",
+        y="E",
+        title="Kinetic energy, potential energy and their constant sum against time",
+        curves=(*curves, total),
+        bands=bands,
+        heading=(
+            term("total", "sum", "total", formula="T + V"),
+            term("V", "line", "V", formula="V"),
+            term("T", "dash", "T", formula="T"),
+            *separate.values(),
+            phrase("", "none", "mute", formula=r"exchanged at $2 \omega_n = \val{omega_2}$ rad/s"),
+        ),
+        margin=(58, 44),
+        cursor="time",
+        grow=LOWER,
+        phone=13,
+        height=230,
+    )
+
+
+def _well() -> Block:
+    look = {"source": "well", "x": "x"}
+    return plot(
+        "well",
+        x="x_well",
+        y="E",
+        title="The potential well: V against displacement, with the level of the energy and the turning points",
+        curves=(
+            Curve(name="spring", tint="k", group="spring", **look),
+            Curve(name="gravity", tint="k", width="dash", group="gravity", **look),
+            Curve(name="other", tint="V", width="dots", group="other", **look),
+            Curve(name="V", tint="V", width="sum", group="well", **look),
+        ),
+        heading=(
+            {
+                **term("well", "sum", "V", equilibrium=r"V = \tfrac{1}{2} k x^2",
+                       separate=r"V = \tfrac{1}{2} k (x + \delta_{st})^2 - m g x"),
+                **DATUM,
+            },
+        ),
+        source="well",
+        x_column="x",
+        margin=(58, 40),
+        shapes=well(),
+        grow=LOWER,
+        phone=20,
+        height=250,
+    )  # fmt: skip
+
+
+def _gravity() -> Block:
+    return words(
+        r"$\delta_{st} = \frac{m g}{k} = \val{delta}$ m",
+        "Gravity sets where it hangs,",
+        r"$\omega_n = \sqrt{\frac{k}{m}} = \val{omega}$ rad/s",
+        "not how fast it swings.",
+        r"$\tau = 2 \pi / \omega_n = \val{tau}$ s",
+        style="proof",
+        grow=UPPER,
+        basis=BETWEEN,
+        phone=40,
+    )
+
+
+def _law() -> Block:
+    """d/dt (T + V) = 0, written out to the equation of motion."""
+    return words(
+        r"[T|$T = \tfrac{1}{2} m \dot{x}^2 = \val{T}$ {E_unit}]",
+        {
+            **DATUM,
+            "equilibrium": r"[V|$V = \tfrac{1}{2} k x^2 = \val{V}$ {E_unit}]",
+            "separate": r"[V|$V = \val{spring} + (\val{gravity}) = \val{V}$ {E_unit}]",
+        },
+        r"$T + V = \val{E_total}$ {E_unit}",
+        "does not change, so",
+        r"$\frac{d}{d t} (T + V)$",
+        {
+            **DATUM,
+            "equilibrium": r"$= \dot{x} (m \ddot{x} + k x) = 0$",
+            "separate": r"$= \dot{x} (m \ddot{x} + k x + k \delta_{st} - m g) = 0$",
+        },
+        r"[boxed|$m \ddot{x} + k x = 0$]",
+        style="proof",
+        grow=LOWER,
+        basis=52,
+        phone=41,
+    )
