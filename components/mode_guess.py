@@ -111,7 +111,7 @@ def _shape_plot() -> Block:
             {"parameter": "omega", "symbol": "", "label": "Trial frequency", "tint": "F", "axis": "x", "bare": True},
         ),
         marks=tuple({"at": f"w_{mode}", "tint": mode} for mode in ("slow", "fast")),
-        grow=195, phone=10, height=220,
+        shapes=_over_shapes(), grow=195, phone=10, height=220,
     )
 
 
@@ -128,7 +128,7 @@ def _determinant_plot() -> Block:
              "html": rich(rf"$\omega_{sign}$ {{omega_{mode}}}"), "flag": "one"}
             for mode, sign in (("slow", "-"), ("fast", "+"))
         ),
-        grow=100, phone=11, height=150,
+        shapes=_over_determinant(), grow=100, phone=11, height=150,
     )
 
 
@@ -156,7 +156,9 @@ def _shapes() -> list[Shape]:
             shapes.append(line(tip, foot + start * gap, tip, last + 4, tint="mute", style="eq"))
     for n, words_ in enumerate(("What the motion needs, −*m* *ω*² *X*", "= what the springs give", "+ {you_add}")):
         shapes.append(text(W + 26, foot + (n + 1) * gap + 2, words_, "start", tint=("ink", "k", "F")[n], style="t3 b", show="wide"))
-    return shapes + _over_plots()
+    for n, word in enumerate(("needs", "springs", "you add")):
+        shapes.append(text(0, foot + (n + 1) * gap, word, "start", tint=("ink", "k", "F")[n], style="t0 halo", show="narrow"))
+    return shapes
 
 
 def _force(i: int, name: str, y: Number) -> list[Shape]:
@@ -173,32 +175,40 @@ def _force(i: int, name: str, y: Number) -> list[Shape]:
     ]
 
 
-def _over_plots() -> list[Shape]:
-    """What stands in the two plots: the trial frequency, the guess, both readings, the modes and the two known values of D."""
+def _over_shapes() -> tuple[Shape, ...]:
+    """Over the plane of omega^2 and X2/X1: the trial frequency, both readings and what lies between, the guess, the modes."""
     w, r = on_x("shape", var("w")), on_y("shape", var("r"))
     shapes = [
         line(w, var("shape.top"), w, var("det.bottom"), tint="F", show="w_in"),
         line(w, on_y("shape", var("gap_low")), w, on_y("shape", var("gap_high")), tint="F", style="thick", show="gap"),
         line(var("shape.left"), r, w, r, tint="F", style="dots", show="guess_in"),
-        *_point("det", var("w0"), var("D0"), 4, "ink", "", (14, 4), "*k*_1*k*_2 = {k1k2}", "start", show="D0_in"),
-        *_point("det", var("w_held"), var("D_held"), 4, "ink", "", (-3, -9), "−*k*_2² = {k2k2}", "middle", show="held_in"),
     ]
-    for mode, sign, shift, anchor in (("slow", "-", (14, -8), "start"), ("fast", "+", (11, -14), "start")):
-        at = var(f"w_{mode}")
-        shapes += _point("shape", at, var(f"r_{mode}"), 7, mode, "ring", shift, f"{mode} mode {{r_{mode}}}", anchor, show=f"{mode}_in")
-        shapes += _point("det", at, var("zero"), 5, mode, "ring", (0, 0), "", show=f"{mode}_line")
+    for mode, shift in (("slow", (14, -8)), ("fast", (11, -14))):
+        w_mode, r_mode, name = var(f"w_{mode}"), var(f"r_{mode}"), f"{mode} mode {{r_{mode}}}"
+        shapes += _point("shape", w_mode, r_mode, 7, mode, shift, name, show=f"{mode}_in wide", style="ring")
+        shapes += _point("shape", w_mode, r_mode, 7, mode, (6, -14), name, "middle", show=f"{mode}_in narrow", style="ring")
     for i, dy in ((1, -8), (2, 17)):
-        shapes += _point("shape", var("w"), var(f"row{i}"), 6, f"m{i}", "", (11, dy), f"{{row{i}}}", "start", show=f"row{i}_in")
-    shapes += _point("shape", var("w"), var("r"), 8, "F", "", (-13, 18), "your guess", "end", show="guess_in")
-    return shapes + _point("det", var("w"), var("D"), 6, "ink", "", (10, -9), "*D* = {D}", "start", show="D_in")
+        shapes += _point("shape", var("w"), var(f"row{i}"), 6, f"m{i}", (11, dy), f"{{row{i}}}", show=f"row{i}_in")
+    return (*shapes, *_point("shape", var("w"), var("r"), 8, "F", (-13, 18), "your guess", "end", show="guess_in"))
+
+
+def _over_determinant() -> tuple[Shape, ...]:
+    """Over D: its zeros, the two values that alone prove them, and its value at the trial frequency."""
+    shapes = [
+        *_point("det", var("w0"), var("D0"), 4, "ink", (14, 4), "*k*_1*k*_2 = {k1k2}", show="D0_in"),
+        *_point("det", var("w_held"), var("D_held"), 4, "ink", (-3, -9), "−*k*_2² = {k2k2}", "middle", show="held_in"),
+    ]
+    for mode in ("slow", "fast"):
+        shapes += _point("det", var(f"w_{mode}"), var("zero"), 5, mode, (0, 0), "", style="ring")
+    return (*shapes, *_point("det", var("w"), var("D"), 6, "ink", (10, -9), "*D* = {D}", show="D_in"))
 
 
 def _point(
-    plot_: str, x: Number, y: Number, radius: float, tint: str, style: str, shift: tuple[int, int], label: str,
-    anchor: str = "start", show: str = "",
+    plot_: str, x: Number, y: Number, radius: float, tint: str, shift: tuple[int, int], label: str, anchor: str = "start",
+    show: str | None = None, style: str | None = None,
 ) -> list[Shape]:
     px, py = on_x(plot_, x), on_y(plot_, y)
-    dot = circle(px, py, radius, tint=tint, style=style or None, show=show)
+    dot = circle(px, py, radius, tint=tint, style=style, show=show)
     weight = "t0 halo" if radius < 5 else "t1 b halo"
     return [dot] + ([text(px + shift[0], py + shift[1], label, anchor, tint=tint, style=weight, show=show)] if label else [])
 
@@ -289,7 +299,7 @@ def _plot_scalars(
     }
     for mode, w, r in zip(("slow", "fast"), modes.omega, modes.ratio, strict=True):
         r_in = math.isfinite(r) and bool(inside(shape, float(r)))
-        scalars |= {f"w_{mode}": frequency.place(float(w)), f"w_{mode}_si": float(w), f"{mode}_line": 1.0}
+        scalars |= {f"w_{mode}": frequency.place(float(w)), f"w_{mode}_si": float(w)}
         scalars |= {f"{mode}_in": float(r_in), f"r_{mode}": shape.place(float(r)) if r_in else 0.0}
     wanted = []
     for i, value in enumerate(asked.rows, start=1):

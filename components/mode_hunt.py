@@ -73,6 +73,7 @@ def _plane() -> Block:
             {"parameter": "x1_0", "symbol": "x₁", "label": "Start of mass 1", "tint": "m1", "axis": "x"},
             {"parameter": "x2_0", "symbol": "x₂", "label": "Start of mass 2", "tint": "m2", "axis": "y"},
         ),
+        shapes=(circle(on_x("plane", var("start1")), on_y("plane", var("start2")), 8, tint="ink", style="ring"),),
         grow=536, phone=10, height=380,
     )
 
@@ -95,8 +96,7 @@ def _shapes() -> list[Shape]:
             line(0, y, W, y, tint="rule", style="thick faint"),
             line(0, y, var(f"share_{mode}") * W, y, tint=mode, style="thick", show=f"share_{mode}"),
         ]
-    ring = {"tint": "ink", "style": "ring"}
-    return [*shapes, circle(on_x("plane", var("start1")), on_y("plane", var("start2")), 8, **ring)]
+    return shapes
 
 
 def picture(system: TwoMassChain, x_0: tuple[float, float], revealed: bool, window: float | None) -> Picture:

@@ -23,9 +23,12 @@ MODES = (("slow", "−", 0.0), ("fast", "+", 0.5))
 
 
 def sheet() -> Block:
+    picture_ = stage(
+        *_shapes(), label="Both modes, each moving at its own frequency, and under each mass its complex amplitude as a rotating "
+        "arrow", grow=480, phone=4, height=420,
+    )
     return row(
-        stage(*_shapes(), label="Both modes, each moving at its own frequency, and under each mass its complex amplitude as a "
-              "rotating arrow", grow=480, height=420),
+        {**picture_, "style": "still"},
         words(*_formulas(), style="facts", grow=408, phone=20),
     )
 
@@ -33,8 +36,8 @@ def sheet() -> Block:
 def _formulas() -> list[str | dict[str, str]]:
     return [
         r"**Where is** $D = m_1 m_2 \omega^4 - b\,\omega^2 + k_1 k_2$ **zero?**",
-        r"$\val{m1m2}\,\omega^4 - \val{b}\,\omega^2 + \val{k1k2_} = 0,\quad b = m_1 k_2 + m_2 (k_1 + k_2)$",
-        r"$\omega_\pm^2 = (b \pm \sqrt{\Delta})/(2 m_1 m_2),\quad \Delta = b^2 - 4 m_1 m_2 k_1 k_2 = \val{Delta}$",
+        r"$\val{m1m2}\,\omega^4 - \val{b}\,\omega^2 + \val{k1k2_} = 0$ with $b = m_1 k_2 + m_2 (k_1 + k_2)$",
+        r"$\omega_\pm^2 = (b \pm \sqrt{\Delta})/(2 m_1 m_2)$ with $\Delta = b^2 - 4 m_1 m_2 k_1 k_2 = \val{Delta}$",
         {
             "form": "positive",
             "sum": r"**$\Delta > 0$:** it is $(m_1 k_2 - m_2 (k_1 + k_2))^2 + 4 m_1 m_2 k_2^2 = (\val{difference})^2 + \val{coupling}$, "
@@ -70,8 +73,8 @@ def _formulas() -> list[str | dict[str, str]]:
         {"form": "product", "shown": r"Their product is $-m_1/m_2 = \val{product}$, whatever the springs."},
         {
             "form": "arrows",
-            "shown": r"**The arrows** are the notes' $X_j e^{i \omega t}$; the motion is their shadow, $x_j$ = Re. A real ratio $X_2/X_1$ "
-                     "means in phase or opposite.",
+            "shown": r"**The arrows** are the notes' $X_j e^{i \omega t}$, each mass above its shadow. A real ratio $X_2/X_1$ "
+                     "means that they point the same way or opposite ways.",
         },
     ]
 
