@@ -18,7 +18,7 @@ follows from their product -m1/m2. k1 = 0 and k2 = 0 are physics: the slow mode 
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from decimal import Decimal
 from functools import cached_property
 from typing import NamedTuple
@@ -78,6 +78,8 @@ class TwoMassChain:
     def __post_init__(self) -> None:
         check_positive("a mass in kg", m1=self.m1, m2=self.m2)
         check_not_negative("a stiffness in N/m", k1=self.k1, k2=self.k2)
+        for field in fields(self):
+            object.__setattr__(self, field.name, float(getattr(self, field.name)))
 
     def modes(self) -> Modes:
         """Both modes, rounded once from 80 digits."""
@@ -201,19 +203,21 @@ class FreeModes:
     def parts(self, t: ArrayLike) -> tuple[Array, Array]:
         """x and v (2 modes, 2 masses, n) of each mode at times t (n,), within 2 u of its amplitude."""
         t = finite_array("t", t)
-        each = [_combination([terms]) for terms in self.terms(t)]
+        each = [_combination([self.term(j, t)]) for j in (0, 1)]
         return np.array([rows[:2] for rows in each]), np.array([rows[3:] for rows in each])
 
     def terms(self, t: Array) -> list["Terms"]:
-        """Of each mode: cos(omega t) and sin(omega t)/omega, and their coefficients in x1, x2, e2, v1, v2."""
-        result = []
-        for mode, q, v in self.each():
-            with precise():
-                rate = -(mode.omega**2) * q
-                rows = [(part * q, part * v) for part in mode.rows]
-                rows += [(part * v, part * rate) for part in mode.shape]
-            result.append(Terms(turning(mode.omega, t), rows))
-        return result
+        """Those of the modes that move."""
+        return [self.term(j, t) for j in (0, 1) if self.coordinate[j] or self.velocity[j]]
+
+    def term(self, j: int, t: Array) -> "Terms":
+        """Of mode j: cos(omega t) and sin(omega t)/omega, and their coefficients in x1, x2, e2, v1, v2."""
+        mode, q, v = self.each()[j]
+        with precise():
+            rate = -(mode.omega**2) * q
+            rows = [(part * q, part * v) for part in mode.rows]
+            rows += [(part * v, part * rate) for part in mode.shape]
+        return Terms(turning(mode.omega, t), rows)
 
     def each(self) -> list[tuple[Mode, Decimal, Decimal]]:
         return list(zip(self.chain.exact_modes, self.coordinate, self.velocity, strict=True))
@@ -274,7 +278,7 @@ def free_motion(chain: TwoMassChain, x_0: ArrayLike, v_0: ArrayLike, t: ArrayLik
 
 
 def motion_of(terms: Sequence[Terms], t: Array) -> Motion:
-    x1, x2, e2, v1, v2 = _combination(terms)
+    x1, x2, e2, v1, v2 = _combination(terms) if terms else np.zeros((len(QUANTITIES), t.size))
     return Motion(t, np.array([x1, x2]), np.array([v1, v2]), np.array([x1, e2]))
 
 

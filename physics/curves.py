@@ -97,8 +97,7 @@ def is_early(frequencies: Sequence[Decimal], t: Array) -> NDArray[np.bool_]:
 
 
 def early(frequencies: Sequence[Decimal], t: Array, power: int) -> Curve:
-    """omega t^power sum_k (-1)^k h_k / (2 k + power)!, omega the first frequency, while no phase passes 2
-    rad.
+    """omega t^power sum_k (-1)^k h_k / (2 k + power)!, omega the first frequency, up to phases of 2 rad.
 
     h_k is the sum of all products of k of the (omega_i t)^2, repetitions included. These are divided
     differences of sin(omega t)/omega in omega^2: with two frequencies and the power 3 the response g, with
