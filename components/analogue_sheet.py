@@ -41,7 +41,7 @@ def analogue_sheet() -> Block:
             grow=318,
             gap=0,
         ),
-        row(column(_roles(), _equation(), basis=436, grow=0), column(_lateness(), _formula()), grow=255),
+        row(column(_roles(), _equation(), grow=436), column(_lateness(), _formula(), grow=452), grow=255),
     )
 
 
