@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from components.chain import wire
 from components.duty import AWAY, Duty
-from components.motion import responses, round_down, scaled, sines
+from components.motion import responses, round_down, sines
 from components.numbers import short, three
 from components.plots import Axis
 from components.scene import Columns
@@ -28,7 +28,7 @@ TINY = 1e-200
 PUSH = 0.1125
 """The width that the largest drive takes where the pull of spring 2 is not more than twice as large."""
 ROOM = (0.22, 0.2, 0.28)
-"""Free ways on the stage as fractions of its width: mass 1 to the wall, mass 2 to mass 1, mass 2 to the right."""
+"""Free ways as fractions of the stage's width: mass 1 to the wall, mass 2 to mass 1, mass 2 to the right."""
 
 
 def columns(duty: Duty, axes: dict[str, Axis]) -> tuple[dict[str, Columns], dict[str, float]]:
@@ -36,33 +36,46 @@ def columns(duty: Duty, axes: dict[str, Axis]) -> tuple[dict[str, Columns], dict
     low, high = axes["w"].start, axes["w"].end
     caps = 6 * axes["X1"].end, 6 * axes["X2"].end
     w = duty.frequencies(low, high)
-    swing, stroke, alone = (np.minimum(c, cap) for c, cap in zip(duty.curves(w), (caps[0], caps[1], caps[0]), strict=True))
+    swing, stroke, alone = (
+        np.minimum(c, cap) for c, cap in zip(duty.curves(w), (caps[0], caps[1], caps[0]), strict=True)
+    )
     sources: dict[str, Columns] = {
         "sweep": {"w": w, "swing": swing, "stroke": stroke, "alone": alone},
         "helped": {},
         "compare": {},
     }
-    labels = _labels(axes, w, swing, stroke)
+    labels = _labels(axes, duty.driven.free.omega.tolist(), w, swing, stroke)
     if duty.band is not None:
         inside = (w >= duty.band[0]) & (w <= duty.band[1])
         sources["helped"] = {"w": w[inside], "helped_lo": swing[inside], "helped_hi": alone[inside]}
         labels |= _help_label(duty, axes, w, swing, alone)
     if duty.c:
         free = damped_amplitude(duty.chain, 0.0, duty.F_0, w)
-        sources["compare"] = {"w": w, "free": np.minimum(free[0], caps[0]), "free2": np.minimum(free[1], caps[1])}
+        sources["compare"] = {
+            "w": w,
+            "free": np.minimum(free[0], caps[0]),
+            "free2": np.minimum(free[1], caps[1]),
+        }
     return sources, labels
 
 
-def _labels(axes: dict[str, Axis], w: Floats, swing: Floats, stroke: Floats) -> dict[str, float]:
-    """Where the curves' names stand: right of the resonances, over the curve."""
-    x = axes["w"].start + 0.8 * (axes["w"].end - axes["w"].start)
+def _labels(
+    axes: dict[str, Axis], poles: list[float], w: Floats, swing: Floats, stroke: Floats
+) -> dict[str, float]:
+    """Where the curves' names stand: over the curve, on the right if no pole is there."""
+    places = [axes["w"].start + share * (axes["w"].end - axes["w"].start) for share in (0.8, 0.92, 0.6)]
+    x = next((x for x in places if all(abs(x - pole) > 0.08 * axes["w"].end for pole in poles)), places[0])
     over = {"aside1": (axes["X1"], swing), "aside2": (axes["X2"], stroke)}
     at = np.argmin(np.abs(w - x))
-    heights = {name: axis.place(min(float(curve[at]), 0.75 * axis.end)) for name, (axis, curve) in over.items()}
+    heights = {
+        name: axis.place(min(float(curve[at]), 0.75 * axis.end)) for name, (axis, curve) in over.items()
+    }
     return {"aside": axes["w"].place(x), **heights}
 
 
-def _help_label(duty: Duty, axes: dict[str, Axis], w: Floats, swing: Floats, alone: Floats) -> dict[str, float]:
+def _help_label(
+    duty: Duty, axes: dict[str, Axis], w: Floats, swing: Floats, alone: Floats
+) -> dict[str, float]:
     """In the wider half of the band, half-way up, where there is room."""
     edges = [min(max(edge, axes["w"].start), axes["w"].end) for edge in duty.band or ()]
     x = (duty.omega + max(edges, key=lambda edge: abs(edge - duty.omega))) / 2
@@ -71,15 +84,22 @@ def _help_label(duty: Duty, axes: dict[str, Axis], w: Floats, swing: Floats, alo
     return {
         "help_x": axes["w"].place(x),
         "help_y": axes["X1"].place(low + 0.6 * (high - low)),
-        "help_seen": float(not duty.c and high - low > top / 8 and edges[1] - edges[0] > 0.1 * (axes["w"].end - axes["w"].start)),
+        "help_seen": float(
+            not duty.c
+            and high - low > top / 8
+            and edges[1] - edges[0] > 0.1 * (axes["w"].end - axes["w"].start)
+        ),
     }
 
 
 def signals(duty: Duty, size: Axis, time: Axis, push: Axis) -> dict[str, Any]:
-    """The machine alone and with the absorber at the same instant: steady, or from rest where no steady swing exists."""
+    """The machine alone and with the absorber: steady, or from rest where no steady swing exists."""
     drive = (1.0, duty.omega, 0.0)
     unit = Axis(0.0, 1.0)
-    moving: dict[str, Any] = {"drive": sines(unit, time, drive), "drive_now": sines(push, time, (duty.F_0, duty.omega, 0.0))}
+    moving: dict[str, Any] = {
+        "drive": sines(unit, time, drive),
+        "drive_now": sines(push, time, (duty.F_0, duty.omega, 0.0)),
+    }
     if duty.bare.split_is_meaningful:
         moving["x_alone"] = sines(size, time, (float(duty.bare.particular[0]), duty.omega, 0.0))
     else:
@@ -107,11 +127,13 @@ def _from_rest(driven: DrivenModes, i: int, size: Axis, time: Axis) -> dict[str,
 def _pull(duty: Duty) -> float:
     """The amplitude of the force of spring and damper, which is what mass 2 needs: m2 omega^2 |X2|."""
     with precise():
-        return rounded("the pull of spring 2", exact(duty.m2) * exact(duty.omega) ** 2 * exact(duty.swings[1]))
+        return rounded(
+            "the pull of spring 2", exact(duty.m2) * exact(duty.omega) ** 2 * exact(duty.swings[1])
+        )
 
 
 def _reach(duty: Duty, end: float) -> tuple[float, float, float]:
-    """The largest way of mass 1 (alone too), of mass 2 against it, and of mass 2, over the static deflection."""
+    """The largest ways of mass 1 (alone too), of mass 2 against it, of mass 2, over the static deflection."""
     t = np.linspace(0.0, end, 400)
     swing, stroke, alone = duty.swings
     if not duty.bare.split_is_meaningful:
@@ -132,7 +154,9 @@ def drawn(duty: Duty, end: float, size: Axis) -> tuple[dict[str, float], str]:
     """
     whole = max(duty.m1, duty.m2)
     reach = _reach(duty, end)
-    fits = min(room / (DEFLECTION * way) if way > TINY else 1.0 for room, way in zip(ROOM, reach, strict=True))
+    fits = min(
+        room / (DEFLECTION * way) if way > TINY else 1.0 for room, way in zip(ROOM, reach, strict=True)
+    )
     scale = DEFLECTION * (1.0 if fits >= 1 else round_down(fits))
     metre = scale / size.place(duty.deflections(1.0))
     tick = round_down(DEFLECTION * 10 / metre)
@@ -151,7 +175,10 @@ def drawn(duty: Duty, end: float, size: Axis) -> tuple[dict[str, float], str]:
         "tick": tick * metre,
         "alone_steady": float(duty.bare.split_is_meaningful),
         "alone_grows": float(not duty.bare.split_is_meaningful),
-        **{f"is_{name}": float(name == duty.verdict) for name in ("still", "less", "more", "grow", "detached")},
+        **{
+            f"is_{name}": float(name == duty.verdict)
+            for name in ("still", "less", "more", "grow", "detached")
+        },
         **{f"met{i}": float(met) for i, met in enumerate(duty.met)},
         **{f"open{i}": float(not met) for i, met in enumerate(duty.met)},
     }
@@ -163,39 +190,57 @@ def marks(duty: Duty, axes: dict[str, Axis]) -> dict[str, float]:
     w, X1, X2 = axes["w"], axes["X1"], axes["X2"]
     slow, fast = duty.driven.free.omega.tolist()
     swing, stroke, alone = duty.swings
-    places = {"slow": slow, "omega": duty.omega, "fast": fast, "own": duty.own, "away_low": (1 - AWAY) * duty.omega, "away_high": (1 + AWAY) * duty.omega}
+    places = {
+        "slow": slow,
+        "omega": duty.omega,
+        "fast": fast,
+        "own": duty.own,
+    }
+    places |= {"away_low": (1 - AWAY) * duty.omega, "away_high": (1 + AWAY) * duty.omega}
     scalars = {name: w.place(min(x, 4 * w.end)) for name, x in places.items()}
-    scalars |= {f"{name}_seen": float(w.start <= places[name] <= w.end) for name in ("slow", "omega", "fast", "own")}
+    scalars |= {
+        f"{name}_seen": float(w.start <= places[name] <= w.end) for name in ("slow", "omega", "fast", "own")
+    }
     scalars |= {"limit1": X1.place(duty.limits[0]), "limit2": X2.place(duty.limits[1])}
     for name, axis, x in (("alone", X1, alone), ("swing", X1, swing), ("stroke", X2, stroke)):
         scalars |= {name: axis.place(min(x, axis.end)), f"{name}_seen": float(x <= axis.end)}
     scalars["alone_seen"] *= float(duty.verdict != "detached")
     scalars["fixed_seen"] = float(duty.c > 0)
+    # The number at the point makes room for the names of the fixed points.
+    scalars["swing_aside"] = 20.0 if duty.c else -9.0
     if duty.c:
         points = fixed_points(duty.chain)
-        for name, point, height in zip("PQ", points, damped_amplitude(duty.chain, duty.c, duty.F_0, points)[0], strict=True):
-            scalars |= {f"{name}_x": w.place(min(point, 4 * w.end)), f"{name}_y": X1.place(min(height, X1.end))}
+        heights = damped_amplitude(duty.chain, duty.c, duty.F_0, points)[0]
+        for name, point, height in zip("PQ", points, heights, strict=True):
+            scalars |= {
+                f"{name}_x": w.place(min(point, 4 * w.end)),
+                f"{name}_y": X1.place(min(height, X1.end)),
+            }
     return scalars
 
 
-def values(duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: float | None) -> dict[str, str]:
+def values(
+    duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: float | None
+) -> dict[str, str]:
     """The texts of the live numbers."""
     X1, X2 = axes["X1"], axes["X2"]
     swing, stroke, alone = duty.swings
     j, share = duty.nearest
     slow, fast = duty.driven.free.omega
     Xp1, Xp2 = duty.X.real.tolist()
+    band = duty.band or (0.0, 0.0)
     best = den_hartog(duty.m1, duty.k1, duty.m2).height * duty.deflections(1.0)
     texts = {
         "m1": three(duty.m1), "k1": three(duty.k1 / 1e3), "F_0": three(duty.F_0), "omega": three(duty.omega),
         "slow": three(slow), "fast": three(fast), "mu": three(m2 / duty.m1),
         "lightest": f"{lightest:.4g} kg" if lightest else "none yet",
         "Xp1": _text(X1, Xp1), "Xp2": _text(X2, Xp2), "swing": _text(X1, swing), "stroke": _text(X2, stroke),
-        "alone": _text(X1, alone), "x_unit": X1.full_unit, "F_unit": push.full_unit, "push": f"{push.number(duty.F_0)} {push.full_unit}",
+        "alone": _text(X1, alone), "x_unit": X1.full_unit, "F_unit": push.full_unit,
+        "push": f"{push.number(duty.F_0)} {push.full_unit}",
         "pull": push.number(_pull(duty)) if duty.steady else "",
         "link": "pull" if duty.c else "spring 2",
         "height": _text(X1, best),
-        "help_low": three(duty.band[0]) if duty.band else "", "help_high": three(duty.band[1]) if duty.band else "",
+        "help_low": three(band[0]), "help_high": three(band[1]),
     }  # fmt: skip
     texts |= {f"goal{i}": text for i, text in enumerate((
         f"Resonances {short(100 * AWAY)} % away",
@@ -205,12 +250,14 @@ def values(duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: f
     near = f"{('ω₋', 'ω₊')[j]} {three(float((slow, fast)[j]))} rad/s"
     texts["found0"] = f"nearest is {_percent(share)} % away: {near}"
     texts["found1"] = f"{_grows(X1, swing)}; alone {_grows(X1, alone).removeprefix('swings ')}"
-    texts["found2"] = f"F₀/k₂ = {texts['stroke']} {X2.full_unit}" if duty.verdict == "still" else _grows(X2, stroke)
+    texts["found2"] = (
+        f"F₀/k₂ = {texts['stroke']} {X2.full_unit}" if duty.verdict == "still" else _grows(X2, stroke)
+    )
     return texts
 
 
 def _text(axis: Axis, value: float) -> str:
-    """Three digits; what rounding leaves of nothing is zero, and so is what is less than a hundredth of a millimetre."""
+    """Three digits; what is below 5 µm, or is what rounding leaves of nothing, is zero."""
     least = 0.005 if axis.unit == "mm" else 1e-9 * axis.place(axis.end)
     with precise():
         place = exact(value).scaleb(-axis.exponent)
@@ -241,6 +288,7 @@ def forms(duty: Duty, *, own: bool, damped: bool) -> dict[str, str]:
         "why": "damped" if duty.c else verdict,
         "helped": band,
         "free": "undamped" if duty.c else "",
+        "optimum": "shown" if duty.c else "",
         "own" if own else "fixed": "shown",
         **({"damped": "shown"} if damped else {}),
     }

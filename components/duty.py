@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,7 @@ from physics.oscillator import Oscillator
 Floats = NDArray[np.float64]
 
 SWING, STROKE, AWAY = 0.5, 7.5, 0.2
-"""The goals: swing and stroke over the static deflection F_0/k1, and the share of the speed kept free of resonances."""
+"""The goals: swing and stroke over the static deflection F_0/k1, share of the speed free of resonances."""
 SAME = 5e-4
 """How near to the speed the absorber's own frequency counts as tuned to it: the same three digits."""
 SEGMENT = 110
@@ -58,7 +59,9 @@ class Duty:
     def deflections(self, count: float) -> float:
         """So many times the static deflection F_0/k1, in m."""
         with precise():
-            deflection = rounded("the static deflection F_0/k1", exact(count) * exact(self.F_0) / exact(self.k1))
+            deflection = rounded(
+                "the static deflection F_0/k1", exact(count) * exact(self.F_0) / exact(self.k1)
+            )
         if deflection < SMALLEST:
             raise ValueError(f"the static deflection F_0/k1 = {deflection:.3g} m is too small to draw by")
         return deflection
@@ -68,7 +71,7 @@ class Duty:
         with precise():
             ratio = exact(way) * exact(self.k1) / exact(self.F_0)
         if ratio > LARGEST:
-            raise ValueError("the motion is too large beside the static deflection F_0/k1 to be drawn with it")
+            raise ValueError("the motion is too large to be drawn beside the static deflection F_0/k1")
         return float(ratio)
 
     @cached_property
@@ -126,7 +129,7 @@ class Duty:
             poles.add(Oscillator(m=self.m1 + self.m2, k=self.k1).omega_n)
         ends = [low, *sorted(p for p in poles if low < p < high), high]
         bend = (1 - np.cos(np.linspace(0, math.pi, SEGMENT))) / 2
-        pieces = [a + (b - a) * bend for a, b in zip(ends, ends[1:], strict=False)]
+        pieces = [a + (b - a) * bend for a, b in pairwise(ends)]
         marked = [w for w in (self.omega, antiresonance(self.chain), *(self.band or ())) if low < w < high]
         return np.unique(np.concatenate([*pieces, marked]))
 

@@ -9,6 +9,9 @@ import {Stage} from "./stage.js"
 import {RunBar} from "./runbar.js"
 import {Transport} from "./transport.js"
 
+// What a motion of the chain is made of; the drive may be missing.
+const MOTION = ["m1", "m2", "k1", "k2", "x1_0", "x2_0", "v1_0", "v2_0", "F_0", "omega"]
+
 class Page {
   constructor(model) {
     this.model = model
@@ -50,6 +53,8 @@ class Page {
     if (block.show && block.kind !== "plot") this.conditional.push({host, form: block.show})
     if (block.blocks) host.append(...block.blocks.map(child => this.#block(child)))
     if (block.kind === "stage") {
+      // On a phone the transport stays right under the first stage.
+      if (!this.stages.length) this.root.style.setProperty("--stage-height", `${block.height}px`)
       this.stages.push(new Stage(block, host))
     }
     if (block.kind === "plot") {
@@ -123,7 +128,19 @@ class Page {
     })
     const csv = element("button", {type: "button", class: "chip"}, "CSV")
     csv.addEventListener("click", () => this.send({type: "csv"}))
-    return element("div", {class: "tools"}, link, csv)
+    return element("div", {class: "tools"}, link, csv, ...this.#measure())
+  }
+
+  // A scene with a motion of the chain hands it over to the accuracy scene.
+  #measure() {
+    if (!MOTION.slice(0, 8).every(name => name in this.model.state.params) || this.spec.runs) return []
+    const link = element("a", {class: "chip", href: "#"}, "Error and time")
+    link.addEventListener("click", event => {
+      event.preventDefault()
+      const values = MOTION.filter(name => name in this.state.params).map(name => `${name}=${this.state.params[name].value}`)
+      location.search = `?scene=accuracy&system=own&${values.join("&")}`
+    })
+    return [link]
   }
 
   // One message in flight; of what waits, the newest value of each parameter wins.

@@ -10,6 +10,8 @@ import param
 
 from components import absorber as drawing
 from components import absorber_data as data
+from components.absorber_goals import goals
+from components.absorber_words import sentences
 from components.controls import Group
 from components.duty import Duty
 from components.motion import pace
@@ -60,40 +62,74 @@ class Absorber(Scene):
             "Your absorber",
             ("m2", "k2", "tuning"),
             "or drag the valley",
-            facts=(("Mass ratio $m_2/m_1$", "{mu}"), ("Lightest that met every goal", "{lightest}")),
+            facts=((r"Mass ratio $\mu = m_2/m_1$", "{mu}"), ("Lightest that met every goal", "{lightest}")),
         ),
         Group("Beyond the lecture", ("damping",)),
         Group("", ("c",), actions=(("optimum", "Den Hartog's optimum"),), show="damped"),
     )
 
-    m1 = mass(100.0, symbol="m_1", tint="m1", softbounds=(10, 1000), says="is the machine. Type any value above 0.")
+    m1 = mass(
+        100.0, symbol="m_1", tint="m1", softbounds=(10, 1000), says="is the machine. Type any value above 0."
+    )
     k1 = positive(
-        250e3, label="mounting", symbol="k_1", unit="N/m", tint="k", softbounds=(1e4, 1e7), scale="log",
+        250e3,
+        label="mounting",
+        symbol="k_1",
+        unit="N/m",
+        tint="k",
+        softbounds=(1e4, 1e7),
+        scale="log",
         says="is the spring under the machine. Type any value above 0.",
     )
     F_0 = positive(
-        500.0, label="shaking force", symbol="F_0", unit="N", tint="F", softbounds=(10, 1e4), scale="log",
+        500.0,
+        label="shaking force",
+        symbol="F_0",
+        unit="N",
+        tint="F",
+        softbounds=(10, 1e4),
+        scale="log",
         says="shakes the machine. Type any value above 0.",
     )
     omega = angular_frequency(
-        48.0, symbol="ω", softbounds=(10.0, 100.0), bounds=(0.0, None), inclusive_bounds=(False, True),
-        says="is the machine's running speed. Type any value above 0.", allowed="a running speed is a finite number above 0",
+        48.0,
+        symbol="ω",
+        softbounds=(10.0, 100.0),
+        bounds=(0.0, None),
+        inclusive_bounds=(False, True),
+        says="is the machine's running speed. Type any value above 0.",
+        allowed="a running speed is a finite number above 0",
     )
     own = param.Boolean(default=False, label="Own machine")
     m2 = mass(
-        16.0, symbol="m_2", tint="m2", softbounds=(1, 100),
+        16.0,
+        symbol="m_2",
+        tint="m2",
+        softbounds=(1, 100),
         says="moves the two resonances apart. Meet all three goals, then do it with less mass.",
     )
     k2 = stiffness(
-        36864.0, symbol="k_2", softbounds=(0, 200e3),
-        says="moves the valley. The machine stands still where √(k₂/m₂) is its speed; moving k₂ ends 'Keep tuned'.",
+        36864.0,
+        symbol="k_2",
+        softbounds=(0, 200e3),
+        says="moves the valley. The machine stands still where √(k₂/m₂) is its speed.",
     )
     tuning = param.Selector(
-        default="tuned", objects={"Keep tuned": "tuned", "Free": "free", "Detach": "detached"}, label="Absorber spring"
+        default="tuned",
+        objects={"Keep tuned": "tuned", "Free": "free", "Detach": "detached"},
+        label="Absorber spring",
     )
-    damping = param.Selector(default="none", objects={"No damping": "none", "Add damping": "added"}, label="Damping")
+    damping = param.Selector(
+        default="none", objects={"No damping": "none", "Add damping": "added"}, label="Damping"
+    )
     c = not_negative(
-        100.0, label="damping", symbol="c", unit="N s/m", tint="ink", softbounds=(0, 2000), scale="near0",
+        100.0,
+        label="damping",
+        symbol="c",
+        unit="N s/m",
+        tint="ink",
+        softbounds=(0, 2000),
+        scale="near0",
         says="damps the motion of the masses against each other. Type any value from 0 up.",
     )
     _valley = angular_frequency(48.0, symbol="ω₂", label="tuned frequency")
@@ -103,8 +139,8 @@ class Absorber(Scene):
     @cache
     def sheet(cls) -> Block:
         return column(
-            row(drawing.picture(), words(*drawing.sentences(), style="facts", basis=286, phone=5), grow=228, gap=26),
-            row(column(drawing.swing_plot(), drawing.stroke_plot()), drawing.goals(), grow=346, gap=26),
+            row(drawing.picture(), words(*sentences(), style="facts", basis=286, phone=5), grow=228, gap=26),
+            row(column(drawing.swing_plot(), drawing.stroke_plot()), goals(), grow=346, gap=26),
         )
 
     def units(self) -> dict[str, Unit]:
@@ -113,10 +149,11 @@ class Absorber(Scene):
 
     def action(self, name: str) -> dict[str, Any]:
         best = den_hartog(self.m1, self.k1, self.m2)
-        return {"k2": best.k2, "c": best.c, "tuning": "free"}
+        k2, c = (float(f"{value:.4g}") for value in (best.k2, best.c))
+        return {"k2": k2, "c": c, "tuning": "free"}
 
     def following(self, changed: set[str]) -> dict[str, Any]:
-        """A tuned spring follows the mass and the speed; the knob sets the spring; the score is of this machine."""
+        """A tuned spring follows mass and speed, the knob sets the spring, the score is of this machine."""
         k2, tuning = self.k2, self.tuning
         if "_valley" in changed:
             k2, tuning = tuned_stiffness(self.m2, self._valley), "free"
@@ -126,7 +163,12 @@ class Absorber(Scene):
             k2 = tuned_stiffness(self.m2, self.omega)
         valley = antiresonance(TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=k2))
         best = None if changed & set(MACHINE) else self._lightest
-        if tuning != "detached" and not self._damping and all(self._duty(k2).met) and self.m2 < (best or math.inf):
+        if (
+            tuning != "detached"
+            and not self._damping
+            and all(self._duty(k2).met)
+            and self.m2 < (best or math.inf)
+        ):
             best = self.m2
         return {"k2": k2, "tuning": tuning, "_valley": valley, "_lightest": best}
 
@@ -143,7 +185,12 @@ class Absorber(Scene):
         end = self.window or periods(self.omega, TURNS)
         low, high = min(0.4 * duty.own, 0.7 * self.omega), max(1.6 * duty.own, 1.3 * self.omega)
         swing, stroke = (drawing.size_axis(duty.deflections(top)) for top in TOP)
-        axes = {"t": time_axis(end), "w": nice_axis(low, high, "rad/s", 6, exact=True), "X1": swing, "X2": stroke}
+        axes = {
+            "t": time_axis(end),
+            "w": nice_axis(low, high, "rad/s", 6, exact=True),
+            "X1": swing,
+            "X2": stroke,
+        }
         push = nice_axis(0.0, self.F_0, "N")
         columns, seen = data.columns(duty, axes)
         drawn, tick = data.drawn(duty, end, swing)

@@ -1,0 +1,100 @@
+"""What is drawn over and beside the absorber's plots: goals, their limits, readings at the machine's speed."""
+
+from __future__ import annotations
+
+from components.equations import rich
+from components.sheet import Block, stage
+from components.stage import Number, Shape, circle, line, on_x, on_y, path, text, var
+
+TICK, CROSS = "M-3.5 .5l2.6 2.6 5-5.600", "M-2.800 -2.800l5.600 5.600M2.800 -2.800l-5.600 5.600"
+MARKS = (("slow", r"$\omega_-$ {slow}"), ("F", r"$\omega$ {omega}"), ("fast", r"$\omega_+$ {fast}"))
+
+
+def frequencies() -> list[tuple[str, str, str]]:
+    """The lines that cross both plots: scalar, colour, flag."""
+    return [(tint if tint != "F" else "omega", tint, rich(words)) for tint, words in MARKS]
+
+
+def goals() -> Block:
+    """Three goals: a dotted line runs from each limit in the plots to its mark and its sentence."""
+    shapes = [*_bracket(), *_readings(), *_joints()]
+    for i, desk in enumerate(_limits()):
+        y = var("wide") * desk + var("narrow") * (18 + 46 * i)
+        begin = on_x("swing", var("away_high")) + 6 if i == 0 else var("swing.left")
+        shapes.append(line(begin, desk, -6, desk, style="dotted", show="wide"))
+        shapes += [circle(9, y, 8, show=f"met{i}"), path(TICK, 9, y, style="counter", show=f"met{i}")]
+        shapes += [circle(9, y, 8, style="hollow", show=f"open{i}"), path(CROSS, 9, y, show=f"open{i}")]
+        shapes.append(text(26, y + 5, f"{{goal{i}}}", "start", style="t2 b"))
+        shapes.append(text(26, y + 23, f"{{found{i}}}", "start", tint="mute", style="t0"))
+    board = stage(*shapes, label="The goals, met or not", grow=0, basis=286, phone=12, height=150)
+    return {**board, "style": "still"}
+
+
+def _limits() -> tuple[Number, Number, Number]:
+    return var("swing.top") - 6, on_y("swing", var("limit1")), on_y("stroke", var("limit2"))
+
+
+def _bracket() -> list[Shape]:
+    """Where no resonance should be: around the machine's speed."""
+    y = _limits()[0]
+    low, high = on_x("swing", var("away_low")), on_x("swing", var("away_high"))
+    return [line(low, y, high, y), *(line(x, y - 5, x, y + 5) for x in (low, high))]
+
+
+def _readings() -> list[Shape]:
+    """The numbers at the machine's speed, and the names of the fixed points."""
+    here, own, aside = (on_x("swing", var(name)) for name in ("omega", "own", "aside"))
+    alone, swing, stroke = (
+        on_y("swing", var("alone")),
+        on_y("swing", var("swing")),
+        on_y("stroke", var("stroke")),
+    )
+    return [
+        circle(here, alone, 6, tint="m1", style="hollow", show="alone_seen"),
+        circle(here, swing, 7, tint="m1", show="swing_seen"),
+        circle(here, stroke, 7, tint="m2", show="stroke_seen"),
+        text(own + 46, var("swing.top") + 15, "alone", tint="m1", style="t1 b halo", show="own_seen"),
+        text(aside, on_y("swing", var("aside1")) - 14, "|*X*_{p1}|", tint="m1", style="t2 b"),
+        text(aside, on_y("stroke", var("aside2")) - 14, "|*X*_{p2}|", tint="m2", style="t2 b"),
+        text(here - 11, alone + 5, "{alone}", "end", tint="m1", style="t1 b halo", show="alone_seen"),
+        text(
+            here + 11,
+            swing + var("swing_aside"),
+            "{swing}",
+            "start",
+            tint="m1",
+            style="t1 b halo",
+            show="swing_seen",
+        ),
+        text(here + 11, stroke - 8, "{stroke}", "start", tint="m2", style="t1 b halo", show="stroke_seen"),
+        text(
+            on_x("swing", var("help_x")),
+            on_y("swing", var("help_y")) + 5,
+            "helped",
+            style="t0",
+            show="help_seen",
+        ),
+        *(
+            circle(on_x("swing", var(f"{name}_x")), on_y("swing", var(f"{name}_y")), 4, show="fixed_seen")
+            for name in ("P", "Q")
+        ),
+        *(
+            text(
+                on_x("swing", var(f"{name}_x")),
+                on_y("swing", var(f"{name}_y")) - 11,
+                f"*{name}*",
+                style="t1 b halo",
+                show="fixed_seen",
+            )
+            for name in ("P", "Q")
+        ),
+    ]
+
+
+def _joints() -> list[Shape]:
+    """The lines of the frequencies go on between the two plots."""
+    shapes = []
+    for at, tint, _ in frequencies():
+        x = on_x("swing", var(at))
+        shapes.append(line(x, var("swing.bottom"), x, var("stroke.top"), tint=tint, show=f"{at}_seen"))
+    return shapes
