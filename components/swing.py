@@ -147,8 +147,8 @@ def _drawn(name: str, column: Floats, omega: float, t: Floats) -> tuple[Columns,
 
 def along_path(swing: Swing, window: float, end: float) -> tuple[Columns, Columns]:
     """The path over distance, exact and linear, to the end of the frame at `end` (v_0^2/g) or of the time window."""
-    last = max(window, min(end / swing.distance(1.0), SWINGS * swing.period))
-    t = np.linspace(0.0, last, samples(last, swing.fastest))
+    last = max(window, min(end / swing.distance(1.0) + swing.period / 2, SWINGS * swing.period))
+    t = np.linspace(0.0, last, samples(last, 3 * swing.fastest))
     exact, linear = (fly(swing.v_0, swing.g, swing.excess, t) for fly in (flight, linear_flight))
     if drawable(swing.fastest, t):
         return {"x": exact.x, "y": exact.h, "x_lin": linear.x, "y_lin": linear.h}, {}

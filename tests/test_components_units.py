@@ -1,0 +1,66 @@
+"""Quantities shown and typed in another unit than their own."""
+
+from __future__ import annotations
+
+import pytest
+
+from components.controls import apply_message, control, controls_spec, params_state
+from components.scenes.phugoid import Phugoid
+from components.units import Unit
+
+FOOT_PER_SECOND, KNOT = Unit("ft/s", 0.3048), Unit("knots", 1852 / 3600)
+
+
+def test_a_round_number_comes_back_round() -> None:
+    assert FOOT_PER_SECOND.value(150.0) == 45.72
+    assert FOOT_PER_SECOND.field(45.72) == "150"
+    assert FOOT_PER_SECOND.field(FOOT_PER_SECOND.value(87.5)) == "87.5"
+
+
+def test_other_numbers_are_shown_with_four_digits() -> None:
+    assert KNOT.field(45.72) == "88.87"
+    assert Unit("ft/s", 0.3048).field(1 / 3) == "1.094"
+    assert FOOT_PER_SECOND.field(0.0) == "0.00"
+
+
+@pytest.mark.parametrize("value", [1e-300, 1e300, -2.5])
+def test_any_size_is_shown(value: float) -> None:
+    assert float(FOOT_PER_SECOND.field(value)) == pytest.approx(value / 0.3048, rel=1e-3)
+
+
+def test_state_says_the_unit_and_its_size() -> None:
+    scene = Phugoid()
+    assert params_state(scene)["v_0"] == {"value": 45.72, "text": "150", "unit": "ft/s", "size": 0.3048} | {
+        key: value for key, value in params_state(scene)["v_0"].items() if key not in ("value", "text", "unit", "size")
+    }
+    scene.unit = "m/s"
+    assert "unit" not in params_state(scene)["v_0"]
+    assert params_state(scene)["v_0"]["text"] == "45.72"
+
+
+def test_typed_numbers_are_in_the_unit_shown() -> None:
+    scene = Phugoid()
+    assert apply_message(scene, {"type": "typed", "name": "v_0", "text": "200"}) == {}
+    assert scene.v_0 == pytest.approx(60.96, rel=1e-15)
+    assert apply_message(scene, {"type": "typed", "name": "excess", "text": "50"}) == {}
+    assert scene.excess == pytest.approx(0.25, rel=1e-14)
+    scene.unit = "knots"
+    assert apply_message(scene, {"type": "typed", "name": "v_0", "text": "100"}) == {}
+    assert scene.v_0 == pytest.approx(100 * 1852 / 3600, rel=1e-15)
+
+
+def test_refusals_speak_in_the_unit_shown() -> None:
+    scene = Phugoid()
+    errors = apply_message(scene, {"type": "typed", "name": "excess", "text": "-200"})
+    assert errors["excess"].startswith("−200 ft/s is not possible: an excess of speed is from −v₀")
+    assert errors["excess"].endswith("Still drawn with 90.0.")
+    assert scene.excess == 0.6
+
+
+def test_marks_and_outlines_reach_the_page() -> None:
+    marks = control("excess", Phugoid.param.excess)["marks"]
+    assert [mark["text"] for mark in marks] == ["0", "0.1 %", "1 %", "cusp", "loops"]
+    assert [mark["value"] for mark in marks] == sorted(mark["value"] for mark in marks)
+    spec = controls_spec(Phugoid, Phugoid.groups, Phugoid.presets, Phugoid.drawings())
+    assert set(spec["drawings"]) == set(Phugoid.presets)
+    assert all(outline.startswith("M") for outline in spec["drawings"].values())
