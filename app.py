@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import panel as pn
 
 from components.scene import Scene
 from components.scenes import SCENES
-from components.shell import navigation, page_template, version
+from components.shell import navigation, page_template, version, when_open
 from components.url import read_query
 from components.view import SceneView
 
@@ -24,6 +26,6 @@ document.template = page_template()
 document.template_variables.update(
     headline=scene.headline, scene_title=scene.title, navigation=navigation(SCENES, scene.slug), version=version()
 )
-scene.later = document.add_next_tick_callback
+scene.later = partial(when_open, document)
 pn.state.on_session_destroyed(lambda _: scene.close())
 SceneView(scene, problems=tuple(problems)).server_doc(document)

@@ -84,7 +84,7 @@ def stopped(runs: Iterable[Run]) -> list[tuple[str, str]]:
     for run in runs:
         if run.failure:
             how_far = f", at {100 * run.reached:.0f} %" if 0 < run.reached < 1 else ""
-            rows.setdefault(run.method, (setting_text(run), f"{run.failure}{how_far}"))
+            rows.setdefault(run.method, (setting_text(run).removesuffix(" an output"), f"{run.failure}{how_far}"))
     return list(rows.values())
 
 

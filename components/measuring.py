@@ -82,9 +82,10 @@ class Measuring:
                 return
             if job in self._waiting:
                 self._waiting.remove(job)
-            elif job.process:
+            else:
                 job.reason = "cancelled"
-                job.process.kill()
+                if job.process:
+                    job.process.kill()
 
     def skip(self, job: Job) -> None:
         """Give up the method that is running."""
@@ -116,13 +117,17 @@ class Measuring:
         """Read the worker to its end, then let the next one begin."""
         command = [sys.executable, "-m", "physics.accuracy_worker"]
         pipes: dict[str, Any] = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True, "cwd": ROOT}
-        with subprocess.Popen(command, **pipes) as job.process:
-            assert job.process.stdin and job.process.stdout
+        ended = False
+        with subprocess.Popen(command, **pipes) as process:
+            assert process.stdin and process.stdout
             order = {"system": encoded(job.system), "seconds": job.seconds, "budget": self.budget}
-            job.process.stdin.write(json.dumps(order) + "\n")
-            job.process.stdin.flush()
-            ended = False
-            for line in job.process.stdout:
+            process.stdin.write(json.dumps(order) + "\n")
+            process.stdin.flush()
+            with self._lock:
+                job.process = process
+                if job.reason:  # everybody has left while it started
+                    process.kill()
+            for line in process.stdout:
                 ended = self._take(job, json.loads(line)) or ended
                 self._tell(job)
                 if ended:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
@@ -38,3 +38,10 @@ def navigation(scenes: Mapping[str, type[Scene]], here: str) -> list[dict[str, o
         entry = {"slug": slug, "title": scene.title, "here": slug == here}
         groups[-1]["scenes"].append(entry)  # type: ignore[attr-defined]
     return groups
+
+
+def when_open(document: Document, act: Callable[[], None]) -> None:
+    """Run `act` under the document's lock, from any thread, as long as somebody looks at the page."""
+    context = document.session_context
+    if context and context.session.connection_count:
+        document.add_next_tick_callback(act)

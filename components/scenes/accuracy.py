@@ -66,8 +66,8 @@ class Accuracy(Scene):
         says="is the error that is good enough. The list says what it costs.",
     )
     limit = positive(
-        4.0, symbol="limit", unit="s", label="time limit of a run", softbounds=(0.5, 20.0), bounds=(0.0, 60.0),
-        allowed="the time limit of a run is more than 0 and at most 60 s",
+        4.0, symbol="limit", unit="s", label="time limit of a run", softbounds=(0.5, 20.0), bounds=(0.01, 60.0), inclusive_bounds=(True, True),
+        allowed="the time limit of a run is 0.01 to 60 s",
         says="is how long one run may take. A method that takes longer is a row with its reason.",
     )
     view = param.Selector(default="time", objects=list(VIEWS), label="View")

@@ -1,0 +1,100 @@
+"""The queue of measurements and its worker process."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+
+from components.measuring import Job, Measuring
+from physics.accuracy import SYSTEMS, plan
+from physics.accuracy_worker import decoded, encoded
+
+BENIGN = SYSTEMS["benign"]
+
+
+def wait(until: Callable[[], object], seconds: float = 60.0) -> None:
+    end = time.monotonic() + seconds
+    while not until():
+        assert time.monotonic() < end, "waited in vain"
+        time.sleep(0.02)
+
+
+def nothing() -> None:
+    """A listener that does not listen."""
+
+
+def test_a_system_survives_json() -> None:
+    for system in SYSTEMS.values():
+        assert decoded(encoded(system)) == system
+
+
+def test_a_measurement_comes_run_by_run_and_is_remembered() -> None:
+    queue, seen = Measuring(budget=60.0), list[int]()
+    job: Job | None = None
+
+    def heard() -> None:
+        if job:
+            seen.append(len(job.runs))
+
+    job = queue.ask(BENIGN, 0.1, heard)
+    assert job.total == len(plan(BENIGN))
+    wait(lambda: job.state == "done")
+    assert len(job.runs) == job.total
+    assert seen == sorted(seen) and len(set(seen)) > 5
+    closed = next(run for run in job.runs if run.method == "closed")
+    assert closed.error is not None and closed.error < 1e-15
+    assert any(run.failure and "time limit" in run.failure for run in job.runs)
+    again = queue.ask(BENIGN, 0.1, nothing)
+    assert again is job
+
+
+def test_one_at_a_time_with_the_place_in_the_queue() -> None:
+    queue = Measuring(budget=60.0)
+    first = queue.ask(BENIGN, 30.0, nothing)
+    second = queue.ask(SYSTEMS["beats"], 30.0, heard := (lambda: None))
+    shared = queue.ask(SYSTEMS["beats"], 30.0, nothing)
+    assert shared is second
+    assert (queue.place(first), queue.place(second)) == (0, 1)
+    assert (first.state, second.state) == ("running", "waiting")
+    queue.leave(second, heard)
+    assert queue.place(second) == 1
+    queue.leave(second, nothing)
+    queue.leave(first, nothing)
+    wait(lambda: first.state == "done")
+    assert first.reason == "cancelled"
+    assert second.state == "waiting" and queue.place(second) == 0
+    third = queue.ask(replace(BENIGN, slug="own"), 0.05, nothing)
+    wait(lambda: third.state == "done")
+    assert len(third.runs) == third.total
+
+
+def test_a_method_can_be_skipped() -> None:
+    queue = Measuring(budget=60.0)
+    job = queue.ask(replace(BENIGN, slug="skipped"), 20.0, nothing)
+    wait(lambda: job.method == "verlet")
+    queue.skip(job)
+    wait(lambda: job.method not in ("", "verlet"))
+    assert len([run for run in job.runs if run.method == "verlet"]) < 5
+    queue.leave(job, nothing)
+    wait(lambda: job.state == "done")
+
+
+def test_the_limit_for_a_visitor() -> None:
+    queue = Measuring(budget=1.0)
+    job = queue.ask(BENIGN, 20.0, nothing)
+    wait(lambda: job.state == "done")
+    assert "limit for one visitor" in job.reason
+    assert queue.remembered(BENIGN, 20.0) is None
+
+
+def test_nothing_to_measure() -> None:
+    queue = Measuring(budget=30.0)
+    rest = replace(BENIGN, x_0=(0.0, 0.0), v_0=(0.0, 0.0))
+    job = queue.ask(rest, 1.0, nothing)
+    wait(lambda: job.state == "done")
+    assert job.reason and not job.runs
+    with pytest.raises(ValueError, match="no period"):
+        queue.ask(replace(BENIGN, chain=replace(BENIGN.chain, k1=0.0, k2=0.0)), 1.0, nothing)
