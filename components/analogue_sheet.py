@@ -158,17 +158,15 @@ def _equation() -> Block:
 
 def _lateness() -> Block:
     """T/T_0 - 1 against the amplitude, which is a handle; flags go where it passes 0.1, 1 and 5 percent."""
-    marks = tuple(
-        {
-            "at": name,
-            "tint": "mute",
-            "style": "dashed",
-            "html": f"<b>{100 * excess:g} %</b><span>{_start_at(excess)}</span>",
-            "label": f"Start from {_start_at(excess)}, where the swing is {100 * excess:g} % late",
-            "set": "theta_0",
-        }
-        for name, excess in LIMITS.items()
-    )
+    late = r"\text{How late: } \tau / \tau_0 - 1 \text{ of the pendulum},"
+    periods = r"\tau = \val{period} \text{ s}, \; \tau_0 = \val{small_period} \text{ s}"
+    handle = {
+        "parameter": "theta_0",
+        "symbol": "θ₀",
+        "label": "Angle at the start, °",
+        "tint": "m1",
+        "unit": "°",
+    }
     return plot(
         "late",
         x="angle",
@@ -176,40 +174,18 @@ def _lateness() -> Block:
         title="How late a large swing is, in percent of the small period, against the angle at the start",
         curves=(
             Curve(name="excess", source="late", x="angle", tint="ink", width="sum"),
-            Curve(
-                name="excess",
-                source="limits",
-                x="angle",
-                tint="ink",
-                width="none",
-                marker="disc",
-                group="limits",
-            ),
-            Curve(
-                name="excess", source="here", x="angle", tint="m1", width="none", marker="disc", group="here"
+            *(
+                Curve(
+                    name="excess", source=name, x="angle", tint=tint, width="none", marker="disc", group=name
+                )
+                for name, tint in (("limits", "ink"), ("here", "m1"))
             ),
         ),
-        heading=(
-            term("", "none", "ink", formula=r"\text{How late: } \tau / \tau_0 - 1 \text{ of the pendulum},"),
-            term(
-                "",
-                "none",
-                "ink",
-                formula=r"\tau = \val{period} \text{ s}, \; \tau_0 = \val{small_period} \text{ s}",
-            ),
-        ),
+        heading=(term("", "none", "ink", formula=late), term("", "none", "ink", formula=periods)),
         source="late",
         x_column="angle",
-        handles=(
-            {
-                "parameter": "theta_0",
-                "symbol": "θ₀",
-                "label": "Angle at the start, °",
-                "tint": "m1",
-                "unit": "°",
-            },
-        ),
-        marks=marks,
+        handles=(handle,),
+        marks=tuple(_flag(name, excess) for name, excess in LIMITS.items()),
         shapes=over_lateness(),
         margin=(44, 30),
         top=46,
@@ -219,9 +195,17 @@ def _lateness() -> Block:
     )
 
 
-def _start_at(excess: float) -> str:
-    """The amplitude at which T/T_0 - 1 is `excess`."""
-    return f"{three(math.degrees(amplitude_at_excess(excess)))}°"
+def _flag(name: str, excess: float) -> dict[str, str]:
+    """The button that starts the pendulum where its swing is late by `excess`."""
+    start = f"{three(math.degrees(amplitude_at_excess(excess)))}°"
+    return {
+        "at": name,
+        "tint": "mute",
+        "style": "dashed",
+        "html": f"<b>{100 * excess:g} %</b><span>{start}</span>",
+        "label": f"Start from {start}, where the swing is {100 * excess:g} % late",
+        "set": "theta_0",
+    }
 
 
 def _formula() -> Block:
