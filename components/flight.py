@@ -1,4 +1,4 @@
-"""The picture of a flight: its path with the aircraft on it, at one scale up and along, beside the spring it mimics."""
+"""The picture of a flight: its path with the aircraft on it, beside the spring it mimics."""
 
 from __future__ import annotations
 
@@ -30,7 +30,10 @@ from components.stage import (
 from components.swing import Swing
 from physics.phugoid import flight
 
-HULL = "M27 0C26-3.6 18-4.8 10-5.2C7-9.4-1-9.8-5-5.8L-18-3.6L-24-12.5L-29-12.5L-26.5-1C-16 4.4 6 6 18 5C23 4.4 27 2.8 27 0Z"
+HULL = (
+    "M27 0C26-3.6 18-4.8 10-5.2C7-9.4-1-9.8-5-5.8L-18-3.6L-24-12.5L-29-12.5"
+    "L-26.5-1C-16 4.4 6 6 18 5C23 4.4 27 2.8 27 0Z"
+)
 WING = "M11 1.6C7-.6-5-.4-10 1.9C-5 3.6 7 3.6 11 1.6Z"
 PROPELLER = "M28-9V9"
 
@@ -44,7 +47,7 @@ SIDE, APART = 32, 104
 
 
 def ground_axes(swing: Swing, window: float, unit: str, factor: float) -> tuple[Axis, Axis]:
-    """Axes along and up, of one scale: as far as the flight comes in the window, and at least as wide as the swing is high.
+    """Axes along and up, of one scale: as far as the flight comes in the window, or as wide as the swing asks for.
 
     Labels are in `unit`, which is `factor` metres.
     """
@@ -73,7 +76,7 @@ def _up(along: Axis, low: float, high: float) -> Axis:
 
 
 def velocity_axes(swing: Swing) -> dict[str, Axis]:
-    """Axes forward (of u - v_0, so that it starts at -1) and up, in v_0; one frame holds all up to the widest loop shown."""
+    """Axes forward (of u - v_0, so that standstill is at -1) and up, in v_0; one frame for all but wide loops."""
     far = max(1.0, float(swing.lap.w.max()) / 1.05, (1 + swing.excess) / 3.05)
     whole = math.ceil(far / 4)
     ticks = tuple(float(whole * i - 1) for i in range(-math.ceil(far), math.ceil(3.1 * far) + 1))
@@ -91,11 +94,16 @@ def _times_v_0(number: float) -> str:
 def flight_shapes(plot: str) -> list[Shape]:
     """Spring, level line, both aircraft and the arrows of h' and v over the plot of the path.
 
-    Signals: x, y of the exact flight and x_lin, y_lin of the linear one in the unit of the axes; u, w and u_lin, w_lin
-    forward and up in v_0.
+    Signals: x, y of the exact flight and x_lin, y_lin of the linear one in the unit of the axes; u, w and
+    u_lin, w_lin forward and up in v_0.
     """
     level, foot, left, right = on_y(plot, 0), var(f"{plot}.bottom"), var(f"{plot}.left"), var(f"{plot}.right")
-    x, y, x_lin, y_lin = on_x(plot, var("x")), on_y(plot, var("y")), on_x(plot, var("x_lin")), on_y(plot, var("y_lin"))
+    x, y, x_lin, y_lin = (
+        on_x(plot, var("x")),
+        on_y(plot, var("y")),
+        on_x(plot, var("x_lin")),
+        on_y(plot, var("y_lin")),
+    )
     size = 0.45 + W * 0.0006
     own: dict[str, Any] = {"inside": plot}
     return [
@@ -105,11 +113,33 @@ def flight_shapes(plot: str) -> list[Shape]:
         *_spring(left - APART, y_lin, level, foot),
         line(left - APART + SIDE / 2, y_lin, x_lin, y_lin, tint="V", style="dots", **own),
         line(left - APART + SIDE / 2, y_lin, left, y_lin, tint="V", style="dots"),
-        path(HULL, x_lin, y_lin, dx=var("u_lin"), dy=-var("w_lin"), sx=size, sy=size, tint="m1", style="fine", **own),
+        path(
+            HULL,
+            x_lin,
+            y_lin,
+            dx=var("u_lin"),
+            dy=-var("w_lin"),
+            sx=size,
+            sy=size,
+            tint="m1",
+            style="fine",
+            **own,
+        ),
         arrow(x, level, x, y, tint="V", **own),
         arrow(x, y, x + 50 * size * var("u"), y - 50 * size * var("w"), gap=34 * size, head=12, tint="T", **own),
         *(
-            path(d, x, y, dx=var("u"), dy=-var("w"), sx=1.15 * size, sy=1.15 * size, tint="m1", style=style, **own)
+            path(
+                d,
+                x,
+                y,
+                dx=var("u"),
+                dy=-var("w"),
+                sx=1.15 * size,
+                sy=1.15 * size,
+                tint="m1",
+                style=style,
+                **own,
+            )
             for d, style in ((HULL, "fill"), (WING, "ghost fine"), (PROPELLER, "fine"))
         ),
     ]
@@ -135,7 +165,7 @@ def _spring(x: Number, y: Number, level: Number, foot: Number) -> list[Shape]:
 
 
 def velocity_shapes(plot: str, show: str) -> list[Shape]:
-    """The velocity from standstill to its tip, over a plot of u - v_0 and w in v_0; its pill stands at `excess`."""
+    """The velocity from standstill to its tip, over a plot of u - v_0 and w in v_0; the start is `excess`."""
     still = on_x(plot, -1)
     tip, level = (on_x(plot, var("u") - 1), on_y(plot, var("w"))), on_y(plot, 0)
     start = on_x(plot, var("excess"))
@@ -150,7 +180,15 @@ def velocity_shapes(plot: str, show: str) -> list[Shape]:
         circle(*tip, 6, tint="m1", **own),
         text(on_x(plot, 0), level - 10, "*C* = 2/3", style="halo", **own),
         text(on_x(plot, 0.68), on_y(plot, 0.68), "cusp, *C* = 0", anchor="start", style="b halo", **own),
-        text(on_x(plot, 1.06), on_y(plot, 0.3), "loop, *C* = −0.667", anchor="start", tint="mute", style="halo", **own),
+        text(
+            on_x(plot, 1.06),
+            on_y(plot, 0.3),
+            "loop, *C* = −0.667",
+            anchor="start",
+            tint="mute",
+            style="halo",
+            **own,
+        ),
         text(still - 6, var(f"{plot}.top") + 12, "up", anchor="end", tint="mute", style="halo", **own),
         text(var(f"{plot}.right"), level - 7, "forward", anchor="end", tint="mute", style="halo", **own),
     ]

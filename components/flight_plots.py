@@ -113,16 +113,23 @@ def period_shapes(names: dict[str, str], show: str) -> list[Shape]:
 
 
 def exchange_plots() -> tuple[Block, ...]:
-    """Height against speed beside stretch against motion, both as shares of their sum, and why they differ."""
+    """Height against speed beside stretch against motion, as shares of their sum, and why they differ."""
     return (
         words("**Aircraft:** height and speed trade once a swing (first order)", phone=12),
         _shares("flight_energy", "share", "*m g h*", "½ *m v*²", "Energy of the aircraft: height and speed", False),
         words("**Spring:** stretch and motion trade twice a swing (second order)", phone=14),
-        _shares("spring_energy", "twin", "½ *k x*²", "½ *m x*′²", "Energy of the spring it mimics: stretch and motion", True),
+        _shares(
+            "spring_energy",
+            "twin",
+            "½ *k x*²",
+            "½ *m x*′²",
+            "Energy of the spring it mimics: stretch and motion",
+            True,
+        ),
         words(
-            r"$\frac{1}{2} m\,v^2 = \frac{1}{2} m\,v_0^2 + m\,v_0 v' + \frac{1}{2} m\,v'^2$: what is traded for $m\,g\,h'$ is the "
-            r"middle term, of first order, at $\omega$. A spring trades squares, $\frac{1}{2} k\,x^2 \propto 1 + \cos 2 \omega t$, "
-            r"at $2 \omega$.",
+            r"$\frac{1}{2} m\,v^2 = \frac{1}{2} m\,v_0^2 + m\,v_0 v' + \frac{1}{2} m\,v'^2$: what is traded for "
+            r"$m\,g\,h'$ is the middle term, of first order, at $\omega$. A spring trades squares, "
+            r"$\frac{1}{2} k\,x^2 \propto 1 + \cos 2 \omega t$, at $2 \omega$.",
             style="small",
             phone=16,
         ),
@@ -148,7 +155,7 @@ def _shares(name: str, edge: str, upper: str, lower: str, title: str, low: bool)
 
 
 def velocity_plot() -> Block:
-    """The tip of the velocity of every flight runs on a line of constant C; the arrow is parallel to the aircraft."""
+    """The tip of every flight's velocity runs on a line of constant C; the arrow points as the aircraft does."""
     family = (
         Curve(
             name=f"w_{name}",
@@ -163,7 +170,7 @@ def velocity_plot() -> Block:
         "velocity",
         x="forward",
         y="upward",
-        title="Velocity upward against forward, for this flight, the linear theory and others; the cusp runs through standstill",
+        title="Velocity upward against forward: this flight, the linear theory, and others up to a loop",
         source="velocity",
         x_column="u",
         curves=(
@@ -177,7 +184,16 @@ def velocity_plot() -> Block:
         ),
         margin=(8, 8),
         square=True,
-        handles=({"parameter": "excess", "symbol": "v′", "label": "Excess of speed", "tint": "T", "least": -1, "text": "gain"},),
+        handles=(
+            {
+                "parameter": "excess",
+                "symbol": "v′",
+                "label": "Excess of speed",
+                "tint": "T",
+                "least": -1,
+                "text": "gain",
+            },
+        ),
         phone=14,
         height=280,
     )

@@ -1,4 +1,4 @@
-"""One flight as numbers for the plots and the clock: exact and linear, over time, along the path and as velocities."""
+"""One flight as numbers for the plots and the clock, exact and linear."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from components.motion import derived, scaled, sines, table
-from components.numbers import three
+from components.numbers import short, three
 from components.plots import Axis
 from components.stage import var
 from components.traces import samples, trace
@@ -32,7 +32,7 @@ Floats = NDArray[np.float64]
 Columns = dict[str, Floats]
 
 NODES = 65
-"""Points of a period that the browser joins by Hermite pieces; their error is below 1e-7 of the swing."""
+"""Points of a period that the browser joins by Hermite pieces; heights within 1e-6 v_0^2/g; only at the cusp is the speed's corner cut, by 1 %."""
 SWINGS = 28
 """As many swings of a path can be told apart."""
 FAMILY = {"a": 0.2, "b": 0.4, "cusp": CUSP_EXCESS, "loop": 1.0}
@@ -42,25 +42,32 @@ SMALLEST, GREATEST = 1e-290, 1e290
 
 @dataclass(frozen=True)
 class Swing:
-    """A flight that is level at t = 0 with the speed v_0 (1 + excess); ValueError where it leaves the doubles."""
+    """A flight that is level at t = 0 with the speed v_0 (1 + excess); ValueError beyond the doubles."""
 
     v_0: float
     g: float
     excess: float
 
     def __post_init__(self) -> None:
-        sizes = (self.v_0, self.v_0 * self.v_0, self.v_0 * self.v_0 / self.g, self.v_0 / self.g, self.g / self.v_0)
+        sizes = (
+            self.v_0,
+            self.v_0 * self.v_0,
+            self.v_0 * self.v_0 / self.g,
+            self.v_0 / self.g,
+            self.g / self.v_0,
+        )
         if not all(SMALLEST < size < GREATEST for size in sizes):
             raise ValueError(
-                f"v_0 = {self.v_0:g} m/s and g = {self.g:g} m/s² make a swing whose size v_0²/g or period "
-                "is beyond what numbers can hold."
+                f"a swing at v_0 = {short(self.v_0)} m/s and g = {short(self.g)} m/s² has a size v_0²/g "
+                "or a period beyond what numbers can hold."
             )
 
     def check(self, window: float) -> None:
         """ValueError where a time window and a swing cannot be counted in one unit of time."""
         if not 1e-100 < window / self.period < 1e100:
             raise ValueError(
-                f"a window of {window:g} s and a swing of {self.period:g} s are too far apart to be shown together."
+                f"a window of {short(window)} s and a swing of {short(self.period)} s are too far apart "
+                "to be shown together."
             )
 
     @property
@@ -117,7 +124,7 @@ class Swing:
 
 
 def over_time(swing: Swing, t: Floats) -> tuple[Columns, Columns]:
-    """h' and v' over time, exact and linear (_lin); the second columns are bands of what is too fast to draw."""
+    """h' and v' over time, exact and linear (_lin), and as bands where they are too fast to draw."""
     curves: Columns = {}
     bands: Columns = {}
     omega = swing.linear.omega
@@ -146,7 +153,7 @@ def _drawn(name: str, column: Floats, omega: float, t: Floats) -> tuple[Columns,
 
 
 def along_path(swing: Swing, window: float, end: float) -> tuple[Columns, Columns]:
-    """The path over distance, exact and linear, to the end of the frame at `end` (v_0^2/g) or of the time window."""
+    """The path over distance, exact and linear, to the end of the frame (in v_0^2/g) or of the window."""
     last = max(window, min(end / swing.distance(1.0) + swing.period / 2, SWINGS * swing.period))
     t = np.linspace(0.0, last, samples(last, 3 * swing.fastest))
     exact, linear = (fly(swing.v_0, swing.g, swing.excess, t) for fly in (flight, linear_flight))
@@ -158,7 +165,7 @@ def along_path(swing: Swing, window: float, end: float) -> tuple[Columns, Column
 
 
 def energy_shares(swing: Swing, t: Floats) -> Columns:
-    """Kinetic shares of the energy: of the aircraft, counted from its lowest point, and of the spring it mimics."""
+    """Kinetic shares: of the aircraft's energy, counted from its lowest point, and of the spring's."""
     fastest = swing.lap.u[0] * swing.v_0
     V = flight(swing.v_0, swing.g, swing.excess, t).V
     share = (V / fastest) ** 2
@@ -172,7 +179,7 @@ def energy_shares(swing: Swing, t: Floats) -> Columns:
 
 
 def velocities(swing: Swing) -> tuple[Columns, Columns]:
-    """The tip of the velocity (u - v_0 forward, w up, in v_0): of this flight and the linear one, and of the family."""
+    """The tip of the velocity (u - v_0 forward, w up, in v_0): of this flight, exact and linear, and of FAMILY."""
     lap = swing.lap
     turn = np.linspace(0.0, 2 * math.pi, lap.t.size)
     own = {
@@ -189,7 +196,7 @@ def velocities(swing: Swing) -> tuple[Columns, Columns]:
 
 
 def motion_signals(swing: Swing, time: Axis, along: Axis, height: Axis, speed: Axis) -> dict[str, Any]:
-    """What the clock moves: places on the path, h' and v', velocities in v_0, and the shares of the energy."""
+    """What the clock moves: places on the path, h' and v', and velocities in v_0."""
     v_0, g, omega = swing.v_0, swing.g, swing.linear.omega
     t = np.linspace(0.0, swing.period, NODES)
     lap = flight(v_0, g, swing.excess, t)

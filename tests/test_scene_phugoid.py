@@ -39,7 +39,7 @@ def hermite(table: dict[str, Any], t: float) -> float:
     u, step, y, dy = place - i, table["period"] / count, table["y"], table["dy"]
     value = (1 + 2 * u) * (1 - u) ** 2 * y[i] + u * (1 - u) ** 2 * step * dy[i]
     value += u * u * (3 - 2 * u) * y[i + 1] + u * u * (u - 1) * step * dy[i + 1]
-    return turns * table["drift"] + value
+    return float(turns * table["drift"] + value)
 
 
 def test_book_values() -> None:
@@ -166,8 +166,15 @@ def test_aircraft_trades_once_a_swing_and_the_spring_twice(excess: float) -> Non
 def test_invariant_is_constant_along_each_curve() -> None:
     scene = Phugoid(show="limits")
     own, family = scene.sources["velocity"].data, scene.sources["family"].data
-    curves = {"own": (own["u"], own["w"])} | {name: (family[f"u_{name}"], family[f"w_{name}"]) for name in ("a", "cusp", "loop")}
-    for name, expected in {"own": 0.23467, "a": 2 / 3 - 0.04 * (1 + 0.2 / 3), "cusp": 0.0, "loop": -2 / 3}.items():
+    curves = {"own": (own["u"], own["w"])} | {
+        name: (family[f"u_{name}"], family[f"w_{name}"]) for name in ("a", "cusp", "loop")
+    }
+    for name, expected in {
+        "own": 0.23467,
+        "a": 2 / 3 - 0.04 * (1 + 0.2 / 3),
+        "cusp": 0.0,
+        "loop": -2 / 3,
+    }.items():
         u, w = curves[name][0] + 1, curves[name][1]
         np.testing.assert_allclose(u - np.hypot(u, w) ** 3 / 3, expected, atol=1e-5)
     assert scene.shown.values["C"] == "0.235"
@@ -177,8 +184,9 @@ def test_invariant_is_constant_along_each_curve() -> None:
 @pytest.mark.parametrize(
     ("excess", "says"),
     [
-        (0.1, "right to 0.1 %"), (0.151, "right to 0.1 %"), (0.152, "0.101 % off"), (0.45, "more in the shape"),
-        (0.47, "fails in the shape"), (CUSP_EXCESS, "cusp"), (-1.0, "cusp"), (0.74, "loops"), (-0.1, "right to 0.1 %"),
+        (0.1, "right to 0.1 %"), (0.151, "right to 0.1 %"), (-0.1, "right to 0.1 %"),
+        (0.152, "0.101 % off"), (0.45, "more in the shape"), (0.47, "fails in the shape"),
+        (CUSP_EXCESS, "cusp"), (-1.0, "cusp"), (0.74, "loops"),
     ],
 )  # fmt: skip
 def test_the_text_says_where_the_linear_theory_stops(excess: float, says: str) -> None:

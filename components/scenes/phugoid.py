@@ -1,4 +1,4 @@
-"""An aircraft left alone trades height for speed and back; its speed alone sets the period (D31, slides 8 to 10)."""
+"""An aircraft left alone trades height for speed; its speed alone sets the period (D31, slides 8 to 10)."""
 
 from __future__ import annotations
 
@@ -68,7 +68,8 @@ class Phugoid(Scene):
     }
 
     excess = Quantity(
-        0.6, symbol="v′", unit="v₀", label="excess of speed", tint="T", bounds=(-1.0, LARGEST), softbounds=(0.0, 1.1),
+        0.6, symbol="v′", unit="v₀", label="excess of speed", tint="T",
+        bounds=(-1.0, LARGEST), softbounds=(0.0, 1.1),
         allowed="an excess of speed is from −v₀ (standstill) to 3 v₀",
         says="is the speed in excess of v₀ at the start, in level flight. Below 0 the flight starts at its top.",
         marks=(
@@ -77,7 +78,8 @@ class Phugoid(Scene):
         ),
     )  # fmt: skip
     v_0 = positive(
-        150 * FOOT, symbol="v_0", unit="m/s", label="speed of steady flight", tint="T", scale="log", softbounds=(5.0, 300.0),
+        150 * FOOT, symbol="v_0", unit="m/s", label="speed of steady flight", tint="T",
+        scale="log", softbounds=(5.0, 300.0),
         says="is the speed of steady flight. It alone sets the period.",
     )  # fmt: skip
     m = mass(
@@ -108,7 +110,12 @@ class Phugoid(Scene):
     @classmethod
     @cache
     def sheet(cls) -> Block:
-        shapes = [*_words(), *flight_shapes("path"), *period_shapes(NAMES, "is_period"), *velocity_shapes("velocity", "is_limits")]
+        shapes = [
+            *_words(),
+            *flight_shapes("path"),
+            *period_shapes(NAMES, "is_period"),
+            *velocity_shapes("velocity", "is_limits"),
+        ]
         label = "The flight path with the aircraft, beside the spring and mass it mimics"
         return column(
             column(stage(*shapes, label=label, grow=0, basis=26, phone=0, height=28), path_plot(), grow=262),
@@ -175,7 +182,11 @@ class Phugoid(Scene):
         }
 
     def _scalars(self, swing: Swing, axes: dict[str, Axis]) -> dict[str, float]:
-        scalars = {"excess": self.excess, "is_period": float(self.show == "period"), "is_limits": float(self.show == "limits")}
+        scalars = {
+            "excess": self.excess,
+            "is_period": float(self.show == "period"),
+            "is_limits": float(self.show == "limits"),
+        }
         for name, top in (("top", swing.top), ("top_lin", swing.top_linear)):
             scalars |= {f"{name}_x": axes["along"].place(top[0]), f"{name}_y": axes["up"].place(top[1])}
         # Where many swings share the frame the names of the two paths have no room.
@@ -183,7 +194,11 @@ class Phugoid(Scene):
         scalars |= {"v_here": axes["v_0"].place(self.v_0), "tau_here": axes["tau"].place(swing.linear.tau)}
         for name, (_, speed, _) in AIRCRAFT.items():
             tau = linear_phugoid(speed, self.g).tau
-            scalars |= {f"at_{name}": axes["v_0"].place(speed), f"at_{name}_si": speed, f"tau_{name}_at": axes["tau"].place(tau)}
+            scalars |= {
+                f"at_{name}": axes["v_0"].place(speed),
+                f"at_{name}_si": speed,
+                f"tau_{name}_at": axes["tau"].place(tau),
+            }
         return scalars
 
     def _values(self, swing: Swing, axes: dict[str, Axis]) -> dict[str, str]:
@@ -199,7 +214,10 @@ class Phugoid(Scene):
             "C": three(swing.lap.C),
             "late": f"{three(100 * abs(late))} % {'longer' if late >= 0 else 'shorter'}",
             "verdict": verdict(swing),
-            **{f"tau_{name}": f"{three(linear_phugoid(speed, self.g).tau)} s" for name, (_, speed, _) in AIRCRAFT.items()},
+            **{
+                f"tau_{name}": f"{three(linear_phugoid(speed, self.g).tau)} s"
+                for name, (_, speed, _) in AIRCRAFT.items()
+            },
         }
 
 
