@@ -1,0 +1,94 @@
+"""The phugoid in a Chromium: presets as pictures, other units, views, the clock, links."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+
+BROKEN = """() => [...document.querySelectorAll('svg *')].filter(one =>
+  [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value))).length"""
+HEIGHTS = "[...oscillations.state.columns.time.h]"
+OUTLINES = """[...document.querySelectorAll('svg.stage > g')].filter(g => !g.querySelector('text'))
+  .map(g => g.innerHTML.replace(/-?\\d+(\\.\\d+)?/g, number => Math.round(number)))"""
+PAUSE = "oscillations.clock.playing = false"
+
+
+def drawn(page: Page) -> list[str]:
+    """The outlines on the paper: what another unit must not change."""
+    shapes: list[str] = page.evaluate(OUTLINES)
+    return shapes
+
+
+def test_presets_are_pictures_and_change_the_flight(
+    page: Page, open_scene: Open, screenshot: Callable[[Page, str], Path]
+) -> None:
+    open_scene(page, scene="phugoid")
+    page.evaluate(PAUSE)
+    before = page.evaluate(HEIGHTS)
+    loop = page.get_by_role("button", name="Loop, 1")
+    expect(loop.locator("svg path")).to_be_visible()
+    loop.click()
+    expect(loop).to_have_attribute("aria-pressed", "true")
+    expect(page.locator("[data-value=verdict]").first).to_contain_text("loops")
+    assert page.evaluate(HEIGHTS) != before
+    for view in ("Period", "Exchange", "Limits"):
+        page.get_by_role("button", name=view, exact=True).click()
+        page.wait_for_function(f"'{view.lower()}' in oscillations.state.forms")
+        assert page.evaluate(BROKEN) == 0
+    screenshot(page, "phugoid-loop")
+    assert "excess=1" in page.url and "show=limits" in page.url
+    for size in ("scrollHeight - p.clientHeight", "scrollWidth - p.clientWidth"):
+        assert page.evaluate(f"(p => p.{size})(document.querySelector('.panel'))") <= 0
+
+
+def test_another_unit_changes_labels_and_not_the_drawing(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="phugoid")
+    page.evaluate(PAUSE)
+    page.evaluate("oscillations.clock.seek(7)")
+    page.wait_for_timeout(100)
+    field, before = page.locator("input[name=v_0]"), drawn(page)
+    assert field.input_value() == "150"
+    page.get_by_role("button", name="knots").click()
+    expect(field).to_have_value("88.87")
+    expect(page.get_by_label("v0, speed of steady flight, knots").first).to_be_visible()
+    page.wait_for_timeout(100)
+    assert drawn(page) == before
+    field.fill("200")
+    field.press("Enter")
+    expect(page.locator("[data-value=tau]").first).to_have_text("46.6")
+    field.fill("-5")
+    field.press("Enter")
+    expect(page.locator("#problem-v_0")).to_contain_text("−5 knots is not possible")
+
+
+def test_mass_is_moved_in_vain_and_speed_is_not(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="phugoid")
+    before = page.evaluate(HEIGHTS)
+    page.locator("input[name=m-slider]").focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_url("**m=*")
+    assert page.evaluate(HEIGHTS) == before
+    page.get_by_role("button", name="Speed of: Glider").click()
+    expect(page.locator("[data-value=tau]").first).to_have_text("12.4")
+    assert page.evaluate(HEIGHTS) != before
+
+
+def test_clock_moves_the_aircraft_and_a_link_restores(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="phugoid", excess=0.3, unit="km/h", v_0=250)
+    assert page.locator("input[name=v_0]").input_value() == "900"
+    page.evaluate(PAUSE)
+    places = []
+    for t in (0, 20, 40):
+        page.evaluate(f"oscillations.clock.seek({t})")
+        page.wait_for_timeout(80)
+        places.append(
+            page.evaluate("document.querySelectorAll('svg.stage g.m1 path.fill')[0].getAttribute('transform')")
+        )
+    assert len(set(places)) == 3
+    assert page.evaluate(BROKEN) == 0
