@@ -233,7 +233,7 @@ def values(
     texts = {
         "m1": three(duty.m1), "k1": three(duty.k1 / 1e3), "F_0": three(duty.F_0), "omega": three(duty.omega),
         "slow": three(slow), "fast": three(fast), "mu": three(m2 / duty.m1),
-        "lightest": f"{lightest:.4g} kg" if lightest else "none yet",
+        "lightest": f"{_score(lightest)} kg" if lightest else "none yet",
         "Xp1": _text(X1, Xp1), "Xp2": _text(X2, Xp2), "swing": _text(X1, swing), "stroke": _text(X2, stroke),
         "alone": _text(X1, alone), "x_unit": X1.full_unit, "F_unit": push.full_unit,
         "push": f"{push.number(duty.F_0)} {push.full_unit}",
@@ -254,6 +254,11 @@ def values(
         f"F₀/k₂ = {texts['stroke']} {X2.full_unit}" if duty.verdict == "still" else _grows(X2, stroke)
     )
     return texts
+
+
+def _score(mass: float) -> str:
+    """A digit more than is usual, for those who go for the last one."""
+    return f"{mass:.4g}" if 1e-3 <= mass < 1e4 else three(mass)
 
 
 def _text(axis: Axis, value: float) -> str:

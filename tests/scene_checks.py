@@ -14,7 +14,7 @@ from components.parameters import Quantity
 from components.scene import Scene
 from components.view import SceneView
 
-LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|nan|inf\b|e[-+]?\d", re.IGNORECASE)
+LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNORECASE)
 EXTREMES = (1e-300, 1e-150, 1e150, 1e300)
 
 
