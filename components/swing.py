@@ -32,7 +32,8 @@ Floats = NDArray[np.float64]
 Columns = dict[str, Floats]
 
 NODES = 65
-"""Points of a period that the browser joins by Hermite pieces; heights within 1e-6 v_0^2/g; only at the cusp is the speed's corner cut, by 1 %."""
+"""Points of a period that the browser joins by Hermite pieces: heights are within 1e-6 v_0^2/g, and so are speeds in
+v_0 but near the cusp, whose corner is cut by 1 %."""
 SWINGS = 28
 """As many swings of a path can be told apart."""
 FAMILY = {"a": 0.2, "b": 0.4, "cusp": CUSP_EXCESS, "loop": 1.0}
