@@ -23,11 +23,11 @@ from components.stage import (
 )
 
 WIDE, NARROW, T = var("wide"), var("narrow"), var("t")
-CENTRE = WIDE * 0.5 * W + NARROW * 0.4 * W
-STRIP, STRIP_LENGTH = 0.68 * W, 0.28 * W
+CENTRE = WIDE * 0.5 * W + NARROW * 0.44 * W
+STRIP, STRIP_LENGTH = 0.79 * W, 0.2 * W
 """On a phone the stage has a small x(t) of its own."""
 SQUARE = "M0 0H1V1H0Z"
-BAR = 22
+BAR = WIDE * 22 + NARROW * 12
 PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.81), "jupiter": ("Jupiter", 24.8)}
 """Names and gravities in m/s^2."""
 
@@ -47,11 +47,11 @@ def shapes() -> list[Shape]:
 def levels() -> list[Shape]:
     """Natural length and equilibrium, and delta_st between them."""
     natural, level = height(var("natural")), height(0)
-    left, right = CENTRE - 68, WIDE * var("x.right") + NARROW * (STRIP + STRIP_LENGTH)
+    left = CENTRE - 68
     name = {"anchor": "end", "tint": "mute", "style": "halo"}
     return [
-        line(left + 6, natural, right, natural, style="eq", tint="mute", show="natural_seen"),
-        line(left + 6, level, right, level, style="eq", tint="mute"),
+        line(left + 6, natural, CENTRE + 62, natural, style="eq", tint="mute", show="natural_seen"),
+        line(left + 6, level, CENTRE + 62, level, style="eq", tint="mute"),
         text(left, natural - 4, "natural", show="natural_seen apart", **name),
         text(left, natural + 11, "length", show="natural_seen apart", **name),
         text(left, TOP + 5, "natural length: above", show="natural_far", **name),
@@ -61,6 +61,12 @@ def levels() -> list[Shape]:
         arrow(CENTRE - 44, natural, CENTRE - 44, level, tint="k", head=9, show="apart"),
         text(CENTRE - 54, (natural + level) * 0.5 + 6, "*δ*_{st} {delta_st}", "end", style="b halo", show="apart"),
     ]
+
+
+def natural_length() -> tuple[Shape, ...]:
+    """Over the plot of x: the same line again."""
+    y = on_y("x", var("natural"))
+    return (line(on_x("x", 0), y, var("x.right"), y, style="eq", tint="mute", show="natural_seen"),)
 
 
 def body() -> list[Shape]:
@@ -86,7 +92,8 @@ def planets() -> list[Shape]:
         found += [
             line(x, y, x + 8, y, style="floor", show=f"{slug}_seen"),
             text(x + 12, y + 4.5, name, "start", tint="mute", style="halo", show=f"{slug}_seen"),
-            text(x + 12, y - 5, name, "start", style="b halo", show=f"{slug}_here"),
+            line(x, y, x + 8, y, style="floor", show=f"{slug}_here"),
+            text(x + 12, y + 4.5, name, "start", style="b halo", show=f"{slug}_here"),
         ]
     return found
 
@@ -95,7 +102,7 @@ def bar() -> list[Shape]:
     """T on V, stacked to their constant sum, beside the mass."""
     whole = BOTTOM - TOP
     V = whole * var("V") * var("per_total")
-    letters = {"anchor": "start", "style": "t2 b halo", "show": "has_energy"}
+    letters = {"anchor": "start", "style": "t2 b halo", "show": "has_energy wide"}
     return [
         path(SQUARE, 2, BOTTOM - V, sx=BAR, sy=V, style="body", tint="V", show="has_energy"),
         path(SQUARE, 2, TOP, sx=BAR, sy=whole - V, style="body", tint="T", show="has_energy"),

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from components.hanging import shapes, well
+from components.hanging import natural_length, shapes, well
 from components.plots import Curve, plot
 from components.sheet import Block, column, phrase, row, stage, term, words
 from components.traces import traced
 
-UPPER, LOWER, BETWEEN = 300, 190, 44
-"""Shares of the height, and pixels between the rows."""
+UPPER, LOWER, BETWEEN, ABOVE = 300, 190, 44, 78
+"""Shares of the height, pixels between the rows, and the share over x(t) where the spring hangs."""
 DATUM = {"form": "datum"}
 
 
@@ -17,7 +17,7 @@ def hanging_sheet() -> Block:
     between = _between()
     return row(
         column(stage(*shapes(), label=label, grow=UPPER, basis=BETWEEN, height=230), _well(), grow=330),
-        column(_displacement(), between, _energies(), grow=390),
+        column(words(style="room", grow=ABOVE), _displacement(), between, _energies(), grow=390),
         column(_gravity(), _law(), grow=190),
         gap=0,
     )
@@ -33,12 +33,12 @@ def _displacement() -> Block:
         curves=(curve,),
         bands=(band,),
         x_labels=False,
-        margin=(58, 44),
-        top=84,
+        margin=(58, 56),
         cursor="time",
-        grow=UPPER,
+        shapes=natural_length(),
+        grow=UPPER - ABOVE,
         phone=10,
-        height=220,
+        height=150,
     )
 
 
@@ -47,8 +47,8 @@ def _between() -> Block:
     return words(
         {
             **DATUM,
-            "equilibrium": r"$T_{max} = V_{max} = \val{T_max}$ {E_unit}: all is $T$ at equilibrium, all is $V$ where it turns.",
-            "separate": r"$V_{max} = \val{V_max}$ {E_unit} is not $T_{max} = \val{T_max}$ {E_unit}: this $V$ is larger by a "
+            "equilibrium": r"$T_{\mathrm{max}} = V_{\mathrm{max}} = \val{T_max}$ {E_unit}: all is $T$ at equilibrium, all is $V$ where it turns.",
+            "separate": r"$V_{\mathrm{max}} = \val{V_max}$ {E_unit} is not $T_{\mathrm{max}} = \val{T_max}$ {E_unit}: this $V$ is larger by a "
             "constant, so the motion is the same.",
         },
         style="small",
@@ -73,18 +73,18 @@ def _energies() -> Block:
     return plot(
         "energy",
         x="t",
-        y="E",
+        y="E_time",
         title="Kinetic energy, potential energy and their constant sum against time",
-        curves=(*curves, total),
+        curves=(total, *curves),
         bands=bands,
         heading=(
             term("total", "sum", "total", formula="T + V"),
             term("V", "line", "V", formula="V"),
             term("T", "dash", "T", formula="T"),
             *separate.values(),
-            phrase("", "none", "mute", formula=r"exchanged at $2 \omega_n = \val{omega_2}$ rad/s"),
+            {**phrase("", "none", "mute", equilibrium=r"exchanged at $2 \omega_n = \val{omega_2}$ rad/s", separate=""), **DATUM},
         ),
-        margin=(58, 44),
+        margin=(58, 56),
         cursor="time",
         grow=LOWER,
         phone=13,
@@ -102,13 +102,13 @@ def _well() -> Block:
         curves=(
             Curve(name="spring", tint="k", group="spring", **look),
             Curve(name="gravity", tint="k", width="dash", group="gravity", **look),
-            Curve(name="other", tint="V", width="dots", group="other", **look),
+            Curve(name="other", tint="V", width="dash", group="other", **look),
             Curve(name="V", tint="V", width="sum", group="well", **look),
         ),
         heading=(
             {
                 **term("well", "sum", "V", equilibrium=r"V = \tfrac{1}{2} k x^2",
-                       separate=r"V = \tfrac{1}{2} k (x + \delta_{st})^2 - m g x"),
+                       separate=r"V = \tfrac{1}{2} k (x + \delta_{\mathrm{st}})^2 - m g x"),
                 **DATUM,
             },
         ),
@@ -124,10 +124,10 @@ def _well() -> Block:
 
 def _gravity() -> Block:
     return words(
-        r"$\delta_{st} = \frac{m g}{k} = \val{delta}$ m",
-        "Gravity sets where it hangs,",
+        r"$\delta_{\mathrm{st}} = \frac{m g}{k} = \val{delta}$ m",
+        "[small|Gravity sets where it hangs,]",
         r"$\omega_n = \sqrt{\frac{k}{m}} = \val{omega}$ rad/s",
-        "not how fast it swings.",
+        "[small|not how fast it swings.]",
         r"$\tau = 2 \pi / \omega_n = \val{tau}$ s",
         style="proof",
         grow=UPPER,
@@ -146,15 +146,15 @@ def _law() -> Block:
             "separate": r"[V|$V = \val{spring} + (\val{gravity}) = \val{V}$ {E_unit}]",
         },
         r"$T + V = \val{E_total}$ {E_unit}",
-        "does not change, so",
-        r"$\frac{d}{d t} (T + V)$",
+        "[small|does not change, so]",
+        r"$\dfrac{\mathrm{d}}{\mathrm{d} t} (T + V) =$",
         {
             **DATUM,
-            "equilibrium": r"$= \dot{x} (m \ddot{x} + k x) = 0$",
-            "separate": r"$= \dot{x} (m \ddot{x} + k x + k \delta_{st} - m g) = 0$",
+            "equilibrium": r"$\dot{x} (m \ddot{x} + k x) = 0$",
+            "separate": r"$\dot{x} (m \ddot{x} + k (x + \delta_{\mathrm{st}}) - m g) = 0$",
         },
         r"[boxed|$m \ddot{x} + k x = 0$]",
-        style="proof",
+        style="derivation",
         grow=LOWER,
         basis=52,
         phone=41,

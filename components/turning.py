@@ -25,11 +25,13 @@ from components.stage import (
 WIDE, NARROW, T = var("wide"), var("narrow"), var("t")
 MASS = WIDE * 0.15 * W + NARROW * 0.1 * W
 """Where the mass stands, and below where the arrow turns: across the stage."""
+SWING = 0.27 * H
+"""The amplitude on a phone."""
 PIVOT = WIDE * 0.635 * W + NARROW * 0.395 * W
-FRAME = WIDE * (var("x.bottom") - var("x.top")) + NARROW * 0.9 * H
+FRAME = WIDE * (var("x.bottom") - var("x.top")) + NARROW * 0.8 * H
 """The height of the plot of x, on whose scale all is drawn; on a phone, where it stands elsewhere, one like it."""
-LEVEL = WIDE * on_y("x", 0) + NARROW * 0.53 * H
-RADIUS = WIDE * -1 * var("x.y1") * var("C") + NARROW * 0.36 * H * var("turns")
+LEVEL = WIDE * on_y("x", 0) + NARROW * 0.5 * H
+RADIUS = WIDE * -1 * var("x.y1") * var("C") + NARROW * SWING * var("turns")
 STRIP, STRIP_LENGTH = 0.64 * W, 0.31 * W
 """On a phone the stage has a small x(t) of its own."""
 FIRST = 132
@@ -58,7 +60,7 @@ def hero() -> list[Shape]:
     now = WIDE * on_x("x", T) + NARROW * (STRIP + STRIP_LENGTH * T * var("per_window"))
     y = mass_height()
     return [
-        line(0.04 * W, LEVEL, WIDE * var("x.left") + NARROW * STRIP, LEVEL, style="eq", tint="mute"),
+        line(0.04 * W, LEVEL, WIDE * (var("x.left") - 24) + NARROW * STRIP, LEVEL, style="eq", tint="mute"),
         line(MASS, y, now, y, style="level", tint="m1"),
         *strip(now, y),
         *table(y),
@@ -67,13 +69,13 @@ def hero() -> list[Shape]:
 
 
 def mass_height() -> Expression:
-    return WIDE * on_y("x", var("x")) + NARROW * (LEVEL - 0.36 * H * var("x") * var("per_x"))
+    return WIDE * on_y("x", var("x")) + NARROW * (LEVEL - SWING * var("x") * var("per_x"))
 
 
 def table(y: Number) -> list[Shape]:
     """The table seen from above: wall, spring and mass; x points up, as in the plot."""
     side = 0.2 * FRAME * var("side")
-    foot = LEVEL + WIDE * 0.7 * FRAME + NARROW * 0.43 * H
+    foot = LEVEL + WIDE * 0.7 * FRAME + NARROW * 0.42 * H
     aside = MASS - 0.5 * side - 13
     return [
         wall(MASS - 42, foot, 84, side="bottom"),
@@ -128,8 +130,8 @@ def right_angles(centre: Vector) -> list[Shape]:
 
 def strip(now: Number, y: Number) -> list[Shape]:
     """The small x(t) on a phone, with its cursor."""
-    top, bottom = LEVEL - 0.42 * H, LEVEL + 0.42 * H
-    curve = wave(STRIP, LEVEL, STRIP_LENGTH, 0.36 * H, var("swings"), var("phi"), style="sum", tint="m1", show="narrow swings")
+    top, bottom = LEVEL - 0.34 * H, LEVEL + 0.34 * H
+    curve = wave(STRIP, LEVEL, STRIP_LENGTH, SWING, var("swings"), var("phi"), style="sum", tint="m1", show="narrow swings")
     marks = [line(now, top, now, bottom, style="now"), circle(now, y, 5, tint="m1")]
     return [curve, *[{**one, "show": "narrow"} for one in marks]]
 

@@ -103,7 +103,7 @@ class Energy(Scene):
 
     m = mass(1.0, symbol="m", tint="m1", says="is the mass. It sets where it hangs and how fast it swings. Any value above 0.")
     k = positive(
-        39.5, symbol="k", unit="N/m", label="stiffness", tint="k", scale="log", softbounds=(1.0, 200.0),
+        39.4, symbol="k", unit="N/m", label="stiffness", tint="k", scale="log", softbounds=(1.0, 200.0),
         says="is the stiffness of the spring. Any value above 0: a weight cannot hang on nothing.",
     )  # fmt: skip
     g = not_negative(
@@ -181,7 +181,10 @@ def _motion_columns(case: Case, t: NDArray[np.float64]) -> tuple[Columns, Column
 
 
 def _axes(case: Case) -> dict[str, Axis]:
-    return {"t": time_axis(case.end), "x": _x_axis(case), "x_well": _well_axis(case), "E": _energy_axis(case)}
+    """The energies over time have the axis of the well, whose level has its number there alone."""
+    energy = _energy_axis(case)
+    beside = replace(energy, labels=tuple("" if "J" in label else label for label in energy.labels))
+    return {"t": time_axis(case.end), "x": _x_axis(case), "x_well": _well_axis(case), "E": energy, "E_time": beside}
 
 
 def _x_axis(case: Case) -> Axis:
@@ -286,7 +289,7 @@ def _planets(case: Case, x: Axis) -> dict[str, float]:
     for slug, (_, g) in PLANETS.items():
         scalars[f"{slug}_here"] = float(g == case.system.g)
         place = case.system.delta_st * (g / case.system.g - 1) if case.system.g else g * case.system.m / case.system.k
-        apart = min(abs(place - other) for other in taken) > 0.08 * (x.start - x.end)
+        apart = min(abs(place - other) for other in taken) > 0.065 * (x.start - x.end)
         if apart and x.end <= place <= x.start:
             taken.append(place)
             scalars |= {slug: x.place(place), f"{slug}_seen": 1.0}

@@ -15,11 +15,11 @@ from components.controls import Group
 from components.motion import pace, scaled, sines
 from components.numbers import MINUS, plus, signed, three
 from components.parameters import displacement, mass, stiffness, velocity
-from components.plots import Axis, Curve, nice_axis, plot, power_unit, time_axis
+from components.plots import Axis, nice_axis, power_unit, time_axis
 from components.scene import Columns, Picture, Scene
-from components.sheet import Block, column, phrase, row, stage, term, words
-from components.traces import samples, trace, traced
-from components.turning import first, hero, lead, planes
+from components.sheet import Block
+from components.traces import samples, trace
+from components.turning_sheet import oscillator_sheet
 from physics.oscillator import Oscillator, OscillatorConstants
 from physics.sampling import Sinusoid, drawable, periods, time_window
 
@@ -27,8 +27,8 @@ QUARTER = math.pi / 2
 ONE = Axis(-1.0, 1.0)
 MOST_SWINGS = 6
 """In a longer window a quarter period is too short to be marked."""
-ROWS = {"x": ("m1", 0.0), "v": ("T", QUARTER), "a": ("F", math.pi)}
-"""Colour of a row, and how far it leads x."""
+LEADS = {"x": 0.0, "v": QUARTER, "a": math.pi}
+"""How far each row leads x."""
 UNITS = {"x": "m", "v": "m/s", "a": "m/s²"}
 ROOM = {"x": (1.25, 1.25), "v": (1.15, 1.6), "a": (1.2, 1.75)}
 """How far an axis reaches below and above, in amplitudes; over v and a stand the marks of the quarter period."""
@@ -65,7 +65,7 @@ class Swing:
         """C, omega C or omega^2 C; of a free mass, its constant speed."""
         if not self.omega:
             return {"x": abs(self.x_0), "v": abs(self.v_0), "a": 0.0}[row]
-        return scaled(0, self.constants.C, *[self.omega] * list(ROWS).index(row))
+        return scaled(0, self.constants.C, *[self.omega] * list(LEADS).index(row))
 
 
 class OscillatorScene(Scene):
@@ -85,7 +85,7 @@ class OscillatorScene(Scene):
     }
 
     m = mass(1.0, symbol="m", tint="m1", says="is the mass. Four times the mass swings half as fast. Any value above 0.")
-    k = stiffness(39.5, symbol="k", says="is the stiffness of the spring. At 0 the mass is free. Any value from 0 up.")
+    k = stiffness(39.4, symbol="k", says="is the stiffness of the spring. At 0 the mass is free. Any value from 0 up.")
     x_0 = displacement(
         0.1, symbol="x_0", tint="m1", softbounds=(-0.3, 0.3), says="is where the mass starts, away from the wall. Any number."
     )  # fmt: skip
@@ -97,20 +97,7 @@ class OscillatorScene(Scene):
     @classmethod
     @cache
     def sheet(cls) -> Block:
-        over_plane, over_law = planes()
-        label = "Mass on a spring, and the turning arrow whose height is its displacement"
-        start = {**stage(*first(), label="The arrow at the start with its legs A and B", phone=30, height=190), "style": "still"}
-        return row(
-            column(
-                stage(*hero(), label=label, grow=300, height=206),
-                row(_why(), start, grow=176, gap=16),
-                row(words(*CONSTANTS[0], phone=32), words(*CONSTANTS[1], phone=32), grow=0, basis=54, gap=14),
-                grow=344,
-            ),
-            column(*(_row(name) for name in ROWS), grow=400),
-            column(_law_words(), _plane(over_plane), _law(over_law), grow=168),
-            gap=0,
-        )
+        return oscillator_sheet()
 
     def picture(self) -> Picture:
         swing = Swing(oscillator=Oscillator(m=self.m, k=self.k), x_0=self.x_0, v_0=self.v_0, window=self.window)
@@ -132,120 +119,12 @@ class OscillatorScene(Scene):
         )
 
 
-CONSTANTS = (
-    (r"[m1|$A = x_0 = \val{A}$ m]", r"[m1|$C = \sqrt{A^2 + B^2} = \val{C}$ m]"),
-    (
-        {"form": "B", "turn": r"[T|$B = v_0 / \omega_n = \val{B}$ m]", "drift": r"[T|$v_0 = \val{v_0}$ m/s]"},
-        {"form": "phi", "turn": r"$\phi = atan2(A, B) = \val{phi}$ rad"},
-    ),
-)
-
-
-def _why() -> Block:
-    """Why the phase is atan2: what the slide's atan would give for this start."""
-    return words(
-        "**At** $t = 0$",
-        {
-            "form": "why",
-            "right": r"$atan(A / B)$ gives the same $\phi$: it is right for $v_0 > 0$. $atan2$ always is.",
-            "wrong": r"$atan(A / B) = \val{atan}$ points the other way: it is right only for $v_0 > 0$.",
-            "zero": r"$atan(A / B)$ would divide by zero: it is right only for $v_0 > 0$.",
-            "rest": "The mass rests: there is no arrow, and no phase.",
-            "drift": "No spring, no swing: the mass keeps its velocity.",
-        },
-        style="small",
-        basis=FIRST_WORDS,
-        phone=31,
-    )
-
-
-FIRST_WORDS = 116
-
-
-def _row(name: str) -> Block:
-    """x, v or a against time, under its formula."""
-    tint, _ = ROWS[name]
-    curve, band = traced(name, tint=tint, width="sum", label=f"*{name}*", signal=name)
-    shift = {"x": "", "v": r"+ \pi / 2", "a": r"+ \pi"}[name]
-    drift = {"x": r"x = \val{A} \val{drift}\,t", "v": r"v = \val{v_0} \text{: constant}", "a": r"a = 0 \text{: no force}"}[name]
-    sine = rf"{name} = \val{{top_{name}}} \sin(\val{{omega}}\,t \val{{phi_plus}} {shift})"
-    heading = [{**term(name, "sum", tint, turn=sine, drift=drift), "form": "kind"}]
-    if name == "x":
-        parts = r"= \val{A_plain} \cos(\val{omega}\,t) \val{B_plus} \sin(\val{omega}\,t)"
-        heading.append({**term("", "none", "ink", turn=parts), "form": "kind"})
-    return plot(
-        name,
-        x="t",
-        y=name,
-        title={"x": "Displacement", "v": "Velocity", "a": "Acceleration"}[name] + " against time",
-        curves=(curve,),
-        bands=(band,),
-        heading=tuple(heading),
-        x_labels=name == "a",
-        margin=(62, 30),
-        cursor="time",
-        shapes={"x": (), "v": lead("x", "v"), "a": lead("v", "a")}[name],
-        grow={"x": 212, "v": 153, "a": 102}[name],
-        phone={"x": 10, "v": 11, "a": 12}[name],
-        height={"x": 150, "v": 156, "a": 166}[name],
-    )
-
-
-def _law_words() -> Block:
-    return words(
-        r"$m \ddot{x} + k x = 0$",
-        r"$\omega_n = \sqrt{\frac{k}{m}} = \val{omega}$ rad/s",
-        {"form": "kind", "turn": r"$\tau = 2 \pi / \omega_n = \val{tau}$ s", "drift": "no period"},
-        grow=212,
-        basis=22,
-        phone=42,
-    )
-
-
-def _plane(over: tuple[dict[str, Any], ...]) -> Block:
-    return plot(
-        "plane",
-        x="x",
-        y="v",
-        title="Phase plane: velocity against displacement",
-        curves=(Curve(name="v", source="loop", x="x", tint="ink", signal="x,v", group="plane"),),
-        heading=(phrase("", "none", "ink", formula="**Phase plane**"),),
-        source="loop",
-        x_column="x",
-        margin=(0, 8),
-        plain=True,
-        shapes=over,
-        grow=153,
-        phone=40,
-        height=190,
-    )
-
-
-def _law(over: tuple[dict[str, Any], ...]) -> Block:
-    """Newton's law with Hooke's: a straight line of slope -omega_n^2."""
-    return plot(
-        "law",
-        x="x",
-        y="a_bare",
-        title="The law: acceleration against displacement is a straight line",
-        curves=(Curve(name="a", source="loop", x="x", tint="ink", signal="x,a", group="law"),),
-        heading=(phrase("", "none", "ink", formula=r"**The law:** $a = -\val{ratio}\,x$"),),
-        source="loop",
-        x_column="x",
-        margin=(0, 8),
-        shapes=over,
-        grow=102,
-        phone=41,
-        height=160,
-    )
-
-
 def _motion_columns(swing: Swing, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
     """x, v and a: curves, or bands where too fast."""
     motion = swing.oscillator.motion(swing.x_0, swing.v_0, t)
     curves: Columns = {}
     bands: Columns = {}
-    for name, (_, shift) in ROWS.items():
+    for name, shift in LEADS.items():
         exact = getattr(motion, name)
         parts = [Sinusoid(swing.amplitude(name), swing.omega, swing.constants.phi + shift)] if swing.omega else []
         curve, band = trace(name, parts, t, None if parts else exact, exact)
@@ -279,9 +158,9 @@ def _amplitude_axis(size: float, unit: str, below: float, above: float) -> Axis:
 def _loop(swing: Swing, curves: Columns) -> Columns:
     """One turn in the planes (x, v) and (x, a); of a free mass, its whole path."""
     if not swing.omega:
-        return {name: curves[name][[0, -1]] for name in ROWS}
+        return {name: curves[name][[0, -1]] for name in LEADS}
     turn = np.linspace(0.0, 2 * math.pi, 145)
-    return {name: swing.amplitude(name) * np.sin(turn + shift) for name, (_, shift) in ROWS.items()}
+    return {name: swing.amplitude(name) * np.sin(turn + shift) for name, shift in LEADS.items()}
 
 
 def _signals(swing: Swing, axes: dict[str, Axis]) -> dict[str, Any]:
@@ -291,7 +170,7 @@ def _signals(swing: Swing, axes: dict[str, Axis]) -> dict[str, Any]:
         lines = {"x": (swing.x_0, swing.v_0), "v": (swing.v_0, 0.0), "a": (0.0, 0.0)}
         return {name: sines(axes[name], time, line=line) for name, line in lines.items()}
     motions = {
-        name: sines(axes[name], time, (swing.amplitude(name), omega, phi + shift)) for name, (_, shift) in ROWS.items()
+        name: sines(axes[name], time, (swing.amplitude(name), omega, phi + shift)) for name, shift in LEADS.items()
     }
     return {
         **motions,
@@ -331,8 +210,8 @@ def _leads(swing: Swing, axes: dict[str, Axis]) -> dict[str, float]:
     peak = first_peak + math.floor(swing.end / tau - first_peak)
     if peak < 0.5 or swing.end > MOST_SWINGS * tau:
         return {}
-    peaks = {f"peak_{name}": axes["t"].place((peak - i / 4) * tau) for i, name in enumerate(ROWS)}
-    tops = {f"top_{name}": axes[name].place(swing.amplitude(name)) for name in ROWS}
+    peaks = {f"peak_{name}": axes["t"].place((peak - i / 4) * tau) for i, name in enumerate(LEADS)}
+    tops = {f"top_{name}": axes[name].place(swing.amplitude(name)) for name in LEADS}
     return {"leads": 1.0, **peaks, **tops}
 
 
@@ -354,7 +233,7 @@ def _values(swing: Swing, axes: dict[str, Axis]) -> dict[str, str]:
         "tau": three(swing.oscillator.period),
         "ratio": three(scaled(0, swing.omega, swing.omega)),
         "x_unit": axes["x"].full_unit,
-        **{f"top_{name}": three(swing.amplitude(name)) for name in ROWS},
+        **{f"top_{name}": three(swing.amplitude(name)) for name in LEADS},
     }
 
 

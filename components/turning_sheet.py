@@ -1,0 +1,134 @@
+"""What stands where in the scene of the oscillator: the arrow, the rows x, v, a, and beside them the two planes."""
+
+from __future__ import annotations
+
+from components.plots import Curve, plot
+from components.sheet import Block, column, phrase, row, stage, term, words
+from components.stage import Shape
+from components.traces import traced
+from components.turning import FIRST, first, hero, lead, planes
+
+TINTS = {"x": "m1", "v": "T", "a": "F"}
+SHIFTS = {"x": "", "v": r"+ \tfrac{\pi}{2}", "a": r"+ \pi"}
+GAP = 16
+
+CONSTANTS = (
+    (r"[m1|$A = x_0 = \val{A}$ m]", r"[m1|$C = \sqrt{A^2 + B^2} = \val{C}$ m]"),
+    (
+        {"form": "B", "turn": r"[T|$B = v_0 / \omega_n = \val{B}$ m]", "drift": r"[T|$v_0 = \val{v_0}$ m/s]"},
+        {"form": "phi", "turn": r"$\phi = \mathrm{atan2}(A, B) = \val{phi}$ rad"},
+    ),
+)
+
+
+def oscillator_sheet() -> Block:
+    over_plane, over_law = planes()
+    label = "Mass on a spring, and the turning arrow whose height is its displacement"
+    start = {**stage(*first(), label="The arrow at the start with its legs A and B", phone=30, height=190), "style": "still"}
+    return row(
+        column(
+            stage(*hero(), label=label, grow=300, height=206),
+            row(_why(), start, grow=176, gap=GAP),
+            row(words(*CONSTANTS[0], style="constants", phone=32), words(*CONSTANTS[1], style="constants", phone=32), grow=0, basis=54, gap=10),
+            grow=344,
+        ),
+        column(*(_row(name) for name in TINTS), grow=400),
+        column(_law_words(), _plane(over_plane), _law(over_law), grow=168),
+        gap=0,
+    )
+
+
+def _why() -> Block:
+    """Why the phase is atan2: what the slide's atan would give for this start."""
+    return words(
+        "**At** $t = 0$",
+        {
+            "form": "why",
+            "right": r"$\mathrm{atan}(A / B)$ gives the same $\phi$: it is right for $v_0 > 0$. $\mathrm{atan2}$ always is.",
+            "wrong": r"$\mathrm{atan}(A / B) = \val{atan}$ points the other way: it is right only for $v_0 > 0$.",
+            "zero": r"$\mathrm{atan}(A / B)$ would divide by zero: it is right only for $v_0 > 0$.",
+            "rest": "The mass rests: there is no arrow, and no phase.",
+            "drift": "No spring, no swing: the mass keeps its velocity.",
+        },
+        style="small",
+        basis=FIRST - GAP,
+        phone=31,
+    )
+
+
+def _row(name: str) -> Block:
+    """x, v or a against time, under its formula."""
+    tint = TINTS[name]
+    curve, band = traced(name, tint=tint, width="sum", label=f"*{name}*", signal=name)
+    drift = {"x": r"x = \val{A}\, \val{drift}\,t", "v": r"v = \val{v_0} \text{: constant}", "a": r"a = 0 \text{: no force}"}[name]
+    sine = rf"{name} = \val{{top_{name}}}\, \sin(\val{{omega}}\,t\, \val{{phi_plus}} {SHIFTS[name]})"
+    heading = [{**term(name, "sum", tint, turn=sine, drift=drift), "form": "kind"}]
+    if name == "x":
+        parts = r"= \val{A_plain}\, \cos(\val{omega}\,t)\, \val{B_plus}\, \sin(\val{omega}\,t)"
+        heading.append({**term("", "none", "ink", turn=parts), "form": "kind"})
+    return plot(
+        name,
+        x="t",
+        y=name,
+        title={"x": "Displacement", "v": "Velocity", "a": "Acceleration"}[name] + " against time",
+        curves=(curve,),
+        bands=(band,),
+        heading=tuple(heading),
+        x_labels=name == "a",
+        margin=(62, 30),
+        cursor="time",
+        shapes={"x": (), "v": lead("x", "v"), "a": lead("v", "a")}[name],
+        grow={"x": 212, "v": 153, "a": 102}[name],
+        phone={"x": 10, "v": 11, "a": 12}[name],
+        height={"x": 150, "v": 156, "a": 166}[name],
+    )
+
+
+def _law_words() -> Block:
+    return words(
+        r"$m \ddot{x} + k x = 0$",
+        r"$\omega_n = \sqrt{\frac{k}{m}} = \val{omega}$ rad/s",
+        {"form": "kind", "turn": r"$\tau = 2 \pi / \omega_n = \val{tau}$ s", "drift": "no period"},
+        style="facts proof",
+        grow=212,
+        basis=22,
+        phone=42,
+    )
+
+
+def _plane(over: tuple[Shape, ...]) -> Block:
+    return plot(
+        "plane",
+        x="x",
+        y="v",
+        title="Phase plane: velocity against displacement",
+        curves=(Curve(name="v", source="loop", x="x", tint="ink", signal="x,v", group="plane"),),
+        heading=(phrase("", "none", "ink", formula="**Phase plane**"),),
+        source="loop",
+        x_column="x",
+        margin=(8, 8),
+        plain=True,
+        shapes=over,
+        grow=153,
+        phone=40,
+        height=190,
+    )
+
+
+def _law(over: tuple[Shape, ...]) -> Block:
+    """Newton's law with Hooke's: a straight line of slope -omega_n^2."""
+    return plot(
+        "law",
+        x="x",
+        y="a_bare",
+        title="The law: acceleration against displacement is a straight line",
+        curves=(Curve(name="a", source="loop", x="x", tint="ink", signal="x,a", group="law"),),
+        heading=(phrase("", "none", "ink", formula=r"**The law:** $a = -\val{ratio}\,x$"),),
+        source="loop",
+        x_column="x",
+        margin=(8, 8),
+        shapes=over,
+        grow=102,
+        phone=41,
+        height=160,
+    )
