@@ -63,6 +63,7 @@ def test_no_branch_runs_across_a_pole() -> None:
 def test_lecture_axes_are_not_offered_without_a_wall() -> None:
     scene = Forced(k1=0.0, axes="lecture")
     assert scene.shown.axes["X"].unit == "m"
+    assert scene.shown.forms["lecture"] == ""
     assert any("k₁" in note for note in scene.shown.notes)
 
 

@@ -17,7 +17,7 @@ from components.parameters import angular_frequency, displacement, force, mass, 
 from components.plots import Axis, Band, Curve, nice_axis, plot, time_axis, widest
 from components.response import response, response_plot
 from components.scene import Columns, Picture, Scene
-from components.sheet import Block, choice, column, row, stage, term, words
+from components.sheet import Block, choice, column, row, stage, term, when, words
 from components.stage import H, Shape, W, arrow, circle, text, var
 from components.traces import samples, traced
 from physics.coupled import TwoMassChain
@@ -74,7 +74,7 @@ class Forced(Scene):
         options = row(
             words("**Steady swing**", phone=9),
             choice("curve", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as", basis=0, phone=9),
-            choice("axes", {"si": "SI", "lecture": "Slide 8"}, "Units of the response", basis=0, phone=9),
+            when("lecture", choice("axes", {"si": "SI", "lecture": "Slide 8"}, "Units of the response", basis=0, phone=9)),
             grow=0, basis=34, gap=10,
         )
         return column(
@@ -127,7 +127,7 @@ class Forced(Scene):
             scalars={**drawn.scalars, **pace(slow or fast or self.omega, fastest), **swing.scalars},
             values={**_values(driven, work), **swing.values, **drawn.values, "F_unit": push.full_unit},
             live={**{name: size.digits(signed=True) for name in ("x1", "x2")}, "force_now": push.digits(signed=True)},
-            forms=_forms(driven, bool(work)),
+            forms=_forms(driven, bool(work)) | {"lecture": "offered" if self.k1 and self.F_0 else ""},
             notes=(*drawn.notes, *_notes(driven, self.axes, lecture, bool(work))),
         )
 
