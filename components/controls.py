@@ -13,7 +13,6 @@ from components.equations import rich
 from components.numbers import MINUS, exact, excerpt, parse_number, tidy
 from components.parameters import Quantity
 from components.stage import Shape
-from components.units import Unit
 
 if TYPE_CHECKING:
     from components.scene import Scene
@@ -163,7 +162,7 @@ def _type(scene: Scene, name: str, text: str) -> Errors:
     unit = scene.units().get(name)
     if unit and value is not None:
         value = unit.value(value)
-    problem = _problem(scene, name, value, excerpt(text.strip()).replace("-", MINUS), unit)
+    problem = _problem(scene, name, value, excerpt(text.strip()).replace("-", MINUS))
     return {name: problem} if problem else _try(scene, {name: value})
 
 
@@ -209,13 +208,15 @@ def _try(scene: Scene, values: dict[str, Any]) -> Errors:
     return {}
 
 
-def _problem(
-    scene: Scene, name: str, value: object, given: str | None = None, unit: Unit | None = None
-) -> str | None:
+def _problem(scene: Scene, name: str, value: object, given: str | None = None) -> str | None:
     quantity = _quantity(scene, name)
     if quantity is None:
         return _unknown(name)
-    refusal = quantity.refusal(value, given, unit and unit.text)
+    unit = scene.units().get(name)
+    if unit is None:
+        refusal = quantity.refusal(value, given)
+    else:
+        refusal = quantity.refusal(value, given or unit.shown(value), unit.text)
     return f"{refusal} {_still(scene, name)}" if refusal else None
 
 

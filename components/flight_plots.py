@@ -74,7 +74,7 @@ def period_plot(names: dict[str, str]) -> Block:
         ),
         margin=(44, 26),
         top=8,
-        handles=({"parameter": "v_0", "symbol": "v₀", "label": "Speed of steady flight", "tint": "T"},),
+        handles=({"parameter": "v_0", "symbol": "v₀", "label": "Speed of steady flight", "tint": "T", "least": 1.0},),
         marks=tuple(_example(name, label, i, i == len(names) - 1) for i, (name, label) in enumerate(names.items())),
         phone=14,
         height=270,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from components.numbers import tidy
+from components.numbers import MINUS, tidy
 
 ROUND = 6
 """The most digits of a number that counts as round in another unit; others are shown with four."""
@@ -22,6 +22,12 @@ class Unit:
         number = value / self.size
         few = float(f"{number:.{ROUND}g}")
         return tidy(few if abs(few - number) <= 1e-12 * abs(number) else float(f"{number:.4g}"))
+
+    def shown(self, value: object) -> str | None:
+        """The same for whatever a message brings; None where that is no number of any use."""
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or not abs(value) < 1e300:
+            return None
+        return self.field(value).replace("-", MINUS)
 
     def value(self, number: float) -> float:
         """A number in this unit, in the quantity's own: 150 ft/s are 45.72 m/s, not 45.720000000000006."""

@@ -55,6 +55,10 @@ def test_refusals_speak_in_the_unit_shown() -> None:
     assert errors["excess"].startswith("−200 ft/s is not possible: an excess of speed is from −v₀")
     assert errors["excess"].endswith("Still drawn with 90.0.")
     assert scene.excess == 0.6
+    errors = apply_message(scene, {"type": "set", "values": {"v_0": -3.048}})
+    assert errors["v_0"].startswith("−10.0 ft/s is not possible")
+    for odd in (True, float("nan"), 10**400, "fast"):
+        assert "not possible" in apply_message(scene, {"type": "set", "values": {"v_0": odd}})["v_0"]
 
 
 def test_marks_and_outlines_reach_the_page() -> None:
