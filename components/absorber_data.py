@@ -258,7 +258,7 @@ def values(
 
 def _score(mass: float) -> str:
     """A digit more than is usual, for those who go for the last one."""
-    return f"{mass:.4g}" if 1e-3 <= mass < 1e4 else three(mass)
+    return f"{mass:.4g}" if 0.1 <= mass < 1e4 else three(mass)
 
 
 def _text(axis: Axis, value: float) -> str:
