@@ -83,8 +83,11 @@ export class Plot {
   update(state) {
     this.state = state
     this.absent = !state.axes[this.block.x] || !state.axes[this.block.y]
-    this.x = state.axes[this.block.x] ?? this.x
-    this.y = state.axes[this.block.y] ?? this.y
+    // An axis stands still while a handle is dragged along it: what moves the value must not move the scale.
+    const axis = name => (this.held?.[name]?.exponent === state.axes[name]?.exponent ? this.held?.[name] : null) ?? state.axes[name]
+    this.asked = {x: axis(this.block.x), y: axis(this.block.y)}
+    this.x = this.asked.x ?? this.x
+    this.y = this.asked.y ?? this.y
     this.hidden = new Set(state.hidden)
     this.host.parentElement.style.display = this.block.show && !state.forms[this.block.show] ? "none" : ""
     if (this.absent) return
@@ -111,15 +114,15 @@ export class Plot {
   #ranges() {
     let {x, y} = this
     if (this.block.square && this.box) {
-      [x, y] = [this.state.axes[this.block.x], this.state.axes[this.block.y]]
+      ({x, y} = this.asked)
       // One scale for both axes: the axis with room to spare shows more than it was asked to.
       const scale = Math.max((x.end - x.start) / this.box.width, (y.end - y.start) / this.box.height)
       const wide = (axis, pixels) => {
         const middle = (axis.start + axis.end) / 2, half = scale * pixels / 2
         return {...axis, start: middle - half, end: middle + half}
       }
-      this.x = x = wide(this.state.axes[this.block.x], this.box.width)
-      this.y = y = wide(this.state.axes[this.block.y], this.box.height)
+      this.x = x = wide(x, this.box.width)
+      this.y = y = wide(y, this.box.height)
     }
     this.model.x_range.setv({start: x.start, end: x.end})
     this.model.y_range.setv({start: y.start, end: y.end})
@@ -195,7 +198,7 @@ export class Plot {
     const columns = this.state.columns[band.source] ?? {}
     const high = columns[band.high], low = columns[band.low], xs = columns[this.block.x_column]
     text.style.display = "none"
-    if (!high?.length) return
+    if (!high?.length || !low?.length) return
     let best = -1, size = 0
     for (let i = Math.floor(high.length * 0.06); i < high.length * 0.94; i++) {
       const thick = Math.abs(high[i] - low[i]), x = this.px(xs[i]), y = this.py((high[i] + low[i]) / 2)
@@ -323,9 +326,10 @@ export class Plot {
     const {clock} = this.page, playing = clock.playing
     if (!pill.handle) clock.playing = false
     const move = moved => this.#moveTo(pill, this.#value(moved, pill.handle?.axis))
+    if (pill.handle) this.#hold([pill])
     const stop = () => {
       pill.removeEventListener("pointermove", move)
-      if (pill.handle) return
+      if (pill.handle) return this.#release()
       clock.playing = playing
       clock.touch()
     }
@@ -350,10 +354,26 @@ export class Plot {
   #dragPoint(event) {
     event.preventDefault()
     this.host.setPointerCapture(event.pointerId)
-    const move = moved => this.pills.filter(pill => !pill.off).forEach(pill => this.#moveTo(pill, this.#value(moved, pill.handle.axis)))
+    const pills = this.pills.filter(pill => !pill.off)
+    const move = moved => pills.forEach(pill => this.#moveTo(pill, this.#value(moved, pill.handle.axis)))
+    this.#hold(pills)
     move(event)
+    const stop = () => {
+      this.host.removeEventListener("pointermove", move)
+      this.#release()
+    }
     this.host.addEventListener("pointermove", move)
-    this.host.addEventListener("lostpointercapture", () => this.host.removeEventListener("pointermove", move), {once: true})
+    this.host.addEventListener("lostpointercapture", stop, {once: true})
+  }
+
+  #hold(pills) {
+    const names = pills.map(pill => (pill.handle.axis === "y" ? this.block.y : this.block.x))
+    this.held = Object.fromEntries(names.map(name => [name, this.state.axes[name]]))
+  }
+
+  #release() {
+    this.held = null
+    this.update(this.state)
   }
 
   // The point nearest to a press, at most 16 pixels away, as [source, place in its column].
@@ -393,7 +413,7 @@ export class Plot {
     }
     for (const band of this.block.bands) {
       const columns = this.state.columns[band.source] ?? {}
-      if (!band.label || !columns[band.high]?.length) continue
+      if (!band.label || !columns[band.high]?.length || !columns[band.low]?.length) continue
       const xs = columns[this.block.x_column]
       lines.push(element("span", {}, `${plain(band.label)} ${number(Math.abs(interpolate(xs, columns[band.high], value) - interpolate(xs, columns[band.low], value)))}`))
     }
