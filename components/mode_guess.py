@@ -315,7 +315,7 @@ def _values(
     (a11, a12), (_, a22) = asked.matrix
     values = {"a11": three(a11), "a12": three(a12), "a22": three(a22), "D": three(asked.determinant)}
     values |= {"square": three(Decimal(omega) ** 2), "apart": "" if asked.apart is None else three(asked.apart)}
-    values |= {"slow_long": f"{modes.omega[0]:.6g}", "fast_long": f"{modes.omega[1]:.6g}"}
+    values |= {f"{mode}_long": f"{w:.5g}" if 0.1 <= w < 1e4 else three(float(w)) for mode, w in zip(("slow", "fast"), modes.omega, strict=True)}
     equation = quadratic(system)
     values |= {"k1k2": three(equation.constant), "k2k2": three(-Decimal(system.k2) ** 2)}
     largest = max(abs(value) for pair in push[1:] for value in pair)

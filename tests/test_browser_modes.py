@@ -1,0 +1,75 @@
+"""Scene modes in a browser: the knobs on both axes, the flags, the four views, the hunt."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+Keep = Callable[[Page, str], Path]
+
+
+def test_guess_with_the_knobs_and_the_flags(page: Page, open_scene: Open, screenshot: Keep) -> None:
+    open_scene(page, scene="modes", theme="light")
+    screenshot(page, "modes-guess")
+    knob = page.get_by_role("slider", name="Trial frequency, squared")
+    knob.press("ArrowRight")
+    page.wait_for_function("oscillations.state.params.omega.value > 1.7")
+    page.get_by_role("slider", name="Trial shape X2/X1", exact=True).press("ArrowUp")
+    page.wait_for_function("oscillations.state.params.ratio.value > -0.8")
+    page.get_by_role("button", name="Go to the fast mode").click()
+    expect(page.get_by_text("One and the same equation: the fast mode.")).to_be_visible()
+    page.get_by_role("button", name="As mass 1 wants").click()
+    page.wait_for_function("oscillations.state.params.ratio.value === -1")
+    expect(page.get_by_text("nothing: this is a mode")).to_be_visible()
+    assert "omega=2" in page.url
+
+
+def at(page: Page, plot: str, x: float, y: float) -> tuple[float, float]:
+    """Where a point of a plot is on the page."""
+    page.wait_for_function(f"oscillations.plots.find(p => p.block.name === '{plot}').box")
+    found = page.evaluate(f"""(p => {{ const box = p.host.getBoundingClientRect(); return [box.x + p.px({x}), box.y + p.py({y})] }})
+      (oscillations.plots.find(p => p.block.name === '{plot}'))""")
+    return found[0], found[1]
+
+
+def drag(page: Page, start: tuple[float, float], end: tuple[float, float]) -> None:
+    page.mouse.move(*start)
+    page.mouse.down()
+    page.mouse.move(*end, steps=4)
+    page.mouse.up()
+
+
+def test_the_point_of_the_guess_is_dragged_in_both_directions(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="modes")
+    drag(page, at(page, "shape", 2.0, 1.5), at(page, "shape", 1.0, 2.0))
+    page.wait_for_function("Math.abs(oscillations.state.params.omega.value - 1) < 0.02")
+    page.wait_for_function("Math.abs(oscillations.state.params.ratio.value - 2) < 0.05")
+
+
+def test_views(page: Page, open_scene: Open, screenshot: Keep) -> None:
+    open_scene(page, scene="modes")
+    for name, words in (("Solve", "sign"), ("Sweep", "Now"), ("Hunt", "Not yet")):
+        page.get_by_role("button", name=name, exact=True).click()
+        page.wait_for_function(f"oscillations.state.params.task.value === '{name.lower()}'")
+        if name != "Solve":
+            expect(page.get_by_text(words).first).to_be_visible()
+        page.wait_for_timeout(250)
+        screenshot(page, f"modes-{name.lower()}")
+    page.get_by_role("button", name="Guess", exact=True).click()
+    expect(page.get_by_role("slider", name="Trial frequency, squared")).to_be_visible()
+
+
+def test_hunt_by_dragging_the_start(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="modes", task="hunt")
+    drag(page, at(page, "plane", 0.9, 0.2), at(page, "plane", 0.5, 1.0))
+    expect(page.get_by_text("Found: a straight line, the slow mode.")).to_be_visible()
+    expect(page.get_by_text("The lines:")).to_be_hidden()
+    page.get_by_role("button", name="Reveal").click()
+    expect(page.get_by_text("The lines:")).to_be_visible()
+    before = page.evaluate("oscillations.clock.t")
+    page.wait_for_function(f"oscillations.clock.t !== {before}")
