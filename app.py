@@ -8,7 +8,7 @@ import panel as pn
 
 from components.scene import Scene
 from components.scenes import SCENES
-from components.shell import navigation, page_template, version, when_open
+from components.shell import navigation, page_template, when_open
 from components.url import read_query
 from components.view import SceneView
 
@@ -21,10 +21,11 @@ except ValueError as reason:
     problems.append(f"{reason} The link's parameters were not used.")
 
 document = pn.state.curdoc
+assert document is not None  # a script is only ever served
 document.title = scene.headline
 document.template = page_template()
 document.template_variables.update(
-    headline=scene.headline, scene_title=scene.title, navigation=navigation(SCENES, scene.slug), version=version()
+    headline=scene.headline, scene_title=scene.title, navigation=navigation(SCENES, scene.slug)
 )
 scene.later = partial(when_open, document)
 pn.state.on_session_destroyed(lambda _: scene.close())

@@ -149,12 +149,16 @@ def steps_plot() -> Block:
 
 def price_rows(**place: Any) -> Block:
     """The methods in the order of what the wanted error costs with each."""
-    rows = [[{"form": f"price{i}", "shown": f"{{price{i}_name}}"}, {"form": f"price{i}", "shown": f"{{price{i}_time}}"},
-             {"form": f"price{i}", "shown": f"{{price{i}_ratio}}"}] for i in range(ROWS)]
-    return table(*rows, style="tight", **place)
+    return _rows("price", ("name", "time", "ratio"), ROWS, **place)
 
 
 def stopped_rows(**place: Any) -> Block:
-    """Runs without a result, each with its reason."""
-    rows = [[{"form": f"stopped{i}", "shown": f"{{stopped{i}_name}}"}, {"form": f"stopped{i}", "shown": f"{{stopped{i}_why}}"}] for i in range(STOPPED)]
+    """Methods without a result, each with its reason."""
+    return _rows("stopped", ("name", "why"), STOPPED, **place)
+
+
+def _rows(form: str, cells: tuple[str, ...], count: int, **place: Any) -> Block:
+    rows: list[list[str | dict[str, str]]] = [
+        [{"form": f"{form}{i}", "shown": f"{{{form}{i}_{cell}}}"} for cell in cells] for i in range(count)
+    ]
     return table(*rows, style="tight", **place)

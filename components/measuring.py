@@ -168,7 +168,8 @@ class Measuring:
 
 def decoded_run(data: dict[str, Any]) -> Run:
     """A Run from its JSON."""
-    return Run(**{name: tuple(value) if isinstance(value, list) else value for name, value in data.items()})
+    facts: dict[str, Any] = {name: tuple(value) if isinstance(value, list) else value for name, value in data.items()}
+    return Run(**facts)
 
 
 @cache

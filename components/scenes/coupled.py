@@ -154,19 +154,18 @@ def _facts() -> list[str | dict[str, str]]:
 
 def _displacements(i: int) -> Block:
     """x_i(t), its slow part and its fast part, under the formula that is their legend and switch."""
-    curves, bands = zip(
+    traces = (
         traced(f"x{i}_slow", tint="slow", label="slow", signal=f"x{i}_slow"),
         traced(f"x{i}_fast", tint="fast", width="dash", label="fast", signal=f"x{i}_fast"),
         traced(f"x{i}", tint=f"m{i}", width="sum", label=f"*x*_{i}", signal=f"x{i}"),
-        strict=True,
     )
     return plot(
         f"x{i}",
         x="t",
         y="x",
         title=f"Displacement of mass {i} against time, with its slow and its fast part",
-        curves=curves,
-        bands=bands,
+        curves=tuple(curve for curve, _ in traces),
+        bands=tuple(band for _, band in traces),
         heading=(
             term(f"x{i}", "sum", f"m{i}", formula=f"x_{i} ="),
             term(
@@ -273,7 +272,7 @@ def _motion_columns(free: FreeModes, t: NDArray[np.float64]) -> tuple[Columns, C
     bands: Columns = {}
     for i in (0, 1):
         drift = free.drift_a[i] + free.drift_b[i] * t
-        motions = {f"x{i + 1}": ((0, 1), parts[:, i].sum(axis=0))}
+        motions: dict[str, tuple[tuple[int, ...], NDArray[np.float64]]] = {f"x{i + 1}": ((0, 1), parts[:, i].sum(axis=0))}
         motions |= {f"x{i + 1}_{mode}": ((j,), parts[j, i]) for j, mode in enumerate(MODES)}
         for name, (modes, exact) in motions.items():
             base = drift if any(free.omega[j] == 0 for j in modes) else None

@@ -167,11 +167,10 @@ def _formulas() -> list[str | dict[str, str]]:
 
 def _motion(i: int) -> Block:
     """x_i(t) with its particular and complementary parts; near resonance the envelope and the line of growth instead."""
-    curves, bands = zip(
+    traces = (
         traced(f"x{i}_c", tint="xc", width="dash", label="*x*_c", signal=f"x{i}_c"),
         traced(f"x{i}_p", tint="xp", label="*x*_p", signal=f"x{i}_p"),
         traced(f"x{i}", tint=f"m{i}", width="sum", label=f"*x*_{i}", signal=f"x{i}"),
-        strict=True,
     )
     envelope = (
         Curve(name=f"x{i}_beat", source="limit", tint="xp", label="beat", group=f"x{i}_limit"),
@@ -182,8 +181,8 @@ def _motion(i: int) -> Block:
         x="t",
         y="x",
         title=f"Displacement of mass {i} against time, with its particular and its complementary part",
-        curves=(*curves, *envelope),
-        bands=bands,
+        curves=(*(curve for curve, _ in traces), *envelope),
+        bands=tuple(band for _, band in traces),
         heading=(
             term(f"x{i}", "sum", f"m{i}", formula=f"x_{i} ="),
             term(f"x{i}_p", "line", "xp", formula=rf"\text{{particular }}\val{{X{i}}}\,\sin(\val{{omega}}\,t)"),
