@@ -86,7 +86,7 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     def __init__(self, **values: Any) -> None:
         self._good: dict[str, Any] = {}
         super().__init__(**values)
-        self._follow(set(values))
+        self._follow(frozenset(values))
         self._shown: Picture = self.picture()
         self.sources = {name: ColumnDataSource(data=data) for name, data in self._shown.columns.items()}
         self._good = self._state()
@@ -112,7 +112,7 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
         """The units in which quantities are now shown and typed, where they are not their own."""
         return {}
 
-    def following(self, changed: set[str]) -> dict[str, Any]:
+    def following(self, changed: frozenset[str]) -> dict[str, Any]:
         """The values of parameters that follow from those just changed; they are set before the picture is made."""
         return {}
 
@@ -186,14 +186,14 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
             for name, value in good.items():
                 super().__setattr__(name, value)
 
-    def _follow(self, changed: set[str]) -> None:
+    def _follow(self, changed: frozenset[str]) -> None:
         with discard_events(self):
             for name, value in self.following(changed).items():
                 super().__setattr__(name, value)
 
     def _solve(self, *events: param.parameterized.Event) -> None:
         try:
-            self._follow({event.name for event in events})
+            self._follow(frozenset(event.name for event in events))
             picture = self.picture()
         except ValueError:
             self._restore()

@@ -152,7 +152,7 @@ class Absorber(Scene):
         k2, c = (float(f"{value:.4g}") for value in (best.k2, best.c))
         return {"k2": k2, "c": c, "tuning": "free"}
 
-    def following(self, changed: set[str]) -> dict[str, Any]:
+    def following(self, changed: frozenset[str]) -> dict[str, Any]:
         """A tuned spring follows mass and speed, the knob sets the spring, the score is of this machine."""
         k2, tuning = self.k2, self.tuning
         if "_valley" in changed:
