@@ -181,9 +181,7 @@ def _normalised(curve: Curve) -> Curve:
     return Curve(np.ldexp(curve.hi, -exponent), np.ldexp(curve.lo, -exponent), scale)
 
 
-def _coefficients(
-    rows: Sequence[Sequence[Decimal]], curves: Sequence[Curve]
-) -> tuple[Array, NDArray[np.int_]]:
+def _coefficients(rows: Sequence[Sequence[Decimal]], curves: Sequence[Curve]) -> tuple[Array, NDArray[np.int_]]:
     """Rows times scales as hi + lo (curves, 2, rows, 1), at most 1, and the power of two of each row."""
     with precise():
         parts = [[binary(c * curve.scale) for c, curve in zip(row, curves, strict=True)] for row in rows]

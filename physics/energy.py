@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from physics.coupled import FreeModes, Motion, TwoMassChain
-from physics.exact import Array
+from physics.exact import Array, exact, precise, rounded
 from physics.sampling import Sinusoid, root_mean_square
 
 
@@ -44,7 +44,9 @@ def chain_energy(chain: TwoMassChain, motion: Motion) -> ChainEnergy:
 def mean_energy(free: FreeModes, t: Array) -> ChainEnergy:
     """The energies of a free motion, averaged over the swings that the grid t (n,) is too coarse to draw."""
     chain = free.chain
-    shapes = [[*row, row[1] - row[0]] for row in free.amplitude]
+    with precise():
+        stretches = [exact(row[0]) * mode.stretch for row, mode in zip(free.amplitude, chain.exact_modes, strict=True)]
+    shapes = [[*row, rounded("an amplitude", e)] for row, e in zip(free.amplitude, stretches, strict=True)]
     drifts = list(zip(free.drift_a, free.drift_b, strict=True))
     stretch = (drifts[1][0] - drifts[0][0], drifts[1][1] - drifts[0][1])
 
@@ -58,7 +60,12 @@ def mean_energy(free: FreeModes, t: Array) -> ChainEnergy:
 
     return ChainEnergy(
         T=np.array([half_square(f"T{i + 1}", (chain.m1, chain.m2)[i], root(i, drifts[i], True)) for i in (0, 1)]),
-        V=np.array([half_square("V1", chain.k1, root(0, drifts[0], False)), half_square("V2", chain.k2, root(2, stretch, False))]),
+        V=np.array(
+            [
+                half_square("V1", chain.k1, root(0, drifts[0], False)),
+                half_square("V2", chain.k2, root(2, stretch, False)),
+            ]
+        ),
     )
 
 

@@ -188,9 +188,7 @@ def circle(theta: Array, rest: Array) -> tuple[Pair, Pair]:
     r, r_lo = _reduced(theta, rest, count)
     square = r * r
     versine = square * _polynomial(square, 1 / 479001600, -1 / 3628800, 1 / 40320, -1 / 720, 1 / 24, -1 / 2)
-    excess = square * _polynomial(
-        square, 1 / 6227020800, -1 / 39916800, 1 / 362880, -1 / 5040, 1 / 120, -1 / 6
-    )
+    excess = square * _polynomial(square, 1 / 6227020800, -1 / 39916800, 1 / 362880, -1 / 5040, 1 / 120, -1 / 6)
     excess = r_lo + r * excess
     (s, s_lo), (c, c_lo) = ((hi[point], lo[point]) for hi, lo in (_SINES, _COSINES))
     return (

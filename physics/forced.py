@@ -179,9 +179,7 @@ class DrivenModes:
         with precise():
             push = exact(self.F_0) * k2 / (m1 * m2)
         none, x2, v2 = (NONE, NONE), (push, NONE), (NONE, push)
-        rest = [
-            Terms(own, [x1, none, (-x1[0], NONE), v1, none]) for own, (x1, _, _, v1, _) in self._driven(t)
-        ]
+        rest = [Terms(own, [x1, none, (-x1[0], NONE), v1, none]) for own, (x1, _, _, v1, _) in self._driven(t)]
         return [*rest, Terms(curves, [none, x2, x2, none, v2])]
 
     def _driven(self, t: Array) -> list[Terms]:
@@ -211,9 +209,7 @@ class DrivenModes:
     def _exact_particular(self) -> tuple[Decimal, Decimal]:
         exactly = exact_amplitudes(self.chain, self.F_0, self.omega)
         if exactly is None:
-            raise ValueError(
-                f"omega = {self.omega} rad/s is a natural frequency: no particular solution exists"
-            )
+            raise ValueError(f"omega = {self.omega} rad/s is a natural frequency: no particular solution exists")
         with precise():
             X1, X2 = (Decimal(part.numerator) / Decimal(part.denominator) for part in exactly)
             return X1, X2
@@ -251,9 +247,7 @@ def drive_work(
     return driven_modes(chain, F_0, omega, x_0, v_0).work(t)
 
 
-def steady_start(
-    chain: TwoMassChain, F_0: float, omega: float
-) -> tuple[tuple[float, float], tuple[float, float]]:
+def steady_start(chain: TwoMassChain, F_0: float, omega: float) -> tuple[tuple[float, float], tuple[float, float]]:
     """(x_0, v_0) = (0, omega Xp), from which x_p is the whole motion; ValueError at resonance."""
     modes = driven_modes(chain, F_0, omega)
     with precise():

@@ -86,9 +86,7 @@ def _rounded_amplitudes(chain: TwoMassChain, F_0: float, omega: float) -> Array:
     if exactly is None:
         return np.array([math.inf, math.inf if chain.k2 else 0.0])
     X1, X2 = exactly
-    return np.array(
-        [_nearest(f"Xp1 at omega = {omega} rad/s", X1), _nearest(f"Xp2 at omega = {omega} rad/s", X2)]
-    )
+    return np.array([_nearest(f"Xp1 at omega = {omega} rad/s", X1), _nearest(f"Xp2 at omega = {omega} rad/s", X2)])
 
 
 def _nearest(quantity: str, value: Fraction) -> float:
@@ -126,9 +124,7 @@ def _response_curve(chain: TwoMassChain, F_0: float, omega: Array) -> Array:
         units = split(-exact(F_0) / m1), split(exact(F_0) * k2 / (m1 * m2))
     at_root = D[0] == 0.0
     D = np.where(at_root, 1.0, D[0]), D[1]
-    X = np.array(
-        [pair_quotient(pair_product(unit, over), D) for unit, over in zip(units, (over1, over2), strict=True)]
-    )
+    X = np.array([pair_quotient(pair_product(unit, over), D) for unit, over in zip(units, (over1, over2), strict=True)])
     return np.where(at_root & (X != 0.0), math.inf, X)
 
 

@@ -94,9 +94,7 @@ def root_mean_square(components: Sequence[Sinusoid], t: Array, base: Array | Non
     return unit * np.abs(line)
 
 
-def _resolved(
-    components: Iterable[Sinusoid], t: Array, base: Array | None
-) -> tuple[Array, list[list[Sinusoid]]]:
+def _resolved(components: Iterable[Sinusoid], t: Array, base: Array | None) -> tuple[Array, list[list[Sinusoid]]]:
     """The sum of all that t resolves, and the rest in groups whose differences of frequency it resolves."""
     line = np.zeros_like(t) if base is None else base.copy()
     groups: list[list[Sinusoid]] = []

@@ -131,9 +131,7 @@ def test_amplitudes_and_phases_give_the_motion(family):
         assert np.all(np.abs(x - motion.x) <= 16 * U * scale)
         parts_x, parts_v = modes.parts(t)
         assert np.all(np.abs(np.sum(parts_x, axis=0) - motion.x) <= 4 * U * scale)
-        assert np.all(
-            np.abs(np.sum(parts_v, axis=0) - motion.v) <= 4 * U * np.sum(np.abs(parts_v), axis=0).max()
-        )
+        assert np.all(np.abs(np.sum(parts_v, axis=0) - motion.v) <= 4 * U * np.sum(np.abs(parts_v), axis=0).max())
         assert np.all(modes.amplitude[:, 0] >= 0) and np.all((-np.pi < modes.phase) & (modes.phase <= np.pi))
 
     check()
@@ -193,9 +191,7 @@ def test_without_coupling_mass_2_is_free():
 def test_without_springs_both_masses_are_free():
     chain = TwoMassChain(m1=2.0, m2=1.0, k1=0.0, k2=0.0)
     modes = chain.modes()
-    assert (
-        modes.omega.tolist() == [0.0, 0.0] and modes.ratio.tolist() == [math.inf, 0.0] and modes.beat == 0.0
-    )
+    assert modes.omega.tolist() == [0.0, 0.0] and modes.ratio.tolist() == [math.inf, 0.0] and modes.beat == 0.0
     free = free_modes(chain, (1.0, -1.0), (0.5, 0.25))
     assert free.drift_a.tolist() == [1.0, -1.0] and free.drift_b.tolist() == [0.5, 0.25]
     assert free_motion(chain, (1.0, -1.0), (0.5, 0.25), [4.0]).x.tolist() == [[3.0], [0.0]]

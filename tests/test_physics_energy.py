@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from physics.coupled import TwoMassChain, free_modes, free_motion
-from physics.energy import chain_energy, half_square
+from physics.energy import chain_energy, half_square, mean_energy
 from physics.forced import drive_work, driven_modes, forced_motion
 from tests.chain_families import FAMILIES, drawn
 from tests.chain_truth import U
@@ -87,12 +87,8 @@ def test_work_is_the_gain_of_energy_within_8_u(family):
 def test_a_million_periods(k2, drive):
     chain = TwoMassChain(m1=2.0, m2=1.0, k1=1.0, k2=k2)
     slow, fast = chain.modes().omega
-    omega = {"slow": slow, "fast": fast, "slow + 1e-9": slow * (1 + 1e-9), "between": math.sqrt(slow * fast)}[
-        drive
-    ]
-    t = np.sort(
-        np.concatenate([np.linspace(0.0, 100.0 / fast, 500), np.linspace(0.0, 2e6 * np.pi / slow, 1500)])
-    )
+    omega = {"slow": slow, "fast": fast, "slow + 1e-9": slow * (1 + 1e-9), "between": math.sqrt(slow * fast)}[drive]
+    t = np.sort(np.concatenate([np.linspace(0.0, 100.0 / fast, 500), np.linspace(0.0, 2e6 * np.pi / slow, 1500)]))
     total = chain_energy(chain, forced_motion(chain, 1.0, omega, t)).total
     work = drive_work(chain, 1.0, omega, t)
     assert np.all(np.abs(work - total) <= 8 * U * np.maximum.accumulate(total))
@@ -104,9 +100,7 @@ def test_a_million_periods(k2, drive):
 @pytest.mark.parametrize("x_0", [(0.0, 0.0), (1.0, -0.5)])
 def test_work_is_the_integral_of_force_times_velocity(omega, x_0):
     end, modes = 9.0, driven_modes(LECTURE, 1.5, omega, x_0)
-    power, _ = quad(
-        lambda s: 1.5 * math.sin(omega * s) * modes.motion([s]).v[0, 0], 0.0, end, epsabs=1e-12, limit=200
-    )
+    power, _ = quad(lambda s: 1.5 * math.sin(omega * s) * modes.motion([s]).v[0, 0], 0.0, end, epsabs=1e-12, limit=200)
     assert modes.work([end])[0] == pytest.approx(power, rel=1e-11, abs=1e-11)
 
 
@@ -139,6 +133,29 @@ def test_elongations_keep_the_energy_of_a_stiff_spring():
     assert np.max(np.abs(naive - true)) > 1e4 * U
 
 
+@pytest.mark.parametrize("start", [(1.0, 1.0), (1.0, 1.000001)])
+def test_mean_energies_of_a_spring_too_stiff_to_draw(start):
+    """Over a coarse grid the fast mode counts by its mean, the slow one as it is; their sum is the whole energy."""
+    t = np.linspace(0.0, 30.0, 300)
+    free = free_modes(STIFF, start, (0.0, 0.0))
+    mean = mean_energy(free, t)
+    assert mean.total == pytest.approx(math.fsum(free.energy), rel=1e-6)
+    slow_V = (
+        STIFF.k2
+        * (np.cos(STIFF.modes().omega[0] * t) * free.amplitude[0, 0] * float(STIFF.exact_modes[0].stretch)) ** 2
+        / 2
+    )
+    assert mean.V[1] == pytest.approx(slow_V + free.energy[1] / 2, rel=1e-9)
+
+
+def test_mean_energies_of_what_can_be_drawn_are_the_energies():
+    t = np.linspace(0.0, 6.0, 300)
+    mean = mean_energy(free_modes(LECTURE, (1.0, -0.5), (0.25, 0.5)), t)
+    energy = chain_energy(LECTURE, free_motion(LECTURE, (1.0, -0.5), (0.25, 0.5), t))
+    for found, true in ((mean.T, energy.T), (mean.V, energy.V)):
+        assert found == pytest.approx(true, abs=1e-14)
+
+
 def test_the_energy_of_a_mode_without_frequency_is_kinetic():
     free = free_modes(TwoMassChain(m1=2.0, m2=1.0, k1=0.0, k2=3.0), (5.0, 5.0), (2.0, 2.0))
     assert free.energy.tolist() == [6.0, 0.0]
@@ -157,9 +174,7 @@ def test_the_energy_of_a_mode_without_frequency_is_kinetic():
     ],
 )
 def test_half_squares_at_the_edges(factor, value, energy):
-    assert half_square("V", factor, np.array([value, -value])) == pytest.approx(
-        [energy, energy], rel=4 * U, abs=0.0
-    )
+    assert half_square("V", factor, np.array([value, -value])) == pytest.approx([energy, energy], rel=4 * U, abs=0.0)
 
 
 def test_an_energy_out_of_range_is_named():

@@ -84,9 +84,7 @@ def test_fast_beats_keep_their_shape():
 
 def test_unrelated_fast_components_add_up():
     found = sampled([Sinusoid(1.0, 1e5, 0.0), Sinusoid(-0.5, 1e9, 0.0)], T)
-    assert found.hi == pytest.approx(np.full_like(T, 1.5)) and found.lo == pytest.approx(
-        np.full_like(T, -1.5)
-    )
+    assert found.hi == pytest.approx(np.full_like(T, 1.5)) and found.lo == pytest.approx(np.full_like(T, -1.5))
 
 
 def test_an_input_is_not_changed():

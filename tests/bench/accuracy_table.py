@@ -37,9 +37,7 @@ LOST = 2.0**53
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--samples", type=int, default=100, help="chains of each family")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--out", type=Path, default=Path("build/accuracy"))
@@ -167,9 +165,7 @@ def markdown(table, samples, seed):
         lines += ["", f"## {quantity.split(', ')[0].capitalize()}, in {quantity.split(', ')[1]}", ""]
         lines += ["| family | " + " | ".join(names) + " |", "|---" * (len(names) + 1) + "|"]
         for family, worst in table.items():
-            lines.append(
-                f"| {family} | " + " | ".join(shown(*worst[quantity, name]) for name in names) + " |"
-            )
+            lines.append(f"| {family} | " + " | ".join(shown(*worst[quantity, name]) for name in names) + " |")
     return "\n".join(lines) + "\n"
 
 

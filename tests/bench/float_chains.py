@@ -50,9 +50,7 @@ class Modal:
         q, p = self.shape @ (m * x_0) / self.mass, self.shape @ (m * v_0) / self.mass
         size, phase = np.hypot(q, p / self.omega), np.arctan2(q * self.omega, p)
         turn = np.outer(self.omega, t) + phase[:, np.newaxis]
-        return self._together(
-            size[:, np.newaxis] * np.sin(turn), (size * self.omega)[:, np.newaxis] * np.cos(turn)
-        )
+        return self._together(size[:, np.newaxis] * np.sin(turn), (size * self.omega)[:, np.newaxis] * np.cos(turn))
 
     def driven(self, F_0, omega, t):
         """Complementary plus particular, mode by mode."""
