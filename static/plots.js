@@ -367,13 +367,15 @@ export class Plot {
   }
 
   #hold(pills) {
-    const names = pills.map(pill => (pill.handle.axis === "y" ? this.block.y : this.block.x))
+    const {x, y, square} = this.block
+    const names = square ? [x, y] : pills.map(pill => (pill.handle.axis === "y" ? y : x))
     this.held = Object.fromEntries(names.map(name => [name, this.state.axes[name]]))
   }
 
   #release() {
     this.held = null
     this.update(this.state)
+    this.page.redraw()
   }
 
   // The point nearest to a press, at most 16 pixels away, as [source, place in its column].
