@@ -78,11 +78,11 @@ def _up(along: Axis, low: float, high: float) -> Axis:
 def velocity_axes(swing: Swing) -> dict[str, Axis]:
     """Axes forward (of u - v_0, so that standstill is at -1) and up, in v_0; one frame for all but wide loops."""
     far = max(1.0, float(swing.lap.w.max()) / 1.05, (1 + swing.excess) / 3.05)
-    whole = math.ceil(far / 4)
+    low, whole = min(-0.85, 1.15 * float(swing.lap.u.min())), math.ceil(far / 4)
     ticks = tuple(float(whole * i - 1) for i in range(-math.ceil(far), math.ceil(3.1 * far) + 1))
     labels = tuple(_times_v_0(tick + 1) for tick in ticks)
     return {
-        "forward": Axis(-0.85 * far - 1, 3.05 * far - 1, ticks=ticks, labels=labels),
+        "forward": Axis(low - 1, low + 3.9 * far - 1, ticks=ticks, labels=labels),
         "upward": Axis(-1.155 * far, 1.155 * far),
     }
 
