@@ -2,44 +2,36 @@
 
 from __future__ import annotations
 
-import math
-from dataclasses import replace
-from decimal import Decimal
-from typing import Any
-
-import numpy as np
-
 from components import chain
 from components.equations import rich
-from components.motion import pace, sines
-from components.numbers import signed, ten, three
-from components.plots import Axis, Curve, nice_axis, plot, squared_axis, time_axis
-from components.scene import Columns, Picture
+from components.mode_guess_picture import ROWS
+from components.plots import Curve, plot
 from components.sheet import Block, column, row, stage, term, words
 from components.stage import H, Number, Shape, W, arrow, circle, line, on_x, on_y, text, var
-from physics.coupled import Modes, TwoMassChain
-from physics.modes import Forces, Trial, determinant_curve, forces, quadratic, row_curves, trial
-from physics.sampling import time_window
 
 METRE = 0.112
 """What an amplitude of 1 m takes of the stage's width."""
-REACH = 0.17
-"""The longest force arrow, as a fraction of the width."""
-ROWS = ("need", "give", "add")
-NEAR, SAME = 1e-3, 4e-16
-"""How near a natural frequency two rows are nearly the same equation, and as near as doubles come."""
 
 
 def sheet() -> Block:
     return column(
         row(
-            stage(*_shapes(), label="The guess at full swing; under it, on each mass, the force that the motion needs, the springs' "
-                  "force and what is missing", grow=590, height=230),
+            stage(
+                *_shapes(),
+                label="The guess at full swing; under it, on each mass, the force that the motion needs, the springs' "
+                "force and what is missing",
+                grow=590,
+                height=230,
+            ),
             words(
-                r"$A = \begin{pmatrix} {\tint{m1}{m_1 \omega^2 - k_1 - k_2}} & {\tint{m1}{k_2}} \\ {\tint{m2}{k_2}} & {\tint{m2}{m_2 \omega^2 - k_2}} \end{pmatrix}$",
-                r"$\begin{pmatrix} {\tint{m1}{\val{a11}}} & {\tint{m1}{\val{a12}}} \\ {\tint{m2}{\val{a12}}} & {\tint{m2}{\val{a22}}} \end{pmatrix}"
+                r"$A = \begin{pmatrix} {\tint{m1}{m_1 \omega^2 - k_1 - k_2}} & {\tint{m1}{k_2}} \\"
+                r" {\tint{m2}{k_2}} & {\tint{m2}{m_2 \omega^2 - k_2}} \end{pmatrix}$",
+                r"$\begin{pmatrix} {\tint{m1}{\val{a11}}} & {\tint{m1}{\val{a12}}} \\"
+                r" {\tint{m2}{\val{a12}}} & {\tint{m2}{\val{a22}}} \end{pmatrix}"
                 r" \begin{pmatrix} X_1 \\ X_2 \end{pmatrix} = \begin{pmatrix} 0 \\ 0 \end{pmatrix}$",
-                style="system", grow=296, phone=20,
+                style="system",
+                grow=296,
+                phone=20,
             ),
             grow=222,
         ),
@@ -58,21 +50,26 @@ def sheet() -> Block:
 def _readings() -> list[str | dict[str, str]]:
     lines: list[str | dict[str, str]] = []
     for i in (1, 2):
-        lines.append({
-            "form": f"row{i}",
-            "number": rf"[m{i}|Row {i} fixes $X_2/X_1$ = **{{row{i}}}**]",
-            "pole": rf"[m{i}|Row {i} asks for $X_1$ = **0**]",
-            "any": rf"[m{i}|Row {i} is 0 = 0: any shape]",
-        })
-    return [*lines, {
-        "form": "agree",
-        "apart": "They are **{apart}** apart. Only rest obeys both rows, except where the curves cross.",
-        "pole": "Only rest obeys both rows, except where the curves cross.",
-        "near_slow": r"Almost one equation: they are **{apart}** apart. $\omega_-$ is {slow_long} rad/s.",
-        "near_fast": r"Almost one equation: they are **{apart}** apart. $\omega_+$ is {fast_long} rad/s.",
-        "same_slow": "[slow|**One and the same equation:** the slow mode.]",
-        "same_fast": "[fast|**One and the same equation:** the fast mode.]",
-    }]
+        lines.append(
+            {
+                "form": f"row{i}",
+                "number": rf"[m{i}|Row {i} fixes $X_2/X_1$ = **{{row{i}}}**]",
+                "pole": rf"[m{i}|Row {i} asks for $X_1$ = **0**]",
+                "any": rf"[m{i}|Row {i} is 0 = 0: any shape]",
+            }
+        )
+    return [
+        *lines,
+        {
+            "form": "agree",
+            "apart": "They are **{apart}** apart. Only rest obeys both rows, except where the curves cross.",
+            "pole": "Only rest obeys both rows, except where the curves cross.",
+            "near_slow": r"Almost one equation: they are **{apart}** apart. $\omega_-$ is {slow_long} rad/s.",
+            "near_fast": r"Almost one equation: they are **{apart}** apart. $\omega_+$ is {fast_long} rad/s.",
+            "same_slow": "[slow|**One and the same equation:** the slow mode.]",
+            "same_fast": "[fast|**One and the same equation:** the fast mode.]",
+        },
+    ]
 
 
 def _determinant_words() -> list[str | dict[str, str]]:
@@ -93,8 +90,12 @@ def _determinant_words() -> list[str | dict[str, str]]:
 
 def _shape_plot() -> Block:
     return plot(
-        "shape", x="w", y="r", title="The shape X2/X1 that each equation fixes, against omega squared",
-        source="row1", x_column="w",
+        "shape",
+        x="w",
+        y="r",
+        title="The shape X2/X1 that each equation fixes, against omega squared",
+        source="row1",
+        x_column="w",
         curves=(
             Curve(name="row1", source="row1", tint="m1", width="sum", label=""),
             Curve(name="row2_below", source="row2_below", tint="m2", width="sum", group="row2"),
@@ -105,30 +106,58 @@ def _shape_plot() -> Block:
             term("row1", "sum", "m1", formula=r"\text{mass 1 wants } (k_1 + k_2 - m_1 \omega^2)/k_2"),
             term("row2", "sum", "m2", formula=r"\text{mass 2 wants } k_2/(k_2 - m_2 \omega^2)"),
         ),
-        x_labels=False, margin=(60, 12),
+        x_labels=False,
+        margin=(60, 12),
         handles=(
             {"parameter": "ratio", "symbol": "", "label": "Trial shape X2/X1", "tint": "F", "axis": "y"},
             {"parameter": "omega", "symbol": "", "label": "Trial frequency", "tint": "F", "axis": "x", "bare": True},
         ),
         marks=tuple({"at": f"w_{mode}", "tint": mode} for mode in ("slow", "fast")),
-        shapes=_over_shapes(), grow=195, phone=10, height=220,
+        shapes=_over_shapes(),
+        grow=195,
+        phone=10,
+        height=220,
     )
 
 
 def _determinant_plot() -> Block:
     return plot(
-        "det", x="w", y="D", title="The determinant D of A against omega squared",
-        source="det", x_column="w",
+        "det",
+        x="w",
+        y="D",
+        title="The determinant D of A against omega squared",
+        source="det",
+        x_column="w",
         curves=(Curve(name="D", source="det", tint="ink", width="sum"),),
         heading=(term("", "none", "ink", formula=r"D = \text{det } A"),),
-        margin=(60, 12), top=6,
-        handles=({"parameter": "omega", "symbol": "ω²", "label": "Trial frequency, squared", "tint": "F", "axis": "x", "text": "square"},),
+        margin=(60, 12),
+        top=6,
+        handles=(
+            {
+                "parameter": "omega",
+                "symbol": "ω²",
+                "label": "Trial frequency, squared",
+                "tint": "F",
+                "axis": "x",
+                "text": "square",
+            },
+        ),
         marks=tuple(
-            {"at": f"w_{mode}", "tint": mode, "set": "omega", "lift": 23, "label": f"Go to the {mode} mode",
-             "html": rich(rf"$\omega_{sign}$ {{omega_{mode}}}"), "flag": "one"}
+            {
+                "at": f"w_{mode}",
+                "tint": mode,
+                "set": "omega",
+                "lift": 23,
+                "label": f"Go to the {mode} mode",
+                "html": rich(rf"$\omega_{sign}$ {{omega_{mode}}}"),
+                "flag": "one",
+            }
             for mode, sign in (("slow", "-"), ("fast", "+"))
         ),
-        shapes=_over_determinant(), grow=100, phone=11, height=150,
+        shapes=_over_determinant(),
+        grow=100,
+        phone=11,
+        height=150,
     )
 
 
@@ -155,14 +184,20 @@ def _shapes() -> list[Shape]:
             tip = chain.rest(i) + W * var(f"{name}{i}") * var("swing")
             shapes.append(line(tip, foot + start * gap, tip, last + 4, tint="mute", style="eq"))
     for n, words_ in enumerate(("What the motion needs, −*m* *ω*² *X*", "= what the springs give", "+ {you_add}")):
-        shapes.append(text(W + 26, foot + (n + 1) * gap + 2, words_, "start", tint=("ink", "k", "F")[n], style="t3 b", show="wide"))
+        shapes.append(
+            text(
+                W + 26, foot + (n + 1) * gap + 2, words_, "start", tint=("ink", "k", "F")[n], style="t3 b", show="wide"
+            )
+        )
     for n, word in enumerate(("needs", "springs", "you add")):
-        shapes.append(text(0, foot + (n + 1) * gap, word, "start", tint=("ink", "k", "F")[n], style="t0 halo", show="narrow"))
+        shapes.append(
+            text(0, foot + (n + 1) * gap, word, "start", tint=("ink", "k", "F")[n], style="t0 halo", show="narrow")
+        )
     return shapes
 
 
 def _force(i: int, name: str, y: Number) -> list[Shape]:
-    """One force arrow, from equilibrium (what is missing: from the springs' to the needed one), and its number beside."""
+    """One force arrow, from equilibrium (what is missing: from the springs' to the needed one), and its number."""
     tint = {"need": f"m{i}", "give": "k", "add": "F"}[name]
     start, tip = (var(f"give{i}"), var(f"need{i}")) if name == "add" else (0, var(f"{name}{i}"))
     rest, swing = chain.rest(i), var("swing")
@@ -176,7 +211,7 @@ def _force(i: int, name: str, y: Number) -> list[Shape]:
 
 
 def _over_shapes() -> tuple[Shape, ...]:
-    """Over the plane of omega^2 and X2/X1: the trial frequency, both readings and what lies between, the guess, the modes."""
+    """Over the plane of omega^2 and X2/X1: the trial frequency, both readings and their gap, the guess, the modes."""
     w, r = on_x("shape", var("w")), on_y("shape", var("r"))
     shapes = [
         line(w, var("shape.top"), w, var("det.bottom"), tint="F", show="w_in"),
@@ -186,7 +221,9 @@ def _over_shapes() -> tuple[Shape, ...]:
     for mode, shift in (("slow", (14, -8)), ("fast", (11, -14))):
         w_mode, r_mode, name = var(f"w_{mode}"), var(f"r_{mode}"), f"{mode} mode {{r_{mode}}}"
         shapes += _point("shape", w_mode, r_mode, 7, mode, shift, name, show=f"{mode}_in wide", style="ring")
-        shapes += _point("shape", w_mode, r_mode, 7, mode, (6, -14), name, "middle", show=f"{mode}_in narrow", style="ring")
+        shapes += _point(
+            "shape", w_mode, r_mode, 7, mode, (6, -14), name, "middle", show=f"{mode}_in narrow", style="ring"
+        )
     for i, dy in ((1, -8), (2, 17)):
         shapes += _point("shape", var("w"), var(f"row{i}"), 6, f"m{i}", (11, dy), f"{{row{i}}}", show=f"row{i}_in")
     return (*shapes, *_point("shape", var("w"), var("r"), 8, "F", (-13, 18), "your guess", "end", show="guess_in"))
@@ -204,144 +241,20 @@ def _over_determinant() -> tuple[Shape, ...]:
 
 
 def _point(
-    plot_: str, x: Number, y: Number, radius: float, tint: str, shift: tuple[int, int], label: str, anchor: str = "start",
-    show: str | None = None, style: str | None = None,
+    plot_: str,
+    x: Number,
+    y: Number,
+    radius: float,
+    tint: str,
+    shift: tuple[int, int],
+    label: str,
+    anchor: str = "start",
+    show: str | None = None,
+    style: str | None = None,
 ) -> list[Shape]:
     px, py = on_x(plot_, x), on_y(plot_, y)
     dot = circle(px, py, radius, tint=tint, style=style, show=show)
     weight = "t0 halo" if radius < 5 else "t1 b halo"
-    return [dot] + ([text(px + shift[0], py + shift[1], label, anchor, tint=tint, style=weight, show=show)] if label else [])
-
-
-def picture(system: TwoMassChain, omega: float, ratio: float, moving: bool, window: float | None) -> Picture:
-    """All of the view for one chain and one guess; ValueError where a curve leaves the range of doubles."""
-    modes, asked, push = system.modes(), trial(system, omega), forces(system, omega, ratio)
-    if system.k2 and not np.all(np.isfinite(modes.ratio)):
-        raise ValueError("a mode ratio X2/X1 leaves the range of doubles")
-    end = math.sqrt(1.375) * float(modes.omega[1]) or 2 * omega or 1.0
-    half = 2 * max((abs(float(r)) for r in modes.ratio if r and math.isfinite(r)), default=2.0)
-    frequency, shape = squared_axis(end, "(rad/s)²"), nice_axis(-half, half, "", 4, exact=True)
-    shape = replace(shape, ticks=shape.ticks[1:-1])
-    columns, D, exponent = _columns(system, end, 3 * half)
-    clock = {"t": time_axis(window or time_window(omega, omega))} if moving else {}
-    metres = Axis(-1.0, 1.0, "m")
-    rate = omega if moving else 0.0
-    time = clock.get("t", Axis(0.0, 1.0))
-    X = [float(value) for value in push.amplitude]
-    return Picture(
-        columns=columns,
-        axes={"w": frequency, "r": shape, "D": D, **clock},
-        signals={
-            "swing": sines(metres, time, (1.0, rate, math.pi / 2)),
-            **{f"x{i}": sines(metres, time, (X[i - 1], rate, math.pi / 2)) for i in (1, 2)},
-        },
-        scalars={
-            **_force_scalars(push), **_plot_scalars(system, modes, asked, omega, ratio, (frequency, shape, D), exponent),
-            **(pace(omega, omega) if moving else {}),
-        },
-        values=_values(system, modes, asked, push, omega, ratio, exponent),
-        forms={**_forms(system, modes, asked, omega)},
+    return [dot] + (
+        [text(px + shift[0], py + shift[1], label, anchor, tint=tint, style=weight, show=show)] if label else []
     )
-
-
-def _columns(system: TwoMassChain, end: float, largest: float) -> tuple[dict[str, Columns], Axis, int]:
-    first, second = row_curves(system, end, largest)
-    columns: dict[str, Columns] = {"row1": {"w": first.omega[0], "row1": first.ratio[0]}}
-    for name, w, r in zip(("row2_below", "row2_above"), second.omega, second.ratio, strict=False):
-        columns[name] = {"w": w, name: r}
-    w = end * np.sqrt(np.linspace(0.0, 1.0, 201))
-    curve, exponent = determinant_curve(system, w)
-    columns["det"] = {"w": w, "D": curve}
-    low, at_zero = float(np.min(curve)), float(curve[0])
-    unit = f"{ten(exponent)} N²/m²" if exponent else "N²/m²"
-    size = max(1.2 * at_zero, -2.1 * low, 0.0) or 1.0
-    return columns, nice_axis(min(1.33 * low, -0.1 * size), size, unit, 2, exact=True), exponent
-
-
-def _force_scalars(push: Forces) -> dict[str, float]:
-    """Lengths of the arrows as fractions of the width, and on which side of each stands its number."""
-    size = max((abs(value) for pair in push[1:] for value in pair), default=Decimal(0))
-    scalars: dict[str, float] = {}
-    for i in (1, 2):
-        need, give = (REACH * float(pair[i - 1] / size) if size else 0.0 for pair in (push.needed, push.springs))
-        spans = {"need": (0.0, need), "give": (0.0, give), "add": (give, need)}
-        for name, span in spans.items():
-            low, high = min(span), max(span)
-            right = low < 0 and (high <= 0.0 or i == 1)
-            scalars[f"{name}{i}_at"] = (max(high, 0.0) if right else min(low, 0.0))
-            scalars[f"{name}{i}_right"], scalars[f"{name}{i}_left"] = float(right), float(not right)
-        scalars |= {f"need{i}": need, f"give{i}": give}
-    return scalars
-
-
-def _plot_scalars(
-    system: TwoMassChain, modes: Modes, asked: Trial, omega: float, ratio: float, axes: tuple[Axis, Axis, Axis], exponent: int
-) -> dict[str, float]:
-    """Where the points of the two plots stand, in the units of their axes, and which of them are inside the frame."""
-    frequency, shape, D = axes
-
-    def inside(axis: Axis, value: float) -> float:
-        return float(axis.start <= value <= axis.end)
-
-    def scaled_D(value: Decimal) -> float:
-        return float(value.scaleb(-exponent))
-
-    equation = quadratic(system)
-    held = math.sqrt(system.k2) / math.sqrt(system.m2)
-    w_in, now = inside(frequency, omega), scaled_D(asked.determinant)
-    least = scaled_D(-(Decimal(system.k2) ** 2))
-    scalars = {
-        "w": frequency.place(min(omega, 2 * frequency.end)), "w_in": w_in, "r": shape.place(max(min(ratio, 2 * shape.end), 2 * shape.start)),
-        "guess_in": w_in * inside(shape, ratio), "zero": 0.0,
-        "D": D.place(now if abs(now) < 1e30 else 1e30), "D_in": w_in * inside(D, now),
-        "w0": 0.0, "D0": D.place(scaled_D(equation.constant)), "D0_in": float(system.k1 > 0 < system.k2),
-        "w_held": frequency.place(held), "D_held": D.place(least), "held_in": float(system.k2 > 0) * inside(D, least),
-    }
-    for mode, w, r in zip(("slow", "fast"), modes.omega, modes.ratio, strict=True):
-        r_in = math.isfinite(r) and bool(inside(shape, float(r)))
-        scalars |= {f"w_{mode}": frequency.place(float(w)), f"w_{mode}_si": float(w)}
-        scalars |= {f"{mode}_in": float(r_in), f"r_{mode}": shape.place(float(r)) if r_in else 0.0}
-    wanted = []
-    for i, value in enumerate(asked.rows, start=1):
-        known = value is not None and value.is_finite() and shape.start <= value <= shape.end
-        scalars |= {f"row{i}_in": w_in * known, f"row{i}": shape.place(float(value)) if known and value is not None else 0.0}
-        wanted.append(0.0 if value is None else shape.place(float(max(min(value, Decimal(shape.end)), Decimal(shape.start)))))
-    return scalars | {"gap": w_in * (None not in asked.rows), "gap_low": wanted[0], "gap_high": wanted[1]}
-
-
-def _values(
-    system: TwoMassChain, modes: Modes, asked: Trial, push: Forces, omega: float, ratio: float, exponent: int
-) -> dict[str, str]:
-    (a11, a12), (_, a22) = asked.matrix
-    values = {"a11": three(a11), "a12": three(a12), "a22": three(a22), "D": three(asked.determinant)}
-    values |= {"square": three(Decimal(omega) ** 2), "apart": "" if asked.apart is None else three(asked.apart)}
-    values |= {f"{mode}_long": f"{w:.5g}" if 0.1 <= w < 1e4 else three(float(w)) for mode, w in zip(("slow", "fast"), modes.omega, strict=True)}
-    equation = quadratic(system)
-    values |= {"k1k2": three(equation.constant), "k2k2": three(-Decimal(system.k2) ** 2)}
-    largest = max(abs(value) for pair in push[1:] for value in pair)
-    for i in (1, 2):
-        row_ = asked.rows[i - 1]
-        values[f"row{i}"] = "" if row_ is None else signed(row_)
-        values[f"X{i}"] = signed(push.amplitude[i - 1])
-        for name, pair in zip(ROWS, push[1:], strict=True):
-            # a typed ratio is rounded, so at a mode a rounding error remains to be added
-            value = pair[i - 1] if abs(pair[i - 1]) > Decimal(1e-12) * largest else Decimal(0)
-            values[f"{name}{i}_N"] = f"{signed(value)} N"
-    for mode, w, r in zip(("slow", "fast"), modes.omega, modes.ratio, strict=True):
-        values |= {f"omega_{mode}": three(float(w)), f"r_{mode}": signed(float(r))}
-    balanced = all(abs(value) <= Decimal("0.005") * largest for value in push.missing)
-    return values | {"you_add": "nothing: this is a mode" if balanced and largest else "what you must add"}
-
-
-def _forms(system: TwoMassChain, modes: Modes, asked: Trial, omega: float) -> dict[str, str]:
-    forms: dict[str, Any] = {}
-    for i, value in enumerate(asked.rows, start=1):
-        forms[f"row{i}"] = "any" if value is None else "number" if value.is_finite() else "pole"
-    forms["agree"] = "pole" if asked.apart is None else "apart"
-    for mode, w in zip(("slow", "fast"), modes.omega, strict=True):
-        for word, tolerance in (("near", NEAR), ("same", SAME)):
-            if abs(omega - w) <= tolerance * w and (asked.apart is not None or word == "same"):
-                forms["agree"] = f"{word}_{mode}"
-    forms["D"] = "value" if asked.apart is None else "product"
-    forms["roots"] = "loose" if not system.k2 else "two" if system.k1 else "wall"
-    return forms

@@ -29,14 +29,18 @@ def sheet() -> Block:
         _plane(),
         column(
             words(
-                "**Mass 2 against mass 1, let go from rest.** Drag the start, the ring, until the path is a straight line. "
-                "There are two such directions.",
+                "**Mass 2 against mass 1, let go from rest.** Drag the start, the ring, until the path is a straight "
+                "line. There are two such directions.",
                 phone=6,
             ),
-            stage(*_shapes(), label="The chain in motion, and how much of the energy is in each mode", grow=1, height=210),
+            stage(
+                *_shapes(), label="The chain in motion, and how much of the energy is in each mode", grow=1, height=210
+            ),
             words(_verdict(), _answer(), style="verdict", phone=7),
             choice("answer", {"hidden": "Answer hidden", "shown": "Reveal"}, "The answer", phone=8),
-            basis=352, grow=0, gap=10,
+            basis=352,
+            grow=0,
+            gap=10,
         ),
     )
 
@@ -45,10 +49,13 @@ def _verdict() -> dict[str, str]:
     return {
         "form": "verdict",
         "mixed": "**Not yet:** both modes are in it, so mass 1 and mass 2 do not keep step.",
-        "slow": "[slow|**✓ Found: a straight line, the slow mode.**] Both masses pass 0 together, in phase. There is another one.",
-        "fast": "[fast|**✓ Found: a straight line, the fast mode.**] Both masses pass 0 together, opposite. There is another one.",
+        "slow": "[slow|**✓ Found: a straight line, the slow mode.**] Both masses pass 0 together, in phase. "
+        "There is another one.",
+        "fast": "[fast|**✓ Found: a straight line, the fast mode.**] Both masses pass 0 together, opposite. "
+        "There is another one.",
         "rest": "**Nothing moves:** the start is at rest in equilibrium.",
-        "drift": "**Every start gives a line here:** with a spring missing the slow mode is a drift, and from rest it stands still.",
+        "drift": "**Every start gives a line here:** with a spring missing the slow mode is a drift, and from rest "
+        "it stands still.",
     }
 
 
@@ -61,20 +68,28 @@ def _answer() -> dict[str, str]:
 
 def _plane() -> Block:
     return plot(
-        "plane", x="x", y="x", title="Displacement of mass 2 against that of mass 1, from a start that can be dragged",
-        source="path", x_column="x1",
+        "plane",
+        x="x",
+        y="x",
+        title="Displacement of mass 2 against that of mass 1, from a start that can be dragged",
+        source="path",
+        x_column="x1",
         curves=(
             Curve(name="slow2", source="answer", x="slow1", tint="slow", width="sum"),
             Curve(name="fast2", source="answer", x="fast1", tint="fast", width="dash"),
             Curve(name="x2", source="path", x="x1", tint="ink", signal="x1,x2"),
         ),
-        margin=(64, 10), top=10, square=True,
+        margin=(64, 10),
+        top=10,
+        square=True,
         handles=(
             {"parameter": "x1_0", "symbol": "x₁", "label": "Start of mass 1", "tint": "m1", "axis": "x"},
             {"parameter": "x2_0", "symbol": "x₂", "label": "Start of mass 2", "tint": "m2", "axis": "y"},
         ),
         shapes=(circle(on_x("plane", var("start1")), on_y("plane", var("start2")), 8, tint="ink", style="ring"),),
-        grow=536, phone=10, height=380,
+        grow=536,
+        phone=10,
+        height=380,
     )
 
 
@@ -116,7 +131,10 @@ def picture(system: TwoMassChain, x_0: tuple[float, float], revealed: bool, wind
         axes={"t": time, "x": size},
         signals=signals,
         scalars={
-            **drawn.scalars, **pace(slow or fast, fast), "start1": size.place(x_0[0]), "start2": size.place(x_0[1]),
+            **drawn.scalars,
+            **pace(slow or fast, fast),
+            "start1": size.place(x_0[0]),
+            "start2": size.place(x_0[1]),
             **{f"share_{mode}": part for mode, part in zip(MODES, parts, strict=True)},
         },
         values={**drawn.values, **_values(system, parts, revealed)},

@@ -24,8 +24,12 @@ MODES = (("slow", "−", 0.0), ("fast", "+", 0.5))
 
 def sheet() -> Block:
     picture_ = stage(
-        *_shapes(), label="Both modes, each moving at its own frequency, and under each mass its complex amplitude as a rotating "
-        "arrow", grow=480, phone=4, height=420,
+        *_shapes(),
+        label="Both modes, each moving at its own frequency, and under each mass its complex amplitude as a rotating "
+        "arrow",
+        grow=480,
+        phone=4,
+        height=420,
     )
     return row(
         {**picture_, "style": "still"},
@@ -40,15 +44,17 @@ def _formulas() -> list[str | dict[str, str]]:
         r"$\omega_\pm^2 = (b \pm \sqrt{\Delta})/(2 m_1 m_2)$ with $\Delta = b^2 - 4 m_1 m_2 k_1 k_2 = \val{Delta}$",
         {
             "form": "positive",
-            "sum": r"**$\Delta > 0$:** it is $(m_1 k_2 - m_2 (k_1 + k_2))^2 + 4 m_1 m_2 k_2^2 = (\val{difference})^2 + \val{coupling}$, "
-                   "squares that never vanish together. So both $\\omega^2$ are real.",
+            "sum": r"**$\Delta > 0$:** it is "
+            r"$(m_1 k_2 - m_2 (k_1 + k_2))^2 + 4 m_1 m_2 k_2^2 "
+            r"= (\val{difference})^2 + \val{coupling}$, squares that never vanish together. "
+            r"So both $\omega^2$ are real.",
             "loose": r"**$\Delta$ is a square:** $(m_2 k_1)^2$, as nothing couples the masses. Both $\omega^2$ are real.",
             "free": r"**$\Delta = 0$:** there is no spring at all, and both frequencies are 0.",
         },
         {
             "form": "below",
-            "wall": r"**$\sqrt{\Delta} < b$:** $\val{root} < \val{b}$, as $4 m_1 m_2 k_1 k_2 = \val{fourfold} > 0$ was taken off $b^2$. "
-                    "So both $\\omega^2$ are positive and $\\omega$ is real.",
+            "wall": r"**$\sqrt{\Delta} < b$:** $\val{root} < \val{b}$, as $4 m_1 m_2 k_1 k_2 = \val{fourfold} > 0$ was "
+            r"taken off $b^2$. So both $\omega^2$ are positive and $\omega$ is real.",
             "zero": r"**$\sqrt{\Delta} = b$** $= \val{b}$, as $4 m_1 m_2 k_1 k_2 = 0$. So $\omega_-$ = 0: a drift.",
         },
         r"[slow|$\omega_-^2 = \val{slow_square}$, $\omega_- = \val{slow_omega}$ rad/s]",
@@ -73,8 +79,8 @@ def _formulas() -> list[str | dict[str, str]]:
         {"form": "product", "shown": r"Their product is $-m_1/m_2 = \val{product}$, whatever the springs."},
         {
             "form": "arrows",
-            "shown": r"**The arrows** are the notes' $X_j e^{i \omega t}$, each mass above its shadow. A real ratio $X_2/X_1$ "
-                     "means that they point the same way or opposite ways.",
+            "shown": r"**The arrows** are the notes' $X_j e^{i \omega t}$, each mass above its shadow. A real ratio "
+            r"$X_2/X_1$ means that they point the same way or opposite ways.",
         },
     ]
 
@@ -87,8 +93,14 @@ def _shapes() -> list[Shape]:
         shapes += [
             chain.standing_wall((top + 0.07) * H, 0.115 * H),
             line(chain.WALL * W, foot, W, foot, style="floor"),
-            text(chain.WALL * W, (top + 0.03) * H, f"{mode} mode, *ω*_{{{sign}}} = {{{mode}_omega}} rad/s, *X*_2/*X*_1 = {{{mode}_ratio}}",
-                 "start", tint=mode, style="t2 b"),
+            text(
+                chain.WALL * W,
+                (top + 0.03) * H,
+                f"{mode} mode, *ω*_{{{sign}}} = {{{mode}_omega}} rad/s, *X*_2/*X*_1 = {{{mode}_ratio}}",
+                "start",
+                tint=mode,
+                style="t2 b",
+            ),
         ]
         places = [chain.rest(i) + METRE * W * var(f"x{i}_{mode}") for i in (1, 2)]
         for i in (1, 2):
@@ -115,8 +127,17 @@ def picture(system: TwoMassChain, window: float | None) -> Picture:
     time, metres = time_axis(window or time_window(slow, fast)), Axis(-1.0, 1.0, "m")
     signals, scalars = {}, {}
     values = {"m1m2": three(equation.leading), "b": three(equation.b), "k1k2_": three(equation.constant)}
-    values |= {"Delta": three(equation.Delta), "difference": three(equation.difference), "coupling": three(equation.coupling)}
-    values |= {"root": three(equation.root), "fourfold": three(equation.fourfold), "gamma": three(modes.gamma), "delta": three(modes.delta)}
+    values |= {
+        "Delta": three(equation.Delta),
+        "difference": three(equation.difference),
+        "coupling": three(equation.coupling),
+    }
+    values |= {
+        "root": three(equation.root),
+        "fourfold": three(equation.fourfold),
+        "gamma": three(modes.gamma),
+        "delta": three(modes.delta),
+    }
     with precise():
         values["product"] = three(-Decimal(system.m1) / Decimal(system.m2))
         squares = [mode.omega**2 for mode in system.exact_modes]
@@ -126,9 +147,17 @@ def picture(system: TwoMassChain, window: float | None) -> Picture:
             signals[f"x{i}_{mode}"] = sines(metres, time, (X, float(omega), math.pi / 2))
             signals[f"y{i}_{mode}"] = sines(metres, time, (X, float(omega), 0.0))
             scalars |= {f"X{i}_{mode}": X, f"R{i}_{mode}": abs(X)}
-        values |= {f"{mode}_omega": three(float(omega)), f"{mode}_square": three(square), f"{mode}_ratio": signed(float(ratio))}
+        values |= {
+            f"{mode}_omega": three(float(omega)),
+            f"{mode}_square": three(square),
+            f"{mode}_ratio": signed(float(ratio)),
+        }
     return Picture(
-        columns={}, axes={"t": time}, signals=signals, scalars={**scalars, **pace(slow or fast, fast)}, values=values,
+        columns={},
+        axes={"t": time},
+        signals=signals,
+        scalars={**scalars, **pace(slow or fast, fast)},
+        values=values,
         forms=_forms(system),
     )
 

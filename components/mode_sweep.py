@@ -14,7 +14,7 @@ from components.plots import Axis, Curve, log_axis, plot
 from components.scene import Columns, Picture
 from components.sheet import Block, choice, column, row, term, words
 from physics.coupled import TwoMassChain
-from physics.modes import PARAMETERS, Sweep, limit, sweep
+from physics.sweeps import PARAMETERS, Sweep, limit, sweep
 
 MODES = ("slow", "fast")
 DECADES = 6
@@ -26,15 +26,24 @@ LIMITS = {
     "apart": ("two oscillators of their own", r"\sqrt{k_2/m_2}", r"k_1/k_2", r"\sqrt{k_1/m_1}", r"-m_1 k_2/(m_2 k_1)"),
     "rigid": (
         "one block on the wall's spring; the masses against each other",
-        r"\sqrt{k_1/(m_1 + m_2)}", "1", r"\sqrt{k_2 (1/m_1 + 1/m_2)}", "-m_1/m_2",
+        r"\sqrt{k_1/(m_1 + m_2)}",
+        "1",
+        r"\sqrt{k_2 (1/m_1 + 1/m_2)}",
+        "-m_1/m_2",
     ),
     "series": (
         "both springs in series under mass 2; mass 1 between them",
-        r"\sqrt{k_1 k_2/((k_1 + k_2)\, m_2)}", "1 + k_1/k_2", r"\sqrt{(k_1 + k_2)/m_1}", r"-m_1 k_2/(m_2 (k_1 + k_2))",
+        r"\sqrt{k_1 k_2/((k_1 + k_2)\, m_2)}",
+        "1 + k_1/k_2",
+        r"\sqrt{(k_1 + k_2)/m_1}",
+        r"-m_1 k_2/(m_2 (k_1 + k_2))",
     ),
     "stand": (
         "mass 1 alone on its spring; mass 2 hangs on it as on a wall",
-        r"\sqrt{k_1/m_1}", "1", r"\sqrt{k_2/m_2}", "-m_1/m_2",
+        r"\sqrt{k_1/m_1}",
+        "1",
+        r"\sqrt{k_2/m_2}",
+        "-m_1/m_2",
     ),
 }
 """Each kind of limit in words, then what omega_- tends to and its X2/X1, then omega_+ and its X2/X1."""
@@ -52,21 +61,27 @@ def sheet() -> Block:
             "**Now**",
             r"[slow|$\omega_- = \val{now_slow}$ rad/s, $X_2/X_1 = \val{now_ratio_slow}$]",
             r"[fast|$\omega_+ = \val{now_fast}$ rad/s, $X_2/X_1 = \val{now_ratio_fast}$]",
-            *_limits("low"), *_limits("high"),
-            "**The thin lines** are each mass on its springs while the other is held. They cross; the modes keep outside of both and "
-            "never meet.",
+            *_limits("low"),
+            *_limits("high"),
+            "**The thin lines** are each mass on its springs while the other is held. Where they cross, the modes "
+            "avoid each other: one keeps below both, the other above.",
             r"The two shapes mirror each other: $|X_2/X_1|_- \cdot |X_2/X_1|_+ = m_1/m_2$.",
-            grow=288, phone=20,
+            grow=288,
+            phone=20,
         ),
     )
 
 
 def _limits(end: str) -> list[str | dict[str, str]]:
     """The limit at one end, in words and formulas, by its kind."""
-    lines: list[str | dict[str, str]] = [{"form": end, **{kind: f"**{{{end}_name}}:** {texts[0]}" for kind, texts in LIMITS.items()}}]
+    lines: list[str | dict[str, str]] = [
+        {"form": end, **{kind: f"**{{{end}_name}}:** {texts[0]}" for kind, texts in LIMITS.items()}}
+    ]
     for mode, sign, at in (("slow", "-", 1), ("fast", "+", 3)):
         for name, place in ((rf"\omega_{sign}", at), ("X_2/X_1", at + 1)):
-            lines.append({"form": end, **{kind: rf"[{mode}|${name} \to {texts[place]}$]" for kind, texts in LIMITS.items()}})
+            lines.append(
+                {"form": end, **{kind: rf"[{mode}|${name} \to {texts[place]}$]" for kind, texts in LIMITS.items()}}
+            )
     return lines
 
 
@@ -74,46 +89,74 @@ def _curves(kind: str) -> tuple[Curve, ...]:
     """Both modes, the asymptotes at both ends, dotted; `kind` is omega or ratio."""
     curves = [
         Curve(name=f"{kind}_{mode}", source=f"{kind}_{end}", tint=mode, width="dash", group="limits")
-        for end in ("low", "high") for mode in MODES
+        for end in ("low", "high")
+        for mode in MODES
     ]
     labels = {"omega": ("*ω*_{−}", "*ω*_{+}"), "ratio": ("in phase", "opposite")}[kind]
     curves += [
         Curve(name=f"{kind}_{mode}", source=f"{kind}_sweep", tint=mode, width="sum", label=label)
         for mode, label in zip(MODES, labels, strict=True)
     ]
-    curves += [Curve(name=f"{kind}_{mode}", source=f"{kind}_now", tint=mode, width="none", marker="disc", group="now") for mode in MODES]
+    curves += [
+        Curve(name=f"{kind}_{mode}", source=f"{kind}_now", tint=mode, width="none", marker="disc", group="now")
+        for mode in MODES
+    ]
     return tuple(curves)
 
 
 def _frequencies() -> Block:
     held = tuple(Curve(name=f"held{i}", source="omega_sweep", tint=f"m{i}", width="thin", group="held") for i in (1, 2))
     return plot(
-        "frequencies", x="p", y="f", title="Both natural frequencies against the swept parameter, with their asymptotes",
-        source="omega_sweep", x_column="p", curves=held + _curves("omega"),
+        "frequencies",
+        x="p",
+        y="f",
+        title="Both natural frequencies against the swept parameter, with their asymptotes",
+        source="omega_sweep",
+        x_column="p",
+        curves=held + _curves("omega"),
         heading=(
             term("", "none", "ink", formula=r"\omega_\pm"),
             term("held", "line", "mute", formula=r"\text{held: } \sqrt{(k_1 + k_2)/m_1},\ \sqrt{k_2/m_2}"),
             term("limits", "dash", "mute", formula=r"\text{limits}"),
         ),
-        x_labels=False, margin=(72, 60), top=30, handles=_handles(bare=True),
+        x_labels=False,
+        margin=(72, 60),
+        top=30,
+        handles=_handles(bare=True),
         marks=({"at": "cross", "tint": "mute", "style": "dashed", "html": rich("the held ones cross"), "lift": 0},),
-        phone=10, height=230,
+        phone=10,
+        height=230,
     )
 
 
 def _ratios() -> Block:
     return plot(
-        "ratios", x="p", y="q", title="Both mode ratios, without their sign, against the swept parameter",
-        source="ratio_sweep", x_column="p", curves=_curves("ratio"),
+        "ratios",
+        x="p",
+        y="q",
+        title="Both mode ratios, without their sign, against the swept parameter",
+        source="ratio_sweep",
+        x_column="p",
+        curves=_curves("ratio"),
         heading=(term("", "none", "ink", formula=r"|X_2/X_1|"),),
-        margin=(72, 60), handles=_handles(), phone=11, height=200,
+        margin=(72, 60),
+        handles=_handles(),
+        phone=11,
+        height=200,
     )
 
 
 def _handles(bare: bool = False) -> tuple[dict[str, object], ...]:
     return tuple(
-        {"parameter": name, "symbol": SYMBOLS[name], "label": f"{SYMBOLS[name]}, swept", "tint": "ink", "axis": "x",
-         "show": f"swept_{name}", "bare": bare}
+        {
+            "parameter": name,
+            "symbol": SYMBOLS[name],
+            "label": f"{SYMBOLS[name]}, swept",
+            "tint": "ink",
+            "axis": "x",
+            "show": f"swept_{name}",
+            "bare": bare,
+        }
         for name in PARAMETERS
     )
 
@@ -137,12 +180,17 @@ def picture(system: TwoMassChain, swept: str) -> Picture:
     decades = log_axis(float(values[0]), float(values[-1]), {"m": "kg", "k": "N/m"}[swept[0]], DECADES)
     return Picture(
         columns=columns,
-        axes={"p": decades, "f": _log_range(run.omega, "rad/s"), "q": _log_range(np.abs(run.ratio), "") if shown else log_axis(0.1, 10)},
+        axes={
+            "p": decades,
+            "f": _log_range(run.omega, "rad/s"),
+            "q": _log_range(np.abs(run.ratio), "") if shown else log_axis(0.1, 10),
+        },
         scalars=_crossing(run, decades),
         values={
             **{f"now_{mode}": three(float(w)) for mode, w in zip(MODES, modes.omega, strict=True)},
             **{f"now_ratio_{mode}": signed(float(r)) for mode, r in zip(MODES, modes.ratio, strict=True)},
-            "low_name": f"{SYMBOLS[swept]} → 0", "high_name": f"{SYMBOLS[swept]} → ∞",
+            "low_name": f"{SYMBOLS[swept]} → 0",
+            "high_name": f"{SYMBOLS[swept]} → ∞",
         },
         forms={**kinds, f"swept_{swept}": "shown"},
     )
@@ -161,9 +209,14 @@ def _columns(run: Sweep) -> dict[str, Columns]:
     return columns
 
 
-def _pair(name: str, values: NDArray[np.float64], omega: NDArray[np.float64], ratio: NDArray[np.float64]) -> dict[str, Columns]:
-    """Columns of both frequencies, and of both ratios without sign; none where a ratio is infinite: nothing is coupled."""
-    columns: dict[str, Columns] = {f"omega_{name}": {"p": values, "omega_slow": omega[0], "omega_fast": omega[1]}, f"ratio_{name}": {}}
+def _pair(
+    name: str, values: NDArray[np.float64], omega: NDArray[np.float64], ratio: NDArray[np.float64]
+) -> dict[str, Columns]:
+    """Columns of both frequencies, and of both ratios without sign; none where one is infinite: nothing is coupled."""
+    columns: dict[str, Columns] = {
+        f"omega_{name}": {"p": values, "omega_slow": omega[0], "omega_fast": omega[1]},
+        f"ratio_{name}": {},
+    }
     if np.all(np.isfinite(ratio)):
         columns[f"ratio_{name}"] = {"p": values, "ratio_slow": np.abs(ratio[0]), "ratio_fast": np.abs(ratio[1])}
     return columns

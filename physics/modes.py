@@ -21,7 +21,6 @@ only at a mode, and right beside one, for every positive double; it does not ove
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
 from typing import NamedTuple
@@ -29,7 +28,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from physics.coupled import Mode, TwoMassChain, each_mass, free_modes
+from physics.coupled import TwoMassChain, free_modes
 from physics.exact import Array, exact, precise
 from physics.valid import check_finite, check_not_negative
 
@@ -79,13 +78,11 @@ def trial(chain: TwoMassChain, omega: float) -> Trial:
     """What the two equations say at a trial omega in rad/s."""
     k2 = Fraction(chain.k2)
     one, two = _diagonal(chain, omega)
-    first, second = _fixed(-one, k2), _fixed(k2, -two)
-    known = isinstance(first, Fraction) and isinstance(second, Fraction)
     return Trial(
         matrix=((_decimal(one), _decimal(k2)), (_decimal(k2), _decimal(two))),
         determinant=_decimal(one * two - k2**2),
-        rows=(_shape(first), _shape(second)),
-        apart=_decimal(first - second) if known else None,  # type: ignore[operator]
+        rows=(_fixed(-one, k2), _fixed(k2, -two)),
+        apart=_decimal(-one / k2 + k2 / two) if k2 and two else None,
     )
 
 
@@ -95,15 +92,11 @@ def _diagonal(chain: TwoMassChain, omega: float) -> tuple[Fraction, Fraction]:
     return Fraction(chain.m1) * square - Fraction(chain.k1) - k2, Fraction(chain.m2) * square - k2
 
 
-def _fixed(over: Fraction, under: Fraction) -> Fraction | float | None:
+def _fixed(over: Fraction, under: Fraction) -> Decimal | None:
     """The shape X2/X1 = over/under."""
     if under:
-        return over / under
-    return float("inf") if over else None
-
-
-def _shape(value: Fraction | float | None) -> Decimal | None:
-    return _decimal(value) if isinstance(value, Fraction) else value and Decimal(value)
+        return _decimal(over / under)
+    return Decimal("inf") if over else None
 
 
 def _decimal(value: Fraction) -> Decimal:
@@ -120,7 +113,11 @@ def forces(chain: TwoMassChain, omega: float, ratio: float) -> Forces:
     springs = (-k1 * X1 + k2 * (X2 - X1), -k2 * (X2 - X1))
     missing = (-(one * X1 + k2 * X2), -(k2 * X1 + two * X2))
     needed = (springs[0] + missing[0], springs[1] + missing[1])
-    return Forces(*((_decimal(a), _decimal(b)) for a, b in ((X1, X2), needed, springs, missing)))
+    return Forces(_pair(X1, X2), _pair(*needed), _pair(*springs), _pair(*missing))
+
+
+def _pair(one: Fraction, two: Fraction) -> Vector:
+    return _decimal(one), _decimal(two)
 
 
 def quadratic(chain: TwoMassChain) -> Quadratic:
@@ -129,10 +126,19 @@ def quadratic(chain: TwoMassChain) -> Quadratic:
     difference, fourfold = m1 * k2 - m2 * (k1 + k2), 4 * m1 * m2 * k1 * k2
     coupling = 4 * m1 * m2 * k2**2
     b = m1 * k2 + m2 * (k1 + k2)
-    values = (m1 * m2, b, k1 * k2, fourfold, difference, coupling, b**2 - fourfold)
-    exactly = [_decimal(value) for value in values]
+    Delta = _decimal(b**2 - fourfold)
     with precise():
-        return Quadratic(*exactly, exactly[-1].sqrt())
+        root = Delta.sqrt()
+    return Quadratic(
+        leading=_decimal(m1 * m2),
+        b=_decimal(b),
+        constant=_decimal(k1 * k2),
+        fourfold=_decimal(fourfold),
+        difference=_decimal(difference),
+        coupling=_decimal(coupling),
+        Delta=Delta,
+        root=root,
+    )
 
 
 def determinant_curve(chain: TwoMassChain, omega: ArrayLike) -> tuple[Array, int]:
@@ -190,111 +196,6 @@ def _row_two(chain: TwoMassChain, end: float, largest: float, count: int) -> Bra
     above = np.geomspace(largest, max(last, 1e-6), count)
     omega = np.append(pole * np.sqrt(1.0 + 1.0 / above[:-1]), end)
     return Branches([pole * np.sqrt(1.0 - 1.0 / below), omega], [below, -np.append(above[:-1], last)])
-
-
-@dataclass(frozen=True, eq=False)
-class Sweep:
-    """Frequencies (2, n) in rad/s and ratios (2, n) of both modes while one parameter takes the `values` (n,).
-
-    `held` (2, n) is the frequency of each mass alone while the other is held: sqrt((k1 + k2)/m1) and sqrt(k2/m2).
-    The modes keep outside of both, so where these two cross the modes avoid each other.
-    """
-
-    values: Array
-    omega: Array
-    ratio: Array
-    held: Array
-
-
-PARAMETERS = ("m1", "m2", "k1", "k2")
-
-
-def sweep(chain: TwoMassChain, name: str, values: ArrayLike) -> Sweep:
-    """Both modes for each of the positive values (n,) of the parameter `name`.
-
-    Frequencies are good to 1e-15, ratios to 1e-15 times the root of the mass ratio. With k2 = 0 the ratios are inf, 0.
-    """
-    values = np.asarray(values, dtype=float)
-    m1, m2, k1, k2 = _swept(chain, name, values)
-    with np.errstate(divide="ignore", over="ignore", under="ignore"):
-        own = [np.sqrt(a) / np.sqrt(b) for a, b in ((k1, m1), (k2, m1), (k2, m2))]
-        held = np.array([np.hypot(own[0], own[1]), own[2]])
-        unit = _not_zero(np.max(held, axis=0))
-        a, c = (held / unit) ** 2
-        coupling = own[1] / unit
-        root = np.hypot(a - c, 2.0 * coupling * np.sqrt(c))
-        fast = np.sqrt((a + c + root) / 2.0)
-        omega = np.array([own[0] / unit * own[2] / _not_zero(fast), unit * fast])
-        larger = _not_zero((np.abs(a - c) + root) / 2.0)  # a sum without cancellation, in both ratios
-        above, below = larger / coupling**2, c / larger
-    ratio = np.where(a >= c, [above, -below], [below, -above])
-    return Sweep(values, omega, ratio, held)
-
-
-def _not_zero(values: Array) -> Array:
-    """1 in place of 0, where there is no spring at all."""
-    return np.where(values > 0.0, values, 1.0)
-
-
-def _swept(chain: TwoMassChain, name: str, values: Array) -> list[Array]:
-    if name not in PARAMETERS:
-        raise ValueError(f"name = {name!r}: one of {', '.join(PARAMETERS)} is swept")
-    return [values if name == each else np.full_like(values, getattr(chain, each)) for each in PARAMETERS]
-
-
-class Limit(NamedTuple):
-    """What both modes tend to: omega (2, n) and ratio (2, n) over the values of the sweep; `kind` names the limit."""
-
-    kind: str
-    omega: Array
-    ratio: Array
-
-
-LIMITS = {
-    ("k2", 0): "apart", ("k1", 1): "apart",
-    ("k2", 1): "rigid", ("k1", 0): "rigid",
-    ("m1", 0): "series", ("m2", 1): "series",
-    ("m1", 1): "stand", ("m2", 0): "stand",
-}
-"""The kind of limit of each parameter at 0 and at infinity.
-
-apart   two oscillators of their own: mass 2 on k2, mass 1 on k1
-rigid   one block on k1, and the two masses against each other on k2
-series  mass 1 does without inertia: mass 2 on both springs in series, mass 1 between two walls
-stand   mass 1 minds mass 2 no more: it is alone on k1, and mass 2 hangs on it as on a wall
-"""
-
-
-def limit(chain: TwoMassChain, name: str, end: int, values: ArrayLike) -> Limit:
-    """The asymptotes of a sweep of `name` towards 0 (end = 0) or infinity (end = 1), to leading order.
-
-    Without k2 the masses are apart all along, without k1 there is only the pair: there the limits are exact.
-    """
-    values = np.asarray(values, dtype=float)
-    m1, m2, k1, k2 = _swept(chain, name, values)
-    kind = LIMITS[name, end]
-    if name != "k2" and not chain.k2:
-        kind = "apart"
-    elif name != "k1" and not chain.k1:
-        kind = "rigid"
-    with np.errstate(over="ignore", divide="ignore", invalid="raise"):
-        return Limit(kind, *(np.array(pair) for pair in _tends(kind, m1, m2, k1, k2)))
-
-
-def _tends(kind: str, m1: Array, m2: Array, k1: Array, k2: Array) -> tuple[list[Array], list[Array]]:
-    """Both frequencies and both ratios; sums of roots of sums are hypotenuses, which do not overflow."""
-    root_m, root_k = np.hypot(np.sqrt(m1), np.sqrt(m2)), np.hypot(np.sqrt(k1), np.sqrt(k2))
-    one, two, coupling = (np.sqrt(k) / np.sqrt(m) for k, m in ((k1, m1), (k2, m2), (k2, m1)))
-    if kind == "apart":
-        with np.errstate(invalid="ignore"):
-            ratios = [np.where(k2 > 0.0, k1 / k2, np.inf), -np.where(k2 > 0.0, (two / one) ** 2, 0.0)]
-        return [two, one], ratios
-    if kind == "rigid":
-        return [np.sqrt(k1) / root_m, np.hypot(two, coupling)], [np.ones_like(m1), -m1 / m2]
-    if kind == "series":
-        between = root_k / np.sqrt(m1)
-        return [two * (np.sqrt(k1) / root_k), between], [1.0 + k1 / k2, -((two / between) ** 2)]
-    return [one, two], [np.ones_like(m1), -m1 / m2]
 
 
 def shares(chain: TwoMassChain, x_0: ArrayLike) -> tuple[float, float]:

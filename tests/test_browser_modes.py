@@ -32,8 +32,9 @@ def test_guess_with_the_knobs_and_the_flags(page: Page, open_scene: Open, screen
 def at(page: Page, plot: str, x: float, y: float) -> tuple[float, float]:
     """Where a point of a plot is on the page."""
     page.wait_for_function(f"oscillations.plots.find(p => p.block.name === '{plot}').box")
-    found = page.evaluate(f"""(p => {{ const box = p.host.getBoundingClientRect(); return [box.x + p.px({x}), box.y + p.py({y})] }})
-      (oscillations.plots.find(p => p.block.name === '{plot}'))""")
+    found = page.evaluate(f"""(p => {{
+      const box = p.host.getBoundingClientRect()
+      return [box.x + p.px({x}), box.y + p.py({y})] }})(oscillations.plots.find(p => p.block.name === '{plot}'))""")
     return found[0], found[1]
 
 

@@ -11,17 +11,8 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from physics.coupled import TwoMassChain, free_modes
-from physics.modes import (
-    PARAMETERS,
-    determinant_curve,
-    forces,
-    limit,
-    quadratic,
-    row_curves,
-    shares,
-    sweep,
-    trial,
-)
+from physics.modes import determinant_curve, forces, quadratic, row_curves, shares, trial
+from physics.sweeps import PARAMETERS, limit, sweep
 
 GOOD = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
 EQUAL = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0)
@@ -206,7 +197,7 @@ def test_row_curves_are_what_the_rows_say(chain: TwoMassChain) -> None:
     for branches, row in ((first, 0), (second, 1)):
         for omega, ratio in zip(branches.omega, branches.ratio, strict=True):
             assert np.all(np.diff(omega) >= 0)
-            assert 0 <= omega[0] and omega[-1] <= end * (1 + 1e-15)
+            assert omega[0] >= 0 and omega[-1] <= end * (1 + 1e-15)
             for w, r in zip(omega[::20], ratio[::20], strict=True):
                 found = trial(chain, float(w)).rows[row]
                 assert found is None or float(found) == pytest.approx(r, rel=1e-6 * max(1, abs(r)), abs=1e-6 * largest)
@@ -222,7 +213,9 @@ def test_row_curves_without_coupling() -> None:
 
 
 @pytest.mark.parametrize("name", PARAMETERS)
-@pytest.mark.parametrize("chain", [GOOD, EQUAL, TwoMassChain(m1=1.0, m2=0.04, k1=0.96, k2=0.04)], ids=["good", "equal", "beats"])
+@pytest.mark.parametrize(
+    "chain", [GOOD, EQUAL, TwoMassChain(m1=1.0, m2=0.04, k1=0.96, k2=0.04)], ids=["good", "equal", "beats"]
+)
 def test_sweep_is_the_modes_of_each_chain(name: str, chain: TwoMassChain) -> None:
     values = np.geomspace(1e-3, 1e3, 61)
     run = sweep(chain, name, values)
@@ -274,7 +267,9 @@ def test_only_a_parameter_is_swept() -> None:
 # Shares
 
 
-@pytest.mark.parametrize(("start", "slow"), [((1, 2), 1.0), ((-0.5, -1), 1.0), ((1, -1), 0.0), ((1, 0), 1 / 9), ((1, 0.5), 1 / 3)])
+@pytest.mark.parametrize(
+    ("start", "slow"), [((1, 2), 1.0), ((-0.5, -1), 1.0), ((1, -1), 0.0), ((1, 0), 1 / 9), ((1, 0.5), 1 / 3)]
+)
 def test_book_values_of_the_shares(start: tuple[float, float], slow: float) -> None:
     assert shares(GOOD, start) == pytest.approx((slow, 1 - slow), abs=1e-15)
 

@@ -24,10 +24,21 @@ GOLDEN = (math.sqrt(5) - 1) / 2
 
 def test_the_guess_of_the_mockup() -> None:
     values = Modes().shown.values
-    assert [values[name] for name in ("a11", "a12", "a22", "D", "square")] == ["−0.220", "2.00", "0.890", "−4.20", "2.89"]
+    assert [values[name] for name in ("a11", "a12", "a22", "D", "square")] == [
+        "−0.220",
+        "2.00",
+        "0.890",
+        "−4.20",
+        "2.89",
+    ]
     assert [values[name] for name in ("row1", "row2", "apart")] == ["+0.110", "−2.25", "2.36"]
     assert [values[f"{row}{i}_N"] for row in ("need", "give", "add") for i in (1, 2)] == [
-        "−5.78 N", "+2.31 N", "−7.60 N", "+3.60 N", "+1.82 N", "−1.29 N",
+        "−5.78 N",
+        "+2.31 N",
+        "−7.60 N",
+        "+3.60 N",
+        "+1.82 N",
+        "−1.29 N",
     ]
     assert (values["omega_slow"], values["omega_fast"]) == ("1.00", "2.00")
     assert (values["r_slow"], values["r_fast"]) == ("+2.00", "−1.00")
@@ -112,10 +123,20 @@ def test_a_moving_guess_swings_at_the_trial_frequency() -> None:
 def test_the_lectures_numbers() -> None:
     values = Modes(task="solve").shown.values
     assert [values[n] for n in ("m1m2", "b", "k1k2_", "Delta", "root", "difference", "coupling")] == [
-        "2.00", "10.0", "8.00", "36.0", "6.00", "−2.00", "32.0",
+        "2.00",
+        "10.0",
+        "8.00",
+        "36.0",
+        "6.00",
+        "−2.00",
+        "32.0",
     ]
     assert [values[n] for n in ("gamma", "delta", "slow_ratio", "fast_ratio", "product")] == [
-        "−0.500", "1.50", "+2.00", "−1.00", "−2.00",
+        "−0.500",
+        "1.50",
+        "+2.00",
+        "−1.00",
+        "−2.00",
     ]
 
 
@@ -189,7 +210,15 @@ def test_the_path_is_the_motion() -> None:
 
 @pytest.mark.parametrize(
     ("start", "verdict"),
-    [((1, 2), "slow"), ((-0.5, -1), "slow"), ((1, 1.96), "slow"), ((1, -1), "fast"), ((1, 0.5), "mixed"), ((1, 1.8), "mixed"), ((0, 0), "rest")],
+    [
+        ((1, 2), "slow"),
+        ((-0.5, -1), "slow"),
+        ((1, 1.96), "slow"),
+        ((1, -1), "fast"),
+        ((1, 0.5), "mixed"),
+        ((1, 1.8), "mixed"),
+        ((0, 0), "rest"),
+    ],
 )
 def test_a_straight_line_is_marked(start: tuple[float, float], verdict: str) -> None:
     scene = Modes(task="hunt", x1_0=start[0], x2_0=start[1])
@@ -278,7 +307,15 @@ def test_corners_are_drawn_or_refused_in_words(task: str) -> None:
         choices = {"swept": pick.choice(("m1", "m2", "k1", "k2")), "instant": pick.choice(("full", "moving"))}
         scene = Modes()
         try:
-            scene.set({**values, **choices, "ratio": pick.choice((-1, 1)) * pick.choice(sizes), "answer": "shown", "task": task})
+            scene.set(
+                {
+                    **values,
+                    **choices,
+                    "ratio": pick.choice((-1, 1)) * pick.choice(sizes),
+                    "answer": "shown",
+                    "task": task,
+                }
+            )
         except ValueError as reason:
             assert "range of doubles" in str(reason)
             continue

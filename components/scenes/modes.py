@@ -8,19 +8,24 @@ from typing import Any
 
 import param
 
-from components import chain, mode_guess, mode_hunt, mode_solve, mode_sweep
+from components import chain, mode_guess, mode_guess_picture, mode_hunt, mode_solve, mode_sweep
 from components.controls import Group
 from components.parameters import angular_frequency, displacement, finite, mass, stiffness
 from components.scene import Picture, Scene
 from components.sheet import Block, choice, column, when
 from physics.coupled import TwoMassChain
-from physics.modes import PARAMETERS, trial
+from physics.modes import trial
+from physics.sweeps import PARAMETERS
 
 VIEWS = {"guess": "Guess", "solve": "Solve", "sweep": "Sweep", "hunt": "Hunt"}
 SOURCES = (
-    "row1", "row2_below", "row2_above", "det",
+    "row1",
+    "row2_below",
+    "row2_above",
+    "det",
     *(f"{kind}_{part}" for kind in ("omega", "ratio") for part in ("sweep", "low", "high", "now")),
-    "path", "answer",
+    "path",
+    "answer",
 )
 
 
@@ -31,7 +36,10 @@ class Modes(Scene):
     headline = "Both masses agree on a shape at just two frequencies"
     groups = (
         Group(
-            "Guess", ("omega", "ratio", "instant"), "or drag the point", show="guess",
+            "Guess",
+            ("omega", "ratio", "instant"),
+            "or drag the point",
+            show="guess",
             actions=(("row1", "As mass 1 wants"), ("row2", "As mass 2 wants")),
         ),
         Group("Start, from rest", ("x1_0", "x2_0"), "or drag the ring", show="hunt"),
@@ -48,17 +56,27 @@ class Modes(Scene):
     task = param.Selector(default="guess", objects=list(VIEWS), label="View")
     m1 = mass(2.0, symbol="m_1", tint="m1", says="is the mass next to the wall. Type any value above 0.")
     m2 = mass(1.0, symbol="m_2", tint="m2", says="is the mass at the end. Type any value above 0.")
-    k1 = stiffness(4.0, symbol="k_1", says="ties mass 1 to the wall. 0 lets the pair go free; type any value from 0 up.")
+    k1 = stiffness(
+        4.0, symbol="k_1", says="ties mass 1 to the wall. 0 lets the pair go free; type any value from 0 up."
+    )
     k2 = stiffness(2.0, symbol="k_2", says="couples the masses. 0 lets mass 2 go free; type any value from 0 up.")
     omega = angular_frequency(
-        1.7, softbounds=(0.0, 2.4),
+        1.7,
+        softbounds=(0.0, 2.4),
         says="moves the point sideways, X₂/X₁ up and down. Find the points that leave your hand nothing to add.",
     )
     ratio = finite(
-        -0.8, symbol="X₂/X₁", label="trial shape", unit="", softbounds=(-4.0, 4.0), tint="F",
+        -0.8,
+        symbol="X₂/X₁",
+        label="trial shape",
+        unit="",
+        softbounds=(-4.0, 4.0),
+        tint="F",
         says="is the shape that you try: how far mass 2 swings for 1 of mass 1. Type any value.",
     )
-    instant = param.Selector(default="full", objects={"At full swing": "full", "Moving": "moving"}, label="The guess is drawn")
+    instant = param.Selector(
+        default="full", objects={"At full swing": "full", "Moving": "moving"}, label="The guess is drawn"
+    )
     swept = param.Selector(default="k2", objects=list(PARAMETERS), label="Swept parameter")
     x1_0 = displacement(1.0, symbol="x_1", tint="m1", says="is where mass 1 starts, from rest. Type any value.")
     x2_0 = displacement(0.5, symbol="x_2", tint="m2", says="is where mass 2 starts, from rest. Type any value.")
@@ -94,7 +112,7 @@ class Modes(Scene):
             return mode_sweep.picture(system, self.swept)
         if self.task == "hunt":
             return mode_hunt.picture(system, (self.x1_0, self.x2_0), self.answer == "shown", self.window)
-        return mode_guess.picture(system, self.omega, self.ratio, self.instant == "moving", self.window)
+        return mode_guess_picture.picture(system, self.omega, self.ratio, self.instant == "moving", self.window)
 
     def action(self, name: str) -> dict[str, Any]:
         """The shape that one of the two equations fixes at the trial frequency."""
