@@ -189,9 +189,7 @@ def test_bad_disturbances_are_refused(excess):
             call(excess)
 
 
-@pytest.mark.parametrize(
-    ("v_0", "g", "name"), [(0.0, 9.81, "v_0"), (46.0, -1.0, "g"), (math.inf, 9.81, "v_0")]
-)
+@pytest.mark.parametrize(("v_0", "g", "name"), [(0.0, 9.81, "v_0"), (46.0, -1.0, "g"), (math.inf, 9.81, "v_0")])
 def test_bad_surroundings_are_refused(v_0, g, name):
     with pytest.raises(ValueError, match=f"{name} = "):
         linear_phugoid(v_0, g)
