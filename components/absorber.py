@@ -92,19 +92,14 @@ def _alone() -> list[Shape]:
 def _displacement(i: int, signal: str, lift: Number, top: Number) -> list[Shape]:
     """The arrow from equilibrium to the mass; its number stands where nothing moves."""
     zero, x, tint = REST[i - 1] * W, _place(i, signal), f"m{i}"
-    aside = {"anchor": "end"} if i == 1 else {"anchor": "start"}
-    words = f"*x*_{i} = {{{signal}}} {{x_unit}}"
+    if i == 1:
+        at, height, anchor = zero - var("wide") * var(f"lead_{signal}") * W - 8, lift + 5, "end"
+    else:
+        at, height, anchor = zero + 8, lift - 10, "start"
     return [
         line(x, top, x, lift, tint="mute", style="eq"),
         arrow(zero, lift, x, lift, tint=tint),
-        text(
-            zero + (-8 if i == 1 else 8),
-            lift - 10 if i == 2 else lift + 5,
-            words,
-            tint=tint,
-            style="t2 b halo",
-            **aside,
-        ),
+        text(at, height, f"*x*_{i} = {{{signal}}} {{x_unit}}", anchor, tint=tint, style="t2 b halo"),
     ]
 
 
@@ -166,8 +161,7 @@ def _verdicts() -> list[Shape]:
         text(W, above, "Alone, it shakes without end", "end", style="verdict b halo", show="alone_grows"),
     ]
     return shapes + [
-        text(W, below, words, "end", style="verdict b halo", show=f"is_{name}")
-        for name, words in VERDICTS.items()
+        text(W, below, words, "end", style="verdict b halo", show=f"is_{name}") for name, words in VERDICTS.items()
     ]
 
 

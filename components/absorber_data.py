@@ -24,7 +24,7 @@ LARGEST, SMALLEST = 0.265, 0.045
 """Sides of the masses as fractions of the stage's height."""
 DEFLECTION = 0.00767
 """The width that the static deflection takes where all fits."""
-TINY = 1e-200
+TINY, LEAD = 1e-200, 0.145
 PUSH = 0.1125
 """The width that the largest drive takes where the pull of spring 2 is not more than twice as large."""
 ROOM = (0.22, 0.2, 0.28)
@@ -59,23 +59,17 @@ def columns(duty: Duty, axes: dict[str, Axis]) -> tuple[dict[str, Columns], dict
     return sources, labels
 
 
-def _labels(
-    axes: dict[str, Axis], poles: list[float], w: Floats, swing: Floats, stroke: Floats
-) -> dict[str, float]:
+def _labels(axes: dict[str, Axis], poles: list[float], w: Floats, swing: Floats, stroke: Floats) -> dict[str, float]:
     """Where the curves' names stand: over the curve, on the right if no pole is there."""
     places = [axes["w"].start + share * (axes["w"].end - axes["w"].start) for share in (0.8, 0.92, 0.6)]
     x = next((x for x in places if all(abs(x - pole) > 0.08 * axes["w"].end for pole in poles)), places[0])
     over = {"aside1": (axes["X1"], swing), "aside2": (axes["X2"], stroke)}
     at = np.argmin(np.abs(w - x))
-    heights = {
-        name: axis.place(min(float(curve[at]), 0.75 * axis.end)) for name, (axis, curve) in over.items()
-    }
+    heights = {name: axis.place(min(float(curve[at]), 0.75 * axis.end)) for name, (axis, curve) in over.items()}
     return {"aside": axes["w"].place(x), **heights}
 
 
-def _help_label(
-    duty: Duty, axes: dict[str, Axis], w: Floats, swing: Floats, alone: Floats
-) -> dict[str, float]:
+def _help_label(duty: Duty, axes: dict[str, Axis], w: Floats, swing: Floats, alone: Floats) -> dict[str, float]:
     """In the wider half of the band, half-way up, where there is room."""
     edges = [min(max(edge, axes["w"].start), axes["w"].end) for edge in duty.band or ()]
     x = (duty.omega + max(edges, key=lambda edge: abs(edge - duty.omega))) / 2
@@ -85,9 +79,7 @@ def _help_label(
         "help_x": axes["w"].place(x),
         "help_y": axes["X1"].place(low + 0.6 * (high - low)),
         "help_seen": float(
-            not duty.c
-            and high - low > top / 8
-            and edges[1] - edges[0] > 0.1 * (axes["w"].end - axes["w"].start)
+            not duty.c and high - low > top / 8 and edges[1] - edges[0] > 0.1 * (axes["w"].end - axes["w"].start)
         ),
     }
 
@@ -127,9 +119,7 @@ def _from_rest(driven: DrivenModes, i: int, size: Axis, time: Axis) -> dict[str,
 def _pull(duty: Duty) -> float:
     """The amplitude of the force of spring and damper, which is what mass 2 needs: m2 omega^2 |X2|."""
     with precise():
-        return rounded(
-            "the pull of spring 2", exact(duty.m2) * exact(duty.omega) ** 2 * exact(duty.swings[1])
-        )
+        return rounded("the pull of spring 2", exact(duty.m2) * exact(duty.omega) ** 2 * exact(duty.swings[1]))
 
 
 def _reach(duty: Duty, end: float) -> tuple[float, float, float]:
@@ -154,9 +144,7 @@ def drawn(duty: Duty, end: float, size: Axis) -> tuple[dict[str, float], str]:
     """
     whole = max(duty.m1, duty.m2)
     reach = _reach(duty, end)
-    fits = min(
-        room / (DEFLECTION * way) if way > TINY else 1.0 for room, way in zip(ROOM, reach, strict=True)
-    )
+    fits = min(room / (DEFLECTION * way) if way > TINY else 1.0 for room, way in zip(ROOM, reach, strict=True))
     scale = DEFLECTION * (1.0 if fits >= 1 else round_down(fits))
     metre = scale / size.place(duty.deflections(1.0))
     tick = round_down(DEFLECTION * 10 / metre)
@@ -169,16 +157,15 @@ def drawn(duty: Duty, end: float, size: Axis) -> tuple[dict[str, float], str]:
         "wire2": wire(duty.k2 / 1e4),
         "metre": metre,
         "push": PUSH * min(1.0, 2 * duty.F_0 / pull) if pull else PUSH,
-        # Beside the tips of the force arrows, wherever the machine swings to.
+        # Beside the tips of the arrows, wherever the machine swings to.
+        "lead_x_alone": min(scale * reach[0], LEAD),
+        "lead_x1": min(way, LEAD),
         "tag_left": max(0.234 - way, 0.19),
         "tag_right": min(0.486 + way, 0.535),
         "tick": tick * metre,
         "alone_steady": float(duty.bare.split_is_meaningful),
         "alone_grows": float(not duty.bare.split_is_meaningful),
-        **{
-            f"is_{name}": float(name == duty.verdict)
-            for name in ("still", "less", "more", "grow", "detached")
-        },
+        **{f"is_{name}": float(name == duty.verdict) for name in ("still", "less", "more", "grow", "detached")},
         **{f"met{i}": float(met) for i, met in enumerate(duty.met)},
         **{f"open{i}": float(not met) for i, met in enumerate(duty.met)},
     }
@@ -198,9 +185,7 @@ def marks(duty: Duty, axes: dict[str, Axis]) -> dict[str, float]:
     }
     places |= {"away_low": (1 - AWAY) * duty.omega, "away_high": (1 + AWAY) * duty.omega}
     scalars = {name: w.place(min(x, 4 * w.end)) for name, x in places.items()}
-    scalars |= {
-        f"{name}_seen": float(w.start <= places[name] <= w.end) for name in ("slow", "omega", "fast", "own")
-    }
+    scalars |= {f"{name}_seen": float(w.start <= places[name] <= w.end) for name in ("slow", "omega", "fast", "own")}
     scalars |= {"limit1": X1.place(duty.limits[0]), "limit2": X2.place(duty.limits[1])}
     for name, axis, x in (("alone", X1, alone), ("swing", X1, swing), ("stroke", X2, stroke)):
         scalars |= {name: axis.place(min(x, axis.end)), f"{name}_seen": float(x <= axis.end)}
@@ -219,9 +204,7 @@ def marks(duty: Duty, axes: dict[str, Axis]) -> dict[str, float]:
     return scalars
 
 
-def values(
-    duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: float | None
-) -> dict[str, str]:
+def values(duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: float | None) -> dict[str, str]:
     """The texts of the live numbers."""
     X1, X2 = axes["X1"], axes["X2"]
     swing, stroke, alone = duty.swings
@@ -250,9 +233,7 @@ def values(
     near = f"{('ω₋', 'ω₊')[j]} {three(float((slow, fast)[j]))} rad/s"
     texts["found0"] = f"nearest is {_percent(share)} % away: {near}"
     texts["found1"] = f"{_grows(X1, swing)}; alone {_grows(X1, alone).removeprefix('swings ')}"
-    texts["found2"] = (
-        f"F₀/k₂ = {texts['stroke']} {X2.full_unit}" if duty.verdict == "still" else _grows(X2, stroke)
-    )
+    texts["found2"] = f"F₀/k₂ = {texts['stroke']} {X2.full_unit}" if duty.verdict == "still" else _grows(X2, stroke)
     return texts
 
 

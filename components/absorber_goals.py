@@ -17,7 +17,7 @@ def frequencies() -> list[tuple[str, str, str]]:
 
 def goals() -> Block:
     """Three goals: a dotted line runs from each limit in the plots to its mark and its sentence."""
-    shapes = [*_bracket(), *_readings(), *_joints()]
+    shapes = [*_bracket(), *_joints(), *_readings(), *_names()]
     for i, desk in enumerate(_limits()):
         y = var("wide") * desk + var("narrow") * (18 + 46 * i)
         begin = on_x("swing", var("away_high")) + 6 if i == 0 else var("swing.left")
@@ -42,53 +42,35 @@ def _bracket() -> list[Shape]:
 
 
 def _readings() -> list[Shape]:
-    """The numbers at the machine's speed, and the names of the fixed points."""
-    here, own, aside = (on_x("swing", var(name)) for name in ("omega", "own", "aside"))
-    alone, swing, stroke = (
-        on_y("swing", var("alone")),
-        on_y("swing", var("swing")),
-        on_y("stroke", var("stroke")),
-    )
+    """Dots and numbers at the machine's speed: hollow alone, filled with the absorber."""
+    here = on_x("swing", var("omega"))
+    alone, swing = on_y("swing", var("alone")), on_y("swing", var("swing"))
+    stroke = on_y("stroke", var("stroke"))
+    over, bold = swing + var("swing_aside"), "t1 b halo"
     return [
         circle(here, alone, 6, tint="m1", style="hollow", show="alone_seen"),
         circle(here, swing, 7, tint="m1", show="swing_seen"),
         circle(here, stroke, 7, tint="m2", show="stroke_seen"),
+        text(here - 11, alone + 5, "{alone}", "end", tint="m1", style=bold, show="alone_seen"),
+        text(here + 11, over, "{swing}", "start", tint="m1", style=bold, show="swing_seen"),
+        text(here + 11, stroke - 8, "{stroke}", "start", tint="m2", style=bold, show="stroke_seen"),
+    ]
+
+
+def _names() -> list[Shape]:
+    """The names of the curves and of the helped band, and the fixed points."""
+    own, aside, helped = (on_x("swing", var(name)) for name in ("own", "aside", "help_x"))
+    shapes = [
         text(own + 46, var("swing.top") + 15, "alone", tint="m1", style="t1 b halo", show="own_seen"),
         text(aside, on_y("swing", var("aside1")) - 14, "|*X*_{p1}|", tint="m1", style="t2 b"),
         text(aside, on_y("stroke", var("aside2")) - 14, "|*X*_{p2}|", tint="m2", style="t2 b"),
-        text(here - 11, alone + 5, "{alone}", "end", tint="m1", style="t1 b halo", show="alone_seen"),
-        text(
-            here + 11,
-            swing + var("swing_aside"),
-            "{swing}",
-            "start",
-            tint="m1",
-            style="t1 b halo",
-            show="swing_seen",
-        ),
-        text(here + 11, stroke - 8, "{stroke}", "start", tint="m2", style="t1 b halo", show="stroke_seen"),
-        text(
-            on_x("swing", var("help_x")),
-            on_y("swing", var("help_y")) + 5,
-            "helped",
-            style="t0",
-            show="help_seen",
-        ),
-        *(
-            circle(on_x("swing", var(f"{name}_x")), on_y("swing", var(f"{name}_y")), 4, show="fixed_seen")
-            for name in ("P", "Q")
-        ),
-        *(
-            text(
-                on_x("swing", var(f"{name}_x")),
-                on_y("swing", var(f"{name}_y")) - 11,
-                f"*{name}*",
-                style="t1 b halo",
-                show="fixed_seen",
-            )
-            for name in ("P", "Q")
-        ),
+        text(helped, on_y("swing", var("help_y")) + 5, "helped", style="t0", show="help_seen"),
     ]
+    for name in ("P", "Q"):
+        x, y = on_x("swing", var(f"{name}_x")), on_y("swing", var(f"{name}_y"))
+        shapes.append(circle(x, y, 4, show="fixed_seen"))
+        shapes.append(text(x, y - 11, f"*{name}*", style="t1 b halo", show="fixed_seen"))
+    return shapes
 
 
 def _joints() -> list[Shape]:

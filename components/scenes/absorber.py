@@ -68,9 +68,7 @@ class Absorber(Scene):
         Group("", ("c",), actions=(("optimum", "Den Hartog's optimum"),), show="damped"),
     )
 
-    m1 = mass(
-        100.0, symbol="m_1", tint="m1", softbounds=(10, 1000), says="is the machine. Type any value above 0."
-    )
+    m1 = mass(100.0, symbol="m_1", tint="m1", softbounds=(10, 1000), says="is the machine. Type any value above 0.")
     k1 = positive(
         250e3,
         label="mounting",
@@ -105,7 +103,7 @@ class Absorber(Scene):
         16.0,
         symbol="m_2",
         tint="m2",
-        softbounds=(1, 100),
+        softbounds=(1.0, 100.0),
         says="moves the two resonances apart. Meet all three goals, then do it with less mass.",
     )
     k2 = stiffness(
@@ -119,9 +117,7 @@ class Absorber(Scene):
         objects={"Keep tuned": "tuned", "Free": "free", "Detach": "detached"},
         label="Absorber spring",
     )
-    damping = param.Selector(
-        default="none", objects={"No damping": "none", "Add damping": "added"}, label="Damping"
-    )
+    damping = param.Selector(default="none", objects={"No damping": "none", "Add damping": "added"}, label="Damping")
     c = not_negative(
         100.0,
         label="damping",
@@ -163,18 +159,24 @@ class Absorber(Scene):
             k2 = tuned_stiffness(self.m2, self.omega)
         valley = antiresonance(TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=k2))
         best = None if changed & set(MACHINE) else self._lightest
-        if (
-            tuning != "detached"
-            and not self._damping
-            and all(self._duty(k2).met)
-            and self.m2 < (best or math.inf)
-        ):
+        if tuning != "detached" and not self._damping and all(self._duty(k2).met) and self.m2 < (best or math.inf):
             best = self.m2
         return {"k2": k2, "tuning": tuning, "_valley": valley, "_lightest": best}
 
     @property
     def _damping(self) -> float:
         return self.c if self.damping == "added" else 0.0
+
+    def _range_sliders(self, own: float) -> None:
+        """Sliders span what is of interest on a machine of this size."""
+        spans = {
+            "m2": (max(0.01 * self.m1, 5e-324), self.m1),
+            "k2": (0.0, 0.8 * self.k1),
+            "c": (0.0, 0.4 * math.sqrt(self.k1) * math.sqrt(self.m1)),
+            "omega": (0.2 * own, min(2.0 * own, 1e308)),
+        }
+        for name, span in spans.items():
+            self.param[name].softbounds = span
 
     def _duty(self, k2: float, c: float = 0.0) -> Duty:
         return Duty(m1=self.m1, k1=self.k1, F_0=self.F_0, omega=self.omega, m2=self.m2, k2=k2, c=c)
@@ -192,6 +194,7 @@ class Absorber(Scene):
             "X2": stroke,
         }
         push = nice_axis(0.0, self.F_0, "N")
+        self._range_sliders(duty.own)
         columns, seen = data.columns(duty, axes)
         drawn, tick = data.drawn(duty, end, swing)
         fastest = max(self.omega, float(duty.driven.free.omega[1])) if not duty.steady else self.omega
