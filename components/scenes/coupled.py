@@ -17,7 +17,7 @@ from components.parameters import displacement, mass, stiffness, velocity
 from components.plots import Axis, Band, Curve, nice_axis, plot, time_axis, whole_axis, widest
 from components.scene import Columns, Picture, Scene
 from components.sheet import Block, choice, column, row, stage, term, words
-from components.stage import H, Shape, W, arrow, line, var
+from components.stage import H, Shape, W, arrow, line, on_x, on_y, text, var
 from components.traces import samples, trace, traced
 from physics.coupled import FreeModes, TwoMassChain, free_modes, free_motion
 from physics.energy import chain_energy, mean_energy
@@ -172,14 +172,14 @@ def _displacements(i: int) -> Block:
                 f"x{i}_slow",
                 "line",
                 "slow",
-                sine=rf"\val{{X{i}m}}\,\sin(\val{{omega_minus}}\,t \val{{phi_minus}})",
+                sine=rf"\val{{X{i}m}}\,\sin(\val{{omega_minus}}\,t\; \val{{phi_minus}})",
                 drift=rf"\val{{a{i}}} \val{{b{i}}}\,t",
             ),
             term(
                 f"x{i}_fast",
                 "dash",
                 "fast",
-                sine=rf"\val{{X{i}p}}\,\sin(\val{{omega_plus}}\,t \val{{phi_plus}})",
+                sine=rf"\val{{X{i}p}}\,\sin(\val{{omega_plus}}\,t\; \val{{phi_plus}})",
             ),
         ),
         x_labels=False,
@@ -243,7 +243,10 @@ def _mode_energies() -> Block:
 
 
 def _plane() -> Block:
-    """The motion in the (x1, x2) plane, with the directions of the two modes."""
+    """The motion in the (x1, x2) plane: along the direction of the slow mode, then along that of the fast one."""
+    zero = on_x("plane", 0), on_y("plane", 0)
+    slow = on_x("plane", var("x1_slow")), on_y("plane", var("x2_slow"))
+    here = on_x("plane", var("x1")), on_y("plane", var("x2"))
     return plot(
         "plane",
         x="x",
@@ -255,6 +258,12 @@ def _plane() -> Block:
             Curve(name="slow2", source="modes", x="slow1", tint="slow"),
             Curve(name="fast2", source="modes", x="fast1", tint="fast", width="dash"),
             Curve(name="x2", x="x1", tint="ink", signal="x1,x2"),
+        ),
+        shapes=(
+            arrow(*zero, *slow, tint="slow"),
+            arrow(*slow, *here, tint="fast"),
+            text(var("plane.right") - 4, zero[1] - 8, "*x*_1", anchor="end", tint="m1", style="t2 b"),
+            text(zero[0] + 8, var("plane.top") + 12, "*x*_2", anchor="start", tint="m2", style="t2 b"),
         ),
         margin=(8, 8),
         square=True,
