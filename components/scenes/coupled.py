@@ -59,7 +59,7 @@ class Coupled(Scene):
         return column(
             row(
                 stage(*_shapes(), label="Two masses and two springs in motion; below, its two modes", height=215),
-                words(*_facts(), style="modes", basis=212, phone=4),
+                words(*_facts(), style="sum", basis=212, phone=4),
                 grow=230,
                 gap=18,
             ),
