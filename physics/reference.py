@@ -10,6 +10,7 @@ t/omega - sin(omega t)/omega^2 at omega_n = 0.
 """
 
 from dataclasses import dataclass
+from decimal import Decimal
 from math import frexp
 from typing import Any, NamedTuple
 
@@ -21,6 +22,13 @@ from physics.integrators import Problem, Trajectory
 
 DIGITS = 100
 SAME = 1e-70  # relative: closer frequencies are the same in exact arithmetic
+
+
+class Point(NamedTuple):
+    """A true value, and the size that an error in it is measured by."""
+
+    value: Decimal
+    size: Decimal
 
 
 @dataclass(frozen=True)
@@ -75,6 +83,40 @@ def reference(problem: Problem) -> Reference:
         return Reference(x=x, x_rest=np.array(rest).T, energy=np.array([float(row[2]) for row in rows]))
 
 
+def modal_points(problem: Problem) -> list[list[list[Point]]]:
+    """What each mode (slow, fast) adds to x of each mass at each time; sizes are amplitudes and envelopes."""
+    import mpmath
+
+    with mpmath.workdps(DIGITS + _spread(problem.chain)):
+        omega, times = mpmath.mpf(problem.omega), [mpmath.mpf(t) for t in problem.t.tolist()]
+        points = []
+        for mode in _modes(mpmath.mp, problem):
+            states = [(_coordinate(mpmath.mp, mode, omega, t)[0], _reach(mpmath.mp, mode, omega, t)) for t in times]
+            points.append([[point(share * q, abs(share) * size) for q, size in states] for share in mode.shape])
+        return points
+
+
+def modes_of(chain: TwoMassChain) -> list[tuple[Decimal, Decimal | None]]:
+    """omega and X2/X1 of the slow and the fast mode; None where mass 1 is at rest."""
+    import mpmath
+
+    with mpmath.workdps(DIGITS + _spread(chain)):
+        shapes = _shapes(mpmath.mp, chain)
+        return [(decimal(omega), decimal(r / a) if a else None) for omega, (a, r) in shapes]
+
+
+def point(value: Any, size: Any) -> Point:
+    """The same from numbers of mpmath."""
+    return Point(decimal(value), decimal(size))
+
+
+def decimal(value: Any) -> Decimal:
+    """A number of mpmath to 40 digits."""
+    import mpmath
+
+    return Decimal(mpmath.nstr(value, 40))
+
+
 def _spread(chain: TwoMassChain) -> int:
     """Digits between the largest and the smallest parameter, twice."""
     exponents = [frexp(value)[1] for value in (chain.m1, chain.m2, chain.k1, chain.k2) if value]
@@ -82,22 +124,25 @@ def _spread(chain: TwoMassChain) -> int:
 
 
 def _modes(mp: Any, problem: Problem) -> list[_Mode]:
-    chain = problem.chain
-    m1, m2, k1, k2 = (mp.mpf(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2))
+    m1, m2 = mp.mpf(problem.chain.m1), mp.mpf(problem.chain.m2)
     x1, x2, v1, v2 = (mp.mpf(value) for value in problem.start)
-    if k2:
-        b = m1 * k2 + m2 * (k1 + k2)
-        root = mp.sqrt(b * b - 4 * m1 * m2 * k1 * k2)
-        squares = (2 * k1 * k2 / (b + root), (b + root) / (2 * m1 * m2))
-        shapes = [(mp.mpf(1), (k1 + k2 - m1 * square) / k2) for square in squares]
-    else:
-        squares, shapes = (mp.mpf(0), k1 / m1), [(mp.mpf(0), mp.mpf(1)), (mp.mpf(1), mp.mpf(0))]
     modes = []
-    for square, (a, r) in zip(squares, shapes, strict=True):
+    for omega, (a, r) in _shapes(mp, problem.chain):
         M = m1 * a * a + m2 * r * r
         q_0, p_0 = (m1 * a * x1 + m2 * r * x2) / M, (m1 * a * v1 + m2 * r * v2) / M
-        modes.append(_Mode(mp.sqrt(square), (a, r), q_0, p_0, a * mp.mpf(problem.F_0) / M))
+        modes.append(_Mode(omega, (a, r), q_0, p_0, a * mp.mpf(problem.F_0) / M))
     return modes
+
+
+def _shapes(mp: Any, chain: TwoMassChain) -> list[tuple[Any, tuple[Any, Any]]]:
+    """omega and (X1, X2) of the slow and the fast mode."""
+    m1, m2, k1, k2 = (mp.mpf(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2))
+    if not k2:
+        return [(mp.mpf(0), (mp.mpf(0), mp.mpf(1))), (mp.sqrt(k1 / m1), (mp.mpf(1), mp.mpf(0)))]
+    b = m1 * k2 + m2 * (k1 + k2)
+    root = mp.sqrt(b * b - 4 * m1 * m2 * k1 * k2)
+    squares = (2 * k1 * k2 / (b + root), (b + root) / (2 * m1 * m2))
+    return [(mp.sqrt(square), (mp.mpf(1), (k1 + k2 - m1 * square) / k2)) for square in squares]
 
 
 def _state(mp: Any, problem: Problem, modes: list[_Mode], t: float) -> tuple[Any, Any, Any]:
@@ -130,3 +175,24 @@ def _coordinate(mp: Any, mode: _Mode, omega: Any, t: Any) -> tuple[Any, Any]:
         gap = n * n - omega * omega
         g, rate = (S - omega * s / n) / gap, omega * (C - c) / gap
     return q + mode.f * g, p + mode.f * rate
+
+
+def _reach(mp: Any, mode: _Mode, omega: Any, t: Any) -> Any:
+    """A bound of |q| up to the time t: the amplitude, or what a drift has reached, and the envelope of the response."""
+    n = mode.omega
+    free = mp.hypot(mode.q_0, mode.p_0 / n) if n else abs(mode.q_0) + abs(mode.p_0 * t)
+    return free + abs(mode.f) * envelope(omega, n, t)[0] if omega else free
+
+
+def envelope(omega: Any, omega_n: Any, t: Any) -> tuple[Any, Any]:
+    """Bounds of |g| and |g'| that hold up to the time t; numbers of mpmath."""
+    if not (omega and t):
+        return 0 * t, 0 * t
+    s, d = (omega + omega_n) / 2, abs(omega - omega_n) / 2
+    over_s, over_d = min(t, 1 / s), min(t, 1 / d) if d else t
+    bounds = [omega * t**3 / 6]
+    if omega_n:
+        bounds.append((over_s + over_d) / (2 * omega_n))
+    if d:
+        bounds.append(omega * (1 / omega + (min(t, 1 / omega_n) if omega_n else t)) / (4 * s * d))
+    return min(bounds), omega * over_s * over_d / 2

@@ -1,6 +1,7 @@
 """The two-mass chain in arbitrary precision: the lecture's formulas as they stand, with digits to burn.
 
-Independent of physics/: mpmath instead of decimal, the formulas of the slides instead of the rearranged ones.
+Independent of physics/ but for the size of an envelope: mpmath instead of decimal, the formulas of the slides instead of
+the rearranged ones.
 6000 bits outlast every cancellation that positive doubles can cause; motions need far fewer.
 """
 
@@ -8,6 +9,8 @@ from functools import cached_property
 
 import mpmath as mp
 import numpy as np
+
+from physics.reference import envelope
 
 U = 2.0**-53
 SETUP_BITS = 6000
@@ -115,20 +118,6 @@ def response(omega, omega_n, t):
             (mp.sin(omega * t) - omega * over_n) / D,
             omega * (mp.cos(omega * t) - mp.cos(omega_n * t)) / D,
         )
-
-
-def envelope(omega, omega_n, t):
-    """Bounds of |g| and |g'| that hold up to the time t: what errors are measured by."""
-    if not omega:
-        return mp.mpf(0), mp.mpf(0)
-    s, d = (omega + omega_n) / 2, abs(omega - omega_n) / 2
-    over_s, over_d = min(t, 1 / s), min(t, 1 / d) if d else t
-    bounds = [omega * t**3 / 6]
-    if omega_n:
-        bounds.append((over_s + over_d) / (2 * omega_n))
-    if d:
-        bounds.append(omega * (1 / omega + (min(t, 1 / omega_n) if omega_n else t)) / (4 * s * d))
-    return min(bounds), omega * over_s * over_d / 2
 
 
 def ulps(value, truth):

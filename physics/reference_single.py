@@ -1,0 +1,186 @@
+"""One oscillator, the pendulum, the phugoid and the steady swing in arbitrary precision, to measure others by.
+
+Independent of physics.exact: mpmath, and the lecture's formulas as they stand, with digits to burn. Points are
+asked for at a few times (s) or frequencies (rad/s).
+"""
+
+from collections.abc import Sequence
+from functools import lru_cache
+from math import log10
+from typing import Any
+
+from physics.coupled import TwoMassChain
+from physics.oscillator import Oscillator
+from physics.pendulum import Pendulum
+from physics.reference import Point, point
+
+DIGITS = 60
+EXACT = 20000  # bits for any few sums and products of doubles
+LINEAR = 1e-30  # smaller swings have the linear shape to twice that
+
+Points = dict[str, list[Point]]
+
+
+def oscillator_points(oscillator: Oscillator, x_0: float, v_0: float, t: Sequence[float]) -> Points:
+    """x, v and a, measured by their amplitudes; of a free mass, x by what its two terms have reached."""
+    import mpmath as mp
+
+    omega_n = oscillator.omega_n
+    with mp.workdps(DIGITS + _turns(omega_n, t)):
+        omega = mp.sqrt(mp.mpf(oscillator.k) / mp.mpf(oscillator.m))
+        A, v = mp.mpf(x_0), mp.mpf(v_0)
+        C = mp.hypot(A, v / omega) if omega else mp.mpf(0)
+        points: Points = {"x": [], "v": [], "a": []}
+        for time in map(mp.mpf, t):
+            c, s = mp.cos(omega * time), mp.sin(omega * time)
+            x = A * c + (v / omega * s if omega else v * time)
+            points["x"].append(point(x, C if omega else abs(A) + abs(v * time)))
+            points["v"].append(point(v * c - A * omega * s, omega * C if omega else abs(v)))
+            points["a"].append(point(-(omega**2) * x, omega**2 * C))
+    return points
+
+
+def _turns(omega: float, t: Sequence[float]) -> int:
+    """Digits of the phase before its point."""
+    largest = max(map(abs, t), default=0.0)
+    return round(max(0.0, log10(omega) + log10(largest))) if omega and largest else 0
+
+
+def pendulum_points(pendulum: Pendulum, theta_0: float, t: Sequence[float]) -> list[Point]:
+    """theta of the swing from rest at theta_0, measured by theta_0."""
+    import mpmath as mp
+
+    small = max(abs(theta_0), LINEAR)
+    with mp.workdps(DIGITS + _turns(pendulum.omega_0, t) - 2 * round(log10(small))):
+        omega = mp.sqrt(mp.mpf(pendulum.g) / mp.mpf(pendulum.l))
+        if abs(theta_0) < LINEAR:
+            return [point(theta_0 * mp.cos(omega * mp.mpf(time)), abs(theta_0)) for time in t]
+        return [point(swing(mp, omega, theta_0, mp.mpf(time))[0], abs(theta_0)) for time in t]
+
+
+def swing(mp: Any, omega: Any, theta_0: float, t: Any) -> tuple[Any, Any, Any]:
+    """theta, theta', theta'' of a pendulum at rest at theta_0 by Jacobi functions; omega that of small swings.
+
+    In the working precision of mp, which has to outlast theta_0^2.
+    """
+    k, k_prime = mp.sin(abs(mp.mpf(theta_0)) / 2), mp.cos(mp.mpf(theta_0) / 2)
+    argument = mp.fmod(omega * t, 2 * mp.pi * period_ratio(mp, theta_0))
+    sn, cn, dn = (mp.ellipfun(name, argument, m=1 - k_prime**2) for name in ("sn", "cn", "dn"))
+    side = mp.sign(theta_0)
+    theta = side * 2 * mp.atan2(k * cn, k_prime)
+    return theta, -side * 2 * omega * k * k_prime * sn / dn, -(omega**2) * mp.sin(theta)
+
+
+def period_ratio(mp: Any, theta_0: float) -> Any:
+    """T/T_0."""
+    return 1 / mp.agm(1, mp.cos(mp.mpf(theta_0) / 2))
+
+
+def steady_points(chain: TwoMassChain, c: float, F_0: float, omega: Sequence[float]) -> list[list[Point]]:
+    """The steady amplitudes of each mass at each frequency, measured by themselves.
+
+    Signed where nothing damps (c = 0), else moduli. The frequencies are not natural ones.
+    """
+    import mpmath as mp
+
+    with mp.workprec(EXACT):
+        rows = [[X.real if not c else abs(X) for X in steady(mp, chain, c, F_0, w)] for w in omega]
+        return [[point(X, abs(X)) for X in mass] for mass in zip(*rows, strict=True)]
+
+
+def steady(mp: Any, chain: TwoMassChain, c: float, F_0: float, omega: float) -> tuple[Any, Any]:
+    """X1, X2 of x_i = Im(X_i exp(i omega t)) from Newton's laws as two linear equations."""
+    m1, m2, k1, k2, damping, F, w = map(mp.mpf, (chain.m1, chain.m2, chain.k1, chain.k2, c, F_0, omega))
+    link = mp.mpc(k2, damping * w)
+    a, d = k1 + link - m1 * w**2, link - m2 * w**2
+    det = a * d - link**2
+    return d * F / det, link * F / det
+
+
+FLIGHT_DIGITS = 40
+ORDER = 48
+FREE_FALL = 1e-12  # below this speed the lift is 1e-24 of the weight
+
+
+def flight_points(v_0: float, g: float, excess: float, t: Sequence[float]) -> Points:
+    """h' and v' of the exact phugoid, measured by v_0^2/g and v_0.
+
+    Taylor series of du/dt = -V w, dw/dt = V u - 1 (lecture D31, slide 10, beyond it) over half a period from the
+    start, mirrored from there on.
+    """
+    import mpmath as mp
+
+    if abs(excess) < LINEAR:
+        return _ripple(mp, v_0, g, excess, t)
+    pieces, half = _half_flight(excess)
+    points: Points = {"h": [], "v": []}
+    with mp.workdps(_flight_digits(excess) + _turns(g / v_0, t)):
+        length = mp.mpf(v_0) ** 2 / mp.mpf(g)
+        for time in t:
+            rest = mp.fmod(mp.mpf(time) * mp.mpf(g) / mp.mpf(v_0), 2 * half)
+            rest = min(rest, 2 * half - rest)
+            start, u, w = next(piece for piece in reversed(pieces) if piece[0] <= rest)
+            u_now, w_now = (mp.polyval(series[::-1], rest - start) for series in (u, w))
+            points["h"].append(point(length * (1 - u_now**2 - w_now**2) / 2, length))
+            points["v"].append(point(mp.mpf(v_0) * (mp.hypot(u_now, w_now) - 1), v_0))
+    return points
+
+
+def _ripple(mp: Any, v_0: float, g: float, excess: float, t: Sequence[float]) -> Points:
+    with mp.workdps(DIGITS + _turns(g / v_0, t)):
+        speed, weight = mp.mpf(v_0), mp.mpf(g)
+        gains = [excess * speed * mp.cos(mp.sqrt(2) * weight / speed * mp.mpf(time)) for time in t]
+        return {
+            "h": [point(-speed / weight * gain, speed**2 / weight) for gain in gains],
+            "v": [point(gain, speed) for gain in gains],
+        }
+
+
+def _flight_digits(excess: float) -> int:
+    return FLIGHT_DIGITS - 2 * round(min(0.0, log10(abs(excess))))
+
+
+@lru_cache(maxsize=16)
+def _half_flight(excess: float) -> tuple[list[tuple[Any, list[Any], list[Any]]], Any]:
+    """(start, series of u, series of w) from the start until the flight is level again, and that time."""
+    import mpmath as mp
+
+    digits = _flight_digits(excess)
+    with mp.workdps(digits):
+        t, u_0, w_0 = mp.mpf(0), 1 + mp.mpf(excess), mp.mpf(0)
+        pieces: list[tuple[Any, list[Any], list[Any]]] = []
+        climbs = excess > 0
+        while True:
+            falls = mp.hypot(u_0, w_0) < FREE_FALL
+            u, w = ([u_0], [w_0, mp.mpf(-1)]) if falls else _series(mp, u_0, w_0)
+            pieces.append((t, u, w))
+            step = _step(mp, u, w, digits) if not falls else (w_0 if climbs else mp.mpf(2 * FREE_FALL))
+            u_1, w_1 = mp.polyval(u[::-1], step), mp.polyval(w[::-1], step)
+            if len(pieces) > 1 and w_1 * (1 if climbs else -1) <= 0:
+                return pieces, t + _level(mp, w, step)
+            t, u_0, w_0 = t + step, u_1, w_1
+
+
+def _series(mp: Any, u_0: Any, w_0: Any) -> tuple[list[Any], list[Any]]:
+    """Taylor coefficients of u and w: each order of the equations, and of V^2 = u^2 + w^2, gives the next."""
+    u, w, V = [u_0], [w_0], [mp.hypot(u_0, w_0)]
+    for n in range(ORDER):
+        u.append(-mp.fdot(V, w[::-1]) / (n + 1))
+        w.append((mp.fdot(V, u[n::-1]) - (n == 0)) / (n + 1))
+        V.append((mp.fdot(u, u[::-1]) + mp.fdot(w, w[::-1]) - mp.fdot(V[1:], V[:0:-1])) / (2 * V[0]))
+    return u, w
+
+
+def _step(mp: Any, u: list[Any], w: list[Any], digits: int) -> Any:
+    """As long as the last term stays below the digits."""
+    last = max(abs(u[-1]), abs(w[-1]))
+    return (mp.mpf(10) ** (5 - digits) / last) ** (mp.mpf(1) / ORDER)
+
+
+def _level(mp: Any, w: list[Any], step: Any) -> Any:
+    """Where w passes zero: Newton's method from where the chord over the step does."""
+    rate = [n * c for n, c in enumerate(w)][1:]
+    root = step * w[0] / (w[0] - mp.polyval(w[::-1], step))
+    for _ in range(8):
+        root -= mp.polyval(w[::-1], root) / mp.polyval(rate[::-1], root)
+    return root
