@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from components.stage import (
-    H,
     Expression,
+    H,
     Number,
     Shape,
     W,
@@ -27,6 +27,8 @@ CENTRE = WIDE * 0.5 * W + NARROW * 0.44 * W
 STRIP, STRIP_LENGTH = 0.79 * W, 0.2 * W
 """On a phone the stage has a small x(t) of its own."""
 SQUARE = "M0 0H1V1H0Z"
+NO_WEIGHT = ((-15, "equilibrium"), (0, "= natural"), (15, "length"))
+"""Lines of text, and how far below their middle."""
 BAR = WIDE * 22 + NARROW * 12
 PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.81), "jupiter": ("Jupiter", 24.8)}
 """Names and gravities in m/s^2."""
@@ -56,8 +58,7 @@ def levels() -> list[Shape]:
         text(left, natural + 11, "length", show="natural_seen apart", **name),
         text(left, TOP + 5, "natural length: above", show="natural_far", **name),
         text(left, level + 5, "equilibrium", show="apart", **name),
-        text(left, level - 4, "equilibrium,", show="together", **name),
-        text(left, level + 11, "natural length", show="together", **name),
+        *[text(left, level + 5 + dy, line_, show="together", **name) for dy, line_ in NO_WEIGHT],
         arrow(CENTRE - 44, natural, CENTRE - 44, level, tint="k", head=9, show="apart"),
         text(CENTRE - 54, (natural + level) * 0.5 + 6, "*δ*_{st} {delta_st}", "end", style="b halo", show="apart"),
     ]
@@ -101,7 +102,7 @@ def planets() -> list[Shape]:
 def bar() -> list[Shape]:
     """T on V, stacked to their constant sum, beside the mass."""
     whole = BOTTOM - TOP
-    V = whole * var("V") * var("per_total")
+    V = whole * var("V_share")
     letters = {"anchor": "start", "style": "t2 b halo", "show": "has_energy wide"}
     return [
         path(SQUARE, 2, BOTTOM - V, sx=BAR, sy=V, style="body", tint="V", show="has_energy"),
@@ -116,7 +117,17 @@ def strip() -> list[Shape]:
     """The small x(t) on a phone, with its cursor."""
     now, size = STRIP + STRIP_LENGTH * T * var("per_window"), -0.58 * H * var("C") * var("per_span")
     return [
-        wave(STRIP, height(0), STRIP_LENGTH, size, var("swings"), var("phi"), style="sum", tint="m1", show="narrow swings"),
+        wave(
+            STRIP,
+            height(0),
+            STRIP_LENGTH,
+            size,
+            var("swings"),
+            var("phi"),
+            style="sum",
+            tint="m1",
+            show="narrow swings",
+        ),
         line(now, TOP, now, BOTTOM, style="now", show="narrow"),
         circle(now, height(var("x")), 5, tint="m1", show="narrow"),
     ]

@@ -47,8 +47,10 @@ def _between() -> Block:
     return words(
         {
             **DATUM,
-            "equilibrium": r"$T_{\mathrm{max}} = V_{\mathrm{max}} = \val{T_max}$ {E_unit}: all is $T$ at equilibrium, all is $V$ where it turns.",
-            "separate": r"$V_{\mathrm{max}} = \val{V_max}$ {E_unit} is not $T_{\mathrm{max}} = \val{T_max}$ {E_unit}: this $V$ is larger by a "
+            "equilibrium": r"$T_{\mathrm{max}} = V_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
+            "all is $T$ at equilibrium, all is $V$ where it turns.",
+            "separate": r"$V_{\mathrm{max}} = \val{V_max}$ {E_unit} is not $T_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
+            "this $V$ is larger by a "
             "constant, so the motion is the same.",
         },
         style="small",
@@ -82,7 +84,12 @@ def _energies() -> Block:
             term("V", "line", "V", formula="V"),
             term("T", "dash", "T", formula="T"),
             *separate.values(),
-            {**phrase("", "none", "mute", equilibrium=r"exchanged at $2 \omega_n = \val{omega_2}$ rad/s", separate=""), **DATUM},
+            {
+                **phrase(
+                    "", "none", "mute", equilibrium=r"exchanged at $2 \omega_n = \val{omega_2}$ rad/s", separate=""
+                ),
+                **DATUM,
+            },
         ),
         margin=(58, 56),
         cursor="time",

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from components.stage import (
-    H,
     Expression,
+    H,
     Number,
     Shape,
     W,
@@ -75,7 +75,7 @@ def mass_height() -> Expression:
 def table(y: Number) -> list[Shape]:
     """The table seen from above: wall, spring and mass; x points up, as in the plot."""
     side = 0.2 * FRAME * var("side")
-    foot = LEVEL + WIDE * 0.7 * FRAME + NARROW * 0.42 * H
+    foot = WIDE * (var("x.top") + 1.2 * FRAME) + NARROW * (LEVEL + 0.42 * H)
     aside = MASS - 0.5 * side - 13
     return [
         wall(MASS - 42, foot, 84, side="bottom"),
@@ -131,7 +131,9 @@ def right_angles(centre: Vector) -> list[Shape]:
 def strip(now: Number, y: Number) -> list[Shape]:
     """The small x(t) on a phone, with its cursor."""
     top, bottom = LEVEL - 0.34 * H, LEVEL + 0.34 * H
-    curve = wave(STRIP, LEVEL, STRIP_LENGTH, SWING, var("swings"), var("phi"), style="sum", tint="m1", show="narrow swings")
+    curve = wave(
+        STRIP, LEVEL, STRIP_LENGTH, SWING, var("swings"), var("phi"), style="sum", tint="m1", show="narrow swings"
+    )
     marks = [line(now, top, now, bottom, style="now"), circle(now, y, 5, tint="m1")]
     return [curve, *[{**one, "show": "narrow"} for one in marks]]
 
@@ -160,7 +162,14 @@ def first() -> list[Shape]:
         circle(x, y, 4, tint="ink"),
         text(middle[0], middle[1] + 5, "*φ*", style="t2 b halo"),
         text(x + 0.5 * radius * way[0], y + 13 * var("under") + 5, "*B*", tint="T", style="t2 b halo", show="has_B"),
-        text(foot[0] + 13 * var("outside"), y - 0.5 * radius * way[1] + 5, "*A*", tint="m1", style="t2 b halo", show="has_A"),
+        text(
+            foot[0] + 13 * var("outside"),
+            y - 0.5 * radius * way[1] + 5,
+            "*A*",
+            tint="m1",
+            style="t2 b halo",
+            show="has_A",
+        ),
         text(beside[0], beside[1] + 5, "*C*", tint="m1", style="t2 b halo", show="has_A has_B"),
     ]
     return [{**one, "show": f"turns {one.get('show', '')}".strip()} for one in shapes]

@@ -13,7 +13,7 @@ SHIFTS = {"x": "", "v": r"+ \tfrac{\pi}{2}", "a": r"+ \pi"}
 GAP = 16
 
 CONSTANTS = (
-    (r"[m1|$A = x_0 = \val{A}$ m]", r"[m1|$C = \sqrt{A^2 + B^2} = \val{C}$ m]"),
+    (r"[m1|$A = x_0 = \val{A}$ m]", {"form": "C", "turn": r"[m1|$C = \sqrt{A^2 + B^2} = \val{C}$ m]"}),
     (
         {"form": "B", "turn": r"[T|$B = v_0 / \omega_n = \val{B}$ m]", "drift": r"[T|$v_0 = \val{v_0}$ m/s]"},
         {"form": "phi", "turn": r"$\phi = \mathrm{atan2}(A, B) = \val{phi}$ rad"},
@@ -24,12 +24,21 @@ CONSTANTS = (
 def oscillator_sheet() -> Block:
     over_plane, over_law = planes()
     label = "Mass on a spring, and the turning arrow whose height is its displacement"
-    start = {**stage(*first(), label="The arrow at the start with its legs A and B", phone=30, height=190), "style": "still"}
+    start = {
+        **stage(*first(), label="The arrow at the start with its legs A and B", phone=30, height=190),
+        "style": "still",
+    }
     return row(
         column(
             stage(*hero(), label=label, grow=300, height=206),
             row(_why(), start, grow=176, gap=GAP),
-            row(words(*CONSTANTS[0], style="constants", phone=32), words(*CONSTANTS[1], style="constants", phone=32), grow=0, basis=54, gap=10),
+            row(
+                words(*CONSTANTS[0], style="constants", phone=32),
+                words(*CONSTANTS[1], style="constants", phone=32),
+                grow=0,
+                basis=54,
+                gap=10,
+            ),
             grow=344,
         ),
         column(*(_row(name) for name in TINTS), grow=400),
@@ -44,7 +53,7 @@ def _why() -> Block:
         "**At** $t = 0$",
         {
             "form": "why",
-            "right": r"$\mathrm{atan}(A / B)$ gives the same $\phi$: it is right for $v_0 > 0$. $\mathrm{atan2}$ always is.",
+            "right": r"$\mathrm{atan}(A / B)$ is the same here: it is right for $v_0 > 0$, $\mathrm{atan2}$ always.",
             "wrong": r"$\mathrm{atan}(A / B) = \val{atan}$ points the other way: it is right only for $v_0 > 0$.",
             "zero": r"$\mathrm{atan}(A / B)$ would divide by zero: it is right only for $v_0 > 0$.",
             "rest": "The mass rests: there is no arrow, and no phase.",
@@ -60,12 +69,16 @@ def _row(name: str) -> Block:
     """x, v or a against time, under its formula."""
     tint = TINTS[name]
     curve, band = traced(name, tint=tint, width="sum", label=f"*{name}*", signal=name)
-    drift = {"x": r"x = \val{A}\, \val{drift}\,t", "v": r"v = \val{v_0} \text{: constant}", "a": r"a = 0 \text{: no force}"}[name]
+    drift = {
+        "x": r"x = \val{A}\, \val{drift}\,t",
+        "v": r"v = \val{v_0} \text{: constant}",
+        "a": r"a = 0 \text{: no force}",
+    }[name]
     sine = rf"{name} = \val{{top_{name}}}\, \sin(\val{{omega}}\,t\, \val{{phi_plus}} {SHIFTS[name]})"
     heading = [{**term(name, "sum", tint, turn=sine, drift=drift), "form": "kind"}]
     if name == "x":
         parts = r"= \val{A_plain}\, \cos(\val{omega}\,t)\, \val{B_plus}\, \sin(\val{omega}\,t)"
-        heading.append({**term("", "none", "ink", turn=parts), "form": "kind"})
+        heading.append({**term("", "none", "ink", shown=parts, left_out=""), "form": "parts"})
     return plot(
         name,
         x="t",

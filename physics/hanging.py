@@ -105,11 +105,13 @@ class HangingMass:
         with precise():
             deflection, rest = split(snapped(exact(self.m) * exact(self.g) / exact(self.k)))
             weight = rounded("the weight m g", exact(self.m) * exact(self.g))
-        stretch, error = two_sum(x, deflection)
+        with np.errstate(over="ignore", invalid="ignore"):
+            stretch, error = two_sum(x, deflection)
+            stretch += error + rest
         return HangingEnergy(
             T=half_square("T", self.m, v),
             V=self.well(x, datum),
-            spring=half_square("of the spring", self.k, stretch + (error + rest)),
+            spring=half_square("of the spring", self.k, stretch),
             gravity=_weight_times_height(-weight, x),
         )
 

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -14,71 +13,21 @@ from numpy.typing import NDArray
 from components.chain import wire
 from components.controls import Group
 from components.hanging import PLANETS
+from components.hanging_case import Case, case_axes
 from components.hanging_sheet import hanging_sheet
 from components.motion import derived, pace, sines
 from components.numbers import three
 from components.parameters import displacement, mass, not_negative, positive, velocity
-from components.plots import Axis, nice_axis, nice_ticks, power_unit, time_axis
+from components.plots import Axis
 from components.scene import Columns, Picture, Scene
 from components.sheet import Block
 from components.stage import var
 from components.traces import samples, trace
-from physics.exact import exact, precise, rounded
 from physics.hanging import HangingMass
-from physics.oscillator import OscillatorConstants
-from physics.sampling import Sinusoid, drawable, periods
+from physics.sampling import Sinusoid, drawable
 
 QUARTER = math.pi / 2
 ONE = Axis(-1.0, 1.0)
-FARTHEST = 6.0
-"""Amplitudes up to which the natural length is in the picture."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Case:
-    """A hanging mass, its start, its window, and from where V is counted."""
-
-    system: HangingMass
-    x_0: float
-    v_0: float
-    window: float | None
-    datum: str
-
-    @property
-    def separate(self) -> bool:
-        return self.datum == "separate"
-
-    @cached_property
-    def omega(self) -> float:
-        return self.system.omega_n
-
-    @cached_property
-    def constants(self) -> OscillatorConstants:
-        return self.system.oscillator.constants(self.x_0, self.v_0)
-
-    @cached_property
-    def end(self) -> float:
-        own = periods(2 * self.omega, 6)
-        return self.window or own
-
-    @cached_property
-    def E(self) -> float:
-        """T_max; and V_max counted from equilibrium."""
-        return self.system.total_energy(self.x_0, self.v_0)
-
-    @cached_property
-    def shift(self) -> float:
-        return self.system.datum_shift if self.separate else 0.0
-
-    @cached_property
-    def total(self) -> float:
-        return self.E + self.shift
-
-    @cached_property
-    def weight(self) -> float:
-        """m g C, the largest of the energy of gravity."""
-        with precise():
-            return rounded("m g C", exact(self.system.m) * exact(self.system.g) * exact(self.constants.C))
 
 
 class Energy(Scene):
@@ -101,7 +50,12 @@ class Energy(Scene):
         "Hanging still": {"x_0": 0.0},
     }
 
-    m = mass(1.0, symbol="m", tint="m1", says="is the mass. It sets where it hangs and how fast it swings. Any value above 0.")
+    m = mass(
+        1.0,
+        symbol="m",
+        tint="m1",
+        says="is the mass. It sets where it hangs and how fast it swings. Any value above 0.",
+    )
     k = positive(
         39.4, symbol="k", unit="N/m", label="stiffness", tint="k", scale="log", softbounds=(1.0, 200.0),
         says="is the stiffness of the spring. Any value above 0: a weight cannot hang on nothing.",
@@ -111,10 +65,12 @@ class Energy(Scene):
         says="is the gravity. It moves the equilibrium, and not the swing. Any value from 0 up.",
     )  # fmt: skip
     x_0 = displacement(
-        0.2, symbol="x_0", tint="m1", softbounds=(-0.3, 0.3), says="is how far down it is pulled at the start. Any number."
+        0.2, symbol="x_0", tint="m1", softbounds=(-0.3, 0.3),
+        says="is how far down it is pulled at the start. Any number.",
     )  # fmt: skip
     v_0 = velocity(
-        0.0, symbol="v_0", tint="m1", softbounds=(-2.0, 2.0), says="is the velocity at the start, positive downwards. Any number."
+        0.0, symbol="v_0", tint="m1", softbounds=(-2.0, 2.0),
+        says="is the velocity at the start, positive downwards. Any number.",
     )  # fmt: skip
     datum = param.Selector(
         default="equilibrium",
@@ -135,7 +91,7 @@ class Energy(Scene):
         case = Case(system=system, x_0=self.x_0, v_0=self.v_0, window=self.window, datum=self.datum)
         t = np.linspace(0.0, case.end, samples(case.end, 2 * case.omega))
         curves, bands = _motion_columns(case, t)
-        axes = _axes(case)
+        axes = case_axes(case)
         return Picture(
             columns={
                 "time": {"t": t, **curves},
@@ -158,7 +114,7 @@ class Energy(Scene):
 def _motion_columns(case: Case, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
     """x, T, V and, counted apart, the energies of spring and gravity: curves, or bands where too fast."""
     motion = case.system.motion(case.x_0, case.v_0, t)
-    energies = case.system.energies(motion.x, motion.v, case.datum)  # type: ignore[arg-type]
+    energies = case.system.energies(motion.x, motion.v, case.datum)
     omega, phi = case.omega, case.constants.phi
     nothing, half = np.zeros_like(t), case.E / 2
     potential = Sinusoid(half, 2 * omega, 2 * phi - QUARTER)
@@ -180,52 +136,10 @@ def _motion_columns(case: Case, t: NDArray[np.float64]) -> tuple[Columns, Column
     return curves, bands
 
 
-def _axes(case: Case) -> dict[str, Axis]:
-    """The energies over time have the axis of the well, whose level has its number there alone."""
-    energy = _energy_axis(case)
-    beside = replace(energy, labels=tuple("" if "J" in label else label for label in energy.labels))
-    return {"t": time_axis(case.end), "x": _x_axis(case), "x_well": _well_axis(case), "E": energy, "E_time": beside}
-
-
-def _x_axis(case: Case) -> Axis:
-    """Downwards, from above the natural length, unless that is far away, to below the lowest point."""
-    C, delta = case.constants.C, case.system.delta_st
-    high = max(1.25 * C, 1.12 * delta if delta <= FARTHEST * C or not C else 0.0) or 1.0
-    low = 1.25 * C or 0.5 * high
-    exponent, suffix = power_unit(max(high, low))
-    bare = Axis(low, -high, "m", exponent, suffix)
-    return replace(bare, ticks=nice_ticks(bare.place(-high), bare.place(low), 4))
-
-
-def _well_axis(case: Case) -> Axis:
-    """The same unit; the well is drawn a little beyond the turning points."""
-    x = _x_axis(case)
-    end = 1.18 * case.constants.C or x.start
-    ticks = nice_ticks(x.place(-end), x.place(end), 3)
-    return replace(x, start=-end, end=end, ticks=ticks)
-
-
-def _energy_axis(case: Case) -> Axis:
-    """From the lowest to the highest energy drawn; the sum T + V has its own tick."""
-    top, bottom = case.total, 0.0
-    if case.separate:
-        top, bottom = case.total + case.weight, -case.weight
-    room = 0.11 * (top - bottom) or 1.0
-    axis = nice_axis(bottom - (room / 2 if bottom else 0.0), top + room, "J", 4, exact=True)
-    total, span = axis.place(case.total), axis.place(axis.end) - axis.place(axis.start)
-    ticks = tuple(sorted({*(tick for tick in axis.ticks if abs(tick - total) > 0.12 * span), total}))
-    labels = tuple(f"{three(tick)} {axis.full_unit}" if tick == total else _round(tick) for tick in ticks)
-    return replace(axis, ticks=ticks, labels=labels)
-
-
-def _round(tick: float) -> str:
-    return f"{tick:.6g}".replace("-", "\N{MINUS SIGN}")
-
-
 def _well_columns(case: Case, axis: Axis) -> Columns:
     """V over x; counted apart, also its two parts, and V from equilibrium for comparison."""
     x = np.linspace(axis.start, axis.end, 121)
-    well = case.system.well(x, case.datum)  # type: ignore[arg-type]
+    well = case.system.well(x, case.datum)
     if not case.separate:
         return {"x": x, "V": well}
     parts = case.system.energies(x, np.zeros_like(x), "separate")
@@ -246,7 +160,12 @@ def _signals(case: Case, axes: dict[str, Axis]) -> dict[str, Any]:
         "spring": derived(E * sine * sine + weight * sine + shift),
         "gravity": derived(-weight * sine),
         "total": derived(E + shift),
+        "V_share": derived(_share(case.E, case.total) * sine * sine + _share(case.shift, case.total)),
     }
+
+
+def _share(part: float, whole: float) -> float:
+    return part / whole if whole else 0.0
 
 
 def _scalars(case: Case, axes: dict[str, Axis], t: NDArray[np.float64]) -> dict[str, float]:
@@ -254,13 +173,11 @@ def _scalars(case: Case, axes: dict[str, Axis], t: NDArray[np.float64]) -> dict[
     x, delta, C = axes["x"], case.system.delta_st, case.constants.C
     span = x.start - x.end
     far = -delta < x.end
-    total = axes["E"].place(case.total)
     scalars = {
         "x_top": x.place(x.end),
         "x_bottom": x.place(x.start),
         "per_span": 1 / (x.place(x.start) - x.place(x.end)),
         "per_window": 1 / axes["t"].place(case.end),
-        "per_total": 1 / total if total else 0.0,
         "natural": x.place(max(-delta, x.end)),
         "natural_seen": float(not far),
         "natural_far": float(far),

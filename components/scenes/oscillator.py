@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from components.chain import wire
 from components.controls import Group
 from components.motion import pace, scaled, sines
-from components.numbers import MINUS, plus, signed, three
+from components.numbers import MINUS, plus, power_unit, signed, three
 from components.parameters import displacement, mass, stiffness, velocity
-from components.plots import Axis, nice_axis, power_unit, time_axis
+from components.plots import Axis, nice_axis, time_axis
 from components.scene import Columns, Picture, Scene
 from components.sheet import Block
 from components.traces import samples, trace
@@ -25,6 +25,8 @@ from physics.sampling import Sinusoid, drawable, periods, time_window
 
 QUARTER = math.pi / 2
 ONE = Axis(-1.0, 1.0)
+LONGEST = 24
+"""Characters of numbers in the second form of x."""
 MOST_SWINGS = 6
 """In a longer window a quarter period is too short to be marked."""
 LEADS = {"x": 0.0, "v": QUARTER, "a": math.pi}
@@ -84,10 +86,13 @@ class OscillatorScene(Scene):
         "No spring": {"k": 0.0, "v_0": 0.02},
     }
 
-    m = mass(1.0, symbol="m", tint="m1", says="is the mass. Four times the mass swings half as fast. Any value above 0.")
+    m = mass(
+        1.0, symbol="m", tint="m1", says="is the mass. Four times the mass swings half as fast. Any value above 0."
+    )
     k = stiffness(39.4, symbol="k", says="is the stiffness of the spring. At 0 the mass is free. Any value from 0 up.")
     x_0 = displacement(
-        0.1, symbol="x_0", tint="m1", softbounds=(-0.3, 0.3), says="is where the mass starts, away from the wall. Any number."
+        0.1, symbol="x_0", tint="m1", softbounds=(-0.3, 0.3),
+        says="is where the mass starts, away from the wall. Any number.",
     )  # fmt: skip
     v_0 = velocity(
         -0.8, symbol="v_0", tint="T", softbounds=(-2.0, 2.0),
@@ -104,6 +109,7 @@ class OscillatorScene(Scene):
         t = np.linspace(0.0, swing.end, samples(swing.end, swing.omega))
         curves, bands = _motion_columns(swing, t)
         axes = _axes(swing, curves)
+        values = _values(swing, axes)
         return Picture(
             columns={
                 "time": {"t": t, **curves},
@@ -113,9 +119,9 @@ class OscillatorScene(Scene):
             axes=axes,
             signals=_signals(swing, axes),
             scalars=_scalars(swing, axes, t),
-            values=_values(swing, axes),
+            values=values,
             live={"x": axes["x"].digits(signed=True)},
-            forms=_forms(swing),
+            forms=_forms(swing, values),
         )
 
 
@@ -230,18 +236,25 @@ def _values(swing: Swing, axes: dict[str, Axis]) -> dict[str, str]:
         "drift": plus(constants.drift),
         "v_0": signed(swing.v_0),
         "omega": three(swing.omega),
-        "tau": three(swing.oscillator.period),
+        "tau": three(swing.oscillator.period) if swing.omega else "",
         "ratio": three(scaled(0, swing.omega, swing.omega)),
         "x_unit": axes["x"].full_unit,
         **{f"top_{name}": three(swing.amplitude(name)) for name in LEADS},
     }
 
 
-def _forms(swing: Swing) -> dict[str, str]:
+def _forms(swing: Swing, values: dict[str, str]) -> dict[str, str]:
+    """Which sentences stand; the second form of x is left out where its numbers are too long for the line."""
     if not swing.omega:
-        return {"kind": "drift", "why": "drift", "B": "drift", "phi": ""}
-    if not swing.turns:
-        why = "rest"
-    else:
-        why = "wrong" if swing.v_0 < 0 else "right" if swing.v_0 > 0 else "zero"
-    return {"kind": "turn", "why": why, "B": "turn", "phi": "turn" if swing.turns else ""}
+        return {"kind": "drift", "why": "drift", "B": "drift", "C": "", "phi": "", "parts": "left_out"}
+    start = "wrong" if swing.v_0 < 0 else "right" if swing.v_0 > 0 else "zero"
+    length = sum(len(values[name]) for name in ("A_plain", "B_plus", "omega", "omega"))
+    parts = "shown" if length <= LONGEST else "left_out"
+    return {
+        "kind": "turn",
+        "why": start if swing.turns else "rest",
+        "B": "turn",
+        "C": "turn",
+        "phi": "turn" if swing.turns else "",
+        "parts": parts,
+    }

@@ -1,0 +1,105 @@
+"""A hanging mass as the scene sees it: its start, its window, from where V is counted, and the axes that follow."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+from components.numbers import MINUS, power_unit, three
+from components.plots import Axis, nice_axis, nice_ticks, time_axis
+from physics.exact import exact, precise, rounded
+from physics.hanging import Datum, HangingMass
+from physics.oscillator import OscillatorConstants
+from physics.sampling import periods
+
+FARTHEST = 6.0
+"""Amplitudes up to which the natural length is in the picture."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Case:
+    """A hanging mass, its start, its window, and from where V is counted."""
+
+    system: HangingMass
+    x_0: float
+    v_0: float
+    window: float | None
+    datum: Datum
+
+    @property
+    def separate(self) -> bool:
+        return self.datum == "separate"
+
+    @cached_property
+    def omega(self) -> float:
+        return self.system.omega_n
+
+    @cached_property
+    def constants(self) -> OscillatorConstants:
+        return self.system.oscillator.constants(self.x_0, self.v_0)
+
+    @cached_property
+    def end(self) -> float:
+        own = periods(2 * self.omega, 6)
+        return self.window or own
+
+    @cached_property
+    def E(self) -> float:
+        """T_max; and V_max counted from equilibrium."""
+        return self.system.total_energy(self.x_0, self.v_0)
+
+    @cached_property
+    def shift(self) -> float:
+        return self.system.datum_shift if self.separate else 0.0
+
+    @cached_property
+    def total(self) -> float:
+        return self.E + self.shift
+
+    @cached_property
+    def weight(self) -> float:
+        """m g C, the largest of the energy of gravity."""
+        with precise():
+            return rounded("m g C", exact(self.system.m) * exact(self.system.g) * exact(self.constants.C))
+
+
+def case_axes(case: Case) -> dict[str, Axis]:
+    """The energies over time have the axis of the well, whose level has its number there alone."""
+    energy = _energy_axis(case)
+    beside = replace(energy, labels=tuple("" if "J" in label else label for label in energy.labels))
+    return {"t": time_axis(case.end), "x": _x_axis(case), "x_well": _well_axis(case), "E": energy, "E_time": beside}
+
+
+def _x_axis(case: Case) -> Axis:
+    """Downwards, from above the natural length, unless that is far away, to below the lowest point."""
+    C, delta = case.constants.C, case.system.delta_st
+    high = max(1.25 * C, 1.12 * delta if delta <= FARTHEST * C or not C else 0.0) or 1.0
+    low = 1.25 * C or 0.5 * high
+    exponent, suffix = power_unit(max(high, low))
+    bare = Axis(low, -high, "m", exponent, suffix)
+    return replace(bare, ticks=nice_ticks(bare.place(-high), bare.place(0.95 * low), 4))
+
+
+def _well_axis(case: Case) -> Axis:
+    """The same unit; the well is drawn a little beyond the turning points."""
+    x = _x_axis(case)
+    end = 1.18 * case.constants.C or x.start
+    ticks = nice_ticks(x.place(-end), x.place(end), 3)
+    return replace(x, start=-end, end=end, ticks=ticks)
+
+
+def _energy_axis(case: Case) -> Axis:
+    """From the lowest to the highest energy drawn; the sum T + V has its own tick."""
+    top, bottom = case.total, 0.0
+    if case.separate:
+        top, bottom = case.total + case.weight, -case.weight
+    room = 0.11 * (top - bottom) or 1.0
+    axis = nice_axis(bottom - (room / 2 if bottom else 0.0), top + room, "J", 4, exact=True)
+    total, span = axis.place(case.total), axis.place(axis.end) - axis.place(axis.start)
+    ticks = tuple(sorted({*(tick for tick in axis.ticks if abs(tick - total) > 0.12 * span), total}))
+    labels = tuple(f"{three(tick)} {axis.full_unit}" if tick == total else _round(tick) for tick in ticks)
+    return replace(axis, ticks=ticks, labels=labels)
+
+
+def _round(tick: float) -> str:
+    return f"{tick:.6g}".replace("-", MINUS)
