@@ -165,6 +165,14 @@ def _verdicts() -> list[Shape]:
     ]
 
 
+KNOB = {
+    "parameter": "_valley",
+    "symbol": "√(k₂/m₂)",
+    "label": "Frequency to which the absorber is tuned",
+    "tint": "m2",
+}
+
+
 def swing_plot() -> Block:
     """The machine's swing with the absorber and alone; grey is the swing saved where it helps."""
     return plot(
@@ -189,6 +197,7 @@ def swing_plot() -> Block:
         x_labels=False,
         margin=(52, 8),
         top=42,
+        handles=({**KNOB, "bare": True},),
         marks=tuple({"at": at, "tint": tint, "html": html, "lift": 35} for at, tint, html in frequencies()),
         grow=160,
         phone=10,
@@ -212,14 +221,7 @@ def stroke_plot() -> Block:
         heading=(phrase("stroke", "sum", "m2", words="stroke of the absorber"),),
         margin=(52, 8),
         marks=tuple({"at": at, "tint": tint} for at, tint, _ in frequencies()),
-        handles=(
-            {
-                "parameter": "_valley",
-                "symbol": "√(k₂/m₂)",
-                "label": "Frequency to which the absorber is tuned",
-                "tint": "m2",
-            },
-        ),
+        handles=(KNOB,),
         grow=92,
         phone=11,
         height=150,

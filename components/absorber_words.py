@@ -27,9 +27,7 @@ _FIRST = {
 }
 _SECOND = {
     "form": "second",
-    "still": (
-        r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = -\dfrac{F_0}{k_2} = \val{Xp2}}$ [m2|{x_unit}]"
-    ),
+    "still": (r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = -\dfrac{F_0}{k_2} = \val{Xp2}}$ [m2|{x_unit}]"),
     "undamped": r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = \val{Xp2}}$ [m2|{x_unit}]",
     "damped": r"$\tint{m2}{|X_2| = \dfrac{|\kappa| F_0}{|D|} = \val{stroke}}$ [m2|{x_unit}]",
 }
@@ -47,10 +45,7 @@ _WHY = {
         "Here the absorber does harm: alone the machine swings {alone} {x_unit}, with it {swing} {x_unit}. "
         "A resonance is too near."
     ),
-    "grow": (
-        "The drive meets a natural frequency: no steady swing exists. "
-        "From rest the motion grows like the time."
-    ),
+    "grow": ("The drive meets a natural frequency: no steady swing exists. From rest the motion grows like the time."),
     "detached": "Nothing pulls back: the machine takes the whole drive.",
     "damped": (
         r"$\kappa = k_2 + i c \omega$ takes the place of $k_2$: both peaks fall, the valley fills. "
