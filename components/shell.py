@@ -8,12 +8,17 @@ from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from bokeh.document import Document
+from bokeh.server.views.static_handler import StaticHandler
 from jinja2 import Environment, FileSystemLoader, Template
+from panel.io.resources import JS_VERSION, LOCAL_DIST
 
 if TYPE_CHECKING:
     from components.scene import Scene
 
 STATIC = Path(__file__).parent.parent / "static"
+LIBRARIES = ("bokeh", "bokeh-widgets", "bokeh-tables")
+"""The parts of BokehJS that Panel's script cannot be without; a page of its own would ask for twice as much."""
 
 
 @cache
@@ -24,9 +29,24 @@ def version() -> str:
 
 
 @cache
+def modules() -> dict[str, str]:
+    """Of each of our modules, by its address, the address with its version: the page's import map."""
+    return {f"./assets/{path.name}": f"./assets/{path.name}?v={version()}" for path in sorted(STATIC.glob("*.js"))}
+
+
+@cache
+def libraries() -> tuple[str, ...]:
+    """The addresses of the scripts of Bokeh and Panel."""
+    bokeh = (f"static/{StaticHandler.append_version(f'js/{name}.min.js')}" for name in LIBRARIES)
+    return *bokeh, f"{LOCAL_DIST}panel.min.js?v={JS_VERSION}"
+
+
+@cache
 def page_template() -> Template:
-    folder = Path(__file__).parent
-    return Environment(loader=FileSystemLoader(folder), autoescape=True).get_template("page.html")
+    """page.html, to which everything that is the same for every visitor is already known."""
+    environment = Environment(loader=FileSystemLoader(Path(__file__).parent), autoescape=True)
+    files = {"version": version(), "modules": modules(), "libraries": libraries()}
+    return environment.get_template("page.html", globals=files)
 
 
 def navigation(scenes: Mapping[str, type[Scene]], here: str) -> list[dict[str, object]]:

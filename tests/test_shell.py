@@ -1,0 +1,41 @@
+"""The page around a scene: what a browser asks for, and that a new version is not mixed with what it has kept."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, Request
+
+from components.shell import STATIC, libraries, modules, version
+
+
+def test_every_module_has_an_address_with_the_version() -> None:
+    assert set(modules()) == {f"./assets/{path.name}" for path in STATIC.glob("*.js")}
+    assert {to.removeprefix(address) for address, to in modules().items()} == {f"?v={version()}"}
+
+
+def test_every_import_of_a_module_is_in_the_map() -> None:
+    for path in STATIC.glob("*.js"):
+        for imported in re.findall(r'from "(.*)"', path.read_text(encoding="utf-8")):
+            assert f"./assets/{imported.removeprefix('./')}" in modules()
+
+
+def test_libraries_are_those_of_bokeh_and_panel() -> None:
+    names = [re.sub(r".*/|\?.*", "", address) for address in libraries()]
+    assert names == ["bokeh.min.js", "bokeh-widgets.min.js", "bokeh-tables.min.js", "panel.min.js"]
+
+
+@pytest.mark.browser
+def test_scripts_and_styles_are_asked_for_once_and_with_a_version(page: Page, open_scene: Callable[..., Page]) -> None:
+    asked: list[str] = []
+
+    def note(request: Request) -> None:
+        if request.resource_type in ("script", "stylesheet") and request.url.startswith("http"):
+            asked.append(request.url)
+
+    page.on("request", note)
+    open_scene(page, scene="coupled")
+    assert len(asked) == len(set(asked)) > len(modules())
+    assert [url for url in asked if "?v=" not in url] == []
