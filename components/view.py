@@ -22,6 +22,7 @@ from components.plots import Axis
 from components.scene import Picture, Scene, static_description
 from components.sheet import Block
 from components.url import write_query
+from components.wire import packed
 
 LOADER = """
 export async function render({model}) {
@@ -38,7 +39,7 @@ class SceneView(WidgetBase, JSComponent):
     _rename: ClassVar[dict[str, str | None]] = {"value": None}
     value = param.Dict(default={})
     description = param.String(constant=True, doc="The scene's static description, JSON.")
-    state = param.Dict(doc="The picture at page open; later ones come as messages.")
+    state = param.Dict(doc="The picture at page open, packed; later ones come as messages.")
 
     def __init__(self, scene: Scene, problems: tuple[str, ...] = (), **params: Any) -> None:
         self.scene = scene
@@ -46,7 +47,7 @@ class SceneView(WidgetBase, JSComponent):
         self._answering = False
         super().__init__(
             description=description_json(type(scene)),
-            state=self.message(problems=list(problems)),
+            state=packed(self.message(problems=list(problems))),
             sizing_mode="stretch_both",
             **params,
         )
@@ -77,7 +78,7 @@ class SceneView(WidgetBase, JSComponent):
         finally:
             self._answering = False
         self.value = {name: v for name, v in self.scene.param.values().items() if v != self.scene.param[name].default}
-        self._send_msg(self.message(answer=data.get("number")))
+        self._send_msg(packed(self.message(answer=data.get("number"))))
 
     def _apply(self, data: dict[str, Any]) -> dict[str, str]:
         if data.get("type") != "run":
@@ -91,7 +92,7 @@ class SceneView(WidgetBase, JSComponent):
     def _tell(self, _: Picture) -> None:
         """A change that no message of this page has asked for is sent at once; the others are with the answer."""
         if not self._answering:
-            self._send_msg(self.message())
+            self._send_msg(packed(self.message()))
 
 
 def as_csv(scene: Scene) -> str:

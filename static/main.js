@@ -16,6 +16,7 @@ class Page {
   constructor(model) {
     this.model = model
     this.spec = JSON.parse(model.description)
+    this.opening = unpacked(model.state)
     this.plots = []
     this.stages = []
     this.choices = []
@@ -133,7 +134,7 @@ class Page {
 
   // A scene with a motion of the chain hands it over to the accuracy scene.
   #measure() {
-    if (!MOTION.slice(0, 8).every(name => name in this.model.state.params) || this.spec.runs) return []
+    if (!MOTION.slice(0, 8).every(name => name in this.opening.params) || this.spec.runs) return []
     const link = element("a", {class: "chip", href: "#"}, "Error and time")
     link.addEventListener("click", event => {
       event.preventDefault()
@@ -159,8 +160,9 @@ class Page {
     this.model.send_msg({...message, number: ++this.number})
   }
 
-  receive(state) {
-    if (state.file) return this.#download(state)
+  receive(message) {
+    if (message.file) return this.#download(message)
+    const state = unpacked(message)
     if (state.answer !== undefined) this.waiting = false
     this.apply(state)
     this.#flush()
@@ -247,7 +249,7 @@ class Page {
       this.named.set(name, [...(this.named.get(name) ?? []), one])
     }
     await Promise.all(this.plots.map(plot => plot.embed()))
-    this.apply(this.model.state)
+    this.apply(this.opening)
     this.plots.forEach(plot => plot.layout())
     document.documentElement.dataset.ready = "true"
   }
@@ -255,6 +257,19 @@ class Page {
   theme() {
     this.plots.forEach(plot => plot.theme())
   }
+}
+
+// The columns of a message come end to end in one array; of each the text tells the length.
+function unpacked({facts, numbers}) {
+  const state = JSON.parse(facts)
+  let start = numbers.byteOffset
+  for (const columns of Object.values(state.columns)) {
+    for (const [name, length] of Object.entries(columns)) {
+      columns[name] = new Float32Array(numbers.buffer, start, length)
+      start += columns[name].byteLength
+    }
+  }
+  return state
 }
 
 function shell(page) {

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import json
 from typing import Any
 
 import numpy as np
@@ -107,9 +109,17 @@ def test_what_is_sent_is_the_picture(scene_class: type[Scene]) -> None:
     name, quantity = next(iter(quantities(scene_class).items()))
     view._handle_msg({"type": "set", "values": {name: quantity.softbounds[1]}, "number": 1})
     assert len(sent) == 1
-    assert sent[0]["answer"] == 1
+    facts, numbers = json.loads(sent[0]["facts"]), sent[0]["numbers"]
+    assert facts["answer"] == 1
     assert view.value[name] == quantity.softbounds[1]
-    assert all(column.dtype == np.float32 for columns in sent[0]["columns"].values() for column in columns.values())
+    message = view.message()
+    assert facts["query"] == message["query"]
+    ends = itertools.accumulate(length for columns in facts["columns"].values() for length in columns.values())
+    columns = [column for data in message["columns"].values() for column in data.values()]
+    assert numbers.dtype == np.float32
+    assert len(numbers) == sum(map(len, columns))
+    for end, column in zip(ends, columns, strict=True):
+        assert np.array_equal(numbers[end - len(column) : end], column)
 
 
 @scenes

@@ -161,5 +161,5 @@ def _answers(content: dict[str, Any]) -> Iterator[str]:
     for event in content.get("events", []):
         values = dict(event.get("msg_data", {}).get("values", {}).get("entries", []))
         data = values.get("data")
-        if isinstance(data, dict) and "entries" in data and "answer" in (answer := dict(data["entries"])):
-            yield f"answer {answer['answer']}"
+        if isinstance(data, dict) and "facts" in (parts := dict(data.get("entries", []))):
+            yield f"answer {json.loads(parts['facts']).get('answer')}"
