@@ -59,9 +59,7 @@ class Duty:
     def deflections(self, count: float) -> float:
         """So many times the static deflection F_0/k1, in m."""
         with precise():
-            deflection = rounded(
-                "the static deflection F_0/k1", exact(count) * exact(self.F_0) / exact(self.k1)
-            )
+            deflection = rounded("the static deflection F_0/k1", exact(count) * exact(self.F_0) / exact(self.k1))
         if deflection < SMALLEST:
             raise ValueError(f"the static deflection F_0/k1 = {deflection:.3g} m is too small to draw by")
         return deflection

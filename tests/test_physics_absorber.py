@@ -24,6 +24,7 @@ from physics.absorber import (
 )
 from physics.coupled import TwoMassChain
 from physics.forced import antiresonance, particular_solution
+from physics.reference_single import steady
 
 MACHINE = {"m1": 100.0, "k1": 250e3}
 F_0 = 500.0
@@ -58,11 +59,7 @@ def exactly() -> Iterator[None]:
 
 def truth(chain: TwoMassChain, c: float, F: float, omega: float) -> tuple[mp.mpc, mp.mpc]:
     """The steady amplitudes from Newton's laws as two linear equations."""
-    m1, m2, k1, k2, c, F, w = map(mp.mpf, (chain.m1, chain.m2, chain.k1, chain.k2, c, F, omega))
-    link = mp.mpc(k2, c * w)
-    a, d = k1 + link - m1 * w**2, link - m2 * w**2
-    det = a * d - link**2
-    return d * F / det, link * F / det
+    return steady(mp, chain, c, F, omega)
 
 
 def close(value: float, true: mp.mpf, ulps: float) -> bool:
@@ -109,9 +106,7 @@ def test_damped_amplitudes_next_to_a_resonance():
 
 def test_without_damping_it_is_the_undamped_result():
     omega = np.linspace(0.0, 100.0, 401)
-    assert np.array_equal(
-        damped_amplitude(TUNED, 0.0, F_0, omega), np.abs(particular_solution(TUNED, F_0, omega))
-    )
+    assert np.array_equal(damped_amplitude(TUNED, 0.0, F_0, omega), np.abs(particular_solution(TUNED, F_0, omega)))
     for w in (*omega, *TUNED.modes().omega, 48.0):
         exact = damped_solution(TUNED, 0.0, F_0, float(w))
         assert np.array_equal(exact.real, particular_solution(TUNED, F_0, float(w)))
@@ -155,9 +150,7 @@ def test_damper_without_a_spring(k1):
     still, moving = damped_amplitude(chain, 50.0, F_0, [0.0, 40.0]).T
     assert np.array_equal(still, np.full(2, F_0 / k1 if k1 else math.inf))
     with exactly():
-        assert all(
-            close(x, abs(true), 0.51) for x, true in zip(moving, truth(chain, 50.0, F_0, 40.0), strict=True)
-        )
+        assert all(close(x, abs(true), 0.51) for x, true in zip(moving, truth(chain, 50.0, F_0, 40.0), strict=True))
 
 
 def test_tuned_absorber_holds_the_machine():
@@ -182,9 +175,7 @@ def test_helped_band_is_where_the_machine_swings_less(m2, k2, c):
     chain = TwoMassChain(**MACHINE, m2=m2, k2=k2)
     band = helped_band(chain, c)
     omega = np.geomspace(1.0, 1e4, 4001)
-    less = damped_amplitude(chain, c, F_0, omega)[0] < np.abs(
-        particular_solution(alone(chain), F_0, omega)[0]
-    )
+    less = damped_amplitude(chain, c, F_0, omega)[0] < np.abs(particular_solution(alone(chain), F_0, omega)[0])
     if band is None:
         assert not less.any()
         return
@@ -248,16 +239,12 @@ def test_no_other_damping_and_tuning_peaks_much_lower(mu):
     best = den_hartog(100.0, 250e3, m2)
 
     def peak(k2, c):
-        return float(damped_amplitude(TwoMassChain(**MACHINE, m2=m2, k2=k2), c, F_0, omega)[0].max()) / (
-            F_0 / 250e3
-        )
+        return float(damped_amplitude(TwoMassChain(**MACHINE, m2=m2, k2=k2), c, F_0, omega)[0].max()) / (F_0 / 250e3)
 
     top = peak(best.k2, best.c)
     assert best.height <= top * (1 + 1e-3) <= 1.02 * best.height
     for k2 in best.k2 * np.array([0.9, 0.97, 1.03, 1.1]):
-        least = minimize_scalar(
-            lambda c, k2=k2: peak(k2, c), bounds=(0.3 * best.c, 3 * best.c), method="bounded"
-        )
+        least = minimize_scalar(lambda c, k2=k2: peak(k2, c), bounds=(0.3 * best.c, 3 * best.c), method="bounded")
         assert least.fun > top
 
 
