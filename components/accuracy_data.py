@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
 
 import numpy as np
 
+from components.measuring import decoded_run
 from components.numbers import short, ten, three
 from components.scene import Columns
 from physics.accuracy import Run
@@ -27,6 +31,23 @@ class Price:
     name: str
     time: float | None
     best: float
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """Measurements made beforehand, so that the scene is not empty: runs by system, and where and when."""
+
+    about: dict[str, str]
+    seconds: float
+    runs: dict[str, tuple[Run, ...]]
+
+
+@cache
+def recorded() -> Recorded:
+    """What `make bench ARGS=--record` has written."""
+    data = json.loads(Path(__file__).with_name("recorded_runs.json").read_text(encoding="utf-8"))
+    runs = {slug: tuple(decoded_run(row) for row in rows) for slug, rows in data["runs"].items()}
+    return Recorded(data["about"], data["seconds"], runs)
 
 
 def done(runs: Iterable[Run], method: str) -> list[Run]:

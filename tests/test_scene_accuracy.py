@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from components.accuracy_data import FLOOR, picked_run, price_texts, prices, setting_text, step_explosion, stopped, work
+from components.accuracy_data import FLOOR, picked_run, price_texts, prices, recorded, setting_text, step_explosion, stopped, work
 from components.scenes.accuracy import Accuracy
 from physics.accuracy import SYSTEMS, Run
 from physics.coupled import TwoMassChain
@@ -67,7 +67,7 @@ def test_the_picked_run_keeps_energy_and_loses_phase() -> None:
 
 
 def test_results_of_another_system_are_not_shown() -> None:
-    scene = measured()
+    scene = measured(limit=3.0)
     scene.set({"system": "stiff"})
     assert not any(len(scene.sources[m].data["time"]) for m in ("closed", "verlet"))
 
@@ -92,3 +92,12 @@ def test_own_system_from_a_link() -> None:
         scene.set({"k1": 0.0, "k2": 0.0})
     assert scene.k1 == 1.0
     assert FLOOR < 2.0**-53
+
+
+def test_recorded_runs_stand_before_anything_is_measured() -> None:
+    scene = Accuracy()
+    assert len(scene.sources["verlet"].data["time"]) > 3
+    assert scene.sources["closed"].data["error"][0] < 2.0**-52
+    assert "Recorded" in scene.progress["text"]
+    assert set(recorded().runs) == set(SYSTEMS)
+    assert not len(Accuracy(limit=3.0).sources["verlet"].data["time"])

@@ -26,6 +26,7 @@ from components.accuracy_data import (
     picked_run,
     price_texts,
     prices,
+    recorded,
     setting_text,
     stability,
     step_explosion,
@@ -119,7 +120,8 @@ class Accuracy(Scene):
         job = self._job
         if job is None or not self._is_current(job):
             runs = self._runs()
-            text = "Measured before on this server." if runs else "Press Run: it takes about a minute."
+            here = measuring().remembered(self._system(), self.limit)
+            text = "Measured before on this server." if here else _recorded_text() if runs else "Press Run to measure."
             return {"state": "idle", "done": len(runs), "total": len(runs), "text": text}
         before = measuring().place(job)
         text = f"{before} measurement{'s' if before > 1 else ''} before yours." if job.state == "waiting" else job.reason
@@ -167,7 +169,9 @@ class Accuracy(Scene):
         if self.measured and self.measured[:2] == (system, self.limit):
             return tuple(self.measured[2])
         known = measuring().remembered(system, self.limit)
-        return known.runs if known else ()
+        if known:
+            return known.runs
+        return recorded().runs.get(system.slug, ()) if self.limit == recorded().seconds and not self._job else ()
 
     def picture(self) -> Picture:
         system, runs = self._system(), self._runs()
@@ -195,6 +199,12 @@ class Accuracy(Scene):
             values={**_texts(runs, self.wanted), **system_texts(system), "picked": setting_text(picked) if picked else "nothing picked"},
             forms=_forms(self.view, runs, self.wanted),
         )
+
+
+def _recorded_text() -> str:
+    """Where the numbers come from that stand before anything is run."""
+    date, _, _ = recorded().about["date"].partition(" ")
+    return f"Recorded {date} on another machine; Run measures here."
 
 
 def _axes(time: Axis, error: Axis, picked: Run | None) -> dict[str, Axis]:

@@ -3,6 +3,8 @@
     make bench                         every system, 8 s a run
     make bench ARGS=--quick            two systems, 1 s a run, about a minute
 
+    make bench ARGS="--seconds 4 --record"    also what the accuracy scene shows before anything is run
+
 Writes error_vs_time.md, .csv and .json and one figure a system (PNG and SVG) into build/bench.
 """
 
@@ -19,6 +21,7 @@ from pathlib import Path
 
 from physics.accuracy import SYSTEMS, Limits, Run, System, measure, plan
 
+RECORDED = Path(__file__).parents[2] / "components" / "recorded_runs.json"
 QUICK = ("benign", "stiff")
 GOOD_ENOUGH = 1e-6
 SETTINGS = {"closed": "", "fixed": "{:g} steps an output", "adaptive": "rtol {:g}"}
@@ -30,12 +33,15 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--systems", nargs="+", choices=list(SYSTEMS), help="default: all of them")
     parser.add_argument("--seconds", type=float, help="time limit of a run; default 8, quick 1")
     parser.add_argument("--output", type=Path, default=Path("build/bench"))
+    parser.add_argument("--record", action="store_true", help="keep the runs for the accuracy scene")
     options = parser.parse_args(arguments)
     slugs = options.systems or (QUICK if options.quick else tuple(SYSTEMS))
     limits = Limits(seconds=options.seconds or (1.0 if options.quick else 8.0))
     runs = {slug: _measured(SYSTEMS[slug], limits) for slug in slugs}
     options.output.mkdir(parents=True, exist_ok=True)
     write(options.output, machine(limits), runs)
+    if options.record:
+        record(RECORDED, machine(limits), limits, runs)
     print(f"Tables and figures are in {options.output}")
 
 
@@ -68,6 +74,18 @@ def write(folder: Path, about: dict[str, str], runs: dict[str, list[Run]]) -> No
     for slug, many in runs.items():
         draw_system(folder / slug, SYSTEMS[slug], many, f"{about['date']}, {about['machine']}")
     draw_stability(folder / "stability")
+
+
+def record(path: Path, about: dict[str, str], limits: Limits, runs: dict[str, list[Run]]) -> None:
+    """What the accuracy scene shows before anything is run: the runs, their growth to three digits."""
+    rows = {slug: [_slim(run) for run in many] for slug, many in runs.items()}
+    text = json.dumps({"about": about, "seconds": limits.seconds, "runs": rows}, allow_nan=False)
+    path.write_text(text + "\n", encoding="utf-8")
+
+
+def _slim(run: Run) -> dict[str, object]:
+    growth = ("error_growth", "energy_growth")
+    return run.to_dict() | {name: [float(f"{value:.2e}") for value in getattr(run, name)] for name in growth}
 
 
 def markdown(about: dict[str, str], runs: dict[str, list[Run]]) -> str:
