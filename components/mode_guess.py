@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from components import chain
 from components.equations import rich
-from components.mode_guess_picture import ROWS
+from components.mode_guess_picture import MODES, ROWS
 from components.plots import Curve, plot
 from components.sheet import Block, column, row, stage, term, words
 from components.stage import H, Number, Shape, W, arrow, circle, line, on_x, on_y, text, var
@@ -62,10 +62,10 @@ def _readings() -> list[str | dict[str, str]]:
         *lines,
         {
             "form": "agree",
-            "apart": "They are **{apart}** apart. Only rest obeys both rows, except where the curves cross.",
+            "apart": "They are **{distance}** apart. Only rest obeys both rows, except where the curves cross.",
             "pole": "Only rest obeys both rows, except where the curves cross.",
-            "near_slow": r"Almost one equation: they are **{apart}** apart. $\omega_-$ is {slow_long} rad/s.",
-            "near_fast": r"Almost one equation: they are **{apart}** apart. $\omega_+$ is {fast_long} rad/s.",
+            "near_slow": r"Almost one equation: they are **{distance}** apart. $\omega_-$ is {slow_long} rad/s.",
+            "near_fast": r"Almost one equation: they are **{distance}** apart. $\omega_+$ is {fast_long} rad/s.",
             "same_slow": "[slow|**One and the same equation:** the slow mode.]",
             "same_fast": "[fast|**One and the same equation:** the fast mode.]",
         },
@@ -76,12 +76,12 @@ def _determinant_words() -> list[str | dict[str, str]]:
     return [
         {
             "form": "D",
-            "product": r"$D = k_2 (k_2 - m_2 \omega^2) \cdot \val{apart} = \val{D}$",
+            "product": r"$D = k_2 (k_2 - m_2 \omega^2) \cdot (\val{apart}) = \val{D}$",
             "value": r"$D = \val{D}$",
         },
         {
             "form": "roots",
-            "two": r"$D$ is + at 0, − at $k_2/m_2$, + far out: two zeros, whatever the chain.",
+            "two": r"$D = \text{det } A$ is + at 0, − at $k_2/m_2$, + far out: two zeros, whatever the chain.",
             "wall": r"No wall: $D$ is 0 at 0, − at $k_2/m_2$, + far out: one zero is at 0.",
             "loose": r"No coupling: $D = m_2 \omega^2 (m_1 \omega^2 - k_1)$, each row keeps to its own mass.",
         },
@@ -129,7 +129,7 @@ def _determinant_plot() -> Block:
         source="det",
         x_column="w",
         curves=(Curve(name="D", source="det", tint="ink", width="sum"),),
-        heading=(term("", "none", "ink", formula=r"D = \text{det } A"),),
+        heading=(term("", "none", "ink", formula="D"),),
         margin=(60, 12),
         top=6,
         handles=(
@@ -220,41 +220,52 @@ def _over_shapes() -> tuple[Shape, ...]:
     ]
     for mode, shift in (("slow", (14, -8)), ("fast", (11, -14))):
         w_mode, r_mode, name = var(f"w_{mode}"), var(f"r_{mode}"), f"{mode} mode {{r_{mode}}}"
-        shapes += _point("shape", w_mode, r_mode, 7, mode, shift, name, show=f"{mode}_in wide", style="ring")
-        shapes += _point(
-            "shape", w_mode, r_mode, 7, mode, (6, -14), name, "middle", show=f"{mode}_in narrow", style="ring"
-        )
+        shapes += _point("shape", w_mode, r_mode, 7, mode, show=f"{mode}_in", style="ring")
+        shapes += _label("shape", w_mode, r_mode, mode, shift, name, show=f"{mode}_in wide")
+        shapes += _label("shape", w_mode, r_mode, mode, (6, -14), name, "middle", show=f"{mode}_in narrow")
     for i, dy in ((1, -8), (2, 17)):
-        shapes += _point("shape", var("w"), var(f"row{i}"), 6, f"m{i}", (11, dy), f"{{row{i}}}", show=f"row{i}_in")
-    return (*shapes, *_point("shape", var("w"), var("r"), 8, "F", (-13, 18), "your guess", "end", show="guess_in"))
+        at = var(f"row{i}")
+        shapes += _point("shape", var("w"), at, 6, f"m{i}", show=f"row{i}_in")
+        shapes += _label("shape", var("w"), at, f"m{i}", (11, dy), f"{{row{i}}}", show=f"row{i}_in rows_apart")
+    shapes += _point("shape", var("w"), var("r"), 8, "F", show="guess_in")
+    return (
+        *shapes,
+        *_label("shape", var("w"), var("r"), "F", (-13, 18), "your guess", "end", show="guess_in guess_off"),
+    )
 
 
 def _over_determinant() -> tuple[Shape, ...]:
     """Over D: its zeros, the two values that alone prove them, and its value at the trial frequency."""
     shapes = [
-        *_point("det", var("w0"), var("D0"), 4, "ink", (14, 4), "*k*_1*k*_2 = {k1k2}", show="D0_in"),
-        *_point("det", var("w_held"), var("D_held"), 4, "ink", (-3, -9), "−*k*_2² = {k2k2}", "middle", show="held_in"),
+        *_point("det", var("w0"), var("D0"), 4, "ink", show="D0_in"),
+        *_label("det", var("w0"), var("D0"), "ink", (14, 4), "*k*_1*k*_2 = {k1k2}", show="D0_in", weight="t0"),
+        *_point("det", var("w_held"), var("D_held"), 4, "ink", show="held_in"),
+        *_label(
+            "det", var("w_held"), var("D_held"), "ink", (-3, -9), "−*k*_2² = {k2k2}", "middle", "held_in", weight="t0"
+        ),
     ]
-    for mode in ("slow", "fast"):
-        shapes += _point("det", var(f"w_{mode}"), var("zero"), 5, mode, (0, 0), "", style="ring")
-    return (*shapes, *_point("det", var("w"), var("D"), 6, "ink", (10, -9), "*D* = {D}", show="D_in"))
+    for mode in MODES:
+        shapes += _point("det", var(f"w_{mode}"), var("zero"), 5, mode, style="ring")
+    shapes += _point("det", var("w"), var("D"), 6, "ink", show="D_in")
+    return (*shapes, *_label("det", var("w"), var("D"), "ink", (10, -9), "*D* = {D}", show="D_in"))
 
 
 def _point(
+    plot_: str, x: Number, y: Number, radius: float, tint: str, show: str | None = None, style: str | None = None
+) -> list[Shape]:
+    return [circle(on_x(plot_, x), on_y(plot_, y), radius, tint=tint, style=style, show=show)]
+
+
+def _label(
     plot_: str,
     x: Number,
     y: Number,
-    radius: float,
     tint: str,
     shift: tuple[int, int],
-    label: str,
+    words_: str,
     anchor: str = "start",
     show: str | None = None,
-    style: str | None = None,
+    weight: str = "t1 b",
 ) -> list[Shape]:
-    px, py = on_x(plot_, x), on_y(plot_, y)
-    dot = circle(px, py, radius, tint=tint, style=style, show=show)
-    weight = "t0 halo" if radius < 5 else "t1 b halo"
-    return [dot] + (
-        [text(px + shift[0], py + shift[1], label, anchor, tint=tint, style=weight, show=show)] if label else []
-    )
+    place = on_x(plot_, x) + shift[0], on_y(plot_, y) + shift[1]
+    return [text(*place, words_, anchor, tint=tint, style=f"{weight} halo", show=show)]

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from decimal import Decimal
+from typing import Any
 
 import numpy as np
 
@@ -24,38 +25,91 @@ NEAR, SAME = 1e-3, 4e-16
 """How near a natural frequency two rows are nearly the same equation, and as near as doubles come."""
 ROUNDING = Decimal("1e-12")
 """A typed ratio is rounded, so at a mode a force of this size, compared with the others, is left: it is shown as 0."""
+LITTLE = Decimal("0.005")
+"""What a hand adds is little where it is this small beside the other forces."""
+
+
+@dataclass(frozen=True, eq=False)
+class Guess:
+    """A chain, a trial frequency and shape, what the physics says of them, and the axes that they are drawn on.
+
+    `det` counts D in units of 10**exponent, since D leaves the range of doubles long before the rest does.
+    """
+
+    system: TwoMassChain
+    omega: float
+    ratio: float
+    modes: Modes
+    asked: Trial
+    push: Forces
+    frequency: Axis
+    shape: Axis
+    det: Axis
+    exponent: int
+
+    def place_D(self, value: Decimal) -> float:
+        """A value of D on its axis, cut far outside the frame."""
+        scaled = float(value.scaleb(-self.exponent))
+        return self.det.place(scaled if abs(scaled) < 1e30 else 1e30)
+
+    @property
+    def w_in(self) -> float:
+        return inside(self.frequency, self.omega)
+
+
+def inside(axis: Axis, value: float | Decimal) -> float:
+    """1 where a value is within the range of an axis, else 0."""
+    return float(axis.start <= value <= axis.end)
 
 
 def picture(system: TwoMassChain, omega: float, ratio: float, moving: bool, window: float | None) -> Picture:
     """All of the view for one chain and one guess; ValueError where a curve leaves the range of doubles."""
-    modes, asked, push = system.modes(), trial(system, omega), forces(system, omega, ratio)
+    modes, push = system.modes(), forces(system, omega, ratio)
     if system.k2 and not np.all(np.isfinite(modes.ratio)):
         raise ValueError("a mode ratio X2/X1 leaves the range of doubles")
-    end = math.sqrt(1.375) * float(modes.omega[1]) or 2 * omega or 1.0
+    end = _end(float(modes.omega[1]), omega)
     half = 2 * max((abs(float(r)) for r in modes.ratio if r and math.isfinite(r)), default=2.0)
-    frequency, shape = squared_axis(end, "(rad/s)²"), nice_axis(-half, half, "", 4, exact=True)
-    shape = replace(shape, ticks=shape.ticks[1:-1])
-    columns, D, exponent = _columns(system, end, 3 * half)
+    shape = nice_axis(-half, half, "", 4, exact=True)
+    columns, det, exponent = _columns(system, end, 3 * half)
+    guess = Guess(
+        system=system,
+        omega=omega,
+        ratio=ratio,
+        modes=modes,
+        asked=trial(system, omega),
+        push=push,
+        frequency=squared_axis(end, "(rad/s)²"),
+        shape=replace(shape, ticks=shape.ticks[1:-1]),
+        det=det,
+        exponent=exponent,
+    )
     clock = {"t": time_axis(window or time_window(omega, omega))} if moving else {}
-    metres = Axis(-1.0, 1.0, "m")
-    rate = omega if moving else 0.0
-    time = clock.get("t", Axis(0.0, 1.0))
-    X = [float(value) for value in push.amplitude]
     return Picture(
         columns=columns,
-        axes={"w": frequency, "r": shape, "D": D, **clock},
-        signals={
-            "swing": sines(metres, time, (1.0, rate, math.pi / 2)),
-            **{f"x{i}": sines(metres, time, (X[i - 1], rate, math.pi / 2)) for i in (1, 2)},
-        },
+        axes={"w": guess.frequency, "r": guess.shape, "D": det, **clock},
+        signals=_signals(push, omega if moving else 0.0, clock.get("t", Axis(0.0, 1.0))),
         scalars={
             **_force_scalars(push),
-            **_plot_scalars(system, modes, asked, omega, ratio, (frequency, shape, D), exponent),
+            **_known(guess),
+            **_tried(guess),
             **(pace(omega, omega) if moving else {}),
         },
-        values=_values(system, modes, asked, push, omega, ratio, exponent),
-        forms={**_forms(system, modes, asked, omega)},
+        values=_values(guess) | _force_values(push),
+        forms=_forms(guess),
     )
+
+
+def _end(fast: float, omega: float) -> float:
+    """The frame holds both modes, and the trial frequency where it is not far beyond them."""
+    both = math.sqrt(1.375) * fast
+    return (max(both, 1.1 * omega) if omega < 2 * fast or not fast else both) or 1.0
+
+
+def _signals(push: Forces, omega: float, time: Axis) -> dict[str, Any]:
+    """The guess as a motion, from full swing; at omega = 0 it stays there."""
+    metres = Axis(-1.0, 1.0, "m")
+    sizes = {"swing": 1.0, "x1": float(push.amplitude[0]), "x2": float(push.amplitude[1])}
+    return {name: sines(metres, time, (size, omega, math.pi / 2)) for name, size in sizes.items()}
 
 
 def _columns(system: TwoMassChain, end: float, largest: float) -> tuple[dict[str, Columns], Axis, int]:
@@ -88,94 +142,86 @@ def _force_scalars(push: Forces) -> dict[str, float]:
     return scalars
 
 
-def _plot_scalars(
-    system: TwoMassChain,
-    modes: Modes,
-    asked: Trial,
-    omega: float,
-    ratio: float,
-    axes: tuple[Axis, Axis, Axis],
-    exponent: int,
-) -> dict[str, float]:
-    """Where the points of the two plots stand, in the units of their axes, and which of them are inside the frame."""
-    frequency, shape, D = axes
-
-    def inside(axis: Axis, value: float) -> float:
-        return float(axis.start <= value <= axis.end)
-
-    def scaled_D(value: Decimal) -> float:
-        return float(value.scaleb(-exponent))
-
-    equation = quadratic(system)
-    held = math.sqrt(system.k2) / math.sqrt(system.m2)
-    w_in, now = inside(frequency, omega), scaled_D(asked.determinant)
-    least = scaled_D(-(Decimal(system.k2) ** 2))
+def _known(guess: Guess) -> dict[str, float]:
+    """Where the modes and the two known values of D stand, in the units of the axes, and which are inside the frame."""
+    system, modes, shape = guess.system, guess.modes, guess.shape
+    least = -(Decimal(system.k2) ** 2)
     scalars = {
-        "w": frequency.place(min(omega, 2 * frequency.end)),
-        "w_in": w_in,
-        "r": shape.place(max(min(ratio, 2 * shape.end), 2 * shape.start)),
-        "guess_in": w_in * inside(shape, ratio),
         "zero": 0.0,
-        "D": D.place(now if abs(now) < 1e30 else 1e30),
-        "D_in": w_in * inside(D, now),
         "w0": 0.0,
-        "D0": D.place(scaled_D(equation.constant)),
+        "D0": guess.place_D(quadratic(system).constant),
         "D0_in": float(system.k1 > 0 < system.k2),
-        "w_held": frequency.place(held),
-        "D_held": D.place(least),
-        "held_in": float(system.k2 > 0) * inside(D, least),
+        "w_held": guess.frequency.place(math.sqrt(system.k2) / math.sqrt(system.m2)),
+        "D_held": guess.place_D(least),
+        "held_in": float(system.k2 > 0) * inside(guess.det, least.scaleb(-guess.exponent)),
     }
     for mode, w, r in zip(MODES, modes.omega, modes.ratio, strict=True):
-        r_in = math.isfinite(r) and bool(inside(shape, float(r)))
-        scalars |= {f"w_{mode}": frequency.place(float(w)), f"w_{mode}_si": float(w)}
-        scalars |= {f"{mode}_in": float(r_in), f"r_{mode}": shape.place(float(r)) if r_in else 0.0}
-    wanted = []
-    for i, value in enumerate(asked.rows, start=1):
-        known = value is not None and value.is_finite() and shape.start <= value <= shape.end
-        scalars |= {
-            f"row{i}_in": w_in * known,
-            f"row{i}": shape.place(float(value)) if known and value is not None else 0.0,
-        }
-        wanted.append(
-            0.0 if value is None else shape.place(float(max(min(value, Decimal(shape.end)), Decimal(shape.start))))
-        )
-    return scalars | {"gap": w_in * (None not in asked.rows), "gap_low": wanted[0], "gap_high": wanted[1]}
+        r_in = float(math.isfinite(r)) and inside(shape, float(r))
+        scalars |= {f"w_{mode}": guess.frequency.place(float(w)), f"w_{mode}_si": float(w)}
+        scalars |= {f"{mode}_in": r_in, f"r_{mode}": shape.place(float(r)) if r_in else 0.0}
+    return scalars
 
 
-def _values(
-    system: TwoMassChain, modes: Modes, asked: Trial, push: Forces, omega: float, ratio: float, exponent: int
-) -> dict[str, str]:
+def _tried(guess: Guess) -> dict[str, float]:
+    """The same of the trial point, of what both rows ask for there, and of D; and where labels would collide."""
+    frequency, shape, D = guess.frequency, guess.shape, guess.asked.determinant
+    reach = shape.place(shape.end)
+    w = frequency.place(min(guess.omega, 2 * frequency.end))
+    r = shape.place(max(min(guess.ratio, 2 * shape.end), 2 * shape.start))
+    scalars = {"w": w, "w_in": guess.w_in, "r": r, "guess_in": guess.w_in * inside(shape, guess.ratio)}
+    scalars |= {"D": guess.place_D(D), "D_in": guess.w_in * inside(guess.det, D.scaleb(-guess.exponent))}
+    ends = []
+    for i, row in enumerate(guess.asked.rows, start=1):
+        place = 0.0 if row is None else shape.place(float(max(min(row, Decimal(shape.end)), Decimal(shape.start))))
+        ends.append(place)
+        scalars |= {f"row{i}": place, f"row{i}_in": guess.w_in * (row is not None and inside(shape, row))}
+    scalars |= {"gap": guess.w_in * (None not in guess.asked.rows), "gap_low": ends[0], "gap_high": ends[1]}
+    known = _known(guess)
+    near = [
+        abs(w - known[f"w_{mode}"]) < 0.08 * frequency.place(frequency.end)
+        and abs(r - known[f"r_{mode}"]) < 0.16 * reach
+        for mode in MODES
+    ]
+    return scalars | {"rows_apart": float(abs(ends[0] - ends[1]) > 0.2 * reach), "guess_off": float(not any(near))}
+
+
+def _values(guess: Guess) -> dict[str, str]:
+    modes, asked = guess.modes, guess.asked
     (a11, a12), (_, a22) = asked.matrix
     values = {"a11": three(a11), "a12": three(a12), "a22": three(a22), "D": three(asked.determinant)}
-    values |= {"square": three(Decimal(omega) ** 2), "apart": "" if asked.apart is None else three(asked.apart)}
-    values |= {
-        f"{mode}_long": f"{w:.5g}" if 0.1 <= w < 1e4 else three(float(w))
-        for mode, w in zip(MODES, modes.omega, strict=True)
-    }
-    equation = quadratic(system)
-    values |= {"k1k2": three(equation.constant), "k2k2": three(-(Decimal(system.k2) ** 2))}
-    largest = max(abs(value) for pair in push[1:] for value in pair)
-    for i in (1, 2):
-        row_ = asked.rows[i - 1]
-        values[f"row{i}"] = "" if row_ is None else signed(row_)
-        values[f"X{i}"] = signed(push.amplitude[i - 1])
-        for name, pair in zip(ROWS, push[1:], strict=True):
-            value = pair[i - 1] if abs(pair[i - 1]) > ROUNDING * largest else Decimal(0)
-            values[f"{name}{i}_N"] = f"{signed(value)} N"
+    values["square"] = three(Decimal(guess.omega) ** 2)
+    if asked.apart is not None:
+        values |= {"apart": three(asked.apart), "distance": three(abs(asked.apart))}
+    values |= {"k1k2": three(quadratic(guess.system).constant), "k2k2": three(-(Decimal(guess.system.k2) ** 2))}
+    for i, row in enumerate(asked.rows, start=1):
+        values[f"row{i}"] = "" if row is None else signed(row)
     for mode, w, r in zip(MODES, modes.omega, modes.ratio, strict=True):
         values |= {f"omega_{mode}": three(float(w)), f"r_{mode}": signed(float(r))}
-    balanced = all(abs(value) <= Decimal("0.005") * largest for value in push.missing)
-    return values | {"you_add": "nothing: this is a mode" if balanced and largest else "what you must add"}
+        values[f"{mode}_long"] = f"{w:.5g}" if 0.1 <= w < 1e4 else three(float(w))
+    return values
 
 
-def _forms(system: TwoMassChain, modes: Modes, asked: Trial, omega: float) -> dict[str, str]:
+def _force_values(push: Forces) -> dict[str, str]:
+    largest = max(abs(value) for pair in push[1:] for value in pair)
+    values = {f"X{i}": signed(amplitude) for i, amplitude in enumerate(push.amplitude, start=1)}
+    for name, pair in zip(ROWS, push[1:], strict=True):
+        for i, value in enumerate(pair, start=1):
+            values[f"{name}{i}_N"] = f"{signed(value if abs(value) > ROUNDING * largest else Decimal(0))} N"
+    left = max(abs(value) for value in push.missing)
+    if not largest or left > LITTLE * largest:
+        return values | {"you_add": "what you must add"}
+    return values | {"you_add": "nothing: a mode" if left <= ROUNDING * largest else "next to nothing"}
+
+
+def _forms(guess: Guess) -> dict[str, str]:
+    system, asked = guess.system, guess.asked
     forms: dict[str, str] = {}
     for i, value in enumerate(asked.rows, start=1):
         forms[f"row{i}"] = "any" if value is None else "number" if value.is_finite() else "pole"
     forms["agree"] = "pole" if asked.apart is None else "apart"
-    for mode, w in zip(MODES, modes.omega, strict=True):
+    for mode, w in zip(MODES, guess.modes.omega, strict=True):
         for word, tolerance in (("near", NEAR), ("same", SAME)):
-            if abs(omega - w) <= tolerance * w and (asked.apart is not None or word == "same"):
+            if abs(guess.omega - w) <= tolerance * w and (asked.apart is not None or word == "same"):
                 forms["agree"] = f"{word}_{mode}"
     forms["D"] = "value" if asked.apart is None else "product"
     forms["roots"] = "loose" if not system.k2 else "two" if system.k1 else "wall"

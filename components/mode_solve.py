@@ -48,7 +48,8 @@ def _formulas() -> list[str | dict[str, str]]:
             r"$(m_1 k_2 - m_2 (k_1 + k_2))^2 + 4 m_1 m_2 k_2^2 "
             r"= (\val{difference})^2 + \val{coupling}$, squares that never vanish together. "
             r"So both $\omega^2$ are real.",
-            "loose": r"**$\Delta$ is a square:** $(m_2 k_1)^2$, as nothing couples the masses. Both $\omega^2$ are real.",
+            "loose": r"**$\Delta$ is a square:** $(m_2 k_1)^2$, as nothing couples the masses. "
+            r"Both $\omega^2$ are real.",
             "free": r"**$\Delta = 0$:** there is no spring at all, and both frequencies are 0.",
         },
         {
@@ -59,6 +60,12 @@ def _formulas() -> list[str | dict[str, str]]:
         },
         r"[slow|$\omega_-^2 = \val{slow_square}$, $\omega_- = \val{slow_omega}$ rad/s]",
         r"[fast|$\omega_+^2 = \val{fast_square}$, $\omega_+ = \val{fast_omega}$ rad/s]",
+        *_ratios(),
+    ]
+
+
+def _ratios() -> list[str | dict[str, str]]:
+    return [
         {
             "form": "ratios",
             "both": r"**The shapes:** $-X_2/X_1 = (m_1 \omega_\pm^2 - k_1 - k_2)/k_2 = \gamma \pm \delta$",

@@ -66,7 +66,7 @@ def test_at_a_mode_the_rows_are_one_equation_and_nothing_is_to_be_added(mode: st
     assert shown.forms["agree"] == f"same_{mode}"
     assert shown.values["D"] == "0.00"
     assert [shown.values[f"add{i}_N"] for i in (1, 2)] == ["+0.00 N", "+0.00 N"]
-    assert shown.values["you_add"] == "nothing: this is a mode"
+    assert shown.values["you_add"] == "nothing: a mode"
 
 
 def test_the_flag_leads_to_a_mode_that_no_double_holds() -> None:
