@@ -50,8 +50,7 @@ def _between() -> Block:
             "equilibrium": r"$T_{\mathrm{max}} = V_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
             "all is $T$ at equilibrium, all is $V$ where it turns.",
             "separate": r"$V_{\mathrm{max}} = \val{V_max}$ {E_unit} is not $T_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
-            "this $V$ is larger by a "
-            "constant, so the motion is the same.",
+            "this $V$ is larger by a constant, so the motion is the same.",
         },
         style="small",
         basis=BETWEEN,
