@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cache
@@ -105,8 +106,13 @@ def stopped(runs: Iterable[Run]) -> list[tuple[str, str]]:
     for run in runs:
         if run.failure:
             how_far = f", at {100 * run.reached:.0f} %" if 0 < run.reached < 1 else ""
-            rows.setdefault(run.method, (setting_text(run).removesuffix(" an output"), f"{run.failure}{how_far}"))
+            rows.setdefault(run.method, (setting_text(run).removesuffix(" an output"), _readable(f"{run.failure}{how_far}")))
     return list(rows.values())
+
+
+def _readable(reason: str) -> str:
+    """Numbers like 7.1e+04 as they are written by hand."""
+    return re.sub(r"\d(\.\d+)?e[+-]\d+", lambda match: short(float(match[0])), reason)
 
 
 def setting_text(run: Run) -> str:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from components.accuracy_data import FIXED
-from components.plots import Curve, plot
+from components.plots import Axis, Curve, plot
+from components.scene import Columns
 from components.sheet import Block, phrase, table
 from components.stage import circle, on_x, on_y, text, var
 from physics.solvers import METHODS
@@ -63,6 +65,44 @@ def work_plot() -> Block:
         phone=10,
         height=420,
     )
+
+
+DECADE = (105.0, 27.0)
+"""About how many pixels a power of ten takes on the time axis and on the error axis."""
+LETTER, LINE = 7.5, 15.0
+PLACES = tuple((side, 5.0 + LINE * step) for step in (0, 1, -1, 2, -2, 3) for side in ("start", "end"))
+Box = tuple[float, float, float, float]
+
+
+def name_places(curves: dict[str, Columns], time: Axis, error: Axis) -> dict[str, float]:
+    """Where the name of each method stands: at the end of its line, off all points and off the other names."""
+    ends = {
+        slug: [(time.place(t) * DECADE[0], -error.place(e) * DECADE[1]) for t, e in zip(c["time"], c["error"], strict=True)]
+        for slug, c in curves.items()
+    }
+    taken: list[Box] = [(x - 4, y - 4, x + 4, y + 4) for points in ends.values() for x, y in points]
+    left, right = time.place(time.start) * DECADE[0], time.place(time.end) * DECADE[0]
+    scalars: dict[str, float] = {}
+    for slug, points in ends.items():
+        if not points:
+            continue
+        x, y = points[-1]
+        boxes = {(side, dy): _box(x, y, side, dy, METHODS[slug].name) for side, dy in PLACES}
+        free = (place for place, box in boxes.items() if left < box[0] and box[2] < right and not any(map(box_meets(box), taken)))
+        side, dy = next(free, PLACES[0])
+        taken.append(boxes[side, dy])
+        scalars |= {f"{slug}_at": x / DECADE[0], f"{slug}_error": -y / DECADE[1], f"{slug}_{side}": 1.0, f"{slug}_shift": dy}
+    return scalars
+
+
+def _box(x: float, y: float, side: str, dy: float, name: str) -> Box:
+    start = x + 9 if side == "start" else x - 9 - LETTER * len(name)
+    return start, y + dy - 12, start + LETTER * len(name), y + dy + 3
+
+
+def box_meets(one: Box) -> Callable[[Box], bool]:
+    """Whether a box overlaps `one`."""
+    return lambda other: one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
 def growth_plot(of: str, title: str, form: str) -> Block:

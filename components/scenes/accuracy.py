@@ -11,6 +11,7 @@ import param
 from components.accuracy_plots import (
     STOPPED,
     growth_plot,
+    name_places,
     picked_plot,
     price_rows,
     stability_plot,
@@ -190,7 +191,7 @@ class Accuracy(Scene):
             },
             axes=_axes(time, error, picked),
             scalars={
-                **_names(curves, time, error),
+                **name_places(curves, time, error),
                 "wanted_at": error.place(self.wanted),
                 "rounding_at": error.place(2.0**-53),
                 "limit_at": time.place(self.limit),
@@ -221,21 +222,6 @@ def _axes(time: Axis, error: Axis, picked: Run | None) -> dict[str, Axis]:
         "ratio": log_axis(1.0, 1e12, ""),
         "steps": log_axis(1.0, 1e8, ""),
     }
-
-
-def _names(curves: dict[str, Columns], time: Axis, error: Axis) -> dict[str, float]:
-    """Where the name of each method stands: at the last point of its line, names that would meet one under another."""
-    ends = [(slug, float(c["time"][-1]), float(c["error"][-1])) for slug, c in curves.items() if c["time"].size]
-    scalars: dict[str, float] = {}
-    for slug, at, level in ends:
-        x, y = time.place(at), error.place(level)
-        crowd = sum(
-            1 for other, other_at, other_level in ends
-            if abs(time.place(other_at) - x) < 1.2 and abs(error.place(other_level) - y) < 0.5 and (other_level, other) > (level, slug)
-        )
-        side = "end" if x > time.place(time.end) - 1.2 else "start"
-        scalars |= {f"{slug}_at": x, f"{slug}_error": y, f"{slug}_{side}": 1.0, f"{slug}_shift": 5.0 + 16.0 * crowd}
-    return scalars
 
 
 def _picked_scalars(picked: Run | None, time: Axis, error: Axis, reach: float) -> dict[str, float]:
