@@ -15,7 +15,7 @@ from components.plots import Axis, nice_axis, squared_axis, time_axis
 from components.scene import Columns, Picture
 from physics.coupled import Modes, TwoMassChain
 from physics.modes import Forces, Trial, determinant_curve, forces, quadratic, row_curves, trial
-from physics.sampling import time_window
+from physics.sampling import NOTHING_OSCILLATES, periods
 
 MODES = ("slow", "fast")
 ROWS = ("need", "give", "add")
@@ -83,13 +83,13 @@ def picture(system: TwoMassChain, omega: float, ratio: float, moving: bool, wind
         det=det,
         exponent=exponent,
     )
-    clock = {"t": time_axis(window or time_window(omega, omega))} if moving else {}
+    clock = {"t": time_axis(window or (periods(omega, 4) if omega else NOTHING_OSCILLATES))} if moving else {}
     return Picture(
         columns=columns,
         axes={"w": guess.frequency, "r": guess.shape, "D": det, **clock},
         signals=_signals(push, omega if moving else 0.0, clock.get("t", Axis(0.0, 1.0))),
         scalars={
-            **_force_scalars(push),
+            **_force_scalars(push, moving),
             **_known(guess),
             **_tried(guess),
             **(pace(omega, omega) if moving else {}),
@@ -126,8 +126,8 @@ def _columns(system: TwoMassChain, end: float, largest: float) -> tuple[dict[str
     return columns, nice_axis(min(1.33 * low, -0.1 * size), size, unit, 2, exact=True), exponent
 
 
-def _force_scalars(push: Forces) -> dict[str, float]:
-    """Lengths of the arrows as fractions of the width, and on which side of each stands its number."""
+def _force_scalars(push: Forces, moving: bool) -> dict[str, float]:
+    """Lengths of the arrows as fractions of the width, and on which side of each stands its number: where none swings."""
     size = max((abs(value) for pair in push[1:] for value in pair), default=Decimal(0))
     scalars: dict[str, float] = {}
     for i in (1, 2):
@@ -135,8 +135,9 @@ def _force_scalars(push: Forces) -> dict[str, float]:
         spans = {"need": (0.0, need), "give": (0.0, give), "add": (give, need)}
         for name, span in spans.items():
             low, high = min(span), max(span)
-            right = low < 0 and (high <= 0.0 or i == 1)
-            scalars[f"{name}{i}_at"] = max(high, 0.0) if right else min(low, 0.0)
+            right = not moving and low < 0 and (high <= 0.0 or i == 1)
+            free = max(high, 0.0) if right else min(low, 0.0)
+            scalars[f"{name}{i}_at"] = -REACH if moving else free
             scalars[f"{name}{i}_right"], scalars[f"{name}{i}_left"] = float(right), float(not right)
         scalars |= {f"need{i}": need, f"give{i}": give}
     return scalars
