@@ -107,9 +107,9 @@ def params_state(scene: Scene) -> dict[str, dict[str, Any]]:
     """What the controls show now; "soft" is there where the scene has moved a slider's range, "unit" where the
     quantity is shown in another unit than its own, of which one is "size"."""
     state: dict[str, dict[str, Any]] = {}
-    units = scene.units()
-    for name in scene.param:
-        parameter, value = scene.param[name], getattr(scene, name)
+    units, general = scene.units(), type(scene).param.objects("existing")
+    for name, parameter in scene.param.objects("existing").items():
+        value = getattr(scene, name)
         if isinstance(parameter, Quantity):
             text = "" if value is None else exact(value) if parameter.scale == "count" else tidy(value)
             state[name] = {"value": value, "text": text}
@@ -118,7 +118,7 @@ def params_state(scene: Scene) -> dict[str, dict[str, Any]]:
                 state[name] = {"value": value, "text": unit.field(value), "unit": unit.text, "size": unit.size}
             if value != parameter.default:
                 state[name]["changed"] = True
-            if parameter.softbounds != type(scene).param[name].softbounds:
+            if parameter.softbounds != general[name].softbounds:
                 state[name]["soft"] = list(parameter.softbounds)
         elif isinstance(parameter, Choice) and not isinstance(parameter, param.ListSelector):
             state[name] = {"value": word(value), "text": word(value)}

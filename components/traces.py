@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from components.plots import Band, Curve
-from physics.sampling import Sinusoid, sampled
+from physics.sampling import Sinusoid, drawable, sampled
 
 Floats = NDArray[np.float64]
 FEWEST, MOST, PER_CYCLE = 300, 680, 32
@@ -26,13 +26,17 @@ def trace(
 
     `curve` is the motion itself, where its owner has it to more digits than the sum of the components.
     """
+    if curve is not None and all(drawable(component.omega, t) for component in components):
+        return {name: curve}, {}
     sum_, low, high = sampled(components, t, base)
     if sum_ is not None:
-        return {name: sum_ if curve is None else curve}, {}
+        return {name: sum_}, {}
     return {}, {f"{name}_lo": low, f"{name}_hi": high}
 
 
 def traced(name: str, **look: str) -> tuple[Curve, Band]:
     """The line of a trace and its band, for a plot."""
     curve = Curve(name=name, **look)  # type: ignore[arg-type]
-    return curve, Band(low=f"{name}_lo", high=f"{name}_hi", source="band", tint=curve.tint, alpha=0.4, group=curve.group or name)
+    return curve, Band(
+        low=f"{name}_lo", high=f"{name}_hi", source="band", tint=curve.tint, alpha=0.4, group=curve.group or name
+    )

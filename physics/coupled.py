@@ -83,6 +83,10 @@ class TwoMassChain:
 
     def modes(self) -> Modes:
         """Both modes, rounded once from 80 digits."""
+        return self._modes
+
+    @cached_property
+    def _modes(self) -> Modes:
         slow, fast = self.exact_modes
         D, S, _ = self._discriminant
         m1, m2, _, k2 = self.exact_parameters
