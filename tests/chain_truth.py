@@ -1,7 +1,7 @@
 """The two-mass chain in arbitrary precision: the lecture's formulas as they stand, with digits to burn.
 
-Independent of physics/ but for the size of an envelope: mpmath instead of decimal, the formulas of the slides instead of
-the rearranged ones.
+Independent of physics/, but for the size of an envelope: mpmath instead of decimal, the formulas of the slides instead
+of the rearranged ones.
 6000 bits outlast every cancellation that positive doubles can cause; motions need far fewer.
 """
 

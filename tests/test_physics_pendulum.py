@@ -10,25 +10,12 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from physics.pendulum import Pendulum, amplitude_at_excess, excess
+from physics.reference_single import period_ratio, swing
 
 U = 2.0**-53
 LAST = math.nextafter(math.pi, 0)
 AMPLITUDES = (1e-300, 1e-9, 0.1, 1.0, -2.0, 3.0, 3.14, 3.141592, math.pi - 1e-10, LAST, math.pi)
 amplitudes = pytest.mark.parametrize("theta_0", AMPLITUDES)
-
-
-def true_ratio(theta_0):
-    return 1 / mp.agm(1, mp.cos(mp.mpf(theta_0) / 2))
-
-
-def true_swing(omega, theta_0, t):
-    """theta, theta', theta'' of the swing from rest."""
-    k, k_prime = mp.sin(abs(mp.mpf(theta_0)) / 2), mp.cos(mp.mpf(theta_0) / 2)
-    argument = mp.fmod(omega * t, 2 * mp.pi * true_ratio(theta_0))
-    sn, cn, dn = (mp.ellipfun(name, argument, m=1 - k_prime**2) for name in ("sn", "cn", "dn"))
-    side = mp.sign(theta_0)
-    theta = side * 2 * mp.atan2(k * cn, k_prime)
-    return theta, -side * 2 * omega * k * k_prime * sn / dn, -(omega**2) * mp.sin(theta)
 
 
 @amplitudes
@@ -42,7 +29,7 @@ def test_motion_within_4_u_of_its_amplitudes(theta_0, periods):
         fastest = 2 * omega * mp.sin(abs(mp.mpf(theta_0)) / 2)
         strongest = omega**2 * (mp.sin(abs(theta_0)) if abs(theta_0) < math.pi / 2 else 1)
         for i, time in enumerate(t):
-            theta, rate, acceleration = true_swing(omega, theta_0, mp.mpf(float(time)))
+            theta, rate, acceleration = swing(mp, omega, theta_0, mp.mpf(float(time)))
             assert abs(motion.theta[i] - theta) <= 4 * U * abs(theta_0)
             assert abs(motion.theta_dot[i] - rate) <= 4 * U * fastest
             assert abs(motion.theta_ddot[i] - acceleration) <= 6 * U * strongest
@@ -52,7 +39,7 @@ def test_motion_within_4_u_of_its_amplitudes(theta_0, periods):
 @given(st.one_of(st.floats(1e-140, math.pi), st.floats(0, 40).map(lambda n: math.pi - 2.0**-n)))
 def test_period_and_excess_are_rounded_once(theta_0):
     with mp.workdps(340):
-        ratio = true_ratio(theta_0)
+        ratio = period_ratio(mp, theta_0)
         assert abs(excess(theta_0) - (ratio - 1)) <= 0.51 * math.ulp(excess(theta_0))
         period = Pendulum(l=2.0, g=3.0).period(theta_0)
         assert abs(period - 2 * mp.pi * mp.sqrt(mp.mpf(2) / 3) * ratio) <= 0.51 * math.ulp(period)

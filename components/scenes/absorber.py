@@ -10,6 +10,8 @@ import param
 
 from components import absorber as drawing
 from components import absorber_data as data
+from components.about import About
+from components.about_chain import absorber_about
 from components.absorber_goals import goals
 from components.absorber_words import sentences
 from components.controls import Group
@@ -181,9 +183,12 @@ class Absorber(Scene):
     def _duty(self, k2: float, c: float = 0.0) -> Duty:
         return Duty(m1=self.m1, k1=self.k1, F_0=self.F_0, omega=self.omega, m2=self.m2, k2=k2, c=c)
 
+    @property
+    def _shown_duty(self) -> Duty:
+        return self._duty(0.0, 0.0) if self.tuning == "detached" else self._duty(self.k2, self._damping)
+
     def picture(self) -> Picture:
-        off = self.tuning == "detached"
-        duty = self._duty(0.0, 0.0) if off else self._duty(self.k2, self._damping)
+        duty = self._shown_duty
         end = self.window or periods(self.omega, TURNS)
         low, high = min(0.4 * duty.own, 0.7 * self.omega), max(1.6 * duty.own, 1.3 * self.omega)
         swing, stroke = (drawing.size_axis(duty.deflections(top)) for top in TOP)
@@ -210,3 +215,6 @@ class Absorber(Scene):
             },
             forms=data.forms(duty, own=self.own, damped=self.damping == "added"),
         )
+
+    def about(self) -> About:
+        return absorber_about(self.shown, self._shown_duty)

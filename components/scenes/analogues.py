@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 import param
 
+from components.about import About
+from components.about_single import analogue_about
 from components.analogue_case import DEGREE, LIMITS, Case, late_axes, late_columns, motion_columns
 from components.analogue_controls import LARGEST, SHORT, SWINGING, angle, groups, quantities
 from components.analogue_pictures import tiles
@@ -92,6 +94,9 @@ class Analogues(Scene):
             math.radians(self.theta_0) if self.system in SWINGING else getattr(self, f"{self.system}_start")
         )
         return Case(system, p, start, self.window)
+
+    def about(self) -> About:
+        return analogue_about(self.shown, self._case())
 
 
 # The other parameters are those of the nine systems, as the table of physics.analogues has them.

@@ -11,6 +11,8 @@ import param
 from numpy.typing import NDArray
 
 from components import chain
+from components.about import About
+from components.about_chain import coupled_about
 from components.motion import derived, pace, scaled, total
 from components.numbers import plus, signed, three
 from components.parameters import displacement, mass, stiffness, velocity
@@ -115,6 +117,10 @@ class Coupled(Scene):
             forms=_forms(self, free),
             notes=(*drawn.notes, *_notes(fast, t)),
         )
+
+    def about(self) -> About:
+        system = TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=self.k2)
+        return coupled_about(self.shown, system, (self.x1_0, self.x2_0), (self.v1_0, self.v2_0))
 
 
 def _shapes() -> list[Shape]:

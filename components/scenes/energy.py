@@ -10,6 +10,8 @@ import numpy as np
 import param
 from numpy.typing import NDArray
 
+from components.about import About
+from components.about_single import energy_about
 from components.chain import wire
 from components.controls import Group
 from components.hanging import PLANETS
@@ -109,6 +111,10 @@ class Energy(Scene):
             },
             forms={"datum": case.datum},
         )
+
+    def about(self) -> About:
+        system = HangingMass(m=self.m, k=self.k, g=self.g)
+        return energy_about(self.shown, system, self.x_0, self.v_0, self.datum)
 
 
 def _motion_columns(case: Case, t: NDArray[np.float64]) -> tuple[Columns, Columns]:

@@ -9,6 +9,8 @@ import numpy as np
 import param
 
 from components import chain
+from components.about import About
+from components.about_chain import forced_about
 from components.controls import Group
 from components.driven import energy_columns, limit_columns, motion_columns, motion_signals, resonant
 from components.motion import pace
@@ -130,6 +132,10 @@ class Forced(Scene):
             forms=_forms(driven, bool(work)) | {"lecture": "offered" if self.k1 and self.F_0 else ""},
             notes=(*drawn.notes, *_notes(driven, self.axes, lecture, bool(work))),
         )
+
+    def about(self) -> About:
+        x_0, v_0 = (self.x1_0, self.x2_0), (self.v1_0, self.v2_0)
+        return forced_about(self.shown, driven_modes(self._chain, self.F_0, self.omega, x_0, v_0), x_0, v_0)
 
 
 def _shapes() -> list[Shape]:

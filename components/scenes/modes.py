@@ -9,6 +9,8 @@ from typing import Any
 import param
 
 from components import chain, mode_guess, mode_guess_picture, mode_hunt, mode_solve, mode_sweep
+from components.about import About
+from components.about_chain import guess_about, hunt_about, solve_about, sweep_about
 from components.controls import Group
 from components.parameters import angular_frequency, displacement, finite, mass, stiffness
 from components.scene import Picture, Scene
@@ -123,3 +125,11 @@ class Modes(Scene):
         if not wanted.is_finite():
             raise ValueError(f"row {name[-1]} asks for X₁ = 0 here: no ratio X₂/X₁ says that")
         return {"ratio": float(wanted)}
+
+    def about(self) -> About:
+        system = TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=self.k2)
+        if self.task == "hunt":
+            return hunt_about(self.shown, system, (self.x1_0, self.x2_0))
+        if self.task == "sweep":
+            return sweep_about(self.shown, system, self.swept)
+        return solve_about(system) if self.task == "solve" else guess_about(system)

@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from components.about import About
+from components.about_single import oscillator_about
 from components.chain import wire
 from components.controls import Group
 from components.motion import pace, scaled, sines
@@ -123,6 +125,9 @@ class OscillatorScene(Scene):
             live={"x": axes["x"].digits(signed=True)},
             forms=_forms(swing, values),
         )
+
+    def about(self) -> About:
+        return oscillator_about(self.shown, Oscillator(m=self.m, k=self.k), self.x_0, self.v_0)
 
 
 def _motion_columns(swing: Swing, t: NDArray[np.float64]) -> tuple[Columns, Columns]:

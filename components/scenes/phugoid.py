@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 import param
 
+from components.about import About
+from components.about_single import flight_about
 from components.controls import Group
 from components.flight import flight_shapes, ground_axes, outline, velocity_axes, velocity_shapes
 from components.flight_plots import (
@@ -219,6 +221,9 @@ class Phugoid(Scene):
                 for name, (_, speed, _) in AIRCRAFT.items()
             },
         }
+
+    def about(self) -> About:
+        return flight_about(self.shown, Swing(self.v_0, self.g, self.excess))
 
 
 def _words() -> list[Shape]:

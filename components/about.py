@@ -1,0 +1,172 @@
+"""'About these numbers': how far what is drawn may be off, and a few of its points recomputed in arbitrary precision."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Mapping, Sequence, Sized
+from dataclasses import dataclass
+from decimal import Decimal
+from math import ulp
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from components.equations import rich
+from components.numbers import MINUS, PLAIN_EXPONENTS, exact, short, ten_to, three
+from physics.exact import precise
+from physics.reference import Point
+
+if TYPE_CHECKING:
+    from components.scene import Columns, Scene
+
+Floats = NDArray[np.float64]
+
+SHARES = (0.21, 0.55, 0.93)
+"""Where in a column the points are taken: no round places."""
+PLACES = 20
+READING = (
+    "**Drawn** is the double behind the curve, **true** the same point by other formulas with 40 digits or more. An "
+    "**ulp** is the step from one double to the next, 1 or 2 in the 16th digit. The screen shows the first 7 digits, "
+    "finer than a pixel; the CSV has all."
+)
+NO_BAND = "Nothing is drawn as an envelope."
+
+
+@dataclass(frozen=True)
+class Row:
+    """One number: its name and place (texts for `rich`), as it is drawn, and as it truly is."""
+
+    name: str
+    place: str
+    drawn: float
+    true: Point
+
+    @property
+    def off(self) -> float:
+        """The difference in units in the last place (ulp) of the size that it is measured by."""
+        with precise():
+            unit = ulp(min(float(self.true.size), sys.float_info.max))
+            return float(abs(Decimal(self.drawn) - self.true.value) / Decimal(unit))
+
+
+@dataclass(frozen=True)
+class Table:
+    """Rows under the sentence that bounds their error, which is `limit` ulp."""
+
+    bound: str
+    limit: float
+    rows: tuple[Row, ...]
+
+
+@dataclass(frozen=True)
+class About:
+    """Tables; how far the energy strays, where one is kept; whether anything is drawn as an envelope."""
+
+    tables: tuple[Table, ...]
+    energy: str = ""
+    envelope: str = NO_BAND
+
+
+def few(column: Sized) -> list[int]:
+    """The indices of a few entries."""
+    return [round(share * (len(column) - 1)) for share in SHARES] if len(column) else []
+
+
+def table(names: str, limit: float, of: str, rows: Iterable[Row]) -> Table:
+    """A table of curves: `names` are the curves, `of` what their errors are measured by."""
+    bound = f"No point of {names} is off by more than {short(limit)} units in the last place (**ulp**) of {of}."
+    return Table(bound, limit, tuple(rows))
+
+
+class Place(NamedTuple):
+    """What a curve is drawn against: its column, its symbol and its unit."""
+
+    column: str
+    symbol: str
+    unit: str
+
+
+TIME = Place("t", "$t$", "s")
+
+
+def rows(
+    names: Mapping[str, str],
+    columns: Columns,
+    true: Mapping[str, Sequence[Point]],
+    indices: list[int],
+    place: Place = TIME,
+) -> list[Row]:
+    """Of each named curve that is drawn, its points at `indices`, place by place."""
+    found = []
+    for n, i in enumerate(indices):
+        where = f"{place.symbol} = {every_digit(columns[place.column][i])} {place.unit}"
+        found += [
+            Row(name, where, float(columns[key][i]), true[key][n]) for key, name in names.items() if key in columns
+        ]
+    return found
+
+
+def every_digit(value: float) -> str:
+    """Every digit of a place, so that the point can be recomputed."""
+    head, _, power = exact(float(value)).replace("-", MINUS).partition("e")
+    return head + (ten_to(int(power.replace(MINUS, "-"))) if power else "")
+
+
+def drift(total: Floats, level: float, what: str = "$T + V$", unit: str = "J") -> str:
+    """How far a conserved quantity strays from its level over the window."""
+    if not level:
+        return f"{what} is 0: nothing moves."
+    strays = float(np.max(np.abs(total / level - 1)))
+    by = f"strays by at most {short(strays)} of that" if strays else "keeps every digit of that"
+    return f"{what} = {three(level)} {unit} {by} over the window."
+
+
+def envelope(columns: Mapping[str, Columns], names: Mapping[str, str], source: str = "band") -> str:
+    """Which of the named curves are drawn as bands."""
+    bands = list(dict.fromkeys(name for key, name in names.items() if f"{key}_lo" in columns.get(source, {})))
+    if not bands:
+        return f"{NO_BAND} Every curve has at least 12 points a swing."
+    one = len(bands) == 1
+    return (
+        f"{listed(bands)} {'is' if one else 'are'} too fast for a line here and drawn as an **envelope**: the band that the "
+        f"motion fills. {'It has' if one else 'They have'} no points to recompute."
+    )
+
+
+def listed(names: Sequence[str]) -> str:
+    """a, b and c."""
+    return " and ".join(part for part in (", ".join(names[:-1]), names[-1]) if part)
+
+
+def digits(value: Decimal) -> str:
+    """Twenty significant digits."""
+    if not value:
+        return "0"
+    with precise():
+        rounded = Decimal(f"{value:.{PLACES - 1}e}")
+        if rounded.adjusted() in PLAIN_EXPONENTS:
+            return f"{rounded:.{PLACES - 1 - rounded.adjusted()}f}".replace("-", MINUS)
+        mantissa = f"{rounded.scaleb(-rounded.adjusted()):.{PLACES - 1}f}"
+        return mantissa.replace("-", MINUS) + ten_to(rounded.adjusted())
+
+
+def about_wire(scene: Scene) -> dict[str, Any]:
+    """What the scene says about its numbers, for the browser; of a scene that cannot say, why."""
+    try:
+        about = scene.about() or About(())
+    except ValueError as reason:
+        return {"tables": [], "notes": [rich(f"These numbers cannot be recomputed: {reason}.")]}
+    tables = [{"bound": rich(each.bound), "rows": [_row(row) for row in each.rows]} for each in about.tables]
+    reading = READING if any(each.rows for each in about.tables) else ""
+    return {"tables": tables, "notes": [rich(text) for text in (reading, about.energy, about.envelope) if text]}
+
+
+def _row(row: Row) -> dict[str, str]:
+    return {
+        "name": rich(row.name),
+        "place": rich(row.place),
+        "drawn": digits(Decimal(row.drawn)),
+        "true": digits(row.true.value),
+        "off": f"{row.off:.2f}" if row.off < 1000 else three(row.off),
+    }
