@@ -96,7 +96,7 @@ def _energy_axis(case: Case) -> Axis:
     room = 0.11 * (top - bottom) or 1.0
     axis = nice_axis(bottom - (room / 2 if bottom else 0.0), top + room, "J", 4, exact=True)
     total, span = axis.place(case.total), axis.place(axis.end) - axis.place(axis.start)
-    ticks = tuple(sorted({*(tick for tick in axis.ticks if abs(tick - total) > 0.12 * span), total}))
+    ticks = tuple(sorted({*(tick for tick in axis.ticks if abs(tick - total) > 0.16 * span), total}))
     labels = tuple(f"{three(tick)} {axis.full_unit}" if tick == total else _round(tick) for tick in ticks)
     return replace(axis, ticks=ticks, labels=labels)
 

@@ -64,6 +64,7 @@ class Energy(Scene):
     )  # fmt: skip
     g = not_negative(
         9.81, symbol="g", unit="m/s²", label="gravity", softbounds=(0.0, 30.0),
+        allowed="gravity is a finite number, 0 or more",
         says="is the gravity. It moves the equilibrium, and not the swing. Any value from 0 up.",
     )  # fmt: skip
     x_0 = displacement(
