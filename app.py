@@ -12,6 +12,7 @@ from components.shell import navigation, page_template, when_open
 from components.url import read_query
 from components.view import SceneView
 
+pn.config.browser_info = False
 link = read_query(pn.state.session_args, SCENES)
 scene: Scene = SCENES[link.slug]()
 problems = list(link.problems)
@@ -29,4 +30,4 @@ document.template_variables.update(
 )
 scene.later = partial(when_open, document)
 pn.state.on_session_destroyed(lambda _: scene.close())
-SceneView(scene, problems=tuple(problems)).server_doc(document)
+SceneView(scene, problems=tuple(problems)).server_doc(document, location=False)

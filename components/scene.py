@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABCMeta, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, cached_property
 from typing import Any, ClassVar
 
 import numpy as np
@@ -14,7 +14,6 @@ from bokeh.models import ColumnDataSource
 from numpy.typing import NDArray
 from param.parameterized import ParameterizedMetaclass, discard_events
 
-from components.about import About
 from components.controls import Group, controls_spec
 from components.parameters import Quantity
 from components.plots import Axis
@@ -89,7 +88,6 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
         super().__init__(**values)
         self._follow(frozenset(values))
         self._shown: Picture = self.picture()
-        self.sources = {name: ColumnDataSource(data=data) for name, data in self._shown.columns.items()}
         self._good = self._state()
         self._listeners: list[Callable[[Picture], None]] = []
         self.later: Callable[[Callable[[], None]], object] = lambda act: act()
@@ -133,14 +131,15 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     def close(self) -> None:
         """The visitor has left."""
 
-    def about(self) -> About | None:
-        """What is known of the errors of what is drawn, worked out when asked; None where a scene has nothing to say."""
-        return None
-
     @property
     def shown(self) -> Picture:
         """The picture in force."""
         return self._shown
+
+    @cached_property
+    def sources(self) -> dict[str, ColumnDataSource]:
+        """The columns of the picture in force, in SI units; a visitor costs none of them until they are asked for."""
+        return {name: ColumnDataSource(data=data) for name, data in self._shown.columns.items()}
 
     def set(self, values: dict[str, Any]) -> None:
         """Set parameters in one batch, with one solve; a ValueError leaves the scene as it was."""
@@ -204,8 +203,8 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
             self._restore()
             raise
         self._shown, self._good = picture, self._state()
-        for name, columns in picture.columns.items():
-            self.sources[name].data = columns
+        for name, source in vars(self).get("sources", {}).items():
+            source.data = picture.columns[name]
         for listener in self._listeners:
             listener(picture)
 
@@ -217,7 +216,6 @@ def static_description(scene: type[Scene]) -> dict[str, Any]:
         "slug": scene.slug,
         "headline": scene.headline,
         "runs": scene.runs,
-        "about": scene.about is not Scene.about,
         "sheet": scene.sheet(),
         "controls": controls_spec(scene, scene.groups, scene.presets, scene.drawings()),
     }

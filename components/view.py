@@ -41,6 +41,8 @@ class SceneView(WidgetBase, JSComponent):
     description = param.String(constant=True, doc="The scene's static description, JSON.")
     state = param.Dict(doc="The picture at page open, packed; later ones come as messages.")
 
+    _linked_properties = ()  # the browser sets none of these properties: what it has to say comes as messages
+
     def __init__(self, scene: Scene, problems: tuple[str, ...] = (), **params: Any) -> None:
         self.scene = scene
         self._errors: dict[str, str] = {}
@@ -52,6 +54,10 @@ class SceneView(WidgetBase, JSComponent):
             **params,
         )
         scene.on_picture(self._tell)
+
+    def _process_param_change(self, params: dict[str, Any]) -> dict[str, Any]:
+        """Panel's style sheets are left out: nothing is drawn in the component's own shadow root."""
+        return super()._process_param_change({name: v for name, v in params.items() if name != "stylesheets"})
 
     def message(self, **more: Any) -> dict[str, Any]:
         """All that the browser needs to show the scene as it now is."""
@@ -98,7 +104,7 @@ class SceneView(WidgetBase, JSComponent):
 def as_csv(scene: Scene) -> str:
     """The numbers of all plots, unrounded and in SI units, as columns side by side; the first line is the link."""
     columns = {
-        f"{source}.{name}": column for source, data in scene.sources.items() for name, column in data.data.items()
+        f"{source}.{name}": column for source, data in scene.shown.columns.items() for name, column in data.items()
     }
     text = io.StringIO()
     writer = csv.writer(text)
