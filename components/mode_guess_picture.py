@@ -127,7 +127,7 @@ def _columns(system: TwoMassChain, end: float, largest: float) -> tuple[dict[str
 
 
 def _force_scalars(push: Forces, moving: bool) -> dict[str, float]:
-    """Lengths of the arrows as fractions of the width, and on which side of each stands its number: where none swings."""
+    """Lengths of the arrows as fractions of the width, and on which side of each, clear of it, stands its number."""
     size = max((abs(value) for pair in push[1:] for value in pair), default=Decimal(0))
     scalars: dict[str, float] = {}
     for i in (1, 2):

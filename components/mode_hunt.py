@@ -20,8 +20,8 @@ from physics.sampling import time_window
 MODES = ("slow", "fast")
 FOUND = 1e-3
 """As much of the other mode, in parts of the energy, is not seen: the path is then 3 % as wide as long."""
-SWINGS, PER_SWING = 40, 32
-"""The path is drawn over so many swings of the fast mode at most."""
+SWINGS, PER_SWING, MOST = 40, 96, 1281
+"""The path is drawn over so many swings of the fast mode at most, with so many points a swing and in all."""
 
 
 def sheet() -> Block:
@@ -38,8 +38,7 @@ def sheet() -> Block:
             ),
             words(_verdict(), _answer(), style="verdict", phone=7),
             choice("answer", {"hidden": "Answer hidden", "shown": "Reveal"}, "The answer", phone=8),
-            basis=352,
-            grow=0,
+            grow=352,
             gap=10,
         ),
     )
@@ -146,7 +145,7 @@ def picture(system: TwoMassChain, x_0: tuple[float, float], revealed: bool, wind
 
 def _path(system: TwoMassChain, x_0: tuple[float, float], end: float, fast: float) -> Columns:
     shown = min(end, SWINGS * 2 * math.pi / fast) if fast else end
-    count = int(min(max(PER_SWING * shown * fast / (2 * math.pi), 300), SWINGS * PER_SWING)) + 1
+    count = int(min(max(PER_SWING * shown * fast / (2 * math.pi), 300), MOST))
     t = np.linspace(0.0, shown, count)
     motion = free_motion(system, x_0, (0.0, 0.0), t)
     return {"t": t, "x1": motion.x[0], "x2": motion.x[1]}

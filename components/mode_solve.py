@@ -86,7 +86,7 @@ def _ratios() -> list[str | dict[str, str]]:
         {"form": "product", "shown": r"Their product is $-m_1/m_2 = \val{product}$, whatever the springs."},
         {
             "form": "arrows",
-            "shown": r"**The arrows** are the notes' $X_j e^{i \omega t}$, each mass above its shadow. A real ratio "
+            "shown": r"**The arrows** are the notes' $X_j e^{i \omega t}$, each mass above the tip of its own. A real ratio "
             r"$X_2/X_1$ means that they point the same way or opposite ways.",
         },
     ]
