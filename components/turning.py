@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import pi
+
 from components.stage import (
     Expression,
     H,
@@ -149,7 +151,7 @@ def first() -> list[Shape]:
     name = at(centre, (-1 * way[0], -1 * way[1]), radius + 22)
     middle = at(centre, (var("middle_cosine"), var("middle_sine")), 40)
     beside = at(centre, (way[0] - 0.22 * way[1], way[1] + 0.22 * way[0]), 0.58 * radius)
-    quarter = 1.5707963267948966
+    quarter = pi / 2
     shapes = [
         *cross(centre, radius),
         line(*centre, *wrong, style="dotted", tint="mute", show="wrong"),
