@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABCMeta, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from typing import Any, ClassVar
@@ -14,6 +14,7 @@ from bokeh.models import ColumnDataSource
 from numpy.typing import NDArray
 from param.parameterized import ParameterizedMetaclass, discard_events
 
+from components.about import About
 from components.controls import Group, controls_spec
 from components.parameters import Quantity
 from components.plots import Axis
@@ -131,6 +132,10 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     def close(self) -> None:
         """The visitor has left."""
 
+    def about(self) -> About | None:
+        """What is known of the errors of what is drawn, worked out when asked; None where a scene has nothing to say."""
+        return None
+
     @property
     def shown(self) -> Picture:
         """The picture in force."""
@@ -216,6 +221,7 @@ def static_description(scene: type[Scene]) -> dict[str, Any]:
         "slug": scene.slug,
         "headline": scene.headline,
         "runs": scene.runs,
+        "about": scene.about is not Scene.about,
         "sheet": scene.sheet(),
         "controls": controls_spec(scene, scene.groups, scene.presets, scene.drawings()),
     }

@@ -17,6 +17,7 @@ import param
 from panel.custom import JSComponent
 from panel.widgets.base import WidgetBase
 
+from components.about import about_wire
 from components.controls import apply_message, params_state
 from components.plots import Axis
 from components.scene import Picture, Scene, static_description
@@ -77,6 +78,9 @@ class SceneView(WidgetBase, JSComponent):
         """Apply what the visitor did and answer, whatever it was: the browser waits for the answer."""
         if data.get("type") == "csv":
             self._send_msg({"file": f"{self.scene.slug}.csv", "text": as_csv(self.scene)})
+            return
+        if data.get("type") == "about":
+            self._send_msg({"about": about_wire(self.scene), "answer": data.get("number")})
             return
         self._answering = True
         try:

@@ -1,5 +1,6 @@
 // Builds the page of a scene and keeps it in step: one message from the server repaints all, the clock moves the rest.
 
+import {About} from "./about.js"
 import {buildChoice, buildControls} from "./controls.js"
 import {Clock} from "./clock.js"
 import {element, live} from "./dom.js"
@@ -41,6 +42,10 @@ class Page {
     this.controls = buildControls(this.panel, this.spec.controls, message => this.send(message))
     this.stages.push(...this.controls.stages)
     for (const stage of this.stages) stage.onresize = () => this.redraw()
+    if (this.spec.about) {
+      this.about = new About(message => this.send(message))
+      this.panel.append(this.about.element)
+    }
     this.panel.append(this.#tools())
     this.root.append(this.paper, this.panel)
   }
@@ -162,6 +167,7 @@ class Page {
 
   receive(message) {
     if (message.file) return this.#download(message)
+    if (message.about) return this.#tell(message)
     const state = unpacked(message)
     if (state.answer !== undefined) this.waiting = false
     this.apply(state)
@@ -176,8 +182,15 @@ class Page {
     this.#flush()
   }
 
+  #tell({about}) {
+    this.waiting = false
+    this.about.show(about)
+    this.#flush()
+  }
+
   apply(state) {
     this.state = state
+    this.about?.changed()
     this.#showForms()
     for (const [name, elements] of this.named) {
       if (name in state.values) for (const one of elements) one.textContent = state.values[name]
