@@ -1,4 +1,4 @@
-"""'About these numbers': how far what is drawn may be off, and a few of its points recomputed in arbitrary precision."""
+"""'About these numbers': how far what is drawn may be off, and a few of its points in arbitrary precision."""
 
 from __future__ import annotations
 
@@ -129,8 +129,8 @@ def envelope(columns: Mapping[str, Columns], names: Mapping[str, str], source: s
         return f"{NO_BAND} Every curve has at least 12 points a swing."
     one = len(bands) == 1
     return (
-        f"{listed(bands)} {'is' if one else 'are'} too fast for a line here and drawn as an **envelope**: the band that the "
-        f"motion fills. {'It has' if one else 'They have'} no points to recompute."
+        f"{listed(bands)} {'is' if one else 'are'} too fast for a line and drawn as an **envelope**: the band that "
+        f"the motion fills. {'It has' if one else 'They have'} no points to recompute."
     )
 
 

@@ -80,7 +80,7 @@ def growth(runs: Iterable[Run], of: str) -> dict[str, Columns]:
 
 
 def prices(runs: Iterable[Run], wanted: float) -> list[Price]:
-    """What `wanted` costs with each method, cheapest first; between two runs it is read off the line that joins them."""
+    """What `wanted` costs with each method, cheapest first; between two runs it is read off the line between."""
     runs = list(runs)
     found = [_price(METHODS[slug].name, done(runs, slug), wanted) for slug in METHODS if done(runs, slug)]
     return sorted(found, key=lambda price: (price.time is None, price.time or 0.0, price.best))
@@ -106,7 +106,9 @@ def stopped(runs: Iterable[Run]) -> list[tuple[str, str]]:
     for run in runs:
         if run.failure:
             how_far = f", at {100 * run.reached:.0f} %" if 0 < run.reached < 1 else ""
-            rows.setdefault(run.method, (setting_text(run).removesuffix(" an output"), _readable(f"{run.failure}{how_far}")))
+            rows.setdefault(
+                run.method, (setting_text(run).removesuffix(" an output"), _readable(f"{run.failure}{how_far}"))
+            )
     return list(rows.values())
 
 
@@ -153,7 +155,10 @@ def step_explosion(chain: TwoMassChain) -> Columns:
     modes = [TwoMassChain(m1=chain.m1, m2=chain.m2, k1=k1, k2=k1 * ratio).modes().omega for ratio in ratios]
     spread = np.array([2 * math.pi * fast / slow for slow, fast in modes])
     limits = {slug: stability_limit(slug) for slug in FIXED}
-    return {"ratio": ratios, **{f"steps_{slug}": spread / limit for slug, limit in limits.items() if math.isfinite(limit)}}
+    return {
+        "ratio": ratios,
+        **{f"steps_{slug}": spread / limit for slug, limit in limits.items() if math.isfinite(limit)},
+    }
 
 
 def time_text(seconds: float) -> str:

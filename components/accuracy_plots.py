@@ -28,7 +28,8 @@ KEYS = (
 def work_plot() -> Block:
     """Error against run time; the pill on the error axis is the error that is good enough."""
     curves = tuple(
-        Curve(name="error", source=slug, x="time", group=method.family, **LOOK[method.family]) for slug, method in METHODS.items()
+        Curve(name="error", source=slug, x="time", group=method.family, **LOOK[method.family])
+        for slug, method in METHODS.items()
     )
     names = tuple(
         text(
@@ -43,7 +44,9 @@ def work_plot() -> Block:
         for slug, method in METHODS.items()
         for anchor, aside in (("start", 9), ("end", -9))
     )
-    ring = circle(on_x("work", var("picked_at")), on_y("work", var("picked_error")), 9, tint="ink", style="pick", show="picked")
+    ring = circle(
+        on_x("work", var("picked_at")), on_y("work", var("picked_error")), 9, tint="ink", style="pick", show="picked"
+    )
     return plot(
         "work",
         x="time",
@@ -53,7 +56,9 @@ def work_plot() -> Block:
         source=next(iter(METHODS)),
         x_column="time",
         heading=(phrase("", "none", "ink", formula="**Error of the motion, against run time**"), *KEYS),
-        handles=({"parameter": "wanted", "symbol": "", "label": "Error that is good enough", "tint": "mute", "axis": "y"},),
+        handles=(
+            {"parameter": "wanted", "symbol": "", "label": "Error that is good enough", "tint": "mute", "axis": "y"},
+        ),
         marks=(
             {"at": "wanted_at", "tint": "ink", "html": "", "label": "good enough", "axis": "y"},
             {"at": "rounding_at", "tint": "mute", "html": "", "label": "one rounding", "axis": "y", "style": "dashed"},
@@ -77,7 +82,9 @@ Box = tuple[float, float, float, float]
 def name_places(curves: dict[str, Columns], time: Axis, error: Axis) -> dict[str, float]:
     """Where the name of each method stands: at the end of its line, off all points and off the other names."""
     ends = {
-        slug: [(time.place(t) * DECADE[0], -error.place(e) * DECADE[1]) for t, e in zip(c["time"], c["error"], strict=True)]
+        slug: [
+            (time.place(t) * DECADE[0], -error.place(e) * DECADE[1]) for t, e in zip(c["time"], c["error"], strict=True)
+        ]
         for slug, c in curves.items()
     }
     taken: list[Box] = [(x - 4, y - 4, x + 4, y + 4) for points in ends.values() for x, y in points]
@@ -88,10 +95,19 @@ def name_places(curves: dict[str, Columns], time: Axis, error: Axis) -> dict[str
             continue
         x, y = points[-1]
         boxes = {(side, dy): _box(x, y, side, dy, METHODS[slug].name) for side, dy in PLACES}
-        free = (place for place, box in boxes.items() if left < box[0] and box[2] < right and not any(map(box_meets(box), taken)))
+        free = (
+            place
+            for place, box in boxes.items()
+            if left < box[0] and box[2] < right and not any(map(box_meets(box), taken))
+        )
         side, dy = next(free, PLACES[0])
         taken.append(boxes[side, dy])
-        scalars |= {f"{slug}_at": x / DECADE[0], f"{slug}_error": -y / DECADE[1], f"{slug}_{side}": 1.0, f"{slug}_shift": dy}
+        scalars |= {
+            f"{slug}_at": x / DECADE[0],
+            f"{slug}_error": -y / DECADE[1],
+            f"{slug}_{side}": 1.0,
+            f"{slug}_shift": dy,
+        }
     return scalars
 
 
@@ -109,8 +125,13 @@ def growth_plot(of: str, title: str, form: str) -> Block:
     """The worst error so far against simulated time, the finest run of each method."""
     curves = tuple(
         Curve(
-            name=of, source=f"{of}_{slug}", x="period", group=method.family, label=method.name,
-            tint=LOOK[method.family]["tint"], width="dash" if method.family == "fixed" else "line",
+            name=of,
+            source=f"{of}_{slug}",
+            x="period",
+            group=method.family,
+            label=method.name,
+            tint=LOOK[method.family]["tint"],
+            width="dash" if method.family == "fixed" else "line",
         )
         for slug, method in METHODS.items()
     )
@@ -156,8 +177,17 @@ def stability_plot() -> Block:
         x="h_omega",
         y="growth",
         title="Growth of an oscillation in one step, against step times angular frequency",
-        curves=tuple(Curve(name=slug, source="stability", x="h_omega", tint="ink" if slug == "verlet" else "mute",
-                           width="sum" if slug == "verlet" else "dash" if slug == "midpoint" else "line", label=METHODS[slug].name) for slug in FIXED),
+        curves=tuple(
+            Curve(
+                name=slug,
+                source="stability",
+                x="h_omega",
+                tint="ink" if slug == "verlet" else "mute",
+                width="sum" if slug == "verlet" else "dash" if slug == "midpoint" else "line",
+                label=METHODS[slug].name,
+            )
+            for slug in FIXED
+        ),
         source="stability",
         x_column="h_omega",
         heading=(phrase("", "none", "ink", formula="**Growth a step**, against $h\\,\\omega_+$: above 1 it explodes"),),
@@ -177,10 +207,17 @@ def steps_plot() -> Block:
         x="ratio",
         y="steps",
         title="Steps in a slow period that stability asks for, against k2/k1",
-        curves=tuple(Curve(name=f"steps_{slug}", source="explosion", x="ratio", tint="ink", width="line", label=METHODS[slug].name) for slug in explicit),
+        curves=tuple(
+            Curve(
+                name=f"steps_{slug}", source="explosion", x="ratio", tint="ink", width="line", label=METHODS[slug].name
+            )
+            for slug in explicit
+        ),
         source="explosion",
         x_column="ratio",
-        heading=(phrase("", "none", "ink", formula="**Steps in a slow period** that stability asks for, against $k_2/k_1$"),),
+        heading=(
+            phrase("", "none", "ink", formula="**Steps in a slow period** that stability asks for, against $k_2/k_1$"),
+        ),
         margin=(54, 130),
         phone=11,
         height=220,

@@ -72,9 +72,7 @@ class Case:
         size = abs(self.q_0)
         axis = nice_axis(-size, size, unit, factor=factor)
         top = axis.place(size) or 1.0
-        return replace(
-            axis, start=1.3 * -size or axis.start, end=1.3 * size or axis.end, ticks=(-top, 0.0, top)
-        )
+        return replace(axis, start=1.3 * -size or axis.start, end=1.3 * size or axis.end, ticks=(-top, 0.0, top))
 
     def table_axis(self) -> Axis:
         """The unit in which the table counts x and q."""

@@ -110,9 +110,7 @@ def quantities() -> dict[str, Quantity]:
     """The parameters of all systems by name; the start of the pendulums is not among them."""
     found = {}
     for system in ANALOGUES.values():
-        found |= {
-            f"{system.slug}_{p.name}": _quantity(f"{system.slug}_{p.name}", p) for p in system.parameters
-        }
+        found |= {f"{system.slug}_{p.name}": _quantity(f"{system.slug}_{p.name}", p) for p in system.parameters}
         if system.slug in LINEAR:
             found[f"{system.slug}_start"] = _start(system)
     return found

@@ -121,10 +121,7 @@ def _role(
         f"[{tint}|${_compact(formula)} = \\val{{{value}}}$" + suffix + "]",
         {
             "form": "system",
-            **{
-                slug: f"[{tint}|${_compact(text)} = \\val{{{own}}}${{{own_unit}}}]"
-                for slug, text in formulas.items()
-            },
+            **{slug: f"[{tint}|${_compact(text)} = \\val{{{own}}}${{{own_unit}}}]" for slug, text in formulas.items()},
         },
     ]
 
@@ -175,9 +172,7 @@ def _lateness() -> Block:
         curves=(
             Curve(name="excess", source="late", x="angle", tint="ink", width="sum"),
             *(
-                Curve(
-                    name="excess", source=name, x="angle", tint=tint, width="none", marker="disc", group=name
-                )
+                Curve(name="excess", source=name, x="angle", tint=tint, width="none", marker="disc", group=name)
                 for name, tint in (("limits", "ink"), ("here", "m1"))
             ),
         ),
@@ -210,9 +205,7 @@ def _flag(name: str, excess: float) -> dict[str, str]:
 
 def _formula() -> Block:
     """For what is linear at any size: the frequency, large, and what there is to say of the system."""
-    omega = {
-        slug: rf"$\omega_n = {s.omega_formula}$" for slug, s in ANALOGUES.items() if slug not in SWINGING
-    }
+    omega = {slug: rf"$\omega_n = {s.omega_formula}$" for slug, s in ANALOGUES.items() if slug not in SWINGING}
     notes = {slug: s.note for slug, s in ANALOGUES.items() if s.note}
     block = words(
         {"form": "system", **omega},

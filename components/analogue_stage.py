@@ -76,11 +76,7 @@ def pendulum() -> list[Shape]:
     found.append(arc(x, y, rod, -1 * end, end, style="eq", tint="mute"))
     for side in (-1, 1):
         along, down = side * var("end_sine"), var("end_cosine")
-        ends.append(
-            line(
-                x + along * near, y + down * near, x + along * (rod + 7), y + down * (rod + 7), style="floor"
-            )
-        )
+        ends.append(line(x + along * near, y + down * near, x + along * (rod + 7), y + down * (rod + 7), style="floor"))
         label = "{end_right}" if side > 0 else "{end_left}"
         ends.append(text(x + along * (rod + 8), y + down * (rod + 8) - 8, label, tint="mute"))
     found += [
@@ -121,9 +117,7 @@ def twin() -> list[Shape]:
 def over_motion() -> tuple[Shape, ...]:
     """The spring's place on its curve; how late the third swing is, or how long one that is linear takes."""
     y = on_y(PLOT, var("amplitude")) - 9
-    found = [
-        circle(on_x(PLOT, var("t")), on_y(PLOT, var("rule")), 5, style="ghost", tint="m1", show="rule_seen")
-    ]
+    found = [circle(on_x(PLOT, var("t")), on_y(PLOT, var("rule")), 5, style="ghost", tint="m1", show="rule_seen")]
     for show, start, end, words in (
         ("late_seen", "third_rule", "third_swing", "3 swings, {late} s late"),
         ("period_seen", "first_peak", "second_peak", "one swing {period} s"),

@@ -1,4 +1,4 @@
-"""What the scenes of the two-mass chain share: its parameters, its picture on the stage, and how it is drawn to scale."""
+"""What the scenes of the two-mass chain share: its parameters, its picture on the stage, and how it is scaled."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def wire(k: float) -> float:
 
 
 def extremes(curves: Columns, bands: Columns) -> Extremes:
-    """Least and largest x1 and x2 of what is drawn, and of the elongation of spring 2 (where a band is drawn: bounds)."""
+    """Least and largest x1 and x2 of what is drawn, and of the elongation of spring 2 (for a band: bounds)."""
 
     def ends(name: str) -> tuple[float, float]:
         low, high = (curves[name],) * 2 if name in curves else (bands[f"{name}_lo"], bands[f"{name}_hi"])
@@ -82,9 +82,7 @@ class Drawn:
     notes: tuple[str, ...]
 
 
-def to_scale(
-    extremes: Extremes, masses: tuple[float, float], springs: tuple[float, float], size: Axis
-) -> Drawn:
+def to_scale(extremes: Extremes, masses: tuple[float, float], springs: tuple[float, float], size: Axis) -> Drawn:
     """Sizes on the stage; displacements come in the unit of the axis `size`."""
     side = sides(*masses)
     factor = scale(extremes, side)
@@ -104,7 +102,9 @@ def masses(foot: Number, x1: Number, x2: Number, *, small: bool = False, corner:
     faces: dict[str, Any] = {"style": "ghost"} if small else {"corner": 1} if corner else {}
     return [
         spring(WALL * W, height, x1 - side1 / 2, height, var("wire1") * (0.5 if small else 1), show="wire1", **teeth),
-        spring(x1 + side1 / 2, height, x2 - side2 / 2, height, var("wire2") * (0.5 if small else 1), show="wire2", **teeth),
+        spring(
+            x1 + side1 / 2, height, x2 - side2 / 2, height, var("wire2") * (0.5 if small else 1), show="wire2", **teeth
+        ),
         block(x1, foot, side1, "" if small else "m_1", tint="m1", **faces),
         block(x2, foot, side2, "" if small else "m_2", tint="m2", **faces),
     ]
@@ -128,7 +128,10 @@ def ground(foot: Number) -> list[Shape]:
         shapes.append(text(rest(mass), foot + 17, "0", tint=tint, style="t0"))
         shapes.append(line(rest(mass), foot, rest(mass), foot + 5, style="floor"))
         tick = rest(mass) + var("tick") * W
-        shapes += [text(tick, foot + 17, "{tick}", tint=tint, style="t0"), line(tick, foot, tick, foot + 5, style="floor")]
+        shapes += [
+            text(tick, foot + 17, "{tick}", tint=tint, style="t0"),
+            line(tick, foot, tick, foot + 5, style="floor"),
+        ]
     return shapes
 
 

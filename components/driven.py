@@ -86,7 +86,7 @@ def _whole(driven: DrivenModes, i: int, t: Floats, x: Floats) -> tuple[Columns, 
 def _others(driven: DrivenModes, i: int, j: int) -> float:
     """How far all but the resonant response can reach: the free motion of the start and the other mode's response."""
     other = 1 - j
-    omega_n, omega = driven.free.omega[other], driven.omega
+    omega_n = driven.free.omega[other]
     reach = float(np.abs(driven.free.amplitude[:, i]).sum())
     if omega_n > 0 and driven.coupling[other, i]:
         reach += abs(driven.F_0 * driven.coupling[other, i] / driven.detuning[other]) / omega_n
@@ -105,7 +105,9 @@ def motion_signals(driven: DrivenModes, size: Axis, time: Axis, force: Axis) -> 
     X, omega = driven.particular, driven.omega
     for i in (0, 1):
         name = f"x{i + 1}"
-        terms = [(driven.F_0, driven.coupling[j, i], omega, driven.free.omega[j]) for j in (0, 1) if driven.coupling[j, i]]
+        terms = [
+            (driven.F_0, driven.coupling[j, i], omega, driven.free.omega[j]) for j in (0, 1) if driven.coupling[j, i]
+        ]
         signals[f"{name}_driven"] = responses(size, time, *terms)
         signals[name] = total(f"{name}_slow", f"{name}_fast", f"{name}_driven")
         if driven.split_is_meaningful:

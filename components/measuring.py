@@ -104,7 +104,9 @@ class Measuring:
             self._done.move_to_end((system, seconds))
             return self._done[system, seconds]
         open_jobs = [*self._waiting, *([self._active] if self._active else [])]
-        return next((job for job in open_jobs if (job.system, job.seconds) == (system, seconds) and not job.reason), None)
+        return next(
+            (job for job in open_jobs if (job.system, job.seconds) == (system, seconds) and not job.reason), None
+        )
 
     def _next(self) -> None:
         if self._active or not self._waiting:

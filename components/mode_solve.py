@@ -86,8 +86,8 @@ def _ratios() -> list[str | dict[str, str]]:
         {"form": "product", "shown": r"Their product is $-m_1/m_2 = \val{product}$, whatever the springs."},
         {
             "form": "arrows",
-            "shown": r"**The arrows** are the notes' $X_j e^{i \omega t}$, each mass above the tip of its own. A real ratio "
-            r"$X_2/X_1$ means that they point the same way or opposite ways.",
+            "shown": r"**The arrows** are the notes' $X_j e^{i \omega t}$, each mass above the tip of its own. A real "
+            r"ratio $X_2/X_1$ means that they point the same way or opposite ways.",
         },
     ]
 

@@ -26,7 +26,9 @@ def scaled(exponent: int, *factors: float) -> float:
     return result
 
 
-def sines(size: Axis, time: Axis, *terms: tuple[float, float, float], line: tuple[float, float] = (0, 0)) -> dict[str, Any]:
+def sines(
+    size: Axis, time: Axis, *terms: tuple[float, float, float], line: tuple[float, float] = (0, 0)
+) -> dict[str, Any]:
     """a + b t + sum of A sin(omega t + phi), from (A, omega, phi) in SI units and line = (a, b)."""
     return {
         "line": [
@@ -59,7 +61,11 @@ def responses(size: Axis, time: Axis, *terms: tuple[float, float, float, float])
     """
     return {
         "responses": [
-            [scaled(size.exponent - 2 * time.exponent, F, c), scaled(-time.exponent, omega), scaled(-time.exponent, omega_n)]
+            [
+                scaled(size.exponent - 2 * time.exponent, F, c),
+                scaled(-time.exponent, omega),
+                scaled(-time.exponent, omega_n),
+            ]
             for F, c, omega, omega_n in terms
         ]
     }
@@ -85,8 +91,10 @@ def total(*names: str) -> dict[str, Any]:
     return {"polynomial": [[1.0, name] for name in names]}
 
 
-def table(time: Axis, period: float, columns: Iterable[float], slopes: Iterable[float], drift: float = 0.0) -> dict[str, Any]:
-    """A sampled periodic motion, equally spaced over one period, joined by Hermite pieces; `drift` is gained each period.
+def table(
+    time: Axis, period: float, columns: Iterable[float], slopes: Iterable[float], drift: float = 0.0
+) -> dict[str, Any]:
+    """A sampled periodic motion, equally spaced over one period, joined by Hermite pieces, `drift` gained each period.
 
     `columns` and `drift` are in the signal's unit, `slopes` in that unit per second.
     """
@@ -106,7 +114,7 @@ FLASHES = 6.0
 
 
 def pace(omega: float, fastest: float) -> dict[str, float]:
-    """The scalars of the clock: at the speed `pace` a period of `omega` takes 4 to 10 s; `limit` keeps `fastest` visible.
+    """The scalars of the clock: at the speed `pace` a period of `omega` takes 4 to 10 s, at `limit` `fastest` shows.
 
     Both in rad/s; where there is none (0) a second lasts a second.
     """
@@ -119,4 +127,6 @@ def pace(omega: float, fastest: float) -> dict[str, float]:
 def round_down(value: float) -> float:
     """The largest of 1, 2, 5 times a power of ten that is not above `value`."""
     exponent = math.floor(math.log10(value))
-    return max(float(f"{digit}e{exponent}") for digit in (1, 2, 5) if float(f"{digit}e{exponent}") <= value * (1 + 1e-9))
+    return max(
+        float(f"{digit}e{exponent}") for digit in (1, 2, 5) if float(f"{digit}e{exponent}") <= value * (1 + 1e-9)
+    )

@@ -84,13 +84,9 @@ def parse_number(text: str) -> float:
     mantissa = match["mantissa"] or match["sign"] + "1"
     value = float(f"{mantissa}e{match['exponent'] or match['power'] or 0}")
     if math.isinf(value):
-        raise ValueError(
-            f"{excerpt(text)} is too large: the largest number that can be held is about 1.8e308."
-        )
+        raise ValueError(f"{excerpt(text)} is too large: the largest number that can be held is about 1.8e308.")
     if value == 0 and mantissa.strip("+-0."):
-        raise ValueError(
-            f"{excerpt(text)} is too small: the smallest number that can be held is about 5e-324."
-        )
+        raise ValueError(f"{excerpt(text)} is too small: the smallest number that can be held is about 5e-324.")
     return value
 
 
@@ -129,9 +125,7 @@ def ten_to(exponent: int) -> str:
 
 def excerpt(text: str, longest: int = 40) -> str:
     """The start of a foreign text, without what cannot be seen."""
-    seen = "".join(
-        character if character.isprintable() else "\N{REPLACEMENT CHARACTER}" for character in text
-    )
+    seen = "".join(character if character.isprintable() else "\N{REPLACEMENT CHARACTER}" for character in text)
     return seen if len(seen) <= longest else seen[: longest - 1] + "…"
 
 

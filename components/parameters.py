@@ -14,8 +14,9 @@ Scale = Literal["linear", "log", "near0", "count"]
 class Quantity(param.Number):
     """A physical number: `bounds` are what physics allows, `softbounds` what its slider spans.
 
-    `symbol` is written k_2; `tint` names its colour; `scale` says how the slider runs ("near0" is finer
-    near 0, "count" has whole numbers only); `says` continues the symbol to a sentence; `allowed` says in words what values are possible.
+    `symbol` is written k_2; `tint` names its colour; `scale` says how the slider runs ("near0" is finer near 0,
+    "count" has whole numbers only); `says` continues the symbol to a sentence; `allowed` says in words what values
+    are possible.
     `marks` are values with a name under the slider, which then has the width of the panel.
     """
 

@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 from bokeh.embed import json_item
-from bokeh.models import ColumnDataSource, FixedTicker, Plot as BokehPlot, Range1d, Span
+from bokeh.models import ColumnDataSource, FixedTicker, Range1d, Span
+from bokeh.models import Plot as BokehPlot
 from bokeh.plotting import figure
 from numpy.typing import NDArray
 
@@ -93,11 +94,12 @@ def plot(
     dragged; `handles` are pills on an axis that set a parameter: {"parameter": name, "symbol": text,
     "label": accessible name, "tint": class, "axis": "x" or "y", "least": its lowest value,
     "text": the live number shown in place of the parameter's, "show": the form by which it stands, "bare": moved by a
-    press on the plot alone, without a pill}. `marks` are lines with a flag across the plot at a scalar (in the axis' unit): {"at": scalar,
-    "tint": class, "html": rich text of the flag, "label": accessible name, "set": parameter it is the button for,
-    "axis": "x" or "y", "lift": pixels of the flag over the frame, "style": "dashed"}; `top` makes room for flags. `square` draws both axes to one scale; `plain` leaves out numbers at the axes. `show` is the form by which the plot stands.
-    `shapes` are drawn over it as on a stage, with `on_x`, `on_y` of this plot. A press near a point of a curve sets
-    the list `pick` to its source and its place in the column.
+    press on the plot alone, without a pill}. `marks` are lines with a flag across the plot at a scalar (in the axis'
+    unit): {"at": scalar, "tint": class, "html": rich text of the flag, "label": accessible name, "set": parameter it
+    is the button for, "axis": "x" or "y", "lift": pixels of the flag over the frame, "style": "dashed"}; `top` makes
+    room for flags. `square` draws both axes to one scale; `plain` leaves out numbers at the axes. `show` is the form by
+    which the plot stands. `shapes` are drawn over it as on a stage, with `on_x`, `on_y` of this plot. A press near a
+    point of a curve sets the list `pick` to its source and its place in the column.
     """
     x_labels = x_labels and not plain
     figure_ = _figure(title, x_column, source, curves, bands, x_labels, (*margin, top), plain)
@@ -229,7 +231,7 @@ class Axis:
         return f"{self.suffix}{self.unit}"
 
     def digits(self, signed: bool = False) -> tuple[int, bool]:
-        """How a number that changes while playing is shown on this axis: decimals, and whether its sign always stands."""
+        """How a number that moves is shown on this axis: decimals, and whether its sign always stands."""
         return max(0, 2 - math.floor(math.log10(max(abs(self.place(self.start)), abs(self.place(self.end)))))), signed
 
     def number(self, value: float) -> str:
@@ -245,8 +247,15 @@ class Axis:
         start, end = self.place(self.start), self.place(self.end)
         ticks = [float(tick) for tick in self.ticks]
         return {
-            "start": start, "end": end, "ticks": ticks, "labels": labels, "unit": self.full_unit,
-            "exponent": self.exponent, "factor": self.factor, "power": self.power, "log": self.log,
+            "start": start,
+            "end": end,
+            "ticks": ticks,
+            "labels": labels,
+            "unit": self.full_unit,
+            "exponent": self.exponent,
+            "factor": self.factor,
+            "power": self.power,
+            "log": self.log,
         }
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -78,7 +79,7 @@ def _branches(poles: list[float], start: float, end: float) -> list[Floats]:
     edges = [start, *(p for p in poles if start < p < end), end]
     near, even = np.geomspace(CLOSEST, 0.5, POINTS), np.linspace(0.0, 0.5, POINTS)
     parts = []
-    for low, high in zip(edges, edges[1:], strict=False):
+    for low, high in pairwise(edges):
         from_low, from_high = (near if edge in poles else even for edge in (low, high))
         part = np.unique(np.concatenate([low + (high - low) * from_low, high - (high - low) * from_high]))
         parts.append(part[~np.isin(part, poles)])
@@ -104,7 +105,14 @@ def _height(base: float, shown: str, factor: float, lecture: bool) -> Axis:
 
 
 def _marks(
-    system: TwoMassChain, F_0: float, omega: float, frequencies: Floats, poles: list[float], across: Axis, up: Axis, shown: str
+    system: TwoMassChain,
+    F_0: float,
+    omega: float,
+    frequencies: Floats,
+    poles: list[float],
+    across: Axis,
+    up: Axis,
+    shown: str,
 ) -> tuple[dict[str, float], dict[str, str]]:
     """The flags at both natural frequencies and the antiresonance, and the dots at the drive frequency."""
     marks = {"minus": frequencies[0], "plus": frequencies[1], "still": antiresonance(system)}
@@ -132,7 +140,14 @@ FLAGS = (
 def response_plot(**place: Any) -> Block:
     """The plot, its flags 'go there', and the pill that sets the drive frequency."""
     marks = tuple(
-        {"at": at, "tint": tint, "html": f"{rich(symbol)}<br>{rich('{' + at + '}')}", "label": label, "style": style, "set": "omega"}
+        {
+            "at": at,
+            "tint": tint,
+            "html": f"{rich(symbol)}<br>{rich('{' + at + '}')}",
+            "label": label,
+            "style": style,
+            "set": "omega",
+        }
         for at, tint, symbol, label, style in FLAGS
     )
     curves = tuple(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABCMeta, abstractmethod
-from collections.abc import Callable, Collection
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from typing import Any, ClassVar
@@ -101,7 +101,7 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
 
     @abstractmethod
     def picture(self) -> Picture:
-        """What is shown, as a pure function of the parameters. ValueError where the physics has no answer in doubles."""
+        """What is shown, as a pure function of the parameters. ValueError where doubles hold no answer."""
 
     @classmethod
     def drawings(cls) -> dict[str, str]:
@@ -133,7 +133,7 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
         """The visitor has left."""
 
     def about(self) -> About | None:
-        """What is known of the errors of what is drawn, worked out when asked; None where a scene has nothing to say."""
+        """What is known of the errors of what is drawn, worked out when asked; None where there is nothing to say."""
         return None
 
     @property

@@ -21,7 +21,9 @@ def column(*blocks: Block, grow: float = 1, basis: int = 0, gap: int = 0) -> Blo
     return {"kind": "column", "blocks": list(blocks), "grow": grow, "basis": basis, "gap": gap}
 
 
-def stage(*shapes: dict[str, Any], label: str, grow: float = 1, basis: int = 0, phone: int = 0, height: int = 180) -> Block:
+def stage(
+    *shapes: dict[str, Any], label: str, grow: float = 1, basis: int = 0, phone: int = 0, height: int = 180
+) -> Block:
     """The picture. `label` describes it to those who do not see it."""
     return {
         "kind": "stage",
@@ -34,7 +36,9 @@ def stage(*shapes: dict[str, Any], label: str, grow: float = 1, basis: int = 0, 
     }
 
 
-def words(*paragraphs: str | dict[str, str], style: str = "facts", grow: float = 0, basis: int = 0, phone: int = 50) -> Block:
+def words(
+    *paragraphs: str | dict[str, str], style: str = "facts", grow: float = 0, basis: int = 0, phone: int = 50
+) -> Block:
     """Sentences and formulas. A dict holds several forms by name; the picture's `forms` choose one ('' hides it).
 
     A paragraph is text for `rich`, or a dict {"form": name, variant: text, ...}.
@@ -44,7 +48,12 @@ def words(*paragraphs: str | dict[str, str], style: str = "facts", grow: float =
 
 
 def table(
-    *rows: list[str | dict[str, str]], head: list[str] | None = None, grow: float = 0, basis: int = 0, phone: int = 50, style: str = ""
+    *rows: list[str | dict[str, str]],
+    head: list[str] | None = None,
+    grow: float = 0,
+    basis: int = 0,
+    phone: int = 50,
+    style: str = "",
 ) -> Block:
     """Rows of cells, each a paragraph as in `words`; the first cell of a row is its name. `style` may be tight."""
     cells = [[_item(cell) for cell in line] for line in rows]

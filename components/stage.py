@@ -123,7 +123,9 @@ def wave(x: Number, y: Number, length: Number, size: Number, turns: Number, phas
     return shape("wave", x=x, y=y, length=length, size=size, turns=turns, phase=phase, **more)
 
 
-def layers(x: Number, y: Number, length: Number, height: Number, count: int, size: Number, turns: Number, **more: Any) -> Shape:
+def layers(
+    x: Number, y: Number, length: Number, height: Number, count: int, size: Number, turns: Number, **more: Any
+) -> Shape:
     """`count` slices of a medium from (x, y) to the right, their edges displaced along it by size sin(2 pi turns s)."""
     return shape("layers", x=x, y=y, length=length, height=height, count=count, size=size, turns=turns, **more)
 

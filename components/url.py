@@ -55,9 +55,7 @@ def write_query(scene: Scene) -> str:
     """
     values = {name: getattr(scene, name) for name in link_parameters(type(scene))}
     changed = {name: value for name, value in values.items() if value != type(scene).param[name].default}
-    return urlencode(
-        {"scene": scene.slug} | {name: _written(value) for name, value in changed.items()}, safe=",:"
-    )
+    return urlencode({"scene": scene.slug} | {name: _written(value) for name, value in changed.items()}, safe=",:")
 
 
 def link_parameters(scene_class: type[Scene]) -> dict[str, param.Parameter]:

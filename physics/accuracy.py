@@ -125,9 +125,7 @@ def measure(
     problem = system.problem()
     truth = reference(problem)
     if not (truth.size > 0 and SMALLEST_ENERGY < truth.largest_energy < inf):
-        raise ValueError(
-            f"largest displacement {truth.size:g} m, energy {truth.largest_energy:g} J: no scale"
-        )
+        raise ValueError(f"largest displacement {truth.size:g} m, energy {truth.largest_energy:g} J: no scale")
     bench = _Bench(system, replace(problem, size=truth.size), truth, limits or Limits(), cancelled)
     out_of_time: set[str] = set()
     for case in plan(system) if cases is None else cases:

@@ -100,9 +100,7 @@ def linear_flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
     t = finite_array("t", t)
     phase = _product("the phase", omega, t)
     speed, climb = excess * np.cos(phase), sqrt(2) * excess * np.sin(phase)
-    return _in_si(
-        v_0, g, t=t, x=phase / sqrt(2) + climb / 2, h=-speed, u=1 + speed, w=climb, V=1 + speed, theta=climb
-    )
+    return _in_si(v_0, g, t=t, x=phase / sqrt(2) + climb / 2, h=-speed, u=1 + speed, w=climb, V=1 + speed, theta=climb)
 
 
 def flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:

@@ -33,7 +33,5 @@ def finite_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
     if array.ndim != 1:
         raise ValueError(f"{name} has the shape {array.shape}: one dimension is allowed")
     if not np.all(np.isfinite(array)):
-        raise ValueError(
-            f"{name} = {float(array[~np.isfinite(array)][0])!r}: only finite numbers are allowed"
-        )
+        raise ValueError(f"{name} = {float(array[~np.isfinite(array)][0])!r}: only finite numbers are allowed")
     return array

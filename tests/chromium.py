@@ -52,10 +52,7 @@ def _playwrights_own() -> str | None:
 
 def _answers(path: str | None) -> bool:
     try:
-        return (
-            bool(path)
-            and subprocess.run([path, "--version"], capture_output=True, timeout=30).returncode == 0
-        )
+        return bool(path) and subprocess.run([path, "--version"], capture_output=True, timeout=30).returncode == 0
     except (OSError, subprocess.TimeoutExpired):
         return False
 

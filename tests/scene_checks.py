@@ -53,7 +53,10 @@ def check_picture(scene: Scene) -> None:
         for name, column in columns.items():
             assert np.all(np.isfinite(column)), f"{source}.{name} as sent"
     for name, axis in message["axes"].items():
-        assert math.isfinite(axis["start"]) and math.isfinite(axis["end"]) and axis["start"] != axis["end"], (name, axis)
+        assert math.isfinite(axis["start"]) and math.isfinite(axis["end"]) and axis["start"] != axis["end"], (
+            name,
+            axis,
+        )
         assert all(map(math.isfinite, axis["ticks"])), (name, axis)
     assert all(map(math.isfinite, message["scalars"].values())), message["scalars"]
     check_numbers(message["signals"])

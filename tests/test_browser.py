@@ -1,4 +1,4 @@
-"""The page in a real Chromium: it draws, plays without the server, answers a slider, restores a link, refuses kindly."""
+"""The page in a real Chromium: draws, plays without the server, answers a slider, restores a link, refuses kindly."""
 
 from __future__ import annotations
 
@@ -20,7 +20,8 @@ BLANK = """() => [...document.querySelectorAll('.plot-area')].filter(area => are
   return area.clientWidth > 20 && area.clientHeight > 20
 })"""
 OVERFLOW = """() => {
-  const wide = document.documentElement.scrollWidth > innerWidth, high = document.documentElement.scrollHeight > innerHeight
+  const page = document.documentElement
+  const wide = page.scrollWidth > innerWidth, high = page.scrollHeight > innerHeight
   const panel = document.querySelector('.panel')
   return {wide, high, panel: panel.scrollHeight - panel.clientHeight}
 }"""
@@ -38,7 +39,9 @@ def test_scene_draws_and_fits(slug: str, page: Page, open_scene: Open, screensho
 
 
 @slugs
-def test_scene_fits_a_phone_and_a_hall(slug: str, new_page: Callable[..., Page], open_scene: Open, screenshot: Callable[[Page, str], Path]) -> None:
+def test_scene_fits_a_phone_and_a_hall(
+    slug: str, new_page: Callable[..., Page], open_scene: Open, screenshot: Callable[[Page, str], Path]
+) -> None:
     phone = open_scene(new_page(390, 844, has_touch=True), scene=slug)
     assert not phone.evaluate(OVERFLOW)["wide"]
     screenshot(phone, f"{slug}-phone")
@@ -108,7 +111,10 @@ def test_typed_values_and_refusals(page: Page, open_scene: Open) -> None:
 
 def test_a_link_restores_the_scene_and_names_what_it_refuses(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled", k2="3.5", m1="-2", energy="modes", hidden="x1_slow", window="50", fruit="pear")
-    state = page.evaluate("(s => ({k2: s.params.k2.value, m1: s.params.m1.value, hidden: s.hidden, end: s.axes.t.end}))(oscillations.state)")
+    state = page.evaluate(
+        "(s => ({k2: s.params.k2.value, m1: s.params.m1.value, hidden: s.hidden, end: s.axes.t.end}))"
+        "(oscillations.state)"
+    )
     assert state == {"k2": 3.5, "m1": 2, "hidden": ["x1_slow"], "end": 50}
     notice = page.locator(".notice")
     expect(notice).to_be_visible()

@@ -18,9 +18,7 @@ BROKEN = """() => [...document.querySelectorAll('svg.stage *')].filter(one =>
   [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value))).length"""
 
 
-def test_each_picture_chooses_its_system(
-    page: Page, open_scene: Open, screenshot: Callable[[Page, str], Path]
-) -> None:
+def test_each_picture_chooses_its_system(page: Page, open_scene: Open, screenshot: Callable[[Page, str], Path]) -> None:
     open_scene(page, scene="analogues")
     tiles = page.get_by_role("group", name="System").get_by_role("button")
     assert tiles.count() == 9

@@ -144,9 +144,7 @@ def test_arrow_keys_step_the_last_digit_of_a_field(panel: Panel) -> None:
     expect(panel.field("k2")).to_have_value("2.01")
     panel.type("k2", "1e-3")
     expect(panel.field("k2")).to_have_value("0.00100")
-    assert panel.page.evaluate(
-        "[stepped('9.99', 1), stepped('0.00', -1), stepped('-3e5', 1), stepped('x', 1)]"
-    ) == [
+    assert panel.page.evaluate("[stepped('9.99', 1), stepped('0.00', -1), stepped('-3e5', 1), stepped('x', 1)]") == [
         "10.00",
         "-0.01",
         "-2e5",
@@ -162,12 +160,7 @@ def test_refused_text_stays_with_its_reason_until_it_is_corrected(panel: Panel) 
     expect(panel.field("k2")).to_have_value("-3")
     expect(panel.field("k2")).to_have_attribute("aria-invalid", "true")
     expect(panel.field("k2")).to_have_accessible_description(re.compile("not possible"))
-    assert (
-        panel.page.evaluate(
-            "sliderValue('near0', document.getElementsByName('k2-slider')[0].value, [0, 100])"
-        )
-        == 2
-    )
+    assert panel.page.evaluate("sliderValue('near0', document.getElementsByName('k2-slider')[0].value, [0, 100])") == 2
     panel.type("m1", "4")
     expect(panel.field("m1")).to_have_value("4.00")
     expect(panel.field("k2")).to_have_value("-3")
@@ -197,9 +190,7 @@ def test_preset_moves_everything_and_ends_a_refusal(panel: Panel) -> None:
     panel.type("m1", "0")
     expect(panel.problem("m1")).to_be_visible()
     panel.page.get_by_role("button", name="Stiff", exact=True).click()
-    expect(panel.page.get_by_role("button", name="Stiff", exact=True)).to_have_attribute(
-        "aria-pressed", "true"
-    )
+    expect(panel.page.get_by_role("button", name="Stiff", exact=True)).to_have_attribute("aria-pressed", "true")
     expect(panel.field("k2")).to_have_value("50.0")
     expect(panel.field("m1")).to_have_value("2.00")
     expect(panel.problem("m1")).to_be_hidden()
@@ -207,9 +198,7 @@ def test_preset_moves_everything_and_ends_a_refusal(panel: Panel) -> None:
 
 def test_preset_that_is_refused_says_why(panel: Panel) -> None:
     panel.page.get_by_role("button", name="Too stiff").click()
-    expect(panel.problem("preset")).to_have_text(
-        "The motion is too fast for a double. Still drawn as before."
-    )
+    expect(panel.problem("preset")).to_have_text("The motion is too fast for a double. Still drawn as before.")
 
 
 def test_state_does_not_overwrite_what_is_being_typed(panel: Panel) -> None:
@@ -237,9 +226,7 @@ def test_answer_to_an_older_message_does_not_move_the_slider_back(panel: Panel) 
 def test_help_is_of_what_has_the_focus(panel: Panel) -> None:
     expect(panel.page.locator("#controls-says")).to_have_text("m1 is a mass. Type any value above 0.")
     panel.slider("k2").focus()
-    expect(panel.page.locator("#controls-says")).to_have_text(
-        "k2 couples the masses. Type any value from 0 up."
-    )
+    expect(panel.page.locator("#controls-says")).to_have_text("k2 couples the masses. Type any value from 0 up.")
 
 
 @pytest.mark.parametrize(
@@ -251,9 +238,7 @@ def test_help_is_of_what_has_the_focus(panel: Panel) -> None:
         ("log", [0.01, 10], None),
     ],
 )
-def test_slider_runs_evenly_over_its_range(
-    panel: Panel, scale: str, soft: list[float], unit: float | None
-) -> None:
+def test_slider_runs_evenly_over_its_range(panel: Panel, scale: str, soft: list[float], unit: float | None) -> None:
     values: list[float] = panel.page.evaluate(
         "([scale, soft]) => Array.from({length: 1001}, (_, i) => sliderValue(scale, i/1000, soft))",
         [scale, soft],

@@ -34,9 +34,7 @@ class Example(Scene):
     v1_0 = velocity(symbol="v_1", tint="m1")
     F_0 = force()
     omega = angular_frequency()
-    span = positive(
-        None, allow_None=True, symbol="T", unit="s", label="span", says="is long.", softbounds=(1, 9)
-    )
+    span = positive(None, allow_None=True, symbol="T", unit="s", label="span", says="is long.", softbounds=(1, 9))
     view_of: Any = param.Selector(default="size", objects=["size", "signed"], label="Amplitude")
     log = param.Boolean(default=False)
     solved = 0
@@ -125,9 +123,7 @@ def test_row_says_all_that_the_page_needs() -> None:
 
 
 def test_sliders_can_run_as_their_scale_asks() -> None:
-    quantities = [
-        parameter for parameter in Example.param.objects().values() if isinstance(parameter, Quantity)
-    ]
+    quantities = [parameter for parameter in Example.param.objects().values() if isinstance(parameter, Quantity)]
     assert len(quantities) == 8
     for quantity in quantities:
         low, high = quantity.softbounds
@@ -226,9 +222,7 @@ def test_slider_sets_its_values_in_one_batch() -> None:
         ({"type": "choose", "name": "k2", "value": "1"}, {"k2": "“k2” is not a parameter of this scene."}),
     ],
 )
-def test_refused_message_says_why_and_changes_nothing(
-    message: dict[str, Any], errors: dict[str, str]
-) -> None:
+def test_refused_message_says_why_and_changes_nothing(message: dict[str, Any], errors: dict[str, str]) -> None:
     scene = Example()
     before = params_state(scene)
     assert apply_message(scene, message) == errors
@@ -244,9 +238,7 @@ def test_refused_message_says_why_and_changes_nothing(
             | st.booleans()
             | st.floats()
             | st.sampled_from(["set", "typed", "preset", "choose", "k2", "hidden"]),
-            lambda inner: (
-                st.lists(inner, max_size=3) | st.dictionaries(st.sampled_from(["k2", "m1", "x"]), inner)
-            ),
+            lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.sampled_from(["k2", "m1", "x"]), inner),
         ),
     )
 )

@@ -39,12 +39,7 @@ def test_three_digits(value: float, text: str) -> None:
 
 @given(finite)
 def test_three_digits_are_within_half_a_unit_of_the_third(value: float) -> None:
-    shown = (
-        three(value)
-        .replace("−", "-")
-        .replace("·10", "e")
-        .translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
-    )
+    shown = three(value).replace("−", "-").replace("·10", "e").translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
     assert abs(Decimal(shown) - Decimal(value)) <= abs(Decimal(value)) * Decimal("0.005")
 
 
@@ -112,9 +107,7 @@ def test_text_that_is_no_number_is_refused_with_an_example(text: str) -> None:
         parse_number(text)
 
 
-@pytest.mark.parametrize(
-    ("text", "reason"), [("1e999", "too large"), ("-1e999", "too large"), ("1e-999", "too small")]
-)
+@pytest.mark.parametrize(("text", "reason"), [("1e999", "too large"), ("-1e999", "too large"), ("1e-999", "too small")])
 def test_number_that_no_double_holds_is_refused(text: str, reason: str) -> None:
     with pytest.raises(ValueError, match=reason):
         parse_number(text)

@@ -45,16 +45,11 @@ SCENES: dict[str, type[Scene]] = {"first": First, "second": Second}
 
 def query(text: str) -> dict[str, list[bytes]]:
     """The arguments as the server gives them."""
-    return {
-        key: [value.encode() for value in values]
-        for key, values in parse_qs(text, keep_blank_values=True).items()
-    }
+    return {key: [value.encode() for value in values] for key, values in parse_qs(text, keep_blank_values=True).items()}
 
 
 def test_link_restores_what_it_names() -> None:
-    link = read_query(
-        query("scene=first&k2=3&x1_0=-1e-3&axes=lecture&log=true&hidden=x1.slow,x2&window=12"), SCENES
-    )
+    link = read_query(query("scene=first&k2=3&x1_0=-1e-3&axes=lecture&log=true&hidden=x1.slow,x2&window=12"), SCENES)
     assert link.slug == "first"
     assert link.values == {
         "k2": 3.0,
@@ -102,9 +97,7 @@ def test_key_given_twice_is_refused() -> None:
 
 
 def test_keys_of_the_server_and_the_page_are_none_of_the_scene_s() -> None:
-    link = read_query(
-        query("bokeh-session-id=1&bokeh-autoload-element=2&panel-x=3&theme=dark&projector=1"), SCENES
-    )
+    link = read_query(query("bokeh-session-id=1&bokeh-autoload-element=2&panel-x=3&theme=dark&projector=1"), SCENES)
     assert (link.values, link.problems) == ({}, [])
 
 
@@ -120,9 +113,7 @@ def test_not_more_problems_than_can_be_read() -> None:
 
 
 @given(
-    st.dictionaries(
-        st.sampled_from(["scene", "m1", "hidden", "axes", "log", "?"]), st.lists(st.binary(), max_size=3)
-    )
+    st.dictionaries(st.sampled_from(["scene", "m1", "hidden", "axes", "log", "?"]), st.lists(st.binary(), max_size=3))
 )
 def test_no_query_breaks_the_server(args: dict[str, list[bytes]]) -> None:
     link = read_query(args, SCENES)

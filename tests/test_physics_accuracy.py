@@ -107,9 +107,7 @@ def test_a_run_out_of_time_is_a_row_and_finer_ones_are_not_started(method):
     runs = list(measure(SYSTEMS["stiff"], [c for c in cases if c.setting != 256], Limits(seconds=0.0)))
     assert runs[0].failure == "time limit 0 s"
     assert 0 <= runs[0].reached < 0.5
-    assert [run.failure for run in runs[1:]] == ["not started: time limit at a coarser setting"] * len(
-        runs[1:]
-    )
+    assert [run.failure for run in runs[1:]] == ["not started: time limit at a coarser setting"] * len(runs[1:])
 
 
 def test_what_no_double_holds_is_a_row():
@@ -126,9 +124,7 @@ def test_cancelling_between_runs():
         asked.append(method)
         return len(asked) > 1
 
-    runs = list(
-        measure(SYSTEMS["benign"], [Case("closed", 0), Case("slides", 0), Case("eigh", 0)], ONCE, cancelled)
-    )
+    runs = list(measure(SYSTEMS["benign"], [Case("closed", 0), Case("slides", 0), Case("eigh", 0)], ONCE, cancelled))
     assert [run.method for run in runs] == ["closed"]
 
 
@@ -146,9 +142,7 @@ def test_cancelling_within_a_run_and_skipping_one_method(method):
     asked = set()
     fine = {"yoshida6": 64, "dop853": 1e-9}[method]
     runs = list(
-        measure(
-            SYSTEMS["benign"], [Case(method, fine), Case(method, fine), Case("closed", 0)], ONCE, cancelled
-        )
+        measure(SYSTEMS["benign"], [Case(method, fine), Case(method, fine), Case("closed", 0)], ONCE, cancelled)
     )
     assert [(run.method, run.failure) for run in runs] == [(method, "cancelled"), ("closed", None)]
     assert runs[0].reached < 0.5
@@ -173,9 +167,7 @@ def test_the_systems_are_what_they_are_called():
 
 
 def test_two_free_masses_have_nothing_to_measure():
-    free = System(
-        slug="link", name="Free", chain=TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=0.0), x_0=(1.0, 0.0)
-    )
+    free = System(slug="link", name="Free", chain=TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=0.0), x_0=(1.0, 0.0))
     with pytest.raises(ValueError, match="two free masses"):
         list(measure(free))
 

@@ -74,9 +74,7 @@ def test_total_energy_is_constant_within_8_u(periods):
 def test_the_two_datums_differ_by_a_constant_and_only_one_has_equal_maxima():
     t = np.linspace(0, 2 * math.pi / MASS.omega_n, 401)
     motion = MASS.motion(0.1, 0.0, t)
-    equilibrium, separate = (
-        MASS.energies(motion.x, motion.v, datum) for datum in ("equilibrium", "separate")
-    )
+    equilibrium, separate = (MASS.energies(motion.x, motion.v, datum) for datum in ("equilibrium", "separate"))
     np.testing.assert_allclose(separate.V - equilibrium.V, MASS.datum_shift, rtol=1e-14)
     assert np.max(equilibrium.V) == pytest.approx(np.max(equilibrium.T), rel=1e-14)
     assert np.max(separate.V) - np.max(separate.T) == pytest.approx(MASS.datum_shift, rel=1e-13)
@@ -96,9 +94,7 @@ def test_the_well_meets_the_energy_at_the_turning_points():
     np.testing.assert_allclose(MASS.well([0.0], "separate"), MASS.datum_shift)
 
 
-@pytest.mark.parametrize(
-    ("name", "value"), [("m", 0.0), ("k", 0.0), ("k", math.inf), ("g", -9.81), ("g", math.nan)]
-)
+@pytest.mark.parametrize(("name", "value"), [("m", 0.0), ("k", 0.0), ("k", math.inf), ("g", -9.81), ("g", math.nan)])
 def test_bad_parameters_are_refused(name, value):
     with pytest.raises(ValueError, match=f"{name} = {value!r}"):
         HangingMass(**{"m": 1.0, "k": 1.0, "g": 9.81, name: value})

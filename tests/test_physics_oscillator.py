@@ -123,9 +123,7 @@ def test_constants_are_rounded_once_and_the_phase_within_2_ulp(magnitudes):
             assert abs(mp.mpf(constants.C) - C) <= 0.51 * ulp(constants.C)
             phi = mp.atan2(x_0, B) if C else mp.mpf(0)
             error = abs(mp.mpf(constants.phi) - phi)
-            assert min(error, abs(error - 2 * mp.pi)) <= 2 * ulp(
-                constants.phi
-            )  # -pi + 1e-300 may round to pi
+            assert min(error, abs(error - 2 * mp.pi)) <= 2 * ulp(constants.phi)  # -pi + 1e-300 may round to pi
             assert -math.pi <= constants.phi <= math.pi
 
     check()

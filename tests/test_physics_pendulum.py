@@ -45,9 +45,7 @@ def test_period_and_excess_are_rounded_once(theta_0):
         assert abs(period - 2 * mp.pi * mp.sqrt(mp.mpf(2) / 3) * ratio) <= 0.51 * math.ulp(period)
 
 
-@pytest.mark.parametrize(
-    ("percent", "degrees"), [(0.1, 7.2441), (1.0, 22.8138), (5.0, 50.1040), (10.0, 69.3251)]
-)
+@pytest.mark.parametrize(("percent", "degrees"), [(0.1, 7.2441), (1.0, 22.8138), (5.0, 50.1040), (10.0, 69.3251)])
 def test_amplitudes_at_which_the_period_is_off(percent, degrees):
     assert math.degrees(amplitude_at_excess(percent / 100)) == pytest.approx(degrees, abs=5e-5)
 

@@ -7,7 +7,17 @@ import math
 import numpy as np
 import pytest
 
-from components.accuracy_data import FLOOR, picked_run, price_texts, prices, recorded, setting_text, step_explosion, stopped, work
+from components.accuracy_data import (
+    FLOOR,
+    picked_run,
+    price_texts,
+    prices,
+    recorded,
+    setting_text,
+    step_explosion,
+    stopped,
+    work,
+)
 from components.scenes.accuracy import Accuracy
 from physics.accuracy import SYSTEMS, Run
 from physics.coupled import TwoMassChain
@@ -20,7 +30,16 @@ def a_run(method: str, setting: float, time: float | None, error: float | None, 
 
 
 RUNS = (
-    a_run("closed", 0, 1e-3, 2e-16, family="closed", name="Closed form", error_growth=(0.0, 2e-16), energy_growth=(0.0, 1e-16)),
+    a_run(
+        "closed",
+        0,
+        1e-3,
+        2e-16,
+        family="closed",
+        name="Closed form",
+        error_growth=(0.0, 2e-16),
+        energy_growth=(0.0, 1e-16),
+    ),
     a_run("verlet", 1, 1e-2, 1e-2, name="Verlet", error_growth=(0.0, 1e-2), energy_growth=(0.0, 1e-4)),
     a_run("verlet", 4, 1e-1, 1e-4, name="Verlet", error_growth=(0.0, 1e-4), energy_growth=(0.0, 1e-6)),
     a_run("rk45", 1e-9, None, None, name="RK45", family="adaptive", failure="time limit 1 s", reached=0.4),

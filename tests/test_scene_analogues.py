@@ -101,9 +101,7 @@ def test_frequency_is_that_of_the_lectures_table(slug: str) -> None:
         quantity = quantities(Analogues)[name]
         scene.set({name: math.floor(sum(quantity.softbounds) / 2) or quantity.softbounds[1]})
     data, omega = scene.sources["time"].data, OMEGA[slug](scene)
-    np.testing.assert_allclose(
-        data["x"], data["x"][0] * np.cos(omega * data["t"]), atol=1e-11 * abs(data["x"][0])
-    )
+    np.testing.assert_allclose(data["x"], data["x"][0] * np.cos(omega * data["t"]), atol=1e-11 * abs(data["x"][0]))
 
 
 @pytest.mark.parametrize("slug", LINEAR)
@@ -137,9 +135,7 @@ def test_energies_of_the_pendulum_and_of_its_spring_part() -> None:
         named = evaluated(scene, data["t"][i])
         lifted = 2.0 * 9.81 * 0.5 * (1 - math.cos(data["q"][i]))
         assert named["V_q"] == pytest.approx(lifted, abs=1e-4)
-        assert named["T_q"] + named["V_q"] == pytest.approx(
-            9.81 * (1 - math.cos(math.radians(100))), rel=1e-12
-        )
+        assert named["T_q"] + named["V_q"] == pytest.approx(9.81 * (1 - math.cos(math.radians(100))), rel=1e-12)
         assert named["T_x"] + named["V_x"] == pytest.approx(9.81 * math.radians(100) ** 2 / 2, rel=1e-12)
         assert named["V_x"] == pytest.approx(9.81 * data["x"][i] ** 2 / 2, rel=1e-9)
 
@@ -150,9 +146,7 @@ def test_lateness_is_that_of_the_agm_and_its_flags_stand_on_it() -> None:
 
     scene = Analogues(theta_0=75.0)
     curve, here = scene.sources["late"].data, scene.sources["here"].data
-    np.testing.assert_allclose(
-        curve["excess"], [late(angle) for angle in curve["angle"]], rtol=1e-9, atol=1e-15
-    )
+    np.testing.assert_allclose(curve["excess"], [late(angle) for angle in curve["angle"]], rtol=1e-9, atol=1e-15)
     assert here["excess"][0] == pytest.approx(late(75.0), rel=1e-12)
     for flag, excess in (("late_01", 0.001), ("late_1", 0.01), ("late_5", 0.05)):
         assert late(scene.shown.scalars[flag]) == pytest.approx(excess, rel=2e-5)
@@ -226,9 +220,7 @@ def test_far_beyond_the_sliders_a_picture_or_a_reason(slug: str) -> None:
 def test_corners_of_the_sliders_of_each_system(slug: str) -> None:
     scene = Analogues(system=slug)
     for ends in itertools.product((0, 1), repeat=len(own(slug))):
-        scene.set(
-            {n: quantities(Analogues)[n].softbounds[end] for n, end in zip(own(slug), ends, strict=True)}
-        )
+        scene.set({n: quantities(Analogues)[n].softbounds[end] for n, end in zip(own(slug), ends, strict=True)})
         check_picture(scene)
 
 
@@ -236,9 +228,7 @@ def test_too_fast_to_draw_is_a_band() -> None:
     scene = Analogues(system="circuit", window=1.0)
     band = scene.sources["band"].data
     assert "q" not in scene.sources["time"].data
-    np.testing.assert_allclose(
-        [band["q_hi"], band["q_lo"]], [[1e-6] * len(band["t"]), [-1e-6] * len(band["t"])]
-    )
+    np.testing.assert_allclose([band["q_hi"], band["q_lo"]], [[1e-6] * len(band["t"]), [-1e-6] * len(band["t"])])
     assert "period_seen" not in scene.shown.scalars
 
 

@@ -102,7 +102,9 @@ def test_a_motion_too_fast_to_draw_is_its_envelope() -> None:
     np.testing.assert_allclose(edges[-1], edges[-1, 0], rtol=1e-9)
 
 
-@pytest.mark.parametrize("values", [{"k2": 5.0}, {"m1": 10.0, "x1_0": -2.0}, {"x2_0": 2.0, "v1_0": 5.0}, {"k1": 0.0, "v1_0": 3.0}])
+@pytest.mark.parametrize(
+    "values", [{"k2": 5.0}, {"m1": 10.0, "x1_0": -2.0}, {"x2_0": 2.0, "v1_0": 5.0}, {"k1": 0.0, "v1_0": 3.0}]
+)
 def test_blocks_never_meet(values: dict[str, float]) -> None:
     from components.chain import EQUILIBRIUM, WALL
 
@@ -118,6 +120,9 @@ def test_blocks_never_meet(values: dict[str, float]) -> None:
 def test_the_clock_plays_a_slow_period_in_four_to_ten_seconds() -> None:
     for values in ({}, {"k1": 1e-6, "k2": 1e-6}, {"m1": 1e-9, "m2": 1e-9}, {"k1": 0.0}):
         scene = Coupled(**values)
-        slow, fast = (float(w) for w in (scene.shown.signals["x1_slow"]["sines"][0][1], scene.shown.signals["x1_fast"]["sines"][0][1]))
+        slow, fast = (
+            float(w)
+            for w in (scene.shown.signals["x1_slow"]["sines"][0][1], scene.shown.signals["x1_fast"]["sines"][0][1])
+        )
         unit = 10.0 ** scene.shown.axes["t"].exponent
         assert 4 <= 2 * math.pi / (slow or fast) * unit / scene.shown.scalars["pace"] <= 10 + 1e-9

@@ -25,7 +25,15 @@ def integrated(scene: Forced, times: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    "values", [{}, {"omega": 1 / GOLDEN}, {"omega": GOLDEN}, {"omega": 1 / GOLDEN + 1e-9}, {"k1": 0.0, "omega": 0.3}, {"k2": 0.0}]
+    "values",
+    [
+        {},
+        {"omega": 1 / GOLDEN},
+        {"omega": GOLDEN},
+        {"omega": 1 / GOLDEN + 1e-9},
+        {"k1": 0.0, "omega": 0.3},
+        {"k2": 0.0},
+    ],
 )
 def test_curves_are_the_motion(values: dict[str, float]) -> None:
     scene = Forced(**values)
@@ -43,7 +51,9 @@ def test_the_lectures_figure() -> None:
     """Slide 8: poles at 0.618 and 1.618, zero of Xp1 at 1, axes 0 to 2.5 and -5 to 5, signs change at each pole."""
     scene = Forced(curve="signed", axes="lecture")
     axes, scalars = scene.shown.axes, scene.shown.scalars
-    assert (axes["omega"].wire()["start"], axes["omega"].wire()["end"]) == (0.0, 2.6) or axes["omega"].wire()["end"] == pytest.approx(2.5, rel=0.01)
+    assert (axes["omega"].wire()["start"], axes["omega"].wire()["end"]) == (0.0, 2.6) or axes["omega"].wire()[
+        "end"
+    ] == pytest.approx(2.5, rel=0.01)
     assert (axes["X"].wire()["start"], axes["X"].wire()["end"]) == (-5.0, 5.0)
     assert scalars["mark_minus"] == pytest.approx(1 / GOLDEN)
     assert scalars["mark_plus"] == pytest.approx(GOLDEN)

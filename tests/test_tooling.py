@@ -23,9 +23,7 @@ from tests.serving import FLAGS, ROOT, Server, free_port, serving
 LOCKS = ("requirements.txt", "requirements-test.txt")
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 DOCKERFILE = (ROOT / "Dockerfile").read_text(encoding="utf-8")
-PIN = re.compile(
-    r"^([a-z0-9-]+)==([\w.]+)((?: ; [^\\]+)?) \\\n((?:    --hash=sha256:[0-9a-f]{64}(?: \\)?\n)+)", re.M
-)
+PIN = re.compile(r"^([a-z0-9-]+)==([\w.]+)((?: ; [^\\]+)?) \\\n((?:    --hash=sha256:[0-9a-f]{64}(?: \\)?\n)+)", re.M)
 
 
 def make(*arguments: str, folder: Path = ROOT) -> str:

@@ -13,4 +13,7 @@ from components.scenes.modes import Modes
 from components.scenes.oscillator import OscillatorScene
 from components.scenes.phugoid import Phugoid
 
-SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (OscillatorScene, Energy, Analogues, Phugoid, Coupled, Modes, Forced, Absorber, Accuracy)}
+SCENES: dict[str, type[Scene]] = {
+    scene.slug: scene
+    for scene in (OscillatorScene, Energy, Analogues, Phugoid, Coupled, Modes, Forced, Absorber, Accuracy)
+}

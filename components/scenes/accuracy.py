@@ -8,17 +8,6 @@ from typing import Any
 import numpy as np
 import param
 
-from components.accuracy_plots import (
-    STOPPED,
-    growth_plot,
-    name_places,
-    picked_plot,
-    price_rows,
-    stability_plot,
-    steps_plot,
-    stopped_rows,
-    work_plot,
-)
 from components.accuracy_data import (
     FLOOR,
     done,
@@ -34,12 +23,23 @@ from components.accuracy_data import (
     stopped,
     work,
 )
+from components.accuracy_plots import (
+    STOPPED,
+    growth_plot,
+    name_places,
+    picked_plot,
+    price_rows,
+    stability_plot,
+    steps_plot,
+    stopped_rows,
+    work_plot,
+)
 from components.controls import Group
 from components.measuring import Job, measuring
 from components.numbers import short, three
 from components.parameters import angular_frequency, displacement, force, mass, positive, stiffness, velocity
 from components.plots import Axis, log_axis, nice_axis
-from components.scene import Columns, Picture, Scene
+from components.scene import Picture, Scene
 from components.sheet import Block, choice, column, row, when, words
 from physics.accuracy import PERIODS, SYSTEMS, Run, System
 from physics.coupled import TwoMassChain
@@ -64,11 +64,22 @@ class Accuracy(Scene):
 
     system = param.Selector(default="benign", objects=[*SYSTEMS, OWN], label="System")
     wanted = positive(
-        1e-6, symbol="error", unit="", label="error", softbounds=(1e-15, 1.0), scale="log",
+        1e-6,
+        symbol="error",
+        unit="",
+        label="error",
+        softbounds=(1e-15, 1.0),
+        scale="log",
         says="is the error that is good enough. The list says what it costs.",
     )
     limit = positive(
-        4.0, symbol="limit", unit="s", label="time limit of a run", softbounds=(0.5, 20.0), bounds=(0.01, 60.0), inclusive_bounds=(True, True),
+        4.0,
+        symbol="limit",
+        unit="s",
+        label="time limit of a run",
+        softbounds=(0.5, 20.0),
+        bounds=(0.01, 60.0),
+        inclusive_bounds=(True, True),
         allowed="the time limit of a run is 0.01 to 60 s",
         says="is how long one run may take. A method that takes longer is a row with its reason.",
     )
@@ -98,20 +109,33 @@ class Accuracy(Scene):
             when(
                 "time",
                 row(
-                    column(words("{chain}. Fast over slow frequency {ratio}. 50 slow periods, 1000 outputs.", style="plain", phone=9), work_plot()),
+                    column(
+                        words(
+                            "{chain}. Fast over slow frequency {ratio}. 50 slow periods, 1000 outputs.",
+                            style="plain",
+                            phone=9,
+                        ),
+                        work_plot(),
+                    ),
                     column(
                         words("**An error of {wanted} costs** [mute|× closed form]", style="plain", phone=11),
                         price_rows(phone=11),
                         words("**Without a result**", style="plain", phone=12),
                         stopped_rows(phone=12),
-                        words("**Energy kept, phase lost?** {picked}; worst so far. Click any dot to pick it.", style="plain", phone=13),
+                        words(
+                            "**Energy kept, phase lost?** {picked}; worst so far. Click any dot to pick it.",
+                            style="plain",
+                            phone=13,
+                        ),
                         picked_plot(),
                         basis=300,
                         grow=0,
                     ),
                 ),
             ),
-            growth_plot("error_growth", "Worst error so far, against simulated time (finest run of each method)", "growth"),
+            growth_plot(
+                "error_growth", "Worst error so far, against simulated time (finest run of each method)", "growth"
+            ),
             growth_plot("energy_growth", "Worst error of the energy so far: it does not certify the phase", "energy"),
             when("stability", column(stability_plot(), steps_plot())),
         )
@@ -125,7 +149,9 @@ class Accuracy(Scene):
             text = "Measured before on this server." if here else _recorded_text() if runs else "Press Run to measure."
             return {"state": "idle", "done": len(runs), "total": len(runs), "text": text}
         before = measuring().place(job)
-        text = f"{before} measurement{'s' if before > 1 else ''} before yours." if job.state == "waiting" else job.reason
+        text = (
+            f"{before} measurement{'s' if before > 1 else ''} before yours." if job.state == "waiting" else job.reason
+        )
         if job.state == "running" and job.method:
             text = f"{METHODS[job.method].name} is running."
         return {"state": job.state, "done": len(job.runs), "total": job.total, "text": text}
@@ -197,7 +223,11 @@ class Accuracy(Scene):
                 "limit_at": time.place(self.limit),
                 **_picked_scalars(picked, time, error, problem.spacing * float(system.chain.modes().omega[1])),
             },
-            values={**_texts(runs, self.wanted), **system_texts(system), "picked": setting_text(picked) if picked else "nothing picked"},
+            values={
+                **_texts(runs, self.wanted),
+                **system_texts(system),
+                "picked": setting_text(picked) if picked else "nothing picked",
+            },
             forms=_forms(self.view, runs, self.wanted),
         )
 
@@ -227,7 +257,11 @@ def _axes(time: Axis, error: Axis, picked: Run | None) -> dict[str, Axis]:
 def _picked_scalars(picked: Run | None, time: Axis, error: Axis, reach: float) -> dict[str, float]:
     if picked is None or picked.time is None or picked.error is None:
         return {}
-    scalars = {"picked": 1.0, "picked_at": time.place(picked.time), "picked_error": error.place(max(picked.error, FLOOR))}
+    scalars = {
+        "picked": 1.0,
+        "picked_at": time.place(picked.time),
+        "picked_error": error.place(max(picked.error, FLOOR)),
+    }
     if picked.family == "fixed":
         scalars["step_at"] = min(reach / picked.setting, 1e30)
     return scalars
@@ -257,5 +291,9 @@ def _forms(view: str, runs: tuple[Run, ...], wanted: float) -> dict[str, str]:
 def system_texts(system: System) -> dict[str, str]:
     """The numbers of the system, for the panel."""
     chain, (slow, fast) = system.chain, system.chain.modes().omega
-    texts = {"chain": ", ".join(f"{name} = {short(value)}" for name, value in vars(chain).items() if name in ("m1", "m2", "k1", "k2"))}
+    texts = {
+        "chain": ", ".join(
+            f"{name} = {short(value)}" for name, value in vars(chain).items() if name in ("m1", "m2", "k1", "k2")
+        )
+    }
     return texts | {"ratio": three(fast / slow) if slow else "∞"}

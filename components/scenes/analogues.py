@@ -86,13 +86,8 @@ class Analogues(Scene):
 
     def _case(self) -> Case:
         system = ANALOGUES[self.system]
-        p = {
-            parameter.name: getattr(self, f"{self.system}_{parameter.name}")
-            for parameter in system.parameters
-        }
-        start = (
-            math.radians(self.theta_0) if self.system in SWINGING else getattr(self, f"{self.system}_start")
-        )
+        p = {parameter.name: getattr(self, f"{self.system}_{parameter.name}") for parameter in system.parameters}
+        start = math.radians(self.theta_0) if self.system in SWINGING else getattr(self, f"{self.system}_start")
         return Case(system, p, start, self.window)
 
     def about(self) -> About:
@@ -156,9 +151,7 @@ def _scalars(case: Case, axes: dict[str, Axis]) -> dict[str, float]:
         "amplitude": axes["q"].place(abs(case.q_0)),
         "drawn_sign": math.copysign(1.0, case.q_0),
     }
-    scalars |= pace(2 * math.pi / T, case.omega) | (
-        {"pace": 1.0} if UNHURRIED[0] <= T <= UNHURRIED[1] else {}
-    )
+    scalars |= pace(2 * math.pi / T, case.omega) | ({"pace": 1.0} if UNHURRIED[0] <= T <= UNHURRIED[1] else {})
     scalars["size"] = math.copysign(min(abs(case.q_0) / (LARGEST * case.system.swing), 1.0), case.q_0)
     scalars |= {"half_waves": min(case.p.get("n", 1.0), MOST_HALF_WAVES)}
     scalars |= {"along": 10 / scalars["half_waves"], "belly": 0.5 / scalars["half_waves"]}

@@ -47,7 +47,9 @@ class Coupled(Scene):
 
     m1 = mass(2.0, symbol="m_1", tint="m1", says="is the mass next to the wall. Type any value above 0.")
     m2 = mass(1.0, symbol="m_2", tint="m2", says="is the mass at the end. Type any value above 0.")
-    k1 = stiffness(4.0, symbol="k_1", says="ties mass 1 to the wall. 0 lets the pair go free; type any value from 0 up.")
+    k1 = stiffness(
+        4.0, symbol="k_1", says="ties mass 1 to the wall. 0 lets the pair go free; type any value from 0 up."
+    )
     k2 = stiffness(2.0, symbol="k_2", says="couples the masses. 0 lets mass 2 go free; type any value from 0 up.")
     x1_0 = displacement(1.0, symbol="x_1", tint="m1", says="is where mass 1 starts. Type any value.")
     x2_0 = displacement(0.0, symbol="x_2", tint="m2", says="is where mass 2 starts. Type any value.")
@@ -143,18 +145,22 @@ def _facts() -> list[str | dict[str, str]]:
     facts: list[str | dict[str, str]] = ["**The motion**"]
     for mode, sign in (("slow", "="), ("fast", "+")):
         name, index = SIGN[mode], {"slow": "-", "fast": "+"}[mode]
-        facts.append({
-            "form": f"{mode}_fact",
-            "sine": f"[{mode}|{sign} {mode} mode]",
-            "drift": f"[{mode}|{sign} drift: no spring to the wall]",
-            "free": f"[{mode}|{sign} mass 2 drifts: it is not coupled]",
-            "two": f"[{mode}|{sign} drift: no spring at all]",
-        })
-        facts.append({
-            "form": f"{mode}_omega",
-            "sine": rf"$\omega_{{{index}}} = \val{{omega_{name}}}$ rad/s, $X_2 / X_1 = \val{{ratio_{name}}}$",
-            "drift": rf"$\omega_{{{index}}} = 0$: $x = a + b\,t$, $X_2 / X_1 = \val{{ratio_{name}}}$",
-        })
+        facts.append(
+            {
+                "form": f"{mode}_fact",
+                "sine": f"[{mode}|{sign} {mode} mode]",
+                "drift": f"[{mode}|{sign} drift: no spring to the wall]",
+                "free": f"[{mode}|{sign} mass 2 drifts: it is not coupled]",
+                "two": f"[{mode}|{sign} drift: no spring at all]",
+            }
+        )
+        facts.append(
+            {
+                "form": f"{mode}_omega",
+                "sine": rf"$\omega_{{{index}}} = \val{{omega_{name}}}$ rad/s, $X_2 / X_1 = \val{{ratio_{name}}}$",
+                "drift": rf"$\omega_{{{index}}} = 0$: $x = a + b\,t$, $X_2 / X_1 = \val{{ratio_{name}}}$",
+            }
+        )
     return facts
 
 
@@ -195,8 +201,12 @@ def _displacements(i: int) -> Block:
     )
 
 
-STACK = (("e0", "e1", "T1", "m1", "*T*_1"), ("e1", "e2", "V1", "k1fill", "*V*_1"),
-         ("e2", "e3", "V2", "k2fill", "*V*_2"), ("e3", "e4", "T2", "m2", "*T*_2"))
+STACK = (
+    ("e0", "e1", "T1", "m1", "*T*_1"),
+    ("e1", "e2", "V1", "k1fill", "*V*_1"),
+    ("e2", "e3", "V2", "k2fill", "*V*_2"),
+    ("e3", "e4", "T2", "m2", "*T*_2"),
+)
 
 
 def _part_energies() -> Block:
@@ -281,13 +291,15 @@ def _plane() -> Block:
 
 
 def _motion_columns(free: FreeModes, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
-    """Columns of x1, x2, their parts, and the elongation of spring 2 (for the stage); curves, and bands where too fast."""
+    """Columns of x1, x2, their parts, and the elongation of spring 2; curves, and bands where too fast."""
     parts, _ = free.parts(t)
     curves: Columns = {}
     bands: Columns = {}
     for i in (0, 1):
         drift = free.drift_a[i] + free.drift_b[i] * t
-        motions: dict[str, tuple[tuple[int, ...], NDArray[np.float64]]] = {f"x{i + 1}": ((0, 1), parts[:, i].sum(axis=0))}
+        motions: dict[str, tuple[tuple[int, ...], NDArray[np.float64]]] = {
+            f"x{i + 1}": ((0, 1), parts[:, i].sum(axis=0))
+        }
         motions |= {f"x{i + 1}_{mode}": ((j,), parts[j, i]) for j, mode in enumerate(MODES)}
         for name, (modes, exact) in motions.items():
             base = drift if any(free.omega[j] == 0 for j in modes) else None
@@ -297,7 +309,9 @@ def _motion_columns(free: FreeModes, t: NDArray[np.float64]) -> tuple[Columns, C
     return curves, bands
 
 
-def _energy_columns(scene: Coupled, system: TwoMassChain, free: FreeModes, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
+def _energy_columns(
+    scene: Coupled, system: TwoMassChain, free: FreeModes, t: NDArray[np.float64]
+) -> tuple[Columns, Columns]:
     """Columns of the chosen energy view: the stack's edges over time, or the flat lines of the modes."""
     if scene.energy == "modes":
         slow, fast = free.energy

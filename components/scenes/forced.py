@@ -58,10 +58,14 @@ class Forced(Scene):
     }
 
     F_0 = force(1.0)
-    omega = angular_frequency(0.8, softbounds=(0.0, 2.5 * FAST), says="is the drive frequency. Type any value from 0 up.")
+    omega = angular_frequency(
+        0.8, softbounds=(0.0, 2.5 * FAST), says="is the drive frequency. Type any value from 0 up."
+    )
     m1 = mass(1.0, symbol="m_1", tint="m1", says="is the mass that is pushed. Type any value above 0.")
     m2 = mass(1.0, symbol="m_2", tint="m2", says="is the mass at the end. Type any value above 0.")
-    k1 = stiffness(1.0, symbol="k_1", says="ties mass 1 to the wall. 0 lets the pair go free; type any value from 0 up.")
+    k1 = stiffness(
+        1.0, symbol="k_1", says="ties mass 1 to the wall. 0 lets the pair go free; type any value from 0 up."
+    )
     k2 = stiffness(1.0, symbol="k_2", says="couples the masses. 0 lets mass 2 go free; type any value from 0 up.")
     x1_0 = displacement(0.0, symbol="x_1", tint="m1", says="is where mass 1 starts. Type any value.")
     x2_0 = displacement(0.0, symbol="x_2", tint="m2", says="is where mass 2 starts. Type any value.")
@@ -76,8 +80,12 @@ class Forced(Scene):
         options = row(
             words("**Steady swing**", phone=9),
             choice("curve", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as", basis=0, phone=9),
-            when("lecture", choice("axes", {"si": "SI", "lecture": "Slide 8"}, "Units of the response", basis=0, phone=9)),
-            grow=0, basis=34, gap=10,
+            when(
+                "lecture", choice("axes", {"si": "SI", "lecture": "Slide 8"}, "Units of the response", basis=0, phone=9)
+            ),
+            grow=0,
+            basis=34,
+            gap=10,
         )
         return column(
             row(
@@ -116,14 +124,24 @@ class Forced(Scene):
         extremes = chain.extremes(curves, bands)
         time, size = time_axis(end), nice_axis(*_span(extremes, curves), "m", 3)
         work = energy_columns(driven, motion) if drawable(2 * fastest, t) else {}
-        energy = nice_axis(*widest(*((float(c.min()), float(c.max())) for c in work.values())), "J", 2) if work else Axis(0, 1, "J")
+        energy = (
+            nice_axis(*widest(*((float(c.min()), float(c.max())) for c in work.values())), "J", 2)
+            if work
+            else Axis(0, 1, "J")
+        )
         push = nice_axis(0.0, self.F_0 or 1.0, "N")
         lecture = self.axes == "lecture" and self.k1 > 0 and self.F_0 > 0
         swing = response(system, self.F_0, self.omega, self.curve, lecture)
         drawn = chain.to_scale(extremes, (self.m1, self.m2), (self.k1, self.k2), size)
         self.param.omega.softbounds = (0.0, 2.5 * float(fast) if fast else 5.0)
         return Picture(
-            columns={"time": {"t": t, **curves}, "band": bands and {"t": t, **bands}, "limit": limit_columns(driven, t), "energy": work and {"t": t, **work}, **swing.columns},
+            columns={
+                "time": {"t": t, **curves},
+                "band": bands and {"t": t, **bands},
+                "limit": limit_columns(driven, t),
+                "energy": work and {"t": t, **work},
+                **swing.columns,
+            },
             axes={"t": time, "x": size, "E": energy, **swing.axes},
             signals=motion_signals(driven, size, time, push),
             scalars={**drawn.scalars, **pace(slow or fast or self.omega, fastest), **swing.scalars},
@@ -158,7 +176,8 @@ def _formulas() -> list[str | dict[str, str]]:
             "form": "steady",
             "finite": r"$\tint{m1}{X_{\mathrm{p}1} = \dfrac{(k_2 - m_2 \omega^2) F_0}{D} = \val{Xp1}}$ [m1|m]",
             "none": "**No drive:** at $\\omega = 0$ the force is 0 at all times.",
-            "resonance": "**Drive at a natural frequency:** no steady swing exists. From rest the motion grows like $t$.",
+            "resonance": "**Drive at a natural frequency:** no steady swing exists. From rest the motion grows "
+            "like $t$.",
         },
         {
             "form": "steady",
@@ -167,12 +186,17 @@ def _formulas() -> list[str | dict[str, str]]:
             "none": "",
         },
         r"$\tint{F}{F = F_0 \sin \omega t =}$ [F|{force_now} {F_unit}]",
-        {"form": "steady", "finite": r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = \val{D}$]", "resonance": "", "none": ""},
+        {
+            "form": "steady",
+            "finite": r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = \val{D}$]",
+            "resonance": "",
+            "none": "",
+        },
     ]
 
 
 def _motion(i: int) -> Block:
-    """x_i(t) with its particular and complementary parts; near resonance the envelope and the line of growth instead."""
+    """x_i(t) with its particular and complementary parts; near resonance the envelope and line of growth instead."""
     traces = (
         traced(f"x{i}_c", tint="xc", width="dash", label="*x*_c", signal=f"x{i}_c"),
         traced(f"x{i}_p", tint="xp", label="*x*_p", signal=f"x{i}_p"),

@@ -51,9 +51,7 @@ def machine(limits: Limits) -> dict[str, str]:
     return {
         "date": datetime.now(UTC).strftime("%Y-%m-%d %H:%M UTC"),
         "machine": f"{_processor()}, {os.cpu_count()} cores, {platform.system()} {platform.machine()}",
-        "versions": ", ".join(
-            [f"Python {platform.python_version()}", *(f"{p} {version(p)}" for p in packages)]
-        ),
+        "versions": ", ".join([f"Python {platform.python_version()}", *(f"{p} {version(p)}" for p in packages)]),
         "limits": f"{limits.seconds:g} s a run, medians of up to {limits.repeats} runs",
     }
 
@@ -94,9 +92,7 @@ def markdown(about: dict[str, str], runs: dict[str, list[Run]]) -> str:
     lines += [f"- {value}" for value in about.values()]
     for slug, many in runs.items():
         lines += ["", f"## {SYSTEMS[slug].name}", "", _described(SYSTEMS[slug]), ""]
-        lines += [
-            "| method | setting | error | energy error | median | lowest to highest | evaluations | steps |"
-        ]
+        lines += ["| method | setting | error | energy error | median | lowest to highest | evaluations | steps |"]
         lines += ["|---|---|---|---|---|---|---|---|", *(_row(run) for run in many)]
         lines += ["", f"An error of {GOOD_ENOUGH:g} costs: {_prices(many)}."]
     return "\n".join(lines) + "\n"

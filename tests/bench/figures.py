@@ -70,9 +70,7 @@ def _work_precision(axes: Axes, runs: list[Run]) -> None:
     for slug, group in groupby(_good(runs), key=lambda run: run.method):
         many = list(group)
         times, errors = [1e3 * (run.time or 0) for run in many], [max(run.error or 0, LOWEST) for run in many]
-        axes.loglog(
-            times, errors, color=COLOURS[slug], marker="o", linestyle=LINES[many[0].family], markersize=5
-        )
+        axes.loglog(times, errors, color=COLOURS[slug], marker="o", linestyle=LINES[many[0].family], markersize=5)
         axes.annotate(
             many[-1].name, (times[-1], errors[-1]), fontsize=8,
             xytext=BESIDE.get(slug, (6, 3)), textcoords="offset points",

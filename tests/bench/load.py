@@ -64,9 +64,7 @@ class Row:
         return f"| {self.name} | {show(median(self.figures))} | {spread} | {self.aim} |"
 
 
-async def measure_sessions(
-    server: Server, query: str, batches: int, size: int, aims: bool = True
-) -> list[Row]:
+async def measure_sessions(server: Server, query: str, batches: int, size: int, aims: bool = True) -> list[Row]:
     """CPU and memory for each session opened, in batches that stay open."""
     process = psutil.Process(server.process.pid)
     visitors = [await Visitor.arrive(server.url, query) for _ in range(size)]  # warms up
@@ -215,9 +213,7 @@ def main() -> None:
     parser.add_argument("--batches", type=int, default=5, help="batches a median is taken over (%(default)s)")
     parser.add_argument("--sessions", type=int, default=10, help="sessions opened in a batch (%(default)s)")
     parser.add_argument("--changes", type=int, default=40, help="slider changes in a batch (%(default)s)")
-    parser.add_argument(
-        "--limit", type=int, default=300, help="seconds after which the run stops (%(default)s)"
-    )
+    parser.add_argument("--limit", type=int, default=300, help="seconds after which the run stops (%(default)s)")
     options = parser.parse_args()
     if hasattr(signal, "alarm"):  # not on Windows
         signal.signal(signal.SIGALRM, stop)
