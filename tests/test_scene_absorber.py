@@ -129,7 +129,7 @@ def test_machine_driven_at_its_own_frequency() -> None:
     assert "responses" in scene.shown.signals["x_alone"]
 
 
-@pytest.mark.parametrize("label", ["Off resonance", "At resonance", "Fast"])
+@pytest.mark.parametrize("label", ["Below", "Resonant", "Above"])
 def test_goals_can_be_met_from_the_lightest_mass_on(label: str) -> None:
     scene = Absorber()
     assert apply_message(scene, {"type": "preset", "label": label}) == {}
@@ -234,13 +234,13 @@ def test_one_solve_even_where_one_value_follows_another() -> None:
     counted = solves(scene)
     scene.m2 = 20.0
     apply_message(scene, {"type": "set", "values": {"_valley": 45.0}})
-    apply_message(scene, {"type": "preset", "label": "Fast"})
+    apply_message(scene, {"type": "preset", "label": "Above"})
     assert len(counted) == 3
 
 
 def test_presets_choose_the_machine_and_leave_the_absorber() -> None:
     scene = Absorber(m2=30.0)
-    for label, omega, kind in (("At resonance", 50.0, "fixed"), ("Fast", 60.0, "fixed"), ("Own", 48.0, "own")):
+    for label, omega, kind in (("Resonant", 50.0, "fixed"), ("Above", 60.0, "fixed"), ("Own", 48.0, "own")):
         apply_message(scene, {"type": "preset", "label": label})
         assert (scene.omega, scene.m2, scene.preset()) == (omega, 30.0, label)
         assert kind in scene.shown.forms

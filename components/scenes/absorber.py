@@ -41,9 +41,9 @@ class Absorber(Scene):
     headline = "A tuned mass holds the machine still; the price is two resonances"
     start = "Machine"
     presets = {
-        "Off resonance": {},
-        "At resonance": {"omega": 50.0},
-        "Fast": {"omega": 60.0},
+        "Below": {},
+        "Resonant": {"omega": 50.0},
+        "Above": {"omega": 60.0},
         "Own": {"own": True},
     }
     groups = (
