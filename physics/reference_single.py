@@ -120,7 +120,7 @@ def flight_points(v_0: float, g: float, excess: float, t: Sequence[float]) -> Po
             rest = mp.fmod(mp.mpf(time) * mp.mpf(g) / mp.mpf(v_0), 2 * half)
             rest = min(rest, 2 * half - rest)
             start, u, w = next(piece for piece in reversed(pieces) if piece[0] <= rest)
-            u_now, w_now = (mp.polyval(series[::-1], rest - start) for series in (u, w))
+            u_now, w_now = (mp.polyval(series, rest - start, asc=True) for series in (u, w))
             points["h"].append(point(length * (1 - u_now**2 - w_now**2) / 2, length))
             points["v"].append(point(mp.mpf(v_0) * (mp.hypot(u_now, w_now) - 1), v_0))
     return points
@@ -155,7 +155,7 @@ def _half_flight(excess: float) -> tuple[list[tuple[Any, list[Any], list[Any]]],
             u, w = ([u_0], [w_0, mp.mpf(-1)]) if falls else _series(mp, u_0, w_0)
             pieces.append((t, u, w))
             step = _step(mp, u, w, digits) if not falls else (w_0 if climbs else mp.mpf(2 * FREE_FALL))
-            u_1, w_1 = mp.polyval(u[::-1], step), mp.polyval(w[::-1], step)
+            u_1, w_1 = mp.polyval(u, step, asc=True), mp.polyval(w, step, asc=True)
             if len(pieces) > 1 and w_1 * (1 if climbs else -1) <= 0:
                 return pieces, t + _level(mp, w, step)
             t, u_0, w_0 = t + step, u_1, w_1
@@ -180,7 +180,7 @@ def _step(mp: Any, u: list[Any], w: list[Any], digits: int) -> Any:
 def _level(mp: Any, w: list[Any], step: Any) -> Any:
     """Where w passes zero: Newton's method from where the chord over the step does."""
     rate = [n * c for n, c in enumerate(w)][1:]
-    root = step * w[0] / (w[0] - mp.polyval(w[::-1], step))
+    root = step * w[0] / (w[0] - mp.polyval(w, step, asc=True))
     for _ in range(8):
-        root -= mp.polyval(w[::-1], root) / mp.polyval(rate[::-1], root)
+        root -= mp.polyval(w, root, asc=True) / mp.polyval(rate, root, asc=True)
     return root
