@@ -11,6 +11,7 @@ import {RunBar} from "./runbar.js"
 import {Transport} from "./transport.js"
 
 // What a motion of the chain is made of; the drive may be missing.
+const MOMENT = 200 // ms without a further change until the address is written: browsers ration that
 const MOTION = ["m1", "m2", "k1", "k2", "x1_0", "x2_0", "v1_0", "v2_0", "F_0", "omega"]
 
 class Page {
@@ -128,8 +129,8 @@ class Page {
   #tools() {
     const link = element("button", {type: "button", class: "chip"}, "Copy link")
     link.addEventListener("click", async () => {
-      await navigator.clipboard?.writeText(location.href).catch(() => {})
-      link.textContent = "Copied"
+      const copied = await copy(new URL(this.link, location.href).href)
+      link.textContent = copied ? "Copied" : "See the address bar"
       setTimeout(() => { link.textContent = "Copy link" }, 1500)
     })
     const csv = element("button", {type: "button", class: "chip"}, "CSV")
@@ -202,9 +203,13 @@ class Page {
     this.clock.update(state.axes.t ?? {end: 1, exponent: 0}, state.scalars)
     this.transport.update(state)
     if (state.problems?.length) this.#notify(state.problems)
-    const address = state.query ? `?${state.query}` : location.pathname
-    if (location.search !== `?${state.query}`) history.replaceState(null, "", address)
+    clearTimeout(this.writing)
+    this.writing = setTimeout(() => history.replaceState(null, "", this.link), MOMENT)
     requestAnimationFrame(() => requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("oscillations:painted"))))
+  }
+
+  get link() {
+    return this.state.query ? `?${this.state.query}` : location.pathname
   }
 
   #showForms() {
@@ -269,6 +274,16 @@ class Page {
 
   theme() {
     this.plots.forEach(plot => plot.theme())
+  }
+}
+
+// A page that came over plain http from another machine has no clipboard.
+async function copy(text) {
+  try {
+    await navigator.clipboard.writeText(text)
+    return true
+  } catch {
+    return false
   }
 }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -34,7 +35,7 @@ def test_each_picture_chooses_its_system(page: Page, open_scene: Open, screensho
         overflow = "(p => p.scrollHeight - p.clientHeight)(document.querySelector('.panel'))"
         assert page.evaluate(overflow) <= 0, slug
     screenshot(page, "analogues-pipe")
-    assert "system=pipe" in page.url
+    page.wait_for_url(re.compile("system=pipe"))
 
 
 def test_flags_set_the_angle_and_a_slider_changes_the_curve(page: Page, open_scene: Open) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -55,7 +56,7 @@ def test_it_plays_and_a_slider_changes_the_curve(page: Page, open_scene: Open) -
     slider.press("PageUp")
     page.wait_for_function("oscillations.state.query.includes('v_0')")
     assert page.evaluate("[...oscillations.state.columns.time.x]") != before
-    assert "v_0=" in page.url
+    page.wait_for_url(re.compile("v_0="))
 
 
 def test_the_hook_of_the_hanging_mass_and_the_ball_share_lines(page: Page, open_scene: Open, screenshot: Keep) -> None:
@@ -83,7 +84,7 @@ def test_gravity_and_datum(page: Page, open_scene: Open) -> None:
     expect(told).to_be_hidden()
     page.get_by_role("button", name="Spring + gravity").click()
     expect(told).to_be_visible()
-    assert "datum=separate" in page.url
+    page.wait_for_url(re.compile("datum=separate"))
 
 
 @pytest.mark.parametrize("scene", ["oscillator", "energy"])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from pathlib import Path
 
@@ -42,7 +43,7 @@ def test_presets_are_pictures_and_change_the_flight(
         page.wait_for_function(f"'{view.lower()}' in oscillations.state.forms")
         assert page.evaluate(BROKEN) == 0
     screenshot(page, "phugoid-loop")
-    assert "excess=1" in page.url and "show=limits" in page.url
+    page.wait_for_url(re.compile("excess=1.*show=limits"))
     for size in ("scrollHeight - p.clientHeight", "scrollWidth - p.clientWidth"):
         assert page.evaluate(f"(p => p.{size})(document.querySelector('.panel'))") <= 0
 
