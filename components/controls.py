@@ -132,7 +132,7 @@ def apply_message(scene: Scene, message: Mapping[str, Any]) -> Errors:
     nothing known under "message".
     """
     match message:
-        case {"type": "set", "values": dict() as values}:
+        case {"type": "set", "values": dict() as values} if _named(scene, values):
             return _set(scene, values)
         case {"type": "typed", "name": str() as name, "text": str() as text}:
             return _type(scene, name, text)
@@ -145,8 +145,13 @@ def apply_message(scene: Scene, message: Mapping[str, Any]) -> Errors:
     return {"message": f"“{excerpt(str(message))}” is not a message that this page sends."}
 
 
+def _named(scene: Scene, values: dict[object, object]) -> bool:
+    """Whether these may be values by name: no more than the scene has parameters."""
+    return len(values) <= len(list(scene.param)) and all(isinstance(name, str) for name in values)
+
+
 def _set(scene: Scene, values: dict[str, object]) -> Errors:
-    errors = {name: _problem(scene, name, value) for name, value in values.items()}
+    errors = {excerpt(name): _problem(scene, name, value) for name, value in values.items()}
     found = {name: error for name, error in errors.items() if error}
     return found or _try(scene, values)
 
@@ -154,7 +159,7 @@ def _set(scene: Scene, values: dict[str, object]) -> Errors:
 def _type(scene: Scene, name: str, text: str) -> Errors:
     quantity = _quantity(scene, name)
     if quantity is None:
-        return {name: _unknown(name)}
+        return {excerpt(name): _unknown(name)}
     try:
         value = None if quantity.allow_None and not text.strip() else parse_number(text)
     except ValueError as error:
@@ -169,7 +174,7 @@ def _type(scene: Scene, name: str, text: str) -> Errors:
 def _choose(scene: Scene, name: str, value: object) -> Errors:
     parameter = _parameter(scene, name)
     if not isinstance(parameter, (*Choice, param.List)):
-        return {name: _unknown(name)}
+        return {excerpt(name): _unknown(name)}
     try:
         scene.set({name: chosen(parameter, value)})
     except ValueError as error:

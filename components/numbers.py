@@ -125,7 +125,8 @@ def ten_to(exponent: int) -> str:
 
 def excerpt(text: str, longest: int = 40) -> str:
     """The start of a foreign text, without what cannot be seen."""
-    seen = "".join(character if character.isprintable() else "\N{REPLACEMENT CHARACTER}" for character in text)
+    start = text[: longest + 1]  # what a browser sends may be megabytes long
+    seen = "".join(character if character.isprintable() else "\N{REPLACEMENT CHARACTER}" for character in start)
     return seen if len(seen) <= longest else seen[: longest - 1] + "…"
 
 

@@ -16,6 +16,7 @@ from param.parameterized import ParameterizedMetaclass, discard_events
 
 from components.about import About
 from components.controls import Group, controls_spec
+from components.numbers import excerpt
 from components.parameters import Quantity
 from components.plots import Axis
 from components.sheet import Block
@@ -127,7 +128,7 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
 
     def run(self, order: str) -> None:
         """Of a scene that `runs`: start, cancel or skip. ValueError, in words, where that cannot be."""
-        raise ValueError(f"{order}: there is nothing to run here")
+        raise ValueError(f"“{excerpt(order)}” is not possible: there is nothing to run here.")
 
     def close(self) -> None:
         """The visitor has left."""

@@ -74,27 +74,35 @@ class SceneView(WidgetBase, JSComponent):
             **more,
         }
 
-    def _handle_msg(self, data: dict[str, Any]) -> None:
-        """Apply what the visitor did and answer, whatever it was: the browser waits for the answer."""
-        if data.get("type") == "csv":
-            self._send_msg({"file": f"{self.scene.slug}.csv", "text": as_csv(self.scene)})
-            return
-        if data.get("type") == "about":
-            self._send_msg({"about": about_wire(self.scene), "answer": data.get("number")})
-            return
+    def _handle_msg(self, data: object) -> None:
+        """Apply what the visitor did and answer, whatever it was: the browser waits for the answer.
+
+        What comes need not be what our page sends; its number goes back only where it is one.
+        """
+        message = data if isinstance(data, dict) and isinstance(data.get("type"), str) else {}
+        number = message.get("number")
+        answer = number if isinstance(number, int) else None
+        match message:
+            case {"type": "csv"}:
+                self._send_msg({"file": f"{self.scene.slug}.csv", "text": as_csv(self.scene)})
+            case {"type": "about"}:
+                self._send_msg({"about": about_wire(self.scene), "answer": answer})
+            case _:
+                self._take(message)
+                self._send_msg(packed(self.message(answer=answer)))
+
+    def _take(self, message: dict[str, Any]) -> None:
+        """Do what a message asks, and keep the errors for the answer."""
         self._answering = True
         try:
-            self._errors = self._apply(data)
+            self._errors = self._run(message) if message.get("type") == "run" else apply_message(self.scene, message)
         finally:
             self._answering = False
         self.value = {name: v for name, v in self.scene.param.values().items() if v != self.scene.param[name].default}
-        self._send_msg(packed(self.message(answer=data.get("number"))))
 
-    def _apply(self, data: dict[str, Any]) -> dict[str, str]:
-        if data.get("type") != "run":
-            return apply_message(self.scene, data)
+    def _run(self, message: dict[str, Any]) -> dict[str, str]:
         try:
-            self.scene.run(str(data.get("order")))
+            self.scene.run(str(message.get("order")))
         except ValueError as error:
             return {"run": str(error)}
         return {}

@@ -1,0 +1,72 @@
+"""The server's side of a page: it answers every message, whatever a browser sends, and forgets who has left."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from components.scenes.coupled import Coupled
+from components.view import SceneView
+
+LONG = "x" * 100_000
+NESTED: list[Any] = []
+for _ in range(200):
+    NESTED = [NESTED]
+
+
+@pytest.mark.parametrize(
+    "message",
+    [
+        None,
+        [],
+        "set",
+        {},
+        {"type": ["set"]},
+        {"type": np.arange(3)},
+        {"type": "set", "values": None},
+        {"type": "set", "values": {5: 1.0}},
+        {"type": "set", "values": {LONG: 1.0}},
+        {"type": "set", "values": {f"k{i}": 1.0 for i in range(1000)}},
+        {"type": "set", "values": {"k2": LONG}},
+        {"type": "set", "values": {"k2": NESTED}},
+        {"type": "set", "values": {"k2": np.arange(3)}},
+        {"type": "set", "values": {"k2": math.nan}},
+        {"type": "set", "values": {"k2": 10**4000}},
+        {"type": "typed", "name": LONG, "text": "1"},
+        {"type": "typed", "name": "k2", "text": LONG},
+        {"type": "typed", "name": "k2", "text": "\ud800"},
+        {"type": "preset", "label": LONG},
+        {"type": "act", "name": LONG},
+        {"type": "choose", "name": LONG, "value": "1"},
+        {"type": "choose", "name": "hidden", "value": LONG},
+        {"type": "choose", "name": "hidden", "value": NESTED},
+        {"type": "choose", "name": "energy", "value": math.inf},
+        {"type": "run", "order": LONG},
+    ],
+    ids=lambda message: str(message)[:40],
+)
+def test_what_the_page_would_not_send_is_refused_in_a_short_answer(message: object) -> None:
+    view = SceneView(Coupled())
+    sent: list[dict[str, Any]] = []
+    view._send_msg = sent.append  # type: ignore[method-assign]
+    before = view.scene.shown
+    view._handle_msg(message)
+    (answer,) = sent
+    assert view.scene.shown is before
+    (error,) = json.loads(answer["facts"])["errors"].items()
+    assert 0 < len("".join(error).encode()) < 400
+
+
+@pytest.mark.parametrize("number", [None, math.nan, LONG, NESTED, np.arange(3), {"a": 1}])
+def test_only_a_number_is_sent_back_as_the_number_of_a_message(number: object) -> None:
+    view = SceneView(Coupled())
+    sent: list[dict[str, Any]] = []
+    view._send_msg = sent.append  # type: ignore[method-assign]
+    view._handle_msg({"type": "set", "values": {"k2": -0.0}, "number": number})
+    assert json.loads(sent[0]["facts"])["answer"] is None
+    view._handle_msg({"type": "set", "values": {"k2": 3.0}, "number": 7})
+    assert json.loads(sent[1]["facts"])["answer"] == 7
