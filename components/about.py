@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterable, Mapping, Sequence, Sized
 from dataclasses import dataclass
-from decimal import Decimal
+from decimal import ROUND_CEILING, Context, Decimal
 from math import ulp
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -26,9 +26,9 @@ SHARES = (0.21, 0.55, 0.93)
 """Where in a column the points are taken: no round places."""
 PLACES = 20
 READING = (
-    "**Drawn** is the double behind the curve, **true** the same point by other formulas with 40 digits or more. An "
-    "**ulp** is the step from one double to the next, 1 or 2 in the 16th digit. The screen shows the first 7 digits, "
-    "finer than a pixel; the CSV has all."
+    "**Drawn**: the double, a number of about 16 digits, behind the curve. **True**: the same point by other formulas, "
+    "with 40 digits or more. Where the two part they are paler. An **ulp**, a unit in the last place, is the step from "
+    "one double to the next: at most 2 in the 16th digit of the size that is named."
 )
 NO_BAND = "Nothing is drawn as an envelope."
 
@@ -74,8 +74,9 @@ def few(column: Sized) -> list[int]:
 
 
 def table(names: str, limit: float, of: str, rows: Iterable[Row]) -> Table:
-    """A table of curves: `names` are the curves, `of` what their errors are measured by."""
-    bound = f"No point of {names} is off by more than {short(limit)} units in the last place (**ulp**) of {of}."
+    """A table of curves: `names` are the curves, `of` what their errors are measured by; what is said is what holds."""
+    limit = float(Context(prec=3, rounding=ROUND_CEILING).create_decimal(limit))
+    bound = f"No point of {names} is off by more than {short(limit)} ulp of {of}."
     return Table(bound, limit, tuple(rows))
 
 
@@ -156,10 +157,12 @@ def about_wire(scene: Scene) -> dict[str, Any]:
     try:
         about = scene.about() or About(())
     except ValueError as reason:
-        return {"tables": [], "notes": [rich(f"These numbers cannot be recomputed: {reason}.")]}
-    tables = [{"bound": rich(each.bound), "rows": [_row(row) for row in each.rows]} for each in about.tables]
-    reading = READING if any(each.rows for each in about.tables) else ""
-    return {"tables": tables, "notes": [rich(text) for text in (reading, about.energy, about.envelope) if text]}
+        return {"reading": "", "tables": [], "notes": [rich(f"These numbers cannot be recomputed: {reason}.")]}
+    tables = [
+        {"bound": rich(each.bound), "rows": [_row(row) for row in each.rows]} for each in about.tables if each.rows
+    ]
+    notes = [rich(text) for text in (about.energy, about.envelope) if text]
+    return {"reading": rich(READING) if tables else "", "tables": tables, "notes": notes}
 
 
 def _row(row: Row) -> dict[str, str]:

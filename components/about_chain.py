@@ -11,14 +11,15 @@ from numpy.typing import NDArray
 
 from components.about import NO_BAND, About, Place, Row, Table, drift, envelope, few, rows, table
 from components.duty import Duty
-from components.numbers import short
+from components.numbers import short, ten
 from components.scene import Columns, Picture
 from physics.coupled import TwoMassChain, free_modes, free_motion
 from physics.energy import chain_energy
 from physics.exact import precise
 from physics.forced import DrivenModes
 from physics.integrators import Problem
-from physics.reference import Point, modal_points, modes_of
+from physics.modes import determinant_curve
+from physics.reference import Point, determinants, modal_points, modes_of
 from physics.reference_single import steady_points
 
 Pair = tuple[float, float]
@@ -29,7 +30,7 @@ BANDS = MASSES | {f"x{i}_{mode}": f"the {mode} mode" for i in (1, 2) for mode in
 DRIVEN_BANDS = MASSES | {
     f"x{i}_{part}": f"the {name} part" for i in (1, 2) for part, name in (("p", "particular"), ("c", "complementary"))
 }
-DRIVE = Place("omega", r"$\omega$", "rad/s")
+DRIVE, FREQUENCY = (Place(column, r"$\omega$", "rad/s") for column in ("omega", "w"))
 ROUNDED_ONCE = 0.51
 
 
@@ -37,7 +38,8 @@ def coupled_about(picture: Picture, chain: TwoMassChain, x_0: Pair, v_0: Pair) -
     """Displacements, or where these are bands the modes that are not."""
     columns = picture.columns["time"]
     names = {key: name for key, name in PARTS.items() if key[:2] not in columns}
-    points = table("$x_1(t)$ or $x_2(t)$", 3, "its amplitudes", _motion(MASSES | names, columns, chain, x_0, v_0))
+    motion = _motion(MASSES | names, columns, chain, x_0, v_0)
+    points = table("$x_1(t)$, $x_2(t)$ or a mode", 2, "its amplitudes", motion)
     return About((points,), _free_drift(chain, x_0, v_0, columns["t"]), envelope(picture.columns, BANDS))
 
 
@@ -49,16 +51,21 @@ def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) ->
     steady = steady_points(driven.chain, 0.0, driven.F_0, sweep["omega"][at].tolist())
     swings = {"Xp1": r"$X_{\mathrm{p}1}$", "Xp2": r"$X_{\mathrm{p}2}$"}
     tables = (
-        table("$x_1(t)$ or $x_2(t)$", 16, "its envelope", motion),
+        table("$x_1(t)$ or $x_2(t)$", 4, "the most it can have reached by then", motion),
         table("the steady swing", 2, "itself", rows(swings, sweep, dict(zip(swings, steady, strict=True)), at, DRIVE)),
     )
     return About(tables, _work_gap(driven, columns["t"]), envelope(picture.columns, DRIVEN_BANDS))
 
 
-def guess_about(chain: TwoMassChain) -> About:
+def guess_about(picture: Picture, chain: TwoMassChain) -> About:
     """The crossings, and the curve of the determinant."""
-    D = Table(r"$D$ is off by at most 10⁻¹³ of itself, next to its zeros too.", 0.0, ())
-    return About((_modes(chain), D))
+    columns = picture.columns["det"]
+    at = few(columns["w"])
+    exponent = determinant_curve(chain, columns["w"])[1]
+    D = [value.scaleb(-exponent) for value in determinants(chain, columns["w"][at].tolist())]
+    name = f"$D$ / {ten(exponent)}" if exponent else "$D$"
+    found = rows({"D": name}, columns, {"D": [Point(value, abs(value)) for value in D]}, at, FREQUENCY)
+    return About((_modes(chain), table("$D$, next to its zeros too,", 32, "itself", found)))
 
 
 def solve_about(chain: TwoMassChain) -> About:
@@ -74,13 +81,13 @@ def sweep_about(picture: Picture, chain: TwoMassChain, swept: str) -> About:
     names = {"omega_slow": r"$\omega_-$", "omega_fast": r"$\omega_+$"}
     place = Place("p", f"${swept[0]}_{swept[1]}$", {"m": "kg", "k": "N/m"}[swept[0]])
     found = rows(names, columns, dict(zip(names, pairs, strict=True)), at, place)
-    return About((_modes(chain), table("the curves of the frequencies", 18, "itself", found)))
+    return About((_modes(chain), table("the curves of the frequencies", 8, "itself", found)))
 
 
 def hunt_about(picture: Picture, chain: TwoMassChain, x_0: Pair) -> About:
     """Points of the path."""
     path, rest = picture.columns["path"], (0.0, 0.0)
-    points = table("the path", 2, "the amplitudes", _motion(MASSES, path, chain, x_0, rest))
+    points = table("the path", 2, "its amplitudes", _motion(MASSES, path, chain, x_0, rest))
     return About((points, _modes(chain)), _free_drift(chain, x_0, rest, path["t"]))
 
 
@@ -96,8 +103,8 @@ def absorber_about(picture: Picture, duty: Duty) -> About:
     true = {"swing": swing, "stroke": stroke, "alone": alone}
     sizes = {name: [Point(abs(point.value), point.size) for point in points] for name, points in true.items()}
     names = {"swing": "$|X_1|$", "stroke": "$|X_2|$", "alone": "$|X_1|$ alone"}
-    found = rows(names, columns, sizes, at, Place("w", r"$\omega$", "rad/s"))
-    bound = table("a curve", 2, "itself", found)
+    found = rows(names, columns, sizes, at, FREQUENCY)
+    bound = table("$|X_1|$, with the absorber or alone, or of $|X_2|$", 2, "itself", found)
     return About((bound,), envelope=f"{NO_BAND} Curves end far above the frame, towards a resonance without end.")
 
 
@@ -135,9 +142,7 @@ def _modes(chain: TwoMassChain) -> Table:
         found.append(Row(rf"$\omega_{sign}$", place, float(modes.omega[j]), Point(omega, omega)))
         if ratio is not None and np.isfinite(modes.ratio[j]):
             found.append(Row("$X_2/X_1$", place, float(modes.ratio[j]), Point(ratio, abs(ratio))))
-    bound = (
-        "Frequencies and shapes of the modes are rounded once: off by at most 0.51 units in the last place (**ulp**)."
-    )
+    bound = "Frequencies and shapes of the modes are rounded once: off by at most 0.51 ulp of themselves."
     return Table(bound, ROUNDED_ONCE, tuple(found))
 
 

@@ -30,16 +30,22 @@ def oscillator_about(picture: Picture, oscillator: Oscillator, x_0: float, v_0: 
     true = oscillator_points(oscillator, x_0, v_0, columns["t"][at].tolist())
     names = {"x": "$x$", "v": "$v$", "a": "$a$"}
     found = rows(names, columns, true, at)
-    motion = oscillator.motion(x_0, v_0, columns["t"])
-    total = half_square("T", oscillator.m, motion.v) + half_square("V", oscillator.k, motion.x)
-    level = (
-        HangingMass(m=oscillator.m, k=oscillator.k, g=0.0).total_energy(x_0, v_0) if oscillator.k else float(total[0])
-    )
     return About(
         (table("$x(t)$, $v(t)$ or $a(t)$", 4, "its amplitude", found),),
-        drift(total, level),
+        _oscillator_drift(oscillator, x_0, v_0, columns["t"]),
         envelope(picture.columns, names),
     )
+
+
+def _oscillator_drift(oscillator: Oscillator, x_0: float, v_0: float, t: np.ndarray) -> str:
+    motion = oscillator.motion(x_0, v_0, t)
+    try:
+        total = half_square("T", oscillator.m, motion.v) + half_square("V", oscillator.k, motion.x)
+        if not oscillator.k:
+            return drift(total, float(total[0]))
+        return drift(total, HangingMass(m=oscillator.m, k=oscillator.k, g=0.0).total_energy(x_0, v_0))
+    except ValueError as reason:
+        return f"$T + V$ cannot be followed: {reason}."
 
 
 def energy_about(picture: Picture, system: HangingMass, x_0: float, v_0: float, datum: Datum) -> About:
@@ -81,16 +87,16 @@ def analogue_about(picture: Picture, case: Case) -> About:
     columns = picture.columns["time"]
     at = few(columns["t"])
     t = columns["t"][at].tolist()
-    rule = oscillator_points(case.spring, case.q_0, 0.0, t)["x"]
+    spring = oscillator_points(case.spring, case.q_0, 0.0, t)["x"]
     true: dict[str, Sequence[Point]] = {
-        "q": pendulum_points(case.pendulum, case.q_0, t) if case.pendulum else rule,
-        "x": rule,
+        "q": pendulum_points(case.pendulum, case.q_0, t) if case.pendulum else spring,
+        "x": spring,
     }
     symbol = f"${case.system.coordinate}$"
-    names = {"q": symbol, "x": "rule"} if case.pendulum else {"q": symbol}
+    names = {"q": symbol, "x": "spring"} if case.pendulum else {"q": symbol}
     found = rows(names, columns, true, at)
     return About(
-        (table(f"{symbol} over $t$", 4, "its amplitude, for what plays $m$ and $k$ as doubles", found),),
+        (table(f"{symbol} over $t$", 4, "its amplitude, once what plays $m$ and $k$ is rounded to doubles", found),),
         _analogue_drift(case, columns["t"]),
         envelope(picture.columns, names),
     )

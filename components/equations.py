@@ -9,7 +9,7 @@ A formula is LaTeX, turned into MathML once a process. Two commands are our own:
 from __future__ import annotations
 
 import re
-from functools import cache
+from functools import cache, lru_cache
 from html import escape
 
 from latex2mathml.converter import convert
@@ -19,6 +19,7 @@ _VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
 _FUNCTION = re.compile(r"<mi>([a-z]{2,})</mi>")
 _PRIMED = re.compile(r"<msup><mi>(\w)</mi><mi>&#x02032;</mi></msup>")
 _PRIMED_POWER = re.compile(r"<msup><mi>(\w)</mi><mrow><mi>&#x02032;</mi>(<mn>\d+</mn>)</mrow></msup>")
+_SIGN = re.compile(r"(<mo>&#x0003D;</mo>)<mo>&#x02212;</mo>")
 _TINT = re.compile(r"\\tint\{(\w+)\}")
 _TINT_MATHML = re.compile(r'<mstyle mathcolor="(\w+)">')
 
@@ -32,13 +33,16 @@ def mathml(latex: str) -> str:
     # A prime belongs to its letter: as an exponent it would stand too high.
     markup = _PRIMED_POWER.sub(r"<msup><mi>\1′</mi>\2</msup>", _PRIMED.sub(r"<mi>\1′</mi>", markup))
     markup = _FUNCTION.sub(r'<mi class="up">\1</mi><mspace width="0.15em" />', markup)
+    # Not the minus of a difference, which would stand apart from its number.
+    markup = _SIGN.sub(r'\1<mo form="prefix">&#x02212;</mo>', markup)
     return _TINT_MATHML.sub(r'<mstyle class="tint \1">', markup)
 
 
+_SENTENCES = 4096  # kept; those with numbers in them have no end
 _INLINE = re.compile(r"\$([^$]+)\$|\*\*([^*]+)\*\*|\{(\w+)\}|\[(\w+)\|([^\]]+)\]")
 
 
-@cache
+@lru_cache(maxsize=_SENTENCES)
 def rich(text: str) -> str:
     """HTML of a sentence: $formula$, **strong**, {name} a live number, [tint|coloured words]; what is strong or
     coloured may hold the others; all else is plain text."""

@@ -144,7 +144,8 @@ def quadratic(chain: TwoMassChain) -> Quadratic:
 def determinant_curve(chain: TwoMassChain, omega: ArrayLike) -> tuple[Array, int]:
     """D at the frequencies omega (n,) in units of 10**exponent, and that exponent: 0 unless D leaves [1e-150, 1e150].
 
-    From its factors, so that it keeps its digits beside a root. For omega not beyond some 1e3 omega_+.
+    From its factors, so that it is within 32 u of itself beside a root too (u = 2^-53). For omega not beyond some
+    1e3 omega_+.
     """
     omega = np.asarray(omega, dtype=float)
     modes = chain.modes()

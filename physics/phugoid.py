@@ -106,7 +106,8 @@ def linear_flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
 def flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
     """The exact flight that is level at t = 0 with speed v_0 (1 + excess), at any times t (n,).
 
-    Within 32 u of v_0 and v_0^2/g in the first period (u = 2^-53); the phase loses 2 u more in each period.
+    Within 32 u of v_0 and v_0^2/g in the first period (u = 2^-53), and 32 u more in each later one: the phase is
+    rounded to 2 u of itself.
     """
     omega = linear_phugoid(v_0, g).omega
     half = half_period(bottom_excess(excess))

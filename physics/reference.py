@@ -9,6 +9,7 @@ and its limits (sin(omega t) - omega t cos(omega t))/(2 omega^2) at omega = omeg
 t/omega - sin(omega t)/omega^2 at omega_n = 0.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from math import frexp
@@ -21,6 +22,7 @@ from physics.exact import Array
 from physics.integrators import Problem, Trajectory
 
 DIGITS = 100
+EXACT = 20000  # bits for any few sums and products of doubles
 SAME = 1e-70  # relative: closer frequencies are the same in exact arithmetic
 
 
@@ -103,6 +105,16 @@ def modes_of(chain: TwoMassChain) -> list[tuple[Decimal, Decimal | None]]:
     with mpmath.workdps(DIGITS + _spread(chain)):
         shapes = _shapes(mpmath.mp, chain)
         return [(decimal(omega), decimal(r / a) if a else None) for omega, (a, r) in shapes]
+
+
+def determinants(chain: TwoMassChain, omega: Sequence[float]) -> list[Decimal]:
+    """D = det A (lecture D34, slide 3) at each frequency in rad/s."""
+    import mpmath
+
+    with mpmath.workprec(EXACT):
+        m1, m2, k1, k2 = (mpmath.mpf(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2))
+        squares = [mpmath.mpf(w) ** 2 for w in omega]
+        return [decimal((m1 * s - k1 - k2) * (m2 * s - k2) - k2**2) for s in squares]
 
 
 def point(value: Any, size: Any) -> Point:

@@ -12,10 +12,9 @@ from typing import Any
 from physics.coupled import TwoMassChain
 from physics.oscillator import Oscillator
 from physics.pendulum import Pendulum
-from physics.reference import Point, point
+from physics.reference import EXACT, Point, point
 
 DIGITS = 60
-EXACT = 20000  # bits for any few sums and products of doubles
 LINEAR = 1e-30  # smaller swings have the linear shape to twice that
 
 Points = dict[str, list[Point]]

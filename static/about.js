@@ -14,6 +14,7 @@ export class About {
     this.element = element("details", {class: "about"}, element("summary", {}, "About these numbers"), this.body)
     this.element.addEventListener("toggle", () => {
       this.arriving = this.element.open
+      clearTimeout(this.timer)
       if (this.element.open) this.#ask()
     })
   }
@@ -30,8 +31,9 @@ export class About {
     this.send({type: "about"})
   }
 
-  show({tables, notes}) {
+  show({reading, tables, notes}) {
     this.body.replaceChildren(
+      ...(reading ? [html("p", {}, reading)] : []),
       ...tables.flatMap(({bound, rows}) => [html("p", {class: "bound"}, bound), ...(rows.length ? [points(rows)] : [])]),
       ...notes.map(note => html("p", {}, note)))
     this.body.removeAttribute("aria-busy")

@@ -132,4 +132,4 @@ class Modes(Scene):
             return hunt_about(self.shown, system, (self.x1_0, self.x2_0))
         if self.task == "sweep":
             return sweep_about(self.shown, system, self.swept)
-        return solve_about(system) if self.task == "solve" else guess_about(system)
+        return solve_about(system) if self.task == "solve" else guess_about(self.shown, system)
