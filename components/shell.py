@@ -65,3 +65,8 @@ def when_open(document: Document, act: Callable[[], None]) -> None:
     context = document.session_context
     if context and context.session.connection_count:
         document.add_next_tick_callback(act)
+
+
+def ending(act: Callable[[], None]) -> Callable[[object], None]:
+    """`act` as a callback for the end of a session, which comes when the names of the served script are gone."""
+    return lambda _: act()

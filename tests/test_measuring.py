@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import asyncio
 import time
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
+import psutil
 import pytest
 
 from components.measuring import Job, Measuring
 from physics.accuracy import SYSTEMS, plan
 from physics.accuracy_worker import decoded, encoded
+from tests.bench.visitor import Visitor
+from tests.serving import FLAGS, Server, serving
 
 BENIGN = SYSTEMS["benign"]
 
@@ -98,3 +103,22 @@ def test_nothing_to_measure() -> None:
     assert job.reason and not job.runs
     with pytest.raises(ValueError, match="no period"):
         queue.ask(replace(BENIGN, chain=replace(BENIGN.chain, k1=0.0, k2=0.0)), 1.0, nothing)
+
+
+def test_a_visitor_who_leaves_ends_the_measurement(tmp_path: Path) -> None:
+    soon = ("--unused-session-lifetime", "50", "--check-unused-sessions", "50")
+    with serving(tmp_path / "log", app=(*FLAGS, *soon)) as server:
+        asyncio.run(_measure_and_leave(server))
+        wait(lambda: not workers(server))
+        assert "on_session_destroyed" not in server.log.read_text()
+
+
+def workers(server: Server) -> list[psutil.Process]:
+    return psutil.Process(server.process.pid).children()
+
+
+async def _measure_and_leave(server: Server) -> None:
+    visitor = await Visitor.arrive(server.url, "scene=accuracy&limit=60")
+    await visitor.say({"type": "run", "order": "start"})
+    wait(lambda: workers(server))
+    visitor.leave()

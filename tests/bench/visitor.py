@@ -67,10 +67,14 @@ class Visitor:
 
     async def move(self, parameter: str, value: float) -> None:
         """Move one slider, and wait for the page's new picture."""
+        await self.say({"type": "set", "values": {parameter: value}})
+
+    async def say(self, message: dict[str, Any]) -> None:
+        """Send one of the page's messages, and wait for its answer."""
         self._number += 1
         answered = self._expect(f"answer {self._number}")
-        message = {"type": "set", "values": {parameter: value}, "number": self._number}
-        await self._patch(_event("data_event", model={"id": self._view}, data=_encoded(message)))
+        data = _encoded({**message, "number": self._number})
+        await self._patch(_event("data_event", model={"id": self._view}, data=data))
         await asyncio.wait_for(answered, PATIENCE)
 
     def leave(self) -> None:
