@@ -11,6 +11,7 @@ import subprocess
 import sys
 from collections import OrderedDict
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
@@ -31,7 +32,7 @@ Listener = Callable[[], None]
 
 @dataclass(eq=False)
 class Job:
-    """One measurement; `runs` grows as results come. `reason` says why one ended early."""
+    """One measurement; `runs` grows as results come. `reason` says why one ended early, `skipped` what was given up."""
 
     system: System
     seconds: float
@@ -39,6 +40,7 @@ class Job:
     state: Literal["waiting", "running", "done"] = "waiting"
     runs: tuple[Run, ...] = ()
     method: str = ""
+    skipped: set[str] = field(default_factory=set)
     reason: str = ""
     listeners: list[Listener] = field(default_factory=list)
     process: subprocess.Popen[str] | None = None
@@ -88,11 +90,15 @@ class Measuring:
                     job.process.kill()
 
     def skip(self, job: Job) -> None:
-        """Give up the method that is running."""
+        """Give up the method that is running. ValueError where others wait for its result."""
         with self._lock:
-            if job.process and job.process.stdin and job.method:
-                job.process.stdin.write(json.dumps({"skip": job.method}) + "\n")
-                job.process.stdin.flush()
+            if len(job.listeners) > 1:
+                raise ValueError("Others wait for this measurement too, so that no method is skipped.")
+            if job.process and job.process.stdin and job.method and job.method not in job.skipped:
+                job.skipped.add(job.method)
+                with suppress(OSError):  # it has just come to its end
+                    job.process.stdin.write(json.dumps({"skip": job.method}) + "\n")
+                    job.process.stdin.flush()
 
     def place(self, job: Job) -> int:
         """How many measurements come before this one."""
@@ -116,10 +122,17 @@ class Measuring:
         Thread(target=self._run, args=(self._active,), daemon=True).start()
 
     def _run(self, job: Job) -> None:
-        """Read the worker to its end, then let the next one begin."""
+        """Measure, and whatever comes of it let the next one begin."""
+        ended = False
+        try:
+            ended = self._measure(job)
+        finally:
+            self._finish(job, ended)
+
+    def _measure(self, job: Job) -> bool:
+        """Read a worker until nothing more comes; whether it has come to its end."""
         command = [sys.executable, "-m", "physics.accuracy_worker"]
         pipes: dict[str, Any] = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True, "cwd": ROOT}
-        ended = False
         with subprocess.Popen(command, **pipes) as process:
             assert process.stdin and process.stdout
             order = {"system": encoded(job.system), "seconds": job.seconds, "budget": self.budget}
@@ -130,11 +143,13 @@ class Measuring:
                 if job.reason:  # everybody has left while it started
                     process.kill()
             for line in process.stdout:
-                ended = self._take(job, json.loads(line)) or ended
+                if not line.endswith("\n"):  # killed while it wrote
+                    break
+                ended = self._take(job, json.loads(line))
                 self._tell(job)
                 if ended:
-                    break
-        self._finish(job, ended)
+                    return True
+        return False
 
     def _take(self, job: Job, message: dict[str, Any]) -> bool:
         """Note what the worker says; whether it has come to its end."""
@@ -153,7 +168,7 @@ class Measuring:
         with self._lock:
             job.state, job.method, job.process = "done", "", None
             job.reason = job.reason or ("" if ended else "the measuring process stopped")
-            if ended and not job.reason:
+            if ended and not job.reason and not job.skipped:
                 self._done[job.system, job.seconds] = job
                 while len(self._done) > KEPT:
                     self._done.popitem(last=False)

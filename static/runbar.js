@@ -17,7 +17,7 @@ export class RunBar {
     this.element = element("div", {class: "transport"}, this.disc, this.name, this.count, this.bar, this.now, this.skip)
   }
 
-  update({progress, notes}) {
+  update({progress, errors, notes}) {
     const {state, done, total, text} = progress
     this.busy = state === "running" || state === "waiting"
     const name = this.busy ? "Cancel" : done ? "Run again" : "Run"
@@ -26,7 +26,7 @@ export class RunBar {
     this.name.textContent = name
     this.count.textContent = total ? `${done} of ${total} runs` : ""
     this.bar.value = total ? done / total : 0
-    this.now.textContent = [text, ...notes].filter(Boolean).join(" ")
+    this.now.textContent = [text, errors.run, ...notes].filter(Boolean).join(" ")
     this.skip.hidden = state !== "running"
   }
 }

@@ -87,6 +87,44 @@ def test_a_method_can_be_skipped() -> None:
     wait(lambda: job.state == "done")
 
 
+def test_nobody_skips_what_others_wait_for() -> None:
+    queue = Measuring(budget=60.0)
+    job = queue.ask(replace(BENIGN, slug="shared"), 20.0, nothing)
+    queue.ask(replace(BENIGN, slug="shared"), 20.0, other := (lambda: None))
+    with pytest.raises(ValueError, match="Others wait"):
+        queue.skip(job)
+    queue.leave(job, nothing)
+    queue.leave(job, other)
+    wait(lambda: job.state == "done")
+
+
+def test_what_lacks_a_method_is_not_kept_for_others() -> None:
+    queue = Measuring(budget=60.0)
+    job: Job | None = None
+
+    def heard() -> None:
+        if job and job.method == "verlet":
+            queue.skip(job)
+
+    job = queue.ask(replace(BENIGN, slug="lacking"), 0.05, heard)
+    wait(lambda: job.state == "done")
+    assert (job.reason, job.skipped) == ("", {"verlet"})
+    assert queue.remembered(job.system, job.seconds) is None
+
+
+def test_a_worker_that_dies_while_it_writes_does_not_stop_the_queue(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    worker = tmp_path / "worker"
+    worker.write_text("""#!/bin/sh\nread order\nprintf '{"method": "verl'\n""")
+    worker.chmod(0o755)
+    monkeypatch.setattr("components.measuring.sys.executable", str(worker))
+    queue = Measuring()
+    jobs = [queue.ask(SYSTEMS[slug], 1.0, nothing) for slug in ("benign", "beats")]
+    wait(lambda: all(job.state == "done" for job in jobs))
+    assert [job.reason for job in jobs] == ["the measuring process stopped"] * 2
+
+
 def test_the_limit_for_a_visitor() -> None:
     queue = Measuring(budget=1.0)
     job = queue.ask(BENIGN, 20.0, nothing)
