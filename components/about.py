@@ -26,9 +26,9 @@ SHARES = (0.21, 0.55, 0.93)
 """Where in a column the points are taken: no round places."""
 PLACES = 20
 READING = (
-    "**Drawn**: the double, a number of about 16 digits, behind the curve. **True**: the same point by other formulas, "
-    "with 40 digits or more. Where the two part they are paler. An **ulp**, a unit in the last place, is the step from "
-    "one double to the next: at most 2 in the 16th digit of the size that is named."
+    "**Drawn**: the double, a number of about 16 digits, behind the curve; SI units, radians. **True**: the same point "
+    "by other formulas, with 40 digits or more. Where the two part they are paler. An **ulp**, a unit in the last "
+    "place, is the step from one double to the next: at most 2 in the 16th digit of the size that is named."
 )
 NO_BAND = "Nothing is drawn as an envelope."
 

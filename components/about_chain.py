@@ -85,10 +85,11 @@ def sweep_about(picture: Picture, chain: TwoMassChain, swept: str) -> About:
 
 
 def hunt_about(picture: Picture, chain: TwoMassChain, x_0: Pair) -> About:
-    """Points of the path."""
+    """Points of the path; the modes only where the answer is shown."""
     path, rest = picture.columns["path"], (0.0, 0.0)
     points = table("the path", 2, "its amplitudes", _motion(MASSES, path, chain, x_0, rest))
-    return About((points, _modes(chain)), _free_drift(chain, x_0, rest, path["t"]))
+    tables = (points, _modes(chain)) if picture.columns["answer"] else (points,)
+    return About(tables, _free_drift(chain, x_0, rest, path["t"]))
 
 
 def absorber_about(picture: Picture, duty: Duty) -> About:
