@@ -182,7 +182,7 @@ def _lateness() -> Block:
         handles=(handle,),
         marks=tuple(_flag(name, excess) for name, excess in LIMITS.items()),
         shapes=over_lateness(),
-        margin=(44, 30),
+        margin=(48, 30),
         top=46,
         phone=20,
         height=240,

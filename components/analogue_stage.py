@@ -53,7 +53,7 @@ def shapes() -> list[Shape]:
 def coordinates() -> list[Shape]:
     """The coordinate as a number, where nothing moves."""
     look = {"tint": "m1", "style": "t2 b halo"}
-    over = {"pendulum": 14}
+    over = {"pendulum": 14, "rocking": 14}
     return [
         text(
             CENTRE,
@@ -138,5 +138,6 @@ def over_lateness() -> tuple[Shape, ...]:
     return (
         line(on_x("late", 0), y, x, y, style="level", show="rule_seen"),
         line(x, y, x, on_y("late", 0), style="", tint="m1", show="rule_seen"),
-        text(x - 10, y - 8, "+{late_percent} %", anchor="end", style="t2 b halo", show="rule_seen"),
+        text(x - 10, y - 8, "+{late_percent} %", "end", style="t2 b halo", show="rule_seen late_before"),
+        text(x + 10, y - 8, "+{late_percent} %", "start", style="t2 b halo", show="rule_seen late_after"),
     )

@@ -78,8 +78,8 @@ def _up(along: Axis, low: float, high: float) -> Axis:
 def velocity_axes(swing: Swing) -> dict[str, Axis]:
     """Axes forward (of u - v_0, so that standstill is at -1) and up, in v_0; one frame for all but wide loops."""
     far = max(1.0, float(swing.lap.w.max()) / 1.05, (1 + swing.excess) / 3.05)
-    low, whole = min(-0.85, 1.15 * float(swing.lap.u.min())), math.ceil(far / 4)
-    ticks = tuple(float(whole * i - 1) for i in range(-math.ceil(far), math.ceil(3.1 * far) + 1))
+    low = min(-0.85, 1.15 * float(swing.lap.u.min()))
+    ticks = tuple(float(i - 1) for i in range(-math.ceil(far), math.ceil(3.1 * far) + 1, math.ceil(far / 1.5)))
     labels = tuple(_times_v_0(tick + 1) for tick in ticks)
     return {
         "forward": Axis(low - 1, low + 3.9 * far - 1, ticks=ticks, labels=labels),
@@ -170,6 +170,7 @@ def velocity_shapes(plot: str, show: str) -> list[Shape]:
     tip, level = (on_x(plot, var("u") - 1), on_y(plot, var("w"))), on_y(plot, 0)
     start = on_x(plot, var("excess"))
     own: dict[str, Any] = {"inside": plot, "show": show}
+    named = {**own, "show": f"{show} family_named"}
     return [
         line(still, var(f"{plot}.top"), still, var(f"{plot}.bottom"), tint="rule", style="hair", **own),
         line(start, level, start, var(f"{plot}.bottom"), tint="T", **own),
@@ -178,8 +179,8 @@ def velocity_shapes(plot: str, show: str) -> list[Shape]:
         circle(on_x(plot, 0), level, 4, **own),
         circle(start, level, 5, tint="T", **own),
         circle(*tip, 6, tint="m1", **own),
-        text(on_x(plot, 0), level - 10, "*C* = 2/3", style="halo", **own),
-        text(on_x(plot, 0.68), on_y(plot, 0.68), "cusp, *C* = 0", anchor="start", style="b halo", **own),
+        text(on_x(plot, 0), level - 10, "*C* = 2/3", style="halo", **named),
+        text(on_x(plot, 0.68), on_y(plot, 0.68), "cusp, *C* = 0", anchor="start", style="b halo", **named),
         text(
             on_x(plot, 1.06),
             on_y(plot, 0.3),
@@ -187,7 +188,7 @@ def velocity_shapes(plot: str, show: str) -> list[Shape]:
             anchor="start",
             tint="mute",
             style="halo",
-            **own,
+            **named,
         ),
         text(still - 6, var(f"{plot}.top") + 12, "up", anchor="end", tint="mute", style="halo", **own),
         text(var(f"{plot}.right"), level - 7, "forward", anchor="end", tint="mute", style="halo", **own),

@@ -14,7 +14,7 @@ from components.traces import traced
 
 def path_plot() -> Block:
     """Height over distance, at one scale; the stage draws the rest over it."""
-    return plot(
+    block = plot(
         "path",
         x="along",
         y="up",
@@ -31,11 +31,12 @@ def path_plot() -> Block:
         phone=0,
         height=150,
     )
+    return {**block, "style": "path"}
 
 
 def swing_plot(name: str, tint: str, low: bool) -> Block:
     """h'(t) or v'(t), exact and linear, under the formula; the lower plot carries the time."""
-    wave = rf"\val{{{name}_size}} \cos(\val{{omega}}\,t)\;\text{{linear}}"
+    wave = rf"\val{{{name}_size}}\, \cos(\val{{omega}}\,t)\;\text{{linear}}"
     word = {"h": "Height", "v": "Speed"}[name]
     dashed, dashed_band = traced(f"{name}_lin", tint=tint, width="dash", label="linear", signal=f"{name}_lin")
     solid, solid_band = traced(name, tint=tint, width="sum", label="exact", signal=name)

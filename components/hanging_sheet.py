@@ -48,7 +48,7 @@ def _between() -> Block:
         {
             **DATUM,
             "equilibrium": r"$T_{\mathrm{max}} = V_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
-            "all is $T$ at equilibrium, all is $V$ where it turns.",
+            "all $T$ at equilibrium, all $V$ where it turns.",
             "separate": r"$V_{\mathrm{max}} = \val{V_max}$ {E_unit} is not $T_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
             "this $V$ is larger by a constant, so the motion is the same.",
         },
@@ -84,9 +84,7 @@ def _energies() -> Block:
             term("T", "dash", "T", formula="T"),
             *separate.values(),
             {
-                **phrase(
-                    "", "none", "mute", equilibrium=r"exchanged at $2 \omega_n = \val{omega_2}$ rad/s", separate=""
-                ),
+                **phrase("", "none", "mute", equilibrium=r"at $2 \omega_n = \val{omega_2}$ rad/s", separate=""),
                 **DATUM,
             },
         ),

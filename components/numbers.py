@@ -78,6 +78,8 @@ def parse_number(text: str) -> float:
 
     Raises ValueError, in words for that person, for anything else and for what no double can hold.
     """
+    if not text.strip():
+        raise ValueError("Nothing is typed here: type a number such as 2.5 or 1e-3.")
     match = _NUMBER.fullmatch(_plain(text)) if len(text) <= LONGEST_INPUT else None
     if match is None:
         raise ValueError(f"“{excerpt(text)}” is not a number: type one such as 2.5 or 1e-3.")

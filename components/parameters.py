@@ -159,7 +159,7 @@ def finite(default: float | None, *, label: str, **facts: Any) -> Quantity:
 
 
 def _a(noun: str) -> str:
-    return f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
+    return noun if noun == "gravity" else f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
 
 
 def _as_float(value: Real) -> float:

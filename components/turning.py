@@ -148,7 +148,6 @@ def first() -> list[Shape]:
     x, y = centre
     tip, foot = at(centre, way, radius), (x + radius * way[0], y)
     wrong = at(centre, (-1 * way[0], -1 * way[1]), radius)
-    name = at(centre, (-1 * way[0], -1 * way[1]), radius + 22)
     middle = at(centre, (var("middle_cosine"), var("middle_sine")), 40)
     beside = at(centre, (way[0] - 0.22 * way[1], way[1] + 0.22 * way[0]), 0.58 * radius)
     quarter = pi / 2
@@ -156,13 +155,13 @@ def first() -> list[Shape]:
         *cross(centre, radius),
         line(*centre, *wrong, style="dotted", tint="mute", show="wrong"),
         circle(*wrong, 4, style="ghost", tint="mute", show="wrong"),
-        text(name[0], name[1] + 5, "atan", tint="mute", style="halo", show="wrong"),
+        text(wrong[0] + 10, wrong[1] + 5, "atan", "start", tint="mute", style="halo", show="wrong"),
         arc(x, y, 28, quarter, var("phi") + quarter, style="floor", tint="ink"),
         line(x, y, *foot, style="sum", tint="T"),
         line(*foot, *tip, style="sum", tint="m1"),
         arrow(x, y, *tip, tint="m1", head=13),
         circle(x, y, 4, tint="ink"),
-        text(middle[0], middle[1] + 5, "*φ*", style="t2 b halo"),
+        text(middle[0], middle[1] + 5, "*φ*", style="t2 b halo", show="has_phi"),
         text(x + 0.5 * radius * way[0], y + 13 * var("under") + 5, "*B*", tint="T", style="t2 b halo", show="has_B"),
         text(
             foot[0] + 13 * var("outside"),

@@ -3,7 +3,13 @@
 
 import {colour, element, svg, words} from "./dom.js"
 
-const LABEL_GAP = 16
+const ruler = document.createElement("canvas").getContext("2d")
+
+// Pixels that a number at an axis takes.
+function width(text) {
+  ruler.font = `${colour("t0")} ${colour("sans")}`
+  return ruler.measureText(text).width
+}
 
 export class Plot {
   constructor(block, host, page) {
@@ -75,7 +81,10 @@ export class Plot {
     const box = this.view?.frame?.bbox
     if (!box || !box.width) return
     this.box = {left: box.left, top: box.top, width: box.width, height: box.height}
-    if (this.block.square && this.state && !this.absent) this.#ranges()
+    if (this.state && !this.absent) {
+      if (this.block.square) this.#ranges()
+      this.#abscissae()
+    }
     this.still()
     this.page.redraw()
   }
@@ -93,9 +102,8 @@ export class Plot {
     if (this.absent) return
     for (const [name, source] of Object.entries(this.sources)) this.#fill(source, state.columns[name] ?? {})
     this.#ranges()
-    const [below] = this.model.below
-    below.major_label_overrides = new Map(this.x.ticks.map((tick, i) => [tick, this.x.labels[i]]))
-    below.ticker.ticks = this.x.ticks
+    this.#abscissae()
+    this.model.below[0].ticker.ticks = this.x.ticks
     this.model.left[0].ticker.ticks = this.y.ticks
     for (const renderer of this.model.renderers) {
       const given = state.columns[renderer.data_source.name] ?? {}, {glyph} = renderer
@@ -103,6 +111,15 @@ export class Plot {
       renderer.visible = !this.hidden.has(renderer.tags?.[1]) && needed.every(column => given[column]?.length)
     }
     this.still()
+  }
+
+  // Where numbers would touch, every second one is left out, or more; the last, which carries the unit, stays.
+  #abscissae() {
+    const {ticks, labels} = this.x, last = ticks.length - 1
+    const touch = (i, j) => this.px(ticks[j]) - this.px(ticks[i]) < (width(labels[i]) + width(labels[j])) / 2 + 4
+    let step = 1
+    if (this.box) while (ticks.some((_, i) => (last - i) % step === 0 && i + step <= last && touch(i, i + step))) step++
+    this.model.below[0].major_label_overrides = new Map(ticks.map((tick, i) => [tick, (last - i) % step ? "" : labels[i]]))
   }
 
   // Columns that the picture does without (their renderers are not drawn) are filled up to the common length.
@@ -157,11 +174,12 @@ export class Plot {
       placed.push({text, y})
     }
     placed.sort((a, b) => a.y - b.y)
-    for (let i = 1; i < placed.length; i++) placed[i].y = Math.max(placed[i].y, placed[i - 1].y + LABEL_GAP)
+    const gap = parseFloat(colour("t1")) + 2
+    for (let i = 1; i < placed.length; i++) placed[i].y = Math.max(placed[i].y, placed[i - 1].y + gap)
     const over = placed.length ? placed[placed.length - 1].y - (top + height + 6) : 0
     for (const [i, {text, y}] of placed.entries()) {
       text.setAttribute("x", left + width + 7)
-      text.setAttribute("y", (over > 0 ? Math.min(y, top + height + 6 - (placed.length - 1 - i) * LABEL_GAP) : y) + 4)
+      text.setAttribute("y", (over > 0 ? Math.min(y, top + height + 6 - (placed.length - 1 - i) * gap) : y) + 4)
     }
     const taken = []
     for (const {band, text} of this.bandLabels) this.#labelBand(band, text, taken)
@@ -181,7 +199,7 @@ export class Plot {
     this.scale.replaceChildren(...(this.block.plain ? [] : ticks).flatMap((tick, i) => {
       const y = this.py(tick)
       if (y < top - 1 || y > top + height + 1) return []
-      const [value, ...rest] = labels[i].length > 6 ? labels[i].split(" ") : [labels[i]], unit = rest.join(" ")
+      const [value, ...rest] = width(labels[i]) > left - 8 ? labels[i].split(" ") : [labels[i]], unit = rest.join(" ")
       const lines = [svg("tspan", {x: left - 7}, value), ...(unit ? [svg("tspan", {x: left - 7, dy: "1.1em"}, unit)] : [])]
       return [svg("text", {"text-anchor": "end", y: y + 4.5}, ...lines)]
     }))
@@ -200,7 +218,7 @@ export class Plot {
     text.style.display = "none"
     if (!high?.length || !low?.length) return
     let best = -1, size = 0
-    for (let i = Math.floor(high.length * 0.06); i < high.length * 0.94; i++) {
+    for (let i = Math.floor(high.length * 0.1); i < high.length * 0.9; i++) {
       const thick = Math.abs(high[i] - low[i]), x = this.px(xs[i]), y = this.py((high[i] + low[i]) / 2)
       if (thick <= size * 1.02 || taken.some(other => Math.abs(other.x - x) < 56 && Math.abs(other.y - y) < 14)) continue
       [best, size] = [i, thick]

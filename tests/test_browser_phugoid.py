@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Callable
 from pathlib import Path
@@ -93,3 +94,18 @@ def test_clock_moves_the_aircraft_and_a_link_restores(page: Page, open_scene: Op
         )
     assert len(set(places)) == 3
     assert page.evaluate(BROKEN) == 0
+
+
+def test_on_a_phone_no_number_touches_another_and_no_heading_is_cut(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(width=390, height=844, has_touch=True), scene="phugoid")
+    labels = page.evaluate(
+        "(p => p.x.ticks.map(t => [p.px(t), p.model.below[0].major_label_overrides.get(t)]))"
+        "(oscillations.plots.find(p => p.block.name === 'path'))"
+    )
+    shown = [(x, text) for x, text in labels if text]
+    assert shown[-1][1] == "5000 ft"
+    for (x, text), (later, other) in itertools.pairwise(shown):
+        assert later - x > 3.4 * (len(text) + len(other)), (text, other)
+    assert page.evaluate("[...document.querySelectorAll('.head')].every(h => h.scrollWidth <= h.clientWidth)")

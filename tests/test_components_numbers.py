@@ -100,10 +100,16 @@ def test_what_is_shown_can_be_typed_again(value: float) -> None:
 
 
 @pytest.mark.parametrize(
-    "text", ["", "abc", "nan", "inf", "1e", "1 2", "0x10", "1_0", "1.5·105", "٣", "1.2.3", "1" * 61, "3 N/m"]
+    "text", ["abc", "nan", "inf", "1e", "1 2", "0x10", "1_0", "1.5·105", "٣", "1.2.3", "1" * 61, "3 N/m"]
 )
 def test_text_that_is_no_number_is_refused_with_an_example(text: str) -> None:
     with pytest.raises(ValueError, match=r"is not a number: type one such as 2\.5 or 1e-3"):
+        parse_number(text)
+
+
+@pytest.mark.parametrize("text", ["", "  "])
+def test_an_empty_field_is_not_quoted(text: str) -> None:
+    with pytest.raises(ValueError, match=r"^Nothing is typed here: type a number such as 2\.5 or 1e-3\.$"):
         parse_number(text)
 
 

@@ -235,3 +235,18 @@ def test_cusp_and_loop_are_drawn_without_a_break() -> None:
         step = np.hypot(np.diff(path["x"]), np.diff(path["y"]))
         assert step.max() < 0.1 * scene.v_0**2 / scene.g
         assert path["y"].max() == pytest.approx(0.5 * scene.v_0**2 / scene.g, rel=0.05)
+
+
+def test_at_the_cusp_the_invariant_is_shown_as_zero() -> None:
+    scene = Phugoid(show="limits")
+    for excess, shown in ((CUSP_EXCESS, "0.000"), (0.0, "0.667"), (1.0, "−0.667")):
+        scene.excess = excess
+        assert scene.shown.values["C"] == shown
+
+
+def test_lines_of_other_flights_are_named_unless_a_loop_makes_them_small() -> None:
+    scene = Phugoid(show="limits")
+    assert scene.shown.scalars["family_named"] == 1
+    scene.excess = 3.0
+    assert scene.shown.scalars["family_named"] == 0
+    assert len(scene.shown.axes["forward"].ticks) <= 6

@@ -180,6 +180,8 @@ def _pendulum_scalars(case: Case, axes: dict[str, Axis]) -> dict[str, float]:
         "size_angle": math.degrees(theta),
         "late_now": axes["late"].place(case.excess),
         "rule_seen": 1.0,
+        "late_before": float(theta > 25 * DEGREE),
+        "late_after": float(theta <= 25 * DEGREE),
         **flags,
     }
 

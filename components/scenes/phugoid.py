@@ -21,7 +21,7 @@ from components.flight_plots import (
     velocity_plot,
 )
 from components.motion import pace
-from components.numbers import signed, three
+from components.numbers import MINUS, signed, three
 from components.parameters import Quantity, mass, positive
 from components.plots import Axis, nice_axis, time_axis
 from components.scene import Picture, Scene
@@ -193,6 +193,8 @@ class Phugoid(Scene):
             scalars |= {f"{name}_x": axes["along"].place(top[0]), f"{name}_y": axes["up"].place(top[1])}
         # Where many swings share the frame the names of the two paths have no room.
         scalars["named"] = float(swing.top[0] > 0.07 * axes["along"].end)
+        # Beside a wide loop the others are too small to be named.
+        scalars["family_named"] = float(axes["upward"].end < 2)
         scalars |= {"v_here": axes["v_0"].place(self.v_0), "tau_here": axes["tau"].place(swing.linear.tau)}
         for name, (_, speed, _) in AIRCRAFT.items():
             tau = linear_phugoid(speed, self.g).tau
@@ -213,7 +215,7 @@ class Phugoid(Scene):
             "gain": signed(axes["v"].place(self.excess * self.v_0)),
             "omega": three(swing.linear.omega),
             "tau": three(swing.linear.tau),
-            "C": three(swing.lap.C),
+            "C": f"{swing.lap.C:.3f}".replace("-0.000", "0.000").replace("-", MINUS),
             "late": f"{three(100 * abs(late))} % {'longer' if late >= 0 else 'shorter'}",
             "verdict": verdict(swing),
             **{
