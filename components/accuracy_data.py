@@ -17,10 +17,9 @@ from components.numbers import short, ten, three
 from components.scene import Columns
 from physics.accuracy import Run
 from physics.coupled import TwoMassChain
-from physics.integrators import amplification, stability_limit
+from physics.integrators import FIXED_STEP, amplification, stability_limit, stable_steps
 from physics.solvers import METHODS
 
-FIXED = tuple(slug for slug, method in METHODS.items() if method.family == "fixed")
 FLOOR = 1e-17
 """Errors below this are drawn here: a double has no more digits."""
 
@@ -145,19 +144,18 @@ def kept(run: Run | None) -> Columns:
 def stability() -> Columns:
     """Amplification a step against h omega, for each method with fixed steps."""
     z = np.linspace(0.005, 3.0, 240)
-    return {"h_omega": z, **{slug: np.maximum(np.abs(amplification(slug, z)), 1e-3) for slug in FIXED}}
+    return {"h_omega": z, **{slug: np.maximum(np.abs(amplification(slug, z)), 1e-3) for slug in FIXED_STEP}}
 
 
 def step_explosion(chain: TwoMassChain) -> Columns:
     """Steps in a slow period that an explicit method needs to stay stable, as k2/k1 grows with all else kept."""
     ratios = np.geomspace(1.0, 1e12, 25)
     k1 = chain.k1 or 1.0
-    modes = [TwoMassChain(m1=chain.m1, m2=chain.m2, k1=k1, k2=k1 * ratio).modes().omega for ratio in ratios]
-    spread = np.array([2 * math.pi * fast / slow for slow, fast in modes])
-    limits = {slug: stability_limit(slug) for slug in FIXED}
+    chains = [TwoMassChain(m1=chain.m1, m2=chain.m2, k1=k1, k2=k1 * ratio) for ratio in ratios]
+    explicit = [slug for slug in FIXED_STEP if math.isfinite(stability_limit(slug))]
     return {
         "ratio": ratios,
-        **{f"steps_{slug}": spread / limit for slug, limit in limits.items() if math.isfinite(limit)},
+        **{f"steps_{slug}": np.array([stable_steps(slug, each) for each in chains]) for slug in explicit},
     }
 
 

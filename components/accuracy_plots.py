@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from components.accuracy_data import FIXED
 from components.plots import Axis, Curve, plot
 from components.scene import Columns
 from components.sheet import Block, phrase, table
 from components.stage import circle, on_x, on_y, text, var
+from physics.integrators import FIXED_STEP
 from physics.solvers import METHODS
 
 ROWS, STOPPED = len(METHODS), 5
@@ -186,7 +186,7 @@ def stability_plot() -> Block:
                 width="sum" if slug == "verlet" else "dash" if slug == "midpoint" else "line",
                 label=METHODS[slug].name,
             )
-            for slug in FIXED
+            for slug in FIXED_STEP
         ),
         source="stability",
         x_column="h_omega",
@@ -201,7 +201,7 @@ def stability_plot() -> Block:
 
 def steps_plot() -> Block:
     """How many steps stability asks of an explicit method as spring 2 stiffens."""
-    explicit = [slug for slug in FIXED if slug != "midpoint"]
+    explicit = [slug for slug in FIXED_STEP if slug != "midpoint"]
     return plot(
         "explosion",
         x="ratio",

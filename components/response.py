@@ -57,7 +57,7 @@ def response(system: TwoMassChain, F_0: float, omega: float, shown: str, lecture
     columns["response"] = _whole(parts, curves)
     across = _axis(start, end, "√(k₁/m₁)" if lecture else "rad/s", shown, unit if lecture else 1.0)
     up = _height(base, shown, base if lecture else 1.0, lecture)
-    scalars, values = _marks(system, F_0, omega, frequencies, poles, across, up, shown)
+    scalars, values = _marks(system, F_0, omega, frequencies, across, up, shown)
     return Response(columns, {"omega": across, "X": up}, scalars, values)
 
 
@@ -109,7 +109,6 @@ def _marks(
     F_0: float,
     omega: float,
     frequencies: Floats,
-    poles: list[float],
     across: Axis,
     up: Axis,
     shown: str,

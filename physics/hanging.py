@@ -89,11 +89,6 @@ class HangingMass:
             twice = exact(self.m) * exact(v_0) ** 2 + exact(self.k) * exact(x_0) ** 2
             return rounded("the energy", twice / 2)
 
-    def turning_points(self, x_0: float, v_0: float) -> tuple[float, float]:
-        """Where the mass turns, highest (x = -C) and lowest (x = C): T = 0 and V = V_max there."""
-        C = self.oscillator.constants(x_0, v_0).C
-        return -C, C
-
     def well(self, x: ArrayLike, datum: Datum = "equilibrium") -> Array:
         """V(x) for x (n,) in m, off by at most 2 u: no term cancels another."""
         V = half_square("V", self.k, finite_array("x", x))

@@ -14,6 +14,7 @@ floats: for two masses NumPy's cost of a call would be most of the time.
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from math import inf, pi, sin, ulp
 from typing import Protocol
 
@@ -193,6 +194,7 @@ def amplification(method: str, h_omega: ArrayLike) -> Array:
     return np.where(discriminant > 0, growth, 1.0)
 
 
+@cache
 def stability_limit(method: str) -> float:
     """The first h omega_+ at which the method explodes; inf for one that never does."""
     if method == "midpoint":

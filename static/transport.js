@@ -49,7 +49,6 @@ export class Transport {
     this.factor = element("span", {class: "factor", title: "Simulated time over real time"})
     this.window = element("input", {name: "window", inputmode: "decimal", autocomplete: "off", "aria-label": "Time window", placeholder: "auto"})
     this.window.addEventListener("change", () => page.send({type: "typed", name: "window", text: this.window.value}))
-    this.windowUnit = element("span", {class: "unit"})
     this.note = element("div", {class: "note", role: "status"})
     this.element = element("div", {class: "transport"},
       button("Restart", icon("restart"), () => clock.seek(0)),

@@ -1,9 +1,7 @@
 """Modes and free motion of the chain: reference cases, families of chains, limits, independent solvers."""
 
-import json
 import math
 import sys
-from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -15,13 +13,11 @@ from hypothesis import strategies as st
 from physics.coupled import TwoMassChain, free_modes, free_motion
 from physics.energy import chain_energy
 from physics.exact import sin_cos
-from tests.chain_families import FAMILIES, drawn
+from tests.chain_cases import chain_of, chain_with, each_case, each_family
+from tests.chain_families import drawn
 from tests.chain_truth import WORKING_BITS, Truth, U, ulps, units, worst
 
-CASES = json.loads((Path(__file__).parent / "reference" / "two_mass_cases.json").read_text())["cases"]
 LARGEST = mp.mpf(sys.float_info.max)
-each_family = pytest.mark.parametrize("family", FAMILIES.values(), ids=FAMILIES)
-each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case['id']}-{case['family']}")
 thorough = settings(max_examples=40, deadline=None, derandomize=True)
 
 
@@ -29,14 +25,6 @@ thorough = settings(max_examples=40, deadline=None, derandomize=True)
 def many_digits():
     with mp.workprec(WORKING_BITS):
         yield
-
-
-def chain_of(case):
-    return TwoMassChain(**{name: float.fromhex(value) for name, value in case["hex"].items()})
-
-
-def chain_with(parameters):
-    return TwoMassChain(**dict(zip(("m1", "m2", "k1", "k2"), parameters, strict=True)))
 
 
 @each_case

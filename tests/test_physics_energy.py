@@ -11,17 +11,13 @@ from scipy.integrate import quad
 from physics.coupled import TwoMassChain, free_modes, free_motion
 from physics.energy import chain_energy, half_square, mean_energy
 from physics.forced import drive_work, driven_modes, forced_motion
-from tests.chain_families import FAMILIES, drawn
+from tests.chain_cases import chain_with, each_family
+from tests.chain_families import drawn
 from tests.chain_truth import U
 
-each_family = pytest.mark.parametrize("family", FAMILIES.values(), ids=FAMILIES)
 thorough = settings(max_examples=40, deadline=None, derandomize=True)
 LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
 STIFF = TwoMassChain(m1=2.0, m2=1.0, k1=1.0, k2=1e12)
-
-
-def chain_with(parameters):
-    return TwoMassChain(**dict(zip(("m1", "m2", "k1", "k2"), parameters, strict=True)))
 
 
 def within_range(chain):

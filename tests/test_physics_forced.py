@@ -1,9 +1,7 @@
 """The driven chain: reference cases, every family at every detuning, resonance, absorber, limits."""
 
-import json
 import math
 import sys
-from pathlib import Path
 
 import mpmath as mp
 import numpy as np
@@ -21,13 +19,11 @@ from physics.forced import (
     particular_solution,
     steady_start,
 )
+from tests.chain_cases import chain_of, chain_with, each_case, each_family
 from tests.chain_families import FAMILIES, drawn
 from tests.chain_truth import WORKING_BITS, Truth, U, rows, ulps, units, worst
 
-CASES = json.loads((Path(__file__).parent / "reference" / "two_mass_cases.json").read_text())["cases"]
 LARGEST = mp.mpf(sys.float_info.max)
-each_family = pytest.mark.parametrize("family", FAMILIES.values(), ids=FAMILIES)
-each_case = pytest.mark.parametrize("case", CASES, ids=lambda case: f"{case['id']}-{case['family']}")
 thorough = settings(max_examples=30, deadline=None, derandomize=True)
 LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
 FIGURE = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0)
@@ -37,14 +33,6 @@ FIGURE = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0)
 def many_digits():
     with mp.workprec(WORKING_BITS):
         yield
-
-
-def chain_of(case):
-    return TwoMassChain(**{name: float.fromhex(value) for name, value in case["hex"].items()})
-
-
-def chain_with(parameters):
-    return TwoMassChain(**dict(zip(("m1", "m2", "k1", "k2"), parameters, strict=True)))
 
 
 @each_case
