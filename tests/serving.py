@@ -29,7 +29,9 @@ class Server:
     def complaints(self) -> list[str]:
         """The lines of the log that speak of something gone wrong."""
         signs = ("Traceback", "ERROR", "CRITICAL")
-        return [line for line in self.log.read_text().splitlines() if line.startswith(signs)]
+        lines = self.log.read_text().splitlines()
+        # Bokeh only warns of a callback that fails at a session's end.
+        return [line for line in lines if line.startswith(signs) or "failed with following error" in line]
 
 
 def free_port() -> int:

@@ -19,7 +19,7 @@ from components.accuracy_data import (
     work,
 )
 from components.scenes.accuracy import Accuracy
-from physics.accuracy import SYSTEMS, Run
+from physics.accuracy import SYSTEMS, Run, plan
 from physics.coupled import TwoMassChain
 from tests.scene_checks import check_picture
 
@@ -120,3 +120,9 @@ def test_recorded_runs_stand_before_anything_is_measured() -> None:
     assert "Recorded" in scene.progress["text"]
     assert set(recorded().runs) == set(SYSTEMS)
     assert not len(Accuracy(limit=3.0).sources["verlet"].data["time"])
+
+
+def test_what_was_stopped_is_not_told_as_recorded_elsewhere() -> None:
+    told = measured().progress
+    assert told["text"].startswith("Stopped before its end")
+    assert (told["done"], told["total"]) == (len(RUNS), len(plan(SYSTEMS["benign"])))

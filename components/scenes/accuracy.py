@@ -41,7 +41,7 @@ from components.parameters import angular_frequency, displacement, force, mass, 
 from components.plots import Axis, log_axis, nice_axis
 from components.scene import Picture, Scene
 from components.sheet import Block, choice, column, row, when, words
-from physics.accuracy import PERIODS, SYSTEMS, Run, System
+from physics.accuracy import PERIODS, SYSTEMS, Run, System, plan
 from physics.coupled import TwoMassChain
 from physics.solvers import METHODS
 
@@ -120,7 +120,7 @@ class Accuracy(Scene):
                     column(
                         words("**An error of {wanted} costs** [mute|× closed form]", style="plain", phone=11),
                         price_rows(phone=11),
-                        words("**Without a result**", style="plain", phone=12),
+                        words({"form": "stopped0", "shown": "**Without a result**"}, style="plain", phone=12),
                         stopped_rows(phone=12),
                         words(
                             "**Energy kept, phase lost?** {picked}; worst so far. Click any dot to pick it.",
@@ -144,10 +144,7 @@ class Accuracy(Scene):
     def progress(self) -> dict[str, Any]:
         job = self._job
         if job is None or not self._is_current(job):
-            runs = self._runs()
-            here = measuring().remembered(self._system(), self.limit)
-            text = "Measured before on this server." if here else _recorded_text() if runs else "Press Run to measure."
-            return {"state": "idle", "done": len(runs), "total": len(runs), "text": text}
+            return {"state": "idle", **self._idle()}
         before = measuring().place(job)
         text = (
             f"{before} measurement{'s' if before > 1 else ''} before yours." if job.state == "waiting" else job.reason
@@ -155,6 +152,16 @@ class Accuracy(Scene):
         if job.state == "running" and job.method:
             text = f"{METHODS[job.method].name} is running."
         return {"state": job.state, "done": len(job.runs), "total": job.total, "text": text}
+
+    def _idle(self) -> dict[str, Any]:
+        """What is shown while nothing runs: counts, and where the numbers come from."""
+        system, runs = self._system(), self._runs()
+        told = {"done": len(runs), "total": len(runs)}
+        if measuring().remembered(system, self.limit):
+            return {**told, "text": "Measured before on this server."}
+        if runs and self._is_measured(system):
+            return {**told, "total": len(plan(system)), "text": "Stopped before its end; these were measured here."}
+        return {**told, "text": _recorded_text() if runs else "Press Run to measure."}
 
     def run(self, order: str) -> None:
         if order == "start":
@@ -182,6 +189,10 @@ class Accuracy(Scene):
     def _is_current(self, job: Job) -> bool:
         return (job.system, job.seconds) == (self._system(), self.limit)
 
+    def _is_measured(self, system: System) -> bool:
+        """Whether this visitor has results of the system, all or some."""
+        return bool(self.measured) and self.measured[:2] == (system, self.limit)
+
     def _system(self) -> System:
         if self.system != OWN:
             return SYSTEMS[self.system]
@@ -193,7 +204,7 @@ class Accuracy(Scene):
 
     def _runs(self) -> tuple[Run, ...]:
         system = self._system()
-        if self.measured and self.measured[:2] == (system, self.limit):
+        if self._is_measured(system):
             return tuple(self.measured[2])
         known = measuring().remembered(system, self.limit)
         if known:
@@ -239,7 +250,7 @@ def _recorded_text() -> str:
 
 
 def _axes(time: Axis, error: Axis, picked: Run | None) -> dict[str, Axis]:
-    worst = max(kept(picked).get("motion", np.zeros(1)).max(initial=0.0), 1e-14)
+    worst = max(kept(picked).get("motion", np.ones(1)).max(), 1e-14)
     return {
         "time": time,
         "error": error,
