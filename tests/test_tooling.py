@@ -29,10 +29,9 @@ PIN = re.compile(r"^([a-z0-9-]+)==([\w.]+)((?: ; [^\\]+)?) \\\n((?:    --hash=sh
 def make(*arguments: str, folder: Path = ROOT) -> str:
     """What make would do."""
     command = ["make", "--dry-run", *arguments]
-    # What the make that runs these tests was given, PORT or VENV, is not meant for this one.
-    plain = {
-        name: value for name, value in os.environ.items() if name not in ("MAKEFLAGS", "MAKEOVERRIDES", "MAKELEVEL")
-    }
+    # What the make that runs these tests was given is not meant for this one.
+    given = {"MAKEFLAGS", "MAKEOVERRIDES", "MAKELEVEL", "ARGS", "PORT", "PYTHON", "VENV"}
+    plain = {name: value for name, value in os.environ.items() if name not in given}
     return subprocess.run(command, cwd=folder, env=plain, check=True, capture_output=True, text=True).stdout
 
 
