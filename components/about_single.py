@@ -128,7 +128,7 @@ def flight_about(picture: Picture, swing: Swing) -> About:
     bound = table(
         "the flight",
         float(np.ceil(FLIGHT + EACH_SWING * later)),
-        r"$v_0^2/g$ and $v_0$",
+        r"$v_0^2/g$ for $h'$, of $v_0$ for $v'$",
         rows(names, columns, true, at),
     )
     motion = flight(swing.v_0, swing.g, swing.excess, t)
