@@ -20,7 +20,8 @@ HTML = """<!DOCTYPE html><html lang="en"><title>Controls</title>
 <link rel="stylesheet" href="style.css"><link rel="stylesheet" href="controls.css">
 <aside class="panel"></aside>
 <script type="module">
-  import {buildControls, sliderPlace, sliderValue, stepped} from "./controls.js"
+  import {buildControls} from "./controls.js"
+  import {sliderPlace, sliderValue, stepped} from "./slider.js"
   Object.assign(globalThis, {sliderPlace, sliderValue, stepped})
   const controls = buildControls(document.querySelector("aside"), await describe(), send)
   const show = ({params, errors, preset}) => controls.update(params, errors, preset)
