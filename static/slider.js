@@ -6,21 +6,18 @@ const STEPS = 1000 // of a slider moved by arrow keys
 const PATIENCE = 1000 // ms for which the answer to an older message is not shown over a newer slider position
 
 // Where a value stands on its slider, from 0 to 1, and back.
+const linear = {
+  value: (place, low, high) => low + (high - low) * place,
+  place: (value, low, high) => (value - low) / (high - low),
+  finest: (low, high) => (high - low) / 400,
+}
 const SCALES = {
-  linear: {
-    value: (place, low, high) => low + (high - low) * place,
-    place: (value, low, high) => (value - low) / (high - low),
-    finest: (low, high) => (high - low) / 400,
-  },
+  linear,
+  count: {...linear, finest: () => 1},
   log: {
     value: (place, low, high) => low * (high / low) ** place,
     place: (value, low, high) => Math.log(value / low) / Math.log(high / low),
     finest: () => 0,
-  },
-  count: {
-    value: (place, low, high) => low + (high - low) * place,
-    place: (value, low, high) => (value - low) / (high - low),
-    finest: () => 1,
   },
   near0: {
     value: (place, low, high) => high * place ** 3,
