@@ -59,7 +59,9 @@ def controls_spec(
                 "title": group.title,
                 "hint": group.hint,
                 "rows": [control(name, scene_class.param[name]) for name in group.names],
-                "actions": [{"name": name, "label": label} for name, label in group.actions],
+                "actions": [
+                    {"name": name, "label": label, "place": name in scene_class.places} for name, label in group.actions
+                ],
                 "folded": group.folded,
                 "show": group.show,
                 "pictures": dict(group.pictures),

@@ -106,6 +106,7 @@ def plot(
     return {
         "kind": "plot",
         "name": name,
+        "title": title,
         "x": x,
         "y": y,
         "source": source,

@@ -69,6 +69,8 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     groups: ClassVar[tuple[Group, ...]]
     presets: ClassVar[dict[str, dict[str, Any]]] = {}
     start: ClassVar[str] = "Start from"
+    places: ClassVar[tuple[str, ...]] = ()
+    """The actions that are places rather than deeds: their buttons show whether the scene is there."""
     runs: ClassVar[bool] = False
     """Whether the scene measures instead of playing: then its `progress` stands in the transport's place."""
 
@@ -120,6 +122,10 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     def action(self, name: str) -> dict[str, Any]:
         """The values that a button of a group sets; ValueError, in words, where there are none."""
         raise NotImplementedError(name)
+
+    def here(self) -> list[str]:
+        """Those of `places` whose values are in force."""
+        return [name for name in self.places if all(getattr(self, p) == v for p, v in self.action(name).items())]
 
     @property
     def progress(self) -> dict[str, Any] | None:

@@ -67,6 +67,7 @@ class SceneView(WidgetBase, JSComponent):
             **picture_wire(type(scene), scene.shown),
             "params": params_state(scene),
             "preset": scene.preset(),
+            "here": scene.here(),
             "hidden": list(scene.hidden),
             "errors": self._errors,
             "query": write_query(scene),

@@ -71,12 +71,12 @@ class Analogue:
     def inertia(self, p: Mapping[str, float]) -> float:
         """What plays m, for parameters by name."""
         with precise():
-            return rounded(f"{self.name}: what plays m", self.inertia_of(self._values(p)))
+            return _above_0(f"{self.name}: what plays m", self.inertia_of(self._values(p)))
 
     def stiffness(self, p: Mapping[str, float]) -> float:
         """What plays k."""
         with precise():
-            return rounded(f"{self.name}: what plays k", self.stiffness_of(self._values(p)))
+            return _above_0(f"{self.name}: what plays k", self.stiffness_of(self._values(p)))
 
     def omega_n(self, p: Mapping[str, float]) -> float:
         """Natural frequency in rad/s."""
@@ -116,3 +116,10 @@ class Analogue:
         numbers = {constant.name: constant.value for constant in self.constants}
         numbers |= {parameter.name: p[parameter.name] for parameter in self.parameters}
         return SimpleNamespace(**{name: exact(value) for name, value in numbers.items()})
+
+
+def _above_0(quantity: str, value: Decimal) -> float:
+    """The double nearest to a positive value; ValueError where that is 0 or infinite."""
+    if not float(value):
+        raise ValueError(f"{quantity} = {value:.3e} leaves the range of doubles")
+    return rounded(quantity, value)

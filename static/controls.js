@@ -52,8 +52,8 @@ function factTable(rows) {
 
 // Buttons that have the server set several parameters at once.
 function actionButtons(actions, send, problems) {
-  const buttons = actions.map(({name, label}) => {
-    const button = element("button", {type: "button", class: "chip"}, label)
+  const buttons = actions.map(({name, label, place}) => {
+    const button = element("button", {type: "button", class: "chip", "data-place": place ? name : undefined}, label)
     button.addEventListener("click", () => send({type: "act", name}))
     return button
   })
@@ -62,7 +62,8 @@ function actionButtons(actions, send, problems) {
 }
 
 // Builds the panel in `host`. `send` takes the messages of components/controls.py; `update` takes what that module
-// calls the state of the parameters, the errors of the last message by parameter, and the label of the preset in force.
+// calls the state of the parameters, the errors of the last message by parameter, the label of the preset in force, and
+// the places where the scene is.
 export function buildControls(host, spec, send) {
   const says = element("p", {class: "says", id: "controls-says"})
   let spoken = null
@@ -118,12 +119,13 @@ export function buildControls(host, spec, send) {
   return {
     sections,
     stages,
-    update(params, errors = {}, preset = null, forms = {}) {
+    update({params, errors = {}, preset = null, forms = {}, here = []}) {
       showGroups(forms)
       for (const [name, control] of controls) if (params[name]) control.update(params[name], errors[name])
       for (const choice of choices) choice.update(params)
       presets.update(preset, errors.preset)
       for (const problem of actionProblems) problem.textContent = errors.action ?? ""
+      for (const button of host.querySelectorAll("[data-place]")) button.setAttribute("aria-pressed", String(here.includes(button.dataset.place)))
       for (const {rows, names} of folds) if (names.some(name => params[name]?.changed)) rows.open = true
     },
   }

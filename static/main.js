@@ -91,6 +91,7 @@ class Page {
       })
       if (term.curve) {
         part.title = "Show or hide this curve"
+        part.setAttribute("aria-label", curveName(block, term.curve))
         part.addEventListener("click", () => {
           const hidden = new Set(this.state.hidden)
           if (!hidden.delete(term.curve)) hidden.add(term.curve)
@@ -197,7 +198,7 @@ class Page {
       if (name in state.values) for (const one of elements) one.textContent = state.values[name]
     }
     for (const plot of this.plots) plot.update(state)
-    this.controls.update(state.params, state.errors, state.preset, state.forms)
+    this.controls.update(state)
     this.choices.forEach(choice => choice.update(state.params, state.errors))
     this.measured = false
     this.clock.update(state.axes.t ?? {end: 1, exponent: 0}, state.scalars)
@@ -275,6 +276,12 @@ class Page {
   theme() {
     this.plots.forEach(plot => plot.theme())
   }
+}
+
+// What a switch is called, whose formula a screen reader may not read: "Height against time: exact".
+function curveName({title, curves, bands}, group) {
+  const labels = [...curves, ...bands].filter(part => part.group === group && part.label).map(part => part.label.replaceAll(/[*_{}]/g, ""))
+  return `${title.split(/[,:]/)[0]}: ${[...new Set(labels)].join(", ") || group}`
 }
 
 // A page that came over plain http from another machine has no clipboard.

@@ -43,6 +43,7 @@ export class Plot {
     const manager = await Bokeh.embed.embed_item(this.block.item, this.figure)
     this.view = [...manager][0]
     this.model = this.view.model
+    this.view.canvas_view.events_el.removeAttribute("tabindex") // the keys have nothing to do on the figure itself
     this.sources = Object.fromEntries([...this.sourceNames()].map(name => [name, this.model.document.get_model_by_name(name)]))
     this.theme()
     new ResizeObserver(() => requestAnimationFrame(() => this.layout())).observe(this.figure)

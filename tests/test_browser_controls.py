@@ -24,7 +24,7 @@ HTML = """<!DOCTYPE html><html lang="en"><title>Controls</title>
   import {sliderPlace, sliderValue, stepped} from "./slider.js"
   Object.assign(globalThis, {sliderPlace, sliderValue, stepped})
   const controls = buildControls(document.querySelector("aside"), await describe(), send)
-  const show = ({params, errors, preset}) => controls.update(params, errors, preset)
+  const show = state => controls.update(state)
   async function send(message) { show(await tell(message)) }
   globalThis.show = show
   show(await tell({type: "set", values: {}}))

@@ -94,3 +94,34 @@ def test_phone_has_the_same_in_one_column(new_page: Callable[..., Page], open_sc
     show(page, 0.4)
     assert page.evaluate("document.documentElement.scrollWidth") == 390
     assert page.evaluate(BROKEN) == 0
+
+
+FOCUS = """() => (e => e === document.body ? null : (e.getAttribute('aria-label') || e.textContent).trim())
+  (document.activeElement)"""
+
+
+def test_the_tab_key_stops_only_where_keys_do_something_and_each_stop_has_its_own_name(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(reduced_motion="reduce"), scene="energy")
+    assert page.evaluate("oscillations.clock.playing") is False
+    stops = []
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        name = page.evaluate(FOCUS)
+        if name is None:
+            break
+        stops.append(name)
+    plots = page.evaluate("oscillations.plots.map(p => p.block.title)")
+    assert not set(plots) & set(stops)
+    paper = stops[stops.index("Light or dark") + 1 : stops.index("Restart")]
+    assert len(set(paper)) == len(paper) and "Kinetic energy: T" in paper and "Time" in paper
+    assert stops.index("CSV") == len(stops) - 1
+
+
+def test_the_planet_in_force_is_pressed(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="energy")
+    expect(page.get_by_role("button", name="Earth")).to_have_attribute("aria-pressed", "true")
+    page.get_by_role("button", name="Moon").click()
+    expect(page.get_by_role("button", name="Moon")).to_have_attribute("aria-pressed", "true")
+    expect(page.get_by_role("button", name="Earth")).to_have_attribute("aria-pressed", "false")

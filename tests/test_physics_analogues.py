@@ -124,3 +124,8 @@ def test_energy_out_of_range_is_refused():
         ANALOGUES["spring"].energy({"m": 1.0, "k": 40.0}, 1e300)
     with pytest.raises(ValueError, match="q_0 = nan"):
         ANALOGUES["spring"].energy({"m": 1.0, "k": 40.0}, math.nan)
+
+
+def test_a_role_too_small_for_a_double_is_refused_by_its_name():
+    with pytest.raises(ValueError, match=r"Simple pendulum: what plays m = 1\.000e-600 leaves the range of doubles"):
+        ANALOGUES["pendulum"].inertia({"l": 1e-300, "g": 9.81, "m": 1.0})

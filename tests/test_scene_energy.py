@@ -187,3 +187,12 @@ def test_pictures_at_the_ends_of_all_sliders_and_far_beyond(datum: str) -> None:
         except ValueError as reason:
             assert len(str(reason)) > 10
         check_picture(scene)
+
+
+def test_the_button_of_the_planet_in_force_is_known() -> None:
+    scene = Energy()
+    assert scene.here() == ["earth"]
+    scene.set(scene.action("jupiter"))
+    assert scene.here() == ["jupiter"]
+    scene.g = 10.0
+    assert scene.here() == []

@@ -43,6 +43,7 @@ class Energy(Scene):
         Group("Start", ("x_0", "v_0")),
         Group("V counts", ("datum",)),
     )
+    places = tuple(PLANETS)
     presets = {
         "Pulled down": {},
         "Pushed up": {"x_0": -0.2},

@@ -62,6 +62,7 @@ class Phugoid(Scene):
         ),
         Group("Speeds in", ("unit",)),
     )
+    places = tuple(AIRCRAFT)
     presets = {
         "Ripple, 0.1": {"excess": 0.1},
         "Deep, 0.6": {"excess": 0.6},
