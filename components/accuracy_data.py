@@ -104,7 +104,9 @@ def stopped(runs: Iterable[Run]) -> list[tuple[str, str]]:
     rows: dict[str, tuple[str, str]] = {}
     for run in runs:
         if run.failure:
-            how_far = f", at {100 * run.reached:.0f} %" if 0 < run.reached < 1 else ""
+            # A step that is unstable is so from the first one.
+            tells = 0 < run.reached < 1 and (run.reached >= 0.005 or not run.failure.startswith("unstable"))
+            how_far = f", at {100 * run.reached:.0f} %" if tells else ""
             rows.setdefault(
                 run.method, (setting_text(run).removesuffix(" an output"), _readable(f"{run.failure}{how_far}"))
             )
@@ -112,7 +114,8 @@ def stopped(runs: Iterable[Run]) -> list[tuple[str, str]]:
 
 
 def _readable(reason: str) -> str:
-    """Numbers like 7.1e+04 as they are written by hand."""
+    """Numbers like 7.1e+04 and symbols as they are written by hand."""
+    reason = reason.replace("omega_+", "ω₊").replace("omega", "ω")
     return re.sub(r"\d(\.\d+)?e[+-]\d+", lambda match: short(float(match[0])), reason)
 
 
@@ -141,9 +144,13 @@ def kept(run: Run | None) -> Columns:
     return {"period": np.arange(len(motion), dtype=float), "motion": motion, "energy": energy}
 
 
+REACH, TOP = 3.0, 3.0
+"""How far the plot of the amplification goes, in h omega and upward."""
+
+
 def stability() -> Columns:
     """Amplification a step against h omega, for each method with fixed steps."""
-    z = np.linspace(0.005, 3.0, 240)
+    z = np.linspace(0.005, REACH, 240)
     return {"h_omega": z, **{slug: np.maximum(np.abs(amplification(slug, z)), 1e-3) for slug in FIXED_STEP}}
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from components.accuracy_data import REACH, TOP, stability
 from components.plots import Axis, Curve, plot
 from components.scene import Columns
 from components.sheet import Block, phrase, table
@@ -12,7 +13,7 @@ from components.stage import circle, on_x, on_y, text, var
 from physics.integrators import FIXED_STEP
 from physics.solvers import METHODS
 
-ROWS, STOPPED = len(METHODS), 5
+ROWS, STOPPED = len(METHODS), 8
 LOOK: dict[str, dict[str, str]] = {
     "closed": {"tint": "ink", "width": "none", "marker": "disc"},
     "fixed": {"tint": "mute", "width": "dash", "marker": "ring"},
@@ -170,8 +171,30 @@ def picked_plot() -> Block:
     )
 
 
+STABILITY_TINT = {slug: "ink" if slug == "verlet" else "mute" for slug in FIXED_STEP}
+
+
+def leaves(slug: str) -> float:
+    """Where the amplification of a method leaves the frame for good."""
+    columns = stability()
+    return float(columns["h_omega"][columns[slug] <= TOP].max())
+
+
 def stability_plot() -> Block:
     """Amplification a step against h omega; the present step of the picked run is marked."""
+    # A line that leaves the frame at its top has its name where it leaves.
+    names = tuple(
+        text(
+            on_x("stability", leaves(slug)) + 8,
+            var("stability.top") + 13,
+            METHODS[slug].name,
+            anchor="start",
+            tint=STABILITY_TINT[slug],
+            style="t1 halo",
+        )
+        for slug in FIXED_STEP
+        if leaves(slug) < REACH
+    )
     return plot(
         "stability",
         x="h_omega",
@@ -182,18 +205,19 @@ def stability_plot() -> Block:
                 name=slug,
                 source="stability",
                 x="h_omega",
-                tint="ink" if slug == "verlet" else "mute",
+                tint=STABILITY_TINT[slug],
                 width="sum" if slug == "verlet" else "dash" if slug == "midpoint" else "line",
-                label=METHODS[slug].name,
+                label="" if leaves(slug) < REACH else METHODS[slug].name,
             )
             for slug in FIXED_STEP
         ),
         source="stability",
         x_column="h_omega",
         heading=(phrase("", "none", "ink", formula="**Growth a step**, against $h\\,\\omega_+$: above 1 it explodes"),),
-        marks=({"at": "step_at", "tint": "F", "html": "picked", "label": "Step of the picked run", "lift": 24},),
+        marks=({"at": "step_at", "tint": "ink", "html": "picked", "label": "Step of the picked run", "lift": 32},),
+        shapes=names,
         margin=(44, 130),
-        top=28,
+        top=36,
         phone=10,
         height=260,
     )

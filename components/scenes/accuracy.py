@@ -10,6 +10,8 @@ import param
 
 from components.accuracy_data import (
     FLOOR,
+    REACH,
+    TOP,
     done,
     growth,
     kept,
@@ -123,7 +125,11 @@ class Accuracy(Scene):
                         words({"form": "stopped0", "shown": "**Without a result**"}, style="plain", phone=12),
                         stopped_rows(phone=12),
                         words(
-                            "**Energy kept, phase lost?** {picked}; worst so far. Click any dot to pick it.",
+                            {
+                                "form": "picked",
+                                "run": "**Energy kept, phase lost?** {picked}; worst so far. Click any dot to pick it.",
+                                "none": "**Energy kept, phase lost?** Click any dot to pick a run.",
+                            },
                             style="plain",
                             phone=13,
                         ),
@@ -237,9 +243,9 @@ class Accuracy(Scene):
             values={
                 **_texts(runs, self.wanted),
                 **system_texts(system),
-                "picked": setting_text(picked) if picked else "nothing picked",
+                "picked": setting_text(picked) if picked else "",
             },
-            forms=_forms(self.view, runs, self.wanted),
+            forms={**_forms(self.view, runs, self.wanted), "picked": "run" if picked else "none"},
         )
 
 
@@ -258,8 +264,8 @@ def _axes(time: Axis, error: Axis, picked: Run | None) -> dict[str, Axis]:
         "percent": nice_axis(0.0, float(worst), "%", 2),
         "error_growth": error,
         "energy_growth": error,
-        "h_omega": nice_axis(0.0, 3.0, "", 6, exact=True),
-        "growth": nice_axis(0.8, 3.0, "", 4, exact=True),
+        "h_omega": nice_axis(0.0, REACH, "", 6, exact=True),
+        "growth": nice_axis(0.8, TOP, "", 4, exact=True),
         "ratio": log_axis(1.0, 1e12, ""),
         "steps": log_axis(1.0, 1e8, ""),
     }
