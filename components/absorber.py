@@ -92,15 +92,15 @@ def _alone() -> list[Shape]:
 def _displacement(i: int, signal: str, lift: Number, top: Number) -> list[Shape]:
     """The arrow from equilibrium to the mass; its number stands where nothing moves."""
     zero, x, tint = REST[i - 1] * W, _place(i, signal), f"m{i}"
+    look = {"words": f"*x*_{i} = {{{signal}}} {{x_unit}}", "tint": tint, "style": "t2 b halo"}
     if i == 1:
-        at, height, anchor = zero - var("wide") * var(f"lead_{signal}") * W - 8, lift + 5, "end"
-    else:
-        at, height, anchor = zero + 8, lift - 10, "start"
-    return [
-        line(x, top, x, lift, tint="mute", style="eq"),
-        arrow(zero, lift, x, lift, tint=tint),
-        text(at, height, f"*x*_{i} = {{{signal}}} {{x_unit}}", anchor, tint=tint, style="t2 b halo"),
-    ]
+        names = [text(zero - var("wide") * var(f"lead_{signal}") * W - 8, lift + 5, anchor="end", **look)]
+    else:  # the verdict stands on its right where there is room for it
+        names = [
+            text(zero - 8, lift - 10, anchor="end", show="wide", **look),
+            text(zero + 8, lift - 10, anchor="start", show="narrow", **look),
+        ]
+    return [line(x, top, x, lift, tint="mute", style="eq"), arrow(zero, lift, x, lift, tint=tint), *names]
 
 
 def _both() -> list[Shape]:
@@ -153,9 +153,9 @@ def _forces() -> list[Shape]:
 
 
 def _verdicts() -> list[Shape]:
-    above, below = FLOORS[0] - 0.5 * side(1) + 6, FLOORS[1] - 0.5 * side(1) + 1
-    # On a phone there is no room beside the masses: over the upper one, and under the floor.
-    above, below = above - var("narrow") * (0.5 * side(1) + 13), below + var("narrow") * (0.5 * side(1) + 35)
+    # Over whatever mass 2 does; on a phone there is no room: over the upper machine, and under the floor.
+    above, below = FLOORS[0] - 0.5 * side(1) + 6, FLOORS[1] - side(1) - 23
+    above, below = above - var("narrow") * (0.5 * side(1) + 13), below + var("narrow") * (side(1) + 59)
     shapes = [
         text(W, above, "Alone, the machine shakes", "end", style="verdict b halo", show="alone_steady"),
         text(W, above, "Alone, it shakes without end", "end", style="verdict b halo", show="alone_grows"),

@@ -166,7 +166,7 @@ def _shapes() -> list[Shape]:
         *chain.masses(foot, push, chain.place(2, "x2"), corner=True),
         arrow(push, middle, push + 0.13 * W * var("drive"), middle, tint="F", style="thick", head=18),
         circle(push, middle, 5, tint="F"),
-        text(push + 0.13 * W * var("drive"), middle - 14, "*F*", tint="F", style="t3 b"),
+        text(push + 0.13 * W * var("drive"), middle - 14, "*F*", tint="F", style="t3 b halo"),
     ]
 
 
@@ -238,7 +238,7 @@ def _energy() -> Block:
         heading=(
             term("", "band", "k2fill", formula=r"\text{gain of } T + V"),
             term("", "dash", "F", formula=r"=\; \text{work of the drive}"),
-            term("gap", "none", "mute", formula=r"\text{off by } \val{gap}"),
+            term("gap", "none", "mute", formula=r"\text{off by } \val{gap} \text{ of it}"),
         ),
         source="energy",
         cursor="time",
@@ -269,10 +269,15 @@ def _values(driven: DrivenModes, columns: Columns) -> dict[str, str]:
     return values
 
 
+def _is_steady(driven: DrivenModes) -> bool:
+    """Whether a particular solution exists."""
+    return bool(np.all(np.isfinite(driven.particular)))
+
+
 def _forms(driven: DrivenModes, energies: bool) -> dict[str, str]:
     """Close to a natural frequency the two parts are huge and opposite: there the envelope stands in their place."""
     split = driven.split_is_meaningful
-    steady = "finite" if np.all(np.isfinite(driven.particular)) else "resonance" if driven.omega else "none"
+    steady = "finite" if _is_steady(driven) else "resonance" if driven.omega else "none"
     forms = {"steady": steady}
     for i in (1, 2):
         forms |= dict.fromkeys((f"x{i}_p", f"x{i}_c"), "formula" if split else "")
@@ -281,7 +286,7 @@ def _forms(driven: DrivenModes, energies: bool) -> dict[str, str]:
 
 
 def _notes(driven: DrivenModes, units: str, lecture: bool, energies: bool) -> list[str]:
-    notes = []
+    notes = ["At ω = 0 the force F₀ sin ωt is 0 at all times."] if not driven.omega and _is_steady(driven) else []
     if resonant(driven):
         notes.append("Complementary and particular part are huge and opposite here, so they are not drawn.")
     if units == "lecture" and not lecture:
