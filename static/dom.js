@@ -37,3 +37,11 @@ export function live(value, decimals, signed) {
   const negative = value < 0 && Number(shown) !== 0
   return (negative ? "−" : signed ? "+" : "") + shown
 }
+
+const ruler = document.createElement("canvas").getContext("2d")
+
+// Pixels that a small text takes.
+export function textWidth(text) {
+  ruler.font = `${colour("t0")} ${colour("sans")}`
+  return ruler.measureText(text).width
+}

@@ -1,15 +1,9 @@
 // Mounts the Bokeh figures, fills them with the columns of a message, and draws over them what moves: the time cursor,
-// the dots, the labels at the curves' ends, the marks and the handles.
+// the dots and the handles.
 
-import {colour, element, svg, words} from "./dom.js"
-
-const ruler = document.createElement("canvas").getContext("2d")
-
-// Pixels that a number at an axis takes.
-function width(text) {
-  ruler.font = `${colour("t0")} ${colour("sans")}`
-  return ruler.measureText(text).width
-}
+import {colour, element, svg, textWidth} from "./dom.js"
+import {Flags, Labels} from "./labels.js"
+import {Reading} from "./reading.js"
 
 export class Plot {
   constructor(block, host, page) {
@@ -19,20 +13,15 @@ export class Plot {
     this.handles = element("div", {class: "handles"})
     host.append(this.figure, this.over, this.handles)
     this.cursor = block.cursor ? svg("line", {class: "now"}) : null
-    this.aim = svg("line", {class: "aim"})
-    this.reading = element("div", {class: "reading", hidden: ""})
-    this.marks = block.marks.map(mark => this.#mark(mark))
-    this.labels = block.curves.filter(c => c.label).map(curve => ({curve, text: svg("text", {class: `curve-label ${curve.tint}`}, ...words(curve.label))}))
-    this.bandLabels = block.bands.filter(b => b.label).map(band => ({band, text: svg("text", {class: "band-label", "text-anchor": "middle"}, ...words(band.label))}))
-    this.scale = svg("g", {class: "scale"})
-    this.over.append(this.scale, ...this.labels.map(l => l.text), ...this.bandLabels.map(l => l.text), this.aim)
+    this.flags = new Flags(this)
+    this.labels = new Labels(this)
+    this.reading = new Reading(this)
     if (this.cursor) this.over.append(this.cursor)
     this.dots = block.curves.filter(c => c.signal).map(curve => {
       const dot = svg("circle", {class: `dot ${curve.tint}`, r: 4.5})
       this.over.append(dot)
       return {curve, dot}
     })
-    host.append(this.reading)
     this.pills = block.handles.map(handle => this.#pill(handle.tint, handle.symbol, handle.label, handle))
     if (block.handles.some(handle => handle.axis === "y")) host.style.touchAction = "none"
     if (block.cursor === "time" && block.x_labels) this.timePill = this.#pill("ink", "", "Time")
@@ -117,7 +106,7 @@ export class Plot {
   // Where numbers would touch, every second one is left out, or more; the last, which carries the unit, stays.
   #abscissae() {
     const {ticks, labels} = this.x, last = ticks.length - 1
-    const touch = (i, j) => this.px(ticks[j]) - this.px(ticks[i]) < (width(labels[i]) + width(labels[j])) / 2 + 4
+    const touch = (i, j) => this.px(ticks[j]) - this.px(ticks[i]) < (textWidth(labels[i]) + textWidth(labels[j])) / 2 + 4
     let step = 1
     if (this.box) while (ticks.some((_, i) => (last - i) % step === 0 && i + step <= last && touch(i, i + step))) step++
     this.model.below[0].major_label_overrides = new Map(ticks.map((tick, i) => [tick, (last - i) % step ? "" : labels[i]]))
@@ -163,112 +152,14 @@ export class Plot {
   // What stands still between changes: end labels, band labels, marks.
   still() {
     if (!this.box || !this.state || this.absent) return
-    const {left, top, width, height} = this.frame
-    this.#numbers()
-    const placed = []
-    for (const {curve, text} of this.labels) {
-      const column = this.state.columns[curve.source]?.[curve.name] ?? this.#middle(curve.name)
-      const shown = column?.length && !this.hidden.has(curve.group)
-      text.style.display = shown ? "" : "none"
-      if (!shown) continue
-      const y = Math.min(Math.max(this.py(column[column.length - 1]), top + 4), top + height - 2)
-      placed.push({text, y})
-    }
-    placed.sort((a, b) => a.y - b.y)
-    const gap = parseFloat(colour("t1")) + 2
-    for (let i = 1; i < placed.length; i++) placed[i].y = Math.max(placed[i].y, placed[i - 1].y + gap)
-    const over = placed.length ? placed[placed.length - 1].y - (top + height + 6) : 0
-    for (const [i, {text, y}] of placed.entries()) {
-      text.setAttribute("x", left + width + 7)
-      text.setAttribute("y", (over > 0 ? Math.min(y, top + height + 6 - (placed.length - 1 - i) * gap) : y) + 4)
-    }
-    const taken = []
-    for (const {band, text} of this.bandLabels) this.#labelBand(band, text, taken)
-    for (const mark of this.marks) this.#placeMark(mark)
-    this.#spreadFlags()
+    this.labels.place()
+    this.flags.place()
     for (const pill of this.pills) {
       const {parameter, text, show, bare} = pill.handle
       pill.off = Boolean(show) && !this.state.forms[show]
       pill.hidden = pill.off || Boolean(bare)
       this.#placePill(pill, this.#handleValue(pill), this.state.values[text] ?? brief(this.state.params[parameter]?.text))
     }
-  }
-
-  // Numbers beside the vertical axis. They are not Bokeh's, which would move the frame: stacked plots share a time axis.
-  #numbers() {
-    const {left, top, height} = this.frame, {ticks, labels} = this.y
-    this.scale.replaceChildren(...(this.block.plain ? [] : ticks).flatMap((tick, i) => {
-      const y = this.py(tick)
-      if (y < top - 1 || y > top + height + 1) return []
-      const [value, ...rest] = width(labels[i]) > left - 8 ? labels[i].split(" ") : [labels[i]], unit = rest.join(" ")
-      const lines = [svg("tspan", {x: left - 7}, value), ...(unit ? [svg("tspan", {x: left - 7, dy: "1.1em"}, unit)] : [])]
-      return [svg("text", {"text-anchor": "end", y: y + 4.5}, ...lines)]
-    }))
-  }
-
-  // Where a curve is drawn as its band, its name stands at the band's middle.
-  #middle(name) {
-    const {[`${name}_lo`]: low, [`${name}_hi`]: high} = this.state.columns.band ?? {}
-    return low?.length ? [(low[low.length - 1] + high[high.length - 1]) / 2] : undefined
-  }
-
-  // The name of a band stands where the band is thickest.
-  #labelBand(band, text, taken) {
-    const columns = this.state.columns[band.source] ?? {}
-    const high = columns[band.high], low = columns[band.low], xs = columns[this.block.x_column]
-    text.style.display = "none"
-    if (!high?.length || !low?.length) return
-    let best = -1, size = 0
-    for (let i = Math.floor(high.length * 0.1); i < high.length * 0.9; i++) {
-      const thick = Math.abs(high[i] - low[i]), x = this.px(xs[i]), y = this.py((high[i] + low[i]) / 2)
-      if (thick <= size * 1.02 || taken.some(other => Math.abs(other.x - x) < 56 && Math.abs(other.y - y) < 14)) continue
-      [best, size] = [i, thick]
-    }
-    if (best < 0 || size / (this.y.end - this.y.start) * this.frame.height < 20) return
-    text.style.display = ""
-    const place = {x: this.px(xs[best]), y: this.py((high[best] + low[best]) / 2)}
-    taken.push(place)
-    text.setAttribute("x", place.x)
-    text.setAttribute("y", place.y + 5)
-  }
-
-  #mark(mark) {
-    const line = svg("line", {class: `mark ${mark.tint} ${mark.style ?? ""}`})
-    this.over.append(line)
-    const flag = element(mark.set ? "button" : "span", {class: `flag ${mark.tint} ${mark.flag ?? ""}`, type: mark.set ? "button" : undefined})
-    flag.innerHTML = mark.html ?? ""
-    if (mark.set) {
-      flag.setAttribute("aria-label", mark.label)
-      flag.title = mark.label
-      flag.addEventListener("click", () => this.page.send({type: "set", values: {[mark.set]: this.state.scalars[`${mark.at}_si`] ?? this.#si(this.state.scalars[mark.at], mark.axis)}}))
-    }
-    this.handles.append(flag)
-    return {mark, line, flag}
-  }
-
-  #placeMark({mark, line, flag}) {
-    const at = this.state.scalars[mark.at], {left, top, width, height} = this.frame, across = mark.axis === "y"
-    const place = across ? this.py(at) : this.px(at)
-    const shown = at !== undefined && place >= (across ? top : left) - 0.5 && place <= (across ? top + height : left + width) + 0.5
-    line.style.display = flag.style.display = shown ? "" : "none"
-    if (!shown) return
-    const ends = across ? {x1: left, x2: left + width, y1: place, y2: place} : {x1: place, x2: place, y1: top, y2: top + height}
-    for (const [key, value] of Object.entries(ends)) line.setAttribute(key, value)
-    flag.style.left = `${(across ? left + width : place) + (mark.shift ?? 0)}px`
-    flag.style.top = `${(across ? place - 12 : top) - (mark.lift ?? (across ? 0 : 44))}px`
-    flag.hidden = flag.innerHTML === ""
-  }
-
-  // Flags that would overlap stand side by side; their lines tell where they belong.
-  #spreadFlags() {
-    const flags = this.marks.filter(({mark, flag}) => mark.axis !== "y" && flag.style.display !== "none" && !flag.hidden)
-      .map(({flag, mark}) => ({flag, x: parseFloat(flag.style.left), half: flag.offsetWidth / 2 + 3, lift: mark.lift}))
-      .sort((a, b) => a.x - b.x)
-    for (let i = 1; i < flags.length; i++) {
-      const gap = flags[i - 1].x + flags[i - 1].half + flags[i].half
-      if (flags[i].lift === flags[i - 1].lift && flags[i].x < gap) flags[i].x = gap
-    }
-    for (const {flag, x} of flags) flag.style.left = `${x}px`
   }
 
   #pill(tint, symbol, label, handle = null) {
@@ -309,7 +200,7 @@ export class Plot {
   }
 
   // From a number of an axis to SI, and back.
-  #si(value, which = "x") {
+  si(value, which = "x") {
     const axis = this[which ?? "x"]
     return (axis.log ? 10 ** value : value ** (1 / axis.power) * 10 ** (axis.exponent / axis.power)) * axis.factor
   }
@@ -328,11 +219,11 @@ export class Plot {
   // Four digits of the unit of the axis; `least` is the lowest value that a handle may have.
   #rounded(value, {axis = "x", least = -Infinity}) {
     const {factor, log, power} = this[axis]
-    const si = factor === 1 || log || power > 1 ? this.#si(value, axis).toPrecision(4) : this.#si(Number(value.toPrecision(4)), axis).toPrecision(15)
+    const si = factor === 1 || log || power > 1 ? this.si(value, axis).toPrecision(4) : this.si(Number(value.toPrecision(4)), axis).toPrecision(15)
     return Math.max(Number(si), least)
   }
 
-  #value(event, which = "x") {
+  valueAt(event, which = "x") {
     const box = this.host.getBoundingClientRect()
     if (which === "y") return this.y.end - (event.clientY - box.top - this.frame.top) / this.frame.height * (this.y.end - this.y.start)
     return this.x.start + (event.clientX - box.left - this.frame.left) / this.frame.width * (this.x.end - this.x.start)
@@ -344,7 +235,7 @@ export class Plot {
     pill.setPointerCapture(event.pointerId)
     const {clock} = this.page, playing = clock.playing
     if (!pill.handle) clock.playing = false
-    const move = moved => this.#moveTo(pill, this.#value(moved, pill.handle?.axis))
+    const move = moved => this.#moveTo(pill, this.valueAt(moved, pill.handle?.axis))
     if (pill.handle) this.#hold([pill])
     const stop = () => {
       pill.removeEventListener("pointermove", move)
@@ -358,13 +249,13 @@ export class Plot {
 
   // Over a plot: the numbers at the pointer; a press on a time plot moves the instant there.
   #pointer() {
-    this.host.addEventListener("pointermove", event => this.#read(event))
-    this.host.addEventListener("pointerleave", () => this.#unread())
+    this.host.addEventListener("pointermove", event => this.reading.show(event))
+    this.host.addEventListener("pointerleave", () => this.reading.hide())
     this.host.addEventListener("pointerdown", event => {
-      if (event.target.closest(".pill, .flag") || !this.#inside(event)) return
+      if (event.target.closest(".pill, .flag") || !this.inside(event)) return
       const point = this.block.pick && this.#nearest(event)
       if (point) this.page.send({type: "choose", name: this.block.pick, value: point})
-      else if (this.block.cursor === "time") this.page.clock.seek(this.#value(event))
+      else if (this.block.cursor === "time") this.page.clock.seek(this.valueAt(event))
       else if (this.pills.length) this.#dragPoint(event)
     })
   }
@@ -374,7 +265,7 @@ export class Plot {
     event.preventDefault()
     this.host.setPointerCapture(event.pointerId)
     const pills = this.pills.filter(pill => !pill.off)
-    const move = moved => pills.forEach(pill => this.#moveTo(pill, this.#value(moved, pill.handle.axis)))
+    const move = moved => pills.forEach(pill => this.#moveTo(pill, this.valueAt(moved, pill.handle.axis)))
     this.#hold(pills)
     move(event)
     const stop = () => {
@@ -412,40 +303,10 @@ export class Plot {
     return best
   }
 
-  #inside(event) {
+  inside(event) {
     const box = this.host.getBoundingClientRect(), {left, top, width, height} = this.frame
     const x = event.clientX - box.left, y = event.clientY - box.top
     return x >= left && x <= left + width && y >= top && y <= top + height
-  }
-
-  #unread() {
-    this.reading.hidden = true
-    this.aim.style.display = "none"
-  }
-
-  #read(event) {
-    if (!this.state || this.block.square || event.pointerType === "touch" || !this.#inside(event) || event.target.closest?.(".pill, .flag")) return this.#unread()
-    const value = this.#value(event), lines = []
-    for (const curve of this.block.curves) {
-      const columns = this.state.columns[curve.source] ?? {}, ys = columns[curve.name], xs = columns[curve.x]
-      if (!ys?.length || this.hidden.has(curve.group) || !curve.label) continue
-      const y = interpolate(xs, ys, value)
-      if (y !== null) lines.push(element("span", {class: `tint ${curve.tint}`}, `${plain(curve.label)} ${number(y)}`))
-    }
-    for (const band of this.block.bands) {
-      const columns = this.state.columns[band.source] ?? {}
-      if (!band.label || !columns[band.high]?.length || !columns[band.low]?.length) continue
-      const xs = columns[this.block.x_column]
-      lines.push(element("span", {}, `${plain(band.label)} ${number(Math.abs(interpolate(xs, columns[band.high], value) - interpolate(xs, columns[band.low], value)))}`))
-    }
-    if (!lines.length) return this.#unread()
-    this.reading.replaceChildren(element("b", {}, `${number(value)} ${this.x.unit}`), ...lines)
-    this.reading.hidden = false
-    const x = this.px(value), {left, top, width, height} = this.frame
-    this.reading.style.left = `${x > left + width / 2 ? x - this.reading.offsetWidth - 10 : x + 10}px`
-    this.reading.style.top = `${top}px`
-    this.aim.style.display = ""
-    for (const [key, at] of [["x1", x], ["x2", x], ["y1", top], ["y2", top + height]]) this.aim.setAttribute(key, at)
   }
 
   // Once a frame: cursor and dots at the instant shown.
@@ -470,19 +331,5 @@ export class Plot {
   }
 }
 
-function interpolate(xs, ys, x) {
-  if (!xs?.length || x < xs[0] || x > xs[xs.length - 1]) return null
-  let low = 0, high = xs.length - 1
-  while (high - low > 1) {
-    const middle = (low + high) >> 1
-    if (xs[middle] <= x) low = middle
-    else high = middle
-  }
-  const span = xs[high] - xs[low]
-  return span > 0 ? ys[low] + (ys[high] - ys[low]) * (x - xs[low]) / span : ys[low]
-}
-
 // A handle shows three digits of a number that was typed with more.
 const brief = text => (text?.length > 7 && !text.includes("e") ? String(Number(text).toPrecision(3)) : text)?.replace("-", "−")
-const plain = label => label.replaceAll(/[*_{}]/g, "")
-const number = value => (Math.abs(value) >= 1e5 || (value !== 0 && Math.abs(value) < 1e-3) ? value.toExponential(2) : Number(value.toPrecision(3)).toString()).replace("-", "−")
