@@ -67,9 +67,9 @@ def _facts() -> list[str | dict[str, str]]:
             {
                 "form": f"{mode}_fact",
                 "sine": f"[{mode}|{sign} {mode} mode]",
-                "drift": f"[{mode}|{sign} drift: no spring to the wall]",
-                "free": f"[{mode}|{sign} mass 2 drifts: it is not coupled]",
-                "two": f"[{mode}|{sign} drift: no spring at all]",
+                "drift": f"[{mode}|{sign} drift, off the wall]",
+                "free": f"[{mode}|{sign} drift of mass 2]",
+                "two": f"[{mode}|{sign} drift: no springs]",
             }
         )
         facts.append(
@@ -103,7 +103,7 @@ def _displacements(i: int) -> Block:
                 "line",
                 "slow",
                 sine=rf"\val{{X{i}m}}\,\sin(\val{{omega_minus}}\,t\; \val{{phi_minus}})",
-                drift=rf"\val{{a{i}}} \val{{b{i}}}\,t",
+                drift=rf"\val{{a{i}}}\; \val{{b{i}}}\,t",
             ),
             term(
                 f"x{i}_fast",

@@ -2,6 +2,8 @@
 
 import {colour, element, svg, textWidth, words} from "./dom.js"
 
+const OVERHANG = 6 // a number with its unit may stand out by so much to the left before the unit goes under it
+
 export class Labels {
   constructor(plot) {
     const {curves, bands} = plot.block
@@ -25,7 +27,7 @@ export class Labels {
     this.scale.replaceChildren(...(this.plot.block.plain ? [] : ticks).flatMap((tick, i) => {
       const y = this.plot.py(tick)
       if (y < top - 1 || y > top + height + 1) return []
-      const [value, ...rest] = textWidth(labels[i]) > left - 8 ? labels[i].split(" ") : [labels[i]], unit = rest.join(" ")
+      const [value, ...rest] = textWidth(labels[i]) > left + OVERHANG ? labels[i].split(" ") : [labels[i]], unit = rest.join(" ")
       const lines = [svg("tspan", {x: left - 7}, value), ...(unit ? [svg("tspan", {x: left - 7, dy: "1.1em"}, unit)] : [])]
       return [svg("text", {"text-anchor": "end", y: y + 4.5}, ...lines)]
     }))
@@ -94,12 +96,13 @@ export class Flags {
   #mark(mark) {
     const line = svg("line", {class: `mark ${mark.tint} ${mark.style ?? ""}`})
     this.plot.over.append(line)
-    const flag = element(mark.set ? "button" : "span", {class: `flag ${mark.tint} ${mark.flag ?? ""}`, type: mark.set ? "button" : undefined})
+    const pressed = mark.set || mark.act
+    const flag = element(pressed ? "button" : "span", {class: `flag ${mark.tint} ${mark.flag ?? ""}`, type: pressed ? "button" : undefined})
     flag.innerHTML = mark.html ?? ""
-    if (mark.set) {
+    if (pressed) {
       flag.setAttribute("aria-label", mark.label)
       flag.title = mark.label
-      flag.addEventListener("click", () => this.plot.page.send({type: "set", values: {[mark.set]: this.plot.state.scalars[`${mark.at}_si`] ?? this.plot.si(this.plot.state.scalars[mark.at], mark.axis)}}))
+      flag.addEventListener("click", () => this.plot.page.send(mark.act ? {type: "act", name: mark.act} : {type: "set", values: {[mark.set]: this.plot.state.scalars[`${mark.at}_si`] ?? this.plot.si(this.plot.state.scalars[mark.at], mark.axis)}}))
     }
     this.plot.handles.append(flag)
     return {mark, line, flag}
