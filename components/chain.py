@@ -22,6 +22,8 @@ EQUILIBRIUM = (0.35, 0.8)
 WALL = 0.02
 UNIT = 0.185
 """The width that one metre takes at scale 1."""
+MAGNIFIED = 1e308
+"""The largest drawing scale, a double still; the last few subnormal displacements stay invisible."""
 LARGEST, SMALLEST, MARGIN = 0.125, 0.02, 0.03
 
 CHAIN = Group("Chain", ("m1", "m2", "k1", "k2"))
@@ -68,9 +70,9 @@ def scale(extremes: Extremes, side: tuple[float, float]) -> float:
         (high1, 0.995 - EQUILIBRIUM[0] - side[0] / 2),
         (-low2, EQUILIBRIUM[1] - side[1] / 2 - WALL - MARGIN),
     ]
-    fits = min((free / (UNIT * reach) for reach, free in room if reach > 0), default=1.0)
+    fits = min((free / UNIT / reach for reach, free in room if reach > 0), default=1.0)
     seen = max(abs(v) for pair in (extremes["x1"], extremes["x2"]) for v in pair) * UNIT > 1 / 30
-    return 1.0 if fits >= 1 and (seen or fits == 1.0) else round_down(fits)
+    return 1.0 if fits >= 1 and (seen or fits == 1.0) else round_down(min(fits, MAGNIFIED))
 
 
 @dataclass(frozen=True)

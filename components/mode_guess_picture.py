@@ -69,8 +69,11 @@ def picture(system: TwoMassChain, omega: float, ratio: float, moving: bool, wind
         raise ValueError("a mode ratio X2/X1 leaves the range of doubles")
     end = _end(float(modes.omega[1]), omega)
     half = 2 * max((abs(float(r)) for r in modes.ratio if r and math.isfinite(r)), default=2.0)
+    reach = 3 * half
+    if math.isinf(reach):
+        raise ValueError("three times the larger mode ratio X2/X1, as far as it is drawn, leaves the range of doubles")
     shape = nice_axis(-half, half, "", 4, exact=True)
-    columns, det, exponent = _columns(system, end, 3 * half)
+    columns, det, exponent = _columns(system, end, reach)
     guess = Guess(
         system=system,
         omega=omega,

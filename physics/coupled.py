@@ -28,7 +28,7 @@ from numpy.typing import ArrayLike
 
 from physics.curves import Curve, combined, turning
 from physics.exact import Array, exact, precise, rounded, snapped, split, sum_of
-from physics.valid import check_not_negative, check_positive, finite_array
+from physics.valid import check_not_negative, check_positive, finite_array, in_range
 
 Vector = tuple[Decimal, Decimal]
 Vector3 = tuple[Decimal, Decimal, Decimal]
@@ -144,6 +144,14 @@ class Motion:
     v: Array
     e: Array
 
+    def __add__(self, other: "Motion") -> "Motion":
+        """ValueError where the sum leaves the range of doubles."""
+        with np.errstate(over="ignore"):
+            x, v, e = self.x + other.x, self.v + other.v, self.e + other.e
+        return Motion(
+            self.t, in_range("a displacement", x), in_range("a velocity", v), in_range("the elongation of a spring", e)
+        )
+
 
 @dataclass(frozen=True, eq=False)
 class FreeModes:
@@ -204,11 +212,10 @@ class FreeModes:
             both = [mode.mass * (v**2 + (mode.omega * q) ** 2) / 2 for mode, q, v in self.each()]
         return np.array([rounded("the energy of a mode", energy) for energy in both])
 
-    def parts(self, t: ArrayLike) -> tuple[Array, Array]:
-        """x and v (2 modes, 2 masses, n) of each mode at times t (n,), within 2 u of its amplitude."""
+    def parts(self, t: ArrayLike) -> tuple[Motion, Motion]:
+        """The motion of each mode at times t (n,), within 2 u of its amplitude."""
         t = finite_array("t", t)
-        each = [_combination([self.term(j, t)]) for j in (0, 1)]
-        return np.array([rows[:2] for rows in each]), np.array([rows[3:] for rows in each])
+        return motion_of([self.term(0, t)], t), motion_of([self.term(1, t)], t)
 
     def terms(self, t: Array) -> list["Terms"]:
         """Those of the modes that move."""
@@ -282,14 +289,13 @@ def free_motion(chain: TwoMassChain, x_0: ArrayLike, v_0: ArrayLike, t: ArrayLik
 
 
 def motion_of(terms: Sequence[Terms], t: Array) -> Motion:
-    x1, x2, e2, v1, v2 = _combination(terms) if terms else np.zeros((len(QUANTITIES), t.size))
-    return Motion(t, np.array([x1, x2]), np.array([v1, v2]), np.array([x1, e2]))
-
-
-def _combination(terms: Sequence[Terms]) -> Array:
+    if not terms:
+        nothing = np.zeros((2, t.size))
+        return Motion(t, nothing, nothing, nothing)
     curves = [curve for term in terms for curve in term.curves]
     rows = [[c for row in place for c in row] for place in zip(*(term.rows for term in terms), strict=True)]
-    return combined(rows, curves, QUANTITIES)
+    x1, x2, e2, v1, v2 = combined(rows, curves, QUANTITIES)
+    return Motion(t, np.array([x1, x2]), np.array([v1, v2]), np.array([x1, e2]))
 
 
 def _angle(sine: Decimal, cosine: Decimal) -> float:

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from physics.exact import Array, angle, binary, circle, exact, pair_product, precise, two_sum
+from physics.valid import in_range
 
 _SLOW = Decimal(2) ** -10  # rad; below it sin(x)/x takes three terms of its series
 _EARLY = Decimal(2)  # rad; below it the closed form of g cancels and its series takes over
@@ -168,8 +169,7 @@ def combined(rows: Sequence[Sequence[Decimal]], curves: Sequence[Curve], quantit
     with np.errstate(over="ignore"):
         result = np.ldexp(total + rest, exponents)
     for quantity, row in zip(quantities, result, strict=True):
-        if not np.all(np.isfinite(row)):
-            raise ValueError(f"{quantity} leaves the range of doubles")
+        in_range(quantity, row)
     return result
 
 

@@ -15,6 +15,7 @@ import numpy as np
 from physics.coupled import FreeModes, Motion, TwoMassChain
 from physics.exact import Array, exact, precise, rounded
 from physics.sampling import Sinusoid, root_mean_square
+from physics.valid import in_range
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,7 +75,4 @@ def half_square(quantity: str, factor: float, values: Array) -> Array:
     base, exponent = np.frexp(factor)
     bases, exponents = np.frexp(values)
     with np.errstate(over="ignore"):
-        result: Array = np.ldexp(base * bases**2, 2 * exponents + exponent - 1)
-    if not np.all(np.isfinite(result)):
-        raise ValueError(f"the energy {quantity} leaves the range of doubles")
-    return result
+        return in_range(f"the energy {quantity}", np.ldexp(base * bases**2, 2 * exponents + exponent - 1))

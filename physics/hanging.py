@@ -25,7 +25,7 @@ from numpy.typing import ArrayLike
 from physics.energy import half_square
 from physics.exact import Array, exact, precise, rounded, snapped, split, two_sum
 from physics.oscillator import Oscillator, OscillatorMotion
-from physics.valid import check_not_negative, check_positive, finite_array
+from physics.valid import check_not_negative, check_positive, finite_array, in_range
 
 Datum = Literal["equilibrium", "separate"]
 
@@ -113,7 +113,4 @@ class HangingMass:
 
 def _weight_times_height(weight: float, height: Array) -> Array:
     with np.errstate(over="ignore"):
-        energy = weight * height
-    if not np.all(np.isfinite(energy)):
-        raise ValueError("the energy of gravity leaves the range of doubles")
-    return energy
+        return in_range("the energy of gravity", weight * height)

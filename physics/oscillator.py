@@ -23,7 +23,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.exact import PI, Array, angle, binary, circle, exact, precise, rounded
-from physics.valid import check_finite, check_not_negative, check_positive, finite_array
+from physics.valid import check_finite, check_not_negative, check_positive, finite_array, in_range
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -107,8 +107,7 @@ class Oscillator:
         v = _oscillation(v_cosine, cosine, v_sine, sine)
         a = _oscillation(a_cosine, cosine, a_sine, sine)
         for name, values in (("displacement", x), ("velocity", v), ("acceleration", a)):
-            if not np.all(np.isfinite(values)):
-                raise ValueError(f"the {name} leaves the range of doubles")
+            in_range(f"the {name}", values)
         return OscillatorMotion(t=t, x=x, v=v, a=a)
 
     def _amplitudes(self, x_0: float, v_0: float) -> tuple[Decimal, Decimal]:

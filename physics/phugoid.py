@@ -34,7 +34,7 @@ from physics.lanchester import (
     lanchester,
     period_excess,
 )
-from physics.valid import check_positive, finite_array
+from physics.valid import check_positive, finite_array, in_range
 
 __all__ = [
     "CUSP_EXCESS",
@@ -129,7 +129,4 @@ def _in_si(v_0: float, g: float, *, t: Array, theta: Array, x: Array, h: Array, 
 
 def _product(quantity: str, factor: float, values: Array) -> Array:
     with np.errstate(over="ignore"):
-        product = factor * values
-    if not np.all(np.isfinite(product)):
-        raise ValueError(f"{quantity} leaves the range of doubles")
-    return product
+        return in_range(quantity, factor * values)

@@ -35,3 +35,10 @@ def finite_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
     if not np.all(np.isfinite(array)):
         raise ValueError(f"{name} = {float(array[~np.isfinite(array)][0])!r}: only finite numbers are allowed")
     return array
+
+
+def in_range(quantity: str, result: NDArray[np.float64]) -> NDArray[np.float64]:
+    """A result computed with overflow ignored; ValueError names the quantity where it left the range of doubles."""
+    if not np.all(np.isfinite(result)):
+        raise ValueError(f"{quantity} leaves the range of doubles")
+    return result

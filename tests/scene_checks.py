@@ -15,7 +15,7 @@ from components.scene import Scene
 from components.view import SceneView
 
 LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNORECASE)
-EXTREMES = (1e-300, 1e-150, 1e150, 1e300)
+EXTREMES = (5e-324, 3e-310, 1e-300, 1e-150, 1e150, 1e300, 1.7e308)
 
 
 def quantities(scene: type[Scene]) -> dict[str, Quantity]:

@@ -110,13 +110,13 @@ def test_modes_share_the_energy_for_good():
     t = np.linspace(0.0, 6e6, 1001)
     modes = free_modes(LECTURE, (1.0, 0.0), (0.0, 0.0))
     assert modes.energy.tolist() == [1 / 3, 8 / 3]
-    x, v = modes.parts(t)
+    parts = modes.parts(t)
     masses = LECTURE.m1 + LECTURE.m2 * LECTURE.modes().ratio ** 2
     for j, omega in enumerate(LECTURE.modes().omega):
-        energy = masses[j] * (v[j, 0] ** 2 + (omega * x[j, 0]) ** 2) / 2
+        energy = masses[j] * (parts[j].v[0] ** 2 + (omega * parts[j].x[0]) ** 2) / 2
         assert np.all(np.abs(energy - modes.energy[j]) <= 8 * U * modes.energy[j])
-    parts = chain_energy(LECTURE, free_motion(LECTURE, (1.0, 0.0), (0.0, 0.0), t))
-    assert np.ptp(parts.T[0] + parts.V[0]) > 1.0
+    energy_of = chain_energy(LECTURE, free_motion(LECTURE, (1.0, 0.0), (0.0, 0.0), t))
+    assert np.ptp(energy_of.T[0] + energy_of.V[0]) > 1.0
 
 
 def test_elongations_keep_the_energy_of_a_stiff_spring():

@@ -22,7 +22,7 @@ from components.scene import Columns, Picture, Scene
 from components.sheet import Block
 from components.stage import var
 from components.traces import samples, trace
-from physics.coupled import FreeModes, TwoMassChain, free_modes, free_motion
+from physics.coupled import FreeModes, Motion, TwoMassChain, free_modes
 from physics.energy import chain_energy, mean_energy
 from physics.sampling import drawable, time_window
 
@@ -66,8 +66,9 @@ class Coupled(Scene):
         slow, fast = system.modes().omega
         end = self.window or time_window(slow, fast)
         t = np.linspace(0.0, end, samples(end, fast))
-        curves, bands = _motion_columns(free, t)
-        stack, flat = _energy_columns(self, free, t)
+        parts = free.parts(t)
+        curves, bands = _motion_columns(free, parts)
+        stack, flat = _energy_columns(self.energy, free, parts)
         extremes = chain.extremes(curves, bands)
         time = time_axis(end)
         size = nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 3)
@@ -97,17 +98,15 @@ class Coupled(Scene):
         return coupled_about(self.shown, system, (self.x1_0, self.x2_0), (self.v1_0, self.v2_0))
 
 
-def _motion_columns(free: FreeModes, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
+def _motion_columns(free: FreeModes, parts: tuple[Motion, Motion]) -> tuple[Columns, Columns]:
     """Columns of x1, x2, their parts, and the elongation of spring 2; curves, and bands where too fast."""
-    parts, _ = free.parts(t)
+    t, whole = parts[0].t, parts[0] + parts[1]
     curves: Columns = {}
     bands: Columns = {}
     for i in (0, 1):
         drift = free.drift_a[i] + free.drift_b[i] * t
-        motions: dict[str, tuple[tuple[int, ...], NDArray[np.float64]]] = {
-            f"x{i + 1}": ((0, 1), parts[:, i].sum(axis=0))
-        }
-        motions |= {f"x{i + 1}_{mode}": ((j,), parts[j, i]) for j, mode in enumerate(MODES)}
+        motions: dict[str, tuple[tuple[int, ...], NDArray[np.float64]]] = {f"x{i + 1}": ((0, 1), whole.x[i])}
+        motions |= {f"x{i + 1}_{mode}": ((j,), parts[j].x[i]) for j, mode in enumerate(MODES)}
         for name, (modes, exact) in motions.items():
             base = drift if any(free.omega[j] == 0 for j in modes) else None
             curve, band = trace(name, chain.components(free, i, modes), t, base, exact)
@@ -116,24 +115,22 @@ def _motion_columns(free: FreeModes, t: NDArray[np.float64]) -> tuple[Columns, C
     return curves, bands
 
 
-def _energy_columns(scene: Coupled, free: FreeModes, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
+def _energy_columns(view: str, free: FreeModes, parts: tuple[Motion, Motion]) -> tuple[Columns, Columns]:
     """Columns of the chosen energy view: the stack's edges over time, or the flat lines of the modes."""
-    if scene.energy == "modes":
+    t = parts[0].t
+    if view == "modes":
         slow, fast = free.energy
         flat = {"E_slow": slow, "E_fast": fast, "E_total": slow + fast}
         return {}, {"t": t[[0, -1]], **{name: np.full(2, level) for name, level in flat.items()}}
-    layers = np.cumsum([np.zeros_like(t), *_energies(scene, free, t)], axis=0)
+    layers = np.cumsum([np.zeros_like(t), *_energies(free, parts)], axis=0)
     return {f"e{i}": edge for i, edge in enumerate(layers)}, {}
 
 
-def _energies(scene: Coupled, free: FreeModes, t: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+def _energies(free: FreeModes, parts: tuple[Motion, Motion]) -> list[NDArray[np.float64]]:
     """T1, V1, V2, T2; where a swing is too fast to draw, its mean."""
-    if drawable(2 * free.omega[1], t):
-        motion = free_motion(free.chain, (scene.x1_0, scene.x2_0), (scene.v1_0, scene.v2_0), t)
-        energy = chain_energy(free.chain, motion)
-        return [energy.T[0], energy.V[0], energy.V[1], energy.T[1]]
-    means = mean_energy(free, t)
-    return [means.T[0], means.V[0], means.V[1], means.T[1]]
+    t = parts[0].t
+    energy = chain_energy(free.chain, parts[0] + parts[1]) if drawable(2 * free.omega[1], t) else mean_energy(free, t)
+    return [energy.T[0], energy.V[0], energy.V[1], energy.T[1]]
 
 
 def _notes(fast: float, t: NDArray[np.float64]) -> list[str]:
