@@ -170,7 +170,7 @@ def _lateness() -> Block:
         y="late",
         title="How late a large swing is, in percent of the small period, against the angle at the start",
         curves=(
-            Curve(name="excess", source="late", x="angle", tint="ink", width="sum"),
+            Curve(name="excess", source="late", x="angle", tint="ink", width="sum", read="late by"),
             *(
                 Curve(name="excess", source=name, x="angle", tint=tint, width="none", marker="disc", group=name)
                 for name, tint in (("limits", "ink"), ("here", "m1"))

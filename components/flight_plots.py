@@ -68,7 +68,7 @@ def period_plot(names: dict[str, str]) -> Block:
         title="Period against the speed of steady flight: a straight line, the same for every aircraft",
         source="periods",
         x_column="v_0",
-        curves=(Curve(name="tau", source="periods", tint="ink", width="sum"),),
+        curves=(Curve(name="tau", source="periods", tint="ink", width="sum", read="*τ*"),),
         heading=(
             term("", "sum", "ink", formula=r"\tau = \sqrt{2}\,\pi\,v_0 / g = \val{tau}\;\text{s}"),
             term("", "none", "mute", formula=r"\text{for any aircraft of this speed}"),
@@ -90,7 +90,7 @@ def _example(name: str, label: str, i: int, last: bool) -> dict[str, Any]:
         "style": "bare",
         "html": rich(f"{label}{{tau_{name}}}"),
         "label": f"Speed of: {label}",
-        "set": "v_0",
+        "act": name,
         "flag": "one end" if last else "one start",
         "shift": -10 if last else -1,
         "lift": -2 if last else -34 - 32 * i,

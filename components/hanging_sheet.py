@@ -50,7 +50,7 @@ def _between() -> Block:
             "equilibrium": r"$T_{\mathrm{max}} = V_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
             "all $T$ at equilibrium, all $V$ where it turns.",
             "separate": r"$V_{\mathrm{max}} = \val{V_max}$ {E_unit} is not $T_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
-            "this $V$ is larger by a constant, so the motion is the same.",
+            "a constant more, and the same motion.",
         },
         style="small",
         basis=BETWEEN,
@@ -104,10 +104,10 @@ def _well() -> Block:
         y="E",
         title="The potential well: V against displacement, with the level of the energy and the turning points",
         curves=(
-            Curve(name="spring", tint="k", group="spring", **look),
-            Curve(name="gravity", tint="k", width="dash", group="gravity", **look),
+            Curve(name="spring", tint="k", group="spring", read="spring", **look),
+            Curve(name="gravity", tint="k", width="dash", group="gravity", read="gravity", **look),
             Curve(name="other", tint="V", width="dash", group="other", **look),
-            Curve(name="V", tint="V", width="sum", group="well", **look),
+            Curve(name="V", tint="V", width="sum", group="well", read="*V*", **look),
         ),
         heading=(
             {

@@ -27,9 +27,10 @@ from components.stage import Shape
 class Curve:
     """A line of a plot: column `name` of `source`, coloured as the quantity `tint`.
 
-    `signal` names the motion that moves a dot along it; `label` stands at its right end; `group` is the name by which
-    it is switched off (its own where not given). `x` is its column of abscissae where not the plot's. With a `marker`
-    ("disc" or "ring") its points are marked; with width "none" only they are drawn.
+    `signal` names the motion that moves a dot along it; `label` stands at its right end and in the read-out at the
+    pointer, `read` there alone; `group` is the name by which it is switched off (its own where not given). `x` is its column
+    of abscissae where not the plot's. With a `marker` ("disc" or "ring") its points are marked; with width "none" only
+    they are drawn.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Curve:
     tint: str = "ink"
     width: str = "line"
     label: str = ""
+    read: str = ""
     signal: str = ""
     group: str = ""
     x: str = ""
@@ -95,8 +97,9 @@ def plot(
     "label": accessible name, "tint": class, "axis": "x" or "y", "least": its lowest value,
     "text": the live number shown in place of the parameter's, "show": the form by which it stands, "bare": moved by a
     press on the plot alone, without a pill}. `marks` are lines with a flag across the plot at a scalar (in the axis'
-    unit): {"at": scalar, "tint": class, "html": rich text of the flag, "label": accessible name, "set": parameter it
-    is the button for, "axis": "x" or "y", "lift": pixels of the flag over the frame, "style": "dashed"}; `top` makes
+    unit): {"at": scalar, "tint": class, "html": rich text of the flag, "label": accessible name, "set" or "act":
+    parameter or action it is the button for, "axis": "x" or "y", "lift": pixels of the flag over the frame,
+    "style": "dashed"}; `top` makes
     room for flags. `square` draws both axes to one scale; `plain` leaves out numbers at the axes. `show` is the form by
     which the plot stands. `shapes` are drawn over it as on a stage, with `on_x`, `on_y` of this plot. A press near a
     point of a curve sets the list `pick` to its source and its place in the column.

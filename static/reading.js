@@ -21,18 +21,18 @@ export class Reading {
     const value = this.plot.valueAt(event), lines = []
     for (const curve of this.plot.block.curves) {
       const columns = this.plot.state.columns[curve.source] ?? {}, ys = columns[curve.name], xs = columns[curve.x]
-      if (!ys?.length || this.plot.hidden.has(curve.group) || !curve.label) continue
+      if (!ys?.length || this.plot.hidden.has(curve.group) || !(curve.label || curve.read)) continue
       const y = interpolate(xs, ys, value)
-      if (y !== null) lines.push(element("span", {class: `tint ${curve.tint}`}, `${plain(curve.label)} ${number(y)}`))
+      if (y !== null) lines.push(element("span", {class: `tint ${curve.tint}`}, `${plain(curve.label || curve.read)} ${measured(y, this.plot.y)}`))
     }
     for (const band of this.plot.block.bands) {
       const columns = this.plot.state.columns[band.source] ?? {}
       if (!band.label || !columns[band.high]?.length || !columns[band.low]?.length) continue
       const xs = columns[this.plot.block.x_column]
-      lines.push(element("span", {}, `${plain(band.label)} ${number(Math.abs(interpolate(xs, columns[band.high], value) - interpolate(xs, columns[band.low], value)))}`))
+      lines.push(element("span", {}, `${plain(band.label)} ${measured(Math.abs(interpolate(xs, columns[band.high], value) - interpolate(xs, columns[band.low], value)), this.plot.y)}`))
     }
     if (!lines.length) return this.hide()
-    this.box.replaceChildren(element("b", {}, `${number(value)} ${this.plot.x.unit}`), ...lines)
+    this.box.replaceChildren(element("b", {}, measured(value, this.plot.x)), ...lines)
     this.box.hidden = false
     const x = this.plot.px(value), {left, top, width, height} = this.plot.frame
     this.box.style.left = `${x > left + width / 2 ? x - this.box.offsetWidth - 10 : x + 10}px`
@@ -56,3 +56,4 @@ function interpolate(xs, ys, x) {
 
 const plain = label => label.replaceAll(/[*_{}]/g, "")
 const number = value => (Math.abs(value) >= 1e5 || (value !== 0 && Math.abs(value) < 1e-3) ? value.toExponential(2) : Number(value.toPrecision(3)).toString()).replace("-", "−")
+const measured = (value, {unit}) => `${number(value)}${unit === "°" ? "" : " "}${unit}`.trim()

@@ -80,7 +80,7 @@ def test_gravity_and_datum(page: Page, open_scene: Open) -> None:
     page.get_by_role("button", name="Moon", exact=True).click()
     expect(page.locator("input[name=g]")).to_have_value("1.62")
     expect(page.locator("[data-value=omega]").first).to_have_text(omega)
-    told = page.get_by_text("is larger by a constant")
+    told = page.get_by_text("a constant more, and the same motion")
     expect(told).to_be_hidden()
     page.get_by_role("button", name="Spring + gravity").click()
     expect(told).to_be_visible()
@@ -125,3 +125,24 @@ def test_the_planet_in_force_is_pressed(page: Page, open_scene: Open) -> None:
     page.get_by_role("button", name="Moon").click()
     expect(page.get_by_role("button", name="Moon")).to_have_attribute("aria-pressed", "true")
     expect(page.get_by_role("button", name="Earth")).to_have_attribute("aria-pressed", "false")
+
+
+@pytest.mark.parametrize(
+    ("scene", "plot", "says"),
+    [
+        ("oscillator", "v", r"^v −?\d[\d.]* m/s$"),
+        ("energy", "well", r"^V \d[\d.]* J$"),
+        ("analogues", "late", r"^late by \d[\d.]* %$"),
+        ("phugoid", "period", r"^τ \d[\d.]* s$"),
+    ],
+)
+def test_the_numbers_at_the_pointer_have_their_unit(
+    page: Page, open_scene: Open, scene: str, plot: str, says: str
+) -> None:
+    open_scene(page, scene=scene)
+    area = page.evaluate(
+        f"(p => (b => [b.x + p.frame.left + 0.6 * p.frame.width, b.y + p.frame.top + 0.5 * p.frame.height])"
+        f"(p.host.getBoundingClientRect()))(oscillations.plots.find(p => p.block.name === '{plot}'))"
+    )
+    page.mouse.move(*area)
+    expect(page.locator(".reading:visible span").first).to_have_text(re.compile(says))

@@ -109,3 +109,10 @@ def test_on_a_phone_no_number_touches_another_and_no_heading_is_cut(
     for (x, text), (later, other) in itertools.pairwise(shown):
         assert later - x > 3.4 * (len(text) + len(other)), (text, other)
     assert page.evaluate("[...document.querySelectorAll('.head')].every(h => h.scrollWidth <= h.clientWidth)")
+
+
+def test_a_flag_of_the_period_plot_is_the_button_of_its_aircraft(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="phugoid")
+    page.get_by_role("button", name="Speed of: Glider").click()
+    expect(page.get_by_role("button", name="Glider", exact=True)).to_have_attribute("aria-pressed", "true")
+    assert page.evaluate("oscillations.state.params.v_0.value") == pytest.approx(90 * 0.3048)

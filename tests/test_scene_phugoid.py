@@ -250,3 +250,10 @@ def test_lines_of_other_flights_are_named_unless_a_loop_makes_them_small() -> No
     scene.excess = 3.0
     assert scene.shown.scalars["family_named"] == 0
     assert len(scene.shown.axes["forward"].ticks) <= 6
+
+
+def test_formulas_are_in_the_unit_that_is_named_also_where_the_axis_counts_thousands() -> None:
+    scene = Phugoid(v_0=250.0, unit="ft/s")
+    assert scene.shown.axes["h"].exponent == 3
+    climb = 0.6 * 250.0**2 / scene.g / 0.3048
+    assert float(scene.shown.values["h_size"].replace("−", "-")) == pytest.approx(-climb, rel=5e-3)

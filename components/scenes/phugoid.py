@@ -201,7 +201,6 @@ class Phugoid(Scene):
             tau = linear_phugoid(speed, self.g).tau
             scalars |= {
                 f"at_{name}": axes["v_0"].place(speed),
-                f"at_{name}_si": speed,
                 f"tau_{name}_at": axes["tau"].place(tau),
             }
         return scalars
@@ -211,8 +210,8 @@ class Phugoid(Scene):
         return {
             "h_unit": axes["h"].full_unit,
             "v_unit": axes["v"].full_unit,
-            "h_size": axes["h"].number(-swing.climb),
-            "v_size": axes["v"].number(self.excess * self.v_0),
+            "h_size": three(-swing.climb / axes["h"].factor),
+            "v_size": three(self.excess * self.v_0 / axes["v"].factor),
             "gain": signed(axes["v"].place(self.excess * self.v_0)),
             "omega": three(swing.linear.omega),
             "tau": three(swing.linear.tau),
