@@ -28,9 +28,9 @@ class Curve:
     """A line of a plot: column `name` of `source`, coloured as the quantity `tint`.
 
     `signal` names the motion that moves a dot along it; `label` stands at its right end and in the read-out at the
-    pointer, `read` there alone; `group` is the name by which it is switched off (its own where not given). `x` is its column
-    of abscissae where not the plot's. With a `marker` ("disc" or "ring") its points are marked; with width "none" only
-    they are drawn.
+    pointer, `read` there alone; `group` is the name by which it is switched off (its own where not given). `x` is its
+    column of abscissae where not the plot's. With a `marker` ("disc" or "ring") its points are marked; with width
+    "none" only they are drawn.
     """
 
     name: str
