@@ -24,7 +24,7 @@ UNIT = 0.185
 """The width that one metre takes at scale 1."""
 MAGNIFIED = 1e308
 """The largest drawing scale, a double still; the last few subnormal displacements stay invisible."""
-LARGEST, SMALLEST, MARGIN = 0.125, 0.02, 0.03
+LARGEST, SMALLEST, MARGIN, HOOK = 0.125, 0.02, 0.03, 0.04
 
 CHAIN = Group("Chain", ("m1", "m2", "k1", "k2"))
 START = Group("Start", ("x1_0", "x2_0", "v1_0", "v2_0"))
@@ -35,6 +35,12 @@ def sides(m1: float, m2: float) -> tuple[float, float]:
     largest = max(m1, m2)
     whole = min(0.08 * largest**0.5, LARGEST)
     return tuple(max(whole * (m / largest) ** 0.5, SMALLEST) for m in (m1, m2))  # type: ignore[return-value]
+
+
+def sizes(m1: float, m2: float, factor: float = 1.0) -> dict[str, float]:
+    """Sides of the blocks on the stage, and the height of the springs: half the smaller block at most."""
+    side1, side2 = (factor * side for side in sides(m1, m2))
+    return {"side1": side1, "side2": side2, "hook": min(HOOK, side1 / 2, side2 / 2)}
 
 
 def wire(k: float) -> float:
@@ -88,7 +94,7 @@ def to_scale(extremes: Extremes, masses: tuple[float, float], springs: tuple[flo
     """Sizes on the stage; displacements come in the unit of the axis `size`."""
     side = sides(*masses)
     factor = scale(extremes, side)
-    scalars = {"side1": side[0], "side2": side[1], "wire1": wire(springs[0]), "wire2": wire(springs[1])}
+    scalars = {**sizes(*masses), "wire1": wire(springs[0]), "wire2": wire(springs[1])}
     scalars |= {"metre": scaled(-size.exponent, UNIT, factor), "tick": UNIT}
     notes = () if factor == 1 else (f"Displacements are drawn {short(factor)} times as large.",)
     return Drawn(scalars, {"tick": f"{short(1 / factor)} m", "x_unit": size.full_unit}, notes)
@@ -99,8 +105,9 @@ def masses(foot: Number, x1: Number, x2: Number, *, small: bool = False, corner:
     `corner` puts the symbols aside, for what stands on the mass."""
     size = 0.42 if small else 1.0
     side1, side2 = var("side1") * W * size, var("side2") * W * size
-    height = foot - (0.026 * W if small else 0.04 * W)
-    teeth: dict[str, Any] = {"height": 6 if small else 13, "style": "faint" if small else None}
+    height = foot - var("hook") * W * (0.65 if small else 1)
+    teeth: dict[str, Any] = {"height": (1 if small else 2) + var("hook") * (125 if small else 275)}
+    teeth["style"] = "faint" if small else None
     faces: dict[str, Any] = {"style": "ghost"} if small else {"corner": 1} if corner else {}
     return [
         spring(WALL * W, height, x1 - side1 / 2, height, var("wire1") * (0.5 if small else 1), show="wire1", **teeth),

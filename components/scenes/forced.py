@@ -158,7 +158,7 @@ class Forced(Scene):
 
 def _shapes() -> list[Shape]:
     foot = 0.8 * H
-    push, middle = chain.place(1, "x1"), foot - 0.04 * W
+    push, middle = chain.place(1, "x1"), foot - 0.5 * var("side1") * W
     return [
         chain.standing_wall(0.2 * H, 0.62 * H),
         *chain.ground(foot),

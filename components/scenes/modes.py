@@ -98,7 +98,7 @@ class Modes(Scene):
     def picture(self) -> Picture:
         system = TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=self.k2)
         picture = self._view(system)
-        sizes = dict(zip(("side1", "side2"), (0.88 * side for side in chain.sides(self.m1, self.m2)), strict=True))
+        sizes = chain.sizes(self.m1, self.m2, 0.88)
         sizes |= {"wire1": chain.wire(self.k1), "wire2": chain.wire(self.k2)}
         return replace(
             picture,
