@@ -70,7 +70,7 @@ def close(value: float, true: mp.mpf, ulps: float) -> bool:
 
 @families
 def test_damped_amplitudes_are_rounded_once(numbers):
-    @settings(max_examples=80, deadline=None)
+    @settings(max_examples=80)
     @given(*[numbers] * 7)
     def check(m1, m2, k1, k2, c, F, omega):
         chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
@@ -186,7 +186,7 @@ def test_helped_band_is_where_the_machine_swings_less(m2, k2, c):
 
 
 def test_helped_band_over_the_range_of_doubles():
-    @settings(max_examples=60, deadline=None)
+    @settings(max_examples=60)
     @given(*[FAMILIES["all doubles"]] * 4)
     def check(m1, m2, k1, k2):
         low, high = helped_band(TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2))

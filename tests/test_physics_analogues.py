@@ -34,7 +34,7 @@ def values(parameter):
 def test_frequency_follows_the_table(slug):
     system = ANALOGUES[slug]
 
-    @settings(max_examples=100, deadline=None)
+    @settings(max_examples=100)
     @given(st.fixed_dictionaries({parameter.name: values(parameter) for parameter in system.parameters}))
     def check(p):
         true = math.sqrt(OMEGA_SQUARED[slug](p))

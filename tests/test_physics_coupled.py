@@ -18,7 +18,7 @@ from tests.chain_families import drawn
 from tests.chain_truth import WORKING_BITS, Truth, U, ulps, units, worst
 
 LARGEST = mp.mpf(sys.float_info.max)
-thorough = settings(max_examples=40, deadline=None, derandomize=True)
+thorough = settings(max_examples=40)
 
 
 @pytest.fixture(autouse=True)

@@ -15,7 +15,7 @@ from tests.chain_cases import chain_with, each_family
 from tests.chain_families import drawn
 from tests.chain_truth import U
 
-thorough = settings(max_examples=40, deadline=None, derandomize=True)
+thorough = settings(max_examples=40)
 LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
 STIFF = TwoMassChain(m1=2.0, m2=1.0, k1=1.0, k2=1e12)
 

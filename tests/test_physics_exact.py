@@ -27,7 +27,7 @@ from physics.exact import (
 )
 from tests.chain_truth import U
 
-thorough = settings(max_examples=200, deadline=None, derandomize=True)
+thorough = settings(max_examples=200)
 anything = st.floats(-1e100, 1e100).filter(lambda x: x == 0.0 or abs(x) > 1e-100)
 
 

@@ -24,7 +24,7 @@ from tests.chain_families import FAMILIES, drawn
 from tests.chain_truth import WORKING_BITS, Truth, U, rows, ulps, units, worst
 
 LARGEST = mp.mpf(sys.float_info.max)
-thorough = settings(max_examples=30, deadline=None, derandomize=True)
+thorough = settings(max_examples=30)
 LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
 FIGURE = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0)
 

@@ -24,7 +24,7 @@ wide = st.floats(-200, 200).map(lambda power: 10.0**power)
 usual = st.floats(-3, 3).map(lambda power: 10.0**power)
 chains = st.builds(TwoMassChain, m1=wide, m2=wide, k1=wide, k2=wide)
 usual_chains = st.builds(TwoMassChain, m1=usual, m2=usual, k1=usual, k2=usual)
-thorough = settings(max_examples=60, deadline=None, derandomize=True)
+thorough = settings(max_examples=60)
 
 
 def matrix(chain: TwoMassChain, omega: float) -> mp.matrix:

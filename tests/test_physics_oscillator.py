@@ -45,7 +45,7 @@ def within(value: float, true: mp.mpf, scale: mp.mpf, rounding_errors: float) ->
 
 @families
 def test_frequency_and_period_are_rounded_once(magnitudes):
-    @settings(max_examples=150, deadline=None)
+    @settings(max_examples=150)
     @given(m=magnitudes, k=magnitudes)
     def check(m, k):
         oscillator = Oscillator(m=m, k=k)
@@ -62,7 +62,7 @@ def test_frequency_and_period_are_rounded_once(magnitudes):
 
 @families
 def test_motion_stays_within_4_u_of_its_amplitudes(magnitudes):
-    @settings(max_examples=150, deadline=None)
+    @settings(max_examples=150)
     @given(m=magnitudes, k=magnitudes, x_0=signed(magnitudes), v_0=signed(magnitudes), t=signed(magnitudes))
     def check(m, k, x_0, v_0, t):
         with mp.workprec(PRECISION):
@@ -105,7 +105,7 @@ def test_a_million_million_periods_later(periods):
 
 @families
 def test_constants_are_rounded_once_and_the_phase_within_2_ulp(magnitudes):
-    @settings(max_examples=150, deadline=None)
+    @settings(max_examples=150)
     @given(m=magnitudes, k=magnitudes, x_0=signed(magnitudes), v_0=signed(magnitudes))
     def check(m, k, x_0, v_0):
         with mp.workprec(PRECISION):
