@@ -184,9 +184,9 @@ def swing_plot() -> Block:
         x_column="w",
         bands=(Band(low="helped_lo", high="helped_hi", source="helped", tint="k2fill", group="helped"),),
         curves=(
-            Curve(name="alone", source="sweep", tint="m1", width="dash", label="alone"),
+            Curve(name="alone", source="sweep", tint="m1", width="dash", read="alone"),
             Curve(name="free", source="compare", tint="m1", width="dots"),
-            Curve(name="swing", source="sweep", tint="m1", width="sum", label="with absorber"),
+            Curve(name="swing", source="sweep", tint="m1", width="sum", read="with absorber"),
         ),
         heading=(
             phrase("swing", "sum", "m1", words="machine, with the absorber"),
@@ -198,7 +198,9 @@ def swing_plot() -> Block:
         margin=(52, 8),
         top=42,
         handles=({**KNOB, "bare": True},),
-        marks=tuple({"at": at, "tint": tint, "html": html, "lift": 35} for at, tint, html in frequencies()),
+        marks=tuple(
+            {"at": at, "tint": tint, "html": html, "lift": 35, "flag": "one"} for at, tint, html in frequencies()
+        ),
         grow=160,
         phone=10,
         height=200,
@@ -215,7 +217,7 @@ def stroke_plot() -> Block:
         source="sweep",
         x_column="w",
         curves=(
-            Curve(name="stroke", source="sweep", tint="m2", width="sum", label="stroke"),
+            Curve(name="stroke", source="sweep", tint="m2", width="sum", read="stroke"),
             Curve(name="free2", source="compare", tint="m2", width="dots", group="free"),
         ),
         heading=(phrase("stroke", "sum", "m2", words="stroke of the absorber"),),

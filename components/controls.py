@@ -30,7 +30,7 @@ class Group:
     `actions` are buttons, (name, label): the scene's `action(name)` says what they set. A `folded` group opens when
     asked for, or when one of its values is not the default. `show` is the form by which a group stands. `pictures`
     makes a choice one of pictures: the shapes of a stage for each value. `facts` are rows of cells, texts for `rich`,
-    under the controls.
+    under the controls. While a `dense` group stands the panel has less room between its groups.
     """
 
     title: str
@@ -41,6 +41,7 @@ class Group:
     show: str = ""
     pictures: Mapping[str, list[Shape]] = field(default_factory=dict)
     facts: tuple[tuple[str, ...], ...] = ()
+    dense: bool = False
 
 
 def controls_spec(
@@ -64,6 +65,7 @@ def controls_spec(
                 ],
                 "folded": group.folded,
                 "show": group.show,
+                "dense": group.dense,
                 "pictures": dict(group.pictures),
                 "facts": [[rich(cell) for cell in cells] for cells in group.facts],
             }

@@ -79,7 +79,7 @@ export function buildControls(host, spec, send) {
   const stages = []
   const actionProblems = []
   const sections = spec.groups.map(group => {
-    const section = element("section", {class: "group", "aria-label": group.title || undefined})
+    const section = element("section", {class: `group ${group.dense ? "dense" : ""}`, "aria-label": group.title || undefined})
     if (group.title) section.append(element("h2", {}, group.title, element("span", {}, group.hint)))
     else section.classList.add("on")
     const rows = group.folded ? element("details", {class: "fold"}, element("summary", {}, "Set each value")) : section

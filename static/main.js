@@ -280,7 +280,7 @@ class Page {
 
 // What a switch is called, whose formula a screen reader may not read: "Height against time: exact".
 function curveName({title, curves, bands}, group) {
-  const labels = [...curves, ...bands].filter(part => part.group === group && part.label).map(part => part.label.replaceAll(/[*_{}]/g, ""))
+  const labels = [...curves, ...bands].filter(part => part.group === group).map(part => (part.label || part.read || "").replaceAll(/[*_{}]/g, "")).filter(Boolean)
   return `${title.split(/[,:]/)[0]}: ${[...new Set(labels)].join(", ") || group}`
 }
 

@@ -59,7 +59,7 @@ class Absorber(Scene):
                 (r"[F|$\omega$]", "running speed", "{omega}", "rad/s"),
             ),
         ),
-        Group("Your own machine", MACHINE, show="own"),
+        Group("Your own machine", MACHINE, show="own", dense=True),
         Group(
             "Your absorber",
             ("m2", "k2", "tuning"),
