@@ -77,6 +77,7 @@ def _facts() -> list[str | dict[str, str]]:
                 "form": f"{mode}_omega",
                 "sine": rf"$\omega_{{{index}}} = \val{{omega_{name}}}$ rad/s, $X_2 / X_1 = \val{{ratio_{name}}}$",
                 "drift": rf"$\omega_{{{index}}} = 0$: $x = a + b\,t$, $X_2 / X_1 = \val{{ratio_{name}}}$",
+                "two": r"$\omega_- = \omega_+ = 0$: $x = a + b\,t$, each mass on its own",
             }
         )
     return facts

@@ -25,6 +25,8 @@ BRANCHES = 3
 POINTS = 70
 CLOSEST = 1e-5
 """The first point of a branch stands this far from its pole, as a fraction of the branch."""
+BESIDE = 1e-6
+"""How near, relatively, a log axis comes to the frequency at which mass 1 stands still."""
 REACH = 1.55
 """The axis ends at this multiple of the larger natural frequency, unless the drive is beyond it."""
 TALL = 5.0
@@ -48,7 +50,9 @@ def response(system: TwoMassChain, F_0: float, omega: float, shown: str, lecture
     unit, base = _units(system, F_0, frequencies, omega)
     end = max(2.5 * unit, REACH * frequencies[1]) if lecture else max(REACH * (frequencies[1] or unit), 1.05 * omega)
     start = min(w for w in (*poles, unit, omega or unit) if w > 0) / 30 if shown == "log" else 0.0
-    parts = _branches(poles, start, end)
+    # Down to 0; on a log axis far below the frame, where a number is left to draw.
+    still = antiresonance(system) * (1 + BESIDE if shown == "log" else 1)
+    parts = _branches(poles, still, start, end)
     curves = [particular_solution(system, F_0, part) for part in parts]
     columns: dict[str, Columns] = {f"branch{i}": {} for i in range(BRANCHES)}
     for i, (w, X) in enumerate(zip(parts, curves, strict=True)):
@@ -74,14 +78,15 @@ def _units(system: TwoMassChain, F_0: float, frequencies: Floats, omega: float) 
     return unit, F_0 / (system.m1 + system.m2) / unit / unit
 
 
-def _branches(poles: list[float], start: float, end: float) -> list[Floats]:
-    """Frequencies of each branch, closer and closer together towards a pole."""
+def _branches(poles: list[float], still: float, start: float, end: float) -> list[Floats]:
+    """Frequencies of each branch, closer and closer together towards a pole, the one where mass 1 stands still too."""
     edges = [start, *(p for p in poles if start < p < end), end]
     near, even = np.geomspace(CLOSEST, 0.5, POINTS), np.linspace(0.0, 0.5, POINTS)
     parts = []
     for low, high in pairwise(edges):
         from_low, from_high = (near if edge in poles else even for edge in (low, high))
-        part = np.unique(np.concatenate([low + (high - low) * from_low, high - (high - low) * from_high]))
+        zero = [still] if low < still < high else []
+        part = np.unique(np.concatenate([low + (high - low) * from_low, high - (high - low) * from_high, zero]))
         parts.append(part[~np.isin(part, poles)])
     return [part for part in parts if part.size][:BRANCHES]
 

@@ -123,3 +123,11 @@ def test_antiresonance_stops_mass_1() -> None:
     scene = Forced(omega=1.0)
     assert scene.shown.values["Xp1"] in ("+0.00", "−0.00")
     assert scene.shown.values["Xp2"] == "−1.00"
+
+
+@pytest.mark.parametrize(("shown", "least"), [("size", 0.0), ("signed", 0.0), ("log", 1e-3)])
+def test_curve_of_mass_1_comes_down_to_its_zero(shown: str, least: float) -> None:
+    scene = Forced(m1=2.0, k1=2.0, m2=0.1, k2=0.1, curve=shown)
+    swing = scene.sources["response"].data["Xp1"]
+    assert np.abs(swing).min() <= least
+    assert np.all(np.abs(swing) > 0) == (shown == "log")

@@ -106,7 +106,10 @@ def _motion_columns(free: FreeModes, parts: tuple[Motion, Motion]) -> tuple[Colu
     for i in (0, 1):
         drift = free.drift_a[i] + free.drift_b[i] * t
         motions: dict[str, tuple[tuple[int, ...], NDArray[np.float64]]] = {f"x{i + 1}": ((0, 1), whole.x[i])}
-        motions |= {f"x{i + 1}_{mode}": ((j,), parts[j].x[i]) for j, mode in enumerate(MODES)}
+        if free.omega[1]:
+            motions |= {f"x{i + 1}_{mode}": ((j,), parts[j].x[i]) for j, mode in enumerate(MODES)}
+        else:  # two drifts: the slow part has both, as on the stage
+            motions[f"x{i + 1}_slow"] = motions[f"x{i + 1}"]
         for name, (modes, exact) in motions.items():
             base = drift if any(free.omega[j] == 0 for j in modes) else None
             curve, band = trace(name, chain.components(free, i, modes), t, base, exact)
@@ -181,7 +184,7 @@ def _values(free: FreeModes, energy: Axis) -> dict[str, str]:
     for i in (1, 2):
         values[f"a{i}"], values[f"b{i}"] = three(free.drift_a[i - 1]), plus(free.drift_b[i - 1])
     beat = modes.beat if modes.omega[0] else 0.0
-    values["beat_period"] = f"{three(2 * math.pi / beat)} s" if beat else "none: one frequency"
+    values["beat_period"] = f"{three(2 * math.pi / beat)} s" if beat else "none"
     values["E_total"], values["E_unit"] = energy.number(float(free.energy.sum())), energy.full_unit
     return values
 
@@ -191,7 +194,7 @@ def _forms(scene: Coupled, free: FreeModes) -> dict[str, str]:
     slow, fast = free.omega
     kind = "sine" if slow else ("two" if not fast else "drift" if scene.k2 else "free")
     forms = {"slow_fact": kind, "fast_fact": "sine" if fast else "", scene.energy: "shown"}
-    forms |= {"slow_omega": "sine" if slow else "drift", "fast_omega": "sine" if fast else ""}
+    forms |= {"slow_omega": kind if kind in ("sine", "two") else "drift", "fast_omega": "sine" if fast else ""}
     for i in (1, 2):
         forms[f"x{i}_slow"] = "sine" if slow else "drift"
         forms[f"x{i}_fast"] = "sine" if fast else ""
