@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from components.analogue_pictures import HEIGHT, PICTURES, WIDTH, Canvas, large
 from components.stage import (
+    NARROW,
+    WIDE,
     H,
     Number,
     Shape,
@@ -22,7 +24,6 @@ from components.stage import (
 )
 
 PLOT = "motion"
-WIDE, NARROW = var("wide"), var("narrow")
 TWIN = W - 46
 """Where the spring and mass stands."""
 SIDE = 0.112 * H

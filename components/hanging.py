@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from components.stage import (
+    NARROW,
+    WIDE,
     Expression,
     H,
     Number,
     Shape,
+    T,
     W,
     arrow,
     circle,
@@ -22,7 +25,6 @@ from components.stage import (
     wave,
 )
 
-WIDE, NARROW, T = var("wide"), var("narrow"), var("t")
 CENTRE = WIDE * 0.5 * W + NARROW * 0.44 * W
 STRIP, STRIP_LENGTH = 0.79 * W, 0.2 * W
 """On a phone the stage has a small x(t) of its own."""

@@ -106,13 +106,6 @@ def power_unit(value: float) -> tuple[int, str]:
     return exponent, ten_to(exponent) + " "
 
 
-def axis_number(value: float) -> str:
-    """The label of a round tick: 0, −1, 2.5; what rounding left behind in 3 * 0.1 is not shown."""
-    text = exact(float(f"{value:.12g}"))
-    mantissa, _, exponent = text.replace("-", MINUS, int(value < 0)).partition("e")
-    return mantissa + (ten_to(int(exponent)) if exponent else "")
-
-
 def ten(exponent: int) -> str:
     """A power of ten: 10⁻⁴, and 1 for the power 0."""
     if exponent == 0:

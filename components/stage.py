@@ -2,8 +2,9 @@
 
 A stage is a list of shapes. Every number of a shape may be an expression in named quantities: the scene's signals
 (x1, x2, ... at the instant shown, in the unit of their axis), its scalars, and W and H, the size of the stage in
-pixels; `wide` is 1 where plots stand beside the stage and 0 on a phone, `narrow` the reverse. Expressions are
-polynomials, so the browser evaluates them without running any code it was sent.
+pixels; `t` is that instant in the unit of the time axis; `wide` is 1 where plots stand beside the stage and 0 on a
+phone, `narrow` the reverse. Expressions are polynomials, so the browser evaluates them without running any code it
+was sent.
 """
 
 from __future__ import annotations
@@ -59,6 +60,7 @@ def var(name: str) -> Expression:
 
 
 W, H = var("W"), var("H")
+WIDE, NARROW, T = var("wide"), var("narrow"), var("t")
 
 
 def on_x(plot: str, value: Number) -> Expression:

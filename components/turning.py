@@ -5,10 +5,13 @@ from __future__ import annotations
 from math import pi
 
 from components.stage import (
+    NARROW,
+    WIDE,
     Expression,
     H,
     Number,
     Shape,
+    T,
     W,
     arc,
     arrow,
@@ -24,7 +27,6 @@ from components.stage import (
     wave,
 )
 
-WIDE, NARROW, T = var("wide"), var("narrow"), var("t")
 MASS = WIDE * 0.15 * W + NARROW * 0.1 * W
 """Where the mass stands, and below where the arrow turns: across the stage."""
 SWING = 0.27 * H

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from components.numbers import axis_number, exact, excerpt, parse_number, power_unit, signed, three, tidy
+from components.numbers import exact, excerpt, parse_number, power_unit, signed, three, tidy
 
 finite = st.floats(allow_nan=False, allow_infinity=False)
 
@@ -140,22 +140,6 @@ def test_scaled_axis_reaches_to_a_readable_number(value: float) -> None:
     scaled = abs(value) / 10.0**exponent
     assert exponent % 3 == 0
     assert value == 0 or 0.999e-3 <= scaled < 1e4 or abs(value) < 1e-306
-
-
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [
-        (0.0, "0"),
-        (-0.0, "0"),
-        (3 * 0.1, "0.3"),
-        (-1.0, "−1"),
-        (2.5, "2.5"),
-        (3000.0, "3000"),
-        (-2e-5, "−2·10⁻⁵"),
-    ],
-)
-def test_tick_is_labelled_as_round_as_it_is(value: float, text: str) -> None:
-    assert axis_number(value) == text
 
 
 def test_foreign_text_is_shortened_and_made_visible() -> None:
