@@ -24,14 +24,20 @@ LIBRARIES = ("bokeh", "bokeh-widgets", "bokeh-tables")
 @cache
 def version() -> str:
     """A short hash of the static files: a new deployment is not mixed with files that a browser has kept."""
-    content = b"".join(path.read_bytes() for path in sorted(STATIC.iterdir()) if path.is_file())
+    content = b"".join(path.read_bytes() for path in sorted(STATIC.rglob("*")) if path.is_file())
     return sha256(content).hexdigest()[:12]
 
 
 @cache
 def modules() -> dict[str, str]:
     """Of each of our modules, by its address, the address with its version: the page's import map."""
-    return {f"./assets/{path.name}": f"./assets/{path.name}?v={version()}" for path in sorted(STATIC.glob("*.js"))}
+    names = [path.relative_to(STATIC).as_posix() for path in sorted(STATIC.rglob("*.js"))]
+    return {f"./assets/{name}": f"./assets/{name}?v={version()}" for name in names}
+
+
+def preloaded() -> list[str]:
+    """The addresses of those that every scene needs; what lies in static/later/ is fetched when it is asked for."""
+    return [address for name, address in modules().items() if "/later/" not in name]
 
 
 @cache
@@ -45,7 +51,7 @@ def libraries() -> tuple[str, ...]:
 def page_template() -> Template:
     """page.html, to which everything that is the same for every visitor is already known."""
     environment = Environment(loader=FileSystemLoader(Path(__file__).parent), autoescape=True)
-    files = {"version": version(), "modules": modules(), "libraries": libraries()}
+    files = {"version": version(), "modules": modules(), "preloaded": preloaded(), "libraries": libraries()}
     return environment.get_template("page.html", globals=files)
 
 

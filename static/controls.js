@@ -2,7 +2,6 @@
 // sends what the visitor does; it never decides what is possible.
 
 import {element, svg} from "./dom.js"
-import {buildPicker} from "./picker.js"
 import {Slider, problemElement, symbol} from "./slider.js"
 
 // A small drawing, if there is one.
@@ -64,7 +63,7 @@ function actionButtons(actions, send, problems) {
 // Builds the panel in `host`. `send` takes the messages of components/controls.py; `update` takes what that module
 // calls the state of the parameters, the errors of the last message by parameter, the label of the preset in force, and
 // the places where the scene is.
-export function buildControls(host, spec, send) {
+export function buildControls(host, spec, send, buildPicker) {
   const says = element("p", {class: "says", id: "controls-says"})
   let spoken = null
   const speak = spec => {

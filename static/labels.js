@@ -121,15 +121,24 @@ export class Flags {
     flag.hidden = flag.innerHTML === ""
   }
 
-  // Flags that would overlap stand side by side; their lines tell where they belong.
+  // Flags that would overlap stand side by side, within the plot; their lines tell where they belong.
   #spread() {
     const flags = this.marks.filter(({mark, flag}) => mark.axis !== "y" && flag.style.display !== "none" && !flag.hidden)
-      .map(({flag, mark}) => ({flag, x: parseFloat(flag.style.left), half: flag.offsetWidth / 2 + 3, lift: mark.lift}))
-      .sort((a, b) => a.x - b.x)
-    for (let i = 1; i < flags.length; i++) {
-      const gap = flags[i - 1].x + flags[i - 1].half + flags[i].half
-      if (flags[i].lift === flags[i - 1].lift && flags[i].x < gap) flags[i].x = gap
+      .map(({flag, mark}) => ({flag, at: parseFloat(flag.style.left), half: flag.offsetWidth / 2 + 3, lift: mark.lift}))
+      .sort((a, b) => a.at - b.at)
+    for (const row of new Set(flags.map(flag => flag.lift))) this.#sideBySide(flags.filter(flag => flag.lift === row))
+  }
+
+  #sideBySide(flags) {
+    let end = -Infinity
+    for (const one of flags) end = (one.x = Math.max(one.at, end + one.half)) + one.half
+    // Those pushed out at the right push back.
+    const last = flags[flags.length - 1]
+    let start = last.x > last.at ? this.plot.host.clientWidth : Infinity
+    for (const one of flags.reverse()) {
+      one.x = Math.min(one.x, start - one.half)
+      start = one.x - one.half
+      one.flag.style.left = `${one.x}px`
     }
-    for (const {flag, x} of flags) flag.style.left = `${x}px`
   }
 }

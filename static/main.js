@@ -1,23 +1,20 @@
 // Builds the page of a scene and keeps it in step: one message from the server repaints all, the clock moves the rest.
 
-import {About} from "./about.js"
 import {buildChoice, buildControls} from "./controls.js"
 import {Clock} from "./clock.js"
 import {element, live} from "./dom.js"
 import {Plot} from "./plots.js"
 import {evaluate} from "./signals.js"
 import {Stage} from "./stage.js"
-import {RunBar} from "./runbar.js"
 import {Transport} from "./transport.js"
 
-// What a motion of the chain is made of; the drive may be missing.
 const MOMENT = 200 // ms without a further change until the address is written: browsers ration that
+// What a motion of the chain is made of; the drive may be missing.
 const MOTION = ["m1", "m2", "k1", "k2", "x1_0", "x2_0", "v1_0", "v2_0", "F_0", "omega"]
 
 class Page {
-  constructor(model) {
-    this.model = model
-    this.spec = JSON.parse(model.description)
+  constructor(model, spec, extras) {
+    Object.assign(this, {model, spec, extras})
     this.opening = unpacked(model.state)
     this.plots = []
     this.stages = []
@@ -37,16 +34,13 @@ class Page {
     this.paper = element("main", {class: "paper"})
     this.notice = element("div", {class: "notice", role: "alert", hidden: ""})
     this.paper.append(element("h1", {}, this.spec.headline), this.notice, this.#block(this.spec.sheet))
-    this.transport = this.spec.runs ? new RunBar(this) : new Transport(this)
+    this.transport = this.spec.runs ? new this.extras.RunBar(this) : new Transport(this)
     this.paper.append(this.transport.element)
     this.panel = element("aside", {class: "panel", "aria-label": "Controls"})
-    this.controls = buildControls(this.panel, this.spec.controls, message => this.send(message))
+    this.controls = buildControls(this.panel, this.spec.controls, message => this.send(message), this.extras.buildPicker)
     this.stages.push(...this.controls.stages)
     for (const stage of this.stages) stage.onresize = () => this.redraw()
-    if (this.spec.about) {
-      this.about = new About(message => this.send(message))
-      this.panel.append(this.about.element)
-    }
+    if (this.spec.about) this.panel.append(this.#aboutNumbers())
     this.panel.append(this.#tools())
     this.root.append(this.paper, this.panel)
   }
@@ -125,6 +119,16 @@ class Page {
     }
     for (const cells of block.rows) table.append(element("tr", {}, ...cells.map((cell, i) => this.#item(cell, i ? "td" : "th"))))
     return table
+  }
+
+  #aboutNumbers() {
+    const fold = element("details", {class: "about"}, element("summary", {}, "About these numbers"))
+    const open = async () => {
+      const {About} = await import("./later/about.js")
+      this.about = new About(fold, message => this.send(message))
+    }
+    fold.addEventListener("toggle", open, {once: true})
+    return fold
   }
 
   #tools() {
@@ -319,8 +323,17 @@ function shell(page) {
   }
 }
 
-export function mount(model) {
-  const page = new Page(model)
+// What only some scenes need, asked for by them alone.
+async function extrasFor({runs, controls}) {
+  const wanted = []
+  if (runs) wanted.push(import("./later/runbar.js"))
+  if (controls.groups.some(group => Object.keys(group.pictures).length)) wanted.push(import("./later/picker.js"))
+  return Object.assign({}, ...await Promise.all(wanted))
+}
+
+export async function mount(model) {
+  const spec = JSON.parse(model.description)
+  const page = new Page(model, spec, await extrasFor(spec))
   shell(page)
   globalThis.oscillations = page
   model.on("msg:custom", message => page.receive(message))

@@ -8,18 +8,19 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, Request
 
-from components.shell import STATIC, libraries, modules, version
+from components.shell import STATIC, libraries, modules, preloaded, version
 
 
 def test_every_module_has_an_address_with_the_version() -> None:
-    assert set(modules()) == {f"./assets/{path.name}" for path in STATIC.glob("*.js")}
+    assert set(modules()) == {f"./assets/{path.relative_to(STATIC).as_posix()}" for path in STATIC.rglob("*.js")}
     assert {to.removeprefix(address) for address, to in modules().items()} == {f"?v={version()}"}
 
 
 def test_every_import_of_a_module_is_in_the_map() -> None:
-    for path in STATIC.glob("*.js"):
-        for imported in re.findall(r'from "(.*)"', path.read_text(encoding="utf-8")):
-            assert f"./assets/{imported.removeprefix('./')}" in modules()
+    for path in STATIC.rglob("*.js"):
+        for imported in re.findall(r'(?:from |import\()"(.*)"', path.read_text(encoding="utf-8")):
+            name = (path.parent / imported).resolve().relative_to(STATIC).as_posix()
+            assert f"./assets/{name}" in modules()
 
 
 def test_libraries_are_those_of_bokeh_and_panel() -> None:
@@ -37,5 +38,6 @@ def test_scripts_and_styles_are_asked_for_once_and_with_a_version(page: Page, op
 
     page.on("request", note)
     open_scene(page, scene="coupled")
-    assert len(asked) == len(set(asked)) > len(modules())
+    assert len(asked) == len(set(asked)) > len(preloaded())
     assert [url for url in asked if "?v=" not in url] == []
+    assert not any("/later/" in url for url in asked)

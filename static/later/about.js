@@ -1,22 +1,27 @@
 // "About these numbers", folded away until asked for: what components/about.py knows of the errors of what is drawn.
 // Asked again a moment after a change, while it is open.
 
-import {element} from "./dom.js"
+import {element} from "../dom.js"
 
 const MOMENT = 300 // ms without a further change
 
 const html = (tag, attributes, markup) => Object.assign(element(tag, attributes), {innerHTML: markup})
 
 export class About {
-  constructor(send) {
+  // `fold` is the <details> that has just been opened for the first time.
+  constructor(fold, send) {
     this.send = send
     this.body = element("div", {class: "about-body"})
-    this.element = element("details", {class: "about"}, element("summary", {}, "About these numbers"), this.body)
-    this.element.addEventListener("toggle", () => {
-      this.arriving = this.element.open
-      clearTimeout(this.timer)
-      if (this.element.open) this.#ask()
-    })
+    this.element = fold
+    fold.append(this.body)
+    fold.addEventListener("toggle", () => this.#toggled())
+    this.#toggled()
+  }
+
+  #toggled() {
+    this.arriving = this.element.open
+    clearTimeout(this.timer)
+    if (this.element.open) this.#ask()
   }
 
   changed() {

@@ -1,7 +1,7 @@
 // A choice whose options are small pictures, drawn and moved as the stage is.
 
-import {element} from "./dom.js"
-import {Stage} from "./stage.js"
+import {element} from "../dom.js"
+import {Stage} from "../stage.js"
 
 // Shapes by value: {value: [shape, ...]}; the rest of `spec` is a choice as buildChoice takes it.
 export function buildPicker(host, spec, pictures, send) {

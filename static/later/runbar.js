@@ -1,7 +1,7 @@
 // In the transport's place where a scene does not play but measures: run or cancel, progress, skip.
 
-import {element} from "./dom.js"
-import {icon} from "./transport.js"
+import {element} from "../dom.js"
+import {icon} from "../transport.js"
 
 export class RunBar {
   constructor(page) {
