@@ -1,11 +1,10 @@
-// Builds the page of a scene and keeps it in step: one message from the server repaints all, the clock moves the rest.
+// A scene's page, kept in step: one message from the server repaints all, the clock moves the rest.
 
-import {buildChoice, buildControls} from "./controls.js"
+import {buildControls} from "./controls.js"
 import {Clock} from "./clock.js"
 import {element, live} from "./dom.js"
-import {Plot} from "./plots.js"
+import {Sheet} from "./sheet.js"
 import {evaluate} from "./signals.js"
-import {Stage} from "./stage.js"
 import {Transport} from "./transport.js"
 
 const MOMENT = 200 // ms without a further change until the address is written: browsers ration that
@@ -16,12 +15,6 @@ class Page {
   constructor(model, spec, extras) {
     Object.assign(this, {model, spec, extras})
     this.opening = unpacked(model.state)
-    this.plots = []
-    this.stages = []
-    this.choices = []
-    this.headings = []
-    this.forms = []
-    this.conditional = []
     this.outbox = []
     this.waiting = false
     this.number = 0
@@ -33,92 +26,18 @@ class Page {
   #build() {
     this.paper = element("main", {class: "paper"})
     this.notice = element("div", {class: "notice", role: "alert", hidden: ""})
-    this.paper.append(element("h1", {}, this.spec.headline), this.notice, this.#block(this.spec.sheet))
+    this.sheet = new Sheet(this.spec.sheet, this)
+    this.paper.append(element("h1", {}, this.spec.headline), this.notice, this.sheet.element)
     this.transport = this.spec.runs ? new this.extras.RunBar(this) : new Transport(this)
     this.paper.append(this.transport.element)
     this.panel = element("aside", {class: "panel", "aria-label": "Controls"})
     this.controls = buildControls(this.panel, this.spec.controls, message => this.send(message), this.extras.buildPicker)
-    this.stages.push(...this.controls.stages)
+    this.plots = this.sheet.plots
+    this.stages = [...this.sheet.stages, ...this.controls.stages]
     for (const stage of this.stages) stage.onresize = () => this.redraw()
     if (this.spec.about) this.panel.append(this.#aboutNumbers())
     this.panel.append(this.#tools())
     this.root.append(this.paper, this.panel)
-  }
-
-  #block(block) {
-    const host = element("div", {class: `block ${block.kind} ${block.style ?? ""}`})
-    host.style.flex = `${block.grow} ${block.kind === "row" || block.kind === "column" || block.grow ? 1 : 0} ${block.basis || (block.grow ? 0 : "auto")}${block.basis ? "px" : ""}`
-    if (block.gap) host.style.gap = `${block.gap}px`
-    if (block.phone !== undefined) host.style.setProperty("--place", block.phone)
-    if (block.height) host.style.setProperty("--phone-height", `${block.height}px`)
-    if (block.show && block.kind !== "plot") this.conditional.push({host, form: block.show})
-    if (block.blocks) host.append(...block.blocks.map(child => this.#block(child)))
-    if (block.kind === "stage") {
-      // On a phone the transport stays right under the first stage.
-      if (!this.stages.length) this.root.style.setProperty("--stage-height", `${block.height}px`)
-      this.stages.push(new Stage(block, host))
-    }
-    if (block.kind === "plot") {
-      if (block.heading.length) host.append(this.#heading(block))
-      const area = element("div", {class: "plot-area"})
-      host.append(area)
-      this.plots.push(new Plot(block, area, this))
-      if (block.shapes.length) this.stages.push(new Stage({shapes: block.shapes}, area))
-    }
-    if (block.kind === "words") host.append(...block.items.map(item => this.#item(item)))
-    if (block.kind === "table") host.append(this.#table(block))
-    if (block.kind === "choice") this.choices.push(buildChoice(host, block, message => this.send(message)))
-    return host
-  }
-
-  // The formula is the legend and the switch: a click on a term takes its curve away.
-  #heading(block) {
-    const head = element("div", {class: "head"})
-    for (const term of block.heading) {
-      const part = element(term.curve ? "button" : "span", {class: `part ${term.tint}`, type: term.curve ? "button" : undefined})
-      if (term.key !== "none") part.append(element("i", {class: `key ${term.key}`}))
-      const variants = Object.entries(term.forms).map(([name, html]) => {
-        const text = element("span", {"data-form": name})
-        text.innerHTML = html
-        part.append(text)
-        return [name, text]
-      })
-      if (term.curve) {
-        part.title = "Show or hide this curve"
-        part.setAttribute("aria-label", curveName(block, term.curve))
-        part.addEventListener("click", () => {
-          const hidden = new Set(this.state.hidden)
-          if (!hidden.delete(term.curve)) hidden.add(term.curve)
-          this.send({type: "choose", name: "hidden", value: [...hidden]})
-        })
-      }
-      this.headings.push({term, part, variants})
-      head.append(part)
-    }
-    return head
-  }
-
-  #item(item, tag = "div") {
-    const holder = element(tag, {class: "item"})
-    const variants = Object.entries(item).filter(([key]) => key !== "form").map(([name, html]) => {
-      const text = element("div", {})
-      text.innerHTML = html
-      holder.append(text)
-      return [name, text]
-    })
-    if (item.form) this.forms.push({name: item.form, variants, holder})
-    return holder
-  }
-
-  #table(block) {
-    const table = element("table", {})
-    if (block.head.length) {
-      const head = element("tr", {})
-      for (const html of block.head) head.append(Object.assign(element("th", {scope: "col"}), {innerHTML: html}))
-      table.append(head)
-    }
-    for (const cells of block.rows) table.append(element("tr", {}, ...cells.map((cell, i) => this.#item(cell, i ? "td" : "th"))))
-    return table
   }
 
   #aboutNumbers() {
@@ -197,13 +116,12 @@ class Page {
   apply(state) {
     this.state = state
     this.about?.changed()
-    this.#showForms()
+    this.sheet.update(state)
     for (const [name, elements] of this.named) {
       if (name in state.values) for (const one of elements) one.textContent = state.values[name]
     }
     for (const plot of this.plots) plot.update(state)
     this.controls.update(state)
-    this.choices.forEach(choice => choice.update(state.params, state.errors))
     this.measured = false
     this.clock.update(state.axes.t ?? {end: 1, exponent: 0}, state.scalars)
     this.transport.update(state)
@@ -215,27 +133,6 @@ class Page {
 
   get link() {
     return this.state.query ? `?${this.state.query}` : location.pathname
-  }
-
-  #showForms() {
-    for (const {term, part, variants} of this.headings) {
-      const wanted = this.state.forms[term.curve] ?? this.state.forms[term.form] ?? "formula"
-      let shown = false
-      for (const [name, text] of variants) {
-        text.hidden = variants.length > 1 && name !== wanted
-        shown ||= !text.hidden && text.innerHTML !== ""
-      }
-      part.style.display = wanted === "" || !shown ? "none" : ""
-      const off = this.state.hidden.includes(term.curve)
-      part.classList.toggle("off", off)
-      if (term.curve) part.setAttribute("aria-pressed", String(!off))
-    }
-    for (const {host, form} of this.conditional) host.hidden = !this.state.forms[form]
-    for (const {name, variants, holder} of this.forms) {
-      const wanted = this.state.forms[name] ?? ""
-      holder.hidden = wanted === ""
-      for (const [variant, text] of variants) text.hidden = variant !== wanted
-    }
   }
 
   #notify(problems) {
@@ -280,12 +177,6 @@ class Page {
   theme() {
     this.plots.forEach(plot => plot.theme())
   }
-}
-
-// What a switch is called, whose formula a screen reader may not read: "Height against time: exact".
-function curveName({title, curves, bands}, group) {
-  const labels = [...curves, ...bands].filter(part => part.group === group).map(part => (part.label || part.read || "").replaceAll(/[*_{}]/g, "")).filter(Boolean)
-  return `${title.split(/[,:]/)[0]}: ${[...new Set(labels)].join(", ") || group}`
 }
 
 // A page that came over plain http from another machine has no clipboard.
