@@ -118,17 +118,12 @@ def _role(
     suffix = f"{{{unit}}}" if unit.endswith("_unit") else f"\N{NO-BREAK SPACE}{unit}"
     return [
         f"plays ${symbol}$",
-        f"[{tint}|${_compact(formula)} = \\val{{{value}}}$" + suffix + "]",
+        f"[{tint}|${formula} = \\val{{{value}}}$" + suffix + "]",
         {
             "form": "system",
-            **{slug: f"[{tint}|${_compact(text)} = \\val{{{own}}}${{{own_unit}}}]" for slug, text in formulas.items()},
+            **{slug: f"[{tint}|${text} = \\val{{{own}}}${{{own_unit}}}]" for slug, text in formulas.items()},
         },
     ]
-
-
-def _compact(formula: str) -> str:
-    """Halves and quarters as one sign, so that rows stay low."""
-    return formula.replace(r"\tfrac{1}{2}", r"\text{½}").replace(r"\tfrac{1}{4}", r"\text{¼}")
 
 
 def _equation() -> Block:

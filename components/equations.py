@@ -17,9 +17,18 @@ from latex2mathml.converter import convert
 _VALUE = re.compile(r"\\val\{(\w+)\}")
 _VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
 _FUNCTION = re.compile(r"<mi>([a-z]{2,})</mi>")
-_PRIMED = re.compile(r"<msup><mi>(\w)</mi><mi>&#x02032;</mi></msup>")
-_PRIMED_POWER = re.compile(r"<msup><mi>(\w)</mi><mrow><mi>&#x02032;</mi>(<mn>\d+</mn>)</mrow></msup>")
+_FRACTION = re.compile(r"<mstyle[^>]*><mfrac><mrow><mn>1</mn></mrow><mrow><mn>([24])</mn></mrow></mfrac></mstyle>")
+_ONE_OVER = {"2": "½", "4": "¼"}  # one sign each, so that a line stays low
 _SIGN = re.compile(r"(<mo>&#x0003D;</mo>)<mo>&#x02212;</mo>")
+# Signs that the converter takes for letters, or whose spaces are too wide.
+_OPERATORS = {
+    "<mi>&#x000B1;</mi>": "<mo>&#x000B1;</mo>",
+    '<mo stretchy="false">&#x0007C;</mo>': '<mo stretchy="false" lspace="0" rspace="0">&#x0007C;</mo>',
+    "<mo>&#x0002F;</mo>": '<mo lspace="0.1em" rspace="0.1em">&#x0002F;</mo>',
+}
+_PRIMED = re.compile(r"<msup>(<mi>\w</mi>)<mi>&#x02032;</mi></msup>")
+_PRIMED_POWER = re.compile(r"<msup>(<mi>\w</mi>)<mrow><mi>&#x02032;</mi>(<mn>\d+</mn>)</mrow></msup>")
+_PRIME = '<mo lspace="0" rspace="0">&#x02032;</mo>'
 _TINT = re.compile(r"\\tint\{(\w+)\}")
 _TINT_MATHML = re.compile(r'<mstyle mathcolor="(\w+)">')
 
@@ -30,8 +39,12 @@ def mathml(latex: str) -> str:
     source = _VALUE.sub(r"\\text{@\1@}", latex)
     markup = convert(_TINT.sub(r"\\color{\1}", source))
     markup = _VALUE_MATHML.sub(r'<mn class="n" data-value="\1"></mn>', markup)
-    # A prime belongs to its letter: as an exponent it would stand too high.
-    markup = _PRIMED_POWER.sub(r"<msup><mi>\1′</mi>\2</msup>", _PRIMED.sub(r"<mi>\1′</mi>", markup))
+    markup = _FRACTION.sub(lambda match: f"<mn>{_ONE_OVER[match[1]]}</mn>", markup)
+    # A prime is high enough as it is: as an exponent it would be tiny.
+    markup = _PRIMED.sub(rf"<mrow>\1{_PRIME}</mrow>", markup)
+    markup = _PRIMED_POWER.sub(rf"<msup><mrow>\1{_PRIME}</mrow>\2</msup>", markup)
+    for wrong, right in _OPERATORS.items():
+        markup = markup.replace(wrong, right)
     markup = _FUNCTION.sub(r'<mi class="up">\1</mi><mspace width="0.15em" />', markup)
     # Not the minus of a difference, which would stand apart from its number.
     markup = _SIGN.sub(r'\1<mo form="prefix">&#x02212;</mo>', markup)

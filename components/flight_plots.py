@@ -128,9 +128,9 @@ def exchange_plots() -> tuple[Block, ...]:
             True,
         ),
         words(
-            r"$\frac{1}{2} m\,v^2 = \frac{1}{2} m\,v_0^2 + m\,v_0 v' + \frac{1}{2} m\,v'^2$: what is traded for "
+            r"$\tfrac{1}{2} m\,v^2 = \tfrac{1}{2} m\,v_0^2 + m\,v_0 v' + \tfrac{1}{2} m\,v'^2$: what is traded for "
             r"$m\,g\,h'$ is the middle term, of first order, at $\omega$. A spring trades squares, "
-            r"$\frac{1}{2} k\,x^2 \propto 1 + \cos 2 \omega t$, at $2 \omega$.",
+            r"$\tfrac{1}{2} k\,x^2 \propto 1 + \cos 2 \omega t$, at $2 \omega$.",
             style="small",
             phone=16,
         ),
