@@ -17,7 +17,7 @@ pytestmark = pytest.mark.browser
 
 STATIC = Path(__file__).parent.parent / "static"
 HTML = """<!DOCTYPE html><html lang="en"><title>Controls</title>
-<link rel="stylesheet" href="style.css"><link rel="stylesheet" href="controls.css">
+<link rel="stylesheet" href="style.css">
 <aside class="panel"></aside>
 <script type="module">
   import {buildControls} from "./controls.js"
