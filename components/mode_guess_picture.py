@@ -186,7 +186,20 @@ def _tried(guess: Guess) -> dict[str, float]:
         and abs(r - known[f"r_{mode}"]) < 0.16 * reach
         for mode in MODES
     ]
-    return scalars | {"rows_apart": float(abs(ends[0] - ends[1]) > 0.2 * reach), "guess_off": float(not any(near))}
+    scalars |= {"rows_apart": float(abs(ends[0] - ends[1]) > 0.2 * reach), "guess_off": float(not any(near))}
+    return scalars | _clear(guess, scalars["w"], scalars["D"], known)
+
+
+def _clear(guess: Guess, w: float, D: float, known: dict[str, float]) -> dict[str, float]:
+    """Whether the names of the two known values of D stand clear of the number beside the trial one."""
+    wide, high = guess.frequency.place(guess.frequency.end), guess.det.place(guess.det.end)
+    high -= guess.det.place(guess.det.start)
+    first, held = ((known[f"w{at}"] - w) / wide for at in ("0", "_held"))
+    above, level = ((known[f"D{at}"] - D) / high for at in ("0", "_held"))
+    return {
+        "D0_clear": float(not (first > -0.4 and -0.05 < above < 0.35)),
+        "held_clear": float(not (-0.15 < held < 0.45 and abs(level) < 0.2)),
+    }
 
 
 def _values(guess: Guess) -> dict[str, str]:

@@ -40,13 +40,13 @@ def sheet() -> Block:
 def _formulas() -> list[str | dict[str, str]]:
     return [
         r"**Where is** $D = m_1 m_2 \omega^4 - b\,\omega^2 + k_1 k_2$ **zero?**",
-        r"$\val{m1m2}\,\omega^4 - \val{b}\,\omega^2 + \val{k1k2_} = 0$ with $b = m_1 k_2 + m_2 (k_1 + k_2)$",
-        r"$\omega_\pm^2 = (b \pm \sqrt{\Delta})/(2 m_1 m_2)$ with $\Delta = b^2 - 4 m_1 m_2 k_1 k_2 = \val{Delta}$",
+        r"$\val{m1m2}\,\omega^4 - \val{b}\,\omega^2 + \val{k1k2_}$ $= 0$ with $b = m_1 k_2 + m_2 (k_1 + k_2)$",
+        r"$\omega_\pm^2 = (b \pm \sqrt{\Delta})/(2 m_1 m_2)$ with $\Delta = b^2 - 4 m_1 m_2 k_1 k_2$ $= \val{Delta}$",
         {
             "form": "positive",
             "sum": r"**$\Delta > 0$:** it is "
-            r"$(m_1 k_2 - m_2 (k_1 + k_2))^2 + 4 m_1 m_2 k_2^2 "
-            r"= (\val{difference})^2 + \val{coupling}$, squares that never vanish together. "
+            r"$(m_1 k_2 - m_2 (k_1 + k_2))^2$ $+\; 4 m_1 m_2 k_2^2$ "
+            r"$= (\val{difference})^2$ $+\; \val{coupling}$, squares that never vanish together. "
             r"So both $\omega^2$ are real.",
             "loose": r"**$\Delta$ is a square:** $(m_2 k_1)^2$, as nothing couples the masses. "
             r"Both $\omega^2$ are real.",
@@ -71,8 +71,8 @@ def _ratios() -> list[str | dict[str, str]]:
             "both": r"**The shapes:** $-X_2/X_1 = (m_1 \omega_\pm^2 - k_1 - k_2)/k_2 = \gamma \pm \delta$",
             "loose": "**The shapes:** without $k_2$ each mass moves alone.",
         },
-        {"form": "gamma", "shown": r"$\gamma = m_1/(2 m_2) - (k_1 + k_2)/(2 k_2) = \val{gamma}$"},
-        {"form": "gamma", "shown": r"$\delta = \sqrt{\gamma^2 + m_1/m_2} = \val{delta}$, more than $|\gamma|$"},
+        {"form": "gamma", "shown": r"$\gamma = m_1/(2 m_2) - (k_1 + k_2)/(2 k_2)$ $= \val{gamma}$"},
+        {"form": "gamma", "shown": r"$\delta = \sqrt{\gamma^2 + m_1/m_2}$ $= \val{delta}$, more than $|\gamma|$"},
         {
             "form": "slow_shape",
             "ratio": r"[slow|$(X_2/X_1)_- = -\gamma + \delta = \val{slow_ratio} > 0$: in phase]",
@@ -100,14 +100,7 @@ def _shapes() -> list[Shape]:
         shapes += [
             chain.standing_wall((top + 0.07) * H, 0.115 * H),
             line(chain.WALL * W, foot, W, foot, style="floor"),
-            text(
-                chain.WALL * W,
-                (top + 0.03) * H,
-                f"{mode} mode, *ω*_{{{sign}}} = {{{mode}_omega}} rad/s, *X*_2/*X*_1 = {{{mode}_ratio}}",
-                "start",
-                tint=mode,
-                style="t2 b",
-            ),
+            *_title(mode, sign, top),
         ]
         places = [chain.rest(i) + METRE * W * var(f"x{i}_{mode}") for i in (1, 2)]
         for i in (1, 2):
@@ -125,6 +118,16 @@ def _shapes() -> list[Shape]:
                 arrow(rest, axle, place, tip, tint=f"m{i}"),
             ]
     return shapes
+
+
+def _title(mode: str, sign: str, top: float) -> list[Shape]:
+    """What a mode is, over its chain; on a phone its shape stands under the arrows."""
+    frequency, shape = f"{mode} mode, *ω*_{{{sign}}} = {{{mode}_omega}} rad/s", f"*X*_2/*X*_1 = {{{mode}_ratio}}"
+    lines = (f"{frequency}, {shape}", 0.03, "wide"), (frequency, 0.03, "narrow"), (shape, 0.475, "narrow")
+    return [
+        text(chain.WALL * W, (top + share) * H, words_, "start", tint=mode, style="t2 b", show=show)
+        for words_, share, show in lines
+    ]
 
 
 def picture(system: TwoMassChain, window: float | None) -> Picture:

@@ -15,6 +15,7 @@ export class Sheet {
     this.headings = []
     this.items = []
     this.conditional = []
+    this.sticky = []
     this.element = this.#block(block)
   }
 
@@ -27,8 +28,7 @@ export class Sheet {
     if (block.show && block.kind !== "plot") this.conditional.push({host, form: block.show})
     if (block.blocks) host.append(...block.blocks.map(child => this.#block(child)))
     if (block.kind === "stage") {
-      // On a phone the transport stays right under the first stage.
-      if (!this.stages.length) this.page.root.style.setProperty("--stage-height", `${block.height}px`)
+      if (!block.style?.includes("still")) this.sticky.push({host, height: block.height})
       this.stages.push(new Stage(block, host))
     }
     if (block.kind === "plot") {
@@ -114,6 +114,9 @@ export class Sheet {
       for (const [variant, text] of variants) text.hidden = variant !== wanted
     }
     this.choices.forEach(choice => choice.update(params, errors))
+    // On a phone the transport stays right under the stage that stays in sight, if the view has one.
+    const stage = this.sticky.find(({host}) => !host.closest("[hidden]"))
+    this.page.root.style.setProperty("--stage-height", `${stage?.height ?? 0}px`)
   }
 }
 

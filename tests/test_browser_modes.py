@@ -75,3 +75,25 @@ def test_hunt_by_dragging_the_start(page: Page, open_scene: Open) -> None:
     expect(page.get_by_text("The lines:")).to_be_visible()
     before = page.evaluate("oscillations.clock.t")
     page.wait_for_function(f"oscillations.clock.t !== {before}")
+
+
+def test_views_on_a_narrow_phone(new_page: Callable[..., Page], open_scene: Open) -> None:
+    page = new_page(320, 800, has_touch=True)
+    for task in ("guess", "solve", "sweep", "hunt"):
+        for values in ({}, {"k2": "1e8"}, {"m2": "1e-6"}, {"m1": "1.2345e-100", "k1": "1e100"}):
+            open_scene(page, scene="modes", task=task, **values)
+            assert page.evaluate("document.documentElement.scrollWidth") == 320, (task, values)
+        chip = page.get_by_role("button", name="Equal (slide 8)")
+        chip.scroll_into_view_if_needed()
+        chip.click(timeout=3000)
+        page.wait_for_function("oscillations.state.params.m1.value === 1")
+
+
+def test_transport_on_a_phone_is_under_the_stage_in_sight(new_page: Callable[..., Page], open_scene: Open) -> None:
+    page = open_scene(new_page(390, 844, has_touch=True), scene="modes")
+    top = "parseFloat(getComputedStyle(document.querySelector('.transport')).top)"
+    height = "([...document.querySelectorAll('.stage.block:not(.still)')].find(b => b.offsetHeight)?.offsetHeight) ?? 0"
+    for name in ("Solve", "Hunt", "Guess"):
+        page.get_by_role("button", name=name, exact=True).click()
+        page.wait_for_function(f"oscillations.state.params.task.value === '{name.lower()}'")
+        assert page.evaluate(top) == page.evaluate(height)
