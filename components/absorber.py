@@ -24,6 +24,8 @@ from components.stage import (
 WALL, REST = 0.024, (0.36, 0.687)
 """Where the wall and the masses at rest stand, as fractions of the stage's width."""
 FLOORS = (0.377 * H, 0.86 * H)
+TEETH = 190 * var("hook")
+"""How far the teeth of a spring stand out, in pixels: they stay above the floor."""
 
 
 def size_axis(top: float) -> Axis:
@@ -61,11 +63,13 @@ def _rests() -> list[Shape]:
     for i, top in ((1, FLOORS[0] - side(1) - 20), (2, foot - side(1) - 20)):
         zero, tint = REST[i - 1] * W, f"m{i}"
         shapes.append(line(zero, top, zero, foot, tint="mute", style="eq"))
-        for x, label in ((zero, "0"), (zero + var("tick") * W, "{tick}")):
-            shapes += [
-                line(x, foot, x, foot + 5, style="floor"),
-                text(x + (0 if x is zero else 12 * var("narrow")), foot + 18, label, tint=tint, style="t0"),
-            ]
+        # The number of a tick close to 0 is long: its first digit stands under the tick.
+        tick = zero + var("tick") * W
+        shapes += [line(x, foot, x, foot + 5, style="floor") for x in (zero, tick)]
+        shapes += [
+            text(zero, foot + 18, "0", tint=tint, style="t0"),
+            text(tick - 4, foot + 18, "{tick}", "start", tint=tint, style="t0"),
+        ]
     return shapes
 
 
@@ -74,14 +78,15 @@ def _place(i: int, signal: str) -> Number:
 
 
 def _hook(floor: Number) -> Number:
-    return floor - 0.058 * H
+    """Where the springs are fastened: at half the smaller mass at most."""
+    return floor - var("hook") * H
 
 
 def _alone() -> list[Shape]:
     x, floor = _place(1, "x_alone"), FLOORS[0]
     top, middle = floor - side(1), floor - 0.5 * side(1)
     return [
-        spring(WALL * W, _hook(floor), x - 0.5 * side(1), _hook(floor), 1.75, height=11, style="faint"),
+        spring(WALL * W, _hook(floor), x - 0.5 * side(1), _hook(floor), 1.75, height=TEETH, style="faint"),
         block(x, floor, side(1), tint="m1", style="ghost"),
         arrow(x, middle, x + var("push") * W * var("drive"), middle, tint="F", style="thick", head=16),
         circle(x, middle, 5, tint="F"),
@@ -107,14 +112,14 @@ def _both() -> list[Shape]:
     foot, x1, x2 = FLOORS[1], _place(1, "x1"), _place(2, "x2")
     lift = foot - side(1) - 13
     return [
-        spring(WALL * W, _hook(foot), x1 - 0.5 * side(1), _hook(foot), var("wire1"), height=11),
+        spring(WALL * W, _hook(foot), x1 - 0.5 * side(1), _hook(foot), var("wire1"), height=TEETH),
         spring(
             x1 + 0.5 * side(1),
             _hook(foot),
             x2 - 0.5 * side(2),
             _hook(foot),
             var("wire2"),
-            height=11,
+            height=TEETH,
             show="wire2",
         ),
         block(x1, foot, side(1), "m_1", tint="m1", corner=1),
@@ -170,6 +175,7 @@ KNOB = {
     "symbol": "√(k₂/m₂)",
     "label": "Frequency to which the absorber is tuned",
     "tint": "m2",
+    "covering": "rad/s",
 }
 
 

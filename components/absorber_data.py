@@ -20,8 +20,8 @@ from physics.forced import DrivenModes
 
 Floats = NDArray[np.float64]
 
-LARGEST, SMALLEST = 0.265, 0.045
-"""Sides of the masses as fractions of the stage's height."""
+LARGEST, SMALLEST, HOOK = 0.265, 0.045, 0.058
+"""Sides of the masses, and the height of the springs, as fractions of the stage's height."""
 DEFLECTION = 0.00767
 """The width that the static deflection takes where all fits."""
 TINY, LEAD = 1e-200, 0.145
@@ -150,9 +150,11 @@ def drawn(duty: Duty, end: float, size: Axis) -> tuple[dict[str, float], str]:
     tick = round_down(DEFLECTION * 10 / metre)
     way = scale * (duty.over_deflection(duty.swings[0]) if duty.steady else reach[0])
     pull = _pull(duty) if duty.steady else duty.k2 * reach[1] / duty.k1 * duty.F_0
+    sides = [max(LARGEST * math.sqrt(m / whole), SMALLEST) for m in (duty.m1, duty.m2)]
     scalars = {
-        "side1": max(LARGEST * math.sqrt(duty.m1 / whole), SMALLEST),
-        "side2": max(LARGEST * math.sqrt(duty.m2 / whole), SMALLEST),
+        "side1": sides[0],
+        "side2": sides[1],
+        "hook": min(HOOK, min(sides) / 2),
         "wire1": wire(duty.k1 / 1e4),
         "wire2": wire(duty.k2 / 1e4),
         "metre": metre,

@@ -76,7 +76,7 @@ def _determinant_words() -> list[str | dict[str, str]]:
     return [
         {
             "form": "D",
-            "product": r"$D = k_2 (k_2 - m_2 \omega^2) \cdot (\val{apart}) = \val{D}$",
+            "product": r"$D = k_2 (k_2 - m_2 \omega^2) \cdot (\val{apart})$ $= \val{D}$",
             "value": r"$D = \val{D}$",
         },
         {
@@ -140,6 +140,7 @@ def _determinant_plot() -> Block:
                 "tint": "F",
                 "axis": "x",
                 "text": "square",
+                "covering": "(rad/s)²",
             },
         ),
         marks=tuple(
@@ -238,10 +239,18 @@ def _over_determinant() -> tuple[Shape, ...]:
     """Over D: its zeros, the two values that alone prove them, and its value at the trial frequency."""
     shapes = [
         *_point("det", var("w0"), var("D0"), 4, "ink", show="D0_in"),
-        *_label("det", var("w0"), var("D0"), "ink", (14, 4), "*k*_1*k*_2 = {k1k2}", show="D0_in", weight="t0"),
+        *_label("det", var("w0"), var("D0"), "ink", (14, 4), "*k*_1*k*_2 = {k1k2}", show="D0_in D0_clear", weight="t0"),
         *_point("det", var("w_held"), var("D_held"), 4, "ink", show="held_in"),
         *_label(
-            "det", var("w_held"), var("D_held"), "ink", (-3, -9), "−*k*_2² = {k2k2}", "middle", "held_in", weight="t0"
+            "det",
+            var("w_held"),
+            var("D_held"),
+            "ink",
+            (-3, -9),
+            "−*k*_2² = {k2k2}",
+            "middle",
+            "held_in held_clear",
+            weight="t0",
         ),
     ]
     for mode in MODES:

@@ -82,7 +82,14 @@ def _plane() -> Block:
         top=10,
         square=True,
         handles=(
-            {"parameter": "x1_0", "symbol": "x₁", "label": "Start of mass 1", "tint": "m1", "axis": "x"},
+            {
+                "parameter": "x1_0",
+                "symbol": "x₁",
+                "label": "Start of mass 1",
+                "tint": "m1",
+                "axis": "x",
+                "covering": "m",
+            },
             {"parameter": "x2_0", "symbol": "x₂", "label": "Start of mass 2", "tint": "m2", "axis": "y"},
         ),
         shapes=(circle(on_x("plane", var("start1")), on_y("plane", var("start2")), 8, tint="ink", style="ring"),),

@@ -18,6 +18,7 @@ from physics.sweeps import PARAMETERS, Sweep, limit, sweep
 
 MODES = ("slow", "fast")
 DECADES = 6
+UNITS = {"m": "kg", "k": "N/m"}
 SYMBOLS = {"m1": "m₁", "m2": "m₂", "k1": "k₁", "k2": "k₂"}
 PARTNER = {"m1": "m2", "m2": "m1", "k1": "k2", "k2": "k1"}
 """The parameter of the same kind: a sweep is centred where both are alike."""
@@ -156,6 +157,7 @@ def _handles(bare: bool = False) -> tuple[dict[str, object], ...]:
             "axis": "x",
             "show": f"swept_{name}",
             "bare": bare,
+            "covering": UNITS[name[0]],
         }
         for name in PARAMETERS
     )
@@ -177,7 +179,7 @@ def picture(system: TwoMassChain, swept: str) -> Picture:
         columns |= _pair(name, values[part], tends.omega, tends.ratio)
     modes = system.modes()
     columns |= _pair("now", np.array([getattr(system, swept)]), modes.omega[:, None], modes.ratio[:, None])
-    decades = log_axis(float(values[0]), float(values[-1]), {"m": "kg", "k": "N/m"}[swept[0]], DECADES)
+    decades = log_axis(float(values[0]), float(values[-1]), UNITS[swept[0]], DECADES)
     return Picture(
         columns=columns,
         axes={

@@ -95,7 +95,8 @@ def plot(
     `margin` the room for labels at the left and at the right. `cursor="time"` draws the instant shown and lets it be
     dragged; `handles` are pills on an axis that set a parameter: {"parameter": name, "symbol": text,
     "label": accessible name, "tint": class, "axis": "x" or "y", "least": its lowest value,
-    "text": the live number shown in place of the parameter's, "show": the form by which it stands, "bare": moved by a
+    "text": the live number shown in place of the parameter's, "unit": what follows it, "covering": the unit that is
+    said where the pill stands over that of the axis, "show": the form by which it stands, "bare": moved by a
     press on the plot alone, without a pill}. `marks` are lines with a flag across the plot at a scalar (in the axis'
     unit): {"at": scalar, "tint": class, "html": rich text of the flag, "label": accessible name, "set" or "act":
     parameter or action it is the button for, "axis": "x" or "y", "lift": pixels of the flag over the frame,

@@ -177,7 +177,16 @@ def response_plot(**place: Any) -> Block:
         source="branch0",
         x_column="omega",
         marks=marks,
-        handles=({"parameter": "omega", "symbol": "ω", "label": "Drive frequency", "tint": "F", "axis": "x"},),
+        handles=(
+            {
+                "parameter": "omega",
+                "symbol": "ω",
+                "label": "Drive frequency",
+                "tint": "F",
+                "axis": "x",
+                "covering": "rad/s",
+            },
+        ),
         top=48,
         **place,
     )

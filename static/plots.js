@@ -193,10 +193,17 @@ export class Plot {
       pill.style.top = `${top + height + 3}px`
     }
     pill.classList.toggle("outside", inside !== value)
-    const shown = `${pill.symbol ? `${pill.symbol} ` : ""}${text ?? ""}${pill.handle?.unit ?? ""}`
+    const bare = `${pill.symbol ? `${pill.symbol} ` : ""}${text ?? ""}${pill.handle?.unit ?? ""}`
+    const shown = pill.handle?.covering && this.#hidesUnit(bare, inside) ? `${bare} ${pill.handle.covering}` : bare
     if (pill.textContent !== shown) pill.textContent = shown
     const facts = {"aria-valuenow": value, "aria-valuetext": text ?? "", "aria-valuemin": axis.start, "aria-valuemax": axis.end}
     for (const [key, fact] of Object.entries(facts)) pill.setAttribute(key, fact)
+  }
+
+  // Whether a handle with this text hides the last number of the axis, with which the unit stands.
+  #hidesUnit(text, at) {
+    const {ticks, labels} = this.x, last = ticks.length - 1
+    return Math.abs(this.px(ticks[last]) - this.px(at)) < (textWidth(labels[last]) + textWidth(text)) / 2 + 12
   }
 
   // From a number of an axis to SI, and back.

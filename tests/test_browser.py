@@ -150,6 +150,14 @@ def test_the_handle_on_the_response_curve(page: Page, open_scene: Open) -> None:
     assert page.evaluate("oscillations.state.columns.time.x1_p === undefined")
 
 
+def test_a_handle_over_the_last_number_says_the_unit(page: Page, open_scene: Open) -> None:
+    pill = page.get_by_role("slider", name="Drive frequency")
+    open_scene(page, scene="forced", curve="log", omega=10)
+    expect(pill).to_have_text("ω 10.0 rad/s")
+    open_scene(page, scene="forced", curve="log", omega=0.3)
+    expect(pill).to_have_text("ω 0.300")
+
+
 def test_a_term_of_the_formula_takes_its_curve_away(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     page.locator(".block.plot .part.slow").first.click()

@@ -105,6 +105,12 @@ def test_stage_shows_the_steady_motion(values: dict[str, Any]) -> None:
     np.testing.assert_allclose(motion(signals["pull_now"], t), link, atol=0.01)
 
 
+@pytest.mark.parametrize("m2", [1e-6, 0.01, 16.0, 1e6])
+def test_springs_end_on_the_smaller_mass(m2: float) -> None:
+    scalars = Absorber(m2=m2).shown.scalars
+    assert 0 < scalars["hook"] <= min(scalars["side1"], scalars["side2"]) / 2
+
+
 def test_forces_cancel_on_the_tuned_machine() -> None:
     signals, t = Absorber().shown.signals, np.linspace(0.0, 1.0, 50)
     drive, pull = motion(signals["drive_now"], t), motion(signals["pull_now"], t)
