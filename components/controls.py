@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 
 Errors = dict[str, str]
 Choice = (param.Selector, param.Boolean)
+_POWER = re.compile(r"(?<=\d)e(?:\+|(-))0*(?=\d)")
 
 
 @dataclass(frozen=True)
@@ -247,7 +249,8 @@ def _still(scene: Scene, name: str) -> str:
 
 
 def _sentence(error: ValueError) -> str:
-    text = str(error)
+    """What the physics says, its numbers as they are typed: 1e300."""
+    text = _POWER.sub(r"e\1", str(error))
     return text[:1].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) else ".")
 
 

@@ -92,6 +92,11 @@ def test_steady_start_is_refused_at_resonance() -> None:
     assert "natural frequency" in errors["action"]
 
 
+def test_refusals_write_numbers_as_they_are_typed() -> None:
+    errors = apply_message(Forced(), {"type": "typed", "name": "omega", "text": "1e300"})
+    assert "= 1e300 rad/s" in errors["omega"]
+
+
 def test_near_resonance_the_parts_give_way_to_the_envelope() -> None:
     scene = Forced(omega=1 / GOLDEN)
     data, limit = scene.sources["time"].data, scene.sources["limit"].data
