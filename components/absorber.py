@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from components.absorber_goals import frequencies
 from components.absorber_words import HELPED, VERDICTS
-from components.plots import Axis, Band, Curve, nice_axis, nice_ticks, plot
+from components.axes import Axis, nice_axis, nice_ticks
+from components.plots import Band, Curve, plot
 from components.sheet import Block, phrase, stage
 from components.stage import (
     H,

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from components.axes import Axis
 from components.chain import wire
 from components.duty import AWAY, Duty
 from components.motion import responses, round_down, sines
 from components.numbers import short, three
-from components.plots import Axis
 from components.scene import Columns
 from physics.absorber import damped_amplitude, den_hartog, fixed_points
 from physics.exact import exact, precise, rounded

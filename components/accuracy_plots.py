@@ -6,7 +6,8 @@ from collections.abc import Callable
 from typing import Any
 
 from components.accuracy_data import REACH, TOP, stability
-from components.plots import Axis, Curve, plot
+from components.axes import Axis
+from components.plots import Curve, plot
 from components.scene import Columns
 from components.sheet import Block, phrase, table
 from components.stage import circle, on_x, on_y, text, var

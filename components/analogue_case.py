@@ -9,7 +9,7 @@ from functools import cache, cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from components.plots import Axis, nice_axis
+from components.axes import Axis, nice_axis
 from components.scene import Columns
 from components.traces import samples, trace
 from physics.analogue import Analogue

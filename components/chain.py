@@ -6,10 +6,10 @@ from dataclasses import dataclass
 from math import log10
 from typing import Any
 
+from components.axes import Axis
 from components.controls import Group
 from components.motion import rates, round_down, scaled, sines
 from components.numbers import short
-from components.plots import Axis
 from components.scene import Columns
 from components.stage import Number, Shape, W, arrow, block, line, spring, text, var, wall
 from physics.coupled import FreeModes

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from components.axes import Axis
 from components.chain import components, free_signals
 from components.motion import derived, responses, sines, total
-from components.plots import Axis
 from components.scene import Columns
 from components.stage import var
 from components.traces import trace

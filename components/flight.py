@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from components.axes import Axis, nice_axis, nice_ticks
 from components.numbers import short
-from components.plots import Axis, nice_axis, nice_ticks
 from components.stage import (
     Number,
     Shape,

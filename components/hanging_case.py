@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 
+from components.axes import Axis, nice_axis, nice_ticks, time_axis
 from components.numbers import MINUS, power_unit, three
-from components.plots import Axis, nice_axis, nice_ticks, time_axis
 from physics.exact import exact, precise, rounded
 from physics.hanging import Datum, HangingMass
 from physics.oscillator import OscillatorConstants

@@ -76,7 +76,7 @@ def _determinant_words() -> list[str | dict[str, str]]:
     return [
         {
             "form": "D",
-            "product": r"$D = k_2 (k_2 - m_2 \omega^2) \cdot (\val{apart})$ $= \val{D}$",
+            "product": r"$D = k_2 (k_2 - m_2 \omega^2) \cdot (\val{apart})$$= \val{D}$",
             "value": r"$D = \val{D}$",
         },
         {

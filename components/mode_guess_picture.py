@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from components.axes import Axis, nice_axis, squared_axis, time_axis
 from components.motion import pace, sines
 from components.numbers import signed, ten, three
-from components.plots import Axis, nice_axis, squared_axis, time_axis
 from components.scene import Columns, Picture
 from physics.coupled import Modes, TwoMassChain
 from physics.modes import Forces, Trial, determinant_curve, forces, quadratic, row_curves, trial

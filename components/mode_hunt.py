@@ -7,9 +7,10 @@ import math
 import numpy as np
 
 from components import chain
+from components.axes import Axis, nice_axis, time_axis
 from components.motion import pace, round_down, total
 from components.numbers import signed, three
-from components.plots import Axis, Curve, nice_axis, plot, time_axis
+from components.plots import Curve, plot
 from components.scene import Columns, Picture
 from components.sheet import Block, choice, column, row, stage, words
 from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text, var

@@ -6,9 +6,9 @@ import math
 from decimal import Decimal
 
 from components import chain
+from components.axes import Axis, time_axis
 from components.motion import pace, sines
 from components.numbers import signed, three
-from components.plots import Axis, time_axis
 from components.scene import Picture
 from components.sheet import Block, row, stage, words
 from components.stage import H, Shape, W, arrow, block, circle, line, text, var
@@ -40,12 +40,12 @@ def sheet() -> Block:
 def _formulas() -> list[str | dict[str, str]]:
     return [
         r"**Where is** $D = m_1 m_2 \omega^4 - b\,\omega^2 + k_1 k_2$ **zero?**",
-        r"$\val{m1m2}\,\omega^4 - \val{b}\,\omega^2 + \val{k1k2_}$ $= 0$ with $b = m_1 k_2 + m_2 (k_1 + k_2)$",
-        r"$\omega_\pm^2 = (b \pm \sqrt{\Delta})/(2 m_1 m_2)$ with $\Delta = b^2 - 4 m_1 m_2 k_1 k_2$ $= \val{Delta}$",
+        r"$\val{m1m2}\,\omega^4 - \val{b}\,\omega^2 + \val{k1k2_}$$= 0$ with $b = m_1 k_2 + m_2 (k_1 + k_2)$",
+        r"$\omega_\pm^2 = (b \pm \sqrt{\Delta})/(2 m_1 m_2)$ with $\Delta = b^2 - 4 m_1 m_2 k_1 k_2$$= \val{Delta}$",
         {
             "form": "positive",
             "sum": r"**$\Delta > 0$:** it is "
-            r"$(m_1 k_2 - m_2 (k_1 + k_2))^2$ $+\; 4 m_1 m_2 k_2^2$ "
+            r"$(m_1 k_2 - m_2 (k_1 + k_2))^2$ $+\; 4 m_1 m_2 k_2^2$"
             r"$= (\val{difference})^2$ $+\; \val{coupling}$, squares that never vanish together. "
             r"So both $\omega^2$ are real.",
             "loose": r"**$\Delta$ is a square:** $(m_2 k_1)^2$, as nothing couples the masses. "
@@ -71,8 +71,8 @@ def _ratios() -> list[str | dict[str, str]]:
             "both": r"**The shapes:** $-X_2/X_1 = (m_1 \omega_\pm^2 - k_1 - k_2)/k_2 = \gamma \pm \delta$",
             "loose": "**The shapes:** without $k_2$ each mass moves alone.",
         },
-        {"form": "gamma", "shown": r"$\gamma = m_1/(2 m_2) - (k_1 + k_2)/(2 k_2)$ $= \val{gamma}$"},
-        {"form": "gamma", "shown": r"$\delta = \sqrt{\gamma^2 + m_1/m_2}$ $= \val{delta}$, more than $|\gamma|$"},
+        {"form": "gamma", "shown": r"$\gamma = m_1/(2 m_2) - (k_1 + k_2)/(2 k_2)$$= \val{gamma}$"},
+        {"form": "gamma", "shown": r"$\delta = \sqrt{\gamma^2 + m_1/m_2}$$= \val{delta}$, more than $|\gamma|$"},
         {
             "form": "slow_shape",
             "ratio": r"[slow|$(X_2/X_1)_- = -\gamma + \delta = \val{slow_ratio} > 0$: in phase]",

@@ -8,9 +8,10 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from components.axes import Axis, log_axis
 from components.equations import rich
 from components.numbers import signed, three
-from components.plots import Axis, Curve, log_axis, plot
+from components.plots import Curve, plot
 from components.scene import Columns, Picture
 from components.sheet import Block, choice, column, row, term, words
 from physics.coupled import TwoMassChain

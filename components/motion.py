@@ -11,7 +11,7 @@ from collections.abc import Iterable
 from decimal import Decimal
 from typing import Any
 
-from components.plots import Axis
+from components.axes import Axis
 from components.stage import Number, as_expression
 
 

@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from components.axes import Axis, log_axis, nice_axis
 from components.equations import rich
 from components.numbers import three
-from components.plots import Axis, Curve, log_axis, nice_axis, plot
+from components.plots import Curve, plot
 from components.scene import Columns
 from components.sheet import Block
 from physics.coupled import TwoMassChain

@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from param.parameterized import ParameterizedMetaclass, discard_events
 
 from components.about import About
+from components.axes import Axis
 from components.controls import Group, controls_spec
 from components.numbers import excerpt
 from components.parameters import Quantity
-from components.plots import Axis
 from components.sheet import Block
 from components.units import Unit
 

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from components.axes import Axis
 from components.motion import derived, scaled, sines, table
 from components.numbers import short, three
-from components.plots import Axis
 from components.stage import var
 from components.traces import samples, trace
 from physics.phugoid import (

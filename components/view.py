@@ -18,8 +18,8 @@ from panel.custom import JSComponent
 from panel.widgets.base import WidgetBase
 
 from components.about import about_wire
+from components.axes import Axis
 from components.controls import apply_message, params_state
-from components.plots import Axis
 from components.scene import Picture, Scene, static_description
 from components.sheet import Block
 from components.url import write_query

@@ -48,10 +48,10 @@ export class Labels {
     placed.sort((a, b) => a.y - b.y)
     const gap = parseFloat(colour("t1")) + 2
     for (let i = 1; i < placed.length; i++) placed[i].y = Math.max(placed[i].y, placed[i - 1].y + gap)
-    const over = placed.length ? placed[placed.length - 1].y - (top + height + 6) : 0
+    const over = placed.length ? placed[placed.length - 1].y - (top + height) : 0
     for (const [i, {text, y}] of placed.entries()) {
       text.setAttribute("x", left + width + 7)
-      text.setAttribute("y", (over > 0 ? Math.min(y, top + height + 6 - (placed.length - 1 - i) * gap) : y) + 4)
+      text.setAttribute("y", (over > 0 ? Math.min(y, top + height - (placed.length - 1 - i) * gap) : y) + 4)
     }
   }
 

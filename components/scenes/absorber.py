@@ -14,11 +14,11 @@ from components.about import About
 from components.about_chain import absorber_about
 from components.absorber_goals import goals
 from components.absorber_words import sentences
+from components.axes import nice_axis, time_axis
 from components.controls import Group
 from components.duty import Duty
 from components.motion import pace
 from components.parameters import angular_frequency, mass, not_negative, positive, stiffness
-from components.plots import nice_axis, time_axis
 from components.scene import Picture, Scene
 from components.sheet import Block, column, row, words
 from components.units import Unit

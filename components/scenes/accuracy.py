@@ -36,11 +36,11 @@ from components.accuracy_plots import (
     stopped_rows,
     work_plot,
 )
+from components.axes import Axis, log_axis, nice_axis
 from components.controls import Group
 from components.measuring import Job, measuring
 from components.numbers import short, three
 from components.parameters import angular_frequency, displacement, force, mass, positive, stiffness, velocity
-from components.plots import Axis, log_axis, nice_axis
 from components.scene import Picture, Scene
 from components.sheet import Block, choice, column, row, when, words
 from physics.accuracy import PERIODS, SYSTEMS, Run, System, plan

@@ -16,10 +16,10 @@ from components.analogue_case import DEGREE, LIMITS, Case, late_axes, late_colum
 from components.analogue_controls import LARGEST, SHORT, SWINGING, angle, groups, quantities
 from components.analogue_pictures import tiles
 from components.analogue_sheet import analogue_sheet
+from components.axes import Axis, time_axis
 from components.controls import Group
 from components.motion import cosine_of, derived, pace, sine_of, sines, table
 from components.numbers import three
-from components.plots import Axis, time_axis
 from components.scene import Picture, Scene
 from components.sheet import Block
 from components.stage import var

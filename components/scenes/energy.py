@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from components.about import About
 from components.about_single import energy_about
+from components.axes import Axis
 from components.chain import wire
 from components.controls import Group
 from components.hanging import PLANETS
@@ -20,7 +21,6 @@ from components.hanging_sheet import hanging_sheet
 from components.motion import derived, pace, sines
 from components.numbers import three
 from components.parameters import displacement, mass, not_negative, positive, velocity
-from components.plots import Axis
 from components.scene import Columns, Picture, Scene
 from components.sheet import Block
 from components.stage import var

@@ -12,12 +12,12 @@ from numpy.typing import NDArray
 
 from components.about import About
 from components.about_single import oscillator_about
+from components.axes import Axis, nice_axis, time_axis
 from components.chain import wire
 from components.controls import Group
 from components.motion import pace, scaled, sines
 from components.numbers import MINUS, plus, power_unit, signed, three
 from components.parameters import displacement, mass, stiffness, velocity
-from components.plots import Axis, nice_axis, time_axis
 from components.scene import Columns, Picture, Scene
 from components.sheet import Block
 from components.traces import samples, trace

@@ -10,6 +10,7 @@ import param
 
 from components.about import About
 from components.about_single import flight_about
+from components.axes import Axis, nice_axis, time_axis
 from components.controls import Group
 from components.flight import flight_shapes, ground_axes, outline, velocity_axes, velocity_shapes
 from components.flight_plots import (
@@ -23,7 +24,6 @@ from components.flight_plots import (
 from components.motion import pace
 from components.numbers import MINUS, signed, three
 from components.parameters import Quantity, mass, positive
-from components.plots import Axis, nice_axis, time_axis
 from components.scene import Picture, Scene
 from components.sheet import Block, choice, column, row, stage, when, words
 from components.stage import Shape, W, text

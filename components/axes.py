@@ -1,0 +1,147 @@
+"""Axes: a range in SI units, the unit that suits it, and round numbers to write at it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+from decimal import Decimal
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from components.numbers import MINUS, power_unit, ten, three
+
+
+@dataclass(frozen=True)
+class Axis:
+    """The range of an axis in SI units, and how it is labelled: in units of `factor` (in SI) times 10**exponent.
+
+    Ticks are labelled by their numbers, or by `labels` where these are given.
+    With a `power` the axis shows that power of the number: columns and handles hold omega, the axis shows omega^2.
+    """
+
+    start: float
+    end: float
+    unit: str = ""
+    exponent: int = 0
+    suffix: str = ""
+    ticks: tuple[float, ...] = field(default=(), repr=False)
+    log: bool = False
+    factor: float = 1.0
+    power: int = 1
+    labels: tuple[str, ...] = field(default=(), repr=False)
+
+    def places(self, values: NDArray[np.float64] | float) -> NDArray[np.float64]:
+        """Where values stand on this axis, in its unit; logarithms to base ten on a log axis."""
+        measured = np.asarray(values, dtype=float) / self.factor
+        if self.log:
+            return np.log10(np.maximum(measured, 5e-324))
+        return scale_by_ten(measured, -(self.exponent // self.power)) ** self.power
+
+    def place(self, value: float) -> float:
+        """The same of one value: for scalars and marks."""
+        return float(self.places(value))
+
+    def scaled(self, values: NDArray[np.float64]) -> NDArray[np.float32]:
+        """Places ready for the wire: cut far outside the frame, where no line is seen."""
+        with np.errstate(over="ignore"):
+            return np.clip(self.places(values), -1e30, 1e30).astype(np.float32)
+
+    @property
+    def full_unit(self) -> str:
+        """The unit with the power of ten before it."""
+        return f"{self.suffix}{self.unit}"
+
+    def digits(self, signed: bool = False) -> tuple[int, bool]:
+        """How a number that moves is shown on this axis: decimals, and whether its sign always stands."""
+        return max(0, 2 - math.floor(math.log10(max(abs(self.place(self.start)), abs(self.place(self.end)))))), signed
+
+    def number(self, value: float) -> str:
+        """A value in this axis' unit, to three digits."""
+        return three(self.place(value))
+
+    def wire(self) -> dict[str, Any]:
+        labels = [ten(round(tick)) if self.log else f"{tick:.6g}".replace("-", MINUS) for tick in self.ticks]
+        if self.labels:
+            labels = list(self.labels)
+        elif self.ticks and self.unit:
+            labels[-1] = f"{labels[-1]}{'' if self.full_unit == '°' else ' '}{self.full_unit}"
+        start, end = self.place(self.start), self.place(self.end)
+        ticks = [float(tick) for tick in self.ticks]
+        return {
+            "start": start,
+            "end": end,
+            "ticks": ticks,
+            "labels": labels,
+            "unit": self.full_unit,
+            "exponent": self.exponent,
+            "factor": self.factor,
+            "power": self.power,
+            "log": self.log,
+        }
+
+
+def scale_by_ten(values: NDArray[np.float64], exponent: int) -> NDArray[np.float64]:
+    """values * 10**exponent, in two steps so that no power of ten leaves the range of doubles."""
+    half = exponent // 2
+    return values * 10.0**half * 10.0 ** (exponent - half)
+
+
+def nice_axis(
+    low: float, high: float, unit: str = "", count: int = 4, exact: bool = False, factor: float = 1.0
+) -> Axis:
+    """An axis over [low, high] with at most `count` + 1 round ticks; unless `exact`, it grows to show the curve whole.
+
+    `factor` is the unit of its labels in SI: 0.3048 for feet.
+    """
+    if not high > low:
+        middle = abs(low) or factor
+        low, high = low - middle, high + middle
+    exponent, suffix = power_unit(max(abs(low), abs(high)) / factor)
+    bare = Axis(low, high, unit, exponent, suffix, factor=factor)
+    a, b = bare.place(low), bare.place(high)
+    ticks = nice_ticks(a, b, count)
+    margin = 0.0 if exact else 0.08 * (high - low)
+    return replace(bare, start=low - margin, end=high + margin, ticks=ticks)
+
+
+def squared_axis(end: float, unit: str, count: int = 5) -> Axis:
+    """An axis of the squares of numbers from 0 to `end`, whose own range is then twice that of doubles."""
+    exponent = 6 * (Decimal(end).adjusted() // 3) if not 1e-3 <= end < 1e2 else 0
+    bare = Axis(0.0, end, unit, exponent, f"{ten(exponent)} " if exponent else "", power=2)
+    return replace(bare, ticks=nice_ticks(0.0, bare.place(end), count))
+
+
+def nice_ticks(low: float, high: float, count: int) -> tuple[float, ...]:
+    """At most `count` + 1 multiples of a round step within [low, high]; two at the least where the range allows."""
+    power = 10.0 ** math.floor(math.log10((high - low) / count))
+    for step in (f * power for f in (1, 2, 2.5, 4, 5, 10)):
+        first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+        if last - first <= count:
+            break
+    return tuple(step * i for i in range(first, last + 1))
+
+
+def log_axis(low: float, high: float, unit: str = "", count: int = 5) -> Axis:
+    """A logarithmic axis with ticks at powers of ten."""
+    first, last = math.ceil(math.log10(low) - 1e-9), math.floor(math.log10(high) + 1e-9)
+    step = max(1, math.ceil((last - first) / count))
+    return Axis(low, high, unit, ticks=tuple(float(p) for p in range(first, last + 1, step)), log=True)
+
+
+def whole_axis(end: float, unit: str) -> Axis:
+    """An axis from 0 to `end`, both marked: for what is a share of a total."""
+    axis = nice_axis(0.0, end, unit, exact=True)
+    top = axis.place(axis.end)
+    return replace(axis, ticks=(0.0, float(f"{top:.3g}")))
+
+
+def time_axis(end: float) -> Axis:
+    """The axis of a time window from 0 to `end` seconds."""
+    return nice_axis(0.0, end, "s", 5, exact=True)
+
+
+def widest(*ranges: tuple[float, float]) -> tuple[float, float]:
+    """The range that holds all of these."""
+    return min(low for low, _ in ranges), max(high for _, high in ranges)
