@@ -239,7 +239,7 @@ def _over_determinant() -> tuple[Shape, ...]:
     """Over D: its zeros, the two values that alone prove them, and its value at the trial frequency."""
     shapes = [
         *_point("det", var("w0"), var("D0"), 4, "ink", show="D0_in"),
-        *_label("det", var("w0"), var("D0"), "ink", (14, 4), "*k*_1*k*_2 = {k1k2}", show="D0_in D0_clear", weight="t0"),
+        *_label("det", var("w0"), var("D0"), "ink", (14, 9), "*k*_1*k*_2 = {k1k2}", show="D0_in D0_clear", weight="t0"),
         *_point("det", var("w_held"), var("D_held"), 4, "ink", show="held_in"),
         *_label(
             "det",

@@ -197,7 +197,7 @@ def _clear(guess: Guess, w: float, D: float, known: dict[str, float]) -> dict[st
     first, held = ((known[f"w{at}"] - w) / wide for at in ("0", "_held"))
     above, level = ((known[f"D{at}"] - D) / high for at in ("0", "_held"))
     return {
-        "D0_clear": float(not (first > -0.4 and -0.05 < above < 0.35)),
+        "D0_clear": float(not (first > -0.4 and -0.05 < above < 0.4)),
         "held_clear": float(not (-0.15 < held < 0.45 and abs(level) < 0.2)),
     }
 
