@@ -223,10 +223,10 @@ export class Plot {
     else this.page.send({type: "set", values: {[pill.handle.parameter]: this.#rounded(inside, pill.handle)}})
   }
 
-  // Four digits of the unit of the axis; `least` is the lowest value that a handle may have.
+  // Four digits of the unit of the axis, two where it spans many decades; `least` is the lowest value of a handle.
   #rounded(value, {axis = "x", least = -Infinity}) {
-    const {factor, log, power} = this[axis]
-    const si = factor === 1 || log || power > 1 ? this.si(value, axis).toPrecision(4) : this.si(Number(value.toPrecision(4)), axis).toPrecision(15)
+    const {factor, log, power, start, end} = this[axis]
+    const si = factor === 1 || log || power > 1 ? this.si(value, axis).toPrecision(log && end - start > 4 ? 2 : 4) : this.si(Number(value.toPrecision(4)), axis).toPrecision(15)
     return Math.max(Number(si), least)
   }
 

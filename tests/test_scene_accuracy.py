@@ -7,7 +7,8 @@ import math
 import numpy as np
 import pytest
 
-from components.accuracy_data import (
+from components.scenes.accuracy import Accuracy
+from components.scenes.accuracy.data import (
     FLOOR,
     picked_run,
     price_texts,
@@ -18,7 +19,6 @@ from components.accuracy_data import (
     stopped,
     work,
 )
-from components.scenes.accuracy import Accuracy
 from physics.accuracy import SYSTEMS, Run, plan
 from physics.coupled import TwoMassChain
 from tests.scene_checks import check_picture

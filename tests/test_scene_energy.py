@@ -9,9 +9,9 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from components.controls import apply_message
-from components.hanging import PLANETS
 from components.scenes import SCENES
 from components.scenes.energy import Energy
+from components.scenes.energy.hanging import PLANETS
 from components.url import read_query, write_query
 from tests.scene_checks import check_picture, corners, typed
 

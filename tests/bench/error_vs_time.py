@@ -21,7 +21,7 @@ from pathlib import Path
 
 from physics.accuracy import SYSTEMS, Limits, Run, System, measure, plan
 
-RECORDED = Path(__file__).parents[2] / "components" / "recorded_runs.json"
+RECORDED = Path(__file__).parents[2] / "components/scenes/accuracy/recorded_runs.json"
 QUICK = ("benign", "stiff")
 GOOD_ENOUGH = 1e-6
 SETTINGS = {"closed": "", "fixed": "{:g} steps an output", "adaptive": "rtol {:g}"}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from components.analogue_pictures import HEIGHT, PICTURES, WIDTH, Canvas, large
+from components.scenes.analogues.pictures import HEIGHT, PICTURES, WIDTH, Canvas, large
 from components.stage import (
     NARROW,
     WIDE,

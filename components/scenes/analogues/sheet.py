@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 
 from components.analogue_case import LIMITS
-from components.analogue_controls import SWINGING
-from components.analogue_stage import over_lateness, over_motion, shapes
 from components.numbers import three
 from components.plots import Curve, plot
+from components.scenes.analogues.controls import SWINGING
+from components.scenes.analogues.stage import over_lateness, over_motion, shapes
 from components.sheet import Block, column, row, stage, table, term, words
 from components.traces import traced
 from physics.analogues import ANALOGUES

@@ -19,9 +19,9 @@ from components.motion import pace, scaled, sines
 from components.numbers import MINUS, plus, power_unit, signed, three
 from components.parameters import displacement, mass, stiffness, velocity
 from components.scene import Columns, Picture, Scene
+from components.scenes.oscillator.sheet import oscillator_sheet
 from components.sheet import Block
 from components.traces import samples, trace
-from components.turning_sheet import oscillator_sheet
 from physics.oscillator import Oscillator, OscillatorConstants
 from physics.sampling import Sinusoid, drawable, periods, time_window
 

@@ -13,13 +13,13 @@ from components.about import About
 from components.about_chain import forced_about
 from components.axes import Axis, nice_axis, time_axis, widest
 from components.controls import Group
-from components.driven import energy_columns, limit_columns, motion_columns, motion_signals, resonant
 from components.motion import pace
 from components.numbers import short, signed, three
 from components.parameters import angular_frequency, displacement, force, mass, stiffness, velocity
 from components.plots import Band, Curve, plot
-from components.response import response, response_plot
 from components.scene import Columns, Picture, Scene
+from components.scenes.forced.driven import energy_columns, limit_columns, motion_columns, motion_signals, resonant
+from components.scenes.forced.response import response, response_plot
 from components.sheet import Block, choice, column, row, stage, term, when, words
 from components.stage import H, Shape, W, arrow, circle, text, var
 from components.traces import samples, traced

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from components.accuracy_data import REACH, TOP, stability
 from components.axes import Axis
 from components.plots import Curve, plot
 from components.scene import Columns
+from components.scenes.accuracy.data import REACH, TOP, stability
 from components.sheet import Block, phrase, table
 from components.stage import circle, on_x, on_y, text, var
 from physics.integrators import FIXED_STEP

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from components import chain
 from components.equations import rich
-from components.mode_guess_picture import MODES, ROWS
 from components.plots import Curve, plot
+from components.scenes.modes.guess_picture import MODES, ROWS
 from components.sheet import Block, column, row, stage, term, words
 from components.stage import H, Number, Shape, W, arrow, circle, line, on_x, on_y, text, var
 

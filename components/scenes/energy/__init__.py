@@ -15,13 +15,13 @@ from components.about_single import energy_about
 from components.axes import Axis
 from components.chain import wire
 from components.controls import Group
-from components.hanging import PLANETS
-from components.hanging_case import Case, case_axes
-from components.hanging_sheet import hanging_sheet
 from components.motion import derived, pace, sines
 from components.numbers import three
 from components.parameters import displacement, mass, not_negative, positive, velocity
 from components.scene import Columns, Picture, Scene
+from components.scenes.energy.case import Case, case_axes
+from components.scenes.energy.hanging import PLANETS
+from components.scenes.energy.sheet import hanging_sheet
 from components.sheet import Block
 from components.stage import var
 from components.traces import samples, trace

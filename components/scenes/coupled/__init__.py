@@ -14,11 +14,11 @@ from components import chain
 from components.about import About
 from components.about_chain import coupled_about
 from components.axes import Axis, nice_axis, time_axis, whole_axis, widest
-from components.coupled_sheet import MODES, SIGN, coupled_sheet
 from components.motion import derived, pace, scaled, total
 from components.numbers import plus, signed, three
 from components.parameters import displacement, mass, stiffness, velocity
 from components.scene import Columns, Picture, Scene
+from components.scenes.coupled.sheet import MODES, SIGN, coupled_sheet
 from components.sheet import Block
 from components.stage import var
 from components.traces import samples, trace

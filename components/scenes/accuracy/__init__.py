@@ -8,7 +8,13 @@ from typing import Any
 import numpy as np
 import param
 
-from components.accuracy_data import (
+from components.axes import Axis, log_axis, nice_axis
+from components.controls import Group
+from components.measuring import Job, measuring
+from components.numbers import short, three
+from components.parameters import angular_frequency, displacement, force, mass, positive, stiffness, velocity
+from components.scene import Picture, Scene
+from components.scenes.accuracy.data import (
     FLOOR,
     REACH,
     TOP,
@@ -25,7 +31,7 @@ from components.accuracy_data import (
     stopped,
     work,
 )
-from components.accuracy_plots import (
+from components.scenes.accuracy.plots import (
     STOPPED,
     growth_plot,
     name_places,
@@ -36,12 +42,6 @@ from components.accuracy_plots import (
     stopped_rows,
     work_plot,
 )
-from components.axes import Axis, log_axis, nice_axis
-from components.controls import Group
-from components.measuring import Job, measuring
-from components.numbers import short, three
-from components.parameters import angular_frequency, displacement, force, mass, positive, stiffness, velocity
-from components.scene import Picture, Scene
 from components.sheet import Block, choice, column, row, when, words
 from physics.accuracy import PERIODS, SYSTEMS, Run, System, plan
 from physics.coupled import TwoMassChain

@@ -8,12 +8,13 @@ from typing import Any
 
 import param
 
-from components import chain, mode_guess, mode_guess_picture, mode_hunt, mode_solve, mode_sweep
+from components import chain
 from components.about import About
 from components.about_chain import guess_about, hunt_about, solve_about, sweep_about
 from components.controls import Group
 from components.parameters import angular_frequency, displacement, finite, mass, stiffness
 from components.scene import Picture, Scene
+from components.scenes.modes import guess, guess_picture, hunt, solve, sweep
 from components.sheet import Block, choice, column, when
 from physics.coupled import TwoMassChain
 from physics.modes import trial
@@ -89,10 +90,10 @@ class Modes(Scene):
     def sheet(cls) -> Block:
         return column(
             choice("task", VIEWS, "View", style="views", phone=-1),
-            when("guess", mode_guess.sheet()),
-            when("solve", mode_solve.sheet()),
-            when("sweep", mode_sweep.sheet()),
-            when("hunt", mode_hunt.sheet()),
+            when("guess", guess.sheet()),
+            when("solve", solve.sheet()),
+            when("sweep", sweep.sheet()),
+            when("hunt", hunt.sheet()),
         )
 
     def picture(self) -> Picture:
@@ -109,12 +110,12 @@ class Modes(Scene):
 
     def _view(self, system: TwoMassChain) -> Picture:
         if self.task == "solve":
-            return mode_solve.picture(system, self.window)
+            return solve.picture(system, self.window)
         if self.task == "sweep":
-            return mode_sweep.picture(system, self.swept)
+            return sweep.picture(system, self.swept)
         if self.task == "hunt":
-            return mode_hunt.picture(system, (self.x1_0, self.x2_0), self.answer == "shown", self.window)
-        return mode_guess_picture.picture(system, self.omega, self.ratio, self.instant == "moving", self.window)
+            return hunt.picture(system, (self.x1_0, self.x2_0), self.answer == "shown", self.window)
+        return guess_picture.picture(system, self.omega, self.ratio, self.instant == "moving", self.window)
 
     def action(self, name: str) -> dict[str, Any]:
         """The shape that one of the two equations fixes at the trial frequency."""

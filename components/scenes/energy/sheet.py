@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from components.hanging import natural_length, shapes, well
 from components.plots import Curve, plot
+from components.scenes.energy.hanging import natural_length, shapes, well
 from components.sheet import Block, column, phrase, row, stage, term, words
 from components.traces import traced
 

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from components.plots import Curve, plot
+from components.scenes.oscillator.turning import FIRST, first, hero, lead, planes
 from components.sheet import Block, column, phrase, row, stage, term, words
 from components.stage import Shape
 from components.traces import traced
-from components.turning import FIRST, first, hero, lead, planes
 
 TINTS = {"x": "m1", "v": "T", "a": "F"}
 SHIFTS = {"x": "", "v": r"+ \tfrac{\pi}{2}", "a": r"+ \pi"}

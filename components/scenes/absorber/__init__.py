@@ -8,18 +8,17 @@ from typing import Any
 
 import param
 
-from components import absorber as drawing
-from components import absorber_data as data
 from components.about import About
 from components.about_chain import absorber_about
-from components.absorber_goals import goals
-from components.absorber_words import sentences
 from components.axes import nice_axis, time_axis
 from components.controls import Group
 from components.duty import Duty
 from components.motion import pace
 from components.parameters import angular_frequency, mass, not_negative, positive, stiffness
 from components.scene import Picture, Scene
+from components.scenes.absorber import data, drawing
+from components.scenes.absorber.goals import goals
+from components.scenes.absorber.words import sentences
 from components.sheet import Block, column, row, words
 from components.units import Unit
 from physics.absorber import den_hartog, tuned_stiffness

@@ -13,14 +13,14 @@ import param
 from components.about import About
 from components.about_single import analogue_about
 from components.analogue_case import DEGREE, LIMITS, Case, late_axes, late_columns, motion_columns
-from components.analogue_controls import LARGEST, SHORT, SWINGING, angle, groups, quantities
-from components.analogue_pictures import tiles
-from components.analogue_sheet import analogue_sheet
 from components.axes import Axis, time_axis
 from components.controls import Group
 from components.motion import cosine_of, derived, pace, sine_of, sines, table
 from components.numbers import three
 from components.scene import Picture, Scene
+from components.scenes.analogues.controls import LARGEST, SHORT, SWINGING, angle, groups, quantities
+from components.scenes.analogues.pictures import tiles
+from components.scenes.analogues.sheet import analogue_sheet
 from components.sheet import Block
 from components.stage import var
 from components.traces import samples

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from components.absorber_goals import frequencies
-from components.absorber_words import HELPED, VERDICTS
 from components.axes import Axis, nice_axis, nice_ticks
 from components.plots import Band, Curve, plot
+from components.scenes.absorber.goals import frequencies
+from components.scenes.absorber.words import HELPED, VERDICTS
 from components.sheet import Block, phrase, stage
 from components.stage import (
     H,

@@ -12,8 +12,12 @@ from components.about import About
 from components.about_single import flight_about
 from components.axes import Axis, nice_axis, time_axis
 from components.controls import Group
-from components.flight import flight_shapes, ground_axes, outline, velocity_axes, velocity_shapes
-from components.flight_plots import (
+from components.motion import pace
+from components.numbers import MINUS, signed, three
+from components.parameters import Quantity, mass, positive
+from components.scene import Picture, Scene
+from components.scenes.phugoid.flight import flight_shapes, ground_axes, outline, velocity_axes, velocity_shapes
+from components.scenes.phugoid.plots import (
     exchange_plots,
     path_plot,
     period_plot,
@@ -21,10 +25,6 @@ from components.flight_plots import (
     swing_plot,
     velocity_plot,
 )
-from components.motion import pace
-from components.numbers import MINUS, signed, three
-from components.parameters import Quantity, mass, positive
-from components.scene import Picture, Scene
 from components.sheet import Block, choice, column, row, stage, when, words
 from components.stage import Shape, W, text
 from components.swing import Swing, along_path, energy_shares, motion_signals, over_time, velocities, verdict
