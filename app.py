@@ -8,7 +8,7 @@ import panel as pn
 
 from components.scene import Scene
 from components.scenes import SCENES
-from components.shell import ending, navigation, page_template, when_open
+from components.shell import answer_at_once, ending, navigation, page_template, when_open
 from components.url import read_query
 from components.view import SceneView
 
@@ -29,5 +29,6 @@ document.template_variables.update(
     headline=scene.headline, scene_title=scene.title, navigation=navigation(SCENES, scene.slug)
 )
 scene.later = partial(when_open, document)
+pn.state.onload(partial(answer_at_once, document))
 pn.state.on_session_destroyed(ending(scene.close))
 SceneView(scene, problems=tuple(problems)).server_doc(document, location=False)

@@ -73,6 +73,17 @@ def when_open(document: Document, act: Callable[[], None]) -> None:
         document.add_next_tick_callback(act)
 
 
+def answer_at_once(document: Document) -> None:
+    """Send every frame to those who look at the page when it is written.
+
+    An answer is several small frames. By default TCP holds the later ones back until the browser has acknowledged the
+    first, which it delays by up to 40 ms; Bokeh leaves it at that, and has no public way to its sockets.
+    """
+    context = document.session_context
+    for connection in context.session._subscribed_connections if context else ():
+        connection._socket.set_nodelay(True)
+
+
 def ending(act: Callable[[], None]) -> Callable[[object], None]:
     """`act` as a callback for the end of a session, which comes when the names of the served script are gone."""
     return lambda _: act()

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import re
+import weakref
 from collections.abc import Callable
 
 import pytest
+from bokeh.document import Document
+from bokeh.server.connection import ServerConnection
+from bokeh.server.contexts import BokehSessionContext
+from bokeh.server.session import ServerSession
 from playwright.sync_api import Page, Request
 
-from components.shell import STATIC, libraries, modules, preloaded, version
+from components.shell import STATIC, answer_at_once, libraries, modules, preloaded, version
 
 
 def test_every_module_has_an_address_with_the_version() -> None:
@@ -41,3 +46,23 @@ def test_scripts_and_styles_are_asked_for_once_and_with_a_version(page: Page, op
     assert len(asked) == len(set(asked)) > len(preloaded())
     assert [url for url in asked if "?v=" not in url] == []
     assert not any("/later/" in url for url in asked)
+
+
+def test_answers_are_not_held_back() -> None:
+    """On Bokeh's own session and connection, whose sockets it keeps to itself."""
+
+    class Socket:
+        def __init__(self) -> None:
+            self.told: list[bool] = []
+
+        def set_nodelay(self, value: bool) -> None:
+            self.told.append(value)
+
+    document, socket = Document(), Socket()
+    context = BokehSessionContext("name", None, document)
+    context._set_session(ServerSession("name", document))
+    document._session_context = weakref.ref(context)
+    ServerConnection(None, socket, None, context.session)
+    answer_at_once(document)
+    assert socket.told == [True]
+    answer_at_once(Document())
