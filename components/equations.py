@@ -16,6 +16,7 @@ from latex2mathml.converter import convert
 
 _VALUE = re.compile(r"\\val\{(\w+)\}")
 _VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
+_THIN = '<mspace width="0.15em" />'
 _FUNCTION = re.compile(r"<mi>([a-z]{2,})</mi>")
 _FRACTION = re.compile(r"<mstyle[^>]*><mfrac><mrow><mn>1</mn></mrow><mrow><mn>([24])</mn></mrow></mfrac></mstyle>")
 _ONE_OVER = {"2": "½", "4": "¼"}  # one sign each, so that a line stays low
@@ -45,7 +46,8 @@ def mathml(latex: str) -> str:
     markup = _PRIMED_POWER.sub(rf"<msup><mrow>\1{_PRIME}</mrow>\2</msup>", markup)
     for wrong, right in _OPERATORS.items():
         markup = markup.replace(wrong, right)
-    markup = _FUNCTION.sub(r'<mi class="up">\1</mi><mspace width="0.15em" />', markup)
+    markup = _FUNCTION.sub(rf'<mi class="up">\1</mi>{_THIN}', markup)
+    markup = markup.replace('</mi><mi class="up">', f'</mi>{_THIN}<mi class="up">')
     # Not the minus of a difference, which would stand apart from its number.
     markup = _SIGN.sub(r'\1<mo form="prefix">&#x02212;</mo>', markup)
     return _TINT_MATHML.sub(r'<mstyle class="tint \1">', markup)

@@ -44,6 +44,7 @@ def test_the_font_has_every_sign_of_every_formula() -> None:
         (r"\val{k1}", '<mn class="n" data-value="k1"></mn>'),
         (r"\tint{m1}{x}", '<mstyle class="tint m1">'),
         ("v'", "<mi>v</mi><mo"),
+        (r"l \sin t", '<mi>l</mi><mspace width="0.15em" /><mi class="up">sin</mi><mspace width="0.15em" />'),
         (r"x = -1", '<mo form="prefix">&#x02212;</mo>'),
         (r"b \pm c", "<mo>&#x000B1;</mo>"),
     ],
