@@ -1,6 +1,7 @@
 # make run    the app on http://localhost:5006/        make run PORT=8000   on another port
 # make test   every check, in a real Chromium too      make load | accuracy | bench   the measurements
 PORT ?= 5006
+export REPLICAS SITE
 VENV ?= .venv
 BIN := $(VENV)/bin
 # The first Python of 3.11 to 3.13 that can make a virtual environment.
@@ -9,36 +10,91 @@ PYTHON ?= $(shell for p in python3 python3.13 python3.12 python3.11; do $$p -c '
 INSTALL := $(BIN)/pip install --quiet --disable-pip-version-check --require-hashes
 LOCK := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --fork-strategy fewest --generate-hashes \
 	--no-emit-index-url --custom-compile-command "make lock"
+# A module's tests stay together, and those that need a browser come last.
+BOTH_CORES := -n 2 --dist loadscope --no-loadscope-reorder
 # A text browser must not take the terminal: a page is opened only where there is a screen.
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
-.PHONY: run test lint types fast load accuracy bench lock docker clean
+.PHONY: run test test-all lint types hooks fast coverage attack audit reconnect load course soak deploy-test up accuracy bench walk \
+	protocol readme lock docker clean
 
 run: $(VENV)/run.stamp
-	$(BIN)/panel serve app.py --index app --static-dirs assets=static --address localhost --port $(PORT) \
-		--allow-websocket-origin localhost:$(PORT) --allow-websocket-origin 127.0.0.1:$(PORT) $(SHOW)
+	$(BIN)/python -m components.serving --port $(PORT) $(SHOW)
 
+# In two runs: Playwright leaves an event loop running in a process, which other tests must not meet.
 test: lint
-	CHROMIUM="$$($(BIN)/python -m tests.chromium)" $(BIN)/pytest
+	$(BIN)/pytest $(BOTH_CORES) -m "not browser"
+	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/pytest $(BOTH_CORES) -m browser
+
+# The same with every grid walked whole.
+test-all:
+	GRIDS=whole $(MAKE) test
 
 lint: $(VENV)/test.stamp
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 	$(BIN)/lint-imports
+	$(BIN)/oxfmt --check '**/*.{js,css}'
+	$(BIN)/oxlint static
+	$(BIN)/python -m tools.script_types
 
-# What needs no browser and no server.
+# The scripts against the page language: needs npm's registry once, and says so where it cannot be reached.
+types: $(VENV)/test.stamp
+	$(BIN)/python -m tools.script_types
+
+# The same tools before each commit, from this environment.
+hooks: $(VENV)/test.stamp
+	$(BIN)/pre-commit install
+
+# What needs no browser.
 fast: $(VENV)/test.stamp
-	$(BIN)/pytest -m "not browser"
+	$(BIN)/pytest $(BOTH_CORES) -m "not browser"
+
+# The same, with the lines and branches that no test runs: what servers and workers run too. Pages in build/coverage.
+coverage: $(VENV)/test.stamp
+	$(BIN)/pytest $(BOTH_CORES) --cov --cov-report=term --cov-report=html -m "not browser"
+
+attack: $(VENV)/test.stamp
+	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tests.attack $(ARGS)
+
+reconnect: $(VENV)/test.stamp
+	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tests.reconnect $(ARGS)
 
 load: $(VENV)/test.stamp
-	CHROMIUM="$$($(BIN)/python -m tests.chromium)" $(BIN)/python -m tests.bench.load $(ARGS)
+	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tests.bench.load $(ARGS)
+	$(BIN)/python -m tests.bench.course
+
+# The second half of it alone: every scene, a class that arrives, and those in it who drag.
+course: $(VENV)/test.stamp
+	$(BIN)/python -m tests.bench.course $(ARGS)
+
+# Five rounds of a thousand visitors: what of them stays.
+soak: $(VENV)/test.stamp
+	$(BIN)/python -m tests.bench.soak $(ARGS)
+
+# Two replicas behind the real proxy, on this machine: one is killed, then all are upgraded.
+deploy-test: $(VENV)/test.stamp
+	$(BIN)/python -m tests.deploy $(ARGS)
+
+audit: $(VENV)/test.stamp
+	$(BIN)/python -m tools.audit
 
 accuracy: $(VENV)/test.stamp
 	$(BIN)/python -m tests.bench.accuracy_table $(ARGS)
 
 bench: $(VENV)/test.stamp
-	$(BIN)/python -m tests.bench.error_vs_time $(ARGS)
+	OPENBLAS_NUM_THREADS=1 $(BIN)/python -m tests.bench.error_vs_time $(ARGS)
+
+# Of guided walks: make walk FILE=my-walk.toml
+walk: $(VENV)/run.stamp
+	$(BIN)/python -m tools.walk $(FILE)
+
+protocol: $(VENV)/test.stamp
+	$(BIN)/python -m tools.protocol
+
+readme: $(VENV)/test.stamp
+	$(BIN)/python -m tools.readme
 
 # Pins stay as they are unless asked for: make lock ARGS=--upgrade
 lock: $(VENV)/test.stamp
@@ -48,8 +104,15 @@ lock: $(VENV)/test.stamp
 docker:
 	docker build --tag oscillations .
 
+# The lecture behind a proxy: make up REPLICAS=4 SITE=lecture.example
+up: secret
+	docker compose up --build --detach
+
+secret:
+	umask 077 && head -c 32 /dev/urandom | base64 > $@
+
 clean:
-	rm -rf $(VENV) build .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) build node_modules .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache
 
 $(VENV)/run.stamp: requirements.txt
 	@test -n "$(PYTHON)" || { echo "Needs Python 3.11, 3.12 or 3.13 with venv: make PYTHON=/path/to/python3.12"; exit 1; }

@@ -2,33 +2,87 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from functools import partial
+from pathlib import Path
+from types import MappingProxyType
 
 import panel as pn
+from bokeh.document import Document
 
-from components.scene import Scene
+from components.description import sheet_address, sheet_json
 from components.scenes import SCENES
-from components.shell import answer_at_once, ending, navigation, page_template, when_open
+from components.serving.shell import navigation, page_template, when_open
+from components.session import Session, opened
 from components.url import read_query
 from components.view import SceneView
+from components.walks import Query, Walks
+from components.walks.cards import walk_file
+from components.walks.links import read_link
+from components.walks.registry import all_walks, asked_step
+from components.wire import on_page
 
 pn.config.browser_info = False
-link = read_query(pn.state.session_args, SCENES)
-scene: Scene = SCENES[link.slug]()
-problems = list(link.problems)
-try:
-    scene.set(link.values)
-except ValueError as reason:
-    problems.append(f"{reason} The link's parameters were not used.")
+# The page has themes of its own; Panel would decode what the link says of one, whatever that is.
+pn.config.theme = "default"  # type: ignore[misc]
 
-document = pn.state.curdoc
-assert document is not None  # a script is only ever served
-document.title = scene.headline
-document.template = page_template()
-document.template_variables.update(
-    headline=scene.headline, scene_title=scene.title, navigation=navigation(SCENES, scene.slug)
-)
-scene.later = partial(when_open, document)
-pn.state.onload(partial(answer_at_once, document))
-pn.state.on_session_destroyed(ending(scene.close))
-SceneView(scene, problems=tuple(problems)).server_doc(document, location=False)
+
+FIGURES = {
+    "measurements": (
+        "Measurements that run or wait",
+        lambda: sum(scene.work.pending() for scene in SCENES.values() if scene.work),
+    )
+}
+"""What is looked up of the scenes when the server is asked for its figures."""
+
+
+SHEETS = {sheet_address(scene): sheet_json(scene) for scene in SCENES.values()}
+"""The sheets of all scenes, by their address below assets/."""
+
+
+NO_WALKS: Walks = MappingProxyType({})
+
+
+def visited(query: Query, walks: Walks) -> Session:
+    """The session that a link asks for: a scene, or a step of a walk."""
+    problems = []
+    try:
+        if asked := asked_step(query, walks):
+            walk, step = asked
+            link = replace(read_link(step.state, SCENES), covered=step.cover)
+            return opened(SCENES, link, walks, f"{walk.name}/{step.id}")
+    except ValueError as reason:
+        problems.append(str(reason))
+    link = read_query(query, SCENES)
+    return opened(SCENES, replace(link, problems=[*problems, *link.problems]), walks)
+
+
+def walked(folders: Iterable[Path]) -> tuple[Callable[[Document], None], dict[str, bytes]]:
+    """What opens a page, with the lecture's walks and those of folders; and the files of all walks by their address."""
+    walks = all_walks(folders, SCENES)
+    files = {walk: walk_file(walk, SCENES) for walk in walks.values()}
+    listed = [{"name": walk.name, "title": walk.title, "sheet": address} for walk, (address, _) in files.items()]
+    return partial(open_page, walks=walks, listed=listed), dict(files.values())
+
+
+def open_page(document: Document, walks: Walks = NO_WALKS, listed: Sequence[dict[str, str]] = ()) -> None:
+    """Fill the document of a new session, which is the current one."""
+    session = visited(pn.state.session_args, walks)
+    scene, first = session.scene, next(iter(SCENES.values()))
+    document.title = scene.headline
+    document.template = page_template()
+    document.template_variables.update(
+        headline=scene.headline,
+        slug=scene.slug,
+        opening=lambda: on_page(session.opening()),
+        scene_title=scene.title,
+        navigation=navigation(SCENES, scene.slug),
+        sheet=sheet_address(type(scene)),
+        first_scene=first.slug,
+        first_sheet=sheet_address(first),
+        walks=listed,
+    )
+    session.later = partial(when_open, document)
+    pn.state.on_session_destroyed(lambda _: session.close())
+    SceneView(session).server_doc(document, location=False)

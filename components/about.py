@@ -3,24 +3,21 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable, Mapping, Sequence, Sized
+from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
 from dataclasses import dataclass
 from decimal import ROUND_CEILING, Context, Decimal
 from math import ulp
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from components.equations import rich
-from components.numbers import MINUS, PLAIN_EXPONENTS, exact, short, ten_to, three
+from components.numbers import MINUS, PLAIN_EXPONENTS, short, shortest, ten_to, three
+from components.page.messages import AboutNumbers, AboutPoint, AboutTable
+from components.refusals import SORRY, in_words, report
+from components.text import rich
+from components.traces import BAND, Columns, Floats, band_columns
 from physics.exact import precise
 from physics.reference import Point
-
-if TYPE_CHECKING:
-    from components.scene import Columns, Scene
-
-Floats = NDArray[np.float64]
 
 SHARES = (0.21, 0.55, 0.93)
 """Where in a column the points are taken: no round places."""
@@ -34,7 +31,7 @@ NO_BAND = "Nothing is drawn as an envelope."
 
 
 @dataclass(frozen=True)
-class Row:
+class CheckedPoint:
     """One number: its name and place (texts for `rich`), as it is drawn, and as it truly is."""
 
     name: str
@@ -56,7 +53,7 @@ class Table:
 
     bound: str
     limit: float
-    rows: tuple[Row, ...]
+    rows: tuple[CheckedPoint, ...]
 
 
 @dataclass(frozen=True)
@@ -73,7 +70,7 @@ def few(column: Sized) -> list[int]:
     return [round(share * (len(column) - 1)) for share in SHARES] if len(column) else []
 
 
-def table(names: str, limit: float, of: str, rows: Iterable[Row]) -> Table:
+def bounded(names: str, limit: float, of: str, rows: Iterable[CheckedPoint]) -> Table:
     """A table of curves: `names` are the curves, `of` what their errors are measured by; what is said is what holds."""
     limit = float(Context(prec=3, rounding=ROUND_CEILING).create_decimal(limit))
     bound = f"No point of {names} is off by more than {short(limit)} ulp of {of}."
@@ -97,20 +94,22 @@ def rows(
     true: Mapping[str, Sequence[Point]],
     indices: list[int],
     place: Place = TIME,
-) -> list[Row]:
+) -> list[CheckedPoint]:
     """Of each named curve that is drawn, its points at `indices`, place by place."""
     found = []
     for n, i in enumerate(indices):
         where = f"{place.symbol} = {every_digit(columns[place.column][i])} {place.unit}"
         found += [
-            Row(name, where, float(columns[key][i]), true[key][n]) for key, name in names.items() if key in columns
+            CheckedPoint(name, where, float(columns[key][i]), true[key][n])
+            for key, name in names.items()
+            if key in columns
         ]
     return found
 
 
 def every_digit(value: float) -> str:
     """Every digit of a place, so that the point can be recomputed."""
-    head, _, power = exact(float(value)).replace("-", MINUS).partition("e")
+    head, _, power = shortest(float(value)).replace("-", MINUS).partition("e")
     return head + (ten_to(int(power.replace(MINUS, "-"))) if power else "")
 
 
@@ -123,9 +122,9 @@ def drift(total: Floats, level: float, what: str = "$T + V$", unit: str = "J") -
     return f"{what} = {three(level)} {unit} {by} over the window."
 
 
-def envelope(columns: Mapping[str, Columns], names: Mapping[str, str], source: str = "band") -> str:
+def drawn_as_bands(columns: Mapping[str, Columns], names: Mapping[str, str], source: str = BAND) -> str:
     """Which of the named curves are drawn as bands."""
-    bands = list(dict.fromkeys(name for key, name in names.items() if f"{key}_lo" in columns.get(source, {})))
+    bands = list(dict.fromkeys(name for key, name in names.items() if band_columns(key)[0] in columns.get(source, {})))
     if not bands:
         return f"{NO_BAND} Every curve has at least 12 points a swing."
     one = len(bands) == 1
@@ -152,24 +151,30 @@ def digits(value: Decimal) -> str:
         return mantissa.replace("-", MINUS) + ten_to(rounded.adjusted())
 
 
-def about_wire(scene: Scene) -> dict[str, Any]:
-    """What the scene says about its numbers, for the browser; of a scene that cannot say, why."""
+def about_numbers(ask: Callable[[], About | None], answer: int | None = None) -> AboutNumbers:
+    """What a scene says about its numbers, for the browser; of one that cannot say, why."""
     try:
-        about = scene.about() or About(())
+        with in_words():
+            return _numbers(ask() or About(()), answer)
     except ValueError as reason:
-        return {"reading": "", "tables": [], "notes": [rich(f"These numbers cannot be recomputed: {reason}.")]}
-    tables = [
-        {"bound": rich(each.bound), "rows": [_row(row) for row in each.rows]} for each in about.tables if each.rows
-    ]
-    notes = [rich(text) for text in (about.energy, about.envelope) if text]
-    return {"reading": rich(READING) if tables else "", "tables": tables, "notes": notes}
+        note = f"These numbers cannot be recomputed: {str(reason).rstrip('.')}."
+    except Exception as error:
+        report(error)
+        note = SORRY
+    return AboutNumbers(answer=answer, reading="", tables=(), notes=(rich(note),))
 
 
-def _row(row: Row) -> dict[str, str]:
-    return {
-        "name": rich(row.name),
-        "place": rich(row.place),
-        "drawn": digits(Decimal(row.drawn)),
-        "true": digits(row.true.value),
-        "off": f"{row.off:.2f}" if row.off < 1000 else three(row.off),
-    }
+def _numbers(about: About, answer: int | None) -> AboutNumbers:
+    tables = tuple(AboutTable(rich(each.bound), tuple(map(_point, each.rows))) for each in about.tables if each.rows)
+    notes = tuple(rich(text) for text in (about.energy, about.envelope) if text)
+    return AboutNumbers(answer=answer, reading=rich(READING) if tables else "", tables=tables, notes=notes)
+
+
+def _point(row: CheckedPoint) -> AboutPoint:
+    return AboutPoint(
+        name=rich(row.name),
+        place=rich(row.place),
+        drawn=digits(Decimal(row.drawn)),
+        true=digits(row.true.value),
+        off=f"{row.off:.2f}" if row.off < 1000 else three(row.off),
+    )

@@ -5,12 +5,16 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from components.numbers import MINUS, power_unit, ten, three
+from components.numbers import at_tick, power_unit, ten, three
+from components.page.picture import Digits, Ruler
+
+TIME_AXIS = "t"
+"""The name of the axis that is the time window: the clock runs through it."""
+Range = tuple[float, float]
 
 
 @dataclass(frozen=True)
@@ -19,6 +23,8 @@ class Axis:
 
     Ticks are labelled by their numbers, or by `labels` where these are given.
     With a `power` the axis shows that power of the number: columns and handles hold omega, the axis shows omega^2.
+    `drawn` is what of the range must be seen, where that is not all of it; `own` is the range that the scene has
+    chosen, where the axis stands in another one. `count` is the most steps between its round numbers.
     """
 
     start: float
@@ -31,6 +37,19 @@ class Axis:
     factor: float = 1.0
     power: int = 1
     labels: tuple[str, ...] = field(default=(), repr=False)
+    drawn: Range | None = field(default=None, compare=False, repr=False)
+    own: Range | None = field(default=None, compare=False, repr=False)
+    count: int = field(default=4, compare=False, repr=False)
+
+    @property
+    def chosen(self) -> Range:
+        """The range that the scene has chosen."""
+        return self.own or (self.start, self.end)
+
+    @property
+    def seen(self) -> Range:
+        """What must be in the frame, from the lower to the upper end."""
+        return ordered(self.drawn or self.chosen)
 
     def places(self, values: NDArray[np.float64] | float) -> NDArray[np.float64]:
         """Where values stand on this axis, in its unit; logarithms to base ten on a log axis."""
@@ -43,43 +62,54 @@ class Axis:
         """The same of one value: for scalars and marks."""
         return float(self.places(value))
 
-    def scaled(self, values: NDArray[np.float64]) -> NDArray[np.float32]:
-        """Places ready for the wire: cut far outside the frame, where no line is seen."""
-        with np.errstate(over="ignore"):
-            return np.clip(self.places(values), -1e30, 1e30).astype(np.float32)
-
     @property
     def full_unit(self) -> str:
         """The unit with the power of ten before it."""
         return f"{self.suffix}{self.unit}"
 
-    def digits(self, signed: bool = False) -> tuple[int, bool]:
+    @property
+    def gap(self) -> str:
+        """What stands between a number and the unit."""
+        return "" if self.full_unit == "°" else " "
+
+    def digits(self, signed: bool = False) -> Digits:
         """How a number that moves is shown on this axis: decimals, and whether its sign always stands."""
-        return max(0, 2 - math.floor(math.log10(max(abs(self.place(self.start)), abs(self.place(self.end)))))), signed
+        largest = max(abs(self.place(end)) for end in self.chosen)
+        return Digits(max(0, 2 - math.floor(math.log10(largest))), signed)
 
     def number(self, value: float) -> str:
         """A value in this axis' unit, to three digits."""
         return three(self.place(value))
 
-    def wire(self) -> dict[str, Any]:
-        labels = [ten(round(tick)) if self.log else f"{tick:.6g}".replace("-", MINUS) for tick in self.ticks]
+    def ruler(self) -> Ruler:
+        """The axis as it is sent."""
+        labels = [ten(round(tick)) if self.log else at_tick(tick) for tick in self.ticks]
         if self.labels:
             labels = list(self.labels)
         elif self.ticks and self.unit:
-            labels[-1] = f"{labels[-1]}{'' if self.full_unit == '°' else ' '}{self.full_unit}"
+            labels[-1] += self.gap + self.full_unit
         start, end = self.place(self.start), self.place(self.end)
-        ticks = [float(tick) for tick in self.ticks]
-        return {
-            "start": start,
-            "end": end,
-            "ticks": ticks,
-            "labels": labels,
-            "unit": self.full_unit,
-            "exponent": self.exponent,
-            "factor": self.factor,
-            "power": self.power,
-            "log": self.log,
-        }
+        ticks = tuple(float(tick) for tick in self.ticks)
+        return Ruler(
+            start=start,
+            end=end,
+            ticks=ticks,
+            labels=tuple(labels),
+            unit=self.full_unit,
+            exponent=self.exponent,
+            factor=self.factor,
+            power=self.power,
+            log=self.log,
+        )
+
+
+ONE = Axis(-1.0, 1.0)
+"""The axis of pure numbers of order one: sines, cosines, shares."""
+
+
+def ordered(span: Range) -> Range:
+    """The range from its lower to its upper end."""
+    return min(span), max(span)
 
 
 def scale_by_ten(values: NDArray[np.float64], exponent: int) -> NDArray[np.float64]:
@@ -95,6 +125,7 @@ def nice_axis(
 
     `factor` is the unit of its labels in SI: 0.3048 for feet.
     """
+    drawn = (low, high)
     if not high > low:
         middle = abs(low) or factor
         low, high = low - middle, high + middle
@@ -103,14 +134,14 @@ def nice_axis(
     a, b = bare.place(low), bare.place(high)
     ticks = nice_ticks(a, b, count)
     margin = 0.0 if exact else 0.08 * (high - low)
-    return replace(bare, start=low - margin, end=high + margin, ticks=ticks)
+    return replace(bare, start=low - margin, end=high + margin, ticks=ticks, drawn=drawn, count=count)
 
 
 def squared_axis(end: float, unit: str, count: int = 5) -> Axis:
     """An axis of the squares of numbers from 0 to `end`, whose own range is then twice that of doubles."""
     exponent = 6 * (Decimal(end).adjusted() // 3) if not 1e-3 <= end < 1e2 else 0
     bare = Axis(0.0, end, unit, exponent, f"{ten(exponent)} " if exponent else "", power=2)
-    return replace(bare, ticks=nice_ticks(0.0, bare.place(end), count))
+    return replace(bare, ticks=nice_ticks(0.0, bare.place(end), count), count=count)
 
 
 def nice_ticks(low: float, high: float, count: int) -> tuple[float, ...]:
@@ -127,19 +158,19 @@ def log_axis(low: float, high: float, unit: str = "", count: int = 5) -> Axis:
     """A logarithmic axis with ticks at powers of ten."""
     first, last = math.ceil(math.log10(low) - 1e-9), math.floor(math.log10(high) + 1e-9)
     step = max(1, math.ceil((last - first) / count))
-    return Axis(low, high, unit, ticks=tuple(float(p) for p in range(first, last + 1, step)), log=True)
+    return Axis(low, high, unit, ticks=tuple(float(p) for p in range(first, last + 1, step)), log=True, count=count)
 
 
 def whole_axis(end: float, unit: str) -> Axis:
     """An axis from 0 to `end`, both marked: for what is a share of a total."""
     axis = nice_axis(0.0, end, unit, exact=True)
-    top = axis.place(axis.end)
-    return replace(axis, ticks=(0.0, float(f"{top:.3g}")))
+    top = float(f"{axis.place(axis.end):.3g}")
+    return replace(axis, ticks=(0.0, top), labels=("0", f"{at_tick(top)}{axis.gap}{axis.full_unit}"))
 
 
 def time_axis(end: float) -> Axis:
     """The axis of a time window from 0 to `end` seconds."""
-    return nice_axis(0.0, end, "s", 5, exact=True)
+    return nice_axis(0.0, end, "s", 3, exact=True)
 
 
 def widest(*ranges: tuple[float, float]) -> tuple[float, float]:

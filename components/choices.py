@@ -4,7 +4,9 @@ import re
 
 import param
 
-from components.numbers import exact, excerpt
+from components.numbers import excerpt, shortest
+from components.page.state import Value
+from components.parameters import AnyParameter
 
 MOST_ITEMS = 50
 _ITEM = re.compile(r"[A-Za-z0-9_.:+-]{1,40}")
@@ -14,16 +16,23 @@ def word(value: object) -> str:
     """The word for one value: signed, true, 0.5."""
     if isinstance(value, bool):
         return "true" if value else "false"
-    return exact(value) if isinstance(value, float) else str(value)
+    return shortest(value) if isinstance(value, float) else str(value)
 
 
-def options(parameter: param.Parameter) -> dict[str, object]:
+def stated(value: object) -> Value:
+    """A parameter's value as a state carries it: numbers as they are, all else by its words."""
+    if isinstance(value, list):
+        return [word(item) for item in value]
+    return value if value is None or (isinstance(value, float) and not isinstance(value, bool)) else word(value)
+
+
+def options(parameter: AnyParameter) -> dict[str, object]:
     """The values to choose from, by word."""
     values = (False, True) if isinstance(parameter, param.Boolean) else parameter.get_range().values()
     return {word(value): value for value in values}
 
 
-def chosen(parameter: param.Parameter, given: object) -> object:
+def chosen(parameter: AnyParameter, given: object) -> object:
     """The value that `given` stands for; ValueError, in words for a person, where there is none.
 
     `given` is a value or its word; for a list, a list or its words with commas between.
@@ -35,7 +44,7 @@ def chosen(parameter: param.Parameter, given: object) -> object:
     return _one(parameter, given)
 
 
-def _one(parameter: param.Parameter, given: object) -> object:
+def _one(parameter: AnyParameter, given: object) -> object:
     possible = options(parameter)
     text = word(given)
     if text not in possible:

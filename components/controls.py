@@ -1,38 +1,46 @@
-"""The control panel as data for the browser, and what its messages do to a scene."""
+"""The control panel: which controls a scene has, and what they show."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
 
 import param
+from msgspec.structs import replace
 
-from components.choices import chosen, options, word
-from components.equations import rich
-from components.numbers import MINUS, exact, excerpt, parse_number, tidy
-from components.parameters import Quantity
-from components.stage import Shape
+from components.choices import options, stated, word
+from components.numbers import MINUS, shortest, tidy
+from components.page.blocks import Option
+from components.page.controls import (
+    ActionButton,
+    ChoiceRow,
+    ControlRow,
+    GroupSection,
+    NamedValue,
+    Panel,
+    PresetButton,
+    Setting,
+    SliderRow,
+)
+from components.page.shapes import AnyShape
+from components.parameters import AnyParameter, Quantity, Values
+from components.text import rich
+from components.units import Unit
 
-if TYPE_CHECKING:
-    from components.scene import Scene
-
-Errors = dict[str, str]
 Choice = (param.Selector, param.Boolean)
-_POWER = re.compile(r"(?<=\d)e(?:\+|(-))0*(?=\d)")
+Pictures = Mapping[str, list[AnyShape]]
 
 
 @dataclass(frozen=True)
 class Group:
     """Parameters that belong together, under a title; the hint names another way to set them.
 
-    Without a title they go on with the group before.
+    Without a title they go on with the group before; folded, the hint is what opens them, and the actions with them.
 
     `actions` are buttons, (name, label): the scene's `action(name)` says what they set. A `folded` group opens when
-    asked for, or when one of its values is not the default. `show` is the form by which a group stands. `pictures`
-    makes a choice one of pictures: the shapes of a stage for each value. `facts` are rows of cells, texts for `rich`,
-    under the controls. While a `dense` group stands the panel has less room between its groups.
+    asked for and when one of its values is not the default. `form` is the one by which a group stands. `pictures` makes
+    a choice one of pictures: the shapes of a stage for each value. `facts` are rows of cells, texts for `rich`, under
+    the controls. While a `dense` group stands the panel has less room between its groups.
     """
 
     title: str
@@ -40,219 +48,103 @@ class Group:
     hint: str = ""
     actions: tuple[tuple[str, str], ...] = ()
     folded: bool = False
-    show: str = ""
-    pictures: Mapping[str, list[Shape]] = field(default_factory=dict)
+    form: str = ""
+    pictures: Pictures = field(default_factory=dict)
     facts: tuple[tuple[str, ...], ...] = ()
     dense: bool = False
 
 
-def controls_spec(
-    scene_class: type[Scene],
+def panel(
+    parameters: Mapping[str, AnyParameter],
     groups: tuple[Group, ...],
-    presets: Mapping[str, Mapping[str, Any]],
+    *,
+    start: str = "Start from",
+    folded: bool = False,
+    presets: Mapping[str, Values] | None = None,
     drawings: Mapping[str, str] | None = None,
-) -> dict[str, Any]:
-    """All that the browser needs to build the panel of a scene; `drawings` are the outlines of presets by label."""
-    return {
-        "start": scene_class.start,
-        "presets": list(presets),
-        "drawings": dict(drawings or {}),
-        "groups": [
-            {
-                "title": group.title,
-                "hint": group.hint,
-                "rows": [control(name, scene_class.param[name]) for name in group.names],
-                "actions": [
-                    {"name": name, "label": label, "place": name in scene_class.places} for name, label in group.actions
-                ],
-                "folded": group.folded,
-                "show": group.show,
-                "dense": group.dense,
-                "pictures": dict(group.pictures),
-                "facts": [[rich(cell) for cell in cells] for cells in group.facts],
-            }
-            for group in groups
-        ],
-    }
+    places: Iterable[str] = (),
+) -> Panel:
+    """The panel of a scene: `drawings` are the outlines of presets by label, `places` the actions that are places."""
+    return Panel(
+        start=start,
+        folded=folded,
+        presets=tuple(_preset_buttons(parameters, presets or {}, drawings or {})),
+        groups=tuple(_section(parameters, group, frozenset(places)) for group in groups),
+    )
 
 
-def control(name: str, parameter: param.Parameter) -> dict[str, Any]:
-    """A slider with a field for a quantity, joined buttons for anything else."""
-    return row(name, parameter) if isinstance(parameter, Quantity) else choice(name, parameter)
+def _preset_buttons(
+    parameters: Mapping[str, AnyParameter], presets: Mapping[str, Values], outlines: Mapping[str, str]
+) -> Iterator[PresetButton]:
+    defaults = {name: parameters[name].default for values in presets.values() for name in values}
+    for label, values in presets.items():
+        sets = {name: stated(value) for name, value in {**defaults, **values}.items()}
+        yield PresetButton(label, sets, outlines.get(label, ""))
 
 
-def row(name: str, quantity: Quantity) -> dict[str, Any]:
-    """The description of one slider with its field."""
+def _section(parameters: Mapping[str, AnyParameter], group: Group, places: frozenset[str]) -> GroupSection:
+    return GroupSection(
+        title=group.title,
+        hint=group.hint,
+        rows=tuple(control(name, parameters[name], group.pictures) for name in group.names),
+        actions=tuple(ActionButton(name, label, name in places) for name, label in group.actions),
+        folded=group.folded,
+        form=group.form,
+        dense=group.dense,
+        facts=tuple(tuple(map(rich, cells)) for cells in group.facts),
+    )
+
+
+def control(name: str, parameter: AnyParameter, pictures: Pictures | None = None) -> ControlRow:
+    """A slider with a field for a quantity, joined buttons or small pictures for anything else."""
+    return _slider(name, parameter) if isinstance(parameter, Quantity) else _choice(name, parameter, pictures or {})
+
+
+def _slider(name: str, quantity: Quantity) -> SliderRow:
     parts = (quantity.symbol.replace("_", ""), quantity.label, quantity.unit)
-    marks = {"marks": [{"value": value, "text": text} for value, text in quantity.marks]} if quantity.marks else {}
-    return {
-        "name": name,
-        "symbol": quantity.symbol,
-        "unit": quantity.unit,
-        "tint": quantity.tint,
-        "scale": quantity.scale,
-        "soft": list(quantity.softbounds),
-        "says": quantity.says,
-        "label": ", ".join(part for part in parts if part),
-        **marks,
-    }
+    return SliderRow(
+        name=name,
+        symbol=quantity.symbol,
+        unit=quantity.unit,
+        tint=quantity.tint,
+        scale=quantity.scale,
+        soft=quantity.softbounds,
+        says=quantity.says,
+        label=", ".join(part for part in parts if part),
+        marks=tuple(NamedValue(value, text) for value, text in quantity.marks),
+    )
 
 
-def choice(name: str, parameter: param.Parameter) -> dict[str, Any]:
-    """The description of one choice, shown as joined buttons."""
+def _choice(name: str, parameter: AnyParameter, pictures: Pictures) -> ChoiceRow:
     labels = parameter.names if isinstance(parameter, param.Selector) else None
     by_word = {word(value): label for label, value in labels.items()} if labels else {}
-    return {
-        "name": name,
-        "label": parameter.label,
-        "options": [{"value": value, "label": by_word.get(value, value)} for value in options(parameter)],
-    }
+    values = list(options(parameter))
+    return ChoiceRow(
+        name=name,
+        label=parameter.label or name,
+        options=tuple(Option(value, by_word.get(value, value)) for value in values),
+        pictures={value: tuple(pictures[value]) for value in values if value in pictures},
+    )
 
 
-def params_state(scene: Scene) -> dict[str, dict[str, Any]]:
-    """What the controls show now; "soft" is there where the scene has moved a slider's range, "unit" where the
-    quantity is shown in another unit than its own, of which one is "size"."""
-    state: dict[str, dict[str, Any]] = {}
-    units, general = scene.units(), type(scene).param.objects("existing")
+def settings(
+    scene: param.Parameterized, units: Mapping[str, Unit], spans: Mapping[str, tuple[float, float]]
+) -> dict[str, Setting]:
+    """What the controls show now: `units` are those shown in place of a quantity's own, `spans` the ends of the sliders
+    that follow the scene."""
+    found: dict[str, Setting] = {}
     for name, parameter in scene.param.objects("existing").items():
         value = getattr(scene, name)
         if isinstance(parameter, Quantity):
-            text = "" if value is None else exact(value) if parameter.scale == "count" else tidy(value)
-            state[name] = {"value": value, "text": text}
-            if name in units and value is not None:
-                unit = units[name]
-                state[name] = {"value": value, "text": unit.field(value), "unit": unit.text, "size": unit.size}
-            if value != parameter.default:
-                state[name]["changed"] = True
-            if parameter.softbounds != general[name].softbounds:
-                state[name]["soft"] = list(parameter.softbounds)
+            found[name] = _setting(parameter, value, units.get(name), spans.get(name))
         elif isinstance(parameter, Choice) and not isinstance(parameter, param.ListSelector):
-            state[name] = {"value": word(value), "text": word(value)}
-    return state
+            found[name] = Setting(value=word(value), text=word(value), changed=value != parameter.default)
+    return found
 
 
-def apply_message(scene: Scene, message: Mapping[str, Any]) -> Errors:
-    """Do what a message of the page asks, in one batch; where that is refused, say why, by parameter.
-
-    A refused message changes nothing. A preset is refused under the name "preset", a message that says
-    nothing known under "message".
-    """
-    match message:
-        case {"type": "set", "values": dict() as values} if _named(scene, values):
-            return _set(scene, values)
-        case {"type": "typed", "name": str() as name, "text": str() as text}:
-            return _type(scene, name, text)
-        case {"type": "preset", "label": str() as label}:
-            return _take_preset(scene, label)
-        case {"type": "act", "name": str() as name}:
-            return _act(scene, name)
-        case {"type": "choose", "name": str() as name, "value": value}:
-            return _choose(scene, name, value)
-    return {"message": f"“{excerpt(str(message))}” is not a message that this page sends."}
-
-
-def _named(scene: Scene, values: dict[object, object]) -> bool:
-    """Whether these may be values by name: no more than the scene has parameters."""
-    return len(values) <= len(list(scene.param)) and all(isinstance(name, str) for name in values)
-
-
-def _set(scene: Scene, values: dict[str, object]) -> Errors:
-    errors = {excerpt(name): _problem(scene, name, value) for name, value in values.items()}
-    found = {name: error for name, error in errors.items() if error}
-    return found or _try(scene, values)
-
-
-def _type(scene: Scene, name: str, text: str) -> Errors:
-    quantity = _quantity(scene, name)
-    if quantity is None:
-        return {excerpt(name): _unknown(name)}
-    try:
-        value = None if quantity.allow_None and not text.strip() else parse_number(text)
-    except ValueError as error:
-        return {name: f"{error} {_still(scene, name)}"}
-    unit = scene.units().get(name)
-    if unit and value is not None:
-        value = unit.value(value)
-    problem = _problem(scene, name, value, excerpt(text.strip()).replace("-", MINUS))
-    return {name: problem} if problem else _try(scene, {name: value})
-
-
-def _choose(scene: Scene, name: str, value: object) -> Errors:
-    parameter = _parameter(scene, name)
-    if not isinstance(parameter, (*Choice, param.List)):
-        return {excerpt(name): _unknown(name)}
-    try:
-        scene.set({name: chosen(parameter, value)})
-    except ValueError as error:
-        return {name: str(error)}
-    return {}
-
-
-def _act(scene: Scene, name: str) -> Errors:
-    known = [action for group in scene.groups for action, _ in group.actions]
-    if name not in known:
-        return {"action": f"“{excerpt(name)}” is not an action of this scene."}
-    try:
-        scene.set(scene.action(name))
-    except ValueError as error:
-        return {"action": f"{_sentence(error)} Still drawn as before."}
-    return {}
-
-
-def _take_preset(scene: Scene, label: str) -> Errors:
-    if label not in scene.presets:
-        return {"preset": f"“{excerpt(label)}” is not a preset: choose one of {', '.join(scene.presets)}."}
-    try:
-        scene.set({name: scene.preset_value(label, name) for name in scene.preset_names()})
-    except ValueError as error:
-        return {"preset": f"{_sentence(error)} Still drawn as before."}
-    return {}
-
-
-def _try(scene: Scene, values: dict[str, Any]) -> Errors:
-    """Set quantities that are possible one by one; the physics may still refuse them together."""
-    still = {name: _still(scene, name) for name in values}
-    try:
-        scene.set(values)
-    except ValueError as error:
-        return {name: f"{_sentence(error)} {still[name]}" for name in values}
-    return {}
-
-
-def _problem(scene: Scene, name: str, value: object, given: str | None = None) -> str | None:
-    quantity = _quantity(scene, name)
-    if quantity is None:
-        return _unknown(name)
-    unit = scene.units().get(name)
-    if unit is None:
-        refusal = quantity.refusal(value, given)
-    else:
-        refusal = quantity.refusal(value, given or unit.shown(value), unit.text)
-    return f"{refusal} {_still(scene, name)}" if refusal else None
-
-
-def _quantity(scene: Scene, name: str) -> Quantity | None:
-    parameter = _parameter(scene, name)
-    return parameter if isinstance(parameter, Quantity) else None
-
-
-def _parameter(scene: Scene, name: str) -> param.Parameter | None:
-    return scene.param[name] if name in scene.param else None  # noqa: SIM401 (not a dict)
-
-
-def _still(scene: Scene, name: str) -> str:
-    value = getattr(scene, name)
-    if value is None:
-        return "Still drawn as before."
-    unit = scene.units().get(name)
-    return f"Still drawn with {(unit.field(value) if unit else tidy(value)).replace('-', MINUS)}."
-
-
-def _sentence(error: ValueError) -> str:
-    """What the physics says, its numbers as they are typed: 1e300."""
-    text = _POWER.sub(r"e\1", str(error))
-    return text[:1].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) else ".")
-
-
-def _unknown(name: str) -> str:
-    return f"“{excerpt(name)}” is not a parameter of this scene."
+def _setting(quantity: Quantity, value: float | None, unit: Unit | None, span: tuple[float, float] | None) -> Setting:
+    text = "" if value is None else shortest(value) if quantity.scale == "count" else tidy(value)
+    own = Setting(value=value, text=text.replace("-", MINUS), soft=span, changed=value != quantity.default)
+    if unit is None or value is None:
+        return own
+    return replace(own, text=unit.field(value).replace("-", MINUS), unit=unit.text, size=unit.size)

@@ -9,10 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from decimal import Decimal
-from typing import Any
 
 from components.axes import Axis
-from components.stage import Number, as_expression
+from components.page.numbers import Expression, Number, Product, as_expression
+from components.page.picture import Pace
+from components.page.signals import CosineOf, Derived, Response, Responses, Sampled, Sine, SineOf, Sines
+
+QUARTER = math.pi / 2
+"""A quarter turn: the sine so much ahead is the cosine."""
 
 
 def scaled(exponent: int, *factors: float) -> float:
@@ -27,106 +31,131 @@ def scaled(exponent: int, *factors: float) -> float:
 
 
 def sines(
-    size: Axis, time: Axis, *terms: tuple[float, float, float], line: tuple[float, float] = (0, 0)
-) -> dict[str, Any]:
-    """a + b t + sum of A sin(omega t + phi), from (A, omega, phi) in SI units and line = (a, b)."""
-    return {
-        "line": [
-            scaled(size.exponent, line[0], 1 / size.factor),
-            scaled(size.exponent - time.exponent, line[1], 1 / size.factor),
-        ],
-        "sines": [
-            [scaled(size.exponent, amplitude, 1 / size.factor), scaled(-time.exponent, omega), phase]
-            for amplitude, omega, phase in terms
-        ],
-    }
+    size: Axis,
+    time: Axis,
+    *terms: tuple[float, float, float] | tuple[float, float, float, float],
+    line: tuple[float, float] = (0, 0),
+) -> Sines:
+    """a + b t + sum of A exp(-decay t) sin(omega t + phi), from (A, omega, phi) or (A, omega, phi, decay) in SI units
+    and line = (a, b)."""
+    a = scaled(size.exponent, line[0], 1 / size.factor)
+    b = scaled(size.exponent - time.exponent, line[1], 1 / size.factor)
+    found = [
+        Sine(
+            scaled(size.exponent, amplitude, 1 / size.factor),
+            scaled(-time.exponent, omega),
+            phase,
+            *(scaled(-time.exponent, rate) for rate in decay),
+        )
+        for amplitude, omega, phase, *decay in terms
+    ]
+    return Sines(sines=tuple(found), line=(a, b))
 
 
-def rates(size: Axis, time: Axis, *terms: tuple[float, float, float], drift: float = 0.0) -> dict[str, Any]:
-    """The rate of change of the same motion, in the size's unit per unit of time."""
+def decays(size: Axis, time: Axis, *terms: tuple[float, float, float, float, float]) -> Sines:
+    """A sum of (A + B t) exp(-r t) sin(omega t + phi), from (A, B, r, omega, phi) in SI units, as
+    physics.damped.Decay has them."""
+    found = [
+        Sine(
+            scaled(size.exponent, amplitude, 1 / size.factor),
+            scaled(-time.exponent, omega),
+            phase,
+            scaled(-time.exponent, rate),
+            scaled(size.exponent - time.exponent, slope, 1 / size.factor),
+        )
+        for amplitude, slope, rate, omega, phase in terms
+    ]
+    return Sines(sines=tuple(found))
+
+
+def rates(size: Axis, time: Axis, *terms: tuple[float, float, float], drift: float = 0.0) -> Sines:
+    """The rate of change of the same undamped motion, in the size's unit per unit of time."""
     unit = size.exponent - time.exponent
-    return {
-        "line": [scaled(unit, drift), 0.0],
-        "sines": [
-            [scaled(unit, amplitude, omega), scaled(-time.exponent, omega), phase + math.pi / 2]
-            for amplitude, omega, phase in terms
-        ],
-    }
+    found = [
+        Sine(scaled(unit, amplitude, omega), scaled(-time.exponent, omega), phase + math.pi / 2)
+        for amplitude, omega, phase in terms
+    ]
+    return Sines(sines=tuple(found), line=(scaled(unit, drift), 0.0))
 
 
-def responses(size: Axis, time: Axis, *terms: tuple[float, float, float, float]) -> dict[str, Any]:
+def responses(size: Axis, time: Axis, *terms: tuple[float, float, float, float]) -> Responses:
     """Motion from rest under a drive: sum of F c g(t), g'' + omega_n^2 g = sin(omega t), from (F, c, omega, omega_n).
 
     F in N, c in 1/kg. It is regular at resonance and at omega_n = 0.
     """
-    return {
-        "responses": [
-            [
-                scaled(size.exponent - 2 * time.exponent, F, c),
-                scaled(-time.exponent, omega),
-                scaled(-time.exponent, omega_n),
-            ]
-            for F, c, omega, omega_n in terms
-        ]
-    }
+    found = [
+        Response(
+            scaled(size.exponent - 2 * time.exponent, F, c),
+            scaled(-time.exponent, omega),
+            scaled(-time.exponent, omega_n),
+        )
+        for F, c, omega, omega_n in terms
+    ]
+    return Responses(responses=tuple(found))
 
 
-def derived(expression: Number) -> dict[str, Any]:
+def derived(expression: Number) -> Derived:
     """A signal that is a polynomial in signals named before it and in scalars."""
-    return {"polynomial": as_expression(expression).wire()}
+    return Derived(value=as_expression(expression))
 
 
-def sine_of(name: str) -> dict[str, Any]:
+def sine_of(name: str) -> SineOf:
     """The sine of a signal in rad named before it: for what turns."""
-    return {"sine": name}
+    return SineOf(of=name)
 
 
-def cosine_of(name: str) -> dict[str, Any]:
+def cosine_of(name: str) -> CosineOf:
     """The cosine of a signal in rad named before it."""
-    return {"cosine": name}
+    return CosineOf(of=name)
 
 
-def total(*names: str) -> dict[str, Any]:
+def total(*names: str) -> Derived:
     """The sum of signals named before it."""
-    return {"polynomial": [[1.0, name] for name in names]}
+    return Derived(value=Expression(tuple(Product(1.0, (name,)) for name in names)))
 
 
-def table(
+def sampled(
     time: Axis, period: float, columns: Iterable[float], slopes: Iterable[float], drift: float = 0.0
-) -> dict[str, Any]:
+) -> Sampled:
     """A sampled periodic motion, equally spaced over one period, joined by Hermite pieces, `drift` gained each period.
 
     `columns` and `drift` are in the signal's unit, `slopes` in that unit per second.
     """
     unit = 10.0**time.exponent
-    return {
-        "table": {
-            "period": period / unit,
-            "y": [float(v) for v in columns],
-            "dy": [float(v) * unit for v in slopes],
-            "drift": drift,
-        }
-    }
+    return Sampled(
+        period=period / unit,
+        y=tuple(float(v) for v in columns),
+        dy=tuple(float(v) * unit for v in slopes),
+        drift=drift,
+    )
 
 
 FLASHES = 6.0
 """Swings a second that the eye can still follow."""
+MOST = 1e308
+"""So many seconds are a double still."""
 
 
-def pace(omega: float, fastest: float) -> dict[str, float]:
-    """The scalars of the clock: at the speed `pace` a period of `omega` takes 4 to 10 s, at `limit` `fastest` shows.
+def pace(omega: float, fastest: float) -> Pace:
+    """The speeds of the clock: at `auto` a period of `omega` takes 4 to 10 s, at `limit` `fastest` shows.
 
     Both in rad/s; where there is none (0) a second lasts a second.
     """
     if not omega:
-        return {"pace": 1.0}
-    period = 2 * math.pi / omega
-    return {"pace": 1.0 if 4 <= period <= 10 else round_down(period / 4), "limit": FLASHES * 2 * math.pi / fastest}
+        return Pace()
+    period, limit = (min(count * 2 * math.pi / float(w), MOST) for count, w in ((1, omega), (FLASHES, fastest)))
+    return Pace(1.0 if 4 <= period <= 10 else round_down(period / 4), limit)
 
 
-def round_down(value: float) -> float:
-    """The largest of 1, 2, 5 times a power of ten that is not above `value`."""
+def round_up(value: float, digits: tuple[int, ...] = (1, 2, 5)) -> float:
+    """The least of these digits (1 among them) times a power of ten that is not below `value`."""
     exponent = math.floor(math.log10(value))
-    return max(
-        float(f"{digit}e{exponent}") for digit in (1, 2, 5) if float(f"{digit}e{exponent}") <= value * (1 + 1e-9)
-    )
+    steps = [float(f"{digit}e{exponent}") for digit in digits] + [float(f"1e{exponent + 1}")]
+    return min(step for step in steps if step >= value * (1 - 1e-9))
+
+
+def round_down(value: float, digits: tuple[int, ...] = (1, 2, 5)) -> float:
+    """The largest of these digits (1 among them) times a power of ten that is not above `value`."""
+    exponent = math.floor(math.log10(value))
+    steps = [float(f"{digit}e{exponent}") for digit in digits]
+    return max(step for step in steps if step <= value * (1 + 1e-9))

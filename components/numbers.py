@@ -17,6 +17,13 @@ _NUMBER = re.compile(
 )
 
 
+class NoNumberError(ValueError):
+    """A typed text that is no number."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__(f"“{excerpt(text)}” is not a number: type one such as 2.5 or 1e-3.")
+
+
 def three(value: float | Decimal) -> str:
     """Three significant digits, trailing zeros kept: 2.00, 0.0400, −1.24, 1.23·10⁻⁷; decimals of any size."""
     if not (value.is_finite() if isinstance(value, Decimal) else math.isfinite(value)):
@@ -50,18 +57,25 @@ def short(value: float) -> str:
     return f"{head or '0'}{mark}{power}"
 
 
+def at_tick(value: float) -> str:
+    """The number at a tick of an axis: six digits where it takes them, three and a power of ten where it is far off."""
+    text = f"{value:.6g}"
+    plain = "e" not in text and len(text.partition(".")[2]) < 6
+    return text.replace("-", MINUS) if plain else short(value)
+
+
 def tidy(value: float) -> str:
     """The text of an input field: three digits, or as many as `value` needs to come back exactly."""
     if value == 0:
         return "0.00"
-    shortest = Decimal(repr(float(value))).normalize()
-    digits = len(shortest.as_tuple().digits)
-    if shortest.adjusted() in PLAIN_EXPONENTS:
-        return _fixed(shortest, max(3, digits) - 1 - shortest.adjusted())
-    return exact(value)
+    number = Decimal(repr(float(value))).normalize()
+    digits = len(number.as_tuple().digits)
+    if number.adjusted() in PLAIN_EXPONENTS:
+        return _fixed(number, max(3, digits) - 1 - number.adjusted())
+    return shortest(value)
 
 
-def exact(value: float) -> str:
+def shortest(value: float) -> str:
     """The shortest plain text that reads back as the same double: 3, 0.04, 1e-300."""
     if not math.isfinite(value):
         raise ValueError(f"{value} has no digits to write")
@@ -80,14 +94,19 @@ def parse_number(text: str) -> float:
     """
     if not text.strip():
         raise ValueError("Nothing is typed here: type a number such as 2.5 or 1e-3.")
-    match = _NUMBER.fullmatch(_plain(text)) if len(text) <= LONGEST_INPUT else None
+    match = _NUMBER.fullmatch(plain_number(text)) if len(text) <= LONGEST_INPUT else None
     if match is None:
-        raise ValueError(f"“{excerpt(text)}” is not a number: type one such as 2.5 or 1e-3.")
+        raise NoNumberError(text)
     mantissa = match["mantissa"] or match["sign"] + "1"
     value = float(f"{mantissa}e{match['exponent'] or match['power'] or 0}")
+    return in_doubles(value, value == 0 and not mantissa.strip("+-0."), text)
+
+
+def in_doubles(value: float, is_zero: bool, text: str) -> float:
+    """The double that a typed text comes to; ValueError where none is near."""
     if math.isinf(value):
         raise ValueError(f"{excerpt(text)} is too large: the largest number that can be held is about 1.8e308.")
-    if value == 0 and mantissa.strip("+-0."):
+    if value == 0 and not is_zero:
         raise ValueError(f"{excerpt(text)} is too small: the smallest number that can be held is about 5e-324.")
     return value
 
@@ -125,13 +144,17 @@ def excerpt(text: str, longest: int = 40) -> str:
     return seen if len(seen) <= longest else seen[: longest - 1] + "…"
 
 
+def raised(text: str) -> str:
+    """With ^ before what stands over the line: m², 10⁻³."""
+    return re.sub("[⁺⁻⁰¹²³⁴-⁹]+", lambda match: "^" + match[0], text)
+
+
 def _fixed(number: Decimal, decimals: int) -> str:
     return f"{number:.{max(0, decimals)}f}"
 
 
-def _plain(text: str) -> str:
+def plain_number(text: str) -> str:
     """`text` in ASCII signs and digits, without the spaces that carry no meaning."""
-    text = re.sub("[⁺⁻⁰¹²³⁴-⁹]+", lambda match: "^" + match[0], text.strip())
-    text = unicodedata.normalize("NFKC", text).replace(MINUS, "-").replace(",", ".").lower()
+    text = unicodedata.normalize("NFKC", raised(text.strip())).replace(MINUS, "-").replace(",", ".").lower()
     text = re.sub(r"(?<![0-9])\s+|\s+(?![0-9])", "", text)
     return re.sub(r"(?<=[0-9])\s(?=[0-9]{3}(?![0-9]))", "", text)

@@ -1,17 +1,35 @@
 """What each kind of parameter is called, measured in, allowed to be, and how its slider runs: once."""
 
 import math
+from collections.abc import Iterable, Mapping
 from numbers import Real
-from typing import Any, Literal
+from typing import Any, Literal, TypeAlias, TypeVar
 
 import param
 
-from components.numbers import MINUS, exact, excerpt
+from components.numbers import MINUS, excerpt, shortest
 
 Scale = Literal["linear", "log", "near0", "count"]
 
 
-class Quantity(param.Number):
+AnyParameter: TypeAlias = param.Parameter[Any]
+"""A parameter; what it holds is told by its kind alone."""
+
+Values: TypeAlias = Mapping[str, object]
+"""Values of parameters, by name."""
+
+Word = TypeVar("Word", bound=str)
+
+
+def one_of(
+    default: Word, objects: Iterable[Word] | Mapping[str, Word], label: str, doc: str = ""
+) -> param.Selector[Word]:
+    """A choice of one among words; a mapping gives them by what stands on the screen."""
+    options = dict(objects) if isinstance(objects, Mapping) else list(objects)
+    return param.Selector(default=default, objects=options, label=label, doc=doc or None)
+
+
+class Quantity(param.Number[Any]):  # a float, or None where the scene chooses itself
     """A physical number: `bounds` are what physics allows, `softbounds` what its slider spans.
 
     `symbol` is written k_2; `tint` names its colour; `scale` says how the slider runs ("near0" is finer near 0,
@@ -22,7 +40,7 @@ class Quantity(param.Number):
 
     __slots__ = ["allowed", "marks", "says", "scale", "symbol", "tint", "unit"]
 
-    softbounds: tuple[float, float]  # type: ignore[assignment]  # never None here
+    softbounds: tuple[float, float]  # never None here
 
     def __init__(
         self,
@@ -173,5 +191,5 @@ def _shown(value: object) -> str:
     if isinstance(value, float) and math.isinf(value):
         return "∞" if value > 0 else MINUS + "∞"
     if isinstance(value, float) and math.isfinite(value):
-        return exact(value).replace("-", MINUS)
+        return shortest(value).replace("-", MINUS)
     return excerpt(str(value)).replace("-", MINUS) if isinstance(value, Real) else excerpt(repr(value))

@@ -6,56 +6,78 @@ that answers a change, and draws the time cursor, the labels at the curves' ends
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Iterable, Sequence
+from typing import Any, TypedDict, Unpack
 
 import numpy as np
 from bokeh.embed import json_item
 from bokeh.models import ColumnDataSource, FixedTicker, Range1d, Span
 from bokeh.models import Plot as BokehPlot
 from bokeh.plotting import figure
+from msgspec.structs import replace
 
-from components.sheet import Block
-from components.stage import Shape
-
-
-@dataclass(frozen=True, kw_only=True)
-class Curve:
-    """A line of a plot: column `name` of `source`, coloured as the quantity `tint`.
-
-    `signal` names the motion that moves a dot along it; `label` stands at its right end and in the read-out at the
-    pointer, `read` there alone; `group` is the name by which it is switched off (its own where not given). `x` is its
-    column of abscissae where not the plot's. With a `marker` ("disc" or "ring") its points are marked; with width
-    "none" only they are drawn.
-    """
-
-    name: str
-    source: str = "time"
-    tint: str = "ink"
-    width: str = "line"
-    label: str = ""
-    read: str = ""
-    signal: str = ""
-    group: str = ""
-    x: str = ""
-    marker: str = ""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Band:
-    """A filled region between the columns `low` and `high`: an envelope, or a layer of a stack."""
-
-    low: str
-    high: str
-    source: str = "time"
-    tint: str = "ink"
-    alpha: float = 1.0
-    group: str = ""
-    label: str = ""
-
+from components.page.blocks import PlotBlock
+from components.page.plots import Curve, Handle, Mark, Region, Term
+from components.page.plots import Room as Room
+from components.page.shapes import AnyShape
+from components.text import plain as plain_text
+from components.text import runs
 
 WIDTHS = {"sum": 3.0, "line": 1.75, "dash": 1.75, "dots": 1.0, "thin": 1.0}
+USUAL_ROOM = Room()
+NUMBERS = 30
+"""The room of the numbers under a plot, in pixels: a plot beside it has the same frame if it leaves as much free."""
 DASHES = {"dash": [7, 5], "dots": [1, 3]}
+
+
+def curve(y: str, *, source: str = "time", x: str = "", label: str = "", read: str = "", **look: Any) -> Curve:
+    """A line of a plot: column `y` of `source`, over the plot's own abscissae where no `x` is given.
+
+    `label` stands at its right end and in the read-out at the pointer, `read` there alone; its `group` is `y` where
+    not given. The rest is as in components.page.plots.
+    """
+    named = {"group": y, "label": runs(label), "read": plain_text(read or label)}
+    return Curve(y=y, source=source, x=x, **(named | look))
+
+
+def region(
+    low: str, high: str, *, source: str = "time", x: str = "", label: str = "", read: str = "", **look: Any
+) -> Region:
+    """A filled region between the columns `low` and `high`: an envelope, or a layer of a stack."""
+    return Region(low=low, high=high, source=source, x=x, label=runs(label), read=plain_text(read or label), **look)
+
+
+class Details(TypedDict, total=False):
+    """What a plot has as components.page.blocks.PlotBlock says."""
+
+    handles: tuple[Handle, ...]
+    marks: tuple[Mark, ...]
+    shapes: tuple[AnyShape, ...]
+    square: bool
+    plain: bool
+    x_labels: bool
+    pick: str
+    form: str
+    style: str
+    grow: float
+    basis: int
+    phone: int
+    height: int
+
+
+USUAL: Details = {
+    "handles": (),
+    "marks": (),
+    "shapes": (),
+    "square": False,
+    "plain": False,
+    "x_labels": True,
+    "pick": "",
+    "grow": 1,
+    "basis": 0,
+    "phone": 50,
+    "height": 130,
+}
 
 
 def plot(
@@ -64,82 +86,43 @@ def plot(
     x: str,
     y: str,
     title: str,
-    curves: tuple[Curve, ...] = (),
-    bands: tuple[Band, ...] = (),
-    heading: tuple[dict[str, Any], ...] = (),
-    source: str = "time",
+    curves: Iterable[Curve] = (),
+    bands: Iterable[Region] = (),
+    heading: Sequence[Term] = (),
     x_column: str = "t",
-    x_labels: bool = True,
-    margin: tuple[int, int] = (40, 56),
-    top: int = 4,
+    room: Room = USUAL_ROOM,
     cursor: str = "",
-    handles: tuple[dict[str, Any], ...] = (),
-    marks: tuple[dict[str, Any], ...] = (),
-    square: bool = False,
-    grow: float = 1,
-    basis: int = 0,
-    phone: int = 50,
-    height: int = 130,
-    show: str = "",
-    plain: bool = False,
-    shapes: tuple[Shape, ...] = (),
-    pick: str = "",
-) -> Block:
+    **details: Unpack[Details],
+) -> PlotBlock:
     """A plot as a block of the sheet.
 
-    `x` and `y` name axes of the picture, `title` is its text alternative, `x_column` the column of abscissae,
-    `margin` the room for labels at the left and at the right. `cursor="time"` draws the instant shown and lets it be
-    dragged; `handles` are pills on an axis that set a parameter: {"parameter": name, "symbol": text,
-    "label": accessible name, "tint": class, "axis": "x" or "y", "least": its lowest value,
-    "text": the live number shown in place of the parameter's, "unit": what follows it, "covering": the unit that is
-    said where the pill stands over that of the axis, "show": the form by which it stands, "bare": moved by a
-    press on the plot alone, without a pill}. `marks` are lines with a flag across the plot at a scalar (in the axis'
-    unit): {"at": scalar, "tint": class, "html": rich text of the flag, "label": accessible name, "set" or "act":
-    parameter or action it is the button for, "axis": "x" or "y", "lift": pixels of the flag over the frame,
-    "style": "dashed"}; `top` makes
-    room for flags. `square` draws both axes to one scale; `plain` leaves out numbers at the axes. `show` is the form by
-    which the plot stands. `shapes` are drawn over it as on a stage, with `on_x`, `on_y` of this plot. A press near a
-    point of a curve sets the list `pick` to its source and its place in the column.
+    `x` and `y` name axes of the picture, `title` is its text alternative, `x_column` the column of abscissae.
+    `cursor="time"` draws the instant shown and lets it be dragged. `shapes` use `on_x`, `on_y` of this plot.
     """
-    x_labels = x_labels and not plain
-    figure_ = _figure(title, x_column, source, curves, bands, x_labels, (*margin, top), plain)
-    return {
-        "kind": "plot",
-        "name": name,
-        "title": title,
-        "x": x,
-        "y": y,
-        "source": source,
-        "x_column": x_column,
-        "curves": [{**vars(c), "group": c.group or c.name, "x": c.x or x_column} for c in curves],
-        "bands": [{**vars(b), "group": b.group} for b in bands],
-        "heading": list(heading),
-        "x_labels": x_labels,
-        "cursor": cursor,
-        "handles": list(handles),
-        "marks": list(marks),
-        "square": square,
-        "plain": plain,
-        "grow": grow,
-        "basis": basis + (30 if x_labels else 0) + (22 if heading else 0),
-        "phone": phone,
-        "height": height,
-        "show": show,
-        "shapes": list(shapes),
-        "pick": pick,
-        "item": json_item(figure_),
-    }
+    given: Details = {**USUAL, **details}
+    given["x_labels"] = x_labels = given["x_labels"] and not given["plain"]
+    room = replace(room, bottom=NUMBERS if x_labels else room.bottom)
+    given["basis"] += (NUMBERS if room.bottom == NUMBERS else 0) + (22 if heading else 0)
+    drawn = tuple(replace(one, x=one.x or x_column) for one in curves)
+    filled = tuple(replace(one, x=one.x or x_column) for one in bands)
+    return PlotBlock(
+        name=name,
+        title=title,
+        x=x,
+        y=y,
+        curves=drawn,
+        regions=filled,
+        heading=tuple(heading),
+        room=room,
+        cursor=bool(cursor),
+        time=cursor == "time",
+        figure=json_item(_figure(drawn, filled, room, x_labels, given["plain"])),
+        **given,
+    )
 
 
 def _figure(
-    title: str,
-    x_column: str,
-    source: str,
-    curves: tuple[Curve, ...],
-    bands: tuple[Band, ...],
-    x_labels: bool,
-    margin: tuple[int, int, int],
-    plain: bool,
+    curves: tuple[Curve, ...], regions: tuple[Region, ...], room: Room, x_labels: bool, plain: bool
 ) -> BokehPlot:
     figure_ = figure(
         tools="",
@@ -148,35 +131,52 @@ def _figure(
         x_range=Range1d(0, 1),
         y_range=Range1d(0, 1),
         min_border=0,
-        min_border_left=margin[0],
-        min_border_right=margin[1],
-        min_border_top=margin[2],
-        min_border_bottom=30 if x_labels else 2,
+        min_border_left=room.left,
+        min_border_right=room.right,
+        min_border_top=room.top,
+        min_border_bottom=room.bottom,
         outline_line_color=None,
         background_fill_color=None,
         border_fill_color=None,
         output_backend="canvas",
-        html_attributes={"role": "img", "aria-label": title},
         lod_threshold=None,
     )
-    names = {b.source for b in bands} | {c.source for c in curves} | {source}
-    sources = {key: ColumnDataSource(name=key, data={}) for key in sorted(names)}
-    for owner in sources:
-        columns = {c.name for c in curves if c.source == owner} | {c.x or x_column for c in curves if c.source == owner}
-        columns |= {column for b in bands if b.source == owner for column in (x_column, b.low, b.high)}
-        sources[owner].data = {column: np.empty(0, np.float32) for column in sorted(columns)}
-    for band in bands:
-        glyph = figure_.varea(x=x_column, y1=band.low, y2=band.high, source=sources[band.source], fill_alpha=band.alpha)
-        glyph.tags = [band.tint, band.group]
-    for curve in curves:
-        place = {"x": curve.x or x_column, "y": curve.name, "source": sources[curve.source]}
-        tags = [curve.tint, curve.group or curve.name]
-        if curve.width != "none":
-            look = {"line_width": WIDTHS[curve.width], "line_dash": DASHES.get(curve.width, []), "line_join": "round"}
-            figure_.line(**place, **look).tags = tags
-        if curve.marker:
-            figure_.scatter(**place, size=9, line_width=1.75).tags = [*tags, curve.marker]
-    figure_.add_layout(Span(location=0, dimension="width", line_width=1, level="underlay", tags=["zero"]))
+    _glyphs(figure_, curves, regions)
+    _lines(figure_, x_labels, plain)
+    return figure_
+
+
+def _glyphs(figure_: BokehPlot, curves: tuple[Curve, ...], regions: tuple[Region, ...]) -> None:
+    """Regions under curves. The name of a renderer is its place in the block, "regions.0": the browser asks there for
+    its colour and group."""
+    sources = _sources(curves, regions)
+    for n, one in enumerate(regions):
+        place = {"x": one.x, "y1": one.low, "y2": one.high, "source": sources[one.source]}
+        figure_.varea(**place, fill_alpha=one.alpha, name=f"regions.{n}")
+    for n, line in enumerate(curves):
+        place = {"x": line.x, "y": line.y, "source": sources[line.source], "name": f"curves.{n}"}
+        if line.width != "none":
+            look = {"line_width": WIDTHS[line.width], "line_dash": DASHES.get(line.width, []), "line_join": "round"}
+            figure_.line(**place, **look)
+        if line.marker:
+            figure_.scatter(**place, size=9, line_width=1.75)
+
+
+def _sources(curves: tuple[Curve, ...], regions: tuple[Region, ...]) -> dict[str, ColumnDataSource]:
+    """The sources by name, with empty columns."""
+    columns: dict[str, set[str]] = {}
+    for curve_ in curves:
+        columns.setdefault(curve_.source, set()).update((curve_.x, curve_.y))
+    for one in regions:
+        columns.setdefault(one.source, set()).update((one.x, one.low, one.high))
+    empty = np.empty(0, np.float32)
+    return {
+        name: ColumnDataSource(name=name, data=dict.fromkeys(sorted(columns[name]), empty)) for name in sorted(columns)
+    }
+
+
+def _lines(figure_: BokehPlot, x_labels: bool, plain: bool) -> None:
+    """Axes without lines of their own, a grid at their numbers, and the zeros."""
     for axis in (*figure_.xaxis, *figure_.yaxis):
         axis.ticker = FixedTicker(ticks=[])
         axis.axis_line_color = axis.minor_tick_line_color = axis.major_tick_line_color = None
@@ -185,7 +185,9 @@ def _figure(
     for grid in (*figure_.xgrid, *figure_.ygrid):
         grid.ticker = figure_.xaxis[0].ticker if grid.dimension == 0 else figure_.yaxis[0].ticker
     figure_.xaxis.visible, figure_.yaxis.visible = x_labels, False
+    zeros = ["width"]
     if plain:
         figure_.xgrid.visible = figure_.ygrid.visible = False
-        figure_.add_layout(Span(location=0, dimension="height", line_width=1, level="underlay", tags=["zero"]))
-    return figure_
+        zeros.append("height")
+    for dimension in zeros:
+        figure_.add_layout(Span(location=0, dimension=dimension, line_width=1, level="underlay"))

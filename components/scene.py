@@ -3,50 +3,28 @@
 from __future__ import annotations
 
 from abc import ABCMeta, abstractmethod
-from collections.abc import Callable
-from dataclasses import dataclass, field
-from functools import cache, cached_property
+from collections.abc import Callable, Mapping
+from functools import cached_property
 from typing import Any, ClassVar
 
-import numpy as np
 import param
 from bokeh.models import ColumnDataSource
-from numpy.typing import NDArray
+from msgspec.structs import replace
 from param.parameterized import ParameterizedMetaclass, discard_events
 
 from components.about import About
-from components.axes import Axis
-from components.controls import Group, controls_spec
-from components.numbers import excerpt
-from components.parameters import Quantity
-from components.sheet import Block
+from components.controls import Group
+from components.frames import FITTED, unfitted
+from components.page.blocks import Block
+from components.page.messages import Onward
+from components.page.state import Frame
+from components.parameters import AnyParameter, Quantity, Values
+from components.picture import Framed, Picture, drawn_in, frame_of, kept
+from components.refusals import check_sendable, in_words
+from components.running import Running
 from components.units import Unit
 
-Columns = dict[str, NDArray[np.float64]]
-
-
-@dataclass(frozen=True, kw_only=True)
-class Picture:
-    """Everything a scene shows for one set of parameters; data only, in SI units.
-
-    `columns`   numbers of the plots, by source and column
-    `axes`      range and labels of each axis, by name; the axis "t" is the time window that the clock runs through
-    `signals`   what moves, by name: see components.motion
-    `scalars`   numbers the stage, the marks and the clock use; `pace` is the auto speed, `limit` the fastest allowed
-    `values`    the texts of the live numbers, by name
-    `live`      how the numbers that change while playing are shown, by signal: (decimals, always signed)
-    `forms`     which variant of a formula or sentence stands, by name; "" hides it
-    `notes`     sentences about this picture that the visitor must know (slowed down, drawn to a scale)
-    """
-
-    columns: dict[str, Columns]
-    axes: dict[str, Axis]
-    signals: dict[str, Any] = field(default_factory=dict)
-    scalars: dict[str, float] = field(default_factory=dict)
-    values: dict[str, str] = field(default_factory=dict)
-    live: dict[str, tuple[int, bool]] = field(default_factory=dict)
-    forms: dict[str, str] = field(default_factory=dict)
-    notes: tuple[str, ...] = ()
+__all__ = ["Picture", "Scene", "frame_of"]
 
 
 class _SceneMeta(ParameterizedMetaclass, ABCMeta):
@@ -56,23 +34,38 @@ class _SceneMeta(ParameterizedMetaclass, ABCMeta):
 class Scene(param.Parameterized, metaclass=_SceneMeta):
     """One idea of the lecture. Subclasses are final: they declare parameters, a sheet, and `picture`.
 
-    `later` runs a function under the page's own lock: for what comes from another thread.
-
     Setting parameters (one, or a batch with `param.update`) leads to exactly one `picture`. A ValueError, from a
-    parameter's own limits or from the physics, leaves every parameter and every source as it was.
+    parameter's own limits, from the physics or in place of an ArithmeticError, leaves every parameter and every
+    source as it was; so does any other exception.
     """
 
     slug: ClassVar[str]
     title: ClassVar[str]
     lecture: ClassVar[str]
+    points: ClassVar[str]
+    """What of the lecture it is about."""
+
     headline: ClassVar[str]
+    """What it shows, in a sentence."""
+
+    equations: ClassVar[tuple[str, ...]]
+    """What the numbers obey, in ASCII with the names of the code: for those who take them away."""
+
+    spoken: ClassVar[Mapping[str, str]] = {}
+    """The numbers that are read aloud when a change moves them: what each is called, and its live numbers with unit."""
     groups: ClassVar[tuple[Group, ...]]
-    presets: ClassVar[dict[str, dict[str, Any]]] = {}
+    presets: ClassVar[Mapping[str, Values]] = {}
     start: ClassVar[str] = "Start from"
+    start_folded: ClassVar[bool] = False
+    """The title over the presets, and whether they are folded under it."""
+
     places: ClassVar[tuple[str, ...]] = ()
     """The actions that are places rather than deeds: their buttons show whether the scene is there."""
-    runs: ClassVar[bool] = False
-    """Whether the scene measures instead of playing: then its `progress` stands in the transport's place."""
+    work: ClassVar[type[Running] | None] = None
+    """What the scene has done instead of playing: then its progress stands in the transport's place."""
+
+    onward: ClassVar[tuple[Onward, ...]] = ()
+    """The links to other scenes that take values along."""
 
     window = Quantity(
         default=None,
@@ -88,13 +81,17 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     hidden = param.List(default=[], item_type=str, doc="The curves switched off, by group.")
 
     def __init__(self, **values: Any) -> None:
-        self._good: dict[str, Any] = {}
-        super().__init__(**values)
+        self._good: dict[str, object] = {}
+        self.held = False
+        """Whether a hand holds on to what is drawn: then its frame stands, though something leaves it."""
+        self._keeps = self._given = False
+        self._frame: Frame | None = None
+        self.running = self.work(self) if self.work else None
+        super().__init__(**values)  # type: ignore[no-untyped-call]  # param's own has no types
         self._follow(frozenset(values))
-        self._shown: Picture = self.picture()
+        self._drawn: Framed = self._picture(frozenset())
         self._good = self._state()
         self._listeners: list[Callable[[Picture], None]] = []
-        self.later: Callable[[Callable[[], None]], object] = lambda act: act()
         self.param.watch(self._solve, list(self._good))
 
     @classmethod
@@ -103,8 +100,17 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
         """What stands where on the paper: components.sheet."""
 
     @abstractmethod
-    def picture(self) -> Picture:
-        """What is shown, as a pure function of the parameters. ValueError where doubles hold no answer."""
+    def picture(self, frame: Frame = FITTED) -> Picture:
+        """What is shown, as a pure function of the parameters and the frame; what the frame leaves open is chosen to
+        fit. ValueError where doubles hold no answer."""
+
+    def fit(self) -> Frame:
+        """The frame that fits the parameters, as a pure function of them."""
+        return frame_of(self.picture())
+
+    def grow(self, frame: Frame) -> Frame:
+        """The frame, grown so far that it holds what these parameters draw."""
+        return kept(self.picture, frame).frame
 
     @classmethod
     def drawings(cls) -> dict[str, str]:
@@ -115,29 +121,17 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
         """The units in which quantities are now shown and typed, where they are not their own."""
         return {}
 
-    def following(self, changed: frozenset[str]) -> dict[str, Any]:
+    def following(self, changed: frozenset[str]) -> Values:
         """The values of parameters that follow from those just changed; they are set before the picture is made."""
         return {}
 
-    def action(self, name: str) -> dict[str, Any]:
+    def action(self, name: str) -> Values:
         """The values that a button of a group sets; ValueError, in words, where there are none."""
         raise NotImplementedError(name)
 
     def here(self) -> list[str]:
         """Those of `places` whose values are in force."""
         return [name for name in self.places if all(getattr(self, p) == v for p, v in self.action(name).items())]
-
-    @property
-    def progress(self) -> dict[str, Any] | None:
-        """Of a scene that `runs`: {"state", "done", "total", "text"}."""
-        return None
-
-    def run(self, order: str) -> None:
-        """Of a scene that `runs`: start, cancel or skip. ValueError, in words, where that cannot be."""
-        raise ValueError(f"“{excerpt(order)}” is not possible: there is nothing to run here.")
-
-    def close(self) -> None:
-        """The visitor has left."""
 
     def about(self) -> About | None:
         """What is known of the errors of what is drawn, worked out when asked; None where there is nothing to say."""
@@ -146,20 +140,72 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     @property
     def shown(self) -> Picture:
         """The picture in force."""
-        return self._shown
+        return self._drawn.picture
 
     @cached_property
     def sources(self) -> dict[str, ColumnDataSource]:
         """The columns of the picture in force, in SI units; a visitor costs none of them until they are asked for."""
-        return {name: ColumnDataSource(data=data) for name, data in self._shown.columns.items()}
+        return {name: ColumnDataSource(data=data) for name, data in self.shown.columns.items()}
 
-    def set(self, values: dict[str, Any]) -> None:
+    def set(self, values: Values) -> None:
         """Set parameters in one batch, with one solve; a ValueError leaves the scene as it was."""
         self.param.update(**values)
+
+    def open(self, values: Values, frame: Frame | None) -> None:
+        """The same, and a frame: with None the picture is fitted; another one stands, and grows where it must."""
+        before, standing, drawn = self._frame, self.frame, self._drawn
+        self._frame, self._given = frame, True
+        try:
+            self.set(values)
+            if self._drawn is drawn and frame == standing:
+                self._frame = before
+            elif self._drawn is drawn:
+                self._solve()
+        except Exception:
+            self._frame = before
+            raise
+        finally:
+            self._given = False
+
+    def redraw(self) -> None:
+        """The picture once more, for the same parameters."""
+        self._solve()
+
+    def keep_frame(self) -> None:
+        """From now on a change of values keeps the frame that stands: of a page, where changes are seen."""
+        self._keeps = True
+        self._frame = self._drawn.frame
+
+    @property
+    def frame(self) -> Frame | None:
+        """What of the frame that stands is not as it would be fitted; None where all of it is."""
+        fitted = self._drawn.fitted
+        return unfitted(self._frame, fitted) if self._frame and self._frame != fitted else None
+
+    def way_back(self) -> Callable[[], None]:
+        """What makes the scene again what it is now."""
+        good, drawn, frame = self._good, self._drawn, self._frame
+
+        def go() -> None:
+            self._good, self._drawn, self._frame = good, drawn, frame
+            self._restore()
+            self._fill_sources()
+
+        return go
 
     def on_picture(self, listener: Callable[[Picture], None]) -> None:
         """Call `listener` after every change with the new picture."""
         self._listeners.append(listener)
+
+    @classmethod
+    def linked(cls) -> dict[str, AnyParameter]:
+        """The parameters that a link and a state carry: quantities, choices and lists, unless constant or private."""
+        kinds = (Quantity, param.Selector, param.Boolean, param.List)
+        return {
+            name: parameter
+            for name, parameter in cls.param.objects("existing").items()
+            if isinstance(parameter, kinds) and not parameter.constant and not name.startswith("_")
+        }
 
     def preset(self) -> str | None:
         """The label of the preset in force, if any."""
@@ -177,21 +223,15 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
         """The value a preset stands for: what it does not name is at its default."""
         return cls.presets[label].get(name, cls.param[name].default)
 
-    def view(self) -> Any:
-        """What the shell shows: this scene as a Panel component."""
-        from components.view import SceneView
-
-        return SceneView(scene=self)
-
     def __setattr__(self, name: str, value: Any) -> None:
         try:
             super().__setattr__(name, value)
-        except ValueError:
+        except Exception:
             # param stops a batch at the first bad value and keeps those already set: give all of them back.
             self._restore()
             raise
 
-    def _state(self) -> dict[str, Any]:
+    def _state(self) -> dict[str, object]:
         return {name: value for name, value in self.param.values().items() if name != "name"}
 
     def _restore(self) -> None:
@@ -203,32 +243,54 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
                 super().__setattr__(name, value)
 
     def _follow(self, changed: frozenset[str]) -> None:
-        with discard_events(self):
+        with discard_events(self), in_words():
             for name, value in self.following(changed).items():
                 super().__setattr__(name, value)
 
-    def _solve(self, *events: param.parameterized.Event) -> None:
+    def _picture(self, changed: frozenset[str]) -> Framed:
+        with in_words():
+            return self._in_frame(changed) if self._frame else _sendable(drawn_in(self.picture, FITTED))
+
+    def _in_frame(self, changed: frozenset[str]) -> Framed:
+        """The picture in the frame that stands; fitted where nothing can be drawn in that one.
+
+        Another window is chosen by its field; another way of showing things fits anew what it changes. A frame that has
+        been given with the values is taken as it is.
+        """
+        frame = self._frame or FITTED
+        if "window" in changed and not self._given:
+            frame = replace(frame, window=None)
+        ways = [] if self._given else [name for name in changed if not isinstance(self.param[name], Quantity)]
         try:
-            self._follow(frozenset(event.name for event in events))
-            picture = self.picture()
-        except ValueError:
+            if self.held:
+                return _sendable(drawn_in(self.picture, frame))
+            return _sendable(kept(self.picture, frame, self._drawn.fitted if ways else None))
+        except (ValueError, ArithmeticError):
+            return _sendable(drawn_in(self.picture, FITTED))
+
+    def _fill_sources(self) -> None:
+        for name, source in vars(self).get("sources", {}).items():
+            source.data = self.shown.columns[name]
+
+    def _solve(self, *events: param.parameterized.Event) -> None:
+        changed = frozenset(event.name for event in events)
+        try:
+            self._follow(changed)
+            drawn = self._picture(changed)
+        except Exception:
             self._restore()
             raise
-        self._shown, self._good = picture, self._state()
-        for name, source in vars(self).get("sources", {}).items():
-            source.data = picture.columns[name]
+        if self._keeps or self._frame:
+            self._frame = drawn.frame
+        self._drawn, self._good = drawn, self._state()
+        self._fill_sources()
         for listener in self._listeners:
-            listener(picture)
+            listener(drawn.picture)
 
 
-@cache
-def static_description(scene: type[Scene]) -> dict[str, Any]:
-    """All that the browser must know of a scene once: sheet, controls, presets; the same for every visitor."""
-    return {
-        "slug": scene.slug,
-        "headline": scene.headline,
-        "runs": scene.runs,
-        "about": scene.about is not Scene.about,
-        "sheet": scene.sheet(),
-        "controls": controls_spec(scene, scene.groups, scene.presets, scene.drawings()),
-    }
+def _sendable(drawn: Framed) -> Framed:
+    """What is drawn; ValueError where a number of it leaves what can be sent."""
+    picture = drawn.picture
+    axes = [axis.ruler() for axis in picture.axes.values()]
+    check_sendable([picture.columns, axes, picture.pace, picture.signals, picture.scalars, picture.spans])
+    return drawn

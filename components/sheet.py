@@ -1,105 +1,114 @@
-"""What stands where on the paper: rows and columns of blocks, as plain data for the browser.
-
-A block is a dict with a `kind`; `grow` and `basis` say how it shares the height (in a column) or the width (in a
-row), `phone` is its place from top to bottom on a narrow screen and `height` its height there.
-"""
+"""What stands where on the paper: builders of components.page.blocks, with texts in the language of components.text."""
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping, Sequence
 
-from components.equations import mathml, rich
+from msgspec.structs import replace
 
-Block = dict[str, Any]
+from components.page.blocks import (
+    Block,
+    ChoiceBlock,
+    Column,
+    Option,
+    Row,
+    StageBlock,
+    TableBlock,
+    WordsBlock,
+)
+from components.page.plots import Term
+from components.page.shapes import AnyShape
+from components.page.text import Forms
+from components.text import rich
+
+Paragraph = str | Forms
+"""A text, or several forms of it."""
 
 
 def row(*blocks: Block, grow: float = 1, basis: int = 0, gap: int = 24) -> Block:
-    return {"kind": "row", "blocks": list(blocks), "grow": grow, "basis": basis, "gap": gap}
+    return Row(blocks=blocks, grow=grow, basis=basis, gap=gap)
 
 
 def column(*blocks: Block, grow: float = 1, basis: int = 0, gap: int = 0) -> Block:
-    return {"kind": "column", "blocks": list(blocks), "grow": grow, "basis": basis, "gap": gap}
+    return Column(blocks=blocks, grow=grow, basis=basis, gap=gap)
 
 
 def stage(
-    *shapes: dict[str, Any], label: str, grow: float = 1, basis: int = 0, phone: int = 0, height: int = 180
+    *shapes: AnyShape,
+    label: str,
+    grow: float = 1,
+    basis: int = 0,
+    phone: int = 0,
+    height: int = 180,
+    widest: float = 3.4,
+    style: str = "",
 ) -> Block:
     """The picture. `label` describes it to those who do not see it."""
-    return {
-        "kind": "stage",
-        "shapes": list(shapes),
-        "label": label,
-        "grow": grow,
-        "basis": basis,
-        "phone": phone,
-        "height": height,
-    }
+    place = {"grow": grow, "basis": basis, "phone": phone, "height": height}
+    return StageBlock(shapes=shapes, label=label, widest=widest, style=style, **place)  # type: ignore[arg-type]
 
 
-def words(
-    *paragraphs: str | dict[str, str], style: str = "facts", grow: float = 0, basis: int = 0, phone: int = 50
-) -> Block:
-    """Sentences and formulas. A dict holds several forms by name; the picture's `forms` choose one ('' hides it).
-
-    A paragraph is text for `rich`, or a dict {"form": name, variant: text, ...}.
-    """
-    items = [_item(paragraph) for paragraph in paragraphs]
-    return {"kind": "words", "items": items, "style": style, "grow": grow, "basis": basis, "phone": phone}
+def words(*paragraphs: Paragraph, style: str = "facts", grow: float = 0, basis: int = 0, phone: int = 50) -> Block:
+    """Sentences and formulas."""
+    items = tuple(map(_item, paragraphs))
+    return WordsBlock(items=items, style=style, grow=grow, basis=basis, phone=phone)
 
 
 def table(
-    *rows: list[str | dict[str, str]],
-    head: list[str] | None = None,
+    *rows: Sequence[Paragraph],
+    head: Sequence[str] = (),
     grow: float = 0,
     basis: int = 0,
     phone: int = 50,
     style: str = "",
 ) -> Block:
     """Rows of cells, each a paragraph as in `words`; the first cell of a row is its name. `style` may be tight."""
-    cells = [[_item(cell) for cell in line] for line in rows]
-    heads = [rich(text) for text in head or []]
-    return {"kind": "table", "head": heads, "rows": cells, "style": style, "grow": grow, "basis": basis, "phone": phone}
+    cells = tuple(tuple(map(_item, line)) for line in rows)
+    heads = tuple(map(rich, head))
+    return TableBlock(head=heads, rows=cells, style=style, grow=grow, basis=basis, phone=phone)
 
 
-def _item(paragraph: str | dict[str, str]) -> dict[str, str]:
-    if isinstance(paragraph, str):
-        return {"": rich(paragraph)}
-    return {key: text if key == "form" else rich(text) for key, text in paragraph.items()}
+def either(form: str, /, **variants: str) -> Forms:
+    """A text in several forms: the picture's form of that name says which stands, "" that none does."""
+    return Forms({name: rich(text) for name, text in variants.items()}, form)
+
+
+def _item(paragraph: Paragraph) -> Forms:
+    return paragraph if isinstance(paragraph, Forms) else Forms({"": rich(paragraph)})
 
 
 def when(form: str, block: Block) -> Block:
     """The block, standing only while the picture has a form of that name: how a scene has several views."""
-    return {**block, "show": form}
+    return replace(block, form=form)
 
 
 def choice(
-    name: str, options: dict[str, str], label: str, grow: float = 0, basis: int = 34, phone: int = 50, style: str = ""
+    name: str,
+    options: Mapping[str, str],
+    label: str,
+    grow: float = 0,
+    basis: int = 34,
+    phone: int = 50,
+    style: str = "",
 ) -> Block:
     """A joined segment of two to four options that sets the Selector parameter `name`.
 
     With the style "views" it stands right of the headline and switches the views of the scene.
     """
-    pairs = [{"value": value, "label": text} for value, text in options.items()]
-    return {
-        "kind": "choice",
-        "name": name,
-        "options": pairs,
-        "label": label,
-        "style": style,
-        "grow": grow,
-        "basis": basis,
-        "phone": phone,
-    }
+    pairs = tuple(Option(value, text) for value, text in options.items())
+    return ChoiceBlock(name=name, options=pairs, label=label, style=style, grow=grow, basis=basis, phone=phone)
 
 
-def term(curve: str = "", key: str = "line", tint: str = "ink", **forms: str) -> dict[str, Any]:
+def term(curve: str = "", key: str = "line", tint: str = "ink", *, form: str = "", **forms: str) -> Term:
     """One term of a plot's heading: the formula of a curve, its line sample and its switch.
 
-    `key` is sum, line, dash, band or none. Forms are LaTeX by variant; a single form is called `formula`.
+    `key` is sum, line, dash, band or none. Forms are LaTeX by variant; a single form is called `formula`. `form` names
+    the picture's form that chooses, that of the curve where not given.
     """
-    return {"curve": curve, "key": key, "tint": tint, "forms": {k: mathml(v) if v else "" for k, v in forms.items()}}
+    return phrase(curve, key, tint, form=form, **{name: f"${latex}$" if latex else "" for name, latex in forms.items()})
 
 
-def phrase(curve: str = "", key: str = "line", tint: str = "ink", **forms: str) -> dict[str, Any]:
-    """The same with words, as for `rich`, in place of formulas."""
-    return {"curve": curve, "key": key, "tint": tint, "forms": {k: rich(v) if v else "" for k, v in forms.items()}}
+def phrase(curve: str = "", key: str = "line", tint: str = "ink", *, form: str = "", **forms: str) -> Term:
+    """The same with words in place of formulas."""
+    variants = {name: rich(text) for name, text in forms.items()}
+    return Term(curve=curve, form=form or curve, key=key, tint=tint, variants=variants)  # type: ignore[arg-type]

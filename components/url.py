@@ -1,71 +1,117 @@
-"""A link carries the scene and what differs from its default: into and out of the query of an address."""
+"""A link carries the state of a page: into and out of the query of an address.
+
+It has the scene, the parameters that differ from their defaults, what of the frame is not fitted (frame.x=-2,2 is a
+range, frame.window a time window), the curves switched off, and what is covered: cover=plot:x2,value:tau.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
 from urllib.parse import urlencode
 
-import param
+from msgspec.structs import replace
 
-from components.choices import chosen, word
-from components.numbers import MINUS, exact, excerpt, parse_number
-from components.parameters import Quantity
-
-if TYPE_CHECKING:
-    from components.scene import Scene
+from components.choices import MOST_ITEMS, chosen, word
+from components.frames import FITTED, checked
+from components.numbers import MINUS, excerpt, parse_number, shortest
+from components.page.state import Frame
+from components.parameters import AnyParameter, Quantity, Values
+from components.scene import Scene
 
 FOREIGN_KEYS = ("bokeh-", "panel-")
-PAGE_KEYS = frozenset({"theme", "projector"})
+PAGE_KEYS = frozenset({"theme", "projector", "walk", "step"})
 MOST_PROBLEMS = 8
+COVER = "cover"
+FRAME = "frame."
+SIZES = ("window", "scale", "speed")
+"""What a frame has beside the ranges of its axes."""
 AUTOMATIC = "auto"
 """The word of a quantity that the scene chooses itself."""
 
 
 @dataclass(frozen=True)
 class Link:
-    """What a query asks for: a scene, its values, and a sentence for each part that is refused."""
+    """What a query asks for: a scene, its values, what is covered, and a sentence for each part that is refused.
+
+    Of the frame it names parts; the others are fitted. Without any there is none.
+    """
 
     slug: str
-    values: dict[str, Any] = field(default_factory=dict)
+    values: Values = field(default_factory=dict)
     problems: list[str] = field(default_factory=list)
+    frame: Frame | None = None
+    covered: tuple[str, ...] = ()
 
 
 def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Scene]]) -> Link:
     """Read a query key by key: what is good is kept, what is bad is named. Without a scene: the first one."""
     slug, problems = _read_slug(args.get("scene", ()), scenes)
-    known = link_parameters(scenes[slug])
-    values: dict[str, Any] = {}
+    known = scenes[slug].linked()
+    values: dict[str, object] = {}
+    frame: Frame | None = None
+    covered: tuple[str, ...] = ()
     for key, given in args.items():
         if key == "scene" or key in PAGE_KEYS or key.startswith(FOREIGN_KEYS):
             continue
         try:
-            values[key] = _read(known, key, given)
+            if key == COVER:
+                covered = _read_covers(_only(key, given))
+            elif key.startswith(FRAME):
+                frame = _with_part(frame or FITTED, key.removeprefix(FRAME), _only(key, given))
+            else:
+                values[key] = _read(known, key, given)
         except ValueError as error:
             problems.append(str(error))
-    return Link(slug, values, _shortened(problems))
+    return Link(slug, values, _shortened(problems), frame, covered)
 
 
-def write_query(scene: Scene) -> str:
-    """The text after the question mark that brings `scene` back.
+def write_query(scene: Scene, covered: Sequence[str] = ()) -> str:
+    """The text after the question mark that brings `scene` back, with what is covered.
 
-    Its slug comes first, then what differs from the default, in the order of the scene's parameters; numbers
-    are the shortest text that reads back as the same double.
+    Its slug comes first, then what differs from the default, in the order of the scene's parameters, then the frame;
+    numbers are the shortest text that reads back as the same double.
     """
-    values = {name: getattr(scene, name) for name in link_parameters(type(scene))}
+    values = {name: getattr(scene, name) for name in scene.linked()}
     changed = {name: value for name, value in values.items() if value != type(scene).param[name].default}
-    return urlencode({"scene": scene.slug} | {name: _written(value) for name, value in changed.items()}, safe=",:")
+    parts = {"scene": scene.slug} | {name: _written(value) for name, value in changed.items()} | _frame_parts(scene)
+    return urlencode(parts | ({COVER: ",".join(covered)} if covered else {}), safe=",:")
 
 
-def link_parameters(scene_class: type[Scene]) -> dict[str, param.Parameter]:
-    """The parameters that a link may carry: quantities, choices and lists, unless constant or private."""
-    kinds = (Quantity, param.Selector, param.Boolean, param.List)
-    return {
-        name: parameter
-        for name, parameter in scene_class.param.objects("existing").items()
-        if isinstance(parameter, kinds) and not parameter.constant and not name.startswith("_")
-    }
+def step_query(step: str) -> str:
+    """The same for the step of a walk, "d34/d34-07"."""
+    walk, _, name = step.partition("/")
+    return urlencode({"walk": walk, "step": name})
+
+
+def _frame_parts(scene: Scene) -> dict[str, str]:
+    frame = scene.frame or FITTED
+    ranges = {FRAME + name: ",".join(map(shortest, span)) for name, span in frame.ranges.items()}
+    sizes = {name: getattr(frame, name) for name in SIZES}
+    return ranges | {FRAME + name: shortest(size) for name, size in sizes.items() if size is not None}
+
+
+def _with_part(frame: Frame, name: str, text: str) -> Frame:
+    """The frame, with one more part of it as a link gives it."""
+    try:
+        part = {name: parse_number(text)} if name in SIZES else {"ranges": {**frame.ranges, name: _range(text)}}
+        return checked(replace(frame, **part))
+    except ValueError as error:
+        raise ValueError(f"{FRAME}{excerpt(name)}: {error}") from error
+
+
+def _range(text: str) -> tuple[float, float]:
+    ends = text.split(",")
+    if len(ends) != 2:
+        raise ValueError(f"“{excerpt(text)}” is not a range: give two numbers, such as -1,1.")
+    return parse_number(ends[0]), parse_number(ends[1])
+
+
+def _read_covers(text: str) -> tuple[str, ...]:
+    covers = tuple(dict.fromkeys(name for name in text.split(",") if name))
+    if len(covers) > MOST_ITEMS:
+        raise ValueError(f"{COVER}: give at most {MOST_ITEMS} names.")
+    return covers
 
 
 def _read_slug(given: Sequence[bytes], scenes: Mapping[str, type[Scene]]) -> tuple[str, list[str]]:
@@ -81,7 +127,7 @@ def _read_slug(given: Sequence[bytes], scenes: Mapping[str, type[Scene]]) -> tup
     return first, [f"scene: “{excerpt(slug)}” is not a scene: choose one of {', '.join(scenes)}."]
 
 
-def _read(known: Mapping[str, param.Parameter], key: str, given: Sequence[bytes]) -> object:
+def _read(known: Mapping[str, AnyParameter], key: str, given: Sequence[bytes]) -> object:
     """The value of one key; ValueError, naming the key, where it has none."""
     if key not in known:
         raise ValueError(f"“{excerpt(key)}” is not a parameter of this scene.")
@@ -113,7 +159,7 @@ def _written(value: object) -> str:
     if value is None:
         return AUTOMATIC
     if isinstance(value, float):
-        return exact(value)
+        return shortest(value)
     return ",".join(map(word, value)) if isinstance(value, list) else word(value)
 
 

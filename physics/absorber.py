@@ -21,11 +21,12 @@ from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial import Polynomial
 from numpy.typing import ArrayLike, NDArray
 
 from physics.coupled import TwoMassChain
 from physics.exact import Array, exact, precise, rounded
-from physics.forced import particular_solution
+from physics.forced import antiresonance, particular_solution
 from physics.valid import check_finite, check_not_negative, check_positive, finite_array
 
 _BITS = 120  # of a modulus before it is rounded to the 53 of a double
@@ -90,6 +91,30 @@ def damped_amplitude(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike
     return np.array(rows).T if np.ndim(omega) else np.array(rows[0])
 
 
+def swing_and_stroke(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike) -> Array:
+    """|X1| and the absorber's stroke |X2 - X1| in m, which is what its spring must allow: (2,), or (2, n) for n omega.
+
+    X2 - X1 = m2 omega^2 F_0/D, whatever c. Swing within 0.51 ulp, stroke within 4 ulp; otherwise as damped_amplitude.
+    """
+    frequencies = _check(c, F_0, omega)
+    if not c:
+        return _undamped_stroke(chain, F_0, omega)
+    whole = _Whole.of(chain, c, F_0)
+    rows = [whole.at(w).swing_and_stroke(w) for w in frequencies.tolist()]
+    return np.array(rows).T if np.ndim(omega) else np.array(rows[0])
+
+
+def _undamped_stroke(chain: TwoMassChain, F_0: float, omega: ArrayLike) -> Array:
+    """|X2| (omega/omega_2)^2, and far above omega_2, where X2 is all but 0, |X1|/(1 - (omega_2/omega)^2)."""
+    w, own = np.asarray(omega, dtype=float), antiresonance(chain)
+    one, two = np.abs(particular_solution(chain, F_0, omega))
+    if not own:
+        return np.array([one, one])
+    above = w > 1.5 * own
+    low, high = np.where(above, 0.0, w), np.where(above, w, 2 * own)
+    return np.array([one, np.where(above, one / (1 - (own / high) ** 2), two * (low / own) ** 2)])
+
+
 def helped_band(chain: TwoMassChain, c: float = 0.0) -> Band | None:
     """The drive frequencies in rad/s, from and to, at which the machine swings less than without an absorber.
 
@@ -128,7 +153,7 @@ def fixed_points(chain: TwoMassChain) -> Array:
 
 
 def den_hartog(m1: float, k1: float, m2: float) -> Optimum:
-    """The absorber of mass m2 with the lowest peak: fixed points of one height, each near the top of a hump.
+    """The absorber of mass m2 whose fixed points are of one height and nearly the peaks: see `highest_peak`.
 
     omega_2 = omega_1/(1 + mu) and c/(2 m2 omega_1) = sqrt(3 mu/(8 (1 + mu)^3)), mu = m2/m1; the fixed points
     are then sqrt(1 + 2/mu) F_0/k1 high. ValueError if a number leaves the range of doubles.
@@ -143,6 +168,23 @@ def den_hartog(m1: float, k1: float, m2: float) -> Optimum:
     return Optimum(rounded("the stiffness", k2), rounded("the damping", c), rounded("the height", height))
 
 
+def highest_peak(mu: float, tuning: float, damping: float) -> float:
+    """The largest |X1| over F_0/k1 at any drive frequency, to 1e-9 for mu from 0.001 on; inf without damping.
+
+    mu = m2/m1, tuning = omega_2/omega_1, damping = c/(2 m2 omega_1). At Den Hartog's optimum the fixed points miss it
+    by 0.27 % at mu = 0.16, by 1.3 % at mu = 1.
+    """
+    if not damping:
+        return math.inf
+    # |X1|^2 = above/below in s = (omega/omega_1)^2.
+    s, square = Polynomial([0.0, 1.0]), (2 * damping) ** 2
+    above = s**2 + (square - 2 * tuning**2) * s + tuning**4
+    below = (s**2 - (1 + (1 + mu) * tuning**2) * s + tuning**2) ** 2 + square * s * ((1 + mu) * s - 1) ** 2
+    roots = (above.deriv() * below - above * below.deriv()).roots()
+    at = np.maximum(roots.real[np.abs(roots.imag) < 1e-6 * np.abs(roots)], 0.0)
+    return float(np.sqrt(np.max(above(at) / below(at), initial=1.0)))
+
+
 class _Parts(NamedTuple):
     """X1 = unit N/D, X2 = unit kappa/D: complex whole numbers (re, im), and a fraction."""
 
@@ -152,9 +194,15 @@ class _Parts(NamedTuple):
     unit: Fraction
 
     def moduli(self, omega: float) -> tuple[float, float]:
+        return self._modulus(self.N, omega), self._modulus(self.kappa, omega)
+
+    def swing_and_stroke(self, omega: float) -> tuple[float, float]:
+        stretch = self.kappa[0] - self.N[0], self.kappa[1] - self.N[1]
+        return self._modulus(self.N, omega), self._modulus(stretch, omega)
+
+    def _modulus(self, above: tuple[int, int], omega: float) -> float:
         below = (self.D[0] ** 2 + self.D[1] ** 2) * self.unit.denominator**2
-        over = [(re**2 + im**2) * self.unit.numerator**2 for re, im in (self.N, self.kappa)]
-        return _root(over[0], below, omega), _root(over[1], below, omega)
+        return _root((above[0] ** 2 + above[1] ** 2) * self.unit.numerator**2, below, omega)
 
 
 class _Whole(NamedTuple):

@@ -1,31 +1,40 @@
 """A process of its own that measures one system: `python -m physics.accuracy_worker`, JSON lines in and out.
 
-The first line on standard input is {"system": {...}, "seconds": limit of a run, "budget": limit of all runs}; each
-further line {"skip": method} gives a method up. On standard output come {"method": slug} when a method begins,
-{"run": {...}} for each run, and at the end {"end": null} or {"end": reason}. When standard input closes, it stops.
+The first line on standard input is {"system": {...}, "methods": [...], "seconds": limit of a run, "budget": limit of
+all runs}; each further line {"skip": method} gives a method up. On standard output come {"method": slug} when another
+method begins, {"run": {...}} for each run and again whenever it is timed anew, and at the end {"end": null} or
+{"end": reason}. When standard input closes, it stops.
 """
 
 import json
 import os
 import sys
+from contextlib import suppress
 from dataclasses import asdict
 from threading import Thread
 from time import monotonic
 from typing import Any
 
-from physics.accuracy import Limits, System, measure
+from physics.accuracy import Limits, System
 from physics.coupled import TwoMassChain
+from physics.race import measure
+
+try:
+    import resource
+except ImportError:  # Windows
+    resource = None  # type: ignore[assignment]
 
 NICENESS = 15
+MEMORY = 2**30  # bytes of address space; a measurement touches a tenth of that
 
 
-def encoded(system: System) -> dict[str, Any]:
+def encoded_system(system: System) -> dict[str, Any]:
     """A system as JSON."""
     return asdict(system)
 
 
-def decoded(data: dict[str, Any]) -> System:
-    """The system that `encoded` made this of."""
+def decoded_system(data: dict[str, Any]) -> System:
+    """The system that `encoded_system` made this of."""
     pairs = {name: tuple(data[name]) for name in ("x_0", "v_0")}
     return System(**{**data, **pairs, "chain": TwoMassChain(**data["chain"])})
 
@@ -34,15 +43,23 @@ def tell(**message: Any) -> None:
     print(json.dumps(message), flush=True)
 
 
-def serve() -> None:
-    """Measure what the first line asks for."""
+def restrain() -> None:
+    """Low priority and little memory, where the operating system knows such limits."""
     if hasattr(os, "nice"):
         os.nice(NICENESS)
+    if resource is not None:
+        with suppress(ValueError, OSError):  # a lower limit is in force already
+            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+
+def serve() -> None:
+    """Measure what the first line asks for."""
+    restrain()
     order = json.loads(sys.stdin.readline())
     skipped: set[str] = set()
     Thread(target=_listen, args=(skipped,), daemon=True).start()
     deadline = monotonic() + order["budget"]
-    told: list[str] = []
+    methods, told, ended = order["methods"], list[str](), set[str]()
 
     def cancelled(method: str) -> bool:
         if method not in told[-1:]:
@@ -52,12 +69,16 @@ def serve() -> None:
 
     reason = None
     try:
-        for run in measure(decoded(order["system"]), limits=Limits(seconds=order["seconds"]), cancelled=cancelled):
+        limits = Limits(seconds=order["seconds"])
+        for run in measure([decoded_system(order["system"])], methods, limits, cancelled):
+            ended |= {run.method} if run.end not in ("", "cancelled") else set()
             tell(run=run.to_dict())
-        if monotonic() > deadline:
-            reason = f"stopped after {order['budget']:g} s, the limit for one visitor"
+        if not ended | skipped >= set(methods):
+            reason = f"stopped after {order['budget']:g} s, before the finest runs"
     except ValueError as error:
         reason = str(error)
+    except MemoryError:
+        reason = "no memory left"
     tell(end=reason)
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from decimal import Decimal
 from math import sin
 from types import SimpleNamespace
-from typing import Any, Literal
+from typing import Any
 
 from physics.exact import exact, precise, rounded
 from physics.pendulum import Pendulum
@@ -19,15 +19,13 @@ Formula = Callable[[Any], Decimal]
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter above 0 with the range of its slider; kind "count" is a whole number."""
+    """A parameter above 0, or a whole number from 1 on."""
 
     name: str
     symbol: str
     unit: str
     default: float
-    low: float
-    high: float
-    kind: Literal["log", "linear", "count"] = "log"
+    whole: bool = False
 
 
 @dataclass(frozen=True)
@@ -58,7 +56,6 @@ class Analogue:
     T_formula: str
     V_formula: str
     omega_formula: str
-    note: str = ""
     inertia_of: Formula
     stiffness_of: Formula
     length_of: Formula | None = None  # of the simple pendulum with the same motion at any angle
@@ -111,7 +108,7 @@ class Analogue:
         for parameter in self.parameters:
             value = p[parameter.name]
             check_positive(f"{self.name}, {parameter.unit or 'a number'}", **{parameter.name: value})
-            if parameter.kind == "count" and not float(value).is_integer():
+            if parameter.whole and not float(value).is_integer():
                 raise ValueError(f"{parameter.name} = {value!r}: only whole numbers from 1 on are allowed")
         numbers = {constant.name: constant.value for constant in self.constants}
         numbers |= {parameter.name: p[parameter.name] for parameter in self.parameters}

@@ -16,8 +16,6 @@ and gamma = D/(2 m2 k2), delta = S/(2 m2 k2): one of the ratios X2/X1 = -gamma +
 follows from their product -m1/m2. k1 = 0 and k2 = 0 are physics: the slow mode is then a drift.
 """
 
-import math
-from collections.abc import Sequence
 from dataclasses import dataclass, fields
 from decimal import Decimal
 from functools import cached_property
@@ -26,8 +24,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from physics.curves import Curve, combined, turning
 from physics.exact import Array, exact, precise, rounded, snapped, split, sum_of
+from physics.oscillator import phase_of
+from physics.sinusoids import ExactSinusoid, added
 from physics.valid import check_not_negative, check_positive, finite_array, in_range
 
 Vector = tuple[Decimal, Decimal]
@@ -47,6 +46,14 @@ class Mode(NamedTuple):
     def rows(self) -> tuple[Decimal, Decimal, Decimal]:
         """What one unit of the coordinate adds to x1, x2 and the elongation of spring 2."""
         return *self.shape, self.stretch
+
+    def sinusoid(self, q: Decimal, v: Decimal) -> ExactSinusoid:
+        """x1, x2, e2, v1, v2 of the motion in which the coordinate starts from q with the velocity v."""
+        with precise():
+            rate = -(self.omega**2) * q
+            cosine = [*(part * q for part in self.rows), *(part * v for part in self.shape)]
+            sine = [*(part * v for part in self.rows), *(part * rate for part in self.shape)]
+        return ExactSinusoid(self.omega, cosine, sine)
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,7 +194,7 @@ class FreeModes:
     @cached_property
     def phase(self) -> Array:
         with precise():
-            return np.array([_angle(q * mode.omega, v) if mode.omega else 0.0 for mode, q, v in self.each()])
+            return np.array([phase_of(q * mode.omega, v) if mode.omega else 0.0 for mode, q, v in self.each()])
 
     @cached_property
     def drift_a(self) -> Array:
@@ -215,30 +222,23 @@ class FreeModes:
     def parts(self, t: ArrayLike) -> tuple[Motion, Motion]:
         """The motion of each mode at times t (n,), within 2 u of its amplitude."""
         t = finite_array("t", t)
-        return motion_of([self.term(0, t)], t), motion_of([self.term(1, t)], t)
+        slow, fast = (as_motion(t, added([one], t, QUANTITIES)) for one in self._sinusoids())
+        return slow, fast
 
-    def terms(self, t: Array) -> list["Terms"]:
-        """Those of the modes that move."""
-        return [self.term(j, t) for j in (0, 1) if self.coordinate[j] or self.velocity[j]]
+    def motion(self, t: ArrayLike) -> Motion:
+        """The motion at times t (n,); see free_motion."""
+        t = finite_array("t", t)
+        return as_motion(t, self.values(t))
 
-    def term(self, j: int, t: Array) -> "Terms":
-        """Of mode j: cos(omega t) and sin(omega t)/omega, and their coefficients in x1, x2, e2, v1, v2."""
-        mode, q, v = self.each()[j]
-        with precise():
-            rate = -(mode.omega**2) * q
-            rows = [(part * q, part * v) for part in mode.rows]
-            rows += [(part * v, part * rate) for part in mode.shape]
-        return Terms(turning(mode.omega, t), rows)
+    def values(self, t: Array) -> Array:
+        """x1, x2, e2, v1, v2 (5, n)."""
+        return added(self._sinusoids(), t, QUANTITIES)
+
+    def _sinusoids(self) -> list[ExactSinusoid]:
+        return [mode.sinusoid(q, v) for mode, q, v in self.each()]
 
     def each(self) -> list[tuple[Mode, Decimal, Decimal]]:
         return list(zip(self.chain.exact_modes, self.coordinate, self.velocity, strict=True))
-
-
-class Terms(NamedTuple):
-    """Curves and, a row for each of x1, x2, e2, v1, v2, their coefficients."""
-
-    curves: tuple[Curve, Curve]
-    rows: list[tuple[Decimal, Decimal]]
 
 
 def free_modes(chain: TwoMassChain, x_0: ArrayLike, v_0: ArrayLike) -> FreeModes:
@@ -284,24 +284,9 @@ def free_motion(chain: TwoMassChain, x_0: ArrayLike, v_0: ArrayLike, t: ArrayLik
 
     Past that x and v stay on the orbit of the fast mode, but its phase is no longer certain.
     """
-    t = finite_array("t", t)
-    return motion_of(free_modes(chain, x_0, v_0).terms(t), t)
+    return free_modes(chain, x_0, v_0).motion(t)
 
 
-def motion_of(terms: Sequence[Terms], t: Array) -> Motion:
-    if not terms:
-        nothing = np.zeros((2, t.size))
-        return Motion(t, nothing, nothing, nothing)
-    curves = [curve for term in terms for curve in term.curves]
-    rows = [[c for row in place for c in row] for place in zip(*(term.rows for term in terms), strict=True)]
-    x1, x2, e2, v1, v2 = combined(rows, curves, QUANTITIES)
-    return Motion(t, np.array([x1, x2]), np.array([v1, v2]), np.array([x1, e2]))
-
-
-def _angle(sine: Decimal, cosine: Decimal) -> float:
-    """The angle in (-pi, pi] of a point of the plane, 0 for its origin."""
-    size = max(abs(sine), abs(cosine))
-    if not size:
-        return 0.0
-    result = math.atan2(sine / size, cosine / size)
-    return math.pi if result <= -math.pi else result
+def as_motion(t: Array, values: Array) -> Motion:
+    """From x1, x2, e2, v1, v2 (5, n)."""
+    return Motion(t, values[:2], values[3:], values[0:3:2])

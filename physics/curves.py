@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from physics.exact import Array, angle, binary, circle, exact, pair_product, precise, two_sum
+from physics.exact import Array, DoubleDouble, angle, binary, exact, on_circle, pair_product, precise, two_sum
 from physics.valid import in_range
 
 _SLOW = Decimal(2) ** -10  # rad; below it sin(x)/x takes three terms of its series
@@ -25,16 +25,16 @@ _EARLY = Decimal(2)  # rad; below it the closed form of g cancels and its series
 _TERMS = 15  # of that series: the next one is below 1e-18 of the first
 
 
-class Curve(NamedTuple):
+class ScaledCurve(NamedTuple):
     """(hi + lo) scale, hi and lo (n,)."""
 
     hi: Array
     lo: Array
     scale: Decimal
 
-    def times(self, factor: Decimal) -> "Curve":
+    def times(self, factor: Decimal) -> "ScaledCurve":
         with precise():
-            return Curve(self.hi, self.lo, self.scale * factor)
+            return ScaledCurve(self.hi, self.lo, self.scale * factor)
 
 
 def reach(t: Array) -> Decimal:
@@ -49,28 +49,28 @@ def power_of_two(near: Decimal) -> tuple[int, Decimal]:
         return exponent, Decimal(2) ** exponent
 
 
-def turning(omega: Decimal, t: Array) -> tuple[Curve, Curve]:
+def turning(omega: Decimal, t: Array) -> tuple[ScaledCurve, ScaledCurve]:
     """cos(omega t) and sin(omega t)/omega, which is t for omega = 0."""
     with precise():
         slow = abs(omega) * reach(t) < _SLOW
     if slow:
         return _hardly_turning(omega, t)
-    sine, cosine = circle(*angle(omega, t))
+    sine, cosine = on_circle(*angle(omega, t))
     with precise():
-        return Curve(*cosine, Decimal(1)), Curve(*sine, 1 / omega)
+        return ScaledCurve(*cosine, Decimal(1)), ScaledCurve(*sine, 1 / omega)
 
 
-def _hardly_turning(omega: Decimal, t: Array) -> tuple[Curve, Curve]:
+def _hardly_turning(omega: Decimal, t: Array) -> tuple[ScaledCurve, ScaledCurve]:
     exponent, unit = power_of_two(reach(t))
     time = np.ldexp(t, -exponent)
     with precise():
         square = (float(omega * unit) * time) ** 2
     cosine = -square / 2.0 * (1.0 - square / 12.0 * (1.0 - square / 30.0))
     sine = -square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0))
-    return Curve(*two_sum(1.0, cosine), Decimal(1)), Curve(*two_sum(time, time * sine), unit)
+    return ScaledCurve(*two_sum(1.0, cosine), Decimal(1)), ScaledCurve(*two_sum(time, time * sine), unit)
 
 
-def response(omega: Decimal, omega_n: Decimal, t: Array) -> tuple[Curve, Curve]:
+def response(omega: Decimal, omega_n: Decimal, t: Array) -> tuple[ScaledCurve, ScaledCurve]:
     """g and g' of a mode of frequency omega_n under sin(omega t), at any omega > 0, omega_n included.
 
     Near resonance g comes from half the sum s and half the difference d of the frequencies, elsewhere from
@@ -97,7 +97,7 @@ def is_early(frequencies: Sequence[Decimal], t: Array) -> NDArray[np.bool_]:
     return first
 
 
-def early(frequencies: Sequence[Decimal], t: Array, power: int) -> Curve:
+def early(frequencies: Sequence[Decimal], t: Array, power: int) -> ScaledCurve:
     """omega t^power sum_k (-1)^k h_k / (2 k + power)!, omega the first frequency, up to phases of 2 rad.
 
     h_k is the sum of all products of k of the (omega_i t)^2, repetitions included. These are divided
@@ -115,35 +115,35 @@ def early(frequencies: Sequence[Decimal], t: Array, power: int) -> Curve:
         for i, square in enumerate(squares):
             h[i] = square * h[i] + (h[i - 1] if i else 0.0)
         rest += h[-1] * (math.factorial(power) / math.factorial(2 * k + power))
-    factor = Curve(time, np.zeros_like(t), Decimal(1))
+    factor = ScaledCurve(time, np.zeros_like(t), Decimal(1))
     leading = factor
     for _ in range(power - 1):
         leading = product(leading, factor)
-    return Curve(*two_sum(leading.hi, leading.lo + leading.hi * rest), scale)
+    return ScaledCurve(*two_sum(leading.hi, leading.lo + leading.hi * rest), scale)
 
 
-def product(a: Curve, b: Curve) -> Curve:
+def product(a: ScaledCurve, b: ScaledCurve) -> ScaledCurve:
     hi, lo = pair_product((a.hi, a.lo), (b.hi, b.lo))
     with precise():
-        return Curve(hi, lo, a.scale * b.scale)
+        return ScaledCurve(hi, lo, a.scale * b.scale)
 
 
-def difference(a: Curve, b: Curve) -> Curve:
+def difference(a: ScaledCurve, b: ScaledCurve) -> ScaledCurve:
     scale = max(abs(a.scale), abs(b.scale))
     a, b = rescaled(a, scale), rescaled(b, scale)
     s, e = two_sum(a.hi, -b.hi)
-    return Curve(s, e + (a.lo - b.lo), scale)
+    return ScaledCurve(s, e + (a.lo - b.lo), scale)
 
 
-def rescaled(a: Curve, scale: Decimal) -> Curve:
+def rescaled(a: ScaledCurve, scale: Decimal) -> ScaledCurve:
     """The same curve, counted in a scale at least as large as its own."""
     with precise():
         hi, lo, exponent = binary(a.scale / scale)
-    factor = Curve(np.asarray(math.ldexp(hi, exponent)), np.asarray(math.ldexp(lo, exponent)), scale)
-    return product(Curve(a.hi, a.lo, Decimal(1)), factor)
+    factor = ScaledCurve(np.asarray(math.ldexp(hi, exponent)), np.asarray(math.ldexp(lo, exponent)), scale)
+    return product(ScaledCurve(a.hi, a.lo, Decimal(1)), factor)
 
 
-def replaced(a: Curve, where: NDArray[np.bool_], b: Curve) -> Curve:
+def replaced(a: ScaledCurve, where: NDArray[np.bool_], b: ScaledCurve) -> ScaledCurve:
     """a, but with the values of b, in order, at the places chosen."""
     if np.all(where):
         return b
@@ -153,11 +153,21 @@ def replaced(a: Curve, where: NDArray[np.bool_], b: Curve) -> Curve:
     return a
 
 
-def combined(rows: Sequence[Sequence[Decimal]], curves: Sequence[Curve], quantities: Sequence[str]) -> Array:
+def combined(rows: Sequence[Sequence[Decimal]], curves: Sequence[ScaledCurve], quantities: Sequence[str]) -> Array:
     """sum_k rows[i][k] curves[k] as (rows, n), rounded once at the end.
 
     ValueError names the quantity, one of a row, that leaves the range of doubles.
     """
+    result = rounded_once(*scaled_sum(rows, curves))
+    for quantity, row in zip(quantities, result, strict=True):
+        in_range(quantity, row)
+    return result
+
+
+def scaled_sum(
+    rows: Sequence[Sequence[Decimal]], curves: Sequence[ScaledCurve]
+) -> tuple[DoubleDouble, NDArray[np.int_]]:
+    """The same sum as hi + lo, in units of a power of two for each row, which is near its largest term."""
     curves = [_normalised(curve) for curve in curves]
     coefficients, exponents = _coefficients(rows, curves)
     total = rest = np.zeros((len(rows), curves[0].hi.size))
@@ -166,22 +176,26 @@ def combined(rows: Sequence[Sequence[Decimal]], curves: Sequence[Curve], quantit
             p, e = pair_product((hi, lo), (curve.hi, curve.lo))
             total, carried = two_sum(total, p)
             rest = rest + (carried + e)
-    with np.errstate(over="ignore"):
-        result = np.ldexp(total + rest, exponents)
-    for quantity, row in zip(quantities, result, strict=True):
-        in_range(quantity, row)
-    return result
+    return two_sum(total, rest), exponents
 
 
-def _normalised(curve: Curve) -> Curve:
+def rounded_once(value: DoubleDouble, exponents: NDArray[np.int_]) -> Array:
+    """(hi + lo) 2**exponents; a subnormal number is rounded from hi + lo too, not from hi, which is rounded already."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        near = np.ldexp(value[0], exponents)
+        lost = value[0] - np.ldexp(near, -exponents)
+        return np.where(np.abs(lost) > 0, near + np.ldexp(lost + value[1], exponents), near)
+
+
+def _normalised(curve: ScaledCurve) -> ScaledCurve:
     """Entries at most 1, the largest above 1/2; a curve that is zero has the scale zero."""
     largest, exponent = math.frexp(np.max(np.abs(curve.hi), initial=0.0))
     with precise():
         scale = curve.scale * Decimal(2) ** exponent if largest else Decimal(0)
-    return Curve(np.ldexp(curve.hi, -exponent), np.ldexp(curve.lo, -exponent), scale)
+    return ScaledCurve(np.ldexp(curve.hi, -exponent), np.ldexp(curve.lo, -exponent), scale)
 
 
-def _coefficients(rows: Sequence[Sequence[Decimal]], curves: Sequence[Curve]) -> tuple[Array, NDArray[np.int_]]:
+def _coefficients(rows: Sequence[Sequence[Decimal]], curves: Sequence[ScaledCurve]) -> tuple[Array, NDArray[np.int_]]:
     """Rows times scales as hi + lo (curves, 2, rows, 1), at most 1, and the power of two of each row."""
     with precise():
         parts = [[binary(c * curve.scale) for c, curve in zip(row, curves, strict=True)] for row in rows]

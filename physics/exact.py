@@ -11,7 +11,7 @@ Elementary Functions (1980), and S. Gal, B. Bachelis, ACM Trans. Math. Softw. 17
 """
 
 import math
-from contextlib import AbstractContextManager
+from contextlib import AbstractContextManager, nullcontext
 from decimal import (
     MAX_EMAX,
     MIN_EMIN,
@@ -21,6 +21,7 @@ from decimal import (
     DivisionByZero,
     InvalidOperation,
     Overflow,
+    getcontext,
     localcontext,
 )
 from typing import Any
@@ -29,7 +30,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Pair = tuple[Array, Array]  # hi, lo: an unevaluated sum
+DoubleDouble = tuple[Array, Array]  # hi, lo: an unevaluated sum
 
 DIGITS = 80
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494459230781640628620899862803482534")
@@ -42,19 +43,27 @@ _CONTEXT = Context(
     Emax=MAX_EMAX,
     traps=[InvalidOperation, DivisionByZero, Overflow],
 )
+_STAY: AbstractContextManager[None] = nullcontext()
 _POINTS = 32  # of the circle, with tabulated sine and cosine
 _FAR = 2.0**50  # rad; past it a phase is reduced in decimal, angle by angle
+_FACTORS = 1000  # powers of two up to here, and their inverses, are doubles
 _VELTKAMP = 2.0**27 + 1.0
 
 
-def precise() -> AbstractContextManager[Context]:
-    """Open an 80-digit decimal context: `with precise(): ...`."""
-    return localcontext(_CONTEXT)
+def precise() -> AbstractContextManager[Context | None]:
+    """Open an 80-digit decimal context, `with precise(): ...`, or stay in the one that is open."""
+    return _STAY if getcontext().prec >= DIGITS else localcontext(_CONTEXT)
 
 
 def exact(x: float) -> Decimal:
     """The double x, digit for digit."""
     return Decimal(float(x))
+
+
+def within_an_ulp(x: float, value: Decimal) -> bool:
+    """Whether x is at most a unit in its last place away from value: hardly a double is nearer."""
+    with precise():
+        return abs(exact(x) - value) <= exact(math.ulp(x))
 
 
 def rounded(quantity: str, value: Decimal) -> float:
@@ -102,21 +111,28 @@ def binary(value: Decimal) -> tuple[float, float, int]:
         return hi, math.ldexp(float(scaled - Decimal(whole)), -exponent), exponent + shift
 
 
-def two_sum(a: Any, b: Any) -> Pair:
+def shifted(values: Array, exponents: NDArray[np.int_]) -> Array:
+    """values 2^exponents, by a product where that is as exact and quicker."""
+    if max(-exponents.min(), exponents.max()) < _FACTORS:
+        return values * np.ldexp(1.0, exponents)
+    return np.ldexp(values, exponents)
+
+
+def two_sum(a: Any, b: Any) -> DoubleDouble:
     """(s, e) with s = fl(a + b) and s + e = a + b exactly (Knuth)."""
     s = a + b
     z = s - a
     return s, (a - (s - z)) + (b - z)
 
 
-def halves(a: Any) -> Pair:
+def halves(a: Any) -> DoubleDouble:
     """(hi, lo) of 26 bits each with hi + lo = a exactly (Veltkamp); |a| < 2**996."""
     c = _VELTKAMP * a
     hi = c - (c - a)
     return hi, a - hi
 
 
-def two_product(a: Any, b: Any) -> Pair:
+def two_product(a: Any, b: Any) -> DoubleDouble:
     """(p, e) with p = fl(a b) and p + e = a b exactly (Dekker); |a|, |b|, |a b| < 2**996, |a b| > 2**-968."""
     p = a * b
     a_hi, a_lo = halves(a)
@@ -124,13 +140,13 @@ def two_product(a: Any, b: Any) -> Pair:
     return p, ((a_hi * b_hi - p) + a_hi * b_lo + a_lo * b_hi) + a_lo * b_lo
 
 
-def pair_sum(a: tuple[Any, Any], b: tuple[Any, Any]) -> Pair:
+def pair_sum(a: tuple[Any, Any], b: tuple[Any, Any]) -> DoubleDouble:
     """a + b; where the leading parts cancel to nothing the low ones remain, digit for digit."""
     s, e = two_sum(a[0], b[0])
     return two_sum(s, e + (a[1] + b[1]))
 
 
-def pair_product(a: tuple[Any, Any], b: tuple[Any, Any]) -> Pair:
+def pair_product(a: tuple[Any, Any], b: tuple[Any, Any]) -> DoubleDouble:
     """a b to about 104 bits."""
     p, e = two_product(a[0], b[0])
     return p, e + (a[0] * b[1] + a[1] * b[0])
@@ -151,11 +167,11 @@ def sin_cos(omega_hi: float, omega_lo: float, t: Array, phase: float = 0.0) -> t
     with precise():
         theta, rest = angle(exact(omega_hi) + exact(omega_lo), t)
     theta, shift = two_sum(theta, phase)
-    sine, cosine = circle(theta, rest + shift)
+    sine, cosine = on_circle(theta, rest + shift)
     return sine[0], cosine[0]
 
 
-def angle(omega: Decimal, t: Array) -> Pair:
+def angle(omega: Decimal, t: Array) -> DoubleDouble:
     """omega t as hi + lo, known to 1e-16 rad up to 1e15 rad; above 2**50 rad modulo 2 pi."""
     hi, lo, exponent = binary(omega)
     with np.errstate(over="ignore"):
@@ -170,27 +186,31 @@ def angle(omega: Decimal, t: Array) -> Pair:
 
 
 def _modulo_turn(omega: Decimal, t: float) -> Decimal:
+    with precise():
+        return remainder(omega / (2 * PI), t, 1) * (2 * PI)
+
+
+def remainder(rate: Decimal, t: float, whole: int) -> Decimal:
+    """rate t modulo a whole number, however many turns that leaves out."""
     time = exact(t)
-    with precise() as context:
-        context.prec += omega.adjusted() + time.adjusted()
-        return (omega / (2 * PI) * time % 1) * (2 * PI)
+    with localcontext(_CONTEXT) as context:
+        context.prec += max(0, rate.adjusted() + time.adjusted())
+        return rate * time % whole
 
 
-def circle(theta: Array, rest: Array) -> tuple[Pair, Pair]:
+def on_circle(theta: Array, rest: Array) -> tuple[DoubleDouble, DoubleDouble]:
     """sin and cos of theta + rest, each as hi + lo; |theta| up to 2**50, |rest| up to the ulp of theta.
 
     The library's functions are off by half an ulp, some vectorised ones by four. Here the phase is reduced to
     the nearest of 32 points of the circle with 2 pi/32 in three doubles (Cody and Waite), and the point is
     turned by what remains, less than 0.2 rad, whose series need only float64.
     """
-    count = np.rint(theta / _STEP[0])
-    point = np.mod(count, _POINTS).astype(np.intp)
-    r, r_lo = _reduced(theta, rest, count)
+    point, (r, r_lo) = nearest_point(theta, rest)
     square = r * r
     versine = square * _polynomial(square, 1 / 479001600, -1 / 3628800, 1 / 40320, -1 / 720, 1 / 24, -1 / 2)
     excess = square * _polynomial(square, 1 / 6227020800, -1 / 39916800, 1 / 362880, -1 / 5040, 1 / 120, -1 / 6)
     excess = r_lo + r * excess
-    (s, s_lo), (c, c_lo) = ((hi[point], lo[point]) for hi, lo in (_SINES, _COSINES))
+    (s, s_lo), (c, c_lo) = ((hi[point], lo[point]) for hi, lo in (SINES, COSINES))
     return (
         _turned(s, s_lo + s * versine + c * excess, c, c_lo, r),
         _turned(c, c_lo + c * versine - s * excess, -s, -s_lo, r),
@@ -205,32 +225,43 @@ def _polynomial(x: Array, *coefficients: float) -> Array:
     return result
 
 
-def _turned(start: Array, correction: Array, slope: Array, slope_lo: Array, r: Array) -> Pair:
+def _turned(start: Array, correction: Array, slope: Array, slope_lo: Array, r: Array) -> DoubleDouble:
     """start + slope r + correction, the product without error."""
     p, e = two_product(slope, r)
     hi, lo = two_sum(start, p)
     return two_sum(hi, lo + (e + slope_lo * r + correction))
 
 
-def _reduced(theta: Array, rest: Array, count: Array) -> Pair:
-    """theta + rest - count 2 pi/32 as hi + lo; its leading subtraction is exact."""
-    p1, e1 = two_product(count, _STEP[0])
-    p2, e2 = two_product(count, _STEP[1])
+def nearest_point(theta: Array, rest: Array) -> tuple[NDArray[np.intp], DoubleDouble]:
+    """Of the 32 points of the circle the one nearest to theta + rest, and the angle from it."""
+    count = np.rint(theta / _STEP[0])
+    return np.mod(count, _POINTS).astype(np.intp), reduced(theta, rest, count, _STEP)
+
+
+def reduced(theta: Array, rest: Array, count: Array, step: tuple[float, float, float]) -> DoubleDouble:
+    """theta + rest - count step as hi + lo, the step in three doubles; its leading subtraction is exact."""
+    p1, e1 = two_product(count, step[0])
+    p2, e2 = two_product(count, step[1])
     r, low1 = two_sum(theta - p1, -e1)
     r, low2 = two_sum(r, -p2)
     r, low3 = two_sum(r, rest)
-    return two_sum(r, low1 + low2 + low3 - e2 - count * _STEP[2])
+    return two_sum(r, low1 + low2 + low3 - e2 - count * step[2])
+
+
+def three_doubles(value: Decimal) -> tuple[float, float, float]:
+    """Their unevaluated sum is the value to 159 bits."""
+    first, second = split(value)
+    with precise():
+        return first, second, float(value - Decimal(first) - Decimal(second))
 
 
 def _step() -> tuple[float, float, float]:
-    """2 pi/32 as three doubles."""
+    """2 pi/32."""
     with precise():
-        step = 2 * PI / _POINTS
-        first, second = split(step)
-        return first, second, float(step - Decimal(first) - Decimal(second))
+        return three_doubles(2 * PI / _POINTS)
 
 
-def _points() -> tuple[Pair, Pair]:
+def _points() -> tuple[DoubleDouble, DoubleDouble]:
     """Sines and cosines of the 32 points as hi + lo, the first from half angles, the others by addition."""
     with precise():
         c, s = Decimal(0), Decimal(1)
@@ -243,10 +274,10 @@ def _points() -> tuple[Pair, Pair]:
     return _pairs(sines), _pairs(cosines)
 
 
-def _pairs(values: list[Decimal]) -> Pair:
+def _pairs(values: list[Decimal]) -> DoubleDouble:
     hi, lo = np.transpose([split(value) if abs(value) > Decimal("1e-70") else (0.0, 0.0) for value in values])
     return hi, lo
 
 
 _STEP = _step()
-_SINES, _COSINES = _points()
+SINES, COSINES = _points()

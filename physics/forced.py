@@ -8,7 +8,7 @@
 The particular solution x_i = Xp_i sin(omega t) is in physics.particular. Near a natural frequency the
 lecture's split, total = complementary + particular, is a difference of two huge motions. So the motion is
 formed mode by mode: the free motion of the start plus the response g from rest, which grows like t at
-resonance and needs no particular solution.
+resonance and needs no particular solution; see physics.driven_motion.
 """
 
 from dataclasses import dataclass
@@ -16,21 +16,21 @@ from decimal import Decimal
 from functools import cached_property
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from physics.coupled import (
     FreeModes,
     Mode,
     Motion,
-    Terms,
     TwoMassChain,
     Vector,
+    as_motion,
     each_mass,
-    motion_of,
     started,
 )
-from physics.curves import Curve, combined, early, is_early, product, response, turning
-from physics.exact import PI, Array, exact, precise, rounded
+from physics.curves import ScaledCurve, combined, product, response, turning
+from physics.driven_motion import NONE, driven_values
+from physics.exact import PI, Array, exact, precise, rounded, within_an_ulp
 from physics.particular import (
     antiresonance,
     checked_drive,
@@ -38,6 +38,7 @@ from physics.particular import (
     exact_amplitudes,
     particular_solution,
 )
+from physics.sinusoids import ExactSinusoid, added
 from physics.valid import finite_array
 
 __all__ = [
@@ -52,7 +53,6 @@ __all__ = [
 ]
 
 REST = (0.0, 0.0)
-NONE = Decimal(0)
 _CANCELS = Decimal("1e-3")  # of x_c and x_p, what is left of them after a period of the drive
 
 
@@ -96,6 +96,16 @@ class DrivenModes:
         return particular_solution(self.chain, self.F_0, self.omega)
 
     @cached_property
+    def at_resonance(self) -> bool:
+        """Whether the drive is as near to a natural frequency as doubles come: at most an ulp of omega away.
+
+        Exactly at one no particular solution exists; an ulp away it is some 1e15 times the static deflection.
+        """
+        pushed = (mode for mode in self.chain.exact_modes if mode.shape[0])
+        near = any(within_an_ulp(self.omega, mode.omega) for mode in pushed)
+        return near and not self.split_is_meaningful
+
+    @cached_property
     def split_is_meaningful(self) -> bool:
         """Whether x_c and x_p are worth drawing apart: at least 1/1000 of them does not cancel.
 
@@ -115,34 +125,28 @@ class DrivenModes:
     def motion(self, t: ArrayLike) -> Motion:
         """The motion at times t (n,), within 4 u of its envelope at every detuning, phases below 1e15."""
         t = finite_array("t", t)
-        start = self._early(t)
-        x, v, e = (np.empty((2, t.size)) for _ in range(3))
-        for where, terms in ((start, self._from_rest), (~start, self._driven)):
-            if not np.any(where):
-                continue
-            part = motion_of([*self.free.terms(t[where]), *terms(t[where])], t[where])
-            x[:, where], v[:, where], e[:, where] = part.x, part.v, part.e
-        return Motion(t, x, v, e)
+        if not (self._pushes and t.size):
+            return self.free.motion(t)
+        return as_motion(t, driven_values(self.free, self.F_0, self.omega, t))
 
     @cached_property
     def complementary_modes(self) -> FreeModes:
         """The modes of x_c, the free motion that remains without x_p; ValueError at resonance."""
-        X = self._exact_particular()
+        X = self._exact_particular
         with precise():
             v1_0, v2_0 = (v - exact(self.omega) * part for v, part in zip(self.v_0, X, strict=True))
         return started(self.chain, self.x_0, (v1_0, v2_0))
 
     def complementary(self, t: ArrayLike) -> Array:
         """x_c (2, n); ValueError at resonance."""
-        t = finite_array("t", t)
-        return motion_of(self.complementary_modes.terms(t), t).x
+        return self.complementary_modes.motion(t).x
 
     def particular_motion(self, t: ArrayLike) -> Array:
         """x_p (2, n) = Xp sin(omega t); ValueError at resonance."""
-        omega = exact(self.omega)
+        omega, t = exact(self.omega), finite_array("t", t)
         with precise():
-            rows = [[part * omega] for part in self._exact_particular()]
-        return combined(rows, [turning(omega, finite_array("t", t))[1]], ("x1 of x_p", "x2 of x_p"))
+            swing = ExactSinusoid(omega, [NONE] * 2, [part * omega for part in self._exact_particular])
+        return added([swing], t, ("x1 of x_p", "x2 of x_p"))
 
     def work(self, t: ArrayLike) -> Array:
         """The work of the drive since t = 0, (n,) in J.
@@ -152,51 +156,22 @@ class DrivenModes:
         """
         t = finite_array("t", t)
         row: list[Decimal] = []
-        curves: list[Curve] = []
-        for j, (mode, q, v) in enumerate(self.free.each()):
+        curves: list[ScaledCurve] = []
+        for mode, q, v in self.free.each():
             if self._pushes and mode.shape[0]:
-                for factor, curve in self._works(mode, q, v, self.free.term(j, t).curves, t):
+                for factor, curve in self._works(mode, q, v, turning(mode.omega, t), t):
                     row.append(factor)
                     curves.append(curve)
         return combined([row], curves, ("the work of the drive",))[0] if row else np.zeros_like(t)
-
-    def _early(self, t: Array) -> NDArray[np.bool_]:
-        return is_early(self._frequencies, t) if self._pushes else np.zeros(t.shape, dtype=np.bool_)
 
     @property
     def _pushes(self) -> bool:
         """Whether there is a force at all: F_0 sin(0 t) is none."""
         return bool(self.F_0 and self.omega)
 
-    @property
-    def _frequencies(self) -> list[Decimal]:
-        return [exact(self.omega), *(mode.omega for mode in self.chain.exact_modes)]
-
-    def _from_rest(self, t: Array) -> list[Terms]:
-        """At first the modes all but cancel in mass 2, which starts like t^5: series give its motion."""
-        m1, m2, _, k2 = self.chain.exact_parameters
-        curves = early(self._frequencies, t, 5), early(self._frequencies, t, 4)
-        with precise():
-            push = exact(self.F_0) * k2 / (m1 * m2)
-        none, x2, v2 = (NONE, NONE), (push, NONE), (NONE, push)
-        rest = [Terms(own, [x1, none, (-x1[0], NONE), v1, none]) for own, (x1, _, _, v1, _) in self._driven(t)]
-        return [*rest, Terms(curves, [none, x2, x2, none, v2])]
-
-    def _driven(self, t: Array) -> list[Terms]:
-        result = []
-        for mode in self.chain.exact_modes:
-            if not (self._pushes and mode.shape[0]):
-                continue
-            with precise():
-                share = exact(self.F_0) * mode.shape[0] / mode.mass
-                rows = [(part * share, NONE) for part in mode.rows]
-                rows += [(NONE, part * share) for part in mode.shape]
-            result.append(Terms(response(exact(self.omega), mode.omega, t), rows))
-        return result
-
     def _works(
-        self, mode: Mode, q: Decimal, v: Decimal, free: tuple[Curve, Curve], t: Array
-    ) -> list[tuple[Decimal, Curve]]:
+        self, mode: Mode, q: Decimal, v: Decimal, free: tuple[ScaledCurve, ScaledCurve], t: Array
+    ) -> list[tuple[Decimal, ScaledCurve]]:
         g, speed = response(exact(self.omega), mode.omega, t)
         cosine, sine = free
         with precise():
@@ -206,6 +181,7 @@ class DrivenModes:
             first, second = (cosine, sine, cosine, sine, speed, g), (speed, speed, g, g, speed, g)
             return [(F * c, product(a, b)) for c, a, b in zip(factors, first, second, strict=True)]
 
+    @cached_property
     def _exact_particular(self) -> tuple[Decimal, Decimal]:
         exactly = exact_amplitudes(self.chain, self.F_0, self.omega)
         if exactly is None:
@@ -251,5 +227,5 @@ def steady_start(chain: TwoMassChain, F_0: float, omega: float) -> tuple[tuple[f
     """(x_0, v_0) = (0, omega Xp), from which x_p is the whole motion; ValueError at resonance."""
     modes = driven_modes(chain, F_0, omega)
     with precise():
-        v1_0, v2_0 = (rounded("omega Xp", exact(modes.omega) * part) for part in modes._exact_particular())
+        v1_0, v2_0 = (rounded("omega Xp", exact(modes.omega) * part) for part in modes._exact_particular)
     return REST, (v1_0, v2_0)

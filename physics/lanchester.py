@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from math import hypot, pi, sqrt
+from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial.polynomial import polyval
@@ -118,29 +119,37 @@ def half_period(excess: float) -> HalfPeriod:
     pieces = list(_pieces(max(excess, LINEAR)))
     scale = min(excess / LINEAR, 1.0)
     return HalfPeriod(
-        starts=np.array([start for start, _, _ in pieces]),
-        coefficients=scale * np.array([coefficients for _, coefficients, _ in pieces]),
-        duration=sum(pieces[-1][::2]),
+        starts=np.array([piece.start for piece in pieces]),
+        coefficients=scale * np.array([piece.coefficients for piece in pieces]),
+        duration=pieces[-1].start + pieces[-1].length,
         loops=excess > CUSP_EXCESS,
     )
 
 
-def _pieces(excess: float) -> Iterator[tuple[float, Array, float]]:
-    """Start, Taylor coefficients and length of each piece, from the lowest point until w is zero again."""
+class _Piece(NamedTuple):
+    """A stretch of time from its start on, and the Taylor coefficients (ORDER + 1, 3) of x - t, p and w in it."""
+
+    start: float
+    coefficients: Array
+    length: float
+
+
+def _pieces(excess: float) -> Iterator[_Piece]:
+    """From the lowest point until w is zero again."""
     t, state = 0.0, np.array([0.0, excess, 0.0])
     while True:
         _, p, w = state
         if hypot(1 + p, w) < FREE_FALL:
-            yield t, _free_fall(state), w
+            yield _Piece(t, _free_fall(state), w)
             return
         series = _taylor(state)
         last = np.max(np.abs(series[-2:, 1:]), axis=1) / max(abs(p), abs(w))
         step = float(np.min((LAST_TERM / last) ** (1 / np.array([ORDER - 1, ORDER]))))
         state = _polynomial(series, step)
         if state[2] <= 0:
-            yield t, series, _top(series, step)
+            yield _Piece(t, series, _top(series, step))
             return
-        yield t, series, step
+        yield _Piece(t, series, step)
         t += step
 
 

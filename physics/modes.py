@@ -28,11 +28,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from physics.coupled import TwoMassChain, free_modes
+from physics.coupled import TwoMassChain, Vector, free_modes
 from physics.exact import Array, exact, precise
 from physics.valid import check_finite, check_not_negative
-
-Vector = tuple[Decimal, Decimal]
 
 
 class Trial(NamedTuple):
@@ -48,7 +46,7 @@ class Trial(NamedTuple):
     apart: Decimal | None
 
 
-class Forces(NamedTuple):
+class TrialForces(NamedTuple):
     """On each mass at full swing: what the motion needs, what the springs give, what is missing; N, in 80 digits."""
 
     amplitude: Vector
@@ -104,7 +102,7 @@ def _decimal(value: Fraction) -> Decimal:
         return Decimal(value.numerator) / Decimal(value.denominator)
 
 
-def forces(chain: TwoMassChain, omega: float, ratio: float) -> Forces:
+def trial_forces(chain: TwoMassChain, omega: float, ratio: float) -> TrialForces:
     """The forces in a motion of the shape X2/X1 = ratio at omega; the larger amplitude is 1 m."""
     check_finite("a ratio", ratio=ratio)
     one, two = _diagonal(chain, omega)
@@ -113,7 +111,7 @@ def forces(chain: TwoMassChain, omega: float, ratio: float) -> Forces:
     springs = (-k1 * X1 + k2 * (X2 - X1), -k2 * (X2 - X1))
     missing = (-(one * X1 + k2 * X2), -(k2 * X1 + two * X2))
     needed = (springs[0] + missing[0], springs[1] + missing[1])
-    return Forces(_pair(X1, X2), _pair(*needed), _pair(*springs), _pair(*missing))
+    return TrialForces(_pair(X1, X2), _pair(*needed), _pair(*springs), _pair(*missing))
 
 
 def _pair(one: Fraction, two: Fraction) -> Vector:

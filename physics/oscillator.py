@@ -17,12 +17,12 @@ amplitudes (u = 2^-53) for all m, k, x_0, v_0 and t with omega_n t < 1e60.
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
-from math import atan2, inf
+from math import atan2, inf, pi
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from physics.exact import PI, Array, angle, binary, circle, exact, precise, rounded
+from physics.exact import PI, Array, angle, binary, exact, on_circle, precise, rounded
 from physics.valid import check_finite, check_not_negative, check_positive, finite_array, in_range
 
 
@@ -87,7 +87,7 @@ class Oscillator:
             A=float(x_0),
             B=rounded("the amplitude B = v_0/omega_n", B),
             C=rounded("the amplitude C", C),
-            phi=_phase(A, B),
+            phi=phase_of(A, B),
             drift=0.0 if self.k else float(v_0),
         )
 
@@ -99,7 +99,7 @@ class Oscillator:
         t = finite_array("t", t)
         omega = self.frequency
         A, B = self._amplitudes(x_0, v_0)
-        (sine, _), (cosine, _) = circle(*angle(omega, t))
+        (sine, _), (cosine, _) = on_circle(*angle(omega, t))
         with precise():
             v_cosine, v_sine = exact(v_0), -omega * A
             a_cosine, a_sine = -omega * omega * A, -omega * exact(v_0)
@@ -117,11 +117,14 @@ class Oscillator:
             return exact(x_0), exact(v_0) / self.frequency if self.k else Decimal(0)
 
 
-def _phase(A: Decimal, B: Decimal) -> float:
-    """atan2(A, B), where A and B may be out of the range of doubles; 0 at rest."""
+def phase_of(A: Decimal, B: Decimal) -> float:
+    """atan2(A, B) in (-pi, pi], where A and B may be out of the range of doubles; 0 at rest."""
     size = max(abs(A), abs(B))
+    if not size:
+        return 0.0
     with precise():
-        return atan2(A / size, B / size) if size else 0.0
+        phase = atan2(A / size, B / size)
+    return phase if phase > -pi else pi
 
 
 def _oscillation(a: Decimal, cosine: Array, b: Decimal, sine: Array) -> Array:

@@ -10,6 +10,7 @@ frequency is worked out in rational numbers, and a curve from factors omega -+ r
 """
 
 import math
+from collections.abc import Iterator, Sequence
 from decimal import Decimal
 from fractions import Fraction
 
@@ -19,7 +20,7 @@ from numpy.typing import ArrayLike
 from physics.coupled import TwoMassChain
 from physics.exact import (
     Array,
-    Pair,
+    DoubleDouble,
     exact,
     pair_product,
     pair_quotient,
@@ -27,6 +28,9 @@ from physics.exact import (
     precise,
     snapped,
     split,
+    three_doubles,
+    two_product,
+    two_sum,
 )
 from physics.valid import check_finite, check_not_negative, finite_array
 
@@ -115,23 +119,29 @@ def _response_curve(chain: TwoMassChain, F_0: float, omega: Array) -> Array:
     """Xp1, Xp2 (2, n) from the factors of D and of k2 - m2 omega^2, none of which cancels."""
     slow, fast = chain.exact_modes
     m1, m2, _, k2 = chain.exact_parameters
-    D = _from_root(omega, fast.omega)
-    over1 = over2 = np.ones_like(omega), np.zeros_like(omega)
     if k2:
-        over1 = _from_root(omega, _antiresonance(chain))
-        D = pair_product(D, _from_root(omega, slow.omega))
+        (over, over_lo), first, second = _from_roots(omega, (_antiresonance(chain), slow.omega, fast.omega))
+        D = pair_product(first, second)
+    else:
+        over, over_lo = np.ones_like(omega), np.zeros_like(omega)
+        (D,) = _from_roots(omega, (fast.omega,))
     with precise():
-        units = split(-exact(F_0) / m1), split(exact(F_0) * k2 / (m1 * m2))
+        units = np.array([split(-exact(F_0) / m1), split(exact(F_0) * k2 / (m1 * m2))]).T[..., np.newaxis]
     at_root = D[0] == 0.0
     D = np.where(at_root, 1.0, D[0]), D[1]
-    X = np.array([pair_quotient(pair_product(unit, over), D) for unit, over in zip(units, (over1, over2), strict=True)])
+    above = np.array([over, np.ones_like(omega)]), np.array([over_lo, np.zeros_like(omega)])
+    X = pair_quotient(pair_product((units[0], units[1]), above), D)
     return np.where(at_root & (X != 0.0), math.inf, X)
 
 
-def _from_root(omega: Array, root: Decimal) -> Pair:
-    """omega^2 - root^2 from its two factors: exact digits also next to the root."""
-    hi, lo = split(root)
-    return pair_product(pair_sum((omega, 0.0), (-hi, -lo)), pair_sum((omega, 0.0), (hi, lo)))
+def _from_roots(omega: Array, roots: Sequence[Decimal]) -> Iterator[DoubleDouble]:
+    """omega^2 - root^2 for each root, which is zero at the root alone: with the square of the root in three doubles."""
+    with precise():
+        squares = np.array([three_doubles(root * root) for root in roots]).T[..., np.newaxis]
+    square, rest = two_product(omega, omega)
+    leading, error = two_sum(square, -squares[0])
+    low, low_error = two_sum(rest, -squares[1])
+    return zip(*pair_sum((leading, error), (low, low_error - squares[2])), strict=True)
 
 
 def determinant(chain: TwoMassChain, omega: float) -> float:

@@ -18,13 +18,13 @@ amplitudes (6 u for theta''), u = 2^-53.
 
 from dataclasses import dataclass
 from decimal import Decimal
-from functools import cached_property
+from functools import cached_property, lru_cache
 from math import pi
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from physics.exact import PI, Array, angle, circle, exact, precise, rounded
+from physics.exact import PI, Array, angle, exact, on_circle, precise, rounded
 from physics.valid import check_positive, finite_array
 
 HALF_TURN = pi  # the double, 1.2e-16 below the number: the largest amplitude
@@ -73,7 +73,7 @@ class Pendulum:
         t = finite_array("t", t)
         modulus = _modulus(theta_0)
         with precise():
-            (sine, _), (cosine, _) = circle(*angle(self.frequency * modulus.mean, t))
+            (sine, _), (cosine, _) = on_circle(*angle(self.frequency * modulus.mean, t))
             fastest = rounded("the rate theta'", 2 * self.frequency * modulus.k)
             strongest = rounded("the acceleration theta''", self.frequency * self.frequency)
         tangent, speed = _swing(modulus, np.abs(sine), np.abs(cosine))
@@ -92,6 +92,7 @@ def excess(theta_0: float) -> float:
         return float(_modulus(theta_0).excess)
 
 
+@lru_cache(maxsize=64)
 def amplitude_at_excess(wanted: float) -> float:
     """The amplitude in rad, rounded once, at which T/T_0 - 1 has the wanted value.
 
@@ -135,6 +136,7 @@ class _Modulus:
         return (self.k * self.k / 2 - later) / (2 * self.k * self.complement * self.mean)
 
 
+@lru_cache(maxsize=64)
 def _modulus(theta_0: float) -> _Modulus:
     if not abs(theta_0) <= HALF_TURN:
         raise ValueError(f"theta_0 = {theta_0!r} rad: a pendulum is released below the top, |theta_0| < pi")

@@ -19,7 +19,8 @@ import numpy as np
 
 from physics.coupled import TwoMassChain
 from physics.exact import Array
-from physics.integrators import Problem, Trajectory
+from physics.problem import Problem, Trajectory
+from physics.reference_dashpot import dashpot_rows
 
 DIGITS = 100
 EXACT = 20000  # bits for any few sums and products of doubles
@@ -78,8 +79,11 @@ def reference(problem: Problem) -> Reference:
     import mpmath
 
     with mpmath.workdps(DIGITS + _spread(problem.chain)):
-        modes = _modes(mpmath.mp, problem)
-        rows = [_state(mpmath.mp, problem, modes, t) for t in problem.t.tolist()]
+        if problem.c:
+            rows = [(x, mpmath.mpf(0), energy) for x, energy in dashpot_rows(problem)]
+        else:
+            modes = _modes(mpmath.mp, problem)
+            rows = [_state(mpmath.mp, problem, modes, t) for t in problem.t.tolist()]
         x = np.array([[float(value) for value in row[:2]] for row in rows]).T
         rest = [[float(value - float(value)) for value in row[:2]] for row in rows]
         return Reference(x=x, x_rest=np.array(rest).T, energy=np.array([float(row[2]) for row in rows]))

@@ -87,6 +87,15 @@ def steady_points(chain: TwoMassChain, c: float, F_0: float, omega: Sequence[flo
         return [[point(X, abs(X)) for X in mass] for mass in zip(*rows, strict=True)]
 
 
+def stroke_points(chain: TwoMassChain, c: float, F_0: float, omega: Sequence[float]) -> list[Point]:
+    """|X2 - X1| at each frequency, measured by itself."""
+    import mpmath as mp
+
+    with mp.workprec(EXACT):
+        pairs = [steady(mp, chain, c, F_0, w) for w in omega]
+        return [point(abs(two - one), abs(two - one)) for one, two in pairs]
+
+
 def steady(mp: Any, chain: TwoMassChain, c: float, F_0: float, omega: float) -> tuple[Any, Any]:
     """X1, X2 of x_i = Im(X_i exp(i omega t)) from Newton's laws as two linear equations."""
     m1, m2, k1, k2, damping, F, w = map(mp.mpf, (chain.m1, chain.m2, chain.k1, chain.k2, c, F_0, omega))

@@ -31,7 +31,7 @@ class Sinusoid(NamedTuple):
     phase: float
 
 
-class Sampled(NamedTuple):
+class CurveOrBand(NamedTuple):
     """What can be drawn over a grid: a curve, or None and the band (lo, hi) that the motion fills."""
 
     curve: Array | None
@@ -67,13 +67,13 @@ def drawable(omega: float, t: Array) -> bool:
     return step == 0.0 or abs(omega) <= 2.0 * math.pi / SAMPLES_PER_CYCLE / step
 
 
-def sampled(components: Iterable[Sinusoid], t: Array, base: Array | None = None) -> Sampled:
+def curve_or_band(components: Iterable[Sinusoid], t: Array, base: Array | None = None) -> CurveOrBand:
     """The sum of components and a smooth base (n,) as a curve if t resolves all of them, else as a band."""
     line, groups = _resolved(components, t, base)
     if not groups:
-        return Sampled(line, line, line)
+        return CurveOrBand(line, line, line)
     size = np.sum([_amplitude(group, t) for group in groups], axis=0)
-    return Sampled(None, line - size, line + size)
+    return CurveOrBand(None, line - size, line + size)
 
 
 def root_mean_square(components: Sequence[Sinusoid], t: Array, base: Array | None = None) -> Array:

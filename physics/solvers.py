@@ -3,197 +3,170 @@
     METHODS[slug].run(problem, setting, watch) -> Trajectory
 
 - no steps: this project's closed form; the slides' formulas as they stand, in plain float64; modes by the
-  dense eigensolver scipy.linalg.eigh; the matrix exponential from one output time to the next;
+  dense eigensolver scipy.linalg.eigh, with the response to the drive in a form that stays regular at resonance,
+  and in the usual one that does not;
+- exact steps: the matrix exponential from one output time to the next;
 - fixed steps: physics.integrators, the setting is the number of steps from one output time to the next;
-- chosen steps: scipy.integrate.solve_ivp, the setting is rtol.
+- chosen steps: SciPy's solvers, the setting is rtol.
 
 A method that cannot go on raises StoppedError with the reason.
 """
 
 import warnings
+from bisect import bisect_right
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
-from math import ceil, log
+from math import inf, sin
 from types import MappingProxyType
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
-from physics.coupled import free_motion
 from physics.exact import Array
-from physics.forced import forced_motion
-from physics.integrators import (
-    Problem,
-    StoppedError,
-    Trajectory,
-    Watch,
-    acceleration,
-    run_fixed,
-    stability_limit,
-    trajectory,
-)
+from physics.formulas import closed_form, dense_eigh, matrices, matrix_exponential, naive_eigh, slide_formulas
+from physics.integrators import STEPPING, run_fixed
+from physics.problem import Problem, StepTooSmallError, StoppedError, Trajectory, Watch, trajectory
 
-Family = Literal["closed", "fixed", "adaptive"]
+Family = Literal["closed", "exact", "fixed", "adaptive"]
 Runner = Callable[[Problem, float, Watch], Trajectory]
 
-TOLERANCES = (1e-3, 1e-6, 1e-9, 1e-12)
-STEPS = (1, 4, 16, 64, 256)
+FINEST = 2.0**40
+"""Steps an output: nobody waits for more."""
 
 
 @dataclass(frozen=True)
 class Method:
-    """One method; its setting is rtol, or steps an output for fixed steps, or 0 where there is none."""
+    """One method; its setting is rtol, or steps an output for fixed steps, or 0 where there is none.
+
+    Without `friction` it is for chains without a dashpot.
+    """
 
     slug: str
     name: str
     family: Family
     run: Runner
+    order: int = 0
+    friction: bool = True
 
-    def settings(self, problem: Problem) -> tuple[float, ...]:
-        """Coarse to fine; a fixed step that is stable is among them, however short it has to be."""
+    @property
+    def mark(self) -> str:
+        """The name without what explains it."""
+        return self.name.partition(" (")[0]
+
+    def settings(self) -> tuple[float, ...]:
+        """Coarse to fine: two tolerances in a decade, or as many steps as shrink the error by sqrt(10) each time."""
         if self.family == "adaptive":
-            return TOLERANCES
-        return _steps(self.slug, problem) if self.family == "fixed" else (0,)
-
-
-def _steps(method: str, problem: Problem) -> tuple[float, ...]:
-    reach = problem.spacing * problem.chain.modes().omega[1] / stability_limit(method)
-    stable = 4 ** ceil(log(max(reach, 1.0), 4))
-    return STEPS if stable <= STEPS[-1] else (*STEPS, stable)
-
-
-def closed_form(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """This project's own."""
-    watch.evaluations = problem.t.size
-    if problem.F_0:
-        motion = forced_motion(problem.chain, problem.F_0, problem.omega, problem.t, problem.x_0, problem.v_0)
-    else:
-        motion = free_motion(problem.chain, problem.x_0, problem.v_0, problem.t)
-    return Trajectory(x=motion.x, v=motion.v, stretch=motion.e[1])
-
-
-def slide_formulas(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """The lecture's formulas (D34, slides 3 to 8) in the order they are printed, in float64."""
-    chain = problem.chain
-    b = chain.m1 * chain.k2 + chain.m2 * (chain.k1 + chain.k2)
-    root = np.sqrt(b * b - 4 * chain.m1 * chain.m2 * chain.k1 * chain.k2)
-    squares = np.array([b - root, b + root]) / (2 * chain.m1 * chain.m2)
-    ratios = -(chain.m1 * squares - chain.k1 - chain.k2) / chain.k2
-    particular = _slide_particular(problem, squares)
-    return _superposed(problem, np.sqrt(squares), np.array([[1.0, 1.0], ratios]), particular, watch)
-
-
-def dense_eigh(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """Frequencies and shapes from scipy.linalg.eigh(K, M), mode by mode under the drive."""
-    from scipy.linalg import eigh
-
-    stiffness, mass = _matrices(problem)
-    squares, shapes = eigh(stiffness, np.diag(mass))
-    particular = shapes @ (shapes[0] * problem.F_0 / (squares - problem.omega**2))
-    return _superposed(problem, np.sqrt(squares), shapes, particular, watch)
-
-
-def exponential(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """exp(A dt) from one output time to the next, the drive carried along as an oscillator of its own."""
-    from scipy.linalg import expm
-
-    stiffness, mass = _matrices(problem)
-    A = np.zeros((6, 6))
-    A[:2, 2:4] = np.eye(2)
-    A[2:4, :2] = -stiffness / mass[:, None]
-    A[2, 4] = problem.F_0 / mass[0]
-    A[4, 5], A[5, 4] = problem.omega, -problem.omega
-    step = expm(A * problem.spacing)
-    states = np.empty((problem.t.size, 6))
-    states[0] = *problem.start, 0.0, 1.0
-    for n in range(1, problem.t.size):
-        states[n] = step @ states[n - 1]
-        watch.check(float(problem.t[n]))
-    watch.evaluations = watch.steps = problem.t.size - 1
-    return trajectory(states[:, :2].T, states[:, 2:4].T)
+            return tuple(float(f"{10 ** (-n / 2):.1e}") for n in range(4, 27))
+        if self.family != "fixed":
+            return (0,)
+        ratio, steps, n = 10 ** (0.5 / self.order), [1.0], 0
+        while steps[-1] < FINEST:
+            n += 1
+            if round(ratio**n) > steps[-1]:
+                steps.append(float(round(ratio**n)))
+        return tuple(steps)
 
 
 def solve_ivp(method: str, problem: Problem, rtol: float, watch: Watch) -> Trajectory:
-    """SciPy's solver of that name; atol is 1e-3 rtol of the displacements and velocities to be expected."""
+    """SciPy's solver of that name; atol is 1e-3 rtol of the displacements and velocities to be expected.
+
+    Its steps are not kept: each is interpolated at the output times that it passes, and forgotten.
+    """
     from scipy import integrate
 
-    evaluate = acceleration(problem, watch)
-    slow, fast = problem.chain.modes().omega
+    slow, fast = problem.rates
     size = np.array([1.0, 1.0, slow or fast, slow or fast]) * problem.size
-
-    def rates(t: float, y: Array) -> tuple[float, float, float, float]:
-        x1, x2, v1, v2 = y.tolist()
-        return v1, v2, *evaluate(t, x1, x2)
-
+    A, rates = _linear(problem)
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
-        solution = integrate.solve_ivp(
-            rates, (0.0, problem.t[-1]), problem.start, t_eval=problem.t,
-            method=method, rtol=rtol, atol=1e-3 * rtol * size, dense_output=True,
+        solver = getattr(integrate, method)(
+            rates, 0.0, np.array(problem.start), problem.t[-1],
+            rtol=rtol, atol=1e-3 * rtol * size, **_jacobian(method, A),
         )  # fmt: skip
-    if solution.status != 0:
-        words = " ".join([solution.message, *(str(warning.message) for warning in told)])
-        reason = "step below spacing" if "spacing" in words else words
-        raise StoppedError(reason, float(solution.t[-1]) if len(solution.t) else 0.0)
-    watch.steps = len(solution.sol.ts) - 1
-    return trajectory(solution.y[:2], solution.y[2:])
+        states, message = _stepped(solver, problem, watch)
+    if solver.status == "failed":
+        words = " ".join([message or "", *(str(warning.message) for warning in told)])
+        if "spacing" in words:
+            raise StepTooSmallError("step below spacing", float(solver.t))
+        raise StoppedError(words, float(solver.t))
+    return trajectory(states)
 
 
-def _matrices(problem: Problem) -> tuple[Array, Array]:
-    """K (2, 2) and the diagonal of M."""
-    chain = problem.chain
-    stiffness = np.array([[chain.k1 + chain.k2, -chain.k2], [-chain.k2, chain.k2]])
-    return stiffness, np.array([chain.m1, chain.m2])
+def _stepped(solver: Any, problem: Problem, watch: Watch) -> tuple[Array, str | None]:
+    """The states (n, 4) at the output times, and what the solver says where it gives up."""
+    states, message = np.empty((problem.t.size, 4)), None
+    states[0] = problem.start
+    times, n = [*problem.t.tolist(), inf], 1
+    try:
+        while solver.status == "running":
+            message = solver.step()
+            watch.steps += 1
+            watch.check(solver.t)
+            if times[n] <= solver.t:
+                first, n = n, bisect_right(times, solver.t)
+                states[first:n] = solver.dense_output()(problem.t[first:n]).T
+    finally:
+        watch.evaluations = solver.nfev
+    return states, message
 
 
-def _slide_particular(problem: Problem, squares: Array) -> Array:
-    """Xp of slide 8."""
-    chain, square = problem.chain, problem.omega**2
-    D = chain.m1 * chain.m2 * (square - squares[0]) * (square - squares[1])
-    if not D:
-        raise StoppedError("D(omega) = 0: no particular solution", 0.0)
-    amplitudes: Array = np.array([chain.k2 - chain.m2 * square, chain.k2]) * problem.F_0 / D
-    return amplitudes
+def _linear(problem: Problem) -> tuple[Array, Callable[[float, Array], Array]]:
+    """The matrix of y' = A y + b sin(omega t), y = (x1, x2, v1, v2), and its right-hand side."""
+    stiffness, mass = matrices(problem)
+    A = np.zeros((4, 4))
+    A[:2, 2:] = np.eye(2)
+    A[2:, :2] = -stiffness / mass[:, None]
+    A[2, 2] = -problem.c / mass[0]
+    push, omega, multiply = problem.F_0 / problem.chain.m1, problem.omega, A.dot
+
+    def free(_: float, y: Array) -> Array:
+        rates: Array = multiply(y)
+        return rates
+
+    def driven(t: float, y: Array) -> Array:
+        rates: Array = multiply(y)
+        rates[2] += push * sin(omega * t)
+        return rates
+
+    return A, driven if problem.F_0 else free
 
 
-def _superposed(problem: Problem, omega: Array, shapes: Array, particular: Array, watch: Watch) -> Trajectory:
-    """x_c + x_p: the columns of shapes at the frequencies omega, with constants that fit the start."""
-    watch.evaluations = problem.t.size
-    drive = problem.omega * problem.t
-    cosine = np.linalg.solve(shapes, np.array(problem.x_0))
-    sine = np.linalg.solve(shapes, np.array(problem.v_0) - problem.omega * particular) / omega
-    angle = np.outer(omega, problem.t)
-    q = cosine[:, None] * np.cos(angle) + sine[:, None] * np.sin(angle)
-    p = omega[:, None] * (sine[:, None] * np.cos(angle) - cosine[:, None] * np.sin(angle))
-    return trajectory(
-        shapes @ q + np.outer(particular, np.sin(drive)),
-        shapes @ p + problem.omega * np.outer(particular, np.cos(drive)),
-    )
+def _jacobian(method: str, A: Array) -> dict[str, Any]:
+    """The constant Jacobian, for a method that takes one."""
+    if method in ("Radau", "BDF"):
+        return {"jac": A}
+    return {"jac": lambda t, y: A} if method == "LSODA" else {}
 
 
 def _methods() -> dict[str, Method]:
-    none = (
+    without = (
         Method("closed", "Closed form", "closed", closed_form),
-        Method("slides", "Slide formulas", "closed", slide_formulas),
-        Method("eigh", "Modes by eigh", "closed", dense_eigh),
-        Method("expm", "expm, step by step", "closed", exponential),
+        Method("slides", "Slide formulas", "closed", slide_formulas, friction=False),
+        Method("eigh", "Modes by eigh", "closed", dense_eigh, friction=False),
+        Method("naive", "Modes by eigh, naive", "closed", naive_eigh, friction=False),
+        Method("expm", "expm", "exact", matrix_exponential),
     )
-    fixed = {
-        "verlet": "Verlet",
+    names = {
+        "euler": "Explicit Euler",
+        "semi": "Semi-implicit Euler",
+        "verlet": "Verlet (central difference)",
+        "midpoint": "Implicit midpoint",
+        "newmark": "Newmark (average acceleration)",
+        "rk4": "RK4",
+        "gauss4": "Gauss 4",
         "yoshida4": "Yoshida 4",
         "yoshida6": "Yoshida 6",
-        "midpoint": "Implicit midpoint",
     }
-    chosen = ("RK45", "DOP853", "Radau", "BDF", "LSODA")
-    return {
-        method.slug: method
-        for method in (
-            *none,
-            *(Method(slug, name, "fixed", partial(run_fixed, slug)) for slug, name in fixed.items()),
-            *(Method(name.lower(), name, "adaptive", partial(solve_ivp, name)) for name in chosen),
-        )
-    }
+    fixed = (
+        Method(slug, name, "fixed", partial(run_fixed, slug), STEPPING[slug].order, STEPPING[slug].friction)
+        for slug, name in names.items()
+    )
+    chosen = (
+        Method(name.lower(), name, "adaptive", partial(solve_ivp, name))
+        for name in ("RK23", "RK45", "DOP853", "Radau", "BDF", "LSODA")
+    )
+    return {method.slug: method for method in (*without, *fixed, *chosen)}
 
 
 METHODS: Mapping[str, Method] = MappingProxyType(_methods())

@@ -1,5 +1,6 @@
 """What physics allows of a number; each check raises a ValueError that names the value and the limit."""
 
+from collections.abc import Sequence
 from math import isfinite
 
 import numpy as np
@@ -42,3 +43,11 @@ def in_range(quantity: str, result: NDArray[np.float64]) -> NDArray[np.float64]:
     if not np.all(np.isfinite(result)):
         raise ValueError(f"{quantity} leaves the range of doubles")
     return result
+
+
+def rows_in_range(quantities: Sequence[str], results: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The same for several quantities, a row (n,) each."""
+    if not np.all(np.isfinite(results)):
+        for quantity, row in zip(quantities, results, strict=True):
+            in_range(quantity, row)
+    return results

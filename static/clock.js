@@ -3,36 +3,49 @@
 const STEPS_PER_CYCLE = 24
 
 export class Clock {
+  /** @param {(t: number) => void} draw shows an instant */
   constructor(draw) {
     this.draw = draw
-    this.t = 0                 // in the unit of the time axis
+    this.t = 0 // in the unit of the time axis
     this.end = 1
-    this.unit = 1              // seconds in that unit
-    this.pace = 1              // simulated over real seconds that 'auto' plays at
-    this.limit = Infinity      // the fastest at which the fastest motion can still be seen
+    this.unit = 1 // seconds in that unit
+    this.pace = 1 // simulated over real seconds that 'auto' plays at
+    this.limit = Infinity // the fastest at which the fastest motion can still be seen
+    /** @type {number | "auto"} */
     this.choice = "auto"
-    this.playing = !matchMedia("(prefers-reduced-motion: reduce)").matches
+    this.playing = playsByItself()
+    /** @type {number | null} */
     this.last = null
     this.dirty = true
     this.running = true
     this.frames = 0
+    /** @type {(() => void)[]} */
     this.listeners = []
     requestAnimationFrame(now => this.tick(now))
   }
 
+  // Simulated over real seconds, as far as the visitor has a say.
+  get asked() {
+    return this.choice === "auto" ? this.pace : this.choice
+  }
+
   get factor() {
-    return Math.min(this.choice === "auto" ? this.pace : this.choice, this.limit)
+    return Math.min(this.asked, this.limit)
   }
 
   get slowed() {
-    return (this.choice === "auto" ? this.pace : this.choice) > this.limit
+    return this.asked > this.limit
   }
 
-  update(axis, scalars) {
-    this.end = axis.end
-    this.unit = 10 ** axis.exponent
-    this.pace = scalars.pace ?? 1
-    this.limit = scalars.limit ?? Infinity
+  /**
+   * `axis` is the one that the clock runs through; without it nothing moves.
+   * @param {page.Ruler | undefined} axis @param {page.Pace} pace
+   */
+  update(axis, {auto, limit}) {
+    this.end = axis?.end ?? 1
+    this.unit = 10 ** (axis?.exponent ?? 0)
+    this.pace = auto
+    this.limit = limit ?? Infinity
     if (this.t > this.end) this.t = 0
     this.touch()
   }
@@ -47,19 +60,31 @@ export class Clock {
     this.touch()
   }
 
+  restart() {
+    this.playing = playsByItself()
+    this.seek(0)
+  }
+
+  /** @param {number} t */
   seek(t) {
     this.t = Math.min(Math.max(t, 0), this.end)
     this.touch()
   }
 
-  // A step is a twenty-fourth of what takes 6 s at the auto speed: about a swing.
+  /** A step is a twenty-fourth of what takes 6 s at the auto speed: about a swing. @param {1 | -1} direction */
   step(direction) {
     this.playing = false
-    this.seek(this.t + direction * Math.min(6 * Math.min(this.pace, this.limit) / this.unit, this.end) / STEPS_PER_CYCLE)
+    this.seek(
+      this.t + (direction * Math.min((6 * Math.min(this.pace, this.limit)) / this.unit, this.end)) / STEPS_PER_CYCLE,
+    )
   }
 
+  /** Twice as fast for each `power`. @param {number} power */
   faster(power) {
-    this.choice = Math.min(Math.max(2 ** (Math.round(Math.log2(this.choice === "auto" ? 1 : this.choice)) + power), 1 / 16), 16)
+    this.choice = Math.min(
+      Math.max(2 ** (Math.round(Math.log2(this.choice === "auto" ? 1 : this.choice)) + power), 1 / 16),
+      16,
+    )
     this.touch()
   }
 
@@ -68,14 +93,16 @@ export class Clock {
     this.touch()
   }
 
+  /** @param {number} now in ms */
   tick(now) {
     if (!this.running) return
     requestAnimationFrame(later => this.tick(later))
     if (this.playing && this.last !== null) {
       // A tab that was hidden goes on from where it stood.
       const seconds = Math.min((now - this.last) / 1000, 0.1)
-      this.t += seconds * this.factor / this.unit
-      if (this.t > this.end) this.t %= this.end
+      this.t += (seconds * this.factor) / this.unit
+      // A window far shorter than what the speed is made for passes in less than a frame.
+      if (this.t > this.end) this.t = Math.min(this.t, Number.MAX_VALUE) % this.end
       this.dirty = true
     }
     this.last = now
@@ -89,3 +116,5 @@ export class Clock {
     this.running = false
   }
 }
+
+const playsByItself = () => !matchMedia("(prefers-reduced-motion: reduce)").matches

@@ -1,131 +1,236 @@
 // The control panel: presets, sliders with typed fields, and choices. It shows the state that the server sends and
 // sends what the visitor does; it never decides what is possible.
 
-import {element, svg} from "./dom.js"
+import {element, marked, svg} from "./dom.js"
 import {Slider, problemElement, symbol} from "./slider.js"
 
-// A small drawing, if there is one.
+/**
+ * What builds a choice of small pictures; only some scenes have one, and fetch it.
+ * @typedef {typeof import("./later/picker.js").buildPicker} BuildPicker
+ * @typedef {(sets: Record<string, page.Value>) => void} Take a preset
+ * @typedef {Pick<Drawn, "settings" | "errors" | "preset" | "here"> & {view: Pick<page.View, "forms">}} State
+ */
+
+/** A small drawing, if there is one. @param {string} d */
 function outline(d) {
   return d ? svg("svg", {viewBox: "0 0 128 46", "aria-hidden": "true"}, svg("path", {class: "ln m1", d})) : ""
 }
 
 class Presets {
-  constructor({start, presets, drawings = {}}, choose) {
-    this.buttons = presets.map(label => {
-      const button = element("button", {type: "button", class: drawings[label] ? "tile" : "chip", "aria-pressed": "false"}, outline(drawings[label]), element("span", {}, label))
-      button.addEventListener("click", () => choose(label))
-      return button
-    })
-    this.problem = problemElement("problem-preset")
-    const chips = element("div", {class: Object.keys(drawings).length ? "tiles pair" : "chips", role: "group", "aria-label": start}, ...this.buttons)
-    this.element = element("section", {class: "group"}, element("h2", {}, start), chips, this.problem)
+  /** @param {page.Panel} panel @param {Take} take */
+  constructor({start, folded, presets}, take) {
+    this.buttons = presets.map(preset => presetButton(preset, take))
+    const look = presets.some(preset => preset.outline) ? "tiles pair" : "chips"
+    const chips = element("div", {class: look, role: "group", "aria-label": start}, ...this.buttons)
+    const parts = folded
+      ? [element("details", {class: "fold"}, element("summary", {}, start), chips)]
+      : [element("h2", {}, start), chips]
+    this.element = element("section", {class: "group"}, ...parts)
   }
 
-  update(preset, error = "") {
+  /** @param {string | null} preset */
+  update(preset) {
     for (const button of this.buttons) button.setAttribute("aria-pressed", String(button.textContent === preset))
-    if (this.problem.textContent !== error) this.problem.textContent = error
   }
 }
 
-// Joined buttons for a parameter with a few values: {name, label, options: [{value, label}]}.
+/** @param {page.PresetButton} preset @param {Take} take */
+function presetButton({label, sets, outline: drawing}, take) {
+  const look = {type: "button", class: drawing ? "tile" : "chip", "aria-pressed": "false"}
+  const button = element("button", look, outline(drawing), element("span", {}, label))
+  button.addEventListener("click", () => take(sets))
+  return button
+}
+
+/**
+ * Joined buttons for a parameter with a few values.
+ * @param {HTMLElement} host @param {Pick<page.ChoiceRow, "name" | "label" | "options">} spec @param {Send} send
+ */
 export function buildChoice(host, spec, send) {
   const buttons = spec.options.map(({value, label}) => {
     const button = element("button", {type: "button", "aria-pressed": "false", "data-option": value}, label)
     button.addEventListener("click", () => send({type: "choose", name: spec.name, value}))
     return button
   })
-  host.append(element("div", {class: "seg", role: "group", "aria-label": spec.label}, ...buttons))
+  host.append(
+    element("div", {class: "seg", role: "group", "aria-label": spec.label, "data-name": spec.name}, ...buttons),
+  )
   return {
-    update(params) {
-      const now = String(params[spec.name]?.value)
+    /** @param {Record<string, page.Setting>} settings */
+    update(settings) {
+      const now = settings[spec.name].value
       for (const button of buttons) button.setAttribute("aria-pressed", String(button.dataset.option === now))
     },
   }
 }
 
-// Rows of cells with live numbers; the last but one of four and the last of two are numbers.
+/** Rows of cells with live numbers. @param {page.Html[][]} rows */
 function factTable(rows) {
-  const cells = row => row.map(html => Object.assign(element("td", {}), {innerHTML: html}))
-  return element("table", {class: "facts-table"}, ...rows.map(row => element("tr", {class: `cells-${row.length}`}, ...cells(row))))
-}
-
-// Buttons that have the server set several parameters at once.
-function actionButtons(actions, send, problems) {
-  const buttons = actions.map(({name, label, place}) => {
-    const button = element("button", {type: "button", class: "chip", "data-place": place ? name : undefined}, label)
-    button.addEventListener("click", () => send({type: "act", name}))
-    return button
+  const lines = rows.map(row => {
+    const cells = row.map(html => marked("td", {}, html))
+    return element("tr", {class: `cells-${row.length}`}, ...cells)
   })
-  problems.push(problemElement(`problem-${actions[0].name}`))
-  return element("div", {class: "chips"}, ...buttons, problems[problems.length - 1])
+  return element("table", {class: "facts-table"}, ...lines)
 }
 
-// Builds the panel in `host`. `send` takes the messages of components/controls.py; `update` takes what that module
-// calls the state of the parameters, the errors of the last message by parameter, the label of the preset in force, and
-// the places where the scene is.
-export function buildControls(host, spec, send, buildPicker) {
-  const says = element("p", {class: "says", id: "controls-says"})
-  let spoken = null
-  const speak = spec => {
-    const {symbol: letter, says: sentence} = spec
-    spoken = spec
-    const [first, ...rest] = sentence.split(/(?<=\.) /)
-    says.replaceChildren(symbol(letter), " ", element("b", {}, first), rest.length ? ` ${rest.join(" ")}` : "")
+class Controls {
+  /** @type {Map<string, Slider>} */
+  sliders = new Map()
+
+  /** @type {ReturnType<typeof buildChoice>[]} */
+  choices = []
+
+  /** @type {{rows: HTMLDetailsElement, names: string[], wanted: boolean}[]} */
+  folds = []
+
+  /** @type {import("./stage.js").Stage[]} */
+  stages = []
+
+  /** @type {HTMLElement[]} */
+  actionProblems = []
+
+  /** @type {{span: HTMLElement, hint: string, names: string[]}[]} what stands beside the titles of groups */
+  hints = []
+
+  /**
+   * @param {HTMLElement} host @param {page.Panel} spec @param {Send} send @param {Take} take
+   * @param {BuildPicker} [buildPicker]
+   */
+  constructor(host, spec, send, take, buildPicker) {
+    this.host = host
+    this.spec = spec
+    this.send = send
+    this.buildPicker = buildPicker
+    // What is said is about the control that has the focus; without one nothing is.
+    this.says = element("p", {class: "says", id: "controls-says"})
+    this.sections = spec.groups.map(group => this.#section(group))
+    this.presets = new Presets(spec, take)
+    host.classList.add("controls")
+    if (spec.presets.length) host.append(this.presets.element)
+    host.append(...this.sections, this.says)
   }
-  const controls = new Map()
-  const choices = []
-  const folds = []
-  const stages = []
-  const actionProblems = []
-  const sections = spec.groups.map(group => {
-    const section = element("section", {class: `group ${group.dense ? "dense" : ""}`, "aria-label": group.title || undefined})
-    if (group.title) section.append(element("h2", {}, group.title, element("span", {}, group.hint)))
+
+  /** Another state speaks for every control: what was typed or refused before it is over. */
+  release() {
+    for (const slider of this.sliders.values()) slider.release()
+  }
+
+  /** @param {page.GroupSection} group */
+  #section(group) {
+    const look = {class: `group ${group.dense ? "dense" : ""}`, "aria-label": group.title || undefined}
+    const section = element("section", look)
+    if (group.title) section.append(element("h2", {}, group.title, this.#hint(group.hint)))
     else section.classList.add("on")
-    const rows = group.folded ? element("details", {class: "fold"}, element("summary", {}, "Set each value")) : section
-    if (group.folded) folds.push({rows, names: group.rows.map(row => row.name)})
-    for (const row of group.rows) {
-      if (row.options && group.pictures?.[row.options[0].value]) {
-        const picker = buildPicker(rows, row, group.pictures, send)
-        choices.push(picker)
-        stages.push(...picker.stages)
-      } else if (row.options) choices.push(buildChoice(rows, row, send))
-      else {
-        const control = new Slider(row, send, speak)
-        controls.set(row.name, control)
-        rows.append(control.element)
-      }
-    }
-    if (group.actions.length) section.append(actionButtons(group.actions, send, actionProblems))
-    if (group.facts?.length) section.append(factTable(group.facts))
+    const rows = group.folded ? this.#fold(group) : section
+    this.hints[this.hints.length - 1]?.names.push(...group.rows.map(row => row.name))
+    for (const row of group.rows) this.#row(rows, row)
+    const actions = group.title ? section : rows
+    if (group.actions.length) actions.append(this.#actions(group.actions))
+    if (group.facts.length) section.append(factTable(group.facts))
     if (rows !== section) section.append(rows)
     return section
-  })
-  const presets = new Presets(spec, label => {
-    for (const control of controls.values()) control.release()
-    send({type: "preset", label})
-  })
-  host.classList.add("controls")
-  if (spec.presets.length) host.append(presets.element)
-  host.append(...sections, says)
-  const first = controls.values().next().value
-  if (first) speak(first.spec)
-  // What is said belongs to a control that is seen.
-  const showGroups = forms => {
-    spec.groups.forEach((group, i) => { sections[i].hidden = Boolean(group.show) && !forms[group.show] })
-    const seen = spec.groups.filter((group, i) => !sections[i].hidden).flatMap(group => group.rows).filter(row => controls.has(row.name))
-    if (seen.length && !seen.some(row => row.name === spoken?.name)) speak(seen[0])
   }
-  return {
-    sections,
-    stages,
-    update({params, errors = {}, preset = null, forms = {}, here = []}) {
-      showGroups(forms)
-      for (const [name, control] of controls) if (params[name]) control.update(params[name], errors[name])
-      for (const choice of choices) choice.update(params)
-      presets.update(preset, errors.preset)
-      for (const problem of actionProblems) problem.textContent = errors.action ?? ""
-      for (const button of host.querySelectorAll("[data-place]")) button.setAttribute("aria-pressed", String(here.includes(button.dataset.place)))
-      for (const {rows, names} of folds) if (names.some(name => params[name]?.changed)) rows.open = true
-    },
+
+  /** @param {string} hint */
+  #hint(hint) {
+    const span = element("span", {}, hint)
+    this.hints.push({span, hint, names: []})
+    return span
   }
+
+  /** The values that have been set and wait for an answer stay as they are. @param {Set<string>} waiting */
+  wait(waiting) {
+    for (const [name, slider] of this.sliders) slider.wait(waiting.has(name))
+    for (const {span, hint, names} of this.hints) {
+      const count = names.filter(name => waiting.has(name)).length
+      span.textContent = count ? `${count} change${count > 1 ? "s wait" : " waits"}` : hint
+    }
+  }
+
+  /** @param {page.GroupSection} group */
+  #fold(group) {
+    const summary = group.title
+      ? element("summary", {}, "Set each value")
+      : element("summary", {}, `${group.hint} `, this.#hint(""))
+    const rows = element("details", {class: "fold"}, summary)
+    this.folds.push({rows, names: group.rows.map(row => row.name), wanted: false})
+    return rows
+  }
+
+  /** @param {HTMLElement} host @param {page.ControlRow} row */
+  #row(host, row) {
+    if (row.kind === "slider") return this.#slider(host, row)
+    if (!isPicker(row)) return this.choices.push(buildChoice(host, row, this.send))
+    const picker = /** @type {BuildPicker} */ (this.buildPicker)(host, row, this.send)
+    this.choices.push(picker)
+    this.stages.push(...picker.stages)
+  }
+
+  /** @param {HTMLElement} host @param {page.SliderRow} row */
+  #slider(host, row) {
+    const slider = new Slider(row, this.send)
+    this.sliders.set(row.name, slider)
+    this.help(slider.element, row.name)
+    host.append(slider.element)
+  }
+
+  /**
+   * While the focus is in `part`, the help is of this parameter: in its slider, or in a handle that does the same.
+   * @param {HTMLElement} part @param {string} name
+   */
+  help(part, name) {
+    part.addEventListener("focusin", () => this.#speak(name))
+    part.addEventListener("focusout", () => this.says.replaceChildren())
+  }
+
+  /** @param {string} name */
+  #speak(name) {
+    const spec = this.sliders.get(name)?.spec
+    if (!spec) return
+    const {symbol: letter, says} = spec
+    const [first, ...rest] = says.split(/(?<=\.) /)
+    this.says.replaceChildren(symbol(letter), " ", element("b", {}, first), rest.length ? ` ${rest.join(" ")}` : "")
+  }
+
+  /** Buttons that have the server set several parameters at once. @param {page.ActionButton[]} actions */
+  #actions(actions) {
+    const buttons = actions.map(({name, label, place}) => {
+      const button = element("button", {type: "button", class: "chip", "data-place": place ? name : undefined}, label)
+      button.addEventListener("click", () => this.send({type: "act", name}))
+      return button
+    })
+    const problem = problemElement(`problem-${actions[0].name}`)
+    this.actionProblems.push(problem)
+    return element("div", {class: "chips"}, ...buttons, problem)
+  }
+
+  /** @param {State} told */
+  update({settings, errors, preset, here, view: {forms}}) {
+    for (const [i, {form}] of this.spec.groups.entries()) this.sections[i].hidden = Boolean(form) && !forms[form]
+    for (const [name, slider] of this.sliders) slider.update(settings[name], errors[name])
+    for (const choice of this.choices) choice.update(settings)
+    this.presets.update(preset)
+    for (const problem of this.actionProblems) problem.textContent = errors.action ?? ""
+    for (const button of this.host.querySelectorAll("[data-place]")) {
+      button.setAttribute("aria-pressed", String(here.includes(button.getAttribute("data-place") ?? "")))
+    }
+    for (const fold of this.folds) {
+      const wanted = fold.names.some(name => settings[name].changed)
+      // A fold that its reader closes stays closed until there is a new reason to open it.
+      if (wanted && !fold.wanted) fold.rows.open = true
+      fold.wanted = wanted
+    }
+  }
+}
+
+/** Whether a row is a choice of small pictures. @param {page.ControlRow} row */
+export const isPicker = row => row.kind === "choice" && Object.keys(row.pictures).length > 0
+
+/**
+ * Builds the panel in `host`; `update` of what it returns takes what is shown.
+ * @param {HTMLElement} host @param {page.Panel} spec @param {Send} send @param {Take} take
+ * @param {BuildPicker} [buildPicker]
+ */
+export function buildControls(host, spec, send, take, buildPicker) {
+  return new Controls(host, spec, send, take, buildPicker)
 }

@@ -2,45 +2,79 @@
 
 const SVG = "http://www.w3.org/2000/svg"
 
+/**
+ * Those without a value are left out.
+ * @typedef {Record<string, string | number | boolean | null | undefined>} Attributes
+ */
+
+/**
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag @param {Attributes} [attributes] @param {...(Node | string)} children
+ */
 export function element(tag, attributes = {}, ...children) {
   const made = document.createElement(tag)
-  for (const [key, value] of Object.entries(attributes)) if (value !== undefined && value !== null) made.setAttribute(key, value)
+  set(made, attributes)
   made.append(...children)
   return made
 }
 
+/**
+ * @template {keyof SVGElementTagNameMap} Tag
+ * @param {Tag} tag @param {Attributes} [attributes] @param {...(Node | string)} children
+ */
 export function svg(tag, attributes = {}, ...children) {
   const made = document.createElementNS(SVG, tag)
-  for (const [key, value] of Object.entries(attributes)) if (value !== undefined && value !== null) made.setAttribute(key, value)
+  set(made, attributes)
   made.append(...children)
   return made
 }
 
-export const colour = name => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim()
-
-// "*x*_1 = {x1} m": *...* is a symbol in serif italic, _1 or _{...} a subscript, {name} a live number.
-export function words(text) {
-  const parts = []
-  for (const [, symbol, wide, narrow, name, plain] of text.matchAll(/\*([^*]+)\*|_\{([^}]+)\}|_(\w)|\{(\w+)\}|([^*_{]+|[*_{])/g)) {
-    if (symbol) parts.push(svg("tspan", {class: "v"}, symbol))
-    else if (wide || narrow) {
-      parts.push(svg("tspan", {class: "sub", dy: "0.28em"}, wide || narrow), svg("tspan", {dy: "-0.22em"}, "\u200b"))
-    } else if (name) parts.push(svg("tspan", {"data-value": name}))
-    else parts.push(plain)
+/** @param {Element} target @param {Attributes} attributes */
+export function set(target, attributes) {
+  for (const [key, value] of Object.entries(attributes)) {
+    if (value !== undefined && value !== null) target.setAttribute(key, String(value))
   }
-  return parts
 }
 
-// A number that changes while playing: a fixed number of decimals, a true minus, always signed when asked.
-export function live(value, decimals, signed) {
-  let shown = Math.abs(value).toFixed(decimals)
-  const negative = value < 0 && Number(shown) !== 0
-  return (negative ? "−" : signed ? "+" : "") + shown
+/**
+ * An element with HTML of our own server as its content.
+ * @template {keyof HTMLElementTagNameMap} Tag
+ * @param {Tag} tag @param {Attributes} attributes @param {page.Html} html
+ */
+export function marked(tag, attributes, html) {
+  const made = element(tag, attributes)
+  made.innerHTML = html
+  return made
 }
 
-const ruler = document.createElement("canvas").getContext("2d")
+/** @type {Map<string, string>} */
+const tokens = new Map()
 
-// Pixels that a small text takes.
+/** A token of the style sheet. Each is looked up once in a run: what is written meanwhile changes none of them. */
+export function colour(/** @type {string} */ name) {
+  if (!tokens.size) queueMicrotask(() => tokens.clear())
+  const known = tokens.get(name) ?? getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim()
+  tokens.set(name, known)
+  return known
+}
+
+/**
+ * The runs of a short text: plain, the symbol of a quantity in serif italic, its index, a live number.
+ * @type {Record<page.TextRun["kind"], (text: string) => (Node | string)[]>}
+ */
+const RUNS = {
+  plain: text => [text],
+  symbol: text => [svg("tspan", {class: "v"}, text)],
+  index: text => [svg("tspan", {class: "sub", dy: "0.28em"}, text), svg("tspan", {dy: "-0.22em"}, "\u200b")],
+  value: text => [svg("tspan", {"data-value": text})],
+}
+
+/** @param {page.Runs} runs */
+export const words = runs => runs.flatMap(({kind, text}) => RUNS[kind](text))
+
+const ruler = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"))
+
+/** Pixels that a small text takes. @param {string} text */
 export function textWidth(text) {
   ruler.font = `${colour("t0")} ${colour("sans")}`
   return ruler.measureText(text).width

@@ -1,239 +1,289 @@
-// A scene's page, kept in step: one message from the server repaints all, the clock moves the rest.
+// The lecture in the browser: one conversation with the server, one page after the other, without loading anew.
 
-import {buildControls} from "./controls.js"
-import {Clock} from "./clock.js"
-import {element, live} from "./dom.js"
-import {Sheet} from "./sheet.js"
-import {evaluate} from "./signals.js"
-import {Transport} from "./transport.js"
+import {unpacked} from "./columns.js"
+import {Busy} from "./busy.js"
+import {Connection} from "./connection.js"
+import {isPicker} from "./controls.js"
+import {element} from "./dom.js"
+import {listen} from "./keys.js"
+import {Line} from "./line.js"
+import {Page, frame} from "./page.js"
+import {Shell} from "./shell.js"
+import {Undo} from "./undo.js"
+import {Walks} from "./walks.js"
 
 const MOMENT = 200 // ms without a further change until the address is written: browsers ration that
-// What a motion of the chain is made of; the drive may be missing.
-const MOTION = ["m1", "m2", "k1", "k2", "x1_0", "x2_0", "v1_0", "v2_0", "F_0", "omega"]
 
-class Page {
-  constructor(model, spec, extras) {
-    Object.assign(this, {model, spec, extras})
-    this.opening = unpacked(model.state)
-    this.outbox = []
-    this.waiting = false
-    this.number = 0
-    this.clock = new Clock(t => this.draw(t))
-    this.root = element("div", {class: `page ${this.spec.slug}`})
-    this.#build()
-  }
+/**
+ * @typedef {import("./page.js").Extras} Extras
+ * @typedef {import("./line.js").Asked} Asked
+ */
 
-  #build() {
-    this.paper = element("main", {class: "paper"})
-    this.notice = element("div", {class: "notice", role: "alert", hidden: ""})
-    this.sheet = new Sheet(this.spec.sheet, this)
-    this.paper.append(element("h1", {}, this.spec.headline), this.notice, this.sheet.element)
-    this.transport = this.spec.runs ? new this.extras.RunBar(this) : new Transport(this)
-    this.paper.append(this.transport.element)
-    this.panel = element("aside", {class: "panel", "aria-label": "Controls"})
-    this.controls = buildControls(this.panel, this.spec.controls, message => this.send(message), this.extras.buildPicker)
-    this.plots = this.sheet.plots
-    this.stages = [...this.sheet.stages, ...this.controls.stages]
-    for (const stage of this.stages) stage.onresize = () => this.redraw()
-    if (this.spec.about) this.panel.append(this.#aboutNumbers())
-    this.panel.append(this.#tools())
-    this.root.append(this.paper, this.panel)
-  }
+export class Lecture {
+  /** @type {Page} the one that is seen */
+  page
 
-  #aboutNumbers() {
-    const fold = element("details", {class: "about"}, element("summary", {}, "About these numbers"))
-    const open = async () => {
-      const {About} = await import("./later/about.js")
-      this.about = new About(fold, message => this.send(message))
-    }
-    fold.addEventListener("toggle", open, {once: true})
-    return fold
-  }
+  /** @type {Map<string, Promise<page.SceneSheet>>} */
+  sheets = new Map()
 
-  #tools() {
-    const link = element("button", {type: "button", class: "chip"}, "Copy link")
-    link.addEventListener("click", async () => {
-      const copied = await copy(new URL(this.link, location.href).href)
-      link.textContent = copied ? "Copied" : "See the address bar"
-      setTimeout(() => { link.textContent = "Copy link" }, 1500)
+  /** @type {Promise<unknown>} */
+  turning = Promise.resolve()
+
+  /** @type {Promise<void> | undefined} until the first try to connect has ended */
+  connected
+
+  busy = new Busy()
+
+  /** @type {(() => void) | null} writes the address, a moment late */
+  late = null
+
+  /** @type {number | undefined} */
+  writing
+
+  /** @param {string} token of the session that the page was served with */
+  constructor(token) {
+    this.token = token
+    this.line = new Line(
+      packet => this.#unpacked(packet),
+      (told, asked) => this.#hear(told, asked),
+      error => this.#fail(error),
+    )
+    this.undo = new Undo((open, about) => this.#go(open, about))
+    this.shell = new Shell(this)
+    listen(this)
+    this.walks = new Walks(this)
+    this.connection = new Connection(this.line, {
+      link: () => this.page.link,
+      changed: () => this.#connected(),
+      outdated: () => this.busy.whenFree(() => this.#reload()),
     })
-    const csv = element("button", {type: "button", class: "chip"}, "CSV")
-    csv.addEventListener("click", () => this.send({type: "csv"}))
-    return element("div", {class: "tools"}, link, csv, ...this.#measure())
-  }
-
-  // A scene with a motion of the chain hands it over to the accuracy scene.
-  #measure() {
-    if (!MOTION.slice(0, 8).every(name => name in this.opening.params) || this.spec.runs) return []
-    const link = element("a", {class: "chip", href: "#"}, "Error and time")
-    link.addEventListener("click", event => {
-      event.preventDefault()
-      const values = MOTION.filter(name => name in this.state.params).map(name => `${name}=${this.state.params[name].value}`)
-      location.search = `?scene=accuracy&system=own&${values.join("&")}`
+    this.host = /** @type {HTMLElement} */ (document.getElementById("app"))
+    addEventListener("popstate", ({state}) => {
+      this.late = null // it was for the entry that has been left
+      if (state) this.#go({type: "open", state})
     })
-    return [link]
   }
 
-  // One message in flight; of what waits, the newest value of each parameter wins.
+  /** What the page stands for, as it was told last. */
+  get kept() {
+    return this.line.state
+  }
+
+  // What tests and the console look at.
+  get clock() {
+    return this.page.clock
+  }
+  get shown() {
+    return this.page.shown
+  }
+  get plots() {
+    return this.page.plots
+  }
+  get stages() {
+    return this.page.stages
+  }
+  get about() {
+    return this.page.about
+  }
+
+  /** @param {page.Said} message */
   send(message) {
-    const last = this.outbox[this.outbox.length - 1]
-    if (message.type === "set" && last?.type === "set") Object.assign(last.values, message.values)
-    else this.outbox.push({...message, values: message.values && {...message.values}})
-    this.#flush()
+    this.line.send(message, {deed: this.undo.deed(message)})
+    this.#wait()
   }
 
-  #flush() {
-    if (this.waiting || !this.outbox.length) return
-    this.waiting = true
-    const message = this.outbox.shift()
-    if (message.values === undefined) delete message.values
-    this.model.send_msg({...message, number: ++this.number})
+  /** Into another state, which speaks for every control. @type {Line["send"]} */
+  #go(message, about) {
+    this.page.controls.release()
+    this.line.send(message, about)
+    this.#wait()
   }
 
-  receive(message) {
-    if (message.file) return this.#download(message)
-    if (message.about) return this.#tell(message)
-    const state = unpacked(message)
-    if (state.answer !== undefined) this.waiting = false
-    this.apply(state)
-    this.#flush()
+  /** What waits for the server is shown as it was set. */
+  #wait() {
+    this.page.controls.wait(this.line.waiting)
   }
 
-  #download({file, text}) {
-    this.waiting = false
-    const link = element("a", {href: URL.createObjectURL(new Blob([text], {type: "text/csv"})), download: file})
-    link.click()
-    URL.revokeObjectURL(link.href)
-    this.#flush()
+  #connected() {
+    this.#wait()
+    if (this.connection.wire) this.#complete(this.page)
   }
 
-  #tell({about}) {
-    this.waiting = false
-    this.about.show(about)
-    this.#flush()
-  }
-
-  apply(state) {
-    this.state = state
-    this.about?.changed()
-    this.sheet.update(state)
-    for (const [name, elements] of this.named) {
-      if (name in state.values) for (const one of elements) one.textContent = state.values[name]
+  /** What could not be fetched comes with the next connection. @param {Page} page */
+  async #complete(page) {
+    try {
+      await page.join()
+      await page.speak()
+    } catch (error) {
+      console.warn(error)
     }
-    for (const plot of this.plots) plot.update(state)
-    this.controls.update(state)
-    this.measured = false
-    this.clock.update(state.axes.t ?? {end: 1, exponent: 0}, state.scalars)
-    this.transport.update(state)
-    if (state.problems?.length) this.#notify(state.problems)
-    clearTimeout(this.writing)
-    this.writing = setTimeout(() => history.replaceState(null, "", this.link), MOMENT)
-    requestAnimationFrame(() => requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("oscillations:painted"))))
   }
 
-  get link() {
-    return this.state.query ? `?${this.state.query}` : location.pathname
+  /** The server has another version of the page: it takes the place of this one, with all that stands and waits. */
+  #reload() {
+    this.late = null
+    history.replaceState({...this.line.state, waiting: this.line.left}, "", this.page.link)
+    location.reload()
   }
 
-  #notify(problems) {
-    const close = element("button", {type: "button", "aria-label": "Close"}, "×")
-    close.addEventListener("click", () => { this.notice.hidden = true })
-    this.notice.replaceChildren(element("span", {}, problems.join(" ")), close)
-    this.notice.hidden = false
+  /**
+   * Another scene, or another state of this one, within the session; what it leaves out is at its default.
+   * @param {Pick<page.State, "scene"> & Partial<page.State>} state
+   */
+  open(state) {
+    this.#go({type: "open", state: /** @type {page.State} */ (state)}, {turn: true})
   }
 
-  redraw() {
-    this.measured = false
-    this.clock.dirty = true
+  /** The state that stands, but for what changes. @param {(state: page.State) => Partial<page.State>} change */
+  #changed(change) {
+    return (/** @type {page.State} */ state) => ({
+      type: /** @type {const} */ ("open"),
+      state: {...state, ...change(state)},
+    })
   }
 
-  draw(t) {
-    if (!this.state) return
-    const {signals, scalars, axes} = this.state
-    const named = evaluate(signals, scalars, t)
-    for (const [name, [places, signed]] of Object.entries(this.state.live)) {
-      const text = live(named[name], places, signed)
-      for (const one of this.named.get(name) ?? []) one.textContent = text
+  /** A preset: fitted anew, from t = 0; the back button returns from it. @param {page.State["parameters"]} sets */
+  take(sets) {
+    const open = this.#changed(({parameters}) => ({frame: null, parameters: {...parameters, ...sets}}))
+    this.#go(open, {turn: true, start: true})
+  }
+
+  /** The frame that suits what is drawn now. */
+  fit() {
+    this.line.send(this.#changed(() => ({frame: null})))
+  }
+
+  /** What is covered comes back, and nothing else changes. @param {string} cover */
+  reveal(cover) {
+    this.line.send(this.#changed(({covered}) => ({covered: covered.filter(name => name !== cover)})))
+  }
+
+  /** @param {Packet} packet */
+  async #unpacked({sheet, data}) {
+    return unpacked(data, sheet ? (await this.sheet(sheet)).usual : "")
+  }
+
+  /** What cannot be read, or not be fetched: the connection is taken up anew, or this page by a new one. */
+  #fail(/** @type {unknown} */ error) {
+    console.warn(error)
+    if (!this.page) throw error
+    this.connection.lose()
+  }
+
+  /** @param {Told} told @param {Asked | null} asked */
+  #hear(told, asked) {
+    if (told.type === "shown") this.undo.record(told.state, asked ?? {})
+    if (told.type === "about") this.page.about?.show(told)
+    if (told.type === "file") download(told)
+    if (told.type === "taught" || told.type === "walking") this.walks.told(told)
+    // What goes wrong with one picture does not keep the next from being shown.
+    const show = () => (told.type === "shown" ? this.#show(told, asked) : undefined)
+    this.turning = this.turning.then(show, show)
+  }
+
+  /** @param {Drawn} shown @param {Asked | null} asked */
+  async #show(shown, asked) {
+    if (shown.scene === this.page?.spec.slug) {
+      this.#wait()
+      this.page.apply(shown)
+    } else if (!(await this.#turn(shown))) return
+    const refused = Object.keys(shown.errors).length > 0
+    if (asked?.start && !refused) this.page.clock.restart()
+    this.#write(shown, Boolean(asked?.turn) && !refused)
+    await this.walks.shown(shown)
+  }
+
+  /** The page of another scene takes the place of the one that stands; its figures join it. @param {Drawn} shown */
+  async #turn(shown) {
+    document.documentElement.dataset.ready = "false"
+    try {
+      const sheet = await this.sheet(shown.sheet)
+      const page = new Page(sheet, await extrasFor(sheet), this)
+      const before = this.page
+      this.host.querySelector(".page")?.remove()
+      this.host.append(page.root)
+      page.controls.wait(this.line.waiting)
+      page.start(shown)
+      this.page = page
+      this.shell.turned(sheet, Boolean(before))
+      this.#whole(page, before)
+    } catch (error) {
+      this.#fail(error)
+      document.documentElement.dataset.ready = "true" // the page before stands
+      return false
     }
-    const timeText = `${t.toFixed(this.timePlaces ?? 2)} ${axes.t?.unit ?? ""}`
-    if (!this.measured) this.stages.forEach(stage => stage.measure(this.plots))
-    this.measured = true
-    this.stages.forEach(stage => stage.frame(named))
-    this.plots.forEach(plot => plot.draw(named, t, timeText))
-  }
-
-  async start() {
-    this.named = new Map()
-    for (const one of this.root.querySelectorAll("[data-value]")) {
-      const name = one.dataset.value
-      this.named.set(name, [...(this.named.get(name) ?? []), one])
-    }
-    await Promise.all(this.plots.map(plot => plot.embed()))
-    this.apply(this.opening)
-    this.plots.forEach(plot => plot.layout())
-    document.documentElement.dataset.ready = "true"
-  }
-
-  theme() {
-    this.plots.forEach(plot => plot.theme())
-  }
-}
-
-// A page that came over plain http from another machine has no clipboard.
-async function copy(text) {
-  try {
-    await navigator.clipboard.writeText(text)
     return true
-  } catch {
-    return false
   }
-}
 
-// The columns of a message come end to end in one array; of each the text tells the length.
-function unpacked({facts, numbers}) {
-  const state = JSON.parse(facts)
-  let start = numbers.byteOffset
-  for (const columns of Object.values(state.columns)) {
-    for (const [name, length] of Object.entries(columns)) {
-      columns[name] = new Float32Array(numbers.buffer, start, length)
-      start += columns[name].byteLength
+  /** @param {Page} page @param {Page} [before] */
+  async #whole(page, before) {
+    await frame()
+    before?.leave()
+    this.connected ??= this.connection.begin(this.token)
+    await Promise.all([this.connected, page.join().catch(() => {})])
+    if (page === this.page) document.documentElement.dataset.ready = "true"
+    await this.#complete(page)
+  }
+
+  /** A sheet never changes: it is fetched once. @param {string} address @returns {Promise<page.SceneSheet>} */
+  sheet(address) {
+    const known = this.sheets.get(address)
+    if (known) return known
+    const fetched = fetch(new URL(`assets/${address}`, document.baseURI)).then(answer => {
+      if (!answer.ok) throw new Error(`${address}: ${answer.status}`)
+      return answer.json()
+    })
+    fetched.catch(() => this.sheets.delete(address))
+    this.sheets.set(address, fetched)
+    return fetched
+  }
+
+  /**
+   * A turn is a new entry of the history; a value is written into the one that stands, a moment after the last change.
+   * @param {Drawn} shown @param {boolean} turn
+   */
+  #write({query, state}, turn) {
+    const address = `?${query}`
+    if (turn) this.#settle()
+    if (turn && address !== location.search) {
+      history.pushState(state, "", address)
+    } else {
+      clearTimeout(this.writing)
+      this.late = () => history.replaceState(state, "", address)
+      this.writing = setTimeout(() => this.#settle(), MOMENT)
     }
   }
-  return state
-}
 
-function shell(page) {
-  const menu = document.querySelector(".scene-menu")
-  menu?.addEventListener("toggle", () => document.querySelector(".nav nav").classList.toggle("open", menu.open))
-  const button = document.getElementById("theme")
-  if (button) button.onclick = () => {
-    const root = document.documentElement
-    root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark"
-    localStorage.setItem("theme", root.dataset.theme)
-    page.theme()
+  #settle() {
+    clearTimeout(this.writing)
+    this.late?.()
+    this.late = null
   }
 }
 
-// What only some scenes need, asked for by them alone.
-async function extrasFor({runs, controls}) {
+/** @param {page.File} file */
+function download({name, kind, content}) {
+  const bytes = Uint8Array.from(atob(content), sign => sign.charCodeAt(0))
+  const link = element("a", {href: URL.createObjectURL(new Blob([bytes], {type: kind})), download: name})
+  link.click()
+  URL.revokeObjectURL(link.href)
+}
+
+/** What only some scenes need, asked for by them alone. @param {page.SceneSheet} sheet @returns {Promise<Extras>} */
+async function extrasFor({runs, panel}) {
+  /** @type {Promise<Extras>[]} */
   const wanted = []
   if (runs) wanted.push(import("./later/runbar.js"))
-  if (controls.groups.some(group => Object.keys(group.pictures).length)) wanted.push(import("./later/picker.js"))
-  return Object.assign({}, ...await Promise.all(wanted))
+  if (panel.groups.some(group => group.rows.some(isPicker))) wanted.push(import("./later/picker.js"))
+  return Object.assign({}, ...(await Promise.all(wanted)))
 }
 
-export async function mount(model) {
-  const spec = JSON.parse(model.description)
-  const page = new Page(model, spec, await extrasFor(spec))
-  shell(page)
-  globalThis.oscillations = page
-  model.on("msg:custom", message => page.receive(message))
-  model.on("remove", () => {
-    page.clock.stop()
-    page.root.remove()
-  })
-  // The page's own document is the place, not the component's shadow root: one style sheet serves all of it.
-  document.getElementById("app").append(page.root)
-  page.start()
-  return document.createElement("div")
+/** The page brings its first picture with it, packed as all that is told. */
+export function begin() {
+  const {token, sheet, data} = JSON.parse(document.getElementById("opening")?.textContent ?? "")
+  const {waiting, ...state} = history.state ?? {}
+  const {line} = (globalThis.oscillations = new Lecture(token))
+  line.receive({sheet, data: Uint8Array.from(atob(data), sign => sign.charCodeAt(0)).buffer})
+  // What a page older than the server has left to this one.
+  if (waiting) for (const message of [{type: "open", state}, ...waiting]) line.send(message)
 }

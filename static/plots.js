@@ -1,257 +1,220 @@
-// Mounts the Bokeh figures, fills them with the columns of a message, and draws over them what moves: the time cursor,
-// the dots and the handles.
+// A plot: a figure, and over it what stands still between changes (names, marks) and what moves: the time cursor, the
+// dots and the handles.
 
-import {colour, element, svg, textWidth} from "./dom.js"
+import {Cover} from "./cover.js"
+import {element, set, svg, textWidth} from "./dom.js"
+import {Figure} from "./figure.js"
+import {Handles} from "./handles.js"
 import {Flags, Labels} from "./labels.js"
-import {Reading} from "./reading.js"
+import {Reading, isOnControl} from "./reading.js"
+import {toOneScale, toSI} from "./ruler.js"
+
+const REACH = 16 // pixels from a press to the point that it picks
+const NOWHERE = {left: 0, top: 0, width: 1, height: 1}
+/** @type {page.Ruler} */
+const UNIT = {start: 0, end: 1, ticks: [], labels: [], unit: "", exponent: 0, factor: 1, power: 1, log: false}
 
 export class Plot {
+  /** @type {Drawn} what is shown, from the first answer on */
+  shown
+
+  /** @type {Drawn["view"]} */
+  view
+
+  /** @type {Frame | undefined} where the frame stands, once it is laid out */
+  box
+
+  /** @param {page.PlotBlock} block @param {HTMLElement} host @param {import("./page.js").Page} page */
   constructor(block, host, page) {
-    Object.assign(this, {block, host, page, x: {start: 0, end: 1}, y: {start: 0, end: 1}, columns: {}, hidden: new Set()})
-    this.figure = element("div", {class: "figure"})
+    this.block = block
+    this.host = host
+    this.page = page
+    this.absent = true
+    this.x = UNIT
+    this.y = UNIT
+    /** @type {Set<string>} */
+    this.hidden = new Set()
+    this.figure = new Figure(block)
     this.over = svg("svg", {class: "over", "aria-hidden": "true"})
-    this.handles = element("div", {class: "handles"})
-    host.append(this.figure, this.over, this.handles)
+    this.controls = element("div", {class: "handles"})
+    host.append(this.figure.element, this.figure.says, this.over, this.controls)
     this.cursor = block.cursor ? svg("line", {class: "now"}) : null
     this.flags = new Flags(this)
+    this.cover = new Cover(this)
+    this.handles = new Handles(this)
     this.labels = new Labels(this)
     this.reading = new Reading(this)
     if (this.cursor) this.over.append(this.cursor)
-    this.dots = block.curves.filter(c => c.signal).map(curve => {
-      const dot = svg("circle", {class: `dot ${curve.tint}`, r: 4.5})
-      this.over.append(dot)
-      return {curve, dot}
-    })
-    this.pills = block.handles.map(handle => this.#pill(handle.tint, handle.symbol, handle.label, handle))
+    this.dots = block.curves.filter(curve => curve.signal).map(curve => this.#dot(curve))
     if (block.handles.some(handle => handle.axis === "y")) host.style.touchAction = "none"
-    if (block.cursor === "time" && block.x_labels) this.timePill = this.#pill("ink", "", "Time")
     this.#pointer()
+    this.observer = new ResizeObserver(() => this.layout() && this.page.join())
+    this.observer.observe(host)
   }
 
-  async embed() {
-    const manager = await Bokeh.embed.embed_item(this.block.item, this.figure)
-    this.view = [...manager][0]
-    this.model = this.view.model
-    this.view.canvas_view.events_el.removeAttribute("tabindex") // the keys have nothing to do on the figure itself
-    this.sources = Object.fromEntries([...this.sourceNames()].map(name => [name, this.model.document.get_model_by_name(name)]))
-    this.theme()
-    new ResizeObserver(() => requestAnimationFrame(() => this.layout())).observe(this.figure)
+  /** @param {page.Curve} curve */
+  #dot(curve) {
+    const dot = svg("circle", {class: `dot ${curve.tint}`, r: 4.5})
+    this.over.append(dot)
+    return {curve, dot}
   }
 
-  sourceNames() {
-    return new Set([...this.block.curves, ...this.block.bands].map(part => part.source))
+  /** The figure joins what stands: its names, marks and handles have their places already. */
+  async mount() {
+    this.mounted = true
+    this.figure.make()
+    this.#draw()
+    await this.figure.mount()
   }
 
-  // Position of a number of the axis on the page, in pixels from the host's upper left corner.
+  leave() {
+    this.observer.disconnect()
+    this.figure.leave()
+    this.box = undefined
+  }
+
+  /** Position of a number of the axis, in pixels from the host's upper left corner. @param {number} value */
   px(value) {
-    return this.frame.left + (value - this.x.start) / (this.x.end - this.x.start) * this.frame.width
+    return this.frame.left + ((value - this.x.start) / (this.x.end - this.x.start)) * this.frame.width
   }
 
+  /** @param {number} value */
   py(value) {
-    return this.frame.top + (this.y.end - value) / (this.y.end - this.y.start) * this.frame.height
+    return this.frame.top + ((this.y.end - value) / (this.y.end - this.y.start)) * this.frame.height
   }
 
+  /** @returns {Frame} */
   get frame() {
-    return this.box ?? {left: 0, top: 0, width: 1, height: 1}
+    return this.box ?? NOWHERE
   }
 
-  // The frame and the axes as named quantities for a stage whose upper left corner is at (left, top) on the page.
+  /**
+   * The frame and the axes as named quantities for a stage whose upper left corner is at `origin` on the page.
+   * @param {DOMRect} origin @returns {Named}
+   */
   geometry(origin) {
-    const box = this.host.getBoundingClientRect(), name = this.block.name
-    const dx = box.left - origin.left, dy = box.top - origin.top
+    const box = this.host.getBoundingClientRect()
+    const {name} = this.block
+    const dx = box.left - origin.left
+    const dy = box.top - origin.top
     return {
-      [`${name}.left`]: this.frame.left + dx, [`${name}.right`]: this.frame.left + this.frame.width + dx,
-      [`${name}.top`]: this.frame.top + dy, [`${name}.bottom`]: this.frame.top + this.frame.height + dy,
-      [`${name}.x0`]: this.px(0) + dx, [`${name}.x1`]: this.frame.width / (this.x.end - this.x.start),
-      [`${name}.y0`]: this.py(0) + dy, [`${name}.y1`]: -this.frame.height / (this.y.end - this.y.start),
+      [`${name}.left`]: this.frame.left + dx,
+      [`${name}.right`]: this.frame.left + this.frame.width + dx,
+      [`${name}.top`]: this.frame.top + dy,
+      [`${name}.bottom`]: this.frame.top + this.frame.height + dy,
+      [`${name}.x0`]: this.px(0) + dx,
+      [`${name}.x1`]: this.frame.width / (this.x.end - this.x.start),
+      [`${name}.y0`]: this.py(0) + dy,
+      [`${name}.y1`]: -this.frame.height / (this.y.end - this.y.start),
     }
   }
 
-  layout() {
-    const box = this.view?.frame?.bbox
-    if (!box || !box.width) return
-    this.box = {left: box.left, top: box.top, width: box.width, height: box.height}
-    if (this.state && !this.absent) {
-      if (this.block.square) this.#ranges()
-      this.#abscissae()
+  /** Whether it is seen and has no figure yet. */
+  get waits() {
+    return !this.mounted && !this.absent && this.box && this.host.offsetParent !== null
+  }
+
+  /** The place that there is: Bokeh leaves the same room around its frame, in whole pixels. @returns {Frame} */
+  place() {
+    const {left, right, top, bottom} = this.block.room
+    const {width, height} = this.host.getBoundingClientRect()
+    return {left, top, width: Math.floor(width) - left - right, height: Math.floor(height) - top - bottom}
+  }
+
+  /** Takes a place, if there is any room, and says whether it is another than before. */
+  layout(box = this.place()) {
+    if (box.width <= 0 || box.height <= 0) return false
+    if (box.width === this.box?.width && box.height === this.box.height) return false
+    this.box = box
+    if (this.shown && !this.absent) {
+      this.#widen()
+      this.#axes()
     }
+    this.cover.place()
     this.still()
     this.page.redraw()
+    return true
   }
 
-  update(state) {
-    this.state = state
-    this.absent = !state.axes[this.block.x] || !state.axes[this.block.y]
-    // An axis stands still while a handle is dragged along it: what moves the value must not move the scale.
-    const axis = name => (this.held?.[name]?.exponent === state.axes[name]?.exponent ? this.held?.[name] : null) ?? state.axes[name]
-    this.asked = {x: axis(this.block.x), y: axis(this.block.y)}
+  /** @param {Drawn} shown */
+  update(shown) {
+    const {view} = shown
+    this.shown = shown
+    this.view = view
+    this.absent = !view.axes[this.block.x] || !view.axes[this.block.y]
+    this.asked = {x: this.handles.ruler(this.block.x), y: this.handles.ruler(this.block.y)}
     this.x = this.asked.x ?? this.x
     this.y = this.asked.y ?? this.y
-    this.hidden = new Set(state.hidden)
-    this.host.parentElement.style.display = this.block.show && !state.forms[this.block.show] ? "none" : ""
+    this.hidden = new Set(shown.state.hidden)
+    if (this.host.parentElement)
+      this.host.parentElement.hidden = Boolean(this.block.form) && !view.forms[this.block.form]
+    this.cover.update(shown.state.covered)
     if (this.absent) return
-    for (const [name, source] of Object.entries(this.sources)) this.#fill(source, state.columns[name] ?? {})
-    this.#ranges()
-    this.#abscissae()
-    this.model.below[0].ticker.ticks = this.x.ticks
-    this.model.left[0].ticker.ticks = this.y.ticks
-    for (const renderer of this.model.renderers) {
-      const given = state.columns[renderer.data_source.name] ?? {}, {glyph} = renderer
-      const needed = [glyph.x, glyph.y, glyph.y1, glyph.y2].filter(Boolean).map(value => value.field)
-      renderer.visible = !this.hidden.has(renderer.tags?.[1]) && needed.every(column => given[column]?.length)
-    }
+    this.#widen()
+    this.#draw()
     this.still()
+  }
+
+  #draw() {
+    if (!this.mounted) return
+    this.figure.fill(this.view.columns, this.hidden)
+    this.figure.setTicks(this.x.ticks, this.y.ticks)
+    this.#axes()
+  }
+
+  #axes() {
+    if (!this.mounted) return
+    this.figure.setRanges(this.x, this.y)
+    this.figure.setLabels(this.#abscissae())
   }
 
   // Where numbers would touch, every second one is left out, or more; the last, which carries the unit, stays.
   #abscissae() {
-    const {ticks, labels} = this.x, last = ticks.length - 1
-    const touch = (i, j) => this.px(ticks[j]) - this.px(ticks[i]) < (textWidth(labels[i]) + textWidth(labels[j])) / 2 + 4
+    const {ticks, labels} = this.x
+    const last = ticks.length - 1
+    /** @param {number} i @param {number} j */
+    const touch = (i, j) =>
+      this.px(ticks[j]) - this.px(ticks[i]) < (textWidth(labels[i]) + textWidth(labels[j])) / 2 + 4
+    /** @param {number} step */
+    const fits = step => !ticks.some((_, i) => (last - i) % step === 0 && i + step <= last && touch(i, i + step))
     let step = 1
-    if (this.box) while (ticks.some((_, i) => (last - i) % step === 0 && i + step <= last && touch(i, i + step))) step++
-    this.model.below[0].major_label_overrides = new Map(ticks.map((tick, i) => [tick, (last - i) % step ? "" : labels[i]]))
+    if (this.box) while (!fits(step)) step++
+    return new Map(ticks.map((tick, i) => [tick, (last - i) % step ? "" : labels[i]]))
   }
 
-  // Columns that the picture does without (their renderers are not drawn) are filled up to the common length.
-  #fill(source, given) {
-    const length = Object.values(given)[0]?.length ?? 0, nothing = new Float32Array(length)
-    source.data = Object.fromEntries(Object.keys(source.data).map(key => [key, given[key] ?? nothing]))
-  }
-
-  #ranges() {
-    let {x, y} = this
-    if (this.block.square && this.box) {
-      ({x, y} = this.asked)
-      // One scale for both axes: the axis with room to spare shows more than it was asked to.
-      const scale = Math.max((x.end - x.start) / this.box.width, (y.end - y.start) / this.box.height)
-      const wide = (axis, pixels) => {
-        const middle = (axis.start + axis.end) / 2, half = scale * pixels / 2
-        return {...axis, start: middle - half, end: middle + half}
-      }
-      this.x = x = wide(x, this.box.width)
-      this.y = y = wide(y, this.box.height)
-    }
-    this.model.x_range.setv({start: x.start, end: x.end})
-    this.model.y_range.setv({start: y.start, end: y.end})
+  #widen() {
+    if (this.block.square && this.box && this.asked) [this.x, this.y] = toOneScale(this.asked.x, this.asked.y, this.box)
   }
 
   theme() {
-    const set = (model, values) => model.setv(values)
-    for (const renderer of this.model.renderers) {
-      const ink = colour(renderer.tags?.[0] || "ink"), glyph = renderer.glyph
-      if ("line_color" in glyph && glyph.type !== "VArea") set(glyph, {line_color: ink})
-      if ("fill_color" in glyph) set(glyph, {fill_color: renderer.tags?.[2] === "ring" ? colour("paper") : ink})
-    }
-    for (const span of this.model.center.filter(m => m.type === "Span")) set(span, {line_color: colour("rule")})
-    for (const grid of this.model.center.filter(m => m.type === "Grid")) set(grid, {grid_line_color: colour("grid")})
-    for (const axis of [...this.model.below, ...this.model.left]) {
-      set(axis, {major_label_text_color: colour("mute"), major_label_text_font: colour("sans"), major_label_text_font_size: colour("t0")})
-    }
+    this.figure.theme()
   }
 
   // What stands still between changes: end labels, band labels, marks.
   still() {
-    if (!this.box || !this.state || this.absent) return
+    if (!this.box || !this.shown || this.absent) return
     this.labels.place()
     this.flags.place()
-    for (const pill of this.pills) {
-      const {parameter, text, show, bare} = pill.handle
-      pill.off = Boolean(show) && !this.state.forms[show]
-      pill.hidden = pill.off || Boolean(bare)
-      this.#placePill(pill, this.#handleValue(pill), this.state.values[text] ?? brief(this.state.params[parameter]?.text))
-    }
+    this.handles.place()
   }
 
-  #pill(tint, symbol, label, handle = null) {
-    const upright = handle?.axis === "y"
-    const pill = element("div", {class: `pill ${tint} ${upright ? "upright" : ""}`, role: "slider", tabindex: 0, "aria-label": label, "aria-orientation": upright ? "vertical" : "horizontal"})
-    Object.assign(pill, {symbol, handle})
-    this.handles.append(pill)
-    pill.addEventListener("keydown", event => {
-      const step = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10}[event.key]
-      if (!step && event.key !== "Home" && event.key !== "End") return
-      event.preventDefault()
-      const axis = this.#axis(pill), span = axis.end - axis.start, here = handle ? this.#handleValue(pill) : this.page.clock.t
-      this.#moveTo(pill, event.key === "Home" ? axis.start : event.key === "End" ? axis.end : here + step * span / (event.shiftKey ? 20 : 200))
-    })
-    pill.addEventListener("pointerdown", event => this.#drag(event, pill))
-    return pill
+  /** What a place on an axis stands for, in SI. @param {number} place @param {"x" | "y"} which */
+  si(place, which) {
+    return toSI(this[which], place)
   }
 
-  #axis(pill) {
-    return pill.handle?.axis === "y" ? this.y : this.x
-  }
-
-  #placePill(pill, value, text) {
-    const {left, top, width, height} = this.frame, axis = this.#axis(pill)
-    const inside = Math.min(Math.max(value, axis.start), axis.end)
-    if (axis === this.y) {
-      pill.style.left = `${left - 6}px`
-      pill.style.top = `${this.py(inside) - 12}px`
-    } else {
-      pill.style.left = `${this.px(inside)}px`
-      pill.style.top = `${top + height + 3}px`
-    }
-    pill.classList.toggle("outside", inside !== value)
-    const bare = `${pill.symbol ? `${pill.symbol} ` : ""}${text ?? ""}${pill.handle?.unit ?? ""}`
-    const shown = pill.handle?.covering && this.#hidesUnit(bare, inside) ? `${bare} ${pill.handle.covering}` : bare
-    if (pill.textContent !== shown) pill.textContent = shown
-    const facts = {"aria-valuenow": value, "aria-valuetext": text ?? "", "aria-valuemin": axis.start, "aria-valuemax": axis.end}
-    for (const [key, fact] of Object.entries(facts)) pill.setAttribute(key, fact)
-  }
-
-  // Whether a handle with this text hides the last number of the axis, with which the unit stands.
-  #hidesUnit(text, at) {
-    const {ticks, labels} = this.x, last = ticks.length - 1
-    return Math.abs(this.px(ticks[last]) - this.px(at)) < (textWidth(labels[last]) + textWidth(text)) / 2 + 12
-  }
-
-  // From a number of an axis to SI, and back.
-  si(value, which = "x") {
-    const axis = this[which ?? "x"]
-    return (axis.log ? 10 ** value : value ** (1 / axis.power) * 10 ** (axis.exponent / axis.power)) * axis.factor
-  }
-
-  #handleValue(pill) {
-    const axis = this.#axis(pill), value = this.state.params[pill.handle.parameter].value
-    return axis.log ? Math.log10(value / axis.factor) : (value / axis.factor / 10 ** (axis.exponent / axis.power)) ** axis.power
-  }
-
-  #moveTo(pill, value) {
-    const axis = this.#axis(pill), inside = Math.min(Math.max(value, axis.start), axis.end)
-    if (!pill.handle) this.page.clock.seek(inside)
-    else this.page.send({type: "set", values: {[pill.handle.parameter]: this.#rounded(inside, pill.handle)}})
-  }
-
-  // Four digits of the unit of the axis, two where it spans many decades; `least` is the lowest value of a handle.
-  #rounded(value, {axis = "x", least = -Infinity}) {
-    const {factor, log, power, start, end} = this[axis]
-    const si = factor === 1 || log || power > 1 ? this.si(value, axis).toPrecision(log && end - start > 4 ? 2 : 4) : this.si(Number(value.toPrecision(4)), axis).toPrecision(15)
-    return Math.max(Number(si), least)
-  }
-
+  /** The place on an axis at the pointer. @param {PointerEvent} event @param {"x" | "y"} [which] */
   valueAt(event, which = "x") {
-    const box = this.host.getBoundingClientRect()
-    if (which === "y") return this.y.end - (event.clientY - box.top - this.frame.top) / this.frame.height * (this.y.end - this.y.start)
-    return this.x.start + (event.clientX - box.left - this.frame.left) / this.frame.width * (this.x.end - this.x.start)
+    const {x, y} = this.#at(event)
+    const {left, top, width, height} = this.frame
+    if (which === "y") return this.y.end - ((y - top) / height) * (this.y.end - this.y.start)
+    return this.x.start + ((x - left) / width) * (this.x.end - this.x.start)
   }
 
-  #drag(event, pill) {
-    event.preventDefault()
-    pill.focus({preventScroll: true})
-    pill.setPointerCapture(event.pointerId)
-    const {clock} = this.page, playing = clock.playing
-    if (!pill.handle) clock.playing = false
-    const move = moved => this.#moveTo(pill, this.valueAt(moved, pill.handle?.axis))
-    if (pill.handle) this.#hold([pill])
-    const stop = () => {
-      pill.removeEventListener("pointermove", move)
-      if (pill.handle) return this.#release()
-      clock.playing = playing
-      clock.touch()
-    }
-    pill.addEventListener("pointermove", move)
-    pill.addEventListener("lostpointercapture", stop, {once: true})
+  /** @param {PointerEvent} event */
+  #at(event) {
+    const box = this.host.getBoundingClientRect()
+    return {x: event.clientX - box.left, y: event.clientY - box.top}
   }
 
   // Over a plot: the numbers at the pointer; a press on a time plot moves the instant there.
@@ -259,48 +222,21 @@ export class Plot {
     this.host.addEventListener("pointermove", event => this.reading.show(event))
     this.host.addEventListener("pointerleave", () => this.reading.hide())
     this.host.addEventListener("pointerdown", event => {
-      if (event.target.closest(".pill, .flag") || !this.inside(event)) return
+      if (isOnControl(event) || !this.isInside(event)) return
       const point = this.block.pick && this.#nearest(event)
       if (point) this.page.send({type: "choose", name: this.block.pick, value: point})
-      else if (this.block.cursor === "time") this.page.clock.seek(this.valueAt(event))
-      else if (this.pills.length) this.#dragPoint(event)
+      else if (this.block.time) this.handles.followTime(event)
+      else if (this.block.handles.length) this.handles.follow(event)
     })
   }
 
-  // A press on a plot takes all of its handles there at once, and they follow until it ends.
-  #dragPoint(event) {
-    event.preventDefault()
-    this.host.setPointerCapture(event.pointerId)
-    const pills = this.pills.filter(pill => !pill.off)
-    const move = moved => pills.forEach(pill => this.#moveTo(pill, this.valueAt(moved, pill.handle.axis)))
-    this.#hold(pills)
-    move(event)
-    const stop = () => {
-      this.host.removeEventListener("pointermove", move)
-      this.#release()
-    }
-    this.host.addEventListener("pointermove", move)
-    this.host.addEventListener("lostpointercapture", stop, {once: true})
-  }
-
-  #hold(pills) {
-    const {x, y, square} = this.block
-    const names = square ? [x, y] : pills.map(pill => (pill.handle.axis === "y" ? y : x))
-    this.held = Object.fromEntries(names.map(name => [name, this.state.axes[name]]))
-  }
-
-  #release() {
-    this.held = null
-    this.update(this.state)
-    this.page.redraw()
-  }
-
-  // The point nearest to a press, at most 16 pixels away, as [source, place in its column].
+  /** The point nearest to a press, as [source, place in its column]. @param {PointerEvent} event */
   #nearest(event) {
-    const box = this.host.getBoundingClientRect(), x = event.clientX - box.left, y = event.clientY - box.top
-    let best = null, closest = 16
+    const {x, y} = this.#at(event)
+    let best = null
+    let closest = REACH
     for (const curve of this.block.curves) {
-      const {[curve.x]: xs, [curve.name]: ys} = this.state.columns[curve.source] ?? {}
+      const {[curve.x]: xs, [curve.y]: ys} = this.view.columns[curve.source] ?? {}
       if (this.hidden.has(curve.group)) continue
       for (let i = 0; i < (ys?.length ?? 0); i++) {
         const distance = Math.hypot(this.px(xs[i]) - x, this.py(ys[i]) - y)
@@ -310,33 +246,38 @@ export class Plot {
     return best
   }
 
-  inside(event) {
-    const box = this.host.getBoundingClientRect(), {left, top, width, height} = this.frame
-    const x = event.clientX - box.left, y = event.clientY - box.top
-    return x >= left && x <= left + width && y >= top && y <= top + height
+  /** @param {PointerEvent} event */
+  isInside(event) {
+    const {x, y} = this.#at(event)
+    return isWithin(this.frame, x, y, 0, 0)
   }
 
-  // Once a frame: cursor and dots at the instant shown.
+  /**
+   * Once a frame: cursor and dots at the instant shown.
+   * @param {Named} named @param {number} t @param {string} timeText
+   */
   draw(named, t, timeText) {
-    if (!this.box || !this.state || this.absent) return
-    const {left, top, width, height} = this.frame
+    if (!this.box || !this.shown || this.absent) return
+    const {top, height} = this.frame
     if (this.cursor) {
       const x = this.px(t)
-      for (const [key, value] of [["x1", x], ["x2", x], ["y1", top], ["y2", top + height]]) this.cursor.setAttribute(key, value)
-      if (this.timePill) this.#placePill(this.timePill, t, timeText)
+      set(this.cursor, {x1: x, x2: x, y1: top, y2: top + height})
+      this.handles.placeTime(t, timeText)
     }
     for (const {curve, dot} of this.dots) {
-      const [xName, yName] = curve.signal.includes(",") ? curve.signal.split(",") : [null, curve.signal]
-      const x = this.px(xName ? named[xName] : t), y = this.py(named[yName])
-      const shown = named[yName] !== undefined && !this.hidden.has(curve.group)
-        && x >= left - 1 && x <= left + width + 1 && y >= top - 2 && y <= top + height + 2
-      dot.style.display = shown ? "" : "none"
-      if (!shown) continue
-      dot.setAttribute("cx", x)
-      dot.setAttribute("cy", y)
+      const x = this.px(curve.signal_x ? named[curve.signal_x] : t)
+      const y = this.py(named[curve.signal])
+      const isShown = !this.hidden.has(curve.group) && isWithin(this.frame, x, y, 1, 2)
+      dot.style.display = isShown ? "" : "none"
+      if (isShown) set(dot, {cx: x, cy: y})
     }
   }
 }
 
-// A handle shows three digits of a number that was typed with more.
-const brief = text => (text?.length > 7 && !text.includes("e") ? String(Number(text).toPrecision(3)) : text)?.replace("-", "−")
+/**
+ * False also where x or y is no number: of a signal that the picture does without.
+ * @param {Frame} frame @param {number} x @param {number} y @param {number} wide @param {number} high
+ */
+function isWithin({left, top, width, height}, x, y, wide, high) {
+  return x >= left - wide && x <= left + width + wide && y >= top - high && y <= top + height + high
+}

@@ -2,103 +2,157 @@
 // which of their forms stands.
 
 import {buildChoice} from "./controls.js"
-import {element} from "./dom.js"
+import {element, marked, set} from "./dom.js"
 import {Plot} from "./plots.js"
 import {Stage} from "./stage.js"
 
+/** @typedef {{name: string, text: HTMLElement}} Variant a form and what then stands */
+
 export class Sheet {
+  /** @type {Plot[]} */
+  plots = []
+
+  /** @type {Stage[]} */
+  stages = []
+
+  /** @type {ReturnType<typeof buildChoice>[]} */
+  choices = []
+
+  /** @type {{term: page.Term, part: HTMLElement, variants: Variant[]}[]} */
+  headings = []
+
+  /** @type {{name: string, holder: HTMLElement, variants: Variant[]}[]} */
+  items = []
+
+  /** @type {{host: HTMLElement, form: string}[]} */
+  conditional = []
+
+  /** @type {{host: HTMLElement, height: number | null}[]} stages that stay in sight on a phone */
+  sticky = []
+
+  /** @param {page.Block} block @param {import("./page.js").Page} page */
   constructor(block, page) {
     this.page = page
-    this.plots = []
-    this.stages = []
-    this.choices = []
-    this.headings = []
-    this.items = []
-    this.conditional = []
-    this.sticky = []
     this.element = this.#block(block)
   }
 
+  /** @param {page.Block} block @returns {HTMLElement} */
   #block(block) {
-    const host = element("div", {class: `block ${block.kind} ${block.style ?? ""}`})
-    host.style.flex = `${block.grow} ${block.kind === "row" || block.kind === "column" || block.grow ? 1 : 0} ${block.basis || (block.grow ? 0 : "auto")}${block.basis ? "px" : ""}`
-    if (block.gap) host.style.gap = `${block.gap}px`
-    if (block.phone !== undefined) host.style.setProperty("--place", block.phone)
+    const host = element("div", {class: `block ${block.kind} ${block.style}`})
+    host.style.setProperty("--flex", flex(block))
+    if (block.phone !== null) host.style.setProperty("--place", String(block.phone))
     if (block.height) host.style.setProperty("--phone-height", `${block.height}px`)
-    if (block.show && block.kind !== "plot") this.conditional.push({host, form: block.show})
-    if (block.blocks) host.append(...block.blocks.map(child => this.#block(child)))
-    if (block.kind === "stage") {
-      if (!block.style?.includes("still")) this.sticky.push({host, height: block.height})
-      this.stages.push(new Stage(block, host))
-    }
-    if (block.kind === "plot") {
-      if (block.heading.length) host.append(this.#heading(block))
-      const area = element("div", {class: "plot-area"})
-      host.append(area)
-      this.plots.push(new Plot(block, area, this.page))
-      if (block.shapes.length) this.stages.push(new Stage({shapes: block.shapes}, area))
-    }
-    if (block.kind === "words") host.append(...block.items.map(item => this.#item(item)))
-    if (block.kind === "table") host.append(this.#table(block))
-    if (block.kind === "choice") this.choices.push(buildChoice(host, block, message => this.page.send(message)))
+    if (block.form && block.kind !== "plot") this.conditional.push({host, form: block.form})
+    this.#fill(host, block)
     return host
   }
 
-  // The formula is the legend and the switch: a click on a term takes its curve away.
-  #heading(block) {
-    const head = element("div", {class: "head"})
-    for (const term of block.heading) {
-      const part = element(term.curve ? "button" : "span", {class: `part ${term.tint}`, type: term.curve ? "button" : undefined})
-      if (term.key !== "none") part.append(element("i", {class: `key ${term.key}`}))
-      const variants = Object.entries(term.forms).map(([name, html]) => {
-        const text = element("span", {"data-form": name})
-        text.innerHTML = html
-        part.append(text)
-        return [name, text]
-      })
-      if (term.curve) {
-        part.title = "Show or hide this curve"
-        part.setAttribute("aria-label", curveName(block, term.curve))
-        part.addEventListener("click", () => {
-          const hidden = new Set(this.page.state.hidden)
-          if (!hidden.delete(term.curve)) hidden.add(term.curve)
-          this.page.send({type: "choose", name: "hidden", value: [...hidden]})
-        })
-      }
-      this.headings.push({term, part, variants})
-      head.append(part)
+  /** @param {HTMLElement} host @param {page.Block} block */
+  #fill(host, block) {
+    switch (block.kind) {
+      case "row":
+      case "column":
+        if (block.gap) host.style.gap = `${block.gap}px`
+        return host.append(...block.blocks.map(child => this.#block(child)))
+      case "stage":
+        return this.#stage(host, block)
+      case "plot":
+        return this.#plot(host, block)
+      case "words":
+        return host.append(...block.items.map(item => this.#item(item)))
+      case "table":
+        return host.append(this.#table(block))
+      case "choice":
+        this.choices.push(buildChoice(host, block, message => this.page.send(message)))
     }
-    return head
   }
 
+  /** @param {HTMLElement} host @param {page.StageBlock} block */
+  #stage(host, block) {
+    host.style.setProperty("--widest", String(block.widest))
+    if (!block.style.includes("still")) this.sticky.push({host, height: block.height})
+    this.stages.push(new Stage(block, host, this.page))
+  }
+
+  /** @param {HTMLElement} host @param {page.PlotBlock} block */
+  #plot(host, block) {
+    if (block.heading.length) host.append(this.#heading(block))
+    const area = element("div", {class: "plot-area"})
+    host.append(area)
+    this.plots.push(new Plot(block, area, this.page))
+    if (block.shapes.length) this.stages.push(new Stage({shapes: block.shapes, label: ""}, area, this.page))
+  }
+
+  /** The formula is the legend and the switch: a click on a term takes its curve away. @param {page.PlotBlock} block */
+  #heading(block) {
+    const terms = block.heading.map(term => this.#term(term, block))
+    return element("div", {class: "head"}, ...terms)
+  }
+
+  /** @param {page.Term} term @param {page.PlotBlock} block */
+  #term(term, block) {
+    const look = {class: `part ${term.tint}`}
+    const part = term.curve ? element("button", {...look, type: "button"}) : element("span", look)
+    if (term.key !== "none") part.append(element("i", {class: `key ${term.key}`}))
+    const variants = Object.entries(term.variants).map(([name, html]) => {
+      const text = marked("span", {"data-form": name}, html)
+      part.append(text)
+      return {name, text}
+    })
+    if (term.curve) {
+      set(part, {title: "Show or hide this curve", "aria-label": curveName(block, term.curve)})
+      part.addEventListener("click", () => this.#switch(term.curve))
+    }
+    this.headings.push({term, part, variants})
+    return part
+  }
+
+  /** @param {string} curve */
+  #switch(curve) {
+    const hidden = new Set(this.page.shown.state.hidden)
+    if (!hidden.delete(curve)) hidden.add(curve)
+    this.page.send({type: "choose", name: "hidden", value: [...hidden]})
+  }
+
+  /** @param {page.Forms} item @param {"div" | "td" | "th"} [tag] */
   #item(item, tag = "div") {
     const holder = element(tag, {class: "item"})
-    const variants = Object.entries(item).filter(([key]) => key !== "form").map(([name, html]) => {
-      const text = element("div", {})
-      text.innerHTML = html
+    const variants = Object.entries(item.variants).map(([name, html]) => {
+      const text = marked("div", {}, html)
       holder.append(text)
-      return [name, text]
+      return {name, text}
     })
-    if (item.form) this.items.push({name: item.form, variants, holder})
+    if (item.name) this.items.push({name: item.name, variants, holder})
     return holder
   }
 
+  /** @param {page.TableBlock} block */
   #table(block) {
     const table = element("table", {})
     if (block.head.length) {
       const head = element("tr", {})
-      for (const html of block.head) head.append(Object.assign(element("th", {scope: "col"}), {innerHTML: html}))
+      for (const html of block.head) head.append(html ? marked("th", {scope: "col"}, html) : element("td"))
       table.append(head)
     }
-    for (const cells of block.rows) table.append(element("tr", {}, ...cells.map((cell, i) => this.#item(cell, i ? "td" : "th"))))
+    for (const cells of block.rows) {
+      const [name, ...rest] = cells.map((cell, i) => this.#item(cell, i ? "td" : "th"))
+      set(name, {scope: "row"})
+      // A formula alone is no name for every screen reader: its letters are.
+      for (const formula of name.querySelectorAll("math")) {
+        formula.before(element("span", {class: "heard"}, formula.textContent ?? ""))
+        set(formula, {"aria-hidden": "true"})
+      }
+      table.append(element("tr", {}, name, ...rest))
+    }
     return table
   }
 
-  update({params, errors, forms, hidden}) {
+  /** @param {Drawn} shown */
+  update({view: {forms}, settings, state: {hidden}}) {
     for (const {term, part, variants} of this.headings) {
-      const wanted = forms[term.curve] ?? forms[term.form] ?? "formula"
+      const wanted = forms[term.form] ?? "formula"
       let shown = false
-      for (const [name, text] of variants) {
+      for (const {name, text} of variants) {
         text.hidden = variants.length > 1 && name !== wanted
         shown ||= !text.hidden && text.innerHTML !== ""
       }
@@ -111,9 +165,9 @@ export class Sheet {
     for (const {name, variants, holder} of this.items) {
       const wanted = forms[name] ?? ""
       holder.hidden = wanted === ""
-      for (const [variant, text] of variants) text.hidden = variant !== wanted
+      for (const {name: variant, text} of variants) text.hidden = variant !== wanted
     }
-    this.choices.forEach(choice => choice.update(params, errors))
+    this.choices.forEach(choice => choice.update(settings))
     // On a phone the transport stays right under the stage that stays in sight, if the view has one.
     const stage = this.sticky.find(({host}) => !host.closest("[hidden]"))
     this.page.root.style.setProperty("--stage-height", `${stage?.height ?? 0}px`)
@@ -121,7 +175,19 @@ export class Sheet {
 }
 
 // What a switch is called, whose formula a screen reader may not read: "Height against time: exact".
-function curveName({title, curves, bands}, group) {
-  const labels = [...curves, ...bands].filter(part => part.group === group).map(part => (part.label || part.read || "").replaceAll(/[*_{}]/g, "")).filter(Boolean)
+/** @param {page.PlotBlock} block @param {string} group */
+function curveName({title, curves, regions}, group) {
+  const labels = [...curves, ...regions]
+    .filter(part => part.group === group)
+    .map(part => part.read)
+    .filter(Boolean)
   return `${title.split(/[,:]/)[0]}: ${[...new Set(labels)].join(", ") || group}`
+}
+
+// A block's share of the height or the width: rows and columns shrink, a sentence takes what it needs.
+/** @param {page.Block} block */
+function flex({kind, grow, basis}) {
+  const shrink = kind === "row" || kind === "column" || grow ? 1 : 0
+  if (basis) return `${grow} ${shrink} calc(${basis}px * var(--scale))`
+  return `${grow} ${shrink} ${grow ? 0 : "auto"}`
 }

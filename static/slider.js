@@ -1,116 +1,110 @@
-// A slider with a typed field: where a value stands on it, what is shown while it is dragged, and what becomes of the answer.
+// A slider with a typed field: what is shown while it is dragged, and what becomes of the answer.
 
 import {element} from "./dom.js"
+import {fitting} from "./fitting.js"
+import {Finger, keyed} from "./grip.js"
+import {tidy, withTrueMinus} from "./numbers.js"
+import {sliderPlace, sliderValue, stepped} from "./scales.js"
 
 const STEPS = 1000 // of a slider moved by arrow keys
 const PATIENCE = 1000 // ms for which the answer to an older message is not shown over a newer slider position
 
-// Where a value stands on its slider, from 0 to 1, and back.
-const linear = {
-  value: (place, low, high) => low + (high - low) * place,
-  place: (value, low, high) => (value - low) / (high - low),
-  finest: (low, high) => (high - low) / 400,
-}
-const SCALES = {
-  linear,
-  count: {...linear, finest: () => 1},
-  log: {
-    value: (place, low, high) => low * (high / low) ** place,
-    place: (value, low, high) => Math.log(value / low) / Math.log(high / low),
-    finest: () => 0,
-  },
-  near0: {
-    value: (place, low, high) => high * place ** 3,
-    place: (value, low, high) => Math.cbrt(value / high),
-    finest: (low, high) => high / 10000,
-  },
-}
+/** @type {Record<string, 1 | -1>} */
+const UPWARDS = {ArrowUp: 1, ArrowDown: -1}
 
-export function sliderValue(scale, place, [low, high]) {
-  const {value, finest} = SCALES[scale]
-  const raw = value(place, low, high)
-  if (!finest(low, high)) return Number(raw.toPrecision(3))
-  const unit = 10 ** Math.floor(Math.log10(finest(low, high)))
-  return Number((Math.round(raw / unit) * unit).toPrecision(3)) + 0
-}
+const TYPED = {value: null, since: 0}
 
-export function sliderPlace(scale, value, [low, high]) {
-  const place = SCALES[scale].place(Math.min(Math.max(value, low), high), low, high)
-  return Math.min(Math.max(place, 0), 1)
-}
-
-// As the server writes a field; it puts its own text there with the answer.
-function fieldText(value) {
-  if (value === 0) return "0.00"
-  const size = Math.abs(value)
-  return size >= 1e-3 && size < 1000 ? value.toPrecision(3) : String(value).replace("e+", "e")
-}
-
-// The number in `text` one unit of its last digit further up or down; null where it is no plain number.
-export function stepped(text, direction) {
-  const match = text.trim().replace("−", "-").replace(",", ".").match(/^([+-]?)(\d+)(?:\.(\d*))?(e[+-]?\d+)?$/i)
-  if (!match) return null
-  const [, sign, whole, fraction = "", exponent = ""] = match
-  const units = BigInt(`${sign === "-" ? "-" : ""}${whole}${fraction}`) + BigInt(direction)
-  const digits = String(units < 0n ? -units : units).padStart(fraction.length + 1, "0")
-  const point = digits.length - fraction.length
-  const shown = fraction ? `${digits.slice(0, point)}.${digits.slice(point)}` : digits
-  return (units < 0n ? "-" : "") + shown + exponent
-}
-
-// k_2: a serif italic letter with its subscript.
+/** k_2: a serif italic letter with its subscript. @param {string} text */
 export function symbol(text) {
   const [letter, index] = text.split("_")
   return element("span", {class: "v"}, letter, ...(index ? [element("sub", {}, index)] : []))
 }
 
-// A message that the row of its control makes room for; without text it takes none.
+/** A message that the row of its control makes room for; without text it takes none. @param {string} id */
 export function problemElement(id) {
   return element("p", {class: "problem", role: "alert", id})
 }
 
-// One slider with its typed field: `spec` is what row() of components/controls.py says of a quantity, `send` takes the
-// messages, `speak` is called with the spec when the visitor turns to it.
+// One slider with its typed field.
 export class Slider {
-  constructor(spec, send, speak) {
-    Object.assign(this, {spec, send, soft: spec.soft, state: null, asked: null, unsent: false, held: false, typed: ""})
+  /** @type {page.Setting} the last that was told */
+  state
+
+  /** @type {{value: number | null, since: number} | null} what was sent, unanswered; null of what was typed */
+  asked = null
+
+  /** @type {Finger} */
+  finger
+
+  waits = false // what was set waits for the server
+
+  /** @param {page.SliderRow} spec @param {Send} send */
+  constructor(spec, send) {
+    this.spec = spec
+    this.send = send
+    this.soft = spec.soft
+    this.unsent = false // typed, and not yet sent
+    this.held = false // by a pointer
+    this.typed = ""
     const {name, label, unit} = spec
-    this.slider = element("input", {type: "range", name: `${name}-slider`, min: 0, max: 1, step: "any", "aria-label": label})
+    this.slider = element("input", {
+      type: "range",
+      name: `${name}-slider`,
+      min: 0,
+      max: 1,
+      step: "any",
+      "aria-label": label,
+    })
+    // One stop of the Tab key for a parameter: in the slider Enter or a digit leads to its field.
     this.field = element("input", {
-      type: "text", name, id: `field-${name}`, inputmode: "decimal", autocomplete: "off", spellcheck: "false", "aria-label": label,
+      type: "text",
+      name,
+      id: `field-${name}`,
+      tabindex: -1,
+      inputmode: "decimal",
+      autocomplete: "off",
+      spellcheck: "false",
+      "aria-label": label,
     })
     this.problem = problemElement(`problem-${name}`)
-    this.element = element("div", {class: "control"},
-      element("label", {for: `field-${name}`, title: label}, symbol(spec.symbol)),
-      this.slider,
-      element("span", {class: "num"}, this.field, element("span", {class: "unit", "aria-hidden": "true"}, unit)),
-      this.problem)
-    this.unit = this.element.querySelector(".unit")
+    this.unit = element("span", {class: "unit", "aria-hidden": "true"}, unit)
+    this.label = element("label", {for: `field-${name}`, title: label}, symbol(spec.symbol))
+    const number = element("span", {class: "num"}, this.field, this.unit)
+    this.element = element("div", {class: "control"}, this.label, this.slider, number, this.problem)
     this.size = 1 // of the unit shown, in the quantity's own
-    if (spec.marks) this.#mark(spec.marks)
+    if (spec.marks.length) this.#mark(spec.marks)
     this.element.style.setProperty("--c", `var(--${spec.tint})`)
-    this.element.addEventListener("focusin", () => speak(spec))
     this.#describe()
     this.#listenToSlider()
     this.#listenToField()
+    this.write = fitting(this.field) // after the field is listened to: what was typed is sent before it is shortened
   }
 
-  // Named values under the slider, which then has a row of its own.
+  /** Named values under the slider, which then has a row of its own. @param {page.NamedValue[]} marks */
   #mark(marks) {
     this.element.classList.add("marked")
-    const rule = element("div", {class: "marks", "aria-hidden": "true"}, ...marks.map(({value, text}) => {
-      const mark = element("span", {}, text)
-      mark.style.setProperty("--at", sliderPlace(this.spec.scale, value, this.soft))
-      return mark
-    }))
+    const rule = element(
+      "div",
+      {class: "marks", "aria-hidden": "true"},
+      ...marks.map(({value, text}) => {
+        const mark = element("span", {}, text)
+        mark.style.setProperty("--at", String(sliderPlace(this.spec.scale, value, this.soft)))
+        return mark
+      }),
+    )
     this.slider.after(rule)
   }
 
   #listenToSlider() {
     const {slider} = this
-    slider.addEventListener("input", () => this.#slide())
+    this.finger = new Finger(slider)
+    slider.addEventListener("input", () => {
+      if (!this.finger.onlyTouched()) this.#slide(this.#atSlider())
+    })
     slider.addEventListener("keydown", event => this.#stepSlider(event))
-    slider.addEventListener("pointerdown", () => { this.held = true })
+    slider.addEventListener("pointerdown", () => {
+      this.held = true
+    })
     for (const end of ["pointerup", "pointercancel", "change", "blur"]) {
       slider.addEventListener(end, () => {
         if (this.held) this.held = false
@@ -121,11 +115,13 @@ export class Slider {
 
   #listenToField() {
     const {field} = this
-    field.addEventListener("input", () => { this.unsent = true })
+    field.addEventListener("input", () => {
+      this.unsent = true
+    })
     field.addEventListener("change", () => this.#commit())
     field.addEventListener("blur", () => this.#commit())
     field.addEventListener("keydown", event => {
-      const direction = {ArrowUp: 1, ArrowDown: -1}[event.key]
+      const direction = UPWARDS[event.key]
       if (event.key === "Enter") this.#commit()
       else if (event.key === "Escape") this.#giveUp()
       else if (direction) {
@@ -135,32 +131,44 @@ export class Slider {
     })
   }
 
-  #slide() {
-    const value = this.#atSlider()
-    this.typed = this.field.value = this.spec.scale === "count" ? String(value) : fieldText(this.#shown(value))
+  /** @param {number} value */
+  #slide(value) {
+    this.typed = this.spec.scale === "count" ? String(value) : withTrueMinus(tidy(this.#shown(value)))
+    this.write(this.typed)
     this.unsent = false
     this.#fill(value)
     this.asked = {value, since: performance.now()}
     this.send({type: "set", values: {[this.spec.name]: value}})
   }
 
-  // An arrow key goes to the next value, however many places that takes where the scale is fine.
+  /** @param {KeyboardEvent} event */
   #stepSlider(event) {
-    const direction = {ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1}[event.key]
-    if (!direction) return
+    const {key, ctrlKey, metaKey, altKey} = event
+    if (ctrlKey || metaKey || altKey) return
+    if (key === "Enter" || /^[\d.,+-]$/.test(key)) return this.field.select()
+    const soft = this.#shownSoft()
+    const value = keyed(key, this.spec.scale, this.#shown(this.#atSlider()), soft, direction => this.#next(direction))
+    if (value === null) return
     event.preventDefault()
-    const start = this.#atSlider()
-    const place = Number(this.slider.value)
-    for (let step = 1; step <= STEPS; step++) {
-      this.slider.value = place + direction * step / STEPS
-      if (this.#atSlider() !== start) return this.#slide()
-    }
+    this.slider.value = String(sliderPlace(this.spec.scale, value, soft))
+    this.#slide(this.#own(value))
   }
 
+  /** The next value of the slider, however many places that takes, in the unit shown. @param {1 | -1} direction */
+  #next(direction) {
+    const start = this.#atSlider()
+    const place = Number(this.slider.value)
+    for (let step = 1; step <= STEPS && this.#atSlider() === start; step++) {
+      this.slider.value = String(place + (direction * step) / STEPS)
+    }
+    return this.#shown(this.#atSlider())
+  }
+
+  /** @param {1 | -1} direction */
   #stepField(direction) {
     const text = stepped(this.field.value, direction)
     if (text === null) return
-    this.field.value = text
+    this.field.value = withTrueMinus(text)
     this.unsent = true
     this.#commit()
   }
@@ -169,7 +177,7 @@ export class Slider {
     if (!this.unsent) return
     this.unsent = false
     this.typed = this.field.value
-    this.asked = {}
+    this.asked = TYPED
     this.send({type: "typed", name: this.spec.name, text: this.typed})
   }
 
@@ -179,40 +187,54 @@ export class Slider {
     this.#accept()
   }
 
-  // A preset speaks for every control: what was typed or refused before it is over.
+  // Another state is on its way: what was typed or refused before it is over.
   release() {
     this.unsent = false
-    this.asked = {}
+    this.asked = TYPED
   }
 
+  /** What was set waits for the server, or no longer does. @param {boolean} waits */
+  wait(waits) {
+    this.element.classList.toggle("waits", waits)
+    this.waits = waits
+  }
+
+  /** @param {page.Setting} state @param {string | undefined} error */
   update(state, error) {
+    if (this.waits) {
+      this.state = state
+      return
+    }
     const moved = state.value !== this.state?.value
     this.state = state
     if (state.soft) this.soft = state.soft
     this.#measure(state)
     if (error) return this.#refuse(error)
     if (this.problem.textContent && !moved && !this.asked) return // the answer to another control
-    const {value, since} = this.asked ?? {}
-    if (value !== undefined && value !== state.value && performance.now() - since < PATIENCE) return
+    const {value, since} = this.asked ?? TYPED
+    if (value !== null && value !== state.value && performance.now() - since < PATIENCE) return
     this.asked = null
     this.#accept()
   }
 
-  #measure({unit = this.spec.unit, size = 1}) {
+  /** @param {page.Setting} state */
+  #measure({unit: other, size}) {
+    const unit = other ?? this.spec.unit
     this.size = size
     if (this.unit.textContent === unit) return
     this.unit.textContent = unit
     const label = [this.spec.label.replace(`, ${this.spec.unit}`, ""), unit].filter(Boolean).join(", ")
     for (const part of [this.slider, this.field]) part.setAttribute("aria-label", label)
-    this.element.querySelector("label").title = label
+    this.label.title = label
   }
 
   #accept() {
     this.#say("")
-    if (!this.unsent) this.field.value = this.state.text
+    if (!this.unsent) this.write(this.state.text)
     if (!this.held) this.#place(this.state.value)
   }
 
+  /** @param {string} error */
   #refuse(error) {
     this.asked = null
     this.#say(error)
@@ -220,6 +242,7 @@ export class Slider {
     if (!this.held) this.#place(this.state.value)
   }
 
+  /** @param {string} error */
   #say(error) {
     if (this.problem.textContent !== error) this.problem.textContent = error
     this.element.classList.toggle("bad", Boolean(error))
@@ -236,23 +259,38 @@ export class Slider {
 
   // A slider goes in round numbers of the unit shown.
   #atSlider() {
-    const {size} = this, number = sliderValue(this.spec.scale, Number(this.slider.value), this.soft.map(end => end / size))
-    return size === 1 ? number : Number((number * size).toPrecision(15))
+    return this.#own(sliderValue(this.spec.scale, Number(this.slider.value), this.#shownSoft()))
   }
 
+  /** @returns {[number, number]} the ends of the slider in the unit shown */
+  #shownSoft() {
+    const [low, high] = this.soft
+    return [low / this.size, high / this.size]
+  }
+
+  /** A number of the unit shown in the quantity's own. @param {number} number */
+  #own(number) {
+    return this.size === 1 ? number : Number((number * this.size).toPrecision(15))
+  }
+
+  /** @param {number} value */
   #shown(value) {
     return this.size === 1 ? value : Number((value / this.size).toPrecision(12))
   }
 
-  // A slider that already stands for the value stays where the hand has left it.
+  /** A slider that already stands for the value stays where it is. @param {page.Setting["value"]} value */
   #place(value) {
-    if (value === null) return
-    if (this.#atSlider() !== value) this.slider.value = sliderPlace(this.spec.scale, value, this.soft)
+    if (typeof value !== "number") return
+    if (this.#atSlider() !== value) this.slider.value = String(sliderPlace(this.spec.scale, value, this.soft))
     this.#fill(value)
   }
 
+  /** @param {number} value */
   #fill(value) {
     this.slider.style.setProperty("--at", this.slider.value)
-    this.slider.setAttribute("aria-valuetext", `${fieldText(this.#shown(value)).replace("-", "−")} ${this.unit.textContent}`.trim())
+    this.slider.setAttribute(
+      "aria-valuetext",
+      `${withTrueMinus(tidy(this.#shown(value)))} ${this.unit.textContent}`.trim(),
+    )
   }
 }

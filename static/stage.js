@@ -1,40 +1,60 @@
 // Draws a stage: shapes whose numbers are polynomials in the signals, evaluated at every frame.
 
-import {svg, words} from "./dom.js"
+import {set, svg, words} from "./dom.js"
+import {Grips} from "./grips.js"
 import {polynomial} from "./signals.js"
 
 const TEETH = 9
 
+/** @param {number} x1 @param {number} y1 @param {number} x2 @param {number} y2 @param {number} height */
 function zigzag(x1, y1, x2, y2, height) {
   const length = Math.hypot(x2 - x1, y2 - y1) || 1
-  const ux = (x2 - x1) / length, uy = (y2 - y1) / length
-  const ends = Math.min(12, length * 0.15), step = (length - 2 * ends) / (2 * TEETH)
-  const at = (along, across) => `${(x1 + ux * along - uy * across).toFixed(2)} ${(y1 + uy * along + ux * across).toFixed(2)}`
+  const ux = (x2 - x1) / length
+  const uy = (y2 - y1) / length
+  const ends = Math.min(12, length * 0.15)
+  const step = (length - 2 * ends) / (2 * TEETH)
+  /** @param {number} along @param {number} across */
+  const at = (along, across) =>
+    `${(x1 + ux * along - uy * across).toFixed(2)} ${(y1 + uy * along + ux * across).toFixed(2)}`
   const points = [at(0, 0), at(ends, 0)]
   for (let i = 0; i < 2 * TEETH; i++) points.push(at(ends + step * (i + 0.5), i % 2 ? height : -height))
   points.push(at(length - ends, 0), at(length, 0))
   return "M" + points.join("L")
 }
 
-// A line moved along itself.
+/** A line moved along itself. @param {Record<string, number>} line @param {number} gap */
 function ahead({x1, y1, x2, y2, ...rest}, gap) {
-  const length = Math.hypot(x2 - x1, y2 - y1) || 1, dx = (x2 - x1) / length * gap, dy = (y2 - y1) / length * gap
+  const length = Math.hypot(x2 - x1, y2 - y1) || 1
+  const dx = ((x2 - x1) / length) * gap
+  const dy = ((y2 - y1) / length) * gap
   return {...rest, x1: x1 + dx, y1: y1 + dy, x2: x2 + dx, y2: y2 + dy}
 }
 
-// Each kind: make() builds the elements once, move() places them with numbers.
+/**
+ * Each kind: make() builds the elements once, move() places them with the numbers of an instant.
+ * @type {Record<page.AnyShape["kind"], {make: (s: any) => SVGElement[], move: (parts: any[], s: any) => void}>}
+ */
 const KINDS = {
   spring: {
     make: () => [svg("path", {class: "spring"})],
     move([path], s) {
-      path.setAttribute("d", zigzag(s.x1, s.y1, s.x2, s.y2, s.height ?? 13))
+      path.setAttribute("d", zigzag(s.x1, s.y1, s.x2, s.y2, s.height))
       path.style.strokeWidth = s.wire
     },
   },
-  block: {
-    make: s => [svg("rect", {class: "block", rx: 3}), svg("text", {class: "on v t3", "text-anchor": "middle"}, ...words(s.label))],
+  box: {
+    make: s => [
+      svg("rect", {class: "mass", rx: 3}),
+      svg("text", {class: "on v t3", "text-anchor": "middle"}, ...words(s.label)),
+    ],
     move([rect, text], s) {
-      for (const [key, value] of [["x", s.x - s.side / 2], ["y", s.y - s.side], ["width", s.side], ["height", s.side]]) rect.setAttribute(key, value)
+      for (const [key, value] of [
+        ["x", s.x - s.side / 2],
+        ["y", s.y - s.side],
+        ["width", s.side],
+        ["height", s.side],
+      ])
+        rect.setAttribute(key, value)
       text.setAttribute("x", s.corner ? s.x - s.side / 2 + 14 : s.x)
       text.setAttribute("y", s.corner ? s.y - 9 : s.y - s.side / 2 + 6)
       text.style.display = s.side < 24 ? "none" : ""
@@ -50,12 +70,21 @@ const KINDS = {
     make: () => [svg("line", {class: "shaft"}), svg("path", {class: "fill"})],
     move([line, head], given) {
       const s = given.gap ? ahead(given, given.gap) : given
-      const length = Math.hypot(s.x2 - s.x1, s.y2 - s.y1), shown = length > 1
-      const size = Math.min(s.head ?? 11, length), angle = Math.atan2(s.y2 - s.y1, s.x2 - s.x1)
-      const bx = s.x2 - size * 0.8 * Math.cos(angle), by = s.y2 - size * 0.8 * Math.sin(angle)
-      for (const [key, value] of [["x1", s.x1], ["y1", s.y1], ["x2", bx], ["y2", by]]) line.setAttribute(key, value)
+      const length = Math.hypot(s.x2 - s.x1, s.y2 - s.y1)
+      const shown = length > 1
+      const size = Math.min(s.head, length)
+      const angle = Math.atan2(s.y2 - s.y1, s.x2 - s.x1)
+      const bx = s.x2 - size * 0.8 * Math.cos(angle)
+      const by = s.y2 - size * 0.8 * Math.sin(angle)
+      for (const [key, value] of [
+        ["x1", s.x1],
+        ["y1", s.y1],
+        ["x2", bx],
+        ["y2", by],
+      ])
+        line.setAttribute(key, value)
       head.setAttribute("d", `M0 0L${-size} ${-size * 0.5}L${-size} ${size * 0.5}Z`)
-      head.setAttribute("transform", `translate(${s.x2} ${s.y2}) rotate(${angle * 180 / Math.PI})`)
+      head.setAttribute("transform", `translate(${s.x2} ${s.y2}) rotate(${(angle * 180) / Math.PI})`)
       line.style.display = head.style.display = shown ? "" : "none"
     },
   },
@@ -70,26 +99,35 @@ const KINDS = {
   path: {
     make: s => [svg("path", {class: "ln", d: s.d})],
     move([path], s) {
-      const sx = s.sx ?? 1, sy = s.sy ?? 1
       const turn = s.dx || s.dy ? Math.atan2(s.dy, s.dx) : s.turn
-      path.setAttribute("transform", `translate(${s.x} ${s.y}) rotate(${turn * 180 / Math.PI}) scale(${sx} ${sy})`)
+      path.setAttribute(
+        "transform",
+        `translate(${s.x} ${s.y}) rotate(${(turn * 180) / Math.PI}) scale(${s.sx} ${s.sy})`,
+      )
     },
   },
   arc: {
     make: () => [svg("path", {class: "ln"})],
     move([path], s) {
+      /** @param {number} angle */
       const at = angle => `${(s.x + s.r * Math.sin(angle)).toFixed(2)} ${(s.y + s.r * Math.cos(angle)).toFixed(2)}`
-      const middle = (s.start + s.end) / 2, sweep = s.end > s.start ? 0 : 1
-      path.setAttribute("d", `M${at(s.start)}${[middle, s.end].map(angle => `A${s.r} ${s.r} 0 0 ${sweep} ${at(angle)}`).join("")}`)
+      const middle = (s.start + s.end) / 2
+      const sweep = s.end > s.start ? 0 : 1
+      path.setAttribute(
+        "d",
+        `M${at(s.start)}${[middle, s.end].map(angle => `A${s.r} ${s.r} 0 0 ${sweep} ${at(angle)}`).join("")}`,
+      )
     },
   },
   wave: {
     make: () => [svg("path", {class: "ln"})],
     move([path], s) {
-      const count = 24 * Math.ceil(Math.abs(s.turns) + 1), points = []
+      const count = 24 * Math.ceil(Math.abs(s.turns) + 1)
+      const points = []
       for (let i = 0; i <= count; i++) {
         const share = i / count
-        points.push(`${(s.x + s.length * share).toFixed(2)} ${(s.y - s.size * Math.sin(2 * Math.PI * s.turns * share + s.phase)).toFixed(2)}`)
+        const angle = 2 * Math.PI * s.turns * share + s.phase
+        points.push(`${(s.x + s.length * share).toFixed(2)} ${(s.y - s.size * Math.sin(angle)).toFixed(2)}`)
       }
       const floor = s.depth ? `L${s.x + s.length} ${s.y + s.depth}L${s.x} ${s.y + s.depth}Z` : ""
       path.setAttribute("d", `M${points.join("L")}${floor}`)
@@ -100,7 +138,8 @@ const KINDS = {
     move([path], s) {
       const strokes = []
       for (let i = 1; i < s.count; i++) {
-        const share = i / s.count, x = s.x + s.length * share + s.size * Math.sin(2 * Math.PI * s.turns * share)
+        const share = i / s.count
+        const x = s.x + s.length * share + s.size * Math.sin(2 * Math.PI * s.turns * share)
         strokes.push(`M${x.toFixed(2)} ${s.y}v${s.height}`)
       }
       path.setAttribute("d", strokes.join(""))
@@ -116,7 +155,8 @@ const KINDS = {
   wall: {
     make: () => [svg("path", {class: "hatch"}), svg("line", {class: "wall"})],
     move([hatch, line], s) {
-      const upright = s.side === "left" || s.side === "right", long = s.depth ?? 10
+      const upright = s.side === "left" || s.side === "right"
+      const long = s.depth
       const depth = s.side === "left" || s.side === "top" ? -long : long
       const strokes = []
       for (let at = 0; at <= s.length - long / 2; at += 0.9 * long) {
@@ -132,57 +172,112 @@ const KINDS = {
 }
 
 export class Stage {
-  constructor(block, host) {
-    this.svg = svg("svg", block.label ? {role: "img", "aria-label": block.label, class: "stage"} : {"aria-hidden": "true", class: "stage"})
+  /** @type {(() => void) | undefined} called when there is more or less room */
+  resized
+
+  /**
+   * Where there is a `page`, its shapes can be grabbed.
+   * @param {Pick<page.StageBlock, "shapes" | "label">} block @param {HTMLElement} host
+   * @param {import("./page.js").Page} [page]
+   */
+  constructor(block, host, page) {
+    this.svg = svg(
+      "svg",
+      block.label ? {role: "img", "aria-label": block.label, class: "stage"} : {"aria-hidden": "true", class: "stage"},
+    )
     host.append(this.svg)
+    this.host = host
+    /** @type {Named} */
     this.size = {W: 1, H: 1}
+    /** @type {Named} */
+    this.plots = {}
+    /** @type {Map<string, {rect: SVGRectElement, id: string}>} */
     this.frames = new Map()
     this.shapes = block.shapes.map(spec => {
-      const kind = KINDS[spec.kind], parts = kind.make(spec)
-      const group = svg("g", {class: `${spec.tint} ${spec.style ?? ""}`}, ...parts)
+      const kind = KINDS[spec.kind]
+      const parts = kind.make(spec)
+      const group = svg("g", {class: `${spec.tint} ${spec.style}`}, ...parts)
       for (const part of parts) if (spec.style) part.classList.add(...spec.style.split(" "))
       this.svg.append(group)
       if (spec.inside) group.setAttribute("clip-path", `url(#${this.#frame(spec.inside)})`)
-      const moving = Object.entries(spec).filter(([, value]) => Array.isArray(value) || typeof value === "number")
-      return {spec, kind, parts, group, moving}
+      const moving = Object.entries(spec).filter(([, value]) => value?.terms)
+      const needs = new Set(
+        moving.flatMap(([, {terms}]) => terms.flatMap((/** @type {page.Product} */ term) => term[1])),
+      )
+      return {spec, kind, parts, group, moving, needs, covered: false}
     })
-    new ResizeObserver(([entry]) => {
-      const narrow = innerWidth <= 700 ? 1 : 0
-      this.size = {W: entry.contentRect.width, H: entry.contentRect.height, narrow, wide: 1 - narrow}
-      this.onresize?.()
-    }).observe(host)
+    if (page && block.shapes.some(shape => shape.grab)) this.grips = new Grips(host, page)
+    for (const shape of block.shapes) if (shape.grab) this.grips?.add(/** @type {any} */ (shape))
+    this.observer = new ResizeObserver(() => {
+      const {W, H, narrow} = this.size
+      this.fit()
+      if (W !== this.size.W || H !== this.size.H || narrow !== this.size.narrow) this.resized?.()
+    })
+    this.observer.observe(host)
   }
 
-  // Where the plots stand, seen from this stage; measured anew only when the page has changed.
+  /** Takes the place that there is. */
+  fit() {
+    const {width, height} = this.svg.getBoundingClientRect()
+    // Whether the blocks of the sheet stand one under the other is the style sheet's to say.
+    const narrow = Number(getComputedStyle(this.svg).getPropertyValue("--stacked"))
+    this.size = {W: width, H: height, narrow, wide: 1 - narrow}
+  }
+
+  leave() {
+    this.observer.disconnect()
+  }
+
+  /**
+   * Where the plots stand, seen from this stage; measured anew only when the page has changed.
+   * @param {import("./plots.js").Plot[]} plots
+   */
   measure(plots) {
     const origin = this.svg.getBoundingClientRect()
     this.plots = Object.assign({}, ...plots.map(plot => plot.geometry(origin)))
     for (const [plot, {rect}] of this.frames) {
       const [left, right, top, bottom] = ["left", "right", "top", "bottom"].map(side => this.plots[`${plot}.${side}`])
-      const box = {x: left - 6, y: top - 6, width: Math.max(right - left, 0) + 12, height: Math.max(bottom - top, 0) + 12}
-      for (const [key, value] of Object.entries(box)) rect.setAttribute(key, value)
+      const box = {
+        x: left - 6,
+        y: top - 6,
+        width: Math.max(right - left, 0) + 12,
+        height: Math.max(bottom - top, 0) + 12,
+      }
+      set(rect, box)
     }
   }
 
-  // The clip that keeps a shape inside the frame of a plot, made when first asked for.
+  /** The clip that keeps a shape inside the frame of a plot, made when first asked for. @param {string} plot */
   #frame(plot) {
-    if (!this.frames.has(plot)) {
-      const rect = svg("rect"), clip = svg("clipPath", {id: `frame-of-${plot}`}, rect)
-      this.svg.prepend(clip)
-      this.frames.set(plot, {rect, id: clip.id})
-    }
-    return this.frames.get(plot).id
+    const known = this.frames.get(plot)
+    if (known) return known.id
+    const rect = svg("rect")
+    const clip = svg("clipPath", {id: `frame-of-${plot}`}, rect)
+    this.svg.prepend(clip)
+    this.frames.set(plot, {rect, id: clip.id})
+    return clip.id
   }
 
+  /** What needs a quantity that is covered is not drawn. @param {string[]} leftOut */
+  update(leftOut) {
+    for (const shape of this.shapes) shape.covered = leftOut.some(name => shape.needs.has(name))
+    this.grips?.update()
+  }
+
+  /** Once a frame: all shapes at the instant of `named`. @param {Named} named */
   frame(named) {
+    if (this.host.closest("[hidden]")) return
     const all = {...named, ...this.plots, ...this.size}
-    for (const {spec, kind, parts, group, moving} of this.shapes) {
-      const shown = !spec.show || spec.show.split(" ").every(name => all[name])
+    for (const {spec, kind, parts, group, moving, covered} of this.shapes) {
+      const shown = !covered && spec.show.every(name => all[name])
       group.style.display = shown ? "" : "none"
+      if (!shown) this.grips?.place(spec, null, false, all)
       if (!shown) continue
+      /** @type {Record<string, unknown>} */
       const s = {...spec}
       for (const [key, value] of moving) s[key] = polynomial(value, all)
       kind.move(parts, s)
+      this.grips?.place(spec, s, true, all)
     }
   }
 }

@@ -1,7 +1,10 @@
 // Play, step, restart, speed and time window.
 
 import {element} from "./dom.js"
+import {Fit} from "./fit.js"
+import {MINUS, grouped, short} from "./numbers.js"
 
+/** @typedef {keyof typeof ICONS} Icon */
 const ICONS = {
   restart: "M5 5h2.4v14H5zM19 5v14L8.6 12z",
   back: "M16.5 6v12l-9-6zM18 6h2v12h-2z",
@@ -11,8 +14,11 @@ const ICONS = {
   pause: "M7.500 5.500h3.200v13H7.500zM13.300 5.500h3.200v13h-3.200z",
 }
 
-export const icon = name => `<svg viewBox="0 0 24 24" width="22" height="22" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`
+/** @param {Icon} name */
+export const icon = name =>
+  `<svg viewBox="0 0 24 24" width="22" height="22" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`
 
+/** @param {string} name @param {string} drawing @param {() => void} act @param {string} [style] */
 function button(name, drawing, act, style = "icon") {
   const made = element("button", {type: "button", class: style, "aria-label": name, title: name})
   made.innerHTML = drawing
@@ -20,62 +26,86 @@ function button(name, drawing, act, style = "icon") {
   return made
 }
 
-// 1, 1/4, 1/16 as they are said; anything else with two digits.
+/** 1, 1/4, 1/16 as they are said; anything else with two digits. @param {number} factor */
 function factorText(factor) {
   for (const power of [1, 2, 4, 8, 16]) {
     if (factor === power) return `${power}×`
     if (factor === 1 / power) return `1/${power}×`
   }
-  if (factor >= 0.01 && factor < 1e4) return `${Number(factor.toPrecision(2))}×`
-  const [digits, exponent] = factor.toExponential(0).split("e")
-  const raised = [...String(Number(exponent))].map(c => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻").join("")
-  return `${digits === "1" ? "" : `${digits}·`}10${raised}×`
+  return `${short(factor, 2).replace(/^1·/, "")}×`
 }
 
-// How fast the motion is played, in words: the element of the live number "speed" shows it.
+/** The live number "speed": how fast the motion is played, unless in real time. @param {number} factor */
 function speedText(factor) {
-  if (Math.abs(factor - 1) < 1e-9) return "in real time"
+  if (Math.abs(factor - 1) < 1e-9) return ""
   const times = Math.max(factor, 1 / factor)
-  const text = times < 1e6 ? Number(times.toPrecision(3)).toLocaleString("en").replaceAll(",", "\u202f") : factorText(times).replace("×", "")
-  return `${text} times ${factor < 1 ? "slower" : "faster"}`
+  return `played ${grouped(times)} times ${factor < 1 ? "slower" : "faster"}`
 }
 
 export class Transport {
+  /** @type {string | undefined} */
+  problem
+
+  /** @type {string[]} */
+  notes = []
+
+  /** @param {import("./page.js").Page} page */
   constructor(page) {
     this.page = page
     const {clock} = page
     this.play = button("Pause", icon("pause"), () => clock.toggle(), "icon play")
     this.auto = button("Auto speed", "Auto", () => clock.auto(), "")
     this.factor = element("span", {class: "factor", title: "Simulated time over real time"})
-    this.window = element("input", {name: "window", inputmode: "decimal", autocomplete: "off", "aria-label": "Time window", placeholder: "auto"})
+    this.window = element("input", {
+      name: "window",
+      inputmode: "decimal",
+      autocomplete: "off",
+      "aria-label": "Time window",
+      placeholder: "auto",
+    })
     this.window.addEventListener("change", () => page.send({type: "typed", name: "window", text: this.window.value}))
     this.note = element("div", {class: "note", role: "status"})
-    this.element = element("div", {class: "transport"},
+    this.fit = new Fit(page)
+    this.element = element(
+      "div",
+      {class: "transport"},
       button("Restart", icon("restart"), () => clock.seek(0)),
-      button("Step back", icon("back"), () => clock.step(-1)),
+      button("Step back", icon("back"), () => clock.step(-1), "icon back"),
       this.play,
-      button("Step forward", icon("forward"), () => clock.step(1)),
-      element("div", {class: "seg speeds", role: "group", "aria-label": "Speed"},
-        this.auto, button("Slower", "−", () => clock.faster(-1), ""), this.factor, button("Faster", "+", () => clock.faster(1), "")),
+      button("Step forward", icon("forward"), () => clock.step(1), "icon forward"),
+      element(
+        "div",
+        {class: "seg speeds", role: "group", "aria-label": "Speed"},
+        this.auto,
+        button("Slower", MINUS, () => clock.faster(-1), ""),
+        this.factor,
+        button("Faster", "+", () => clock.faster(1), ""),
+      ),
       this.note,
-      element("label", {class: "window"}, "Window ", this.window, " s"))
+      this.fit.element,
+      element("label", {class: "window"}, "Window, s ", this.window),
+    )
     clock.listeners.push(() => this.refresh())
   }
 
-  update(state) {
-    const {axes, params, errors, notes} = state
+  /** @param {Drawn} shown */
+  update(shown) {
+    const {axes, time, notes} = shown.view
+    const {settings, errors} = shown
+    this.fit.update(shown)
+    const axis = axes[time]
     // Where nothing moves there is nothing to play.
-    this.element.classList.toggle("idle", !axes.t)
+    this.element.classList.toggle("idle", !axis)
     this.notes = notes
-    const error = errors?.window
+    const error = errors.window
     this.window.classList.toggle("bad", Boolean(error))
     this.window.title = error ?? "Empty: the scene chooses"
     this.problem = error
     if (document.activeElement !== this.window || !error) {
-      if (!error) this.window.value = params.window?.text ?? ""
-      this.window.placeholder = axes.t ? Number((axes.t.end * 10 ** axes.t.exponent).toPrecision(3)).toString() : "auto"
+      if (!error) this.window.value = settings.window.text
+      this.window.placeholder = axis ? short(axis.end * 10 ** axis.exponent) : "auto"
     }
-    this.page.timePlaces = axes.t ? Math.min(Math.max(Math.ceil(2 - Math.log10(axes.t.end)), 0) + 1, 6) : 2
+    this.page.timePlaces = axis ? Math.min(Math.max(Math.ceil(2 - Math.log10(axis.end)), 0) + 1, 6) : 2
     this.refresh()
   }
 
@@ -92,8 +122,17 @@ export class Transport {
     const factor = factorText(clock.factor)
     if (this.factor.textContent !== factor) this.factor.textContent = factor
     for (const one of this.page.named?.get("speed") ?? []) one.textContent = speedText(clock.factor)
-    const lines = [this.problem, clock.slowed ? `Slowed to ${factor}, so that the fast motion can be seen.` : "", ...(this.notes ?? [])]
+    const lines = [
+      this.problem,
+      clock.slowed ? `Slowed to ${factor}, so that the fast motion can be seen.` : "",
+      this.page.hand.hint,
+      ...this.notes,
+    ]
     const text = lines.filter(Boolean).join(" ")
-    if (this.note.textContent !== text) this.note.textContent = text
+    if (this.note.textContent === text) return
+    this.note.textContent = text
+    // What scrolls must be reached by keys.
+    if (this.note.scrollHeight > this.note.clientHeight) this.note.tabIndex = 0
+    else this.note.removeAttribute("tabindex")
   }
 }

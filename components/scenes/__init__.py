@@ -9,11 +9,11 @@ from components.scenes.analogues import Analogues
 from components.scenes.coupled import Coupled
 from components.scenes.energy import Energy
 from components.scenes.forced import Forced
-from components.scenes.modes import Modes
+from components.scenes.modes import ModesScene
 from components.scenes.oscillator import OscillatorScene
 from components.scenes.phugoid import Phugoid
 
 SCENES: dict[str, type[Scene]] = {
     scene.slug: scene
-    for scene in (OscillatorScene, Energy, Analogues, Phugoid, Coupled, Modes, Forced, Absorber, Accuracy)
+    for scene in (OscillatorScene, Energy, Analogues, Phugoid, Coupled, ModesScene, Forced, Absorber, Accuracy)
 }

@@ -1,9 +1,11 @@
 // In the transport's place where a scene does not play but measures: run or cancel, progress, skip.
 
 import {element} from "../dom.js"
+import {Fit} from "../fit.js"
 import {icon} from "../transport.js"
 
 export class RunBar {
+  /** @param {import("../page.js").Page} page */
   constructor(page) {
     this.page = page
     this.disc = element("button", {type: "button", class: "icon play"})
@@ -14,17 +16,33 @@ export class RunBar {
     this.now = element("span", {class: "note", role: "status"})
     this.skip = element("button", {type: "button", class: "chip"}, "Skip this method")
     this.skip.addEventListener("click", () => page.send({type: "run", order: "skip"}))
-    this.element = element("div", {class: "transport"}, this.disc, this.name, this.count, this.bar, this.now, this.skip)
+    this.fit = new Fit(page)
+    this.element = element(
+      "div",
+      {class: "transport"},
+      this.disc,
+      this.name,
+      this.count,
+      this.bar,
+      this.now,
+      this.skip,
+      this.fit.element,
+    )
   }
 
-  update({progress, errors, notes}) {
-    const {state, done, total, text} = progress
+  /** @param {Drawn} shown */
+  update(shown) {
+    const {progress, errors} = shown
+    const {notes} = shown.view
+    this.fit.update(shown)
+    if (!progress) return
+    const {state, done, total, unit, text} = progress
     this.busy = state === "running" || state === "waiting"
     const name = this.busy ? "Cancel" : done ? "Run again" : "Run"
     this.disc.setAttribute("aria-label", name)
     this.disc.innerHTML = icon(this.busy ? "stop" : "play")
     this.name.textContent = name
-    this.count.textContent = total ? `${done} of ${total} runs` : ""
+    this.count.textContent = total ? `${done} of ${total} ${unit}` : ""
     this.bar.value = total ? done / total : 0
     this.now.textContent = [text, errors.run, ...notes].filter(Boolean).join(" ")
     this.skip.hidden = state !== "running"

@@ -20,8 +20,8 @@ import mpmath as mp
 import numpy as np
 
 from tests.bench.float_chains import METHODS
-from tests.chain_families import FAMILIES
-from tests.chain_truth import WORKING_BITS, Truth, U, ulps, units
+from tests.physics.chain_families import FAMILIES
+from tests.physics.chain_truth import WORKING_BITS, Truth, U, ulps, units
 
 QUANTITIES = (
     "frequencies, ulp",

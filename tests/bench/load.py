@@ -8,26 +8,31 @@ from __future__ import annotations
 
 import argparse
 import asyncio
-import gzip
 import os
 import platform
 import signal
+import sys
 import time
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib.metadata import version
+from pathlib import Path
 from statistics import median
 
 import psutil
 from playwright.sync_api import Browser, Page, Response, WebSocket, sync_playwright
 
+from tests.bench.network import opened_slowly, turned
 from tests.bench.visitor import Visitor
-from tests.chromium import find
-from tests.serving import ROOT, Server, serving
+from tests.browser.chromium import find
+from tests.serving.server import ROOT, Server, free_port, serving
 
 REPORT = ROOT / "build" / "load" / "load.md"
-EMPTY = ("tests/bench/empty_page.py", "--index", "empty_page")
+EMPTY_LOG = REPORT.with_name("empty.log")
+EMPTY = "tests/bench/empty_page.py"
 PARAMETER = "k2"
+OTHERS = ["forced", "oscillator", "phugoid", "modes", "energy"]
 READY = "document.documentElement.dataset.ready === 'true'"
 IDLE = 0.3  # seconds for what the server does after it has answered
 
@@ -109,11 +114,11 @@ async def measure_changes(server: Server, query: str, batches: int, size: int) -
 
 def measure_first_load(browser: Browser, address: str, repeats: int) -> list[Row]:
     """Requests and bytes until the page is drawn, each time with an empty cache."""
-    requests, plain, compressed = [], [], []
+    requests, plain, served = [], [], []
     for _ in range(repeats):
         answers: list[Response] = []
         frames: list[bytes] = []
-        page = browser.new_page()
+        page = browser.new_page(bypass_csp=True)  # for wait_for_function
         page.on("response", lambda answer, to=answers: to.append(answer))
         page.on(
             "websocket",
@@ -124,12 +129,13 @@ def measure_first_load(browser: Browser, address: str, repeats: int) -> list[Row
         bodies = [answer.body() for answer in answers if answer.url.startswith("http")]
         requests.append(len(bodies) + bool(frames))
         plain.append(total([*bodies, *frames]))
-        compressed.append(total(map(gzip.compress, [*bodies, b"".join(frames)])))
+        sent = sum(answer.request.sizes()["responseBodySize"] for answer in answers if answer.url.startswith("http"))
+        served.append(sent / 1e6 + total(frames))
         page.close()
     return [
         Row("first load: requests", requests, "{:.0f}", "20"),
-        Row("first load: bytes, as served", plain, "{:.2f} MB"),
-        Row("first load: bytes, gzip-compressed", compressed, "{:.2f} MB", "1 MB"),
+        Row("first load: bytes, unpacked", plain, "{:.2f} MB"),
+        Row("first load: bytes, as served", served, "{:.2f} MB", "1 MB"),
     ]
 
 
@@ -160,6 +166,27 @@ def measure_playing(page: Page, messages: list[object], repeats: int, seconds: f
     ]
 
 
+def measure_slow_network(browser: Browser, address: str, repeats: int) -> list[Row]:
+    """A page with an empty cache at 1.6 Mbit/s and 150 ms, and then another scene."""
+    seen = [opened_slowly(browser, address, OTHERS[0]) for _ in range(repeats)]
+    aims = {"paint": ("first paint", 1.5), "moving": ("the stage moves", 2.5), "whole": ("all is drawn", 6.0)}
+    aims["next"] = ("the next scene stands", 1.0)
+    return [
+        Row(f"1.6 Mbit/s, 150 ms: {what}", [one[name] / 1000 for one in seen], "{:.1f} s", f"{aim:.1f} s")
+        for name, (what, aim) in aims.items()
+    ]
+
+
+def measure_turns(page: Page, repeats: int) -> list[Row]:
+    """From scene to scene within a session, whose sheets have been fetched before."""
+    turned(page, OTHERS)
+    turns = [turn for _ in range(repeats) for turn in turned(page, OTHERS)]
+    return [
+        Row("change of scene: stage and controls stand", [one["stands"] for one in turns], "{:.0f} ms", "150 ms"),
+        Row("change of scene: plots as well", [one["whole"] for one in turns], "{:.0f} ms"),
+    ]
+
+
 def measure_browser(address: str, options: argparse.Namespace) -> list[Row]:
     path = find()
     if path is None:
@@ -168,7 +195,7 @@ def measure_browser(address: str, options: argparse.Namespace) -> list[Row]:
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=path)
         rows = measure_first_load(browser, address, min(3, options.batches))
-        page = browser.new_page(viewport={"width": 1280, "height": 720})
+        page = browser.new_page(viewport={"width": 1280, "height": 720}, bypass_csp=True)
         messages: list[object] = []
         page.on("websocket", lambda socket: listen(socket, messages))
         page.goto(address)
@@ -179,6 +206,8 @@ def measure_browser(address: str, options: argparse.Namespace) -> list[Row]:
             pause.click()
         rows += measure_repaint(page, options.changes)
         rows += measure_playing(page, messages, min(5, options.batches))
+        rows += measure_turns(page, min(3, options.batches))
+        rows += measure_slow_network(browser, address, min(3, options.batches))
         browser.close()
     return rows
 
@@ -219,13 +248,22 @@ def main() -> None:
         signal.signal(signal.SIGALRM, stop)
         signal.alarm(options.limit)
     REPORT.parent.mkdir(parents=True, exist_ok=True)
-    with serving(REPORT.parent / "empty.log", app=EMPTY) as server:
+    with panel_serving(EMPTY_LOG) as server:
         floor = asyncio.run(measure_sessions(server, "", options.batches, options.sessions, aims=False))
     with serving(REPORT.parent / "server.log") as server:
         rows = asyncio.run(measure_sessions(server, options.query, options.batches, options.sessions))
         rows += asyncio.run(measure_changes(server, options.query, options.batches, options.changes))
         rows += measure_browser(f"{server.url}?{options.query}", options)
     report([*rows, *floor], options.query)
+
+
+@contextmanager
+def panel_serving(log: Path) -> Iterator[Server]:
+    """An empty page, served as Panel does it."""
+    port = free_port()
+    at = ("--index", "empty_page", "--port", str(port), "--allow-websocket-origin", f"127.0.0.1:{port}")
+    with serving(log, port=port, command=(sys.executable, "-m", "panel", "serve", EMPTY, *at)) as server:
+        yield server
 
 
 def stop(*_: object) -> None:

@@ -8,12 +8,14 @@ from __future__ import annotations
 import asyncio
 import json
 import re
+import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 from urllib.request import urlopen
 
-from tornado.websocket import WebSocketClientConnection, websocket_connect
+from tornado.httpclient import HTTPError, HTTPRequest
+from tornado.websocket import WebSocketClientConnection, WebSocketClosedError, websocket_connect
 
 PATIENCE = 30.0  # seconds until a missing answer is an error
 
@@ -29,6 +31,10 @@ ABOUT = {
 }
 
 
+USUAL: dict[str, bytes] = {}
+"""The usual text of each sheet, which visitors of one process fetch once."""
+
+
 @dataclass
 class Traffic:
     """What the server has sent: bytes of all frames, and patches without acknowledgements."""
@@ -40,7 +46,9 @@ class Traffic:
 class Visitor:
     """One open session. `traffic` counts from its opening; only bytes that carry content are counted."""
 
-    def __init__(self, socket: WebSocketClientConnection) -> None:
+    def __init__(self, socket: WebSocketClientConnection, url: str) -> None:
+        self._url = url
+        self._ended = False
         self.traffic = Traffic()
         self._socket = socket
         self._number = 0
@@ -51,14 +59,19 @@ class Visitor:
     @classmethod
     async def arrive(cls, url: str, query: str = "") -> Visitor:
         page = await asyncio.to_thread(_get, f"{url}?{query}")
-        token = re.search(r'"token":"([^"]+)"', page)
-        if token is None:
-            raise RuntimeError(f"{url} is not a page of Bokeh's")
-        address = f"{url.replace('http', 'ws', 1)}ws?{query}"
-        socket = await websocket_connect(address, subprotocols=["bokeh", token[1]])
+        return await cls.connect(url, token_in(page))
+
+    @classmethod
+    async def connect(cls, url: str, token: str, headers: dict[str, str] | None = None) -> Visitor:
+        """A page that has its token; ConnectionError where nobody takes it."""
+        request = HTTPRequest(f"{url.replace('http', 'ws', 1)}ws", headers=headers or {}, connect_timeout=PATIENCE)
+        try:
+            socket = await websocket_connect(request, subprotocols=["bokeh", token])
+        except (HTTPError, OSError) as error:
+            raise ConnectionError(str(error)) from error
         if socket.protocol:
             socket.protocol.set_nodelay(True)  # as browsers do
-        visitor = cls(socket)
+        visitor = cls(socket, url)
         welcome = visitor._expect("ACK")
         visitor._reader = asyncio.create_task(visitor._read())
         await asyncio.wait_for(welcome, PATIENCE)
@@ -69,23 +82,30 @@ class Visitor:
         """Move one slider, and wait for the page's new picture."""
         await self.say({"type": "set", "values": {parameter: value}})
 
-    async def say(self, message: dict[str, Any]) -> None:
-        """Send one of the page's messages, and wait for its answer."""
+    async def say(self, message: dict[str, Any]) -> dict[str, Any]:
+        """Send one of the page's messages, and wait for its answer: what it tells, but for its columns."""
         self._number += 1
         answered = self._expect(f"answer {self._number}")
         data = _encoded({**message, "number": self._number})
-        await self._patch(_event("data_event", model={"id": self._view}, data=data))
-        await asyncio.wait_for(answered, PATIENCE)
+        await self._patch(_event("said", model={"id": self._view}, data=data))
+        told: dict[str, Any] = await asyncio.wait_for(answered, PATIENCE)
+        return told
 
     def leave(self) -> None:
         if self._reader:
             self._reader.cancel()
         self._socket.close()
 
+    async def depart(self) -> None:
+        """Leave, and wait until the connection has come to its end."""
+        self.leave()
+        while await asyncio.wait_for(self._socket.read_message(), PATIENCE) is not None:
+            pass
+
     async def _start(self) -> None:
         document = (await self._send("PULL-DOC-REQ"))["doc"]
         models = {model["name"]: model["id"] for model in _models(document["roots"])}
-        self._view = models.get("panel.models.esm.ReactiveESM", "")
+        self._view = models.get("components.view.Wire", "")
         if info := models.get("panel.models.browser.BrowserInfo"):
             for name, value in ABOUT.items():
                 await self._patch({"kind": "ModelChanged", "model": {"id": info}, "attr": name, "new": value})
@@ -100,32 +120,73 @@ class Visitor:
         name = f"visitor-{self._number}"
         replied = self._expect(name)
         for part in ({"msgid": name, "msgtype": kind}, {}, content or {}):
-            await self._socket.write_message(json.dumps(part))
+            try:
+                await self._socket.write_message(json.dumps(part))
+            except WebSocketClosedError as error:
+                raise ConnectionError("the server closed the session") from error
         return await asyncio.wait_for(replied, PATIENCE)
 
     def _expect(self, name: str) -> asyncio.Future[Any]:
+        if self._ended:
+            raise ConnectionError("the server closed the session")
         self._arrived[name] = asyncio.get_running_loop().create_future()
         return self._arrived[name]
 
     async def _read(self) -> None:
-        while True:
-            header, _, content = [json.loads(await self._frame()) for _ in range(3)]
-            for _ in range(2 * header.get("num_buffers", 0)):
-                await self._frame()
-            self.traffic.patches += header["msgtype"] == "PATCH-DOC"
-            for name in (header.get("reqid", header["msgtype"]), *_answers(content)):
-                if waiting := self._arrived.pop(name, None):
-                    waiting.set_result(content)
+        try:
+            while True:
+                header, _, content = [json.loads(await self._frame()) for _ in range(3)]
+                buffers = [await self._frame() for _ in range(2 * header.get("num_buffers", 0))]
+                self.traffic.patches += header["msgtype"] == "PATCH-DOC"
+                self._take(header.get("reqid", header["msgtype"]), content)
+                for told in await self._told(content, buffers[1::2]):
+                    self._take(f"answer {told['answer']}", told)
+        except ConnectionError as closed:
+            self._ended = True
+            self._socket.close()
+            for waiting in self._arrived.values():
+                if not waiting.done():
+                    waiting.set_exception(closed)
+                    waiting.exception()  # nobody may be left who waits for it
+
+    def _take(self, name: str, content: Any) -> None:
+        waiting = self._arrived.pop(name, None)
+        if waiting and not waiting.done():
+            waiting.set_result(content)
+
+    async def _told(self, content: dict[str, Any], buffers: list[Any]) -> list[dict[str, Any]]:
+        """What a patch tells, but for its columns."""
+        told = []
+        for event in content.get("events", []):
+            values = dict(event.get("msg_data", {}).get("values", {}).get("entries", []))
+            data = values.get("data")
+            if isinstance(data, dict) and "sheet" in (packet := dict(data.get("entries", []))):
+                usual = await self._usual(packet["sheet"])
+                text = zlib.decompressobj(-15, *([usual] if usual else [])).decompress(buffers.pop(0))
+                told.append(json.loads(text.partition(b"\n")[0]))
+        return told
+
+    async def _usual(self, sheet: str) -> bytes:
+        """What messages about a scene refer to."""
+        if sheet and sheet not in USUAL:
+            text: str = json.loads(await asyncio.to_thread(_get, f"{self._url}assets/{sheet}"))["usual"]
+            USUAL[sheet] = text.encode()
+        return USUAL.get(sheet, b"")
 
     async def _frame(self) -> str | bytes:
         frame = await self._socket.read_message()
         if frame is None:
-            closed = ConnectionError("the server closed the session")
-            for waiting in self._arrived.values():
-                waiting.set_exception(closed)
-            raise closed
+            raise ConnectionError("the server closed the session")
         self.traffic.bytes += len(frame)
         return frame
+
+
+def token_in(page: str) -> str:
+    """The token that opens the page's session."""
+    token = re.search(r'"token":"([^"]+)"', page)
+    if token is None:
+        raise ConnectionError("this is not a page with a session")
+    return token[1]
 
 
 def _get(address: str) -> str:
@@ -158,12 +219,3 @@ def _models(tree: Any) -> Iterator[dict[str, Any]]:
     if isinstance(tree, list):
         for item in tree:
             yield from _models(item)
-
-
-def _answers(content: dict[str, Any]) -> Iterator[str]:
-    """The names of the slider moves that a patch answers."""
-    for event in content.get("events", []):
-        values = dict(event.get("msg_data", {}).get("values", {}).get("entries", []))
-        data = values.get("data")
-        if isinstance(data, dict) and "facts" in (parts := dict(data.get("entries", []))):
-            yield f"answer {json.loads(parts['facts']).get('answer')}"

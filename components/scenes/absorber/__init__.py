@@ -3,26 +3,31 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import param
 
+from components import chain
 from components.about import About
-from components.about_chain import absorber_about
 from components.axes import nice_axis, time_axis
 from components.controls import Group
-from components.duty import Duty
+from components.frames import FITTED, framed
 from components.motion import pace
-from components.parameters import angular_frequency, mass, not_negative, positive, stiffness
+from components.page.blocks import Block
+from components.page.state import Frame
+from components.parameters import Values, angular_frequency, mass, not_negative, one_of, positive, stiffness
 from components.scene import Picture, Scene
 from components.scenes.absorber import data, drawing
+from components.scenes.absorber.about import absorber_about
+from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.goals import goals
-from components.scenes.absorber.words import sentences
-from components.sheet import Block, column, row, words
+from components.scenes.absorber.played import signals
+from components.scenes.absorber.rest import rest_block, rest_columns
+from components.scenes.absorber.words import TASK, sentences
+from components.sheet import choice, column, row, when, words
 from components.units import Unit
 from physics.absorber import den_hartog, tuned_stiffness
-from physics.coupled import TwoMassChain
 from physics.forced import antiresonance
 from physics.sampling import periods
 
@@ -31,13 +36,20 @@ TOP = (15.0, 20.0)
 """How far the axes of swing and stroke reach, over the static deflection."""
 TURNS = 8
 """Periods of the drive that the clock plays."""
+PLAYED = {"particular": "Particular solution", "rest": "From rest"}
 
 
 class Absorber(Scene):
     slug = "absorber"
     title = "Absorber"
     lecture = "D34"
+    points = "point 9"
     headline = "A tuned mass holds the machine still; the price is two resonances"
+    spoken = {"machine": "{swing} {x_unit}", "resonances": "{slow} and {fast} rad/s"}
+    equations = (
+        "m1 x1'' = -k1 x1 - k2 (x1 - x2) - c (x1' - x2') + F_0 sin(omega t)",
+        "m2 x2'' = k2 (x1 - x2) + c (x1' - x2'); c = 0 with damping = none",
+    )
     start = "Machine"
     presets = {
         "Below": {},
@@ -49,24 +61,20 @@ class Absorber(Scene):
         Group(
             "The machine",
             (),
-            "fixed",
-            show="fixed",
+            form="fixed",
             facts=(
-                ("[m1|$m_1$]", "mass", "{m1}", "kg"),
-                ("[k|$k_1$]", "mounting", "{k1}", "kN/m"),
-                ("[F|$F_0$]", "shaking force", "{F_0}", "N"),
-                (r"[F|$\omega$]", "running speed", "{omega}", "rad/s"),
+                (r"[m1|$m_1 = \val{m1}$ kg] on [k|$k_1 = \val{k1}$ kN/m],",),
+                (r"shaken by [F|$F_0 = \val{F_0}$ N] at [F|$\omega = \val{omega}$ rad/s]",),
             ),
         ),
-        Group("Your own machine", MACHINE, show="own", dense=True),
+        Group("Your own machine", MACHINE, form="own", dense=True),
         Group(
             "Your absorber",
             ("m2", "k2", "tuning"),
-            "or drag the valley",
-            facts=((r"Mass ratio $\mu = m_2/m_1$", "{mu}"), ("Lightest that met every goal", "{lightest}")),
+            facts=((r"Mass ratio $\mu = m_2/m_1 = \val{mu}$",), ("Lightest that met every goal: {lightest}",)),
         ),
-        Group("Beyond the lecture", ("damping",)),
-        Group("", ("c",), actions=(("optimum", "Den Hartog's optimum"),), show="damped"),
+        Group("", ("damping",), "Beyond the lecture: damping", folded=True),
+        Group("", ("c",), actions=(("optimum", "Den Hartog's optimum"),), form="damped"),
     )
 
     m1 = mass(100.0, symbol="m_1", tint="m1", softbounds=(10, 1000), says="is the machine. Type any value above 0.")
@@ -113,12 +121,12 @@ class Absorber(Scene):
         softbounds=(0, 200e3),
         says="moves the valley. The machine stands still where √(k₂/m₂) is its speed.",
     )
-    tuning = param.Selector(
+    tuning = one_of(
         default="tuned",
         objects={"Keep tuned": "tuned", "Free": "free", "Detach": "detached"},
         label="Absorber spring",
     )
-    damping = param.Selector(default="none", objects={"No damping": "none", "Add damping": "added"}, label="Damping")
+    damping = one_of(default="none", objects={"No damping": "none", "Add damping": "added"}, label="Damping")
     c = not_negative(
         100.0,
         label="damping",
@@ -129,6 +137,7 @@ class Absorber(Scene):
         scale="near0",
         says="damps the motion of the masses against each other. Type any value from 0 up.",
     )
+    played = one_of(default="particular", objects=list(PLAYED), label="What is played")
     _valley = angular_frequency(48.0, symbol="ω₂", label="tuned frequency")
     _lightest = mass(None, symbol="m_2", allow_None=True)  # type: ignore[arg-type]
 
@@ -136,7 +145,19 @@ class Absorber(Scene):
     @cache
     def sheet(cls) -> Block:
         return column(
-            row(drawing.picture(), words(*sentences(), style="facts", basis=286, phone=5), grow=228, gap=26),
+            words(TASK, style="task", phone=0),
+            row(
+                drawing.picture(),
+                column(
+                    choice("played", PLAYED, "What is played", phone=4),
+                    when("formulas", words(*sentences(), style="facts", grow=1, phone=5)),
+                    when("rest", rest_block()),
+                    basis=286,
+                    grow=0,
+                ),
+                grow=228,
+                gap=26,
+            ),
             row(column(drawing.swing_plot(), drawing.stroke_plot()), goals(), grow=346, gap=26),
         )
 
@@ -144,12 +165,12 @@ class Absorber(Scene):
         kilo = Unit("kN/m", 1e3)
         return {"k1": kilo, "k2": kilo}
 
-    def action(self, name: str) -> dict[str, Any]:
+    def action(self, name: str) -> Values:
         best = den_hartog(self.m1, self.k1, self.m2)
         k2, c = (float(f"{value:.4g}") for value in (best.k2, best.c))
         return {"k2": k2, "c": c, "tuning": "free"}
 
-    def following(self, changed: frozenset[str]) -> dict[str, Any]:
+    def following(self, changed: frozenset[str]) -> Values:
         """A tuned spring follows mass and speed, the knob sets the spring, the score is of this machine."""
         k2, tuning = self.k2, self.tuning
         if "_valley" in changed:
@@ -158,7 +179,7 @@ class Absorber(Scene):
             tuning = "free"
         if tuning == "tuned":
             k2 = tuned_stiffness(self.m2, self.omega)
-        valley = antiresonance(TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=k2))
+        valley = antiresonance(replace(chain.of_scene(self), k2=k2))
         best = None if changed & set(MACHINE) else self._lightest
         if tuning != "detached" and not self._damping and all(self._duty(k2).met) and self.m2 < (best or math.inf):
             best = self.m2
@@ -168,51 +189,52 @@ class Absorber(Scene):
     def _damping(self) -> float:
         return self.c if self.damping == "added" else 0.0
 
-    def _range_sliders(self, own: float) -> None:
+    def _spans(self, own: float) -> dict[str, tuple[float, float]]:
         """Sliders span what is of interest on a machine of this size."""
-        spans = {
+        return {
             "m2": (max(0.01 * self.m1, 5e-324), self.m1),
             "k2": (0.0, 0.8 * self.k1),
             "c": (0.0, 0.4 * math.sqrt(self.k1) * math.sqrt(self.m1)),
             "omega": (0.2 * own, min(2.0 * own, 1e308)),
         }
-        for name, span in spans.items():
-            self.param[name].softbounds = span
 
     def _duty(self, k2: float, c: float = 0.0) -> Duty:
-        return Duty(m1=self.m1, k1=self.k1, F_0=self.F_0, omega=self.omega, m2=self.m2, k2=k2, c=c)
+        values = {"m1": self.m1, "k1": self.k1, "F_0": self.F_0, "omega": self.omega, "m2": self.m2}
+        return Duty(**values, k2=k2, c=c, from_rest=self.played == "rest")
 
     @property
     def _shown_duty(self) -> Duty:
         return self._duty(0.0, 0.0) if self.tuning == "detached" else self._duty(self.k2, self._damping)
 
-    def picture(self) -> Picture:
+    def picture(self, frame: Frame = FITTED) -> Picture:
         duty = self._shown_duty
-        end = self.window or periods(self.omega, TURNS)
+        own_window = self.window or periods(self.omega, TURNS)
+        end = frame.window or own_window
         low, high = min(0.4 * duty.own, 0.7 * self.omega), max(1.6 * duty.own, 1.3 * self.omega)
         swing, stroke = (drawing.size_axis(duty.deflections(top)) for top in TOP)
-        axes = {
-            "t": time_axis(end),
-            "w": nice_axis(low, high, "rad/s", 6, exact=True),
-            "X1": swing,
-            "X2": stroke,
-        }
+        marked = min(duty.own, self.omega), max(duty.own, self.omega)
+        frequency = replace(nice_axis(low, high, "rad/s", 3, exact=True), drawn=marked)
+        axes = framed(frame, {"t": time_axis(own_window), "w": frequency, "X1": swing, "X2": stroke})
+        swing = axes["X1"]
         push = nice_axis(0.0, self.F_0, "N")
-        self._range_sliders(duty.own)
         columns, seen = data.columns(duty, axes)
+        rest, own = rest_columns(duty, end, swing) if duty.from_rest else ({}, swing)
+        axes |= framed(frame, {"rest": own})
         drawn, tick = data.drawn(duty, end, swing)
-        fastest = max(self.omega, float(duty.driven.free.omega[1])) if not duty.steady else self.omega
+        fastest = max(self.omega, float(duty.driven.free.omega[1])) if not duty.plays else self.omega
         return Picture(
-            columns=columns,
+            columns=columns | {"rest": rest},
             axes=axes,
-            signals=data.signals(duty, swing, axes["t"], push),
-            scalars={**drawn, **data.marks(duty, axes), **seen, **pace(self.omega, fastest)},
+            signals=signals(duty, end, swing, axes["t"], push),
+            scalars={**drawn, **data.marks(duty, axes), **seen},
+            pace=pace(self.omega, fastest),
             values={**data.values(duty, axes, push, self.m2, self._lightest), "tick": tick},
             live={
                 **{name: swing.digits(signed=True) for name in ("x_alone", "x1", "x2")},
                 **{name: push.digits(signed=True) for name in ("drive_now", "pull_now")},
             },
             forms=data.forms(duty, own=self.own, damped=self.damping == "added"),
+            spans=self._spans(duty.own),
         )
 
     def about(self) -> About:

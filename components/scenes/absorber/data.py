@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from components.axes import Axis
-from components.chain import wire
-from components.duty import AWAY, Duty
-from components.motion import responses, round_down, sines
+from components.motion import round_down
 from components.numbers import short, three
-from components.scene import Columns
-from physics.absorber import damped_amplitude, den_hartog, fixed_points
-from physics.exact import exact, precise, rounded
-from physics.forced import DrivenModes
-
-Floats = NDArray[np.float64]
+from components.scenes.absorber.duty import AWAY, Duty
+from components.scenes.absorber.played import pull
+from components.scenes.absorber.rest import length, rest_texts
+from components.scenes.absorber.words import VERDICTS
+from components.stage import wire
+from components.traces import Columns, Floats
+from physics.absorber import damped_amplitude, den_hartog, fixed_points, highest_peak, swing_and_stroke
 
 LARGEST, SMALLEST, HOOK = 0.265, 0.045, 0.058
 """Sides of the masses, and the height of the springs, as fractions of the stage's height."""
@@ -48,9 +45,8 @@ def columns(duty: Duty, axes: dict[str, Axis]) -> tuple[dict[str, Columns], dict
     if duty.band is not None:
         inside = (w >= duty.band[0]) & (w <= duty.band[1])
         sources["helped"] = {"w": w[inside], "helped_lo": swing[inside], "helped_hi": alone[inside]}
-        labels |= _help_label(duty, axes, w, swing, alone)
     if duty.c:
-        free = damped_amplitude(duty.chain, 0.0, duty.F_0, w)
+        free = swing_and_stroke(duty.chain, 0.0, duty.F_0, w)
         sources["compare"] = {
             "w": w,
             "free": np.minimum(free[0], caps[0]),
@@ -69,69 +65,16 @@ def _labels(axes: dict[str, Axis], poles: list[float], w: Floats, swing: Floats,
     return {"aside": axes["w"].place(x), **heights}
 
 
-def _help_label(duty: Duty, axes: dict[str, Axis], w: Floats, swing: Floats, alone: Floats) -> dict[str, float]:
-    """In the wider half of the band, half-way up, where there is room."""
-    edges = [min(max(edge, axes["w"].start), axes["w"].end) for edge in duty.band or ()]
-    x = (duty.omega + max(edges, key=lambda edge: abs(edge - duty.omega))) / 2
-    top = axes["X1"].end
-    low, high = (min(float(curve[np.argmin(np.abs(w - x))]), top / 2) for curve in (swing, alone))
-    return {
-        "help_x": axes["w"].place(x),
-        "help_y": axes["X1"].place(low + 0.6 * (high - low)),
-        "help_seen": float(
-            not duty.c and high - low > top / 8 and edges[1] - edges[0] > 0.1 * (axes["w"].end - axes["w"].start)
-        ),
-    }
-
-
-def signals(duty: Duty, size: Axis, time: Axis, push: Axis) -> dict[str, Any]:
-    """The machine alone and with the absorber: steady, or from rest where no steady swing exists."""
-    drive = (1.0, duty.omega, 0.0)
-    unit = Axis(0.0, 1.0)
-    moving: dict[str, Any] = {
-        "drive": sines(unit, time, drive),
-        "drive_now": sines(push, time, (duty.F_0, duty.omega, 0.0)),
-    }
-    if duty.bare.split_is_meaningful:
-        moving["x_alone"] = sines(size, time, (float(duty.bare.particular[0]), duty.omega, 0.0))
-    else:
-        moving["x_alone"] = _from_rest(duty.bare, 0, size, time)
-    if duty.steady:
-        for i, X in enumerate(duty.X):
-            moving[f"x{i + 1}"] = sines(size, time, (abs(X), duty.omega, float(np.angle(X))))
-        X2 = complex(duty.X[1])
-        moving["pull_now"] = sines(push, time, (_pull(duty), duty.omega, float(np.angle(X2))))
-    else:
-        for i in (0, 1):
-            moving[f"x{i + 1}"] = _from_rest(duty.driven, i, size, time)
-        with precise():
-            k2 = rounded("the pull of spring 2", exact(duty.k2).scaleb(size.exponent - push.exponent))
-        moving["pull_now"] = {"polynomial": [[k2, "x2"], [-k2, "x1"]]}
-    moving["pull"] = {"polynomial": [[1 / push.place(duty.F_0), "pull_now"]]}
-    return moving
-
-
-def _from_rest(driven: DrivenModes, i: int, size: Axis, time: Axis) -> dict[str, Any]:
-    terms = zip(driven.coupling[:, i].tolist(), driven.free.omega.tolist(), strict=True)
-    return responses(size, time, *((driven.F_0, c, driven.omega, omega_n) for c, omega_n in terms if c))
-
-
-def _pull(duty: Duty) -> float:
-    """The amplitude of the force of spring and damper, which is what mass 2 needs: m2 omega^2 |X2|."""
-    with precise():
-        return rounded("the pull of spring 2", exact(duty.m2) * exact(duty.omega) ** 2 * exact(duty.swings[1]))
-
-
 def _reach(duty: Duty, end: float) -> tuple[float, float, float]:
     """The largest ways of mass 1 (alone too), of mass 2 against it, of mass 2, over the static deflection."""
     t = np.linspace(0.0, end, 400)
     swing, stroke, alone = duty.swings
-    if not duty.bare.split_is_meaningful:
+    if not duty.plays_alone:
         alone = float(np.abs(duty.bare.motion(t).x[0]).max())
-    if duty.steady:
-        ways = max(swing, alone), abs(complex(duty.X[1]) - complex(duty.X[0])), stroke
+    if duty.plays:
+        ways = max(swing, alone), stroke, abs(complex(duty.X[1]))
     else:
-        motion = duty.driven.motion(t)
+        motion = duty.from_rest_at(t)
         one, two, stretch = (float(np.abs(part).max()) for part in (*motion.x, motion.e[1]))
         ways = max(one, alone), stretch, two
     return duty.over_deflection(ways[0]), duty.over_deflection(ways[1]), duty.over_deflection(ways[2])
@@ -148,8 +91,8 @@ def drawn(duty: Duty, end: float, size: Axis) -> tuple[dict[str, float], str]:
     scale = DEFLECTION * (1.0 if fits >= 1 else round_down(fits))
     metre = scale / size.place(duty.deflections(1.0))
     tick = round_down(DEFLECTION * 10 / metre)
-    way = scale * (duty.over_deflection(duty.swings[0]) if duty.steady else reach[0])
-    pull = _pull(duty) if duty.steady else duty.k2 * reach[1] / duty.k1 * duty.F_0
+    way = scale * (duty.over_deflection(duty.swings[0]) if duty.plays else reach[0])
+    strength = pull(duty) if duty.plays else duty.k2 * reach[1] / duty.k1 * duty.F_0
     sides = [max(LARGEST * math.sqrt(m / whole), SMALLEST) for m in (duty.m1, duty.m2)]
     scalars = {
         "side1": sides[0],
@@ -158,20 +101,32 @@ def drawn(duty: Duty, end: float, size: Axis) -> tuple[dict[str, float], str]:
         "wire1": wire(duty.k1 / 1e4),
         "wire2": wire(duty.k2 / 1e4),
         "metre": metre,
-        "push": PUSH * min(1.0, 2 * duty.F_0 / pull) if pull else PUSH,
+        "push": PUSH * min(1.0, 2 * duty.F_0 / strength) if strength else PUSH,
         # Beside the tips of the arrows, wherever the machine swings to.
         "lead_x_alone": min(scale * reach[0], LEAD),
         "lead_x1": min(way, LEAD),
         "tag_left": max(0.234 - way, 0.19),
         "tag_right": min(0.486 + way, 0.535),
         "tick": tick * metre,
-        "alone_steady": float(duty.bare.split_is_meaningful),
-        "alone_grows": float(not duty.bare.split_is_meaningful),
-        **{f"is_{name}": float(name == duty.verdict) for name in ("still", "less", "more", "grow", "detached")},
+        **_seen(duty),
+    }
+    return scalars, f"{short(tick)} {size.full_unit}"
+
+
+def _seen(duty: Duty) -> dict[str, float]:
+    """1 for what is drawn and 0 for what is not: the machine alone, the verdict, the limits that are met."""
+    alone = duty.bare
+    verdict = "rest" if duty.from_rest and duty.solved else duty.verdict
+    return {
+        "differ": float(duty.plays != duty.plays_alone),
+        "alone_shakes": float(duty.plays_alone),
+        "alone_grows": float(alone.at_resonance),
+        "alone_beats": float(not alone.split_is_meaningful and not alone.at_resonance),
+        "alone_within": float(duty.from_rest and alone.split_is_meaningful),
+        **{f"is_{name}": float(name == verdict) for name in VERDICTS},
         **{f"met{i}": float(met) for i, met in enumerate(duty.met)},
         **{f"open{i}": float(not met) for i, met in enumerate(duty.met)},
     }
-    return scalars, f"{short(tick)} {size.full_unit}"
 
 
 def marks(duty: Duty, axes: dict[str, Axis]) -> dict[str, float]:
@@ -183,11 +138,10 @@ def marks(duty: Duty, axes: dict[str, Axis]) -> dict[str, float]:
         "slow": slow,
         "omega": duty.omega,
         "fast": fast,
-        "own": duty.own,
     }
     places |= {"away_low": (1 - AWAY) * duty.omega, "away_high": (1 + AWAY) * duty.omega}
     scalars = {name: w.place(min(x, 4 * w.end)) for name, x in places.items()}
-    scalars |= {f"{name}_seen": float(w.start <= places[name] <= w.end) for name in ("slow", "omega", "fast", "own")}
+    scalars |= {f"{name}_seen": float(w.start <= places[name] <= w.end) for name in ("slow", "omega", "fast")}
     scalars |= {"limit1": X1.place(duty.limits[0]), "limit2": X2.place(duty.limits[1])}
     for name, axis, x in (("alone", X1, alone), ("swing", X1, swing), ("stroke", X2, stroke)):
         scalars |= {name: axis.place(min(x, axis.end)), f"{name}_seen": float(x <= axis.end)}
@@ -219,12 +173,13 @@ def values(duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: f
         "m1": three(duty.m1), "k1": three(duty.k1 / 1e3), "F_0": three(duty.F_0), "omega": three(duty.omega),
         "slow": three(slow), "fast": three(fast), "mu": three(m2 / duty.m1),
         "lightest": f"{_score(lightest)} kg" if lightest else "none yet",
-        "Xp1": _text(X1, Xp1), "Xp2": _text(X2, Xp2), "swing": _text(X1, swing), "stroke": _text(X2, stroke),
-        "alone": _text(X1, alone), "x_unit": X1.full_unit, "F_unit": push.full_unit,
+        "Xp1": length(X1, Xp1), "Xp2": length(X2, Xp2), "swing": length(X1, swing), "stroke": length(X2, stroke),
+        "alone": length(X1, alone), "x_unit": X1.full_unit, "F_unit": push.full_unit,
         "push": f"{push.number(duty.F_0)} {push.full_unit}",
-        "pull": push.number(_pull(duty)) if duty.steady else "",
+        "pull": push.number(pull(duty)) if duty.solved else "",
         "link": "pull" if duty.c else "spring 2",
-        "height": _text(X1, best),
+        "height": length(X1, best),
+        "over_height": _over_height(duty) if duty.c else "",
         "help_low": three(band[0]), "help_high": three(band[1]),
     }  # fmt: skip
     texts |= {f"goal{i}": text for i, text in enumerate((
@@ -234,9 +189,24 @@ def values(duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: f
     ))}  # fmt: skip
     near = f"{('ω₋', 'ω₊')[j]} {three(float((slow, fast)[j]))} rad/s"
     texts["found0"] = f"nearest is {_percent(share)} % away: {near}"
-    texts["found1"] = f"{_grows(X1, swing)}; alone {_grows(X1, alone).removeprefix('swings ')}"
-    texts["found2"] = f"F₀/k₂ = {texts['stroke']} {X2.full_unit}" if duty.verdict == "still" else _grows(X2, stroke)
-    return texts
+    told = not duty.c or duty.from_rest
+    within = duty.bounds if told else (0.0, 0.0)
+    texts["found1"], texts["found2"] = (
+        _found(axis, way, bound, told) for axis, way, bound in zip((X1, X2), (swing, stroke), within, strict=True)
+    )
+    played = "particular solution", "from rest"
+    texts |= {"judged": played[not duty.plays], "judged_alone": played[not duty.plays_alone]}
+    return texts | rest_texts(duty, X1)
+
+
+def _over_height(duty: Duty) -> str:
+    """By how much the peak at Den Hartog's optimum is above the fixed points, in percent."""
+    mu = min(duty.m2 / duty.m1, 1e6)
+    if mu < 1e-3:
+        return "less than 0.01 %"
+    best = den_hartog(1.0, 1.0, mu)
+    peak = highest_peak(mu, 1 / (1 + mu), best.c / (2 * mu))
+    return f"{100 * (peak / best.height - 1):.2g} %"
 
 
 def _score(mass: float) -> str:
@@ -244,16 +214,14 @@ def _score(mass: float) -> str:
     return f"{mass:.4g}" if 0.1 <= mass < 1e4 else three(mass)
 
 
-def _text(axis: Axis, value: float) -> str:
-    """Three digits; what is below 5 µm, or is what rounding leaves of nothing, is zero."""
-    least = 0.005 if axis.unit == "mm" else 1e-9 * axis.place(axis.end)
-    with precise():
-        place = exact(value).scaleb(-axis.exponent)
-    return three(place) if abs(place) >= least else "0.00"
-
-
-def _grows(axis: Axis, value: float) -> str:
-    return f"swings {_text(axis, value)} {axis.full_unit}" if math.isfinite(value) else "swings without limit"
+def _found(axis: Axis, swing: float, within: float, told: bool) -> str:
+    """What a goal finds: in the particular solution, by which it is judged, and from rest."""
+    if not math.isfinite(swing):
+        return "no xₚ here: it grows without limit"
+    found = f"xₚ: {length(axis, swing)} {axis.full_unit}"
+    if not told:
+        return found
+    return f"{found}; from rest within {length(axis, within)} {axis.full_unit}"
 
 
 def _percent(share: float) -> str:
@@ -274,6 +242,8 @@ def forms(duty: Duty, *, own: bool, damped: bool) -> dict[str, str]:
         "first": kind,
         "second": "still" if verdict == "still" else kind if kind != "none" else "",
         "why": "damped" if duty.c else verdict,
+        "why_rest": "damped" if duty.c else duty.unsolved if not duty.solved else "parts" if duty.k2 else "alone",
+        "rest" if duty.from_rest else "formulas": "shown",
         "helped": band,
         "free": "undamped" if duty.c else "",
         "optimum": "shown" if duty.c else "",

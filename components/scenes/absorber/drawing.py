@@ -2,25 +2,19 @@
 
 from __future__ import annotations
 
+import dataclasses
+
+from msgspec.structs import replace
+
 from components.axes import Axis, nice_axis, nice_ticks
-from components.plots import Band, Curve, plot
+from components.page.blocks import Block
+from components.page.numbers import Number, var
+from components.page.plots import Handle, Mark
+from components.plots import Room, curve, plot, region
 from components.scenes.absorber.goals import frequencies
 from components.scenes.absorber.words import HELPED, VERDICTS
-from components.sheet import Block, phrase, stage
-from components.stage import (
-    H,
-    Number,
-    Shape,
-    W,
-    arrow,
-    block,
-    circle,
-    line,
-    spring,
-    text,
-    var,
-    wall,
-)
+from components.sheet import phrase, stage
+from components.stage import H, Shape, W, arrow, box, circle, line, spring, text, wall
 
 WALL, REST = 0.024, (0.36, 0.687)
 """Where the wall and the masses at rest stand, as fractions of the stage's width."""
@@ -31,9 +25,11 @@ TEETH = 190 * var("hook")
 
 def size_axis(top: float) -> Axis:
     """An axis of amplitudes from 0 to `top` metres, in millimetres where that is what people say."""
-    if not 1e-4 <= top < 1:
-        return nice_axis(0.0, top, "m", exact=True)
-    return Axis(0.0, top, "mm", -3, ticks=nice_ticks(0.0, 1e3 * top, 3))
+    if 1e-4 <= top < 1:
+        axis = Axis(0.0, top, "mm", -3, ticks=nice_ticks(0.0, 1e3 * top, 2))
+    else:
+        axis = nice_axis(0.0, top, "m", exact=True)
+    return dataclasses.replace(axis, drawn=(0.0, top / 2))
 
 
 def side(mass: int) -> Number:
@@ -88,7 +84,7 @@ def _alone() -> list[Shape]:
     top, middle = floor - side(1), floor - 0.5 * side(1)
     return [
         spring(WALL * W, _hook(floor), x - 0.5 * side(1), _hook(floor), 1.75, height=TEETH, style="faint"),
-        block(x, floor, side(1), tint="m1", style="ghost"),
+        box(x, floor, side(1), tint="m1", style="ghost"),
         arrow(x, middle, x + var("push") * W * var("drive"), middle, tint="F", style="thick", head=16),
         circle(x, middle, 5, tint="F"),
         *_displacement(1, "x_alone", top - 13, top),
@@ -123,8 +119,8 @@ def _both() -> list[Shape]:
             height=TEETH,
             show="wire2",
         ),
-        block(x1, foot, side(1), "m_1", tint="m1", corner=1),
-        block(x2, foot, side(2), "m_2", tint="m2"),
+        box(x1, foot, side(1), "*m*_1", tint="m1", corner=True),
+        box(x2, foot, side(2), "*m*_2", tint="m2"),
         *_displacement(1, "x1", lift, foot - side(1)),
         *_displacement(2, "x2", lift, foot - side(2)),
     ]
@@ -163,21 +159,25 @@ def _verdicts() -> list[Shape]:
     above, below = FLOORS[0] - 0.5 * side(1) + 6, FLOORS[1] - side(1) - 23
     above, below = above - var("narrow") * (0.5 * side(1) + 13), below + var("narrow") * (side(1) + 59)
     shapes = [
-        text(W, above, "Alone, the machine shakes", "end", style="verdict b halo", show="alone_steady"),
-        text(W, above, "Alone, it shakes without end", "end", style="verdict b halo", show="alone_grows"),
+        text(W, above, "Alone, the machine shakes", "end", style="verdict b halo", show="alone_shakes"),
+        text(W, above, "Alone, it grows without limit", "end", style="verdict b halo", show="alone_grows"),
+        text(W, above, "Alone, it beats, slowly", "end", style="verdict b halo", show="alone_beats"),
+        text(W, above, "Alone, within {rest_alone} {x_unit}", "end", style="verdict b halo", show="alone_within"),
+        text(W, above - 19, "{judged_alone}", "end", tint="mute", style="t0 halo", show="wide"),
+        text(W, below - 19, "{judged}", "end", tint="mute", style="t0 halo", show="wide differ"),
     ]
     return shapes + [
         text(W, below, words, "end", style="verdict b halo", show=f"is_{name}") for name, words in VERDICTS.items()
     ]
 
 
-KNOB = {
-    "parameter": "_valley",
-    "symbol": "√(k₂/m₂)",
-    "label": "Frequency to which the absorber is tuned",
-    "tint": "m2",
-    "covering": "rad/s",
-}
+KNOB = Handle(
+    parameter="_valley",
+    symbol="√(k₂/m₂)",
+    label="Frequency to which the absorber is tuned",
+    tint="m2",
+    covering="rad/s",
+)
 
 
 def swing_plot() -> Block:
@@ -187,13 +187,12 @@ def swing_plot() -> Block:
         x="w",
         y="X1",
         title="Swing of the machine against drive frequency, with the absorber and alone",
-        source="sweep",
         x_column="w",
-        bands=(Band(low="helped_lo", high="helped_hi", source="helped", tint="k2fill", group="helped"),),
+        bands=(region(low="helped_lo", high="helped_hi", source="helped", tint="k2fill", group="helped"),),
         curves=(
-            Curve(name="alone", source="sweep", tint="m1", width="dash", read="alone"),
-            Curve(name="free", source="compare", tint="m1", width="dots"),
-            Curve(name="swing", source="sweep", tint="m1", width="sum", read="with absorber"),
+            curve("alone", source="sweep", tint="m1", width="dash", read="alone"),
+            curve("free", source="compare", tint="m1", width="dots"),
+            curve("swing", source="sweep", tint="m1", width="sum", read="with absorber"),
         ),
         heading=(
             phrase("swing", "sum", "m1", words="machine, with the absorber"),
@@ -202,12 +201,9 @@ def swing_plot() -> Block:
             phrase("helped", "band", "k2fill", **HELPED),
         ),
         x_labels=False,
-        margin=(52, 8),
-        top=42,
-        handles=({**KNOB, "bare": True},),
-        marks=tuple(
-            {"at": at, "tint": tint, "html": html, "lift": 35, "flag": "one"} for at, tint, html in frequencies()
-        ),
+        room=Room(52, 8, top=42),
+        handles=(replace(KNOB, bare=True),),
+        marks=tuple(Mark(at=at, tint=tint, html=html, lift=35, flag="one") for at, tint, html in frequencies()),
         grow=160,
         phone=10,
         height=200,
@@ -215,21 +211,20 @@ def swing_plot() -> Block:
 
 
 def stroke_plot() -> Block:
-    """The absorber's stroke, and the knob that drags the valley under the machine's speed."""
+    """The absorber's stroke |X2 - X1|, and the knob that drags the valley under the machine's speed."""
     return plot(
         "stroke",
         x="w",
         y="X2",
         title="Stroke of the absorber against drive frequency",
-        source="sweep",
         x_column="w",
         curves=(
-            Curve(name="stroke", source="sweep", tint="m2", width="sum", read="stroke"),
-            Curve(name="free2", source="compare", tint="m2", width="dots", group="free"),
+            curve("stroke", source="sweep", tint="m2", width="sum", read="stroke"),
+            curve("free2", source="compare", tint="m2", width="dots", group="free"),
         ),
         heading=(phrase("stroke", "sum", "m2", words="stroke of the absorber"),),
-        margin=(52, 8),
-        marks=tuple({"at": at, "tint": tint} for at, tint, _ in frequencies()),
+        room=Room(52, 8),
+        marks=tuple(Mark(at=at, tint=tint) for at, tint, _ in frequencies()),
         handles=(KNOB,),
         grow=92,
         phone=11,

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from components.equations import rich
-from components.sheet import Block, stage
-from components.stage import Number, Shape, circle, line, on_x, on_y, path, text, var
+from components.page.blocks import Block
+from components.page.numbers import Number, var
+from components.sheet import stage
+from components.stage import Shape, circle, line, on_x, on_y, path, text
+from components.text import rich
 
 TICK, CROSS = "M-3.5 .5l2.6 2.6 5-5.600", "M-2.800 -2.800l5.600 5.600M2.800 -2.800l-5.600 5.600"
 MARKS = (("slow", r"$\omega_-$ {slow}"), ("F", r"$\omega$ {omega}"), ("fast", r"$\omega_+$ {fast}"))
@@ -26,8 +28,7 @@ def goals() -> Block:
         shapes += [circle(9, y, 8, style="hollow", show=f"open{i}"), path(CROSS, 9, y, show=f"open{i}")]
         shapes.append(text(26, y + 5, f"{{goal{i}}}", "start", style="t2 b"))
         shapes.append(text(26, y + 23, f"{{found{i}}}", "start", tint="mute", style="t0"))
-    board = stage(*shapes, label="The goals, met or not", grow=0, basis=286, phone=12, height=150)
-    return {**board, "style": "still"}
+    return stage(*shapes, label="The goals, met or not", grow=0, basis=286, phone=12, height=150, style="still")
 
 
 def _limits() -> tuple[Number, Number, Number]:
@@ -59,12 +60,10 @@ def _readings() -> list[Shape]:
 
 def _names() -> list[Shape]:
     """The names of the curves and of the helped band, and the fixed points."""
-    own, aside, helped = (on_x("swing", var(name)) for name in ("own", "aside", "help_x"))
+    aside = on_x("swing", var("aside"))
     shapes = [
-        text(own + 46, var("swing.top") + 15, "alone", tint="m1", style="t1 b halo", show="own_seen"),
         text(aside, on_y("swing", var("aside1")) - 14, "|*X*_{p1}|", tint="m1", style="t2 b"),
-        text(aside, on_y("stroke", var("aside2")) - 14, "|*X*_{p2}|", tint="m2", style="t2 b"),
-        text(helped, on_y("swing", var("help_y")) + 5, "helped", style="t0", show="help_seen"),
+        text(aside, on_y("stroke", var("aside2")) - 14, "|*X*_{p2} − *X*_{p1}|", tint="m2", style="t2 b halo"),
     ]
     for name in ("P", "Q"):
         x, y = on_x("swing", var(f"{name}_x")), on_y("swing", var(f"{name}_y"))

@@ -1,22 +1,29 @@
-"""The plots and lists of the accuracy scene. A method has no hue: solid chooses its steps, dashed has fixed steps."""
+"""Error against run time, its growth, and the picked run, as plots.
+
+A method has no hue: solid chooses its steps, dashed has fixed steps. Dots are measured here; lines alone, recorded.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from components.axes import Axis
-from components.plots import Curve, plot
-from components.scene import Columns
-from components.scenes.accuracy.data import REACH, TOP, stability
-from components.sheet import Block, phrase, table
-from components.stage import circle, on_x, on_y, text, var
-from physics.integrators import FIXED_STEP
+from components.page.blocks import Block
+from components.page.numbers import var
+from components.page.plots import Curve, Handle, Mark
+from components.page.shapes import AnyShape
+from components.plots import Room, curve, plot
+from components.scenes.accuracy.data import ALONE, BEHIND, MORE
+from components.scenes.accuracy.measuring import LIVE
+from components.sheet import phrase
+from components.stage import circle, on_x, on_y, text
+from components.traces import Columns
 from physics.solvers import METHODS
 
-ROWS, STOPPED = len(METHODS), 8
 LOOK: dict[str, dict[str, str]] = {
     "closed": {"tint": "ink", "width": "none", "marker": "disc"},
+    "exact": {"tint": "mute", "width": "none", "marker": "ring"},
     "fixed": {"tint": "mute", "width": "dash", "marker": "ring"},
     "adaptive": {"tint": "ink", "width": "line", "marker": "disc"},
 }
@@ -24,20 +31,57 @@ KEYS = (
     phrase("adaptive", "line", "ink", formula="chooses its steps"),
     phrase("fixed", "dash", "mute", formula="fixed steps"),
     phrase("closed", "none", "ink", formula="● no steps"),
+    phrase(MORE, "line", "mute", formula=f"{len(METHODS) - len(LIVE)} more"),
 )
 
 
 def work_plot() -> Block:
     """Error against run time; the pill on the error axis is the error that is good enough."""
-    curves = tuple(
-        Curve(name="error", source=slug, x="time", group=method.family, **LOOK[method.family])
-        for slug, method in METHODS.items()
+    return plot(
+        "work",
+        x="time",
+        y="error",
+        title="Error of the motion against run time, one line a method",
+        curves=(*_recorded(), *_front()),
+        x_column="time",
+        heading=(phrase("", "none", "ink", formula="**Error against run time**"), *KEYS),
+        handles=(Handle(parameter="wanted", label="Error that is good enough", tint="mute", axis="y"),),
+        marks=(
+            Mark(at="wanted_at", label="good enough", axis="y"),
+            Mark(at="rounding_at", tint="mute", label="one rounding", axis="y", style="dashed"),
+            Mark(at="limit_at", tint="mute", label="time limit", style="dashed"),
+        ),
+        shapes=(*_names(), *_meanings(), _ring()),
+        pick="picked",
+        room=Room(54, 12),
+        phone=10,
+        height=420,
     )
-    names = tuple(
+
+
+def _front() -> Iterable[Curve]:
+    return (
+        curve("error", source=slug, x="time", group=METHODS[slug].family, **LOOK[METHODS[slug].family]) for slug in LIVE
+    )
+
+
+def _recorded() -> Iterable[Curve]:
+    """Of the methods that can be measured here as strong as these, until they are."""
+    for slug, method in METHODS.items():
+        look, group = LOOK[method.family], method.family if slug in LIVE else MORE
+        thin = "none" if look["width"] == "none" else "thin"
+        strong = look["width"] if slug in LIVE else thin
+        for source, width, tint in ((BEHIND + slug, thin, "mute"), (ALONE + slug, strong, look["tint"])):
+            marker = "ring" if width == "none" else ""
+            yield curve("error", source=source, x="time", group=group, tint=tint, width=width, marker=marker)
+
+
+def _names() -> Iterable[AnyShape]:
+    return (
         text(
             on_x("work", var(f"{slug}_at")) + aside,
             on_y("work", var(f"{slug}_error")) + var(f"{slug}_shift"),
-            method.name,
+            method.mark,
             anchor=anchor,
             tint=LOOK[method.family]["tint"],
             style="halo",
@@ -46,94 +90,78 @@ def work_plot() -> Block:
         for slug, method in METHODS.items()
         for anchor, aside in (("start", 9), ("end", -9))
     )
-    ring = circle(
-        on_x("work", var("picked_at")), on_y("work", var("picked_error")), 9, tint="ink", style="pick", show="picked"
-    )
-    return plot(
-        "work",
-        x="time",
-        y="error",
-        title="Error of the motion against run time, one line a method",
-        curves=curves,
-        source=next(iter(METHODS)),
-        x_column="time",
-        heading=(phrase("", "none", "ink", formula="**Error of the motion, against run time**"), *KEYS),
-        handles=(
-            {"parameter": "wanted", "symbol": "", "label": "Error that is good enough", "tint": "mute", "axis": "y"},
-        ),
-        marks=(
-            {"at": "wanted_at", "tint": "ink", "html": "", "label": "good enough", "axis": "y"},
-            {"at": "rounding_at", "tint": "mute", "html": "", "label": "one rounding", "axis": "y", "style": "dashed"},
-            {"at": "limit_at", "tint": "mute", "html": "", "label": "time limit", "style": "dashed"},
-        ),
-        shapes=(*names, ring),
-        pick="picked",
-        margin=(54, 12),
-        phone=10,
-        height=420,
+
+
+def _meanings() -> Iterable[AnyShape]:
+    """What the two dashed lines are, and what to do where nothing has been measured."""
+    limit, rounding = on_x("work", var("limit_at")) - 6, on_y("work", var("rounding_at"))
+    told: dict[str, Any] = {"anchor": "end", "tint": "mute", "style": "t1 halo"}
+    x, y = (var("work.left") + var("work.right")) / 2, (var("work.top") + var("work.bottom")) / 2
+    return (
+        text(limit, rounding - 6, "one rounding of a double, 1.1·10⁻¹⁶", **told),
+        text(limit, var("work.top") + 14, "a run is stopped at {limit}", **told),
+        text(x, y, "Press Run: eight methods on this motion, within a minute.", style="halo", show="empty"),
     )
 
 
-DECADE = (105.0, 27.0)
-"""About how many pixels a power of ten takes on the time axis and on the error axis."""
-LETTER, LINE = 7.5, 15.0
+def _ring() -> AnyShape:
+    x, y = on_x("work", var("picked_at")), on_y("work", var("picked_error"))
+    return circle(x, y, 9, tint="ink", style="pick", show="picked")
+
+
+FRAME = (490.0, 475.0)
+"""About how many pixels the frame of the plot is wide and high."""
+LETTER, LINE, WORDS = 7.5, 15.0, 230.0
 PLACES = tuple((side, 5.0 + LINE * step) for step in (0, 1, -1, 2, -2, 3) for side in ("start", "end"))
-Box = tuple[float, float, float, float]
+Rectangle = tuple[float, float, float, float]
 
 
-def name_places(curves: dict[str, Columns], time: Axis, error: Axis) -> dict[str, float]:
-    """Where the name of each method stands: at the end of its line, off all points and off the other names."""
+def name_places(curves: dict[str, Columns], time: Axis, error: Axis, limit: float) -> dict[str, float]:
+    """Where the name of each method stands: at the end of its line, off points, words and other names if it can."""
+    across = FRAME[0] / (time.place(time.end) - time.place(time.start))
+    down = FRAME[1] / (error.place(error.end) - error.place(error.start))
     ends = {
-        slug: [
-            (time.place(t) * DECADE[0], -error.place(e) * DECADE[1]) for t, e in zip(c["time"], c["error"], strict=True)
-        ]
+        slug: [(time.place(t) * across, -error.place(e) * down) for t, e in zip(c["time"], c["error"], strict=True)]
         for slug, c in curves.items()
     }
-    taken: list[Box] = [(x - 4, y - 4, x + 4, y + 4) for points in ends.values() for x, y in points]
-    left, right = time.place(time.start) * DECADE[0], time.place(time.end) * DECADE[0]
+    taken: list[Rectangle] = [(x - 4, y - 4, x + 4, y + 4) for points in ends.values() for x, y in points]
+    end, line = time.place(limit) * across, -error.place(2.0**-53) * down
+    taken.append((end - WORDS, line - 18, end, line + 2))
+    left, right = time.place(time.start) * across, time.place(time.end) * across
     scalars: dict[str, float] = {}
     for slug, points in ends.items():
         if not points:
             continue
         x, y = points[-1]
-        boxes = {(side, dy): _box(x, y, side, dy, METHODS[slug].name) for side, dy in PLACES}
-        free = (
-            place
-            for place, box in boxes.items()
-            if left < box[0] and box[2] < right and not any(map(box_meets(box), taken))
-        )
-        side, dy = next(free, PLACES[0])
+        boxes = {place: _box(x, y, *place, METHODS[slug].mark) for place in PLACES}
+        inside = [place for place, box in boxes.items() if left < box[0] and box[2] < right]
+        side, dy = min(inside or PLACES, key=lambda place: sum(map(box_meets(boxes[place]), taken)))
         taken.append(boxes[side, dy])
-        scalars |= {
-            f"{slug}_at": x / DECADE[0],
-            f"{slug}_error": -y / DECADE[1],
-            f"{slug}_{side}": 1.0,
-            f"{slug}_shift": dy,
-        }
+        scalars |= {f"{slug}_at": x / across, f"{slug}_error": -y / down, f"{slug}_{side}": 1.0, f"{slug}_shift": dy}
     return scalars
 
 
-def _box(x: float, y: float, side: str, dy: float, name: str) -> Box:
+def _box(x: float, y: float, side: str, dy: float, name: str) -> Rectangle:
     start = x + 9 if side == "start" else x - 9 - LETTER * len(name)
     return start, y + dy - 12, start + LETTER * len(name), y + dy + 3
 
 
-def box_meets(one: Box) -> Callable[[Box], bool]:
+def box_meets(one: Rectangle) -> Callable[[Rectangle], bool]:
     """Whether a box overlaps `one`."""
     return lambda other: one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
 
 
 def growth_plot(of: str, title: str, form: str) -> Block:
-    """The worst error so far against simulated time, the finest run of each method."""
+    """The worst error so far against simulated time, one run of each method."""
     curves = tuple(
-        Curve(
-            name=of,
+        curve(
+            of,
             source=f"{of}_{slug}",
             x="period",
-            group=method.family,
-            label=method.name,
+            group=method.family if slug in LIVE else MORE,
+            label=method.mark,
             tint=LOOK[method.family]["tint"],
-            width="dash" if method.family == "fixed" else "line",
+            width="dash" if method.family == "fixed" else "line" if slug in LIVE else "thin",
         )
         for slug, method in METHODS.items()
     )
@@ -143,13 +171,12 @@ def growth_plot(of: str, title: str, form: str) -> Block:
         y=of,
         title=title,
         curves=curves,
-        source=f"{of}_{next(iter(METHODS))}",
         x_column="period",
-        heading=(phrase("", "none", "ink", formula=f"**{title}**"), *KEYS),
-        margin=(54, 130),
+        heading=(phrase("", "none", "ink", formula=f"**{title}**"), *(KEYS if of == "error_growth" else ())),
+        room=Room(54, 140),
         phone=10,
-        height=420,
-        show=form,
+        height=300,
+        form=form,
     )
 
 
@@ -161,106 +188,12 @@ def picked_plot() -> Block:
         y="percent",
         title="Error of the motion and of the energy of the picked run, in percent, against simulated time",
         curves=(
-            Curve(name="motion", source="kept", x="period", tint="m1", width="sum", label="motion"),
-            Curve(name="energy", source="kept", x="period", tint="ink", width="dash", label="energy"),
+            curve("motion", source="kept", x="period", tint="m1", width="sum", label="motion"),
+            curve("energy", source="kept", x="period", tint="ink", width="dash", label="energy"),
         ),
-        source="kept",
         x_column="period",
-        margin=(44, 60),
+        room=Room(44, 60),
         phone=13,
         height=150,
+        form="kept",
     )
-
-
-STABILITY_TINT = {slug: "ink" if slug == "verlet" else "mute" for slug in FIXED_STEP}
-
-
-def leaves(slug: str) -> float:
-    """Where the amplification of a method leaves the frame for good."""
-    columns = stability()
-    return float(columns["h_omega"][columns[slug] <= TOP].max())
-
-
-def stability_plot() -> Block:
-    """Amplification a step against h omega; the present step of the picked run is marked."""
-    # A line that leaves the frame at its top has its name where it leaves.
-    names = tuple(
-        text(
-            on_x("stability", leaves(slug)) + 8,
-            var("stability.top") + 13,
-            METHODS[slug].name,
-            anchor="start",
-            tint=STABILITY_TINT[slug],
-            style="t1 halo",
-        )
-        for slug in FIXED_STEP
-        if leaves(slug) < REACH
-    )
-    return plot(
-        "stability",
-        x="h_omega",
-        y="growth",
-        title="Growth of an oscillation in one step, against step times angular frequency",
-        curves=tuple(
-            Curve(
-                name=slug,
-                source="stability",
-                x="h_omega",
-                tint=STABILITY_TINT[slug],
-                width="sum" if slug == "verlet" else "dash" if slug == "midpoint" else "line",
-                label="" if leaves(slug) < REACH else METHODS[slug].name,
-            )
-            for slug in FIXED_STEP
-        ),
-        source="stability",
-        x_column="h_omega",
-        heading=(phrase("", "none", "ink", formula="**Growth a step**, against $h\\,\\omega_+$: above 1 it explodes"),),
-        marks=({"at": "step_at", "tint": "ink", "html": "picked", "label": "Step of the picked run", "lift": 32},),
-        shapes=names,
-        margin=(44, 130),
-        top=36,
-        phone=10,
-        height=260,
-    )
-
-
-def steps_plot() -> Block:
-    """How many steps stability asks of an explicit method as spring 2 stiffens."""
-    explicit = [slug for slug in FIXED_STEP if slug != "midpoint"]
-    return plot(
-        "explosion",
-        x="ratio",
-        y="steps",
-        title="Steps in a slow period that stability asks for, against k2/k1",
-        curves=tuple(
-            Curve(
-                name=f"steps_{slug}", source="explosion", x="ratio", tint="ink", width="line", label=METHODS[slug].name
-            )
-            for slug in explicit
-        ),
-        source="explosion",
-        x_column="ratio",
-        heading=(
-            phrase("", "none", "ink", formula="**Steps in a slow period** that stability asks for, against $k_2/k_1$"),
-        ),
-        margin=(54, 130),
-        phone=11,
-        height=220,
-    )
-
-
-def price_rows(**place: Any) -> Block:
-    """The methods in the order of what the wanted error costs with each."""
-    return _rows("price", ("name", "time", "ratio"), ROWS, **place)
-
-
-def stopped_rows(**place: Any) -> Block:
-    """Methods without a result, each with its reason."""
-    return _rows("stopped", ("name", "why"), STOPPED, **place)
-
-
-def _rows(form: str, cells: tuple[str, ...], count: int, **place: Any) -> Block:
-    rows: list[list[str | dict[str, str]]] = [
-        [{"form": f"{form}{i}", "shown": f"{{{form}{i}_{cell}}}"} for cell in cells] for i in range(count)
-    ]
-    return table(*rows, style="tight", **place)

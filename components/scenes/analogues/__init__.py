@@ -5,29 +5,32 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
-import param
 
 from components.about import About
-from components.about_single import analogue_about
-from components.analogue_case import DEGREE, LIMITS, Case, late_axes, late_columns, motion_columns
-from components.axes import Axis, time_axis
+from components.axes import ONE, Axis, time_axis
 from components.controls import Group
-from components.motion import cosine_of, derived, pace, sine_of, sines, table
-from components.numbers import three
+from components.frames import FITTED, framed
+from components.motion import cosine_of, derived, pace, sampled, sine_of, sines
+from components.numbers import short, three
+from components.page.blocks import Block
+from components.page.numbers import var
+from components.page.picture import Pace
+from components.page.signals import AnySignal
+from components.page.state import Frame
+from components.parameters import one_of
 from components.scene import Picture, Scene
-from components.scenes.analogues.controls import LARGEST, SHORT, SWINGING, angle, groups, quantities
+from components.scenes.analogues.about import analogue_about
+from components.scenes.analogues.case import DEGREE, LIMITS, AnalogueCase, late_axes, late_columns, motion_columns
+from components.scenes.analogues.controls import LARGEST, SHORT, SWINGING, groups, quantities, start_angle
 from components.scenes.analogues.pictures import tiles
+from components.scenes.analogues.reach import REMARKS
 from components.scenes.analogues.sheet import analogue_sheet
-from components.sheet import Block
-from components.stage import var
-from components.traces import samples
+from components.traces import samples, sources_over_time
 from physics.analogues import ANALOGUES
 from physics.pendulum import amplitude_at_excess
 
-ONE = Axis(-1.0, 1.0)
 UNHURRIED = (0.5, 10.0)
 """s; periods that are easy to watch as they are."""
 MOST_HALF_WAVES = 12
@@ -38,8 +41,16 @@ class Analogues(Scene):
     slug = "analogues"
     title = "Analogues"
     lecture = "D31"
+    points = "point 7"
     headline = "Nine systems, one equation: only the names change"
-    groups = (Group("System", ("system",), "all nine in step", pictures=tiles()), *groups())
+    spoken = {"period": "{period} s", "frequency": "{frequency} Hz"}
+    equations = (
+        "inertia q'' + stiffness q = 0; of a pendulum and a rocking body: theta'' + omega_n^2 sin(theta) = 0",
+        "omega_n = sqrt(stiffness/inertia); x is the spring and mass of equal numbers",
+    )
+    groups = (Group("System", ("system",), pictures=tiles()), *groups())
+    start = "Examples"
+    start_folded = True
     presets = {
         "60°": {},
         "Clock": {"pendulum_l": 0.994, "theta_0": 3.0},
@@ -47,33 +58,34 @@ class Analogues(Scene):
         "Guitar": {"system": "string", "string_T": 73.45},
         "Radio": {"system": "circuit", "circuit_L": 1e-4, "circuit_C": 2.53e-10},
         "Swell": {"system": "wave", "wave_wavelength": 200.0},
-        "Cavendish": {"system": "shaft", "shaft_J": 12.5, "shaft_k_t": 7e-4},
+        "Cavendish": {"system": "shaft", "shaft_J": 1.25, "shaft_k_t": 7e-5},
     }
 
-    system = param.Selector(
+    system = one_of(
         default="pendulum",
         objects={SHORT[slug]: slug for slug in ANALOGUES},
         label="System",
         doc="The system shown.",
     )
 
-    theta_0 = angle()
+    theta_0 = start_angle()
 
     @classmethod
     @cache
     def sheet(cls) -> Block:
         return analogue_sheet()
 
-    def picture(self) -> Picture:
-        case = self._case()
-        time, size, energy = time_axis(case.end), case.axis(), case.energy_axis()
+    def picture(self, frame: Frame = FITTED) -> Picture:
+        case = self._case(frame.window)
+        axes = framed(frame, {"t": time_axis(case.own_end), "q": case.axis(), **late_axes(case)})
+        time, size, energy = axes["t"], axes["q"], case.energy_axis()
         curves, bands, t = motion_columns(case)
-        axes = {"t": time, "q": size, **late_axes(case)}
         return Picture(
-            columns={"time": {"t": t, **curves}, "band": bands and {"t": t, **bands}, **late_columns(case)},
+            columns={**sources_over_time(t, curves, bands), **late_columns(case, axes["angle"].end)},
             axes=axes,
             signals=_signals(case, time, size, energy),
             scalars=_scalars(case, axes),
+            pace=_pace(case),
             values=_values(case, size, energy),
             live={
                 "level": size.digits(signed=True),
@@ -84,11 +96,11 @@ class Analogues(Scene):
             notes=_notes(case),
         )
 
-    def _case(self) -> Case:
+    def _case(self, standing: float | None = None) -> AnalogueCase:
         system = ANALOGUES[self.system]
         p = {parameter.name: getattr(self, f"{self.system}_{parameter.name}") for parameter in system.parameters}
         start = math.radians(self.theta_0) if self.system in SWINGING else getattr(self, f"{self.system}_start")
-        return Case(system, p, start, self.window)
+        return AnalogueCase(system, p, start, self.window, standing)
 
     def about(self) -> About:
         return analogue_about(self.shown, self._case())
@@ -99,7 +111,7 @@ for _name, _quantity in quantities().items():
     Analogues.param.add_parameter(_name, _quantity)
 
 
-def _signals(case: Case, time: Axis, size: Axis, energy: Axis) -> dict[str, Any]:
+def _signals(case: AnalogueCase, time: Axis, size: Axis, energy: Axis) -> dict[str, AnySignal]:
     """cos and sin of omega t; the share of the amplitude at which q stands; numbers and angles from these."""
     own, E = case.table_axis(), energy.place(case.system.energy(case.p, case.q_0))
     exact_E = energy.place(case.system.exact_energy(case.p, case.q_0))
@@ -107,9 +119,9 @@ def _signals(case: Case, time: Axis, size: Axis, energy: Axis) -> dict[str, Any]
     signals = {
         "cosine": sines(ONE, time, (1.0, case.omega, math.pi / 2)),
         "sine": sines(ONE, time, (1.0, case.omega, 0.0)),
-        "phase": sines(ONE, time, line=(0.0, case.omega)),
         **_shares(case, time),
         "level": derived(size.place(case.q_0) * share),
+        "pose": derived(var("size") * share),
         "rule": derived(size.place(case.q_0) * cosine),
         "x": derived(own.place(case.q_0) * cosine),
         "q": derived(own.place(case.q_0) * share),
@@ -125,7 +137,7 @@ def _signals(case: Case, time: Axis, size: Axis, energy: Axis) -> dict[str, Any]
     return signals
 
 
-def _shares(case: Case, time: Axis) -> dict[str, Any]:
+def _shares(case: AnalogueCase, time: Axis) -> dict[str, AnySignal]:
     """q over q_0, and the square root of V over its largest: both the cosine where the system is linear."""
     if not case.pendulum:
         return {name: derived(var("cosine")) for name in ("share", "root")}
@@ -133,8 +145,8 @@ def _shares(case: Case, time: Axis) -> dict[str, Any]:
     motion, size = case.swing(np.linspace(0.0, case.period, count + 1))
     half = math.sin(size / 2)
     return {
-        "share": table(time, case.period, motion.theta / size, motion.theta_dot / size),
-        "root": table(
+        "share": sampled(time, case.period, motion.theta / size, motion.theta_dot / size),
+        "root": sampled(
             time,
             case.period,
             np.sin(motion.theta / 2) / half,
@@ -143,7 +155,13 @@ def _shares(case: Case, time: Axis) -> dict[str, Any]:
     }
 
 
-def _scalars(case: Case, axes: dict[str, Axis]) -> dict[str, float]:
+def _pace(case: AnalogueCase) -> Pace:
+    """A swing of a few seconds is played in real time, also where the small one would not be."""
+    own = pace(2 * math.pi / case.period, case.omega)
+    return Pace(1.0, own.limit) if UNHURRIED[0] <= case.period <= UNHURRIED[1] else own
+
+
+def _scalars(case: AnalogueCase, axes: dict[str, Axis]) -> dict[str, float]:
     """Sizes on the stage, what is shown of it, places of brackets and flags, and the clock's speed."""
     time, T_0, T = axes["t"], case.spring.period, case.period
     scalars = {
@@ -151,7 +169,6 @@ def _scalars(case: Case, axes: dict[str, Axis]) -> dict[str, float]:
         "amplitude": axes["q"].place(abs(case.q_0)),
         "drawn_sign": math.copysign(1.0, case.q_0),
     }
-    scalars |= pace(2 * math.pi / T, case.omega) | ({"pace": 1.0} if UNHURRIED[0] <= T <= UNHURRIED[1] else {})
     scalars["size"] = math.copysign(min(abs(case.q_0) / (LARGEST * case.system.swing), 1.0), case.q_0)
     scalars |= {"half_waves": min(case.p.get("n", 1.0), MOST_HALF_WAVES)}
     scalars |= {"along": 10 / scalars["half_waves"], "belly": 0.5 / scalars["half_waves"]}
@@ -165,7 +182,7 @@ def _scalars(case: Case, axes: dict[str, Axis]) -> dict[str, float]:
     return scalars
 
 
-def _pendulum_scalars(case: Case, axes: dict[str, Axis]) -> dict[str, float]:
+def _pendulum_scalars(case: AnalogueCase, axes: dict[str, Axis]) -> dict[str, float]:
     """Where the pendulum hangs: lower and shorter where it swings over its pivot."""
     theta = abs(case.q_0)
     pivot, rod = (0.14, 0.5) if theta < 61 * DEGREE else (0.14, 0.43) if theta <= 91 * DEGREE else (0.46, 0.3)
@@ -186,9 +203,9 @@ def _pendulum_scalars(case: Case, axes: dict[str, Axis]) -> dict[str, float]:
     }
 
 
-def _values(case: Case, size: Axis, energy: Axis) -> dict[str, str]:
+def _values(case: AnalogueCase, size: Axis, energy: Axis) -> dict[str, str]:
     system, own = case.system, case.table_axis()
-    degrees = three(math.degrees(abs(case.q_0)))
+    degrees = short(math.degrees(abs(case.q_0)))
     return {
         "omega": three(case.omega),
         "frequency": three(1 / case.period),
@@ -216,7 +233,7 @@ def _unit(axis: Axis, gap: str = "\N{NO-BREAK SPACE}") -> str:
     return axis.suffix.replace(" ", "\N{NO-BREAK SPACE}") + axis.unit if axis.suffix else gap + axis.unit
 
 
-def _forms(case: Case) -> dict[str, str]:
+def _forms(case: AnalogueCase) -> dict[str, str]:
     slug = case.system.slug
     kind = "swinging" if case.pendulum else "linear"
     forms = {
@@ -226,10 +243,10 @@ def _forms(case: Case) -> dict[str, str]:
         "q": slug,
         "x": slug if case.pendulum else "linear",
     }
-    return forms | ({"note": slug} if case.system.note else {})
+    return forms | ({"note": slug} if slug in REMARKS else {})
 
 
-def _notes(case: Case) -> tuple[str, ...]:
+def _notes(case: AnalogueCase) -> tuple[str, ...]:
     if case.p.get("n", 1.0) > MOST_HALF_WAVES:
         return (f"The picture shows {MOST_HALF_WAVES} half waves; the numbers are those of n.",)
     return ()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from components.controls import Group
 from components.parameters import Quantity, count, finite, positive
+from components.scenes.analogues.reach import REACHES
 from physics.analogue import Analogue, Parameter
 from physics.analogues import ANALOGUES
 
@@ -108,7 +109,7 @@ _LETTERS = {r"\rho": "ρ", r"\lambda": "λ"}
 
 def quantities() -> dict[str, Quantity]:
     """The parameters of all systems by name; the start of the pendulums is not among them."""
-    found = {}
+    found: dict[str, Quantity] = {}
     for system in ANALOGUES.values():
         found |= {f"{system.slug}_{p.name}": _quantity(f"{system.slug}_{p.name}", p) for p in system.parameters}
         if system.slug in LINEAR:
@@ -121,25 +122,28 @@ def groups() -> tuple[Group, ...]:
     return (
         *tuple(
             Group(
+                "",
+                tuple(f"{system.slug}_{parameter.name}" for parameter in system.parameters),
                 system.name,
-                tuple(f"{system.slug}_{parameter.name}" for parameter in system.parameters)
-                + ((f"{system.slug}_start",) if system.slug in LINEAR else ()),
-                show=system.slug,
+                folded=True,
+                form=system.slug,
             )
             for system in ANALOGUES.values()
         ),
-        Group("", ("theta_0",), show="swinging"),
+        *(Group("", (f"{slug}_start",), form=slug) for slug in LINEAR),
+        Group("", ("theta_0",), form="swinging"),
     )
 
 
 def _quantity(name: str, parameter: Parameter) -> Quantity:
-    kind = count if parameter.kind == "count" else positive
-    facts = {} if parameter.kind == "count" else {"unit": parameter.unit, "scale": parameter.kind}
+    low, high, scale = REACHES[name]
+    kind = count if parameter.whole else positive
+    facts = {} if parameter.whole else {"unit": parameter.unit, "scale": scale}
     return kind(
         parameter.default,
         label=_WHAT[name],
         symbol=_LETTERS.get(parameter.symbol, parameter.symbol),
-        softbounds=(parameter.low, parameter.high),
+        softbounds=(low, high),
         tint="k" if name in _PULLS else "m1",
         says=_SAYS[name],
         **facts,
@@ -158,7 +162,7 @@ def _start(system: Analogue) -> Quantity:
     )
 
 
-def angle() -> Quantity:
+def start_angle() -> Quantity:
     """The angle at which a pendulum is released, in degrees."""
     return Quantity(
         60.0,

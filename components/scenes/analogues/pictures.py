@@ -9,25 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Literal
 
-from components.stage import (
-    Expression,
-    H,
-    Number,
-    Shape,
-    W,
-    arrow,
-    circle,
-    layers,
-    line,
-    path,
-    shape,
-    spring,
-    text,
-    var,
-    wall,
-    wave,
-)
+from components.grabs import begin, linear
+from components.page.numbers import Expression, Number, var
+from components.page.shapes import Begin
+from components.stage import H, Shape, W, arrow, box, circle, layers, line, path, shown_by, spring, text, wall, wave
 
 WIDTH, HEIGHT = 84, 54
 TWIST = 0.9
@@ -76,13 +63,13 @@ class Canvas:
 
 
 @dataclass(frozen=True)
-class Swing:
+class Pose:
     """What moves a picture.
 
     `size` is the amplitude as a share of the largest drawn, `q` the displacement so and `behind` the same a
     quarter period later; `angle` is that of what rocks, with its sine and cosine; `half_waves` counts those
     of what vibrates, `belly` is where the first is widest, as a share of the length, and `along` how far air
-    moves; `phase` is omega t.
+    moves.
     """
 
     size: Number
@@ -94,7 +81,6 @@ class Swing:
     half_waves: Number
     belly: Number
     along: Number
-    phase: Expression
 
 
 def small_angle(angle: Expression) -> tuple[Expression, Expression]:
@@ -103,19 +89,19 @@ def small_angle(angle: Expression) -> tuple[Expression, Expression]:
     return angle - angle * square / 6 + angle * square * square / 120, 1 - square / 2 + square * square / 24
 
 
-def _spring(c: Canvas, s: Swing) -> list[Shape]:
+def _spring(c: Canvas, s: Pose) -> list[Shape]:
     x = 46 + 11 * s.q
     return [
         c.wall(10, 14, 28, "left"),
         c.line(10, 42, 80, 42, "floor"),
         c.line(46, 12, 46, 46, "eq", "mute"),
         spring(c.x(10), c.y(31), c.x(x - 10.5), c.y(31), 2.5 if c.large else 1.6, height=c.unit * 5),
-        shape("block", x=c.x(x), y=c.y(42), side=c.unit * 21, label="m", tint="m1"),
+        box(c.x(x), c.y(42), c.unit * 21, "*m*", tint="m1"),
         *c.name(22, 22, "*k*", "k"),
     ]
 
 
-def _shaft(c: Canvas, s: Swing) -> list[Shape]:
+def _shaft(c: Canvas, s: Pose) -> list[Shape]:
     sine, cosine = small_angle(TWIST * s.q)
     rest = (math.cos(0.5), math.sin(0.5))
     mark = (rest[0] * cosine - rest[1] * sine, rest[1] * cosine + rest[0] * sine)
@@ -133,7 +119,7 @@ def _shaft(c: Canvas, s: Swing) -> list[Shape]:
     ]
 
 
-def _pendulum(c: Canvas, s: Swing) -> list[Shape]:
+def _pendulum(c: Canvas, s: Pose) -> list[Shape]:
     x, y = 42 + 29 * s.sine, 5 + 29 * s.cosine
     return [
         c.wall(26, 5, 32, "top"),
@@ -144,7 +130,7 @@ def _pendulum(c: Canvas, s: Swing) -> list[Shape]:
     ]
 
 
-def _rocking(c: Canvas, s: Swing) -> list[Shape]:
+def _rocking(c: Canvas, s: Pose) -> list[Shape]:
     top, arm = (24, 12) if c.large else (12, 13)
     x, y = 42 + arm * s.sine, top + arm * s.cosine
     return [
@@ -157,7 +143,7 @@ def _rocking(c: Canvas, s: Swing) -> list[Shape]:
     ]
 
 
-def _floating(c: Canvas, s: Swing) -> list[Shape]:
+def _floating(c: Canvas, s: Pose) -> list[Shape]:
     top = 17 - 7 * s.q
     surface = (c.x(4), c.y(30), c.unit * 76, c.unit * 0.7, 5)
     return [
@@ -171,7 +157,7 @@ def _floating(c: Canvas, s: Swing) -> list[Shape]:
     ]
 
 
-def _circuit(c: Canvas, s: Swing) -> list[Shape]:
+def _circuit(c: Canvas, s: Pose) -> list[Shape]:
     loops = [i / 160 for i in range(161)]
     coil = "L".join(
         f"{27 + 28 * a - 3.4 * math.sin(10 * math.pi * a):.2f} {9.5 + 5.5 * math.cos(10 * math.pi * a):.2f}"
@@ -191,7 +177,7 @@ def _circuit(c: Canvas, s: Swing) -> list[Shape]:
     ]
 
 
-def _string(c: Canvas, s: Swing) -> list[Shape]:
+def _string(c: Canvas, s: Pose) -> list[Shape]:
     place = (c.x(9), c.y(27), c.unit * 66)
     return [
         c.line(9, 14, 9, 40, "wall bar"),
@@ -206,32 +192,32 @@ def _string(c: Canvas, s: Swing) -> list[Shape]:
     ]
 
 
-def _wave(c: Canvas, s: Swing) -> list[Shape]:
-    surface = (c.x(4), c.y(17), c.unit * 76, c.unit * 8 * s.size, 1.0, -s.phase - math.pi / 2)
+def _wave(c: Canvas, s: Pose) -> list[Shape]:
+    """A standing wave, highest in the middle."""
+    surface = (c.x(4), c.y(17), c.unit * 76, c.unit * 8 * s.q, 1.0, -math.pi / 2)
     return [
         wave(*surface, depth=c.unit * 35, style="water"),
         c.line(4, 17, 80, 17, "eq", "mute"),
         wave(*surface, style="sum", tint="m1"),
-        *(orbit for x in (18, 42, 66) for orbit in _orbits(c, s, x)),
+        *(one for x in (23, 42, 61) for one in _under(c, s, x)),
         c.disc(42, 17 - 8 * s.q, 2.4, "dot", "m1"),
     ]
 
 
-def _orbits(c: Canvas, s: Swing, x: float) -> list[Shape]:
-    """Where the water moves below x: circles that shrink as exp(-kappa depth)."""
+def _under(c: Canvas, s: Pose, x: float) -> list[Shape]:
+    """How the water moves below x: to and fro on a line that shrinks as exp(-kappa depth)."""
     ahead, shapes = 2 * math.pi * (x - 42) / 76, []
-    up = math.cos(ahead) * s.q + math.sin(ahead) * s.behind
-    along = math.cos(ahead) * s.behind - math.sin(ahead) * s.q
     for y in (27, 36, 45):
-        r = 8 * math.exp(-2 * math.pi * (y - 17) / 76)
+        reach = 8 * math.exp(-2 * math.pi * (y - 17) / 76)
+        along, up = -reach * math.sin(ahead), reach * math.cos(ahead)
         shapes += [
-            circle(c.x(x), c.y(y), c.unit * r * s.size, style="outline", tint="k"),
-            c.disc(x + r * along, y - r * up, 1.1, "body", "m1"),
+            c.line(x - along, y + up, x + along, y - up, "fine", "k"),
+            c.disc(x + along * s.q, y - up * s.q, 1.1, "body", "m1"),
         ]
     return shapes
 
 
-def _pipe(c: Canvas, s: Swing) -> list[Shape]:
+def _pipe(c: Canvas, s: Pose) -> list[Shape]:
     return [
         layers(
             c.x(10),
@@ -252,7 +238,7 @@ def _pipe(c: Canvas, s: Swing) -> list[Shape]:
     ]
 
 
-PICTURES: dict[str, Callable[[Canvas, Swing], list[Shape]]] = {
+PICTURES: dict[str, Callable[[Canvas, Pose], list[Shape]]] = {
     "spring": _spring,
     "shaft": _shaft,
     "pendulum": _pendulum,
@@ -270,15 +256,39 @@ def tiles() -> dict[str, list[Shape]]:
     unit = H / HEIGHT
     canvas = Canvas(W / 2 - unit * (WIDTH / 2), 0, unit)
     angle = 0.5 * var("cosine")
-    swing = Swing(1, var("cosine"), var("sine"), angle, *small_angle(angle), 1, 0.5, 10, var("phase"))
+    swing = Pose(1, var("cosine"), var("sine"), angle, *small_angle(angle), 1, 0.5, 10)
     return {slug: draw(canvas, swing) for slug, draw in PICTURES.items()}
+
+
+HELD: dict[str, tuple[Number, Number, Number, Number]] = {
+    "spring": (46, 31.5, 11, 0),
+    "floating": (42, 30.5, 0, -7),
+    "circuit": (66, 30, 0, 5),
+    "string": (9 + 66 * var("belly"), 27, 0, -17),
+    "wave": (42, 17, 0, -8),
+    "pipe": (10 + 64 * var("belly"), 47, var("along"), 0),
+    "shaft": (42 + 25 * math.cos(0.5), 38 + 7.7 * math.sin(0.5), -25 * math.sin(0.5) * TWIST, 0),
+}
+"""Where a hand holds what moves: at rest, and how far from there at the largest displacement."""
+
+
+def held(slug: str, c: Canvas, largest: float) -> Shape:
+    """Unseen, over what moves: where it is held is where the system is let go from rest."""
+    x, y, dx, dy = HELD[slug]
+    across: Literal["x", "y"] = "y" if dy else "x"
+    place = (lambda pose: c.y(y + dy * pose)) if dy else (lambda pose: c.x(x + dx * pose))
+    name = f"{slug}_start"
+    way = linear(place, across, name, moves="pose", size=1 / largest)
+    pose = var("pose")
+    start = (Begin(name, "level", "q"),)
+    return circle(c.x(x + dx * pose), c.y(y + dy * pose), 0, show=slug, grab=begin("Start", way, start=start))
 
 
 def large(slug: str, canvas: Canvas) -> list[Shape]:
     """One picture on the stage, shown while its system is chosen."""
-    swing = Swing(
+    swing = Pose(
         var("size"),
-        var("size") * var("share"),
+        var("pose"),
         var("size") * var("sine"),
         var("angle"),
         var("angle_sine"),
@@ -286,6 +296,5 @@ def large(slug: str, canvas: Canvas) -> list[Shape]:
         var("half_waves"),
         var("belly"),
         var("along"),
-        var("phase"),
     )
-    return [{**one, "show": slug} for one in PICTURES[slug](canvas, swing)]
+    return shown_by(slug, *PICTURES[slug](canvas, swing))

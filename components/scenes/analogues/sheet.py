@@ -4,22 +4,32 @@ from __future__ import annotations
 
 import math
 
-from components.analogue_case import LIMITS
 from components.numbers import three
-from components.plots import Curve, plot
+from components.page.blocks import Block
+from components.page.plots import Handle, Mark
+from components.plots import Room, curve, plot
+from components.scenes.analogues.case import LIMITS
 from components.scenes.analogues.controls import SWINGING
+from components.scenes.analogues.reach import REMARKS
 from components.scenes.analogues.stage import over_lateness, over_motion, shapes
-from components.sheet import Block, column, row, stage, table, term, words
+from components.sheet import Paragraph, column, either, row, stage, table, term, when, words
 from components.traces import traced
 from physics.analogues import ANALOGUES
 from physics.pendulum import amplitude_at_excess
 
+TASK = "Choose a system: what in it plays the mass, and what the spring?"
+AIRCRAFT: list[Paragraph] = [
+    "as does",
+    r"$\omega_n = \sqrt{2} \, g / v_0$ of",
+    "[scene:phugoid|an aircraft left alone]",
+]
+"""The lecture's tenth system: it has a scene of its own."""
 EXACT_V = {"pendulum": r"m g l (1 - \cos \theta)", "rocking": r"m g d (1 - \cos \theta)"}
 EQUATIONS = {
     "pendulum": r"m l^2 \ddot{\theta} + m g l \sin \theta = 0",
     "rocking": r"I \ddot{\theta} + m g d \sin \theta = 0",
     "string": r"\tfrac{1}{2} \rho_L L \, \ddot{q}_n + T \tfrac{n^2 \pi^2}{2 L} q_n = 0",
-    "wave": r"\tfrac{\rho}{\kappa} \ddot{\eta} + \rho g \eta = 0",
+    "wave": r"\tfrac{\rho}{2 \kappa} \ddot{\eta} + \tfrac{1}{2} \rho g \eta = 0",
     "circuit": r"L \ddot{q} + q / C = 0",
     "pipe": r"\tfrac{1}{2} \rho A L \, \ddot{q}_n + \rho c^2 A \tfrac{n^2 \pi^2}{2 L} q_n = 0",
 }
@@ -30,25 +40,27 @@ _STARTS = {slug: rf"{system.coordinate.replace('_n', '')}_0" for slug, system in
 
 def analogue_sheet() -> Block:
     return column(
+        words(TASK, style="task", phone=0),
         row(
             stage(
                 *shapes(),
                 label="The chosen system, and the spring and mass of equal frequency, in motion",
                 grow=430,
                 height=190,
+                widest=2.1,
             ),
             _motion(),
-            grow=318,
+            grow=288,
             gap=0,
         ),
-        row(column(_roles(), _equation(), grow=436), column(_lateness(), _formula(), grow=452), grow=255),
+        row(column(_roles(), _equation(), grow=436), column(_lateness(), _formula(), grow=452), grow=285),
     )
 
 
 def _motion() -> Block:
     (rule, rule_band), (swing, swing_band) = (
-        traced("x", tint="m1", width="dash", label="spring"),
-        traced("q", tint="m1", width="sum", label="exact", signal="level"),
+        traced("x", tint="m1", width="dash", read="spring"),
+        traced("q", tint="m1", width="sum", read="exact", signal="level"),
     )
     exact = {slug: rf"{ANALOGUES[slug].coordinate} \text{{ exact}}" for slug in SWINGING}
     cosine = {
@@ -67,12 +79,11 @@ def _motion() -> Block:
         heading=(
             term("q", "sum", "m1", **exact, **cosine),
             term("x", "dash", "m1", **rules, linear=r"\text{spring}"),
-            term("", "none", "mute", formula=r"\text{played }\val{speed}"),
+            term("", "none", "mute", formula=r"\val{speed}"),
         ),
         cursor="time",
         shapes=over_motion(),
-        margin=(58, 52),
-        top=34,
+        room=Room(58, 52, top=34),
         grow=470,
         phone=10,
         height=210,
@@ -106,23 +117,24 @@ def _roles() -> Block:
         ),
     ]
     omega = {slug: rf"${s.omega_formula} = \val{{omega}}$ rad/s" for slug, s in systems}
-    rows.append([r"gives $\omega_n$", r"$\sqrt{k/m} = \val{omega}$ rad/s", {"form": "system", **omega}])
-    return {**table(*rows, head=["", "Spring and mass", "{system_name}"], phone=30), "style": "roles"}
+    rows.append([r"gives $\omega_n$", r"$\sqrt{k/m} = \val{omega}$ rad/s", either("system", **omega)])
+    rows.append(AIRCRAFT)
+    return table(*rows, head=["", "Spring and mass", "{system_name}"], phone=30, style="roles")
 
 
 def _role(
     tint: str, symbol: str, formula: str, unit: str, formulas: dict[str, str], own: str, own_unit: str
-) -> list[str | dict[str, str]]:
+) -> list[Paragraph]:
     """A row: its name, the spring's side, the chosen system's side. A unit may be a live text, ..._unit."""
     value = {"T": "T_x", "V": "V_x"}.get(symbol, symbol)
     suffix = f"{{{unit}}}" if unit.endswith("_unit") else f"\N{NO-BREAK SPACE}{unit}"
     return [
         f"plays ${symbol}$",
         f"[{tint}|${formula} = \\val{{{value}}}$" + suffix + "]",
-        {
-            "form": "system",
+        either(
+            "system",
             **{slug: f"[{tint}|${text} = \\val{{{own}}}${{{own_unit}}}]" for slug, text in formulas.items()},
-        },
+        ),
     ]
 
 
@@ -136,13 +148,13 @@ def _equation() -> Block:
         for slug, s in ANALOGUES.items()
     }
     return words(
-        {
-            "form": "system",
+        either(
+            "system",
             **{
                 slug: f"**The same equation{', for small angles' * (slug in SWINGING)}:** ${equation}$"
                 for slug, equation in equations.items()
             },
-        },
+        ),
         style="equation",
         phone=31,
     )
@@ -150,65 +162,59 @@ def _equation() -> Block:
 
 def _lateness() -> Block:
     """T/T_0 - 1 against the amplitude, which is a handle; flags go where it passes 0.1, 1 and 5 percent."""
-    late = r"\text{How late: } \tau / \tau_0 - 1 \text{ of the pendulum},"
-    periods = r"\tau = \val{period} \text{ s}, \; \tau_0 = \val{small_period} \text{ s}"
-    handle = {
-        "parameter": "theta_0",
-        "symbol": "θ₀",
-        "label": "Angle at the start, °",
-        "tint": "m1",
-        "unit": "°",
-    }
+    late = (
+        r"\text{How late: } \tau / \tau_0 - 1, \; \tau = \val{period} \text{ s}, \; "
+        r"\tau_0 = \val{small_period} \text{ s}"
+    )
+    handle = Handle(parameter="theta_0", symbol="θ₀", label="Angle at the start, °", tint="m1", unit="°")
     return plot(
         "late",
         x="angle",
         y="late",
         title="How late a large swing is, in percent of the small period, against the angle at the start",
         curves=(
-            Curve(name="excess", source="late", x="angle", tint="ink", width="sum", read="late by"),
+            curve("excess", source="late", x="angle", tint="ink", width="sum", read="late by"),
             *(
-                Curve(name="excess", source=name, x="angle", tint=tint, width="none", marker="disc", group=name)
+                curve("excess", source=name, x="angle", tint=tint, width="none", marker="disc", group=name)
                 for name, tint in (("limits", "ink"), ("here", "m1"))
             ),
         ),
-        heading=(term("", "none", "ink", formula=late), term("", "none", "ink", formula=periods)),
-        source="late",
+        heading=(term("", "none", "ink", formula=late),),
         x_column="angle",
         handles=(handle,),
         marks=tuple(_flag(name, excess) for name, excess in LIMITS.items()),
         shapes=over_lateness(),
-        margin=(48, 30),
-        top=46,
+        room=Room(48, 30, top=46),
         phone=20,
         height=240,
-        show="swinging",
+        form="swinging",
     )
 
 
-def _flag(name: str, excess: float) -> dict[str, str]:
+def _flag(name: str, excess: float) -> Mark:
     """The button that starts the pendulum where its swing is late by `excess`."""
     start = f"{three(math.degrees(amplitude_at_excess(excess)))}°"
-    return {
-        "at": name,
-        "tint": "mute",
-        "style": "dashed",
-        "html": f"<b>{100 * excess:g} %</b><span>{start}</span>",
-        "label": f"Start from {start}, where the swing is {100 * excess:g} % late",
-        "set": "theta_0",
-    }
+    return Mark(
+        at=name,
+        tint="mute",
+        style="dashed",
+        html=f"<b>{100 * excess:g} %</b><span>{start}</span>",
+        label=f"Start from {start}, where the swing is {100 * excess:g} % late",
+        set="theta_0",
+    )
 
 
 def _formula() -> Block:
     """For what is linear at any size: the frequency, large, and what there is to say of the system."""
     omega = {slug: rf"$\omega_n = {s.omega_formula}$" for slug, s in ANALOGUES.items() if slug not in SWINGING}
-    notes = {slug: s.note for slug, s in ANALOGUES.items() if s.note}
     block = words(
-        {"form": "system", **omega},
+        either("system", **omega),
         r"$= \val{omega}$ rad/s",
         "{frequency} Hz, one swing takes {period} s",
         "**Linear at any size:** the spring's dashed line stays under the curve, however large the start.",
-        {"form": "note", **notes},
+        either("note", **REMARKS),
         style="omega",
+        grow=1,
         phone=20,
     )
-    return {**block, "grow": 1, "show": "linear"}
+    return when("linear", block)

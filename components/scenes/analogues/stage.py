@@ -2,26 +2,31 @@
 
 from __future__ import annotations
 
-from components.scenes.analogues.pictures import HEIGHT, PICTURES, WIDTH, Canvas, large
+from components.grabs import begin
+from components.page.numbers import Number, var
+from components.page.shapes import Begin, Turn
+from components.scenes.analogues.case import DEGREE
+from components.scenes.analogues.controls import LARGEST
+from components.scenes.analogues.pictures import HEIGHT, HELD, PICTURES, WIDTH, Canvas, held, large
 from components.stage import (
     NARROW,
     WIDE,
     H,
-    Number,
     Shape,
     W,
     arc,
     arrow,
+    box,
     circle,
     line,
     on_x,
     on_y,
-    shape,
+    shown_by,
     spring,
     text,
-    var,
     wall,
 )
+from physics.analogues import ANALOGUES
 
 PLOT = "motion"
 TWIN = W - 46
@@ -48,6 +53,7 @@ def shapes() -> list[Shape]:
     """All of the stage: the nine systems, of which one is shown, and the spring."""
     canvas = Canvas(CENTRE - UNIT * (WIDTH / 2), 0.55 * H - UNIT * (HEIGHT / 2), UNIT, large=True)
     found = [one for slug in PICTURES if slug != "pendulum" for one in large(slug, canvas)]
+    found += [held(slug, canvas, LARGEST * ANALOGUES[slug].swing) for slug in HELD]
     return [*found, *pendulum(), *coordinates(), *twin()]
 
 
@@ -68,32 +74,36 @@ def coordinates() -> list[Shape]:
 
 
 def pendulum() -> list[Shape]:
-    """Pivot, arc of travel, the bob, and in outline where the small-angle rule would have it."""
+    """Pivot, arc of travel, the bob, and in outline, a ring around it, where the small-angle rule would have it."""
     x, y, rod, radius = CENTRE, var("pivot") * H, var("rod") * H, 0.066 * H
     bob = (x + rod * var("angle_sine"), y + rod * var("angle_cosine"))
     rule = (x + rod * var("rule_sine"), y + rod * var("rule_cosine"))
     end, near, ends = var("theta_0"), rod - 7, []
+    turn = Turn(parameter="theta_0", moves="angle", size=DEGREE, x=x, y=y)
+    swing = begin("Bob, start", turn, start=(Begin("theta_0", "angle", size=DEGREE),))
     found = [wall(x - 42, y, 84, side="top"), line(x, y, x, y + rod + 34, style="eq", tint="mute")]
     found.append(arc(x, y, rod, -1 * end, end, style="eq", tint="mute"))
     for side in (-1, 1):
         along, down = side * var("end_sine"), var("end_cosine")
         ends.append(line(x + along * near, y + down * near, x + along * (rod + 7), y + down * (rod + 7), style="floor"))
         label = "{end_right}" if side > 0 else "{end_left}"
-        ends.append(text(x + along * (rod + 8), y + down * (rod + 8) - 8, label, tint="mute"))
+        anchor = "start" if side > 0 else "end"
+        place = (x + along * rod + side * (radius + 9), y + down * rod - 4)
+        ends.append(text(*place, label, anchor, tint="mute", show="wide"))
     found += [
-        *({**one, "show": "pendulum ends_seen"} for one in ends),
+        *shown_by("ends_seen", *ends),
         line(x, y, *rule, style="faint"),
-        circle(*rule, radius, style="ghost", tint="m1"),
-        text(rule[0], rule[1] + 5, "spring", tint="m1", style="t0", show="pendulum wide"),
+        circle(*rule, radius + 4, style="ghost", tint="m1"),
+        text(rule[0], rule[1] - radius - 10, "spring", tint="m1", style="t0 halo", show="wide"),
         line(x, y, *bob, style="rod"),
         arc(x, y, 0.42 * rod, 0, var("angle"), style="sum", tint="m1"),
         arrow(*bob, bob[0], bob[1] + 0.17 * H, tint="k", style="thick", head=17),
-        circle(*bob, radius, style="body", tint="m1"),
+        circle(*bob, radius, style="body", tint="m1", grab=swing),
         text(bob[0], bob[1] + 5, "*m*", tint="m1", style="t3 on"),
         text(bob[0] + 12, bob[1] + 0.16 * H, "*m g*", anchor="start", tint="k", style="t2 b halo"),
         circle(x, y, 5, style="dot", tint="ink"),
     ]
-    return [{"show": "pendulum", **one} for one in found]
+    return shown_by("pendulum", *found)
 
 
 def height(signal: str, share: Number) -> Number:
@@ -111,7 +121,7 @@ def twin() -> list[Shape]:
         line(TWIN - 36, level, WIDE * var(f"{PLOT}.left") + NARROW * W, level, style="eq", tint="mute"),
         spring(TWIN, y + SIDE / 2, TWIN, foot, 2.4, height=0.036 * H),
         line(TWIN + SIDE / 2, y, on_x(PLOT, var("t")), y, style="level", tint="m1", show="wide"),
-        shape("block", x=TWIN, y=y + SIDE / 2, side=SIDE, label="m", tint="m1"),
+        box(TWIN, y + SIDE / 2, SIDE, "*m*", tint="m1"),
     ]
 
 
@@ -129,7 +139,7 @@ def over_motion() -> tuple[Shape, ...]:
         if show == "period_seen":
             heads.append(arrow(b, y, a, y, head=8, style="thin"))
         label = text((a + b) / 2, y - 8, words, style="b halo")
-        found += [{**one, "show": show} for one in (*ticks, *heads, label)]
+        found += shown_by(show, *ticks, *heads, label)
     return tuple(found)
 
 

@@ -2,37 +2,51 @@
 
 from __future__ import annotations
 
-import math
 from functools import cache
-from typing import Any
 
 import numpy as np
-import param
 from numpy.typing import NDArray
 
 from components import chain
 from components.about import About
-from components.about_chain import coupled_about
 from components.axes import Axis, nice_axis, time_axis, whole_axis, widest
+from components.chain.forces import Forces, forces
+from components.controls import Group
+from components.frames import FITTED, framed
 from components.motion import derived, pace, scaled, total
-from components.numbers import plus, signed, three
-from components.parameters import displacement, mass, stiffness, velocity
-from components.scene import Columns, Picture, Scene
-from components.scenes.coupled.sheet import MODES, SIGN, coupled_sheet
-from components.sheet import Block
-from components.stage import var
-from components.traces import samples, trace
-from physics.coupled import FreeModes, Motion, TwoMassChain, free_modes
+from components.page.blocks import Block
+from components.page.numbers import var
+from components.page.signals import AnySignal
+from components.page.state import Frame
+from components.parameters import one_of
+from components.scene import Picture, Scene
+from components.scenes.coupled.about import coupled_about
+from components.scenes.coupled.sheet import coupled_sheet
+from components.scenes.coupled.words import forms, values
+from components.traces import Columns, samples, sources_over_time, trace
+from physics.coupled import FreeModes, Motion, free_modes
 from physics.energy import chain_energy, mean_energy
 from physics.sampling import drawable, time_window
+
+NAMED = 0.8
+"""The names in the plane stand at this share of the way to its edge."""
 
 
 class Coupled(Scene):
     slug = "coupled"
     title = "Coupled"
     lecture = "D34"
+    points = "points 1, 2, 5"
     headline = "Every free motion is a slow mode plus a fast mode"
-    groups = (chain.CHAIN, chain.START)
+    spoken = {"slow mode": "{omega_minus} rad/s", "fast mode": "{omega_plus} rad/s", "energy": "{E_total} {E_unit}"}
+    equations = chain.FREE
+    groups = (
+        chain.CHAIN,
+        Group("Start", ("x1_0", "x2_0")),
+        Group("", ("v1_0", "v2_0"), "Start velocities", folded=True),
+        Group("Shown", ("view",)),
+    )
+    onward = (chain.measured_by(),)
     presets = {
         "Both": {},
         "Slow": {"x1_0": 0.4, "x2_0": 0.8},
@@ -43,59 +57,62 @@ class Coupled(Scene):
         "Heavy, light": {"m1": 10.0, "m2": 0.1, "k1": 10.0, "k2": 1.0, "x1_0": 0.5},
     }
 
-    m1 = mass(2.0, symbol="m_1", tint="m1", says="is the mass next to the wall. Type any value above 0.")
-    m2 = mass(1.0, symbol="m_2", tint="m2", says="is the mass at the end. Type any value above 0.")
-    k1 = stiffness(
-        4.0, symbol="k_1", says="ties mass 1 to the wall. 0 lets the pair go free; type any value from 0 up."
+    m1, m2, k1, k2 = chain.masses_and_springs(2.0, 1.0, 4.0, 2.0)
+    x1_0, x2_0 = chain.start_positions(1.0)
+    v1_0, v2_0 = chain.start_velocities()
+    energy = one_of(default="parts", objects=["parts", "modes"], label="Energy of")
+    view = one_of(
+        default="modes",
+        objects={"Modes": "modes", "Constants": "constants", "Forces": "forces"},
+        label="What is shown beside the motion",
     )
-    k2 = stiffness(2.0, symbol="k_2", says="couples the masses. 0 lets mass 2 go free; type any value from 0 up.")
-    x1_0 = displacement(1.0, symbol="x_1", tint="m1", says="is where mass 1 starts. Type any value.")
-    x2_0 = displacement(0.0, symbol="x_2", tint="m2", says="is where mass 2 starts. Type any value.")
-    v1_0 = velocity(0.0, symbol="v_1", tint="m1", says="is the velocity of mass 1 at the start. Type any value.")
-    v2_0 = velocity(0.0, symbol="v_2", tint="m2", says="is the velocity of mass 2 at the start. Type any value.")
-    energy = param.Selector(default="parts", objects=["parts", "modes"], label="Energy of")
 
     @classmethod
     @cache
     def sheet(cls) -> Block:
         return coupled_sheet()
 
-    def picture(self) -> Picture:
-        system = TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=self.k2)
-        free = free_modes(system, (self.x1_0, self.x2_0), (self.v1_0, self.v2_0))
+    def picture(self, frame: Frame = FITTED) -> Picture:
+        system = chain.of_scene(self)
+        free = free_modes(system, *chain.start_of(self))
         slow, fast = system.modes().omega
-        end = self.window or time_window(slow, fast)
+        own_window = self.window or time_window(slow, fast)
+        end = frame.window or own_window
         t = np.linspace(0.0, end, samples(end, fast))
         parts = free.parts(t)
+        whole = parts[0] + parts[1]
         curves, bands = _motion_columns(free, parts)
         stack, flat = _energy_columns(self.energy, free, parts)
         extremes = chain.extremes(curves, bands)
-        time = time_axis(end)
-        size = nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 3)
-        energy = whole_axis(float(free.energy.sum()), "J")
-        drawn = chain.to_scale(extremes, (self.m1, self.m2), (self.k1, self.k2), size)
+        own = nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 3)
+        axes = framed(frame, {"t": time_axis(own_window), "x": own, "E": whole_axis(float(free.energy.sum()), "J")})
+        time, size, energy = axes["t"], axes["x"], axes["E"]
+        drawn = chain.to_scale(system, extremes, size, frame.scale)
+        pulled = forces(system, whole, size) if self.view == "forces" else Forces()
         return Picture(
             columns={
-                "time": {"t": t, **curves, **stack},
-                "band": bands and {"t": t, **bands},
+                **sources_over_time(t, curves | stack, bands),
                 "flat": flat,
                 "modes": _mode_lines(free, size),
             },
-            axes={"t": time, "x": size, "E": energy},
-            signals=_signals(self, free, size, time, energy),
-            scalars={**drawn.scalars, **pace(slow or fast, fast)},
-            values={**_values(free, energy), **drawn.values},
+            axes=axes,
+            signals=_signals(self, free, size, time, energy) | pulled.signals,
+            scalars={**drawn.scalars, **_name_places(free, size), **pulled.scalars},
+            pace=pace(slow or fast, fast),
+            scale=drawn.scale,
+            fits=drawn.fits,
+            values={**values(free, energy), **drawn.values, **pulled.values},
             live={
+                **pulled.live,
                 **{name: size.digits(signed=True) for name in ("x1", "x2")},
                 **{name: energy.digits() for name in ("T1", "V1", "V2", "T2")},
             },
-            forms=_forms(self, free),
+            forms={**forms(free), self.energy: "shown", f"view_{self.view}": "shown"},
             notes=(*drawn.notes, *_notes(fast, t)),
         )
 
     def about(self) -> About:
-        system = TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=self.k2)
-        return coupled_about(self.shown, system, (self.x1_0, self.x2_0), (self.v1_0, self.v2_0))
+        return coupled_about(self.shown, chain.of_scene(self), *chain.start_of(self))
 
 
 def _motion_columns(free: FreeModes, parts: tuple[Motion, Motion]) -> tuple[Columns, Columns]:
@@ -107,7 +124,7 @@ def _motion_columns(free: FreeModes, parts: tuple[Motion, Motion]) -> tuple[Colu
         drift = free.drift_a[i] + free.drift_b[i] * t
         motions: dict[str, tuple[tuple[int, ...], NDArray[np.float64]]] = {f"x{i + 1}": ((0, 1), whole.x[i])}
         if free.omega[1]:
-            motions |= {f"x{i + 1}_{mode}": ((j,), parts[j].x[i]) for j, mode in enumerate(MODES)}
+            motions |= {f"x{i + 1}_{mode}": ((j,), parts[j].x[i]) for j, mode in enumerate(chain.MODES)}
         else:  # two drifts: the slow part has both, as on the stage
             motions[f"x{i + 1}_slow"] = motions[f"x{i + 1}"]
         for name, (modes, exact) in motions.items():
@@ -145,17 +162,21 @@ def _notes(fast: float, t: NDArray[np.float64]) -> list[str]:
 
 def _mode_lines(free: FreeModes, size: Axis) -> Columns:
     """Both mode directions of the (x1, x2) plane, as far as the frame and beyond."""
-    far = 4 * max(abs(size.start), abs(size.end))
-    lines: Columns = {}
-    for mode, ratio in zip(MODES, free.chain.modes().ratio, strict=True):
-        one, two = (0.0, 1.0) if math.isinf(ratio) else (1 / max(1, abs(ratio)), ratio / max(1, abs(ratio)))
-        lines[f"{mode}1"], lines[f"{mode}2"] = far * one * np.array([-1.0, 1.0]), far * two * np.array([-1.0, 1.0])
-    return lines
+    return chain.direction_lines(free.chain, 4 * max(abs(size.start), abs(size.end)))
 
 
-def _signals(scene: Coupled, free: FreeModes, size: Axis, time: Axis, energy: Axis) -> dict[str, Any]:
+def _name_places(free: FreeModes, size: Axis) -> dict[str, float]:
+    """Where the names of the directions stand: the slow one's at its upper end, the fast one's at its lower end."""
+    end = NAMED * size.place(min(-size.start, size.end))
+    scalars: dict[str, float] = {}
+    for mode, (one, two) in zip(chain.MODES, chain.directions(free.chain), strict=True):
+        scalars |= {f"{mode}_name1": end * one, f"{mode}_name2": end * two}
+    return scalars
+
+
+def _signals(scene: Coupled, free: FreeModes, size: Axis, time: Axis, energy: Axis) -> dict[str, AnySignal]:
     """The parts of each displacement and velocity, their sums, and the four energies."""
-    signals = chain.free_signals(free, size, time)
+    signals = chain.free_signals(free, size, time) | chain.free_rates(free, size, time)
     for name in ("x1", "x2", "v1", "v2"):
         signals[name] = total(f"{name}_slow", f"{name}_fast")
     signals["stretch"] = derived(var("x2") - var("x1"))
@@ -165,37 +186,3 @@ def _signals(scene: Coupled, free: FreeModes, size: Axis, time: Axis, energy: Ax
     for name, factor, stretch in (("V1", scene.k1, "x1"), ("V2", scene.k2, "stretch")):
         signals[name] = derived(scaled(potential, 0.5, factor) * var(stretch) * var(stretch))
     return signals
-
-
-def _values(free: FreeModes, energy: Axis) -> dict[str, str]:
-    modes = free.chain.modes()
-    values: dict[str, str] = {}
-    for j, mode in enumerate(MODES):
-        name, letter = SIGN[mode], "mp"[j]
-        omega, ratio = modes.omega[j], modes.ratio[j]
-        values[f"omega_{name}"] = three(omega)
-        values[f"ratio_{name}"] = "∞" if math.isinf(ratio) else signed(ratio)
-        values[f"phi_{name}"] = plus(free.phase[j])
-        values[f"E_{name}"] = energy.number(free.energy[j])
-        values[f"{mode}_period"] = f"{three(2 * math.pi / omega)} s" if omega else "none"
-        for i in (1, 2):
-            amplitude = free.amplitude[j, i - 1]
-            values[f"X{i}{letter}"] = plus(amplitude) if letter == "p" else three(amplitude)
-    for i in (1, 2):
-        values[f"a{i}"], values[f"b{i}"] = three(free.drift_a[i - 1]), plus(free.drift_b[i - 1])
-    beat = modes.beat if modes.omega[0] else 0.0
-    values["beat_period"] = f"{three(2 * math.pi / beat)} s" if beat else "none"
-    values["E_total"], values["E_unit"] = energy.number(float(free.energy.sum())), energy.full_unit
-    return values
-
-
-def _forms(scene: Coupled, free: FreeModes) -> dict[str, str]:
-    """Which sentence stands: a mode of frequency zero is a drift, and with no spring at all both are."""
-    slow, fast = free.omega
-    kind = "sine" if slow else ("two" if not fast else "drift" if scene.k2 else "free")
-    forms = {"slow_fact": kind, "fast_fact": "sine" if fast else "", scene.energy: "shown"}
-    forms |= {"slow_omega": kind if kind in ("sine", "two") else "drift", "fast_omega": "sine" if fast else ""}
-    for i in (1, 2):
-        forms[f"x{i}_slow"] = "sine" if slow else "drift"
-        forms[f"x{i}_fast"] = "sine" if fast else ""
-    return forms

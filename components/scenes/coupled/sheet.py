@@ -3,21 +3,33 @@
 from __future__ import annotations
 
 from components import chain
-from components.plots import Band, Curve, plot
-from components.sheet import Block, choice, column, row, stage, term, words
-from components.stage import H, Shape, W, arrow, line, on_x, on_y, text, var
+from components.chain.forces import arrows
+from components.chain.grabs import mass_grab, plane_grab
+from components.page.blocks import Block
+from components.page.numbers import var
+from components.plots import Room, curve, plot, region
+from components.scenes.coupled.words import CONSTANTS, CONSTANTS_TABLE, FORCES, TASK, captions
+from components.sheet import choice, column, either, row, stage, table, term, when, words
+from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
 from components.traces import traced
 
-MODES = ("slow", "fast")
-SIGN = {"slow": "minus", "fast": "plus"}
+FEET = (0.56, 0.815, 1.0)
+"""Where the motion, its slow part and its fast part stand, as fractions of the stage's height."""
+BEAT = either(
+    "beat",
+    both="Beat period {beat_period}",
+    one="No beat: one mode alone",
+    drift="No beat: one part is a drift",
+)
 
 
 def coupled_sheet() -> Block:
     """The paper of the scene."""
     return column(
+        words(TASK, style="task", phone=0),
         row(
             stage(*_shapes(), label="Two masses and two springs in motion; below, its two modes", height=215),
-            words(*_facts(), style="sum", basis=212, phone=4),
+            _facts(),
             grow=230,
             gap=18,
         ),
@@ -26,15 +38,9 @@ def coupled_sheet() -> Block:
             column(
                 words("**Mass 2 against mass 1**", style="plain", phone=15),
                 _plane(),
-                words(
-                    "[slow|Slow period] {slow_period}",
-                    "[fast|Fast period] {fast_period}",
-                    "Beat period {beat_period}",
-                    style="numbers",
-                    phone=17,
-                ),
+                words(BEAT, style="numbers", phone=17),
                 choice("energy", {"parts": "Masses, springs", "modes": "Modes"}, "Energy of", phone=14),
-                basis=212,
+                basis=254,
                 grow=0,
             ),
             grow=346,
@@ -43,51 +49,46 @@ def coupled_sheet() -> Block:
     )
 
 
+def _facts() -> Block:
+    """Right of the stage: a caption at the height of each of its rows, or the constants, or the forces."""
+    heights = zip(chain.MODES, (FEET[1] - FEET[0], FEET[2] - FEET[1]), strict=True)
+    rows = [words(*captions(mode), style="caption", grow=grow, phone=4) for mode, grow in heights]
+    return column(
+        when("view_modes", column(words("**The motion**", style="caption", grow=FEET[0], phone=4), *rows)),
+        when(
+            "view_constants",
+            column(
+                words(*CONSTANTS, style="constants", phone=4),
+                table(*CONSTANTS_TABLE, head=["", "[slow|slow]", "[fast|fast]", ""], style="tight", phone=4),
+            ),
+        ),
+        when("view_forces", words(*FORCES, style="facts", grow=1, phone=4)),
+        grow=0,
+        basis=254,
+    )
+
+
 def _shapes() -> list[Shape]:
     """The motion, and under it the same chain twice more: its slow part and its fast part alone."""
-    foot, slow_foot, fast_foot = 0.56 * H, 0.815 * H, 1.0 * H
+    foot, slow_foot, fast_foot = (share * H for share in FEET)
     shapes = [chain.standing_wall(0.17 * H, 0.83 * H), *chain.ground(foot)]
     for mass_ in (1, 2):
         shapes.append(line(chain.rest(mass_), foot, chain.rest(mass_), fast_foot, tint="mute", style="eq"))
-        shapes += chain.displacement(mass_, foot)
-    shapes += chain.masses(foot, chain.place(1, "x1"), chain.place(2, "x2"))
+        shapes += chain.displacement_arrow(mass_, foot)
+    shapes += chain.masses(foot, chain.place(1, "x1"), chain.place(2, "x2"), grabs=(mass_grab(1), mass_grab(2)))
     for mode, base in (("slow", slow_foot), ("fast", fast_foot)):
         shapes.append(line(chain.WALL * W, base, W, base, tint="rule", style="hair"))
         places = [chain.place(i, f"x{i}_{mode}") for i in (1, 2)]
         shapes += chain.masses(base, *places, small=True)
         shapes += [arrow(chain.rest(i), base - 0.026 * W, places[i - 1], base - 0.026 * W, tint=mode) for i in (1, 2)]
-    return shapes
-
-
-def _facts() -> list[str | dict[str, str]]:
-    facts: list[str | dict[str, str]] = ["**The motion**"]
-    for mode, sign in (("slow", "="), ("fast", "+")):
-        name, index = SIGN[mode], {"slow": "-", "fast": "+"}[mode]
-        facts.append(
-            {
-                "form": f"{mode}_fact",
-                "sine": f"[{mode}|{sign} {mode} mode]",
-                "drift": f"[{mode}|{sign} drift, off the wall]",
-                "free": f"[{mode}|{sign} drift of mass 2]",
-                "two": f"[{mode}|{sign} drift: no springs]",
-            }
-        )
-        facts.append(
-            {
-                "form": f"{mode}_omega",
-                "sine": rf"$\omega_{{{index}}} = \val{{omega_{name}}}$ rad/s, $X_2 / X_1 = \val{{ratio_{name}}}$",
-                "drift": rf"$\omega_{{{index}}} = 0$: $x = a + b\,t$, $X_2 / X_1 = \val{{ratio_{name}}}$",
-                "two": r"$\omega_- = \omega_+ = 0$: $x = a + b\,t$, each mass on its own",
-            }
-        )
-    return facts
+    return shapes + arrows(foot)
 
 
 def _displacements(i: int) -> Block:
     """x_i(t), its slow part and its fast part, under the formula that is their legend and switch."""
     traces = (
-        traced(f"x{i}_slow", tint="slow", label="slow", signal=f"x{i}_slow"),
-        traced(f"x{i}_fast", tint="fast", width="dash", label="fast", signal=f"x{i}_fast"),
+        traced(f"x{i}_slow", tint="slow", read="slow", signal=f"x{i}_slow"),
+        traced(f"x{i}_fast", tint="fast", width="dash", read="fast", signal=f"x{i}_fast"),
         traced(f"x{i}", tint=f"m{i}", width="sum", label=f"*x*_{i}", signal=f"x{i}"),
     )
     return plot(
@@ -103,14 +104,14 @@ def _displacements(i: int) -> Block:
                 f"x{i}_slow",
                 "line",
                 "slow",
-                sine=rf"\val{{X{i}m}}\,\sin(\val{{omega_minus}}\,t\; \val{{phi_minus}})",
+                sine=rf"\val{{X{i}_minus}}\,\sin(\val{{omega_minus}}\,t\; \val{{phi_minus}})",
                 drift=rf"\val{{a{i}}}\; \val{{b{i}}}\,t",
             ),
             term(
                 f"x{i}_fast",
                 "dash",
                 "fast",
-                sine=rf"\val{{X{i}p}}\,\sin(\val{{omega_plus}}\,t\; \val{{phi_plus}})",
+                sine=rf"\val{{X{i}_plus}}\,\sin(\val{{omega_plus}}\,t\; \val{{phi_plus}})",
             ),
         ),
         x_labels=False,
@@ -135,7 +136,7 @@ def _part_energies() -> Block:
         x="t",
         y="E",
         title="Kinetic and potential energy of each mass and spring, stacked to their constant sum",
-        bands=tuple(Band(low=low, high=high, tint=tint, label=label) for low, high, _, tint, label in STACK),
+        bands=tuple(region(low=low, high=high, tint=tint, read=label) for low, high, _, tint, label in STACK),
         heading=(
             term("", "none", "ink", formula=r"T + V = \val{E_total} ="),
             *(
@@ -147,7 +148,7 @@ def _part_energies() -> Block:
         cursor="time",
         phone=13,
         height=130,
-        show="parts",
+        form="parts",
     )
 
 
@@ -159,9 +160,9 @@ def _mode_energies() -> Block:
         y="E",
         title="Energy of the slow mode and of the fast mode: both constant",
         curves=(
-            Curve(name="E_slow", source="flat", tint="slow", label="slow"),
-            Curve(name="E_fast", source="flat", tint="fast", width="dash", label="fast"),
-            Curve(name="E_total", source="flat", tint="ink", width="sum", label="*E*"),
+            curve("E_slow", source="flat", tint="slow", label="slow"),
+            curve("E_fast", source="flat", tint="fast", width="dash", label="fast"),
+            curve("E_total", source="flat", tint="ink", width="sum", label="*E*"),
         ),
         heading=(
             term("", "none", "ink", formula=r"T + V = \val{E_total} ="),
@@ -169,11 +170,10 @@ def _mode_energies() -> Block:
             term("E_fast", "dash", "fast", formula=r"+\; \val{E_plus}"),
             term("", "none", "ink", formula=r"\val{E_unit}\text{: each mode keeps its own}"),
         ),
-        source="flat",
         cursor="time",
         phone=13,
         height=130,
-        show="modes",
+        form="modes",
     )
 
 
@@ -187,23 +187,30 @@ def _plane() -> Block:
         x="x",
         y="x",
         title="Displacement of mass 2 against that of mass 1, with the directions of the two modes",
-        source="time",
         x_column="x1",
         curves=(
-            Curve(name="slow2", source="modes", x="slow1", tint="slow"),
-            Curve(name="fast2", source="modes", x="fast1", tint="fast", width="dash"),
-            Curve(name="x2", x="x1", tint="ink", signal="x1,x2"),
+            curve("slow2", source="modes", x="slow1", tint="slow"),
+            curve("fast2", source="modes", x="fast1", tint="fast", width="dash"),
+            curve("x2", x="x1", tint="ink", signal_x="x1", signal="x2"),
         ),
         shapes=(
             arrow(*zero, *slow, tint="slow"),
             arrow(*slow, *here, tint="fast"),
+            circle(*here, 5, grab=plane_grab("plane")),
+            *(_direction(mode) for mode in chain.MODES),
             text(var("plane.right") - 4, zero[1] - 8, "*x*_1", anchor="end", tint="m1", style="t2 b"),
-            text(zero[0] + 8, var("plane.top") + 12, "*x*_2", anchor="start", tint="m2", style="t2 b"),
+            text(zero[0] - 8, var("plane.top") + 12, "*x*_2", anchor="end", tint="m2", style="t2 b"),
         ),
-        margin=(8, 8),
+        room=Room(8, 8),
         square=True,
         plain=True,
         grow=1,
         phone=16,
         height=300,
     )
+
+
+def _direction(mode: str) -> Shape:
+    """The name of a mode beside its direction."""
+    x, y = on_x("plane", var(f"{mode}_name1")), on_y("plane", var(f"{mode}_name2"))
+    return text(x - 8, y + 4, mode, "end", tint=mode, style="t1 b halo", show=f"{mode}_name2")

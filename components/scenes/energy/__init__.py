@@ -4,44 +4,55 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from typing import Any
 
 import numpy as np
-import param
 from numpy.typing import NDArray
 
 from components.about import About
-from components.about_single import energy_about
-from components.axes import Axis
-from components.chain import wire
+from components.axes import ONE, Axis
 from components.controls import Group
-from components.motion import derived, pace, sines
+from components.frames import FITTED, framed
+from components.motion import QUARTER, derived, pace, scaled, sines
 from components.numbers import three
-from components.parameters import displacement, mass, not_negative, positive, velocity
-from components.scene import Columns, Picture, Scene
-from components.scenes.energy.case import Case, case_axes
+from components.page.blocks import Block
+from components.page.numbers import var
+from components.page.signals import AnySignal
+from components.page.state import Frame
+from components.parameters import Values, displacement, mass, not_negative, one_of, positive, velocity
+from components.scene import Picture, Scene
+from components.scenes.energy.about import energy_about
+from components.scenes.energy.case import HangingCase, case_axes
 from components.scenes.energy.hanging import PLANETS
 from components.scenes.energy.sheet import hanging_sheet
-from components.sheet import Block
-from components.stage import var
-from components.traces import samples, trace
-from physics.hanging import HangingMass
+from components.stage import wire
+from components.traces import Columns, samples, sources_over_time, trace
+from physics.hanging import Datum, HangingMass
 from physics.sampling import Sinusoid, drawable
-
-QUARTER = math.pi / 2
-ONE = Axis(-1.0, 1.0)
 
 
 class Energy(Scene):
     slug = "energy"
     title = "Energy"
     lecture = "D31"
+    points = "points 4 to 6"
     headline = "Energy swings between motion and spring; the sum stands still"
+    spoken = {
+        "natural frequency": "{omega} rad/s",
+        "period": "{tau} s",
+        "energy": "{E_total} {E_unit}",
+        "static deflection": "{delta_st}",
+    }
+    equations = (
+        "m x'' + k x = 0; x downwards from equilibrium",
+        "T = m v^2/2; delta_st = m g/k",
+        "V = k x^2/2; with datum = separate larger by m g delta_st/2",
+    )
     groups = (
         Group("Mass and spring", ("m", "k")),
-        Group("Gravity", ("g",), actions=tuple((slug, name) for slug, (name, _) in PLANETS.items())),
-        Group("Start", ("x_0", "v_0")),
-        Group("V counts", ("datum",)),
+        Group("Start", ("x_0",)),
+        Group("", ("v_0",), "Start velocity", folded=True),
+        Group("", ("g",), "Gravity", actions=tuple((slug, name) for slug, (name, _) in PLANETS.items()), folded=True),
+        Group("V counted from", ("datum",)),
     )
     places = tuple(PLANETS)
     presets = {
@@ -76,9 +87,9 @@ class Energy(Scene):
         0.0, symbol="v_0", tint="m1", softbounds=(-2.0, 2.0),
         says="is the velocity at the start, positive downwards. Any number.",
     )  # fmt: skip
-    datum = param.Selector(
+    datum = one_of(
         default="equilibrium",
-        objects={"From equilibrium": "equilibrium", "Spring + gravity": "separate"},
+        objects={"Equilibrium": "equilibrium", "Spring + gravity": "separate", "Slide 4": "slide"},
         label="Datum of V",
     )
 
@@ -87,42 +98,51 @@ class Energy(Scene):
     def sheet(cls) -> Block:
         return hanging_sheet()
 
-    def action(self, name: str) -> dict[str, Any]:
+    def action(self, name: str) -> Values:
         return {"g": PLANETS[name][1]}
 
-    def picture(self) -> Picture:
+    def picture(self, frame: Frame = FITTED) -> Picture:
         system = HangingMass(m=self.m, k=self.k, g=self.g)
-        case = Case(system=system, x_0=self.x_0, v_0=self.v_0, window=self.window, datum=self.datum)
+        case = HangingCase(
+            system=system,
+            x_0=self.x_0,
+            v_0=self.v_0,
+            window=self.window,
+            standing=frame.window,
+            datum=self.datum,
+        )
         t = np.linspace(0.0, case.end, samples(case.end, 2 * case.omega))
         curves, bands = _motion_columns(case, t)
-        axes = case_axes(case)
+        axes = framed(frame, case_axes(case))
         return Picture(
             columns={
-                "time": {"t": t, **curves},
-                "band": bands and {"t": t, **bands},
-                "level": {"t": t[[0, -1]], "total": np.full(2, case.total)},
+                **sources_over_time(t, curves, bands),
+                "level": {"t": t[[0, -1]], **_levels(case)},
                 "well": _well_columns(case, axes["x_well"]),
             },
             axes=axes,
             signals=_signals(case, axes),
             scalars=_scalars(case, axes, t),
+            pace=pace(case.omega, case.omega),
             values=_values(case, axes),
             live={
                 "x": axes["x"].digits(signed=True),
-                **{name: axes["E"].digits() for name in ("T", "V", "spring", "gravity")},
+                **{name: axes["E"].digits() for name in ("T", "V", "spring")},
+                **{name: axes["E"].digits(signed=True) for name in ("gravity", "constant")},
             },
             forms={"datum": case.datum},
         )
 
     def about(self) -> About:
         system = HangingMass(m=self.m, k=self.k, g=self.g)
-        return energy_about(self.shown, system, self.x_0, self.v_0, self.datum)
+        datum: Datum = "separate" if self.datum == "separate" else "equilibrium"
+        return energy_about(self.shown, system, self.x_0, self.v_0, datum)
 
 
-def _motion_columns(case: Case, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
+def _motion_columns(case: HangingCase, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
     """x, T, V and, counted apart, the energies of spring and gravity: curves, or bands where too fast."""
     motion = case.system.motion(case.x_0, case.v_0, t)
-    energies = case.system.energies(motion.x, motion.v, case.datum)
+    energies = case.system.energies(motion.x, motion.v, "separate" if case.separate else "equilibrium")
     omega, phi = case.omega, case.constants.phi
     nothing, half = np.zeros_like(t), case.E / 2
     potential = Sinusoid(half, 2 * omega, 2 * phi - QUARTER)
@@ -131,9 +151,9 @@ def _motion_columns(case: Case, t: NDArray[np.float64]) -> tuple[Columns, Column
         "T": ([Sinusoid(half, 2 * omega, 2 * phi + QUARTER)], half, energies.T),
         "V": ([potential], half + case.shift, energies.V),
     }
-    if case.separate:
+    if case.apart:
         stretch = Sinusoid(case.weight, omega, phi)
-        parts["spring"] = ([potential, stretch], half + case.shift, energies.spring)
+        parts["spring"] = ([potential, stretch], half + case.constant, energies.spring)
         parts["gravity"] = ([stretch._replace(phase=phi + math.pi)], 0.0, energies.gravity)
     curves: Columns = {}
     bands: Columns = {}
@@ -144,29 +164,39 @@ def _motion_columns(case: Case, t: NDArray[np.float64]) -> tuple[Columns, Column
     return curves, bands
 
 
-def _well_columns(case: Case, axis: Axis) -> Columns:
-    """V over x; counted apart, also its two parts, and V from equilibrium for comparison."""
+def _levels(case: HangingCase) -> Columns:
+    """What stands still: the sum, and the constant that the slide takes off."""
+    levels = {"total": np.full(2, case.total)}
+    return levels | {"constant": np.full(2, -case.constant)} if case.datum == "slide" else levels
+
+
+def _well_columns(case: HangingCase, axis: Axis) -> Columns:
+    """V over x; term by term, also its terms, and where the slide's constant is not among them, the slide's V."""
     x = np.linspace(axis.start, axis.end, 121)
-    well = case.system.well(x, case.datum)
-    if not case.separate:
-        return {"x": x, "V": well}
-    parts = case.system.energies(x, np.zeros_like(x), "separate")
-    return {"x": x, "V": well, "spring": parts.spring, "gravity": parts.gravity, "other": case.system.well(x)}
+    slide = case.system.well(x)
+    if not case.apart:
+        return {"x": x, "V": slide}
+    parts = case.system.energies(x, np.zeros_like(x))
+    columns = {"x": x, "spring": parts.spring, "gravity": parts.gravity}
+    if case.separate:
+        return columns | {"V": case.system.well(x, "separate"), "other": slide}
+    return columns | {"V": slide, "constant": np.full_like(x, -case.constant)}
 
 
-def _signals(case: Case, axes: dict[str, Axis]) -> dict[str, Any]:
+def _signals(case: HangingCase, axes: dict[str, Axis]) -> dict[str, AnySignal]:
     """x, and the energies from the sine and cosine of the phase."""
     time, energy, phi = axes["t"], axes["E"], case.constants.phi
     sine, cosine = var("sine"), var("cosine")
-    E, shift, weight = (energy.place(value) for value in (case.E, case.shift, case.weight))
+    E, shift, weight, constant = (energy.place(v) for v in (case.E, case.shift, case.weight, case.constant))
     return {
         "x": sines(axes["x"], time, (case.constants.C, case.omega, phi)),
         "sine": sines(ONE, time, (1.0, case.omega, phi)),
         "cosine": sines(ONE, time, (1.0, case.omega, phi + QUARTER)),
         "T": derived(E * cosine * cosine),
         "V": derived(E * sine * sine + shift),
-        "spring": derived(E * sine * sine + weight * sine + shift),
+        "spring": derived(E * sine * sine + weight * sine + constant),
         "gravity": derived(-weight * sine),
+        "constant": derived(-constant),
         "total": derived(E + shift),
         "V_share": derived(_share(case.E, case.total) * sine * sine + _share(case.shift, case.total)),
     }
@@ -176,7 +206,7 @@ def _share(part: float, whole: float) -> float:
     return part / whole if whole else 0.0
 
 
-def _scalars(case: Case, axes: dict[str, Axis], t: NDArray[np.float64]) -> dict[str, float]:
+def _scalars(case: HangingCase, axes: dict[str, Axis], t: NDArray[np.float64]) -> dict[str, float]:
     """Places on the stage, sizes, and the clock's speed."""
     x, delta, C = axes["x"], case.system.delta_st, case.constants.C
     span = x.start - x.end
@@ -199,7 +229,6 @@ def _scalars(case: Case, axes: dict[str, Axis], t: NDArray[np.float64]) -> dict[
         "phi": case.constants.phi,
         "side": min(max(math.sqrt(case.system.m), 0.5), 1.3),
         "wire": wire(case.system.k),
-        **pace(case.omega, case.omega),
         **_planets(case, x),
     }
     if drawable(case.omega, t):
@@ -207,7 +236,7 @@ def _scalars(case: Case, axes: dict[str, Axis], t: NDArray[np.float64]) -> dict[
     return scalars
 
 
-def _planets(case: Case, x: Axis) -> dict[str, float]:
+def _planets(case: HangingCase, x: Axis) -> dict[str, float]:
     """Where the mass would hang elsewhere, as far as that is in the picture and apart from what else is."""
     scalars: dict[str, float] = {}
     taken = [0.0, -case.system.delta_st]
@@ -223,7 +252,7 @@ def _planets(case: Case, x: Axis) -> dict[str, float]:
     return scalars
 
 
-def _values(case: Case, axes: dict[str, Axis]) -> dict[str, str]:
+def _values(case: HangingCase, axes: dict[str, Axis]) -> dict[str, str]:
     E, tau = axes["E"], case.system.oscillator.period
     return {
         "delta": three(case.system.delta_st),
@@ -235,6 +264,7 @@ def _values(case: Case, axes: dict[str, Axis]) -> dict[str, str]:
         "E_unit": E.full_unit,
         "E_total": E.number(case.total),
         "T_max": E.number(case.E),
+        "v_max": three(scaled(0, case.omega, case.constants.C)),
         "V_max": E.number(case.total),
         "shift": f"{E.number(case.shift)} {E.full_unit}",
     }

@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from components.axes import Axis, nice_axis, nice_ticks, time_axis
-from components.numbers import MINUS, power_unit, three
+from components.numbers import at_tick, power_unit, three
 from physics.exact import exact, precise, rounded
-from physics.hanging import Datum, HangingMass
+from physics.hanging import HangingMass
 from physics.oscillator import OscillatorConstants
 from physics.sampling import periods
 
@@ -17,18 +17,25 @@ FARTHEST = 6.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class Case:
-    """A hanging mass, its start, its window, and from where V is counted."""
+class HangingCase:
+    """A hanging mass, its start, its window, the one that stands instead, and from where V is counted."""
 
     system: HangingMass
     x_0: float
     v_0: float
     window: float | None
-    datum: Datum
+    datum: str
+    standing: float | None = None
 
     @property
     def separate(self) -> bool:
+        """Whether V is the sum of spring and gravity, without the constant of the slide."""
         return self.datum == "separate"
+
+    @property
+    def apart(self) -> bool:
+        """Whether V is drawn term by term."""
+        return self.datum in ("separate", "slide")
 
     @cached_property
     def omega(self) -> float:
@@ -39,9 +46,13 @@ class Case:
         return self.system.oscillator.constants(self.x_0, self.v_0)
 
     @cached_property
-    def end(self) -> float:
+    def own_end(self) -> float:
         own = periods(2 * self.omega, 6)
         return self.window or own
+
+    @property
+    def end(self) -> float:
+        return self.standing or self.own_end
 
     @cached_property
     def E(self) -> float:
@@ -56,6 +67,11 @@ class Case:
     def total(self) -> float:
         return self.E + self.shift
 
+    @property
+    def constant(self) -> float:
+        """k delta_st^2/2, which the slide takes off."""
+        return self.system.datum_shift
+
     @cached_property
     def weight(self) -> float:
         """m g C, the largest of the energy of gravity."""
@@ -63,43 +79,43 @@ class Case:
             return rounded("m g C", exact(self.system.m) * exact(self.system.g) * exact(self.constants.C))
 
 
-def case_axes(case: Case) -> dict[str, Axis]:
+def case_axes(case: HangingCase) -> dict[str, Axis]:
     """The energies over time have the axis of the well, whose level has its number there alone."""
     energy = _energy_axis(case)
     beside = replace(energy, labels=tuple("" if "J" in label else label for label in energy.labels))
-    return {"t": time_axis(case.end), "x": _x_axis(case), "x_well": _well_axis(case), "E": energy, "E_time": beside}
+    return {"t": time_axis(case.own_end), "x": _x_axis(case), "x_well": _well_axis(case), "E": energy, "E_time": beside}
 
 
-def _x_axis(case: Case) -> Axis:
+def _x_axis(case: HangingCase) -> Axis:
     """Downwards, from above the natural length, unless that is far away, to below the lowest point."""
     C, delta = case.constants.C, case.system.delta_st
     high = max(1.25 * C, 1.12 * delta if delta <= FARTHEST * C or not C else 0.0) or 1.0
     low = 1.25 * C or 0.5 * high
     exponent, suffix = power_unit(max(high, low))
-    bare = Axis(low, -high, "m", exponent, suffix)
-    return replace(bare, ticks=nice_ticks(bare.place(-high), bare.place(0.95 * low), 4))
+    seen = (-delta if 1.12 * delta == high else -C, C)
+    bare = Axis(low, -high, "m", exponent, suffix, drawn=seen)
+    return replace(bare, ticks=nice_ticks(bare.place(-high), bare.place(0.95 * low), 2))
 
 
-def _well_axis(case: Case) -> Axis:
+def _well_axis(case: HangingCase) -> Axis:
     """The same unit; the well is drawn a little beyond the turning points."""
     x = _x_axis(case)
     end = 1.18 * case.constants.C or x.start
-    ticks = nice_ticks(x.place(-end), x.place(end), 3)
-    return replace(x, start=-end, end=end, ticks=ticks)
+    ticks = nice_ticks(x.place(-end), x.place(end), 2)
+    C = case.constants.C
+    return replace(x, start=-end, end=end, ticks=ticks, drawn=(-C, C))
 
 
-def _energy_axis(case: Case) -> Axis:
+def _energy_axis(case: HangingCase) -> Axis:
     """From the lowest to the highest energy drawn; the sum T + V has its own tick."""
     top, bottom = case.total, 0.0
-    if case.separate:
-        top, bottom = case.total + case.weight, -case.weight
+    if case.apart:
+        top, bottom = case.E + case.constant + case.weight, -case.weight
+    if case.datum == "slide":
+        bottom = -max(case.weight, case.constant)
     room = 0.11 * (top - bottom) or 1.0
-    axis = nice_axis(bottom - (room / 2 if bottom else 0.0), top + room, "J", 4, exact=True)
+    axis = nice_axis(bottom - (room / 2 if bottom else 0.0), top + room, "J", 2, exact=True)
     total, span = axis.place(case.total), axis.place(axis.end) - axis.place(axis.start)
     ticks = tuple(sorted({*(tick for tick in axis.ticks if abs(tick - total) > 0.16 * span), total}))
-    labels = tuple(f"{three(tick)} {axis.full_unit}" if tick == total else _round(tick) for tick in ticks)
-    return replace(axis, ticks=ticks, labels=labels)
-
-
-def _round(tick: float) -> str:
-    return f"{tick:.6g}".replace("-", MINUS)
+    labels = tuple(f"{three(tick)} {axis.full_unit}" if tick == total else at_tick(tick) for tick in ticks)
+    return replace(axis, ticks=ticks, labels=labels, drawn=(bottom, top))

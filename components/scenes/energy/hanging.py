@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
+from components.grabs import at_rest, begin, linear, on_plot
+from components.page.numbers import Expression, Number, var
+from components.page.shapes import Begin
 from components.stage import (
     NARROW,
     WIDE,
-    Expression,
     H,
-    Number,
     Shape,
     T,
     W,
     arrow,
+    box,
     circle,
     line,
     on_x,
     on_y,
     path,
-    shape,
     spring,
     text,
-    var,
     wall,
     wave,
 )
@@ -41,6 +41,9 @@ def height(x: Number) -> Expression:
     return WIDE * on_y("x", x) + NARROW * (0.2 * H + 0.58 * H * (x - var("x_top")) * var("per_span"))
 
 
+MOVES = {"moves": "x", "axis": "x", "rate": "v_0"}
+START = (Begin("x_0", "x", "x"), *at_rest("v_0"))
+"""Where the mass is held is the start."""
 TOP, BOTTOM = height(var("x_top")), height(var("x_bottom"))
 
 
@@ -81,7 +84,14 @@ def body() -> list[Shape]:
         wall(CENTRE - 62, WIDE * 16 + NARROW * 12, 124, side="top"),
         line(CENTRE, hook, now, hook, style="level", tint="m1"),
         spring(CENTRE, WIDE * 16 + NARROW * 12, CENTRE, hook, var("wire"), height=15),
-        shape("block", x=CENTRE, y=hook + side, side=side, label="m", tint="m1"),
+        box(
+            CENTRE,
+            hook + side,
+            side,
+            "*m*",
+            tint="m1",
+            grab=begin("Mass, start", linear(lambda x: height(x) + 0.5 * side, "y", "x_0", **MOVES), start=START),
+        ),
         arrow(CENTRE + 46, height(0), CENTRE + 46, hook, tint="m1"),
         text(CENTRE + 46, BOTTOM + 22, "*x* = {x} {x_unit}", "start", tint="m1", style="t2 b halo"),
     ]
@@ -151,5 +161,5 @@ def well() -> tuple[Shape, ...]:
         *[circle(on_x("well", side * var("C")), level, 4, tint="ink", show="swinging") for side in (-1, 1)],
         arrow(middle, floor, middle, shift, tint="ink", style="thin", head=9, show="shifted"),
         text(middle - 8, (floor + shift) * 0.5 + 5, "½ *k δ*_{st}² = {shift}", "end", style="b halo", show="shifted"),
-        circle(x, V, 8, tint="m1"),
+        circle(x, V, 8, tint="m1", grab=begin("Ball, start", on_plot("well", "x", "x_0", **MOVES), start=START)),
     )

@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
-from components.plots import Curve, plot
+from components.page.blocks import Block
+from components.page.plots import Term
+from components.plots import Room, curve, plot
 from components.scenes.energy.hanging import natural_length, shapes, well
-from components.sheet import Block, column, phrase, row, stage, term, words
+from components.sheet import column, either, phrase, row, stage, term, words
 from components.traces import traced
 
 UPPER, LOWER, BETWEEN, ABOVE = 300, 190, 44, 78
 """Shares of the height, pixels between the rows, and the share over x(t) where the spring hangs."""
-DATUM = {"form": "datum"}
+DATUM = "datum"
+TASK = "Pull the mass down and let go: where is all the energy motion, and where none of it?"
 
 
 def hanging_sheet() -> Block:
     label = "Mass on a spring, its natural length and its equilibrium, and its energy as a bar"
     between = _between()
-    return row(
+    paper = row(
         column(stage(*shapes(), label=label, grow=UPPER, basis=BETWEEN, height=230), _well(), grow=330),
         column(words(style="room", grow=ABOVE), _displacement(), between, _energies(), grow=390),
         column(_gravity(), _law(), grow=190),
         gap=0,
     )
+    return column(words(TASK, style="task", phone=0), paper)
 
 
 def _displacement() -> Block:
@@ -33,7 +37,7 @@ def _displacement() -> Block:
         curves=(curve,),
         bands=(band,),
         x_labels=False,
-        margin=(58, 56),
+        room=Room(58, 56),
         cursor="time",
         shapes=natural_length(),
         grow=UPPER - ABOVE,
@@ -45,13 +49,15 @@ def _displacement() -> Block:
 def _between() -> Block:
     """What the datum of V decides."""
     return words(
-        {
-            **DATUM,
-            "equilibrium": r"$T_{\mathrm{max}} = V_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
-            "all $T$ at equilibrium, all $V$ where it turns.",
-            "separate": r"$V_{\mathrm{max}} = \val{V_max}$ {E_unit} is not $T_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
+        either(
+            DATUM,
+            equilibrium=r"$T_{\mathrm{max}} = V_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
+            r"all $T$ at equilibrium, where $v = \omega_n x_{\mathrm{max}} = \val{v_max}$ m/s; all $V$ where it turns.",
+            separate=r"$V_{\mathrm{max}} = \val{V_max}$ {E_unit} is not $T_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
             "a constant more, and the same motion.",
-        },
+            slide=r"Three terms, and because $k \delta_{\mathrm{st}} = m g$ their sum is $\tfrac{1}{2} k x^2$: "
+            "gravity drops out of the motion.",
+        ),
         style="small",
         basis=BETWEEN,
         phone=12,
@@ -62,37 +68,37 @@ def _energies() -> Block:
     parts = [
         traced("spring", tint="k", width="line", label="spring"),
         traced("gravity", tint="k", width="dash", label="gravity"),
-        traced("V", tint="V", label="*V*", signal="V"),
-        traced("T", tint="T", width="dash", label="*T*", signal="T"),
+        traced("V", tint="V", read="*V*", signal="V"),
+        traced("T", tint="T", width="dash", read="*T*", signal="T"),
     ]
     curves, bands = zip(*parts, strict=True)
-    total = Curve(name="total", source="level", tint="total", width="sum", label="*T*+*V*", signal="total")
-    separate = {
-        name: {**phrase(name, key, "k", equilibrium="", separate=name), **DATUM}
-        for name, key in (("spring", "line"), ("gravity", "dash"))
-    }
+    constant = curve("constant", source="level", tint="k", width="dots", label="const.", signal="constant")
+    total = curve("total", source="level", tint="total", width="sum", read="*T*+*V*", signal="total")
     return plot(
         "energy",
         x="t",
         y="E_time",
         title="Kinetic energy, potential energy and their constant sum against time",
-        curves=(total, *curves),
+        curves=(total, constant, *curves),
         bands=bands,
-        heading=(
-            term("total", "sum", "total", formula="T + V"),
-            term("V", "line", "V", formula="V"),
-            term("T", "dash", "T", formula="T"),
-            *separate.values(),
-            {
-                **phrase("", "none", "mute", equilibrium=r"at $2 \omega_n = \val{omega_2}$ rad/s", separate=""),
-                **DATUM,
-            },
-        ),
-        margin=(58, 56),
+        heading=_energy_terms(),
+        room=Room(58, 56),
         cursor="time",
         grow=LOWER,
         phone=13,
         height=230,
+    )
+
+
+def _energy_terms() -> tuple[Term, ...]:
+    twice = r"at $2 \omega_n = \val{omega_2}$ rad/s"
+    return (
+        term("total", "sum", "total", formula="T + V"),
+        term("V", "line", "V", formula="V"),
+        term("T", "dash", "T", formula="T"),
+        phrase("spring", "line", "k", form=DATUM, equilibrium="", separate="spring", slide="spring"),
+        phrase("gravity", "dash", "k", form=DATUM, equilibrium="", separate="gravity", slide="gravity"),
+        phrase("", "none", "mute", form=DATUM, equilibrium=twice, separate="", slide=""),
     )
 
 
@@ -104,21 +110,23 @@ def _well() -> Block:
         y="E",
         title="The potential well: V against displacement, with the level of the energy and the turning points",
         curves=(
-            Curve(name="spring", tint="k", group="spring", read="spring", **look),
-            Curve(name="gravity", tint="k", width="dash", group="gravity", read="gravity", **look),
-            Curve(name="other", tint="V", width="dash", group="other", **look),
-            Curve(name="V", tint="V", width="sum", group="well", read="*V*", **look),
+            curve("spring", tint="k", group="spring", read="spring", **look),
+            curve("gravity", tint="k", width="dash", group="gravity", read="gravity", **look),
+            curve("constant", tint="k", width="dots", group="constant", read="constant", **look),
+            curve("other", tint="V", width="dash", group="other", **look),
+            curve("V", tint="V", width="sum", group="well", read="*V*", **look),
         ),
         heading=(
-            {
-                **term("well", "sum", "V", equilibrium=r"V = \tfrac{1}{2} k x^2",
-                       separate=r"V = \tfrac{1}{2} k (x + \delta_{\mathrm{st}})^2 - m g x"),
-                **DATUM,
-            },
+            term(
+                "well", "sum", "V", form=DATUM, equilibrium=r"V = \tfrac{1}{2} k x^2",
+                separate=r"V = \tfrac{1}{2} k (x + \delta_{\mathrm{st}})^2 - m g x",
+                slide=r"V = \tfrac{1}{2} k (x + \delta_{\mathrm{st}})^2 "
+                r"- \tfrac{1}{2} k \delta_{\mathrm{st}}^2 - m g x",
+            ),
+            phrase("other", "dash", "V", form=DATUM, equilibrium="", separate="the slide's", slide=""),
         ),
-        source="well",
         x_column="x",
-        margin=(58, 40),
+        room=Room(58, 40),
         shapes=well(),
         grow=LOWER,
         phone=20,
@@ -129,9 +137,8 @@ def _well() -> Block:
 def _gravity() -> Block:
     return words(
         r"$\delta_{\mathrm{st}} = \frac{m g}{k} = \val{delta}$ m",
-        "[small|Gravity sets where it hangs,]",
         r"$\omega_n = \sqrt{\frac{k}{m}} = \val{omega}$ rad/s",
-        "[small|not how fast it swings.]",
+        "[small|Gravity sets where it hangs, not how fast it swings.]",
         r"$\tau = 2 \pi / \omega_n = \val{tau}$ s",
         style="proof",
         grow=UPPER,
@@ -144,19 +151,20 @@ def _law() -> Block:
     """d/dt (T + V) = 0, written out to the equation of motion."""
     return words(
         r"[T|$T = \tfrac{1}{2} m \dot{x}^2 = \val{T}$ {E_unit}]",
-        {
-            **DATUM,
-            "equilibrium": r"[V|$V = \tfrac{1}{2} k x^2 = \val{V}$ {E_unit}]",
-            "separate": r"[V|$V = \val{spring} + (\val{gravity}) = \val{V}$ {E_unit}]",
-        },
+        either(
+            DATUM,
+            equilibrium=r"[V|$V = \tfrac{1}{2} k x^2 = \val{V}$ {E_unit}]",
+            separate=r"[V|$V = \val{spring}\; \val{gravity} = \val{V}$ {E_unit}]",
+            slide=r"[V|$V = \val{spring}\; \val{constant}\; \val{gravity} = \val{V}$]",
+        ),
         r"$T + V = \val{E_total}$ {E_unit}",
-        "[small|does not change, so]",
         r"$\dfrac{\mathrm{d}}{\mathrm{d} t} (T + V) =$",
-        {
-            **DATUM,
-            "equilibrium": r"$\dot{x} (m \ddot{x} + k x) = 0$",
-            "separate": r"$\dot{x} (m \ddot{x} + k (x + \delta_{\mathrm{st}}) - m g) = 0$",
-        },
+        either(
+            DATUM,
+            equilibrium=r"$\dot{x} (m \ddot{x} + k x) = 0$",
+            separate=r"$\dot{x} (m \ddot{x} + k (x + \delta_{\mathrm{st}}) - m g) = 0$",
+            slide=r"$\dot{x} (m \ddot{x} + k (x + \delta_{\mathrm{st}}) - m g) = 0$",
+        ),
         r"[boxed|$m \ddot{x} + k x = 0$]",
         style="derivation",
         grow=LOWER,

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
-from numpy.typing import NDArray
 
 from components.axes import Axis
 from components.chain import components, free_signals
 from components.motion import derived, responses, sines, total
-from components.scene import Columns
-from components.stage import var
-from components.traces import trace
+from components.page.numbers import var
+from components.page.signals import AnySignal
+from components.traces import Columns, Floats, trace
 from physics.coupled import Motion
 from physics.energy import chain_energy
 from physics.forced import DrivenModes
 from physics.sampling import Sinusoid, drawable
 
-Floats = NDArray[np.float64]
+APART = 0.98
+"""An envelope that falls below this share of the straight line is seen beside it."""
 
 
 def motion_columns(driven: DrivenModes, motion: Motion) -> tuple[Columns, Columns]:
@@ -26,24 +24,25 @@ def motion_columns(driven: DrivenModes, motion: Motion) -> tuple[Columns, Column
 
     Where the parts are huge and opposite they are left out: see `limit_columns`.
     """
-    draw = _split if driven.split_is_meaningful else _whole
-    curves: Columns = {}
-    bands: Columns = {}
+    t, curves, bands = motion.t, Columns(), Columns()
+    split = driven.split_is_meaningful
+    parts = (driven.particular_motion(t), driven.complementary(t)) if split else ()
     for i in (0, 1):
-        curve, band = draw(driven, i, motion.t, motion.x[i])
+        x = motion.x[i]
+        curve, band = _split(driven, i, t, x, *(part[i] for part in parts)) if split else _whole(driven, i, t, x)
         curves, bands = curves | curve, bands | band
     return curves, bands
 
 
-def _split(driven: DrivenModes, i: int, t: Floats, x: Floats) -> tuple[Columns, Columns]:
+def _split(driven: DrivenModes, i: int, t: Floats, x: Floats, x_p: Floats, x_c: Floats) -> tuple[Columns, Columns]:
     name, X = f"x{i + 1}", driven.particular
     rest = driven.complementary_modes
     particular, complementary = [Sinusoid(X[i], driven.omega, 0.0)], components(rest, i)
     drift = rest.drift_a[i] + rest.drift_b[i] * t
     motions = (
         trace(name, [*particular, *complementary], t, drift, x),
-        trace(f"{name}_p", particular, t, None, driven.particular_motion(t)[i]),
-        trace(f"{name}_c", complementary, t, drift, driven.complementary(t)[i]),
+        trace(f"{name}_p", particular, t, None, x_p),
+        trace(f"{name}_c", complementary, t, drift, x_c),
     )
     return {k: v for c, _ in motions for k, v in c.items()}, {k: v for _, b in motions for k, v in b.items()}
 
@@ -53,31 +52,41 @@ def resonant(driven: DrivenModes) -> bool:
     return driven.omega > 0 and not driven.split_is_meaningful
 
 
-def limit_columns(driven: DrivenModes, t: Floats) -> Columns:
-    """Near resonance the envelope of the beat and its limit, the straight line of growth; empty elsewhere.
+def growth_rate(driven: DrivenModes, i: int) -> float:
+    """How much the swing of mass i (0, 1) grows in a second at the nearest natural frequency, from rest, in m/s."""
+    j = int(np.argmin(np.abs(driven.detuning)))
+    return float(driven.F_0 * abs(driven.coupling[j, i]) / (2 * driven.free.omega[j]))
 
-    With 2 d the detuning from the nearest mode it is F_0 c |sin(d t)/d|/(2 omega_n), at d = 0 F_0 c t/(2 omega_n).
+
+def limit_columns(driven: DrivenModes, t: Floats) -> Columns:
+    """Near resonance the envelope of the growing part, up and down; empty elsewhere.
+
+    With 2 d the detuning from the nearest mode it is growth_rate |sin(d t)/d|, at d = 0 growth_rate t; where the
+    window is long enough to tell them apart, the straight line is there too.
     """
     if not resonant(driven):
         return {}
     columns: Columns = {"t": t}
     for i in (0, 1):
-        columns[f"x{i + 1}_beat"], columns[f"x{i + 1}_growth"] = _beat(driven, i, t)
+        beat, line = _beat(driven, i, t), growth_rate(driven, i) * t
+        columns |= {f"x{i + 1}_beat": beat, f"x{i + 1}_fall": -beat}
+        if np.any(beat < APART * line):
+            columns[f"x{i + 1}_growth"] = line
     return columns
 
 
-def _beat(driven: DrivenModes, i: int, t: Floats) -> tuple[Floats, Floats]:
+def _beat(driven: DrivenModes, i: int, t: Floats) -> Floats:
     j = int(np.argmin(np.abs(driven.detuning)))
-    growth = driven.F_0 * abs(driven.coupling[j, i]) / (2 * driven.free.omega[j]) * t
     # |sin(d t)/(d t)|, exactly 1 at d = 0.
-    return growth * np.abs(np.sinc(driven.detuning[j] / 2 * t / np.pi)), growth
+    beat: Floats = growth_rate(driven, i) * t * np.abs(np.sinc(driven.detuning[j] / 2 * t / np.pi))
+    return beat
 
 
 def _whole(driven: DrivenModes, i: int, t: Floats, x: Floats) -> tuple[Columns, Columns]:
     name = f"x{i + 1}"
     if drawable(max(*driven.free.omega, driven.omega), t):
         return {name: x}, {}
-    beat = _beat(driven, i, t)[0] if resonant(driven) else 0.0
+    beat = _beat(driven, i, t) if resonant(driven) else 0.0
     size = beat + _others(driven, i, int(np.argmin(np.abs(driven.detuning))))
     drift = driven.free.drift_a[i] + driven.free.drift_b[i] * t
     return {}, {f"{name}_lo": drift - size, f"{name}_hi": drift + size}
@@ -99,7 +108,7 @@ def energy_columns(driven: DrivenModes, motion: Motion) -> Columns:
     return {"gain": energy - energy[0], "work": driven.work(motion.t), "none": np.zeros_like(motion.t)}
 
 
-def motion_signals(driven: DrivenModes, size: Axis, time: Axis, force: Axis) -> dict[str, Any]:
+def motion_signals(driven: DrivenModes, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
     """What the clock plays: the free motion of the start plus each mode's response, regular at resonance."""
     signals = free_signals(driven.free, size, time)
     X, omega = driven.particular, driven.omega

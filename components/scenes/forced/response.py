@@ -3,26 +3,29 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from components.axes import Axis, log_axis, nice_axis
-from components.equations import rich
+from components.frames import FITTED, framed
 from components.numbers import three
-from components.plots import Curve, plot
-from components.scene import Columns
-from components.sheet import Block
+from components.page.blocks import PlotBlock
+from components.page.numbers import var
+from components.page.plots import Curve, Handle, Mark
+from components.page.state import Frame
+from components.plots import Room, curve, plot
+from components.sheet import phrase
+from components.stage import Shape, arrow, on_x, on_y, text
+from components.text import rich
+from components.traces import Columns, Floats
 from physics.coupled import TwoMassChain
-from physics.forced import antiresonance, particular_solution
+from physics.forced import DrivenModes, antiresonance, particular_solution
 
-Floats = NDArray[np.float64]
-
-BRANCHES = 3
-"""Between, before and behind two poles: each is a line of its own, and none runs across a pole."""
+BRANCHES = ("", "12", "2", "1")
+"""The masses that swing against the push: below both poles, up to where mass 1 stands still, up to the upper pole, and
+above. Each branch is a line of its own, none runs across a pole, and what is against the push is dashed."""
 POINTS = 70
 CLOSEST = 1e-5
 """The first point of a branch stands this far from its pole, as a fraction of the branch."""
@@ -30,12 +33,14 @@ BESIDE = 1e-6
 """How near, relatively, a log axis comes to the frequency at which mass 1 stands still."""
 REACH = 1.55
 """The axis ends at this multiple of the larger natural frequency, unless the drive is beyond it."""
+ENOUGH, BROAD = 0.12, 0.04
+"""A name has room where the other curve is this share of the frame away, and the curve flat over twice that one."""
 TALL = 5.0
 """The frame is this many times as high as the swing under a steady force."""
 
 
 @dataclass(frozen=True)
-class Response:
+class DrawnResponse:
     """What the response plot shows: its sources, axes, marks and their texts."""
 
     columns: dict[str, Columns]
@@ -44,26 +49,35 @@ class Response:
     values: dict[str, str]
 
 
-def response(system: TwoMassChain, F_0: float, omega: float, shown: str, lecture: bool) -> Response:
-    """The curves `size`, `signed` or `log`, with the drive at `omega`; in the lecture's units where asked for."""
+def response_curves(driven: DrivenModes, shown: str, lecture: bool, frame: Frame = FITTED) -> DrawnResponse:
+    """The curves `size`, `signed` or `log`, with the drive marked; in the lecture's units where asked for."""
+    system, F_0, omega = driven.chain, driven.F_0, driven.omega
     frequencies = system.modes().omega
     poles = _poles(system, frequencies)
     unit, base = _units(system, F_0, frequencies, omega)
     end = max(2.5 * unit, REACH * frequencies[1]) if lecture else max(REACH * (frequencies[1] or unit), 1.05 * omega)
     start = min(w for w in (*poles, unit, omega or unit) if w > 0) / 30 if shown == "log" else 0.0
-    # Down to 0; on a log axis far below the frame, where a number is left to draw.
-    still = antiresonance(system) * (1 + BESIDE if shown == "log" else 1)
-    parts = _branches(poles, still, start, end)
-    curves = [particular_solution(system, F_0, part) for part in parts]
-    columns: dict[str, Columns] = {f"branch{i}": {} for i in range(BRANCHES)}
-    for i, (w, X) in enumerate(zip(parts, curves, strict=True)):
-        one, two = X if shown == "signed" else np.abs(X)
-        columns[f"branch{i}"] = {"omega": w, "Xp1": one, "Xp2": two}
-    columns["response"] = _whole(parts, curves)
     across = _axis(start, end, "√(k₁/m₁)" if lecture else "rad/s", shown, unit if lecture else 1.0)
+    across = replace(across, drawn=(across.start, min(end, max(poles[-1] if poles else unit, omega))))
     up = _height(base, shown, base if lecture else 1.0, lecture)
-    scalars, values = _marks(system, F_0, omega, frequencies, across, up, shown)
-    return Response(columns, {"omega": across, "X": up}, scalars, values)
+    up = replace(up, drawn=(up.start / 2 if up.start < 0 else up.start, up.end / 2))
+    axes = framed(frame, {"omega": across, "X": up})
+    across, up = axes["omega"], axes["X"]
+    start, end = across.start, across.end
+    # Down to 0; on a log axis far below the frame, where a number is left to draw.
+    still = BESIDE if shown == "log" else 0.0
+    parts = _branches(_cuts(system, frequencies), still, start, end)
+    swings = particular_solution(system, F_0, np.concatenate(list(parts.values())))
+    ends = np.cumsum([w.size for w in parts.values()])[:-1]
+    curves = dict(zip(parts, np.split(swings, ends, axis=1), strict=True))
+    columns: dict[str, Columns] = {f"branch{i}": {} for i in range(len(BRANCHES))}
+    for i, w in parts.items():
+        one, two = curves[i] if shown == "signed" else np.abs(curves[i])
+        columns[f"branch{i}"] = {"omega": w, "Xp1": one, "Xp2": two}
+    columns["response"] = _whole(list(parts.values()), list(curves.values()))
+    scalars, values = _marks(driven, frequencies, across, up, shown)
+    scalars |= _names([columns[f"branch{i}"] for i in parts], across, up)
+    return DrawnResponse(columns, axes, scalars, values)
 
 
 def _poles(system: TwoMassChain, frequencies: Floats) -> list[float]:
@@ -79,17 +93,33 @@ def _units(system: TwoMassChain, F_0: float, frequencies: Floats, omega: float) 
     return unit, F_0 / (system.m1 + system.m2) / unit / unit
 
 
-def _branches(poles: list[float], still: float, start: float, end: float) -> list[Floats]:
-    """Frequencies of each branch, closer and closer together towards a pole, the one where mass 1 stands still too."""
-    edges = [start, *(p for p in poles if start < p < end), end]
+def _cuts(system: TwoMassChain, frequencies: Floats) -> list[tuple[float, int, bool]]:
+    """Where a branch begins: the frequency, which branch, and whether it is a pole; a free mass 2 has no part in it."""
+    slow, fast = frequencies.tolist()
+    if not system.k2:
+        return [(fast, 3, True)]
+    return [(slow, 1, True), (antiresonance(system), 2, False), (fast, 3, True)]
+
+
+def _branches(cuts: list[tuple[float, int, bool]], beside: float, start: float, end: float) -> dict[int, Floats]:
+    """Frequencies of each branch, closer and closer together towards a pole; they meet where mass 1 stands still.
+
+    On a log axis that is left out by the share `beside` on both sides.
+    """
+    poles = [w for w, _, pole in cuts if pole]
+    before = [i for w, i, _ in cuts if w <= start]
+    inside = [(w, i) for w, i, _ in cuts if start < w < end]
+    edges = [(start, before[-1] if before else 0), *inside, (end, -1)]
     near, even = np.geomspace(CLOSEST, 0.5, POINTS), np.linspace(0.0, 0.5, POINTS)
-    parts = []
-    for low, high in pairwise(edges):
+    parts = {}
+    for (low, i), (high, _) in pairwise(edges):
+        first, last = (w if w in poles else w * share for w, share in ((low, 1 + beside), (high, 1 - beside)))
         from_low, from_high = (near if edge in poles else even for edge in (low, high))
-        zero = [still] if low < still < high else []
-        part = np.unique(np.concatenate([low + (high - low) * from_low, high - (high - low) * from_high, zero]))
-        parts.append(part[~np.isin(part, poles)])
-    return [part for part in parts if part.size][:BRANCHES]
+        part = np.unique(np.concatenate([first + (last - first) * from_low, last - (last - first) * from_high]))
+        part = part[~np.isin(part, poles)]
+        if part.size:
+            parts[i] = part
+    return parts
 
 
 def _whole(parts: list[Floats], curves: list[Floats]) -> Columns:
@@ -100,94 +130,144 @@ def _whole(parts: list[Floats], curves: list[Floats]) -> Columns:
 def _axis(start: float, end: float, unit: str, shown: str, factor: float) -> Axis:
     if shown == "log":
         return log_axis(start, end, unit)
-    return nice_axis(start, end, unit, 5, exact=True, factor=factor)
+    return nice_axis(start, end, unit, 3, exact=True, factor=factor)
 
 
 def _height(base: float, shown: str, factor: float, lecture: bool) -> Axis:
     unit, base = ("F₀/k₁", base) if lecture else ("m", base or 1.0)
     if shown == "log":
         return log_axis(base * 1e-3, base * 1e2, unit)
-    return nice_axis(-TALL * base if shown == "signed" else 0.0, TALL * base, unit, 5, exact=True, factor=factor or 1.0)
+    return nice_axis(-TALL * base if shown == "signed" else 0.0, TALL * base, unit, 3, exact=True, factor=factor or 1.0)
 
 
 def _marks(
-    system: TwoMassChain,
-    F_0: float,
-    omega: float,
+    driven: DrivenModes,
     frequencies: Floats,
     across: Axis,
     up: Axis,
     shown: str,
 ) -> tuple[dict[str, float], dict[str, str]]:
     """The flags at both natural frequencies and the antiresonance, and the dots at the drive frequency."""
-    marks = {"minus": frequencies[0], "plus": frequencies[1], "still": antiresonance(system)}
-    if not system.k2:
+    marks = {"minus": frequencies[0], "plus": frequencies[1], "still": antiresonance(driven.chain)}
+    if not driven.chain.k2:
         del marks["still"], marks["minus"]
-    scalars = {}
+    scalars: dict[str, float] = {}
     for name, w in marks.items():
         if w > 0 or shown != "log":
             scalars |= {f"mark_{name}": across.place(w), f"mark_{name}_si": float(w)}
     values = {f"mark_{name}": three(w) for name, w in marks.items()}
-    X = particular_solution(system, F_0, omega)
-    if np.all(np.isfinite(X)) and (omega > 0 or shown != "log"):
-        X = X if shown == "signed" else np.abs(X)
-        scalars |= {"drive_at": across.place(omega), "Xp1_at": up.place(X[0]), "Xp2_at": up.place(X[1])}
+    if not driven.at_resonance and (driven.omega > 0 or shown != "log"):
+        X = driven.particular if shown == "signed" else np.abs(driven.particular)
+        scalars |= {"drive_at": across.place(driven.omega), "Xp1_at": up.place(X[0]), "Xp2_at": up.place(X[1])}
+        scalars |= _outside(scalars, up)
     return scalars, values
 
 
+def _outside(scalars: dict[str, float], up: Axis) -> dict[str, float]:
+    """Whether a dot has left the frame, at the top or at the bottom."""
+    low, high = up.place(up.start), up.place(up.end)
+    dots = {name: scalars[f"{name}_at"] for name in ("Xp1", "Xp2")}
+    over = {f"{name}_over": float(at > high) for name, at in dots.items()}
+    return over | {f"{name}_under": float(at < low) for name, at in dots.items()}
+
+
+def _names(branches: list[Columns], across: Axis, up: Axis) -> dict[str, float]:
+    """Where the curves' names stand: beside the curve, where it is flat and away from the other one."""
+    low, high, first, last = (axis.place(end) for axis in (up, across) for end in (axis.start, axis.end))
+    frames = [
+        [(across.places(b["omega"]) - first) / (last - first)]
+        + [np.clip((up.places(b[name]) - low) / (high - low), -1.0, 2.0) for name in ("Xp1", "Xp2")]
+        for b in branches
+    ]
+    scalars: dict[str, float] = {}
+    for i in (1, 2):
+        x, y = np.concatenate([[f[0], f[i]] for f in frames], axis=1)
+        best = int(np.argmax(np.concatenate([_room(f[0], f[i], f[3 - i]) for f in frames])))
+        scalars |= {f"Xp{i}_name_x": first + x[best] * (last - first), f"Xp{i}_name_y": low + y[best] * (high - low)}
+    return scalars
+
+
+def _room(x: Floats, y: Floats, other: Floats) -> Floats:
+    """How good each place of a curve is for its name; all are shares of the frame."""
+    inside = (x > 0.08) & (x < 0.9) & (y > 0.02) & (y < 0.8)
+    rise = np.abs(np.interp(x + BROAD, x, y) - np.interp(x - BROAD, x, y))
+    return np.where(inside, np.minimum(np.abs(other - y), ENOUGH) - rise, -np.inf)
+
+
 FLAGS = (
-    ("mark_minus", "slow", r"$\omega_-$", "Drive at the slow natural frequency", None),
+    ("mark_minus", "slow", r"$\omega_-$", "Drive at the slow natural frequency", ""),
     ("mark_still", "m1", r"$X_{\mathrm{p}1} = 0$", "Drive where mass 1 stands still", "dashed"),
-    ("mark_plus", "fast", r"$\omega_+$", "Drive at the fast natural frequency", None),
+    ("mark_plus", "fast", r"$\omega_+$", "Drive at the fast natural frequency", ""),
 )
 
 
-def response_plot(**place: Any) -> Block:
+def response_plot() -> PlotBlock:
     """The plot, its flags 'go there', and the pill that sets the drive frequency."""
     marks = tuple(
-        {
-            "at": at,
-            "tint": tint,
-            "html": f"{rich(symbol)}<br>{rich('{' + at + '}')}",
-            "label": label,
-            "style": style,
-            "set": "omega",
-        }
-        for at, tint, symbol, label, style in FLAGS
-    )
-    curves = tuple(
-        Curve(
-            name=f"Xp{i}",
-            source=f"branch{b}",
-            x="omega",
-            tint=f"m{i}",
-            width="sum",
-            group=f"Xp{i}",
-            label=f"*X*_{{p{i}}}" if b == BRANCHES - 1 else "",
-            signal=f"drive_at,Xp{i}_at" if b == 0 else "",
+        Mark(
+            at=at,
+            tint=tint,
+            html=f"{rich(symbol)}<br>{rich('{' + at + '}')}",
+            label=label,
+            style=style,
+            set="omega",
+            exactly=f"{at}_si",
         )
-        for i in (1, 2)
-        for b in range(BRANCHES)
+        for at, tint, symbol, label, style in FLAGS
     )
     return plot(
         "response",
         x="omega",
         y="X",
         title="Amplitude of each mass against the drive frequency, with its two resonances and the antiresonance",
-        curves=curves,
-        source="branch0",
+        curves=tuple(_branch(i, b) for i in (1, 2) for b in range(len(BRANCHES))),
         x_column="omega",
+        heading=(phrase("", "sum", "ink", words="with the push"), phrase("", "dash", "ink", words="against it")),
         marks=marks,
-        handles=(
-            {
-                "parameter": "omega",
-                "symbol": "ω",
-                "label": "Drive frequency",
-                "tint": "F",
-                "axis": "x",
-                "covering": "rad/s",
-            },
-        ),
-        top=48,
-        **place,
+        handles=(Handle(parameter="omega", symbol="ω", label="Drive frequency", tint="F", axis="x", covering="rad/s"),),
+        shapes=(*_named(), *_gone()),
+        room=Room(40, 12, top=48),
+        phone=10,
+        height=300,
     )
+
+
+def _branch(i: int, b: int) -> Curve:
+    """One branch of the curve of mass i; the first of them carries the dot at the drive frequency."""
+    return curve(
+        f"Xp{i}",
+        source=f"branch{b}",
+        x="omega",
+        tint=f"m{i}",
+        width="dash" if str(i) in BRANCHES[b] else "sum",
+        group=f"Xp{i}",
+        read=f"*X*_{{p{i}}}",
+        signal=f"Xp{i}_at" if b == 0 else "",
+        signal_x="drive_at" if b == 0 else "",
+    )
+
+
+def _named() -> list[Shape]:
+    """The name of each curve beside it."""
+    return [
+        text(
+            on_x("response", var(f"Xp{i}_name_x")) + 10,
+            on_y("response", var(f"Xp{i}_name_y")) - 8,
+            f"*X*_{{p{i}}}",
+            "start",
+            tint=f"m{i}",
+            style="t2 b halo",
+        )
+        for i in (1, 2)
+    ]
+
+
+def _gone() -> list[Shape]:
+    """Arrows at the edge of the frame where a dot has left it."""
+    shapes = []
+    for i, aside in ((1, -5), (2, 5)):
+        x, look = on_x("response", var("drive_at")) + aside, {"tint": f"m{i}", "head": 12}
+        top, floor = var("response.top"), var("response.bottom")
+        shapes.append(arrow(x, top + 20, x, top + 1, show=f"Xp{i}_over", **look))
+        shapes.append(arrow(x, floor - 20, x, floor - 1, show=f"Xp{i}_under", **look))
+    return shapes

@@ -4,23 +4,30 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
-from typing import Any
-
-import param
 
 from components import chain
 from components.about import About
-from components.about_chain import guess_about, hunt_about, solve_about, sweep_about
 from components.controls import Group
-from components.parameters import angular_frequency, displacement, finite, mass, stiffness
+from components.frames import FITTED
+from components.page.blocks import Block
+from components.page.state import Frame
+from components.parameters import Values, angular_frequency, finite, one_of
 from components.scene import Picture, Scene
 from components.scenes.modes import guess, guess_picture, hunt, solve, sweep
-from components.sheet import Block, choice, column, when
+from components.scenes.modes.about import guess_about, hunt_about, solve_about, sweep_about
+from components.sheet import choice, column, when, words
 from physics.coupled import TwoMassChain
-from physics.modes import trial
 from physics.sweeps import PARAMETERS
 
+TASKS = {
+    "guess": "Drag the point: where does your hand have nothing to add?",
+    "solve": "Change the chain: can the two frequencies ever meet?",
+    "sweep": "Sweep one value: which frequency follows it, and where do the two come near?",
+    "hunt": "Drag the start: from where is the path a straight line?",
+}
 VIEWS = {"guess": "Guess", "solve": "Solve", "sweep": "Sweep", "hunt": "Hunt"}
+ROW_OF = {"row1": 1, "row2": 2}
+"""The equation, that of mass 1 or of mass 2, which an action takes the shape from."""
 SOURCES = (
     "row1",
     "row2_below",
@@ -32,20 +39,26 @@ SOURCES = (
 )
 
 
-class Modes(Scene):
+class ModesScene(Scene):
     slug = "modes"
     title = "Modes"
     lecture = "D34"
+    points = "points 3, 4"
     headline = "Both masses agree on a shape at just two frequencies"
+    spoken = {"slow mode": "{omega_slow} rad/s", "fast mode": "{omega_fast} rad/s"}
+    equations = (
+        *chain.FREE,
+        "row 1: X2/X1 = (k1 + k2 - m1 w^2)/k2; row 2: X2/X1 = k2/(k2 - m2 w^2)",
+        "D = (k1 + k2 - m1 w^2) (k2 - m2 w^2) - k2^2",
+    )
     groups = (
         Group(
             "Guess",
-            ("omega", "ratio", "instant"),
-            "or drag the point",
-            show="guess",
-            actions=(("row1", "As mass 1 wants"), ("row2", "As mass 2 wants")),
+            ("omega", "ratio"),
+            form="guess",
+            actions=tuple((action, f"As mass {row} wants") for action, row in ROW_OF.items()),
         ),
-        Group("Start, from rest", ("x1_0", "x2_0"), "or drag the ring", show="hunt"),
+        Group("Start, from rest", ("x1_0", "x2_0"), "or drag the ring", form="hunt"),
         chain.CHAIN,
     )
     presets = {
@@ -56,13 +69,8 @@ class Modes(Scene):
         "Loose": {"k2": 0.1},
     }
 
-    task = param.Selector(default="guess", objects=list(VIEWS), label="View")
-    m1 = mass(2.0, symbol="m_1", tint="m1", says="is the mass next to the wall. Type any value above 0.")
-    m2 = mass(1.0, symbol="m_2", tint="m2", says="is the mass at the end. Type any value above 0.")
-    k1 = stiffness(
-        4.0, symbol="k_1", says="ties mass 1 to the wall. 0 lets the pair go free; type any value from 0 up."
-    )
-    k2 = stiffness(2.0, symbol="k_2", says="couples the masses. 0 lets mass 2 go free; type any value from 0 up.")
+    task = one_of(default="guess", objects=list(VIEWS), label="View")
+    m1, m2, k1, k2 = chain.masses_and_springs(2.0, 1.0, 4.0, 2.0)
     omega = angular_frequency(
         1.7,
         softbounds=(0.0, 2.4),
@@ -77,58 +85,53 @@ class Modes(Scene):
         tint="F",
         says="is the shape that you try: how far mass 2 swings for 1 of mass 1. Type any value.",
     )
-    instant = param.Selector(
-        default="full", objects={"At full swing": "full", "Moving": "moving"}, label="The guess is drawn"
-    )
-    swept = param.Selector(default="k2", objects=list(PARAMETERS), label="Swept parameter")
-    x1_0 = displacement(1.0, symbol="x_1", tint="m1", says="is where mass 1 starts, from rest. Type any value.")
-    x2_0 = displacement(0.5, symbol="x_2", tint="m2", says="is where mass 2 starts, from rest. Type any value.")
-    answer = param.Selector(default="hidden", objects=["hidden", "shown"], label="The answer of the hunt")
+    swept = one_of(default="k2", objects=list(PARAMETERS), label="Swept parameter")
+    x1_0, x2_0 = chain.start_positions(1.0, 0.5, how=", from rest")
+    answer = one_of(default="hidden", objects=["hidden", "shown"], label="The answer of the hunt")
 
     @classmethod
     @cache
     def sheet(cls) -> Block:
         return column(
             choice("task", VIEWS, "View", style="views", phone=-1),
+            *(when(view, words(task, style="task", phone=0)) for view, task in TASKS.items()),
             when("guess", guess.sheet()),
             when("solve", solve.sheet()),
             when("sweep", sweep.sheet()),
             when("hunt", hunt.sheet()),
         )
 
-    def picture(self) -> Picture:
-        system = TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=self.k2)
-        picture = self._view(system)
-        sizes = chain.sizes(self.m1, self.m2, 0.88)
-        sizes |= {"wire1": chain.wire(self.k1), "wire2": chain.wire(self.k2)}
+    def picture(self, frame: Frame = FITTED) -> Picture:
+        system = chain.of_scene(self)
+        picture = self._view(system, frame)
         return replace(
             picture,
             columns={name: {} for name in SOURCES} | picture.columns,
-            scalars={**sizes, **picture.scalars},
+            scalars={**chain.sizes(system, 0.88), **picture.scalars},
             forms={self.task: "shown", **picture.forms},
         )
 
-    def _view(self, system: TwoMassChain) -> Picture:
+    def _view(self, system: TwoMassChain, frame: Frame) -> Picture:
         if self.task == "solve":
-            return solve.picture(system, self.window)
+            return solve.picture(system, self.window, frame)
         if self.task == "sweep":
-            return sweep.picture(system, self.swept)
+            return sweep.picture(system, self.swept, frame)
         if self.task == "hunt":
-            return hunt.picture(system, (self.x1_0, self.x2_0), self.answer == "shown", self.window)
-        return guess_picture.picture(system, self.omega, self.ratio, self.instant == "moving", self.window)
+            return hunt.picture(system, (self.x1_0, self.x2_0), self.answer == "shown", self.window, frame)
+        return guess_picture.picture(system, self.omega, self.ratio, self.window, frame)
 
-    def action(self, name: str) -> dict[str, Any]:
+    def action(self, name: str) -> Values:
         """The shape that one of the two equations fixes at the trial frequency."""
-        system = TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=self.k2)
-        wanted = trial(system, self.omega).rows[int(name[-1]) - 1]
+        row = ROW_OF[name]
+        wanted = guess_picture.said(chain.of_scene(self), self.omega).rows[row - 1]
         if wanted is None:
-            raise ValueError(f"row {name[-1]} is 0 = 0 here: any shape will do")
+            raise ValueError(f"row {row} is 0 = 0 here: any shape will do")
         if not wanted.is_finite():
-            raise ValueError(f"row {name[-1]} asks for X₁ = 0 here: no ratio X₂/X₁ says that")
+            raise ValueError(f"row {row} asks for X₁ = 0 here: no ratio X₂/X₁ says that")
         return {"ratio": float(wanted)}
 
     def about(self) -> About:
-        system = TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=self.k2)
+        system = chain.of_scene(self)
         if self.task == "hunt":
             return hunt_about(self.shown, system, (self.x1_0, self.x2_0))
         if self.task == "sweep":

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from components import chain
-from components.equations import rich
-from components.plots import Curve, plot
-from components.scenes.modes.guess_picture import MODES, ROWS
-from components.sheet import Block, column, row, stage, term, words
-from components.stage import H, Number, Shape, W, arrow, circle, line, on_x, on_y, text, var
+from components.page.blocks import Block
+from components.page.numbers import Number, var
+from components.page.plots import Handle, Mark
+from components.plots import Room, curve, plot
+from components.scenes.modes.guess_picture import REACH, ROWS
+from components.sheet import Paragraph, column, either, row, stage, term, words
+from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
+from components.text import rich
 
 METRE = 0.112
 """What an amplitude of 1 m takes of the stage's width."""
@@ -47,44 +50,44 @@ def sheet() -> Block:
     )
 
 
-def _readings() -> list[str | dict[str, str]]:
-    lines: list[str | dict[str, str]] = []
+def _readings() -> list[Paragraph]:
+    lines: list[Paragraph] = []
     for i in (1, 2):
         lines.append(
-            {
-                "form": f"row{i}",
-                "number": rf"[m{i}|Row {i} fixes $X_2/X_1$ = **{{row{i}}}**]",
-                "pole": rf"[m{i}|Row {i} asks for $X_1$ = **0**]",
-                "any": rf"[m{i}|Row {i} is 0 = 0: any shape]",
-            }
+            either(
+                f"row{i}_says",
+                number=rf"[m{i}|Row {i} fixes $X_2/X_1$ = **{{row{i}}}**]",
+                pole=rf"[m{i}|Row {i} asks for $X_1$ = **0**]",
+                any=rf"[m{i}|Row {i} is 0 = 0: any shape]",
+            )
         )
     return [
         *lines,
-        {
-            "form": "agree",
-            "apart": "They are **{distance}** apart. Only rest obeys both rows, except where the curves cross.",
-            "pole": "Only rest obeys both rows, except where the curves cross.",
-            "near_slow": r"Almost one equation: they are **{distance}** apart. $\omega_-$ is {slow_long} rad/s.",
-            "near_fast": r"Almost one equation: they are **{distance}** apart. $\omega_+$ is {fast_long} rad/s.",
-            "same_slow": "[slow|**One and the same equation:** the slow mode.]",
-            "same_fast": "[fast|**One and the same equation:** the fast mode.]",
-        },
+        either(
+            "agree",
+            apart="They are **{distance}** apart. Only rest obeys both rows, except where the curves cross.",
+            pole="Only rest obeys both rows, except where the curves cross.",
+            near_slow=r"Almost one equation: they are **{distance}** apart. $\omega_-$ is {slow_long} rad/s.",
+            near_fast=r"Almost one equation: they are **{distance}** apart. $\omega_+$ is {fast_long} rad/s.",
+            same_slow="[slow|**One and the same equation:** the slow mode.]",
+            same_fast="[fast|**One and the same equation:** the fast mode.]",
+        ),
     ]
 
 
-def _determinant_words() -> list[str | dict[str, str]]:
+def _determinant_words() -> list[Paragraph]:
     return [
-        {
-            "form": "D",
-            "product": r"$D = k_2 (k_2 - m_2 \omega^2) \cdot (\val{apart})$$= \val{D}$",
-            "value": r"$D = \val{D}$",
-        },
-        {
-            "form": "roots",
-            "two": r"$D = \text{det } A$ is + at 0, − at $k_2/m_2$, + far out: two zeros, whatever the chain.",
-            "wall": r"No wall: $D$ is 0 at 0, − at $k_2/m_2$, + far out: one zero is at 0.",
-            "loose": r"No coupling: $D = m_2 \omega^2 (m_1 \omega^2 - k_1)$, each row keeps to its own mass.",
-        },
+        either(
+            "D",
+            product=r"$D = k_2 (k_2 - m_2 \omega^2) \cdot (\val{apart})$$= \val{D}$",
+            value=r"$D = \val{D}$",
+        ),
+        either(
+            "roots",
+            two=r"$D = \text{det } A$ is + at 0, − at $k_2/m_2$, + far out: two zeros, whatever the chain.",
+            wall=r"No wall: $D$ is 0 at 0, − at $k_2/m_2$, + far out: one zero is at 0.",
+            loose=r"No coupling: $D = m_2 \omega^2 (m_1 \omega^2 - k_1)$, each row keeps to its own mass.",
+        ),
     ]
 
 
@@ -94,12 +97,11 @@ def _shape_plot() -> Block:
         x="w",
         y="r",
         title="The shape X2/X1 that each equation fixes, against omega squared",
-        source="row1",
         x_column="w",
         curves=(
-            Curve(name="row1", source="row1", tint="m1", width="sum", label=""),
-            Curve(name="row2_below", source="row2_below", tint="m2", width="sum", group="row2"),
-            Curve(name="row2_above", source="row2_above", tint="m2", width="sum", group="row2"),
+            curve("row1", source="row1", tint="m1", width="sum", label=""),
+            curve("row2_below", source="row2_below", tint="m2", width="sum", group="row2"),
+            curve("row2_above", source="row2_above", tint="m2", width="sum", group="row2"),
         ),
         heading=(
             term("", "none", "ink", formula="X_2/X_1"),
@@ -107,12 +109,12 @@ def _shape_plot() -> Block:
             term("row2", "sum", "m2", formula=r"\text{mass 2 wants } k_2/(k_2 - m_2 \omega^2)"),
         ),
         x_labels=False,
-        margin=(60, 12),
+        room=Room(60, 12),
         handles=(
-            {"parameter": "ratio", "symbol": "", "label": "Trial shape X2/X1", "tint": "F", "axis": "y"},
-            {"parameter": "omega", "symbol": "", "label": "Trial frequency", "tint": "F", "axis": "x", "bare": True},
+            Handle(parameter="ratio", symbol="", label="Trial shape X2/X1", tint="F", axis="y"),
+            Handle(parameter="omega", symbol="", label="Trial frequency", tint="F", axis="x", bare=True),
         ),
-        marks=tuple({"at": f"w_{mode}", "tint": mode} for mode in ("slow", "fast")),
+        marks=tuple(Mark(at=f"w_{mode}", tint=mode) for mode in chain.MODES),
         shapes=_over_shapes(),
         grow=195,
         phone=10,
@@ -126,33 +128,32 @@ def _determinant_plot() -> Block:
         x="w",
         y="D",
         title="The determinant D of A against omega squared",
-        source="det",
         x_column="w",
-        curves=(Curve(name="D", source="det", tint="ink", width="sum"),),
+        curves=(curve("D", source="det", tint="ink", width="sum"),),
         heading=(term("", "none", "ink", formula="D"),),
-        margin=(60, 12),
-        top=6,
+        room=Room(60, 12, top=6),
         handles=(
-            {
-                "parameter": "omega",
-                "symbol": "ω²",
-                "label": "Trial frequency, squared",
-                "tint": "F",
-                "axis": "x",
-                "text": "square",
-                "covering": "(rad/s)²",
-            },
+            Handle(
+                parameter="omega",
+                symbol="ω²",
+                label="Trial frequency, squared",
+                tint="F",
+                axis="x",
+                text="square",
+                covering="(rad/s)²",
+            ),
         ),
         marks=tuple(
-            {
-                "at": f"w_{mode}",
-                "tint": mode,
-                "set": "omega",
-                "lift": 23,
-                "label": f"Go to the {mode} mode",
-                "html": rich(rf"$\omega_{sign}$ {{omega_{mode}}}"),
-                "flag": "one",
-            }
+            Mark(
+                at=f"w_{mode}",
+                tint=mode,
+                set="omega",
+                exactly=f"w_{mode}_si",
+                lift=23,
+                label=f"Go to the {mode} mode",
+                html=rich(rf"$\omega_{sign}$ {{omega_{mode}}}"),
+                flag="one",
+            )
             for mode, sign in (("slow", "-"), ("fast", "+"))
         ),
         shapes=_over_determinant(),
@@ -184,7 +185,7 @@ def _shapes() -> list[Shape]:
         for name, start in (("give", 2), ("need", 1)):
             tip = chain.rest(i) + W * var(f"{name}{i}") * var("swing")
             shapes.append(line(tip, foot + start * gap, tip, last + 4, tint="mute", style="eq"))
-    for n, words_ in enumerate(("What the motion needs, −*m* *ω*² *X*", "= what the springs give", "+ {you_add}")):
+    for n, words_ in enumerate(("At full swing it needs −*m* *ω*² *X*", "= what the springs give", "+ {you_add}")):
         shapes.append(
             text(
                 W + 26, foot + (n + 1) * gap + 2, words_, "start", tint=("ink", "k", "F")[n], style="t3 b", show="wide"
@@ -192,7 +193,7 @@ def _shapes() -> list[Shape]:
         )
     for n, word in enumerate(("needs", "springs", "you add")):
         shapes.append(
-            text(0, foot + (n + 1) * gap, word, "start", tint=("ink", "k", "F")[n], style="t0 halo", show="narrow")
+            text(W, foot + (n + 1) * gap + 1, word, "end", tint=("ink", "k", "F")[n], style="t0 halo", show="narrow")
         )
     return shapes
 
@@ -202,12 +203,14 @@ def _force(i: int, name: str, y: Number) -> list[Shape]:
     tint = {"need": f"m{i}", "give": "k", "add": "F"}[name]
     start, tip = (var(f"give{i}"), var(f"need{i}")) if name == "add" else (0, var(f"{name}{i}"))
     rest, swing = chain.rest(i), var("swing")
-    number = {"tint": tint, "style": "t1 b halo"}
-    at = rest + W * var(f"{name}{i}_at")
+    force, look = f"{{{name}{i}_N}}", {"tint": tint, "style": "t1 b halo"}
+    # Clear of the arrow, wherever it swings to.
+    at = rest - REACH * W - 8
+    left = text(0, y + 5, force, "start", show="narrow", **look)
     return [
         arrow(rest + W * swing * start, y, rest + W * swing * tip, y, tint=tint, style="thick", head=14),
-        text(at + 8, y + 5, f"{{{name}{i}_N}}", "start", show=f"{name}{i}_right", **number),
-        text(at - 8, y + 5, f"{{{name}{i}_N}}", "end", show=f"{name}{i}_left", **number),
+        text(at, y + 5, force, "end", show="wide" if i == 1 else "", **look),
+        *([left] if i == 1 else []),
     ]
 
 
@@ -224,15 +227,11 @@ def _over_shapes() -> tuple[Shape, ...]:
         shapes += _point("shape", w_mode, r_mode, 7, mode, show=f"{mode}_in", style="ring")
         shapes += _label("shape", w_mode, r_mode, mode, shift, name, show=f"{mode}_in wide")
         shapes += _label("shape", w_mode, r_mode, mode, (6, -14), name, "middle", show=f"{mode}_in narrow")
-    for i, dy in ((1, -8), (2, 17)):
+    for i in (1, 2):
         at = var(f"row{i}")
         shapes += _point("shape", var("w"), at, 6, f"m{i}", show=f"row{i}_in")
-        shapes += _label("shape", var("w"), at, f"m{i}", (11, dy), f"{{row{i}}}", show=f"row{i}_in rows_apart")
     shapes += _point("shape", var("w"), var("r"), 8, "F", show="guess_in")
-    return (
-        *shapes,
-        *_label("shape", var("w"), var("r"), "F", (-13, 18), "your guess", "end", show="guess_in guess_off"),
-    )
+    return tuple(shapes)
 
 
 def _over_determinant() -> tuple[Shape, ...]:
@@ -253,7 +252,7 @@ def _over_determinant() -> tuple[Shape, ...]:
             weight="t0",
         ),
     ]
-    for mode in MODES:
+    for mode in chain.MODES:
         shapes += _point("det", var(f"w_{mode}"), var("zero"), 5, mode, style="ring")
     shapes += _point("det", var("w"), var("D"), 6, "ink", show="D_in")
     return (*shapes, *_label("det", var("w"), var("D"), "ink", (10, -9), "*D* = {D}", show="D_in"))

@@ -5,24 +5,28 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from decimal import Decimal
-from typing import Any
 
 import numpy as np
 
 from components.axes import Axis, nice_axis, squared_axis, time_axis
+from components.chain import MODES
+from components.frames import FITTED, framed
 from components.motion import pace, sines
 from components.numbers import signed, ten, three
-from components.scene import Columns, Picture
+from components.page.signals import AnySignal
+from components.page.state import Frame
+from components.scene import Picture
+from components.traces import Columns
 from physics.coupled import Modes, TwoMassChain
-from physics.modes import Forces, Trial, determinant_curve, forces, quadratic, row_curves, trial
+from physics.exact import precise, within_an_ulp
+from physics.modes import Trial, TrialForces, determinant_curve, quadratic, row_curves, trial, trial_forces
 from physics.sampling import NOTHING_OSCILLATES, periods
 
-MODES = ("slow", "fast")
 ROWS = ("need", "give", "add")
 REACH = 0.17
 """The longest force arrow, as a fraction of the stage's width."""
-NEAR, SAME = 1e-3, 4e-16
-"""How near a natural frequency two rows are nearly the same equation, and as near as doubles come."""
+NEAR = 1e-3
+"""How near a natural frequency two rows are nearly the same equation."""
 ROUNDING = Decimal("1e-12")
 """A typed ratio is rounded, so at a mode a force of this size, compared with the others, is left: it is shown as 0."""
 LITTLE = Decimal("0.005")
@@ -41,7 +45,7 @@ class Guess:
     ratio: float
     modes: Modes
     asked: Trial
-    push: Forces
+    push: TrialForces
     frequency: Axis
     shape: Axis
     det: Axis
@@ -62,44 +66,66 @@ def inside(axis: Axis, value: float | Decimal) -> float:
     return float(axis.start <= value <= axis.end)
 
 
-def picture(system: TwoMassChain, omega: float, ratio: float, moving: bool, window: float | None) -> Picture:
+def picture(system: TwoMassChain, omega: float, ratio: float, window: float | None, frame: Frame = FITTED) -> Picture:
     """All of the view for one chain and one guess; ValueError where a curve leaves the range of doubles."""
-    modes, push = system.modes(), forces(system, omega, ratio)
+    modes, push = system.modes(), trial_forces(system, omega, ratio)
     if system.k2 and not np.all(np.isfinite(modes.ratio)):
         raise ValueError("a mode ratio X2/X1 leaves the range of doubles")
     end = _end(float(modes.omega[1]), omega)
-    half = 2 * max((abs(float(r)) for r in modes.ratio if r and math.isfinite(r)), default=2.0)
-    reach = 3 * half
-    if math.isinf(reach):
-        raise ValueError("three times the larger mode ratio X2/X1, as far as it is drawn, leaves the range of doubles")
-    shape = nice_axis(-half, half, "", 4, exact=True)
-    columns, det, exponent = _columns(system, end, reach)
+    reach, shape = _shape_axis(modes)
+    across = replace(squared_axis(end, "(rad/s)²", 3), drawn=(0.0, max(float(modes.omega[1]), min(omega, end))))
+    own = {"w": across, "r": shape}
+    time = time_axis(window or (periods(omega, 4) if omega else NOTHING_OSCILLATES))
+    axes = framed(frame, own | {"t": time})
+    columns, det, exponent = _columns(system, axes["w"].end, reach)
+    axes |= framed(frame, {"D": det})
     guess = Guess(
         system=system,
         omega=omega,
         ratio=ratio,
         modes=modes,
-        asked=trial(system, omega),
+        asked=said(system, omega),
         push=push,
-        frequency=squared_axis(end, "(rad/s)²"),
-        shape=replace(shape, ticks=shape.ticks[1:-1]),
-        det=det,
+        frequency=axes["w"],
+        shape=axes["r"],
+        det=axes["D"],
         exponent=exponent,
     )
-    clock = {"t": time_axis(window or (periods(omega, 4) if omega else NOTHING_OSCILLATES))} if moving else {}
     return Picture(
         columns=columns,
-        axes={"w": guess.frequency, "r": guess.shape, "D": det, **clock},
-        signals=_signals(push, omega if moving else 0.0, clock.get("t", Axis(0.0, 1.0))),
-        scalars={
-            **_force_scalars(push, moving),
-            **_known(guess),
-            **_tried(guess),
-            **(pace(omega, omega) if moving else {}),
-        },
+        axes=axes,
+        signals=_signals(push, omega, axes["t"]),
+        scalars=_force_scalars(push) | _known(guess) | _tried(guess),
+        pace=pace(omega, omega),
         values=_values(guess) | _force_values(push),
         forms=_forms(guess),
     )
+
+
+def _shape_axis(modes: Modes) -> tuple[float, Axis]:
+    """How far the curves of X2/X1 are drawn, and its axis, which holds both modes."""
+    half = 2 * max((abs(float(r)) for r in modes.ratio if r and math.isfinite(r)), default=2.0)
+    reach = 3 * half
+    if math.isinf(reach):
+        raise ValueError("three times the larger mode ratio X2/X1, as far as it is drawn, leaves the range of doubles")
+    axis = nice_axis(-half, half, "", 4, exact=True)
+    return reach, replace(axis, ticks=axis.ticks[1:-1], drawn=(-half / 2, half / 2))
+
+
+def said(system: TwoMassChain, omega: float) -> Trial:
+    """What the two equations say at `omega`; next to a zero, where hardly a double is nearer, what they say at it."""
+    asked, none = trial(system, omega), Decimal(0)
+    if any(within_an_ulp(omega, mode.omega) for mode in system.exact_modes):
+        return asked._replace(determinant=none, apart=None if asked.apart is None else none)
+    m1, m2, k1, k2 = system.exact_parameters
+    with precise():
+        alone = ((k1 + k2) / m1).sqrt(), (k2 / m2).sqrt()
+    (a11, a12), (_, a22), (one, two) = *asked.matrix, asked.rows
+    if k2 and within_an_ulp(omega, alone[0]):
+        a11, one = none, none
+    if k2 and within_an_ulp(omega, alone[1]):
+        a22, two = none, Decimal("inf")
+    return asked._replace(matrix=((a11, a12), (a12, a22)), rows=(one, two), apart=asked.apart if a22 else None)
 
 
 def _end(fast: float, omega: float) -> float:
@@ -108,7 +134,7 @@ def _end(fast: float, omega: float) -> float:
     return (max(both, 1.1 * omega) if omega < 2 * fast or not fast else both) or 1.0
 
 
-def _signals(push: Forces, omega: float, time: Axis) -> dict[str, Any]:
+def _signals(push: TrialForces, omega: float, time: Axis) -> dict[str, AnySignal]:
     """The guess as a motion, from full swing; at omega = 0 it stays there."""
     metres = Axis(-1.0, 1.0, "m")
     sizes = {"swing": 1.0, "x1": float(push.amplitude[0]), "x2": float(push.amplitude[1])}
@@ -126,22 +152,16 @@ def _columns(system: TwoMassChain, end: float, largest: float) -> tuple[dict[str
     low, at_zero = float(np.min(curve)), float(curve[0])
     unit = f"{ten(exponent)} N²/m²" if exponent else "N²/m²"
     size = max(1.2 * at_zero, -2.1 * low, 0.0) or 1.0
-    return columns, nice_axis(min(1.33 * low, -0.1 * size), size, unit, 2, exact=True), exponent
+    det = nice_axis(min(1.33 * low, -0.1 * size), size, unit, 2, exact=True)
+    return columns, replace(det, drawn=(low, at_zero)), exponent
 
 
-def _force_scalars(push: Forces, moving: bool) -> dict[str, float]:
-    """Lengths of the arrows as fractions of the width, and on which side of each, clear of it, stands its number."""
+def _force_scalars(push: TrialForces) -> dict[str, float]:
+    """Lengths of the arrows at full swing, as fractions of the width."""
     size = max((abs(value) for pair in push[1:] for value in pair), default=Decimal(0))
     scalars: dict[str, float] = {}
     for i in (1, 2):
         need, give = (REACH * float(pair[i - 1] / size) if size else 0.0 for pair in (push.needed, push.springs))
-        spans = {"need": (0.0, need), "give": (0.0, give), "add": (give, need)}
-        for name, span in spans.items():
-            low, high = min(span), max(span)
-            right = not moving and low < 0 and (high <= 0.0 or i == 1)
-            free = max(high, 0.0) if right else min(low, 0.0)
-            scalars[f"{name}{i}_at"] = -REACH if moving else free
-            scalars[f"{name}{i}_right"], scalars[f"{name}{i}_left"] = float(right), float(not right)
         scalars |= {f"need{i}": need, f"give{i}": give}
     return scalars
 
@@ -169,7 +189,6 @@ def _known(guess: Guess) -> dict[str, float]:
 def _tried(guess: Guess) -> dict[str, float]:
     """The same of the trial point, of what both rows ask for there, and of D; and where labels would collide."""
     frequency, shape, D = guess.frequency, guess.shape, guess.asked.determinant
-    reach = shape.place(shape.end)
     w = frequency.place(min(guess.omega, 2 * frequency.end))
     r = shape.place(max(min(guess.ratio, 2 * shape.end), 2 * shape.start))
     scalars = {"w": w, "w_in": guess.w_in, "r": r, "guess_in": guess.w_in * inside(shape, guess.ratio)}
@@ -180,14 +199,7 @@ def _tried(guess: Guess) -> dict[str, float]:
         ends.append(place)
         scalars |= {f"row{i}": place, f"row{i}_in": guess.w_in * (row is not None and inside(shape, row))}
     scalars |= {"gap": guess.w_in * (None not in guess.asked.rows), "gap_low": ends[0], "gap_high": ends[1]}
-    known = _known(guess)
-    near = [
-        abs(w - known[f"w_{mode}"]) < 0.08 * frequency.place(frequency.end)
-        and abs(r - known[f"r_{mode}"]) < 0.16 * reach
-        for mode in MODES
-    ]
-    scalars |= {"rows_apart": float(abs(ends[0] - ends[1]) > 0.2 * reach), "guess_off": float(not any(near))}
-    return scalars | _clear(guess, scalars["w"], scalars["D"], known)
+    return scalars | _clear(guess, scalars["w"], scalars["D"], _known(guess))
 
 
 def _clear(guess: Guess, w: float, D: float, known: dict[str, float]) -> dict[str, float]:
@@ -218,7 +230,7 @@ def _values(guess: Guess) -> dict[str, str]:
     return values
 
 
-def _force_values(push: Forces) -> dict[str, str]:
+def _force_values(push: TrialForces) -> dict[str, str]:
     largest = max(abs(value) for pair in push[1:] for value in pair)
     values = {f"X{i}": signed(amplitude) for i, amplitude in enumerate(push.amplitude, start=1)}
     for name, pair in zip(ROWS, push[1:], strict=True):
@@ -234,12 +246,14 @@ def _forms(guess: Guess) -> dict[str, str]:
     system, asked = guess.system, guess.asked
     forms: dict[str, str] = {}
     for i, value in enumerate(asked.rows, start=1):
-        forms[f"row{i}"] = "any" if value is None else "number" if value.is_finite() else "pole"
+        forms[f"row{i}_says"] = "any" if value is None else "number" if value.is_finite() else "pole"
     forms["agree"] = "pole" if asked.apart is None else "apart"
     for mode, w in zip(MODES, guess.modes.omega, strict=True):
-        for word, tolerance in (("near", NEAR), ("same", SAME)):
-            if abs(guess.omega - w) <= tolerance * w and (asked.apart is not None or word == "same"):
-                forms["agree"] = f"{word}_{mode}"
+        if abs(guess.omega - w) <= NEAR * w and asked.apart is not None:
+            forms["agree"] = f"near_{mode}"
+    for mode, exactly in zip(MODES, system.exact_modes, strict=True):
+        if within_an_ulp(guess.omega, exactly.omega):
+            forms["agree"] = f"same_{mode}"
     forms["D"] = "value" if asked.apart is None else "product"
     forms["roots"] = "loose" if not system.k2 else "two" if system.k1 else "wall"
     return forms

@@ -3,22 +3,29 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
 from components import chain
 from components.axes import Axis, nice_axis, time_axis
+from components.chain.grabs import mass_grab
+from components.frames import FITTED, framed
 from components.motion import pace, round_down, total
 from components.numbers import signed, three
-from components.plots import Curve, plot
-from components.scene import Columns, Picture
-from components.sheet import Block, choice, column, row, stage, words
-from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text, var
+from components.page.blocks import Block
+from components.page.numbers import var
+from components.page.plots import Handle
+from components.page.state import Frame
+from components.plots import Room, curve, plot
+from components.scene import Picture
+from components.sheet import Paragraph, choice, column, either, row, stage, words
+from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
+from components.traces import Columns
 from physics.coupled import FreeModes, TwoMassChain, free_modes, free_motion
 from physics.modes import shares
 from physics.sampling import time_window
 
-MODES = ("slow", "fast")
 FOUND = 1e-3
 """As much of the other mode, in parts of the energy, is not seen: the path is then 3 % as wide as long."""
 SWINGS, PER_SWING, MOST = 40, 96, 1281
@@ -45,25 +52,25 @@ def sheet() -> Block:
     )
 
 
-def _verdict() -> dict[str, str]:
-    return {
-        "form": "verdict",
-        "mixed": "**Not yet:** both modes are in it, so mass 1 and mass 2 do not keep step.",
-        "slow": "[slow|**✓ Found: a straight line, the slow mode.**] Both masses pass 0 together, in phase. "
+def _verdict() -> Paragraph:
+    return either(
+        "verdict",
+        mixed="**Not yet:** both modes are in it, so mass 1 and mass 2 do not keep step.",
+        slow="[slow|**✓ Found: a straight line, the slow mode.**] Both masses pass 0 together, in phase. "
         "There is another one.",
-        "fast": "[fast|**✓ Found: a straight line, the fast mode.**] Both masses pass 0 together, opposite. "
+        fast="[fast|**✓ Found: a straight line, the fast mode.**] Both masses pass 0 together, opposite. "
         "There is another one.",
-        "rest": "**Nothing moves:** the start is at rest in equilibrium.",
-        "drift": "**Every start gives a line here:** with a spring missing the slow mode is a drift, and from rest "
+        rest="**Nothing moves:** the start is at rest in equilibrium.",
+        drift="**Every start gives a line here:** with a spring missing the slow mode is a drift, and from rest "
         "it stands still.",
-    }
+    )
 
 
-def _answer() -> dict[str, str]:
-    return {
-        "form": "answer",
-        "shown": r"The lines: [slow|$X_2/X_1 = \val{answer_slow}$] and [fast|$X_2/X_1 = \val{answer_fast}$].",
-    }
+def _answer() -> Paragraph:
+    return either(
+        "answer",
+        shown=r"The lines: [slow|$X_2/X_1 = \val{answer_slow}$] and [fast|$X_2/X_1 = \val{answer_fast}$].",
+    )
 
 
 def _plane() -> Block:
@@ -72,26 +79,17 @@ def _plane() -> Block:
         x="x",
         y="x",
         title="Displacement of mass 2 against that of mass 1, from a start that can be dragged",
-        source="path",
         x_column="x1",
         curves=(
-            Curve(name="slow2", source="answer", x="slow1", tint="slow", width="sum"),
-            Curve(name="fast2", source="answer", x="fast1", tint="fast", width="dash"),
-            Curve(name="x2", source="path", x="x1", tint="ink", signal="x1,x2"),
+            curve("slow2", source="answer", x="slow1", tint="slow", width="sum"),
+            curve("fast2", source="answer", x="fast1", tint="fast", width="dash"),
+            curve("x2", source="path", x="x1", tint="ink", signal_x="x1", signal="x2"),
         ),
-        margin=(64, 10),
-        top=10,
+        room=Room(64, 10, top=10),
         square=True,
         handles=(
-            {
-                "parameter": "x1_0",
-                "symbol": "x₁",
-                "label": "Start of mass 1",
-                "tint": "m1",
-                "axis": "x",
-                "covering": "m",
-            },
-            {"parameter": "x2_0", "symbol": "x₂", "label": "Start of mass 2", "tint": "m2", "axis": "y"},
+            Handle(parameter="x1_0", symbol="x₁", label="Start of mass 1", tint="m1", axis="x", covering="m"),
+            Handle(parameter="x2_0", symbol="x₂", label="Start of mass 2", tint="m2", axis="y"),
         ),
         shapes=(circle(on_x("plane", var("start1")), on_y("plane", var("start2")), 8, tint="ink", style="ring"),),
         grow=536,
@@ -110,8 +108,13 @@ def _shapes() -> list[Shape]:
             arrow(chain.rest(i), 0.15 * H, place, 0.15 * H, tint=f"m{i}"),
             text(chain.rest(i), 0.1 * H, f"*x*_{i} = {{x{i}}} {{x_unit}}", tint=f"m{i}", style="t2 b"),
         ]
-    shapes += chain.masses(foot, chain.place(1, "x1"), chain.place(2, "x2"))
-    for n, mode in enumerate(MODES):
+    shapes += chain.masses(
+        foot,
+        chain.place(1, "x1"),
+        chain.place(2, "x2"),
+        grabs=(mass_grab(1, flicked=False), mass_grab(2, flicked=False)),
+    )
+    for n, mode in enumerate(chain.MODES):
         y = (0.76 + 0.18 * n) * H
         shapes += [
             text(0, y - 12, f"{mode} mode {{share_{mode}}} of the energy", "start", tint=mode, style="t1 b"),
@@ -121,29 +124,34 @@ def _shapes() -> list[Shape]:
     return shapes
 
 
-def picture(system: TwoMassChain, x_0: tuple[float, float], revealed: bool, window: float | None) -> Picture:
+def picture(
+    system: TwoMassChain, x_0: tuple[float, float], revealed: bool, window: float | None, frame: Frame = FITTED
+) -> Picture:
     """All of the view for one chain and one start; the answer is in it only where it was asked for."""
     modes, free, parts = system.modes(), free_modes(system, x_0, (0.0, 0.0)), shares(system, x_0)
     slow, fast = (float(w) for w in modes.omega)
-    end = window or time_window(slow, fast)
+    own_window = window or time_window(slow, fast)
+    end = frame.window or own_window
     path, bound = _path(system, x_0, end, fast), _bound(free)
-    size = _frame(bound)
-    time = time_axis(end)
+    axes = framed(frame, {"t": time_axis(own_window), "x": _size(bound)})
+    size, time = axes["x"], axes["t"]
     extremes = {f"x{i}": (-bound[i - 1], bound[i - 1]) for i in (1, 2)} | {"e2": (-bound[2], bound[2])}
-    drawn = chain.to_scale(extremes, (system.m1, system.m2), (system.k1, system.k2), size)
+    drawn = chain.to_scale(system, extremes, size, frame.scale)
     signals = chain.free_signals(free, size, time)
     signals |= {f"x{i}": total(f"x{i}_slow", f"x{i}_fast") for i in (1, 2)}
     return Picture(
-        columns={"path": path, "answer": _lines(system, size) if revealed else {}},
-        axes={"t": time, "x": size},
+        columns={"path": path, "answer": chain.direction_lines(system, 2 * size.end) if revealed else {}},
+        axes=axes,
         signals=signals,
         scalars={
             **drawn.scalars,
-            **pace(slow or fast, fast),
             "start1": size.place(x_0[0]),
             "start2": size.place(x_0[1]),
-            **{f"share_{mode}": part for mode, part in zip(MODES, parts, strict=True)},
+            **{f"share_{mode}": part for mode, part in zip(chain.MODES, parts, strict=True)},
         },
+        pace=pace(slow or fast, fast),
+        scale=drawn.scale,
+        fits=drawn.fits,
         values={**drawn.values, **_values(system, parts, revealed)},
         live={name: size.digits(signed=True) for name in ("x1", "x2")},
         forms={"verdict": _found(system, parts), "answer": "shown" if revealed else ""},
@@ -166,13 +174,13 @@ def _bound(free: FreeModes) -> tuple[float, float, float]:
     return one, two, one + two
 
 
-def _frame(bound: tuple[float, float, float]) -> Axis:
+def _size(bound: tuple[float, float, float]) -> Axis:
     """A frame that does not follow every move of the start: it grows in steps of 1, 2, 5."""
     reach = max(bound[:2])
     if not math.isfinite(reach):
         raise ValueError("the motion leaves the range of doubles")
     half = _round_up(1.05 * reach) if reach else 1.0
-    return nice_axis(-half, half, "m", 4, exact=True)
+    return replace(nice_axis(-half, half, "m", 4, exact=True), drawn=(-reach, reach))
 
 
 def _round_up(value: float) -> float:
@@ -181,20 +189,11 @@ def _round_up(value: float) -> float:
     return value if below == value else min(f * below for f in (2.0, 2.5) if f * below >= value * (1 - 1e-9))
 
 
-def _lines(system: TwoMassChain, size: Axis) -> Columns:
-    """Both mode directions, as far as the frame and beyond."""
-    far = 2 * size.end
-    lines: Columns = {}
-    for mode, ratio in zip(MODES, system.modes().ratio, strict=True):
-        one, two = (0.0, 1.0) if math.isinf(ratio) else (1 / max(1.0, abs(ratio)), ratio / max(1.0, abs(ratio)))
-        lines[f"{mode}1"], lines[f"{mode}2"] = far * one * np.array([-1.0, 1.0]), far * two * np.array([-1.0, 1.0])
-    return lines
-
-
 def _values(system: TwoMassChain, parts: tuple[float, float], revealed: bool) -> dict[str, str]:
-    values = {f"share_{mode}": f"{three(100 * part)} %" for mode, part in zip(MODES, parts, strict=True)}
+    values = {f"share_{mode}": f"{three(100 * part)} %" for mode, part in zip(chain.MODES, parts, strict=True)}
     if revealed:
-        values |= {f"answer_{mode}": signed(float(r)) for mode, r in zip(MODES, system.modes().ratio, strict=True)}
+        ratios = zip(chain.MODES, system.modes().ratio.tolist(), strict=True)
+        values |= {f"answer_{mode}": signed(ratio) for mode, ratio in ratios}
     return values
 
 

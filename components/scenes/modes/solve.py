@@ -7,11 +7,16 @@ from decimal import Decimal
 
 from components import chain
 from components.axes import Axis, time_axis
+from components.frames import FITTED, framed
 from components.motion import pace, sines
 from components.numbers import signed, three
+from components.page.blocks import Block
+from components.page.numbers import var
+from components.page.signals import AnySignal
+from components.page.state import Frame
 from components.scene import Picture
-from components.sheet import Block, row, stage, words
-from components.stage import H, Shape, W, arrow, block, circle, line, text, var
+from components.sheet import Paragraph, either, row, stage, words
+from components.stage import H, Shape, W, arrow, box, circle, line, text
 from physics.coupled import TwoMassChain
 from physics.exact import precise
 from physics.modes import quadratic
@@ -19,7 +24,8 @@ from physics.sampling import time_window
 
 METRE = 0.105
 """What an amplitude of 1 m takes of the stage's width."""
-MODES = (("slow", "−", 0.0), ("fast", "+", 0.5))
+LOOKS = (("−", 0.0), ("+", 0.5))
+"""The sign of each mode, and where its part of the stage begins, as a fraction of the height."""
 
 
 def sheet() -> Block:
@@ -30,72 +36,73 @@ def sheet() -> Block:
         grow=480,
         phone=4,
         height=420,
+        style="still",
     )
     return row(
-        {**picture_, "style": "still"},
+        picture_,
         words(*_formulas(), style="facts", grow=408, phone=20),
     )
 
 
-def _formulas() -> list[str | dict[str, str]]:
+def _formulas() -> list[Paragraph]:
     return [
         r"**Where is** $D = m_1 m_2 \omega^4 - b\,\omega^2 + k_1 k_2$ **zero?**",
         r"$\val{m1m2}\,\omega^4 - \val{b}\,\omega^2 + \val{k1k2_}$$= 0$ with $b = m_1 k_2 + m_2 (k_1 + k_2)$",
         r"$\omega_\pm^2 = (b \pm \sqrt{\Delta})/(2 m_1 m_2)$ with $\Delta = b^2 - 4 m_1 m_2 k_1 k_2$$= \val{Delta}$",
-        {
-            "form": "positive",
-            "sum": r"**$\Delta > 0$:** it is "
+        either(
+            "positive",
+            sum=r"**$\Delta > 0$:** it is "
             r"$(m_1 k_2 - m_2 (k_1 + k_2))^2$ $+\; 4 m_1 m_2 k_2^2$"
             r"$= (\val{difference})^2$ $+\; \val{coupling}$, squares that never vanish together. "
             r"So both $\omega^2$ are real.",
-            "loose": r"**$\Delta$ is a square:** $(m_2 k_1)^2$, as nothing couples the masses. "
+            loose=r"**$\Delta$ is a square:** $(m_2 k_1)^2$, as nothing couples the masses. "
             r"Both $\omega^2$ are real.",
-            "free": r"**$\Delta = 0$:** there is no spring at all, and both frequencies are 0.",
-        },
-        {
-            "form": "below",
-            "wall": r"**$\sqrt{\Delta} < b$:** $\val{root} < \val{b}$, as $4 m_1 m_2 k_1 k_2 = \val{fourfold} > 0$ was "
+            free=r"**$\Delta = 0$:** there is no spring at all, and both frequencies are 0.",
+        ),
+        either(
+            "below",
+            wall=r"**$\sqrt{\Delta} < b$:** $\val{root} < \val{b}$, as $4 m_1 m_2 k_1 k_2 = \val{fourfold} > 0$ was "
             r"taken off $b^2$. So both $\omega^2$ are positive and $\omega$ is real.",
-            "zero": r"**$\sqrt{\Delta} = b$** $= \val{b}$, as $4 m_1 m_2 k_1 k_2 = 0$. So $\omega_-$ = 0: a drift.",
-        },
+            zero=r"**$\sqrt{\Delta} = b$** $= \val{b}$, as $4 m_1 m_2 k_1 k_2 = 0$. So $\omega_-$ = 0: a drift.",
+        ),
         r"[slow|$\omega_-^2 = \val{slow_square}$, $\omega_- = \val{slow_omega}$ rad/s]",
         r"[fast|$\omega_+^2 = \val{fast_square}$, $\omega_+ = \val{fast_omega}$ rad/s]",
         *_ratios(),
     ]
 
 
-def _ratios() -> list[str | dict[str, str]]:
+def _ratios() -> list[Paragraph]:
     return [
-        {
-            "form": "ratios",
-            "both": r"**The shapes:** $-X_2/X_1 = (m_1 \omega_\pm^2 - k_1 - k_2)/k_2 = \gamma \pm \delta$",
-            "loose": "**The shapes:** without $k_2$ each mass moves alone.",
-        },
-        {"form": "gamma", "shown": r"$\gamma = m_1/(2 m_2) - (k_1 + k_2)/(2 k_2)$$= \val{gamma}$"},
-        {"form": "gamma", "shown": r"$\delta = \sqrt{\gamma^2 + m_1/m_2}$$= \val{delta}$, more than $|\gamma|$"},
-        {
-            "form": "slow_shape",
-            "ratio": r"[slow|$(X_2/X_1)_- = -\gamma + \delta = \val{slow_ratio} > 0$: in phase]",
-            "loose": "[slow|$X_1 = 0$: mass 2 alone]",
-        },
-        {
-            "form": "fast_shape",
-            "ratio": r"[fast|$(X_2/X_1)_+ = -\gamma - \delta = \val{fast_ratio} < 0$: opposite]",
-            "loose": "[fast|$X_2 = 0$: mass 1 alone]",
-        },
-        {"form": "product", "shown": r"Their product is $-m_1/m_2 = \val{product}$, whatever the springs."},
-        {
-            "form": "arrows",
-            "shown": r"**The arrows** are the notes' $X_j e^{i \omega t}$, each mass above the tip of its own. A real "
+        either(
+            "ratios",
+            both=r"**The shapes:** $-X_2/X_1 = (m_1 \omega_\pm^2 - k_1 - k_2)/k_2 = \gamma \pm \delta$",
+            loose="**The shapes:** without $k_2$ each mass moves alone.",
+        ),
+        either("gamma", shown=r"$\gamma = m_1/(2 m_2) - (k_1 + k_2)/(2 k_2)$$= \val{gamma}$"),
+        either("gamma", shown=r"$\delta = \sqrt{\gamma^2 + m_1/m_2}$$= \val{delta}$, more than $|\gamma|$"),
+        either(
+            "slow_shape",
+            ratio=r"[slow|$(X_2/X_1)_- = -\gamma + \delta = \val{slow_ratio} > 0$: in phase]",
+            loose="[slow|$X_1 = 0$: mass 2 alone]",
+        ),
+        either(
+            "fast_shape",
+            ratio=r"[fast|$(X_2/X_1)_+ = -\gamma - \delta = \val{fast_ratio} < 0$: opposite]",
+            loose="[fast|$X_2 = 0$: mass 1 alone]",
+        ),
+        either("product", shown=r"Their product is $-m_1/m_2 = \val{product}$, whatever the springs."),
+        either(
+            "arrows",
+            shown=r"**The arrows** are the notes' $X_j e^{i \omega t}$, each mass above the tip of its own. A real "
             r"ratio $X_2/X_1$ means that they point the same way or opposite ways.",
-        },
+        ),
     ]
 
 
 def _shapes() -> list[Shape]:
     """Each mode as a chain in motion with its full swing as a ghost, and a rotating arrow under each mass."""
     shapes: list[Shape] = []
-    for mode, sign, top in MODES:
+    for mode, (sign, top) in zip(chain.MODES, LOOKS, strict=True):
         foot, axle = (top + 0.185) * H, (top + 0.345) * H
         shapes += [
             chain.standing_wall((top + 0.07) * H, 0.115 * H),
@@ -105,7 +112,7 @@ def _shapes() -> list[Shape]:
         places = [chain.rest(i) + METRE * W * var(f"x{i}_{mode}") for i in (1, 2)]
         for i in (1, 2):
             full = chain.rest(i) + METRE * W * var(f"X{i}_{mode}")
-            shapes.append(block(full, foot, var(f"side{i}") * W, "", tint=f"m{i}", style="ghost full"))
+            shapes.append(box(full, foot, var(f"side{i}") * W, "", tint=f"m{i}", style="ghost full"))
         shapes += chain.masses(foot, *places)
         for i, place in zip((1, 2), places, strict=True):
             rest, tip = chain.rest(i), axle - METRE * W * var(f"y{i}_{mode}")
@@ -130,46 +137,58 @@ def _title(mode: str, sign: str, top: float) -> list[Shape]:
     ]
 
 
-def picture(system: TwoMassChain, window: float | None) -> Picture:
+def picture(system: TwoMassChain, window: float | None, frame: Frame = FITTED) -> Picture:
     """All of the view for one chain."""
-    modes, equation = system.modes(), quadratic(system)
+    modes = system.modes()
     slow, fast = (float(w) for w in modes.omega)
-    time, metres = time_axis(window or time_window(slow, fast)), Axis(-1.0, 1.0, "m")
-    signals, scalars = {}, {}
-    values = {"m1m2": three(equation.leading), "b": three(equation.b), "k1k2_": three(equation.constant)}
-    values |= {
-        "Delta": three(equation.Delta),
-        "difference": three(equation.difference),
-        "coupling": three(equation.coupling),
-    }
-    values |= {
-        "root": three(equation.root),
-        "fourfold": three(equation.fourfold),
-        "gamma": three(modes.gamma),
-        "delta": three(modes.delta),
-    }
-    with precise():
-        values["product"] = three(-Decimal(system.m1) / Decimal(system.m2))
-        squares = [mode.omega**2 for mode in system.exact_modes]
-    for (mode, _, _), omega, ratio, square in zip(MODES, modes.omega, modes.ratio, squares, strict=True):
-        X1, X2 = (0.0, 1.0) if math.isinf(ratio) else (1 / max(1.0, abs(ratio)), float(ratio) / max(1.0, abs(ratio)))
-        for i, X in ((1, X1), (2, X2)):
+    axes, metres = framed(frame, {"t": time_axis(window or time_window(slow, fast))}), Axis(-1.0, 1.0, "m")
+    time = axes["t"]
+    signals: dict[str, AnySignal] = {}
+    scalars: dict[str, float] = {}
+    for mode, omega, way in zip(chain.MODES, modes.omega, chain.directions(system), strict=True):
+        for i, X in enumerate(way, start=1):
             signals[f"x{i}_{mode}"] = sines(metres, time, (X, float(omega), math.pi / 2))
             signals[f"y{i}_{mode}"] = sines(metres, time, (X, float(omega), 0.0))
             scalars |= {f"X{i}_{mode}": X, f"R{i}_{mode}": abs(X)}
+    return Picture(
+        columns={},
+        axes=axes,
+        signals=signals,
+        scalars=scalars,
+        pace=pace(slow or fast, fast),
+        values=_equation_values(system) | _mode_values(system),
+        forms=_forms(system),
+    )
+
+
+def _equation_values(system: TwoMassChain) -> dict[str, str]:
+    """The terms of the quadratic for omega^2, and of its discriminant as a sum of squares."""
+    equation = quadratic(system)
+    return {
+        "m1m2": three(equation.leading),
+        "b": three(equation.b),
+        "k1k2_": three(equation.constant),
+        "Delta": three(equation.Delta),
+        "difference": three(equation.difference),
+        "coupling": three(equation.coupling),
+        "root": three(equation.root),
+        "fourfold": three(equation.fourfold),
+    }
+
+
+def _mode_values(system: TwoMassChain) -> dict[str, str]:
+    modes = system.modes()
+    with precise():
+        product = -Decimal(system.m1) / Decimal(system.m2)
+        squares = [mode.omega**2 for mode in system.exact_modes]
+    values = {"gamma": three(modes.gamma), "delta": three(modes.delta), "product": three(product)}
+    for mode, omega, ratio, square in zip(chain.MODES, modes.omega, modes.ratio, squares, strict=True):
         values |= {
             f"{mode}_omega": three(float(omega)),
             f"{mode}_square": three(square),
             f"{mode}_ratio": signed(float(ratio)),
         }
-    return Picture(
-        columns={},
-        axes={"t": time},
-        signals=signals,
-        scalars={**scalars, **pace(slow or fast, fast)},
-        values=values,
-        forms=_forms(system),
-    )
+    return values
 
 
 def _forms(system: TwoMassChain) -> dict[str, str]:

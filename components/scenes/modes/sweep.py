@@ -9,15 +9,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from components.axes import Axis, log_axis
-from components.equations import rich
+from components.chain import MODES
+from components.frames import FITTED, framed
 from components.numbers import signed, three
-from components.plots import Curve, plot
-from components.scene import Columns, Picture
-from components.sheet import Block, choice, column, row, term, words
+from components.page.blocks import Block
+from components.page.plots import Curve, Handle, Mark
+from components.page.state import Frame
+from components.plots import Room, curve, plot
+from components.scene import Picture
+from components.sheet import Paragraph, choice, column, either, row, term, words
+from components.text import rich
+from components.traces import Columns
 from physics.coupled import TwoMassChain
 from physics.sweeps import PARAMETERS, Sweep, limit, sweep
 
-MODES = ("slow", "fast")
 DECADES = 6
 UNITS = {"m": "kg", "k": "N/m"}
 SYMBOLS = {"m1": "m₁", "m2": "m₂", "k1": "k₁", "k2": "k₂"}
@@ -74,15 +79,15 @@ def sheet() -> Block:
     )
 
 
-def _limits(end: str) -> list[str | dict[str, str]]:
+def _limits(end: str) -> list[Paragraph]:
     """The limit at one end, in words and formulas, by its kind."""
-    lines: list[str | dict[str, str]] = [
-        {"form": end, **{kind: f"**{{{end}_name}}:** {texts[0]}" for kind, texts in LIMITS.items()}}
+    lines: list[Paragraph] = [
+        either(end, **{kind: f"**{{{end}_name}}:** {texts[0]}" for kind, texts in LIMITS.items()})
     ]
     for mode, sign, at in (("slow", "-", 1), ("fast", "+", 3)):
         for name, place in ((rf"\omega_{sign}", at), ("X_2/X_1", at + 1)):
             lines.append(
-                {"form": end, **{kind: rf"[{mode}|${name} \to {texts[place]}$]" for kind, texts in LIMITS.items()}}
+                either(end, **{kind: rf"[{mode}|${name} \to {texts[place]}$]" for kind, texts in LIMITS.items()})
             )
     return lines
 
@@ -90,30 +95,29 @@ def _limits(end: str) -> list[str | dict[str, str]]:
 def _curves(kind: str) -> tuple[Curve, ...]:
     """Both modes, the asymptotes at both ends, dotted; `kind` is omega or ratio."""
     curves = [
-        Curve(name=f"{kind}_{mode}", source=f"{kind}_{end}", tint=mode, width="dash", group="limits")
+        curve(f"{kind}_{mode}", source=f"{kind}_{end}", tint=mode, width="dash", group="limits")
         for end in ("low", "high")
         for mode in MODES
     ]
     labels = {"omega": ("*ω*_{−}", "*ω*_{+}"), "ratio": ("in phase", "opposite")}[kind]
     curves += [
-        Curve(name=f"{kind}_{mode}", source=f"{kind}_sweep", tint=mode, width="sum", label=label)
+        curve(f"{kind}_{mode}", source=f"{kind}_sweep", tint=mode, width="sum", label=label)
         for mode, label in zip(MODES, labels, strict=True)
     ]
     curves += [
-        Curve(name=f"{kind}_{mode}", source=f"{kind}_now", tint=mode, width="none", marker="disc", group="now")
+        curve(f"{kind}_{mode}", source=f"{kind}_now", tint=mode, width="none", marker="disc", group="now")
         for mode in MODES
     ]
     return tuple(curves)
 
 
 def _frequencies() -> Block:
-    held = tuple(Curve(name=f"held{i}", source="omega_sweep", tint=f"m{i}", width="thin", group="held") for i in (1, 2))
+    held = tuple(curve(f"held{i}", source="omega_sweep", tint=f"m{i}", width="thin", group="held") for i in (1, 2))
     return plot(
         "frequencies",
         x="p",
         y="f",
         title="Both natural frequencies against the swept parameter, with their asymptotes",
-        source="omega_sweep",
         x_column="p",
         curves=held + _curves("omega"),
         heading=(
@@ -122,10 +126,9 @@ def _frequencies() -> Block:
             term("limits", "dash", "mute", formula=r"\text{limits}"),
         ),
         x_labels=False,
-        margin=(72, 60),
-        top=30,
+        room=Room(72, 60, top=30),
         handles=_handles(bare=True),
-        marks=({"at": "cross", "tint": "mute", "style": "dashed", "html": rich("the held ones cross"), "lift": 0},),
+        marks=(Mark(at="cross", tint="mute", style="dashed", html=rich("the held ones cross"), lift=0),),
         phone=10,
         height=230,
     )
@@ -137,34 +140,33 @@ def _ratios() -> Block:
         x="p",
         y="q",
         title="Both mode ratios, without their sign, against the swept parameter",
-        source="ratio_sweep",
         x_column="p",
         curves=_curves("ratio"),
         heading=(term("", "none", "ink", formula=r"|X_2/X_1|"),),
-        margin=(72, 60),
+        room=Room(72, 60),
         handles=_handles(),
         phone=11,
         height=200,
     )
 
 
-def _handles(bare: bool = False) -> tuple[dict[str, object], ...]:
+def _handles(bare: bool = False) -> tuple[Handle, ...]:
     return tuple(
-        {
-            "parameter": name,
-            "symbol": SYMBOLS[name],
-            "label": f"{SYMBOLS[name]}, swept",
-            "tint": "ink",
-            "axis": "x",
-            "show": f"swept_{name}",
-            "bare": bare,
-            "covering": UNITS[name[0]],
-        }
+        Handle(
+            parameter=name,
+            symbol=SYMBOLS[name],
+            label=f"{SYMBOLS[name]}, swept",
+            tint="ink",
+            axis="x",
+            form=f"swept_{name}",
+            bare=bare,
+            covering=UNITS[name[0]],
+        )
         for name in PARAMETERS
     )
 
 
-def picture(system: TwoMassChain, swept: str) -> Picture:
+def picture(system: TwoMassChain, swept: str, frame: Frame = FITTED) -> Picture:
     """All of the view for one chain; ValueError where a frequency leaves the range of doubles."""
     values = np.geomspace(*_range(system, swept), 241)
     run = sweep(system, swept, values)
@@ -181,14 +183,12 @@ def picture(system: TwoMassChain, swept: str) -> Picture:
     modes = system.modes()
     columns |= _pair("now", np.array([getattr(system, swept)]), modes.omega[:, None], modes.ratio[:, None])
     decades = log_axis(float(values[0]), float(values[-1]), UNITS[swept[0]], DECADES)
+    ratios = _log_range(np.abs(run.ratio), "") if shown else log_axis(0.1, 10)
+    axes = framed(frame, {"p": decades, "f": _log_range(run.omega, "rad/s"), "q": ratios})
     return Picture(
         columns=columns,
-        axes={
-            "p": decades,
-            "f": _log_range(run.omega, "rad/s"),
-            "q": _log_range(np.abs(run.ratio), "") if shown else log_axis(0.1, 10),
-        },
-        scalars=_crossing(run, decades),
+        axes=axes,
+        scalars=_crossing(run, axes["p"]),
         values={
             **{f"now_{mode}": three(float(w)) for mode, w in zip(MODES, modes.omega, strict=True)},
             **{f"now_ratio_{mode}": signed(float(r)) for mode, r in zip(MODES, modes.ratio, strict=True)},

@@ -5,28 +5,29 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from components.about import About
-from components.about_single import oscillator_about
-from components.axes import Axis, nice_axis, time_axis
-from components.chain import wire
+from components.axes import ONE, Axis, nice_axis, time_axis
 from components.controls import Group
-from components.motion import pace, scaled, sines
+from components.frames import FITTED, framed
+from components.motion import QUARTER, pace, scaled, sines
 from components.numbers import MINUS, plus, power_unit, signed, three
-from components.parameters import displacement, mass, stiffness, velocity
-from components.scene import Columns, Picture, Scene
+from components.page.blocks import Block
+from components.page.signals import AnySignal
+from components.page.state import Frame
+from components.parameters import displacement, mass, one_of, stiffness, velocity
+from components.scene import Picture, Scene
+from components.scenes.oscillator.about import oscillator_about
+from components.scenes.oscillator.pull import Force, force
 from components.scenes.oscillator.sheet import oscillator_sheet
-from components.sheet import Block
-from components.traces import samples, trace
+from components.stage import wire
+from components.traces import Columns, samples, sources_over_time, trace
 from physics.oscillator import Oscillator, OscillatorConstants
 from physics.sampling import Sinusoid, drawable, periods, time_window
 
-QUARTER = math.pi / 2
-ONE = Axis(-1.0, 1.0)
 LONGEST = 24
 """Characters of numbers in the second form of x."""
 MOST_SWINGS = 6
@@ -39,13 +40,15 @@ ROOM = {"x": (1.25, 1.25), "v": (1.15, 1.6), "a": (1.2, 1.75)}
 
 
 @dataclass(frozen=True, kw_only=True)
-class Swing:
+class Oscillation:
     """A motion and its window."""
 
     oscillator: Oscillator
     x_0: float
     v_0: float
     window: float | None
+    standing: float | None = None
+    """The window that stands, where it is not the one chosen."""
 
     @cached_property
     def omega(self) -> float:
@@ -56,9 +59,13 @@ class Swing:
         return self.oscillator.constants(self.x_0, self.v_0)
 
     @cached_property
-    def end(self) -> float:
+    def own_end(self) -> float:
         own = periods(self.omega, 2) if self.omega else time_window(0.0, 0.0)
         return self.window or own
+
+    @property
+    def end(self) -> float:
+        return self.standing or self.own_end
 
     @property
     def turns(self) -> bool:
@@ -76,8 +83,14 @@ class OscillatorScene(Scene):
     slug = "oscillator"
     title = "Oscillator"
     lecture = "D31"
+    points = "points 1 to 3"
     headline = "A swing is a turning arrow, seen from the side"
-    groups = (Group("Mass and spring", ("m", "k")), Group("Start", ("x_0", "v_0")))
+    spoken = {"natural frequency": "{omega} rad/s", "period": "{tau} s"}
+    equations = (
+        "m x'' + k x = 0",
+        "omega_n = sqrt(k/m); v = x'; a = x''; x = x_0 and v = v_0 at t = 0",
+    )
+    groups = (Group("Mass and spring", ("m", "k")), Group("Start", ("x_0", "v_0")), Group("Shown", ("view",)))
     presets = {
         "Pulled": {"x_0": 0.15, "v_0": 0.0},
         "Kicked": {"x_0": 0.0, "v_0": 0.8},
@@ -101,36 +114,46 @@ class OscillatorScene(Scene):
         says="is the velocity at the start, positive away from the wall. Any number.",
     )  # fmt: skip
 
+    view = one_of(default="motion", objects={"Motion": "motion", "Force": "force"}, label="What the stage shows")
+
     @classmethod
     @cache
     def sheet(cls) -> Block:
         return oscillator_sheet()
 
-    def picture(self) -> Picture:
-        swing = Swing(oscillator=Oscillator(m=self.m, k=self.k), x_0=self.x_0, v_0=self.v_0, window=self.window)
+    def picture(self, frame: Frame = FITTED) -> Picture:
+        swing = Oscillation(
+            oscillator=Oscillator(m=self.m, k=self.k),
+            x_0=self.x_0,
+            v_0=self.v_0,
+            window=self.window,
+            standing=frame.window,
+        )
         t = np.linspace(0.0, swing.end, samples(swing.end, swing.omega))
         curves, bands = _motion_columns(swing, t)
-        axes = _axes(swing, curves)
-        values = _values(swing, axes)
+        axes = framed(frame, _axes(swing, curves))
+        reach = max(swing.amplitude("x"), abs(self.x_0))
+        pull = force(self.k, reach, axes["x"]) if self.view == "force" else Force()
+        values = _values(swing, axes) | pull.values
         return Picture(
             columns={
-                "time": {"t": t, **curves},
-                "band": bands and {"t": t, **bands},
+                **sources_over_time(t, curves, bands),
                 "loop": _loop(swing, curves),
             },
             axes=axes,
-            signals=_signals(swing, axes),
-            scalars=_scalars(swing, axes, t),
+            signals=_signals(swing, axes) | pull.signals,
+            scalars=_scalars(swing, axes, t) | pull.scalars,
+            pace=pace(swing.omega, swing.omega),
             values=values,
-            live={"x": axes["x"].digits(signed=True)},
-            forms=_forms(swing, values),
+            live={"x": axes["x"].digits(signed=True), **pull.live},
+            forms=_forms(swing, values) | {"force": "shown" if self.view == "force" else ""},
         )
 
     def about(self) -> About:
         return oscillator_about(self.shown, Oscillator(m=self.m, k=self.k), self.x_0, self.v_0)
 
 
-def _motion_columns(swing: Swing, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
+def _motion_columns(swing: Oscillation, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
     """x, v and a: curves, or bands where too fast."""
     motion = swing.oscillator.motion(swing.x_0, swing.v_0, t)
     curves: Columns = {}
@@ -144,11 +167,12 @@ def _motion_columns(swing: Swing, t: NDArray[np.float64]) -> tuple[Columns, Colu
     return curves, bands
 
 
-def _axes(swing: Swing, curves: Columns) -> dict[str, Axis]:
+def _axes(swing: Oscillation, curves: Columns) -> dict[str, Axis]:
     """Ticks stand at the amplitudes; the path of a free mass has round ones."""
-    axes = {"t": time_axis(swing.end)}
+    axes = {"t": time_axis(swing.own_end)}
     for name, room in ROOM.items():
-        axes[name] = _amplitude_axis(swing.amplitude(name), UNITS[name], *room)
+        marked = swing.turns and name != "x"
+        axes[name] = _amplitude_axis(swing.amplitude(name), UNITS[name], *room, 0.95 * room[1] if marked else 1.0)
     if not swing.omega and swing.v_0:
         low, high = min(0.0, float(curves["x"].min())), max(0.0, float(curves["x"].max()))
         power_unit(2 * (high - low))
@@ -156,17 +180,18 @@ def _axes(swing: Swing, curves: Columns) -> dict[str, Axis]:
     return axes | {"a_bare": replace(axes["a"], labels=("",) * len(axes["a"].ticks))}
 
 
-def _amplitude_axis(size: float, unit: str, below: float, above: float) -> Axis:
+def _amplitude_axis(size: float, unit: str, below: float, above: float, seen: float) -> Axis:
+    """It reaches `below` and `above`, in amplitudes; what must be seen ends at `seen`."""
     if not size:
-        return Axis(-below, above, unit, ticks=(0.0,), labels=(f"0 {unit}",))
+        return Axis(-below, above, unit, ticks=(0.0,), labels=(f"0 {unit}",), drawn=(0.0, 0.0))
     power_unit(above * size)
     exponent, suffix = power_unit(size)
-    bare = Axis(-below * size, above * size, unit, exponent, suffix)
+    bare = Axis(-below * size, above * size, unit, exponent, suffix, drawn=(-size, seen * size))
     top = bare.place(size)
     return replace(bare, ticks=(-top, 0.0, top), labels=(MINUS + three(top), "0", f"{three(top)} {bare.full_unit}"))
 
 
-def _loop(swing: Swing, curves: Columns) -> Columns:
+def _loop(swing: Oscillation, curves: Columns) -> Columns:
     """One turn in the planes (x, v) and (x, a); of a free mass, its whole path."""
     if not swing.omega:
         return {name: curves[name][[0, -1]] for name in LEADS}
@@ -174,7 +199,7 @@ def _loop(swing: Swing, curves: Columns) -> Columns:
     return {name: swing.amplitude(name) * np.sin(turn + shift) for name, shift in LEADS.items()}
 
 
-def _signals(swing: Swing, axes: dict[str, Axis]) -> dict[str, Any]:
+def _signals(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, AnySignal]:
     """x, v and a, and the direction of the arrow."""
     time, omega, phi = axes["t"], swing.omega, swing.constants.phi
     if not omega:
@@ -190,7 +215,7 @@ def _signals(swing: Swing, axes: dict[str, Axis]) -> dict[str, Any]:
     }
 
 
-def _scalars(swing: Swing, axes: dict[str, Axis], t: NDArray[np.float64]) -> dict[str, float]:
+def _scalars(swing: Oscillation, axes: dict[str, Axis], t: NDArray[np.float64]) -> dict[str, float]:
     """Sizes on the stage, the arrow at the start, the peaks that are marked, and the clock's speed."""
     phi, time = swing.constants.phi, axes["t"]
     reach = axes["x"].place(max(abs(axes["x"].start), axes["x"].end)) / ROOM["x"][0]
@@ -199,10 +224,12 @@ def _scalars(swing: Swing, axes: dict[str, Axis], t: NDArray[np.float64]) -> dic
         "wire": wire(swing.oscillator.k),
         "per_window": 1 / time.place(swing.end),
         "per_x": 1 / reach,
-        **pace(swing.omega, swing.omega),
     }
     if not swing.turns:
         return scalars
+    exponent = axes["x"].exponent - axes["v"].exponent
+    scalars |= {"per_v": scaled(exponent, 1 / swing.omega), "x_start": axes["x"].place(swing.x_0)}
+    scalars |= {"v_start": axes["v"].place(swing.v_0)}
     scalars |= {"turns": 1.0, "C": axes["x"].place(swing.constants.C), "phi": phi}
     scalars |= {"start_cosine": math.cos(phi), "start_sine": math.sin(phi)}
     scalars |= {"middle_cosine": math.cos(phi / 2.6), "middle_sine": math.sin(phi / 2.6)}
@@ -214,7 +241,7 @@ def _scalars(swing: Swing, axes: dict[str, Axis], t: NDArray[np.float64]) -> dic
     return scalars
 
 
-def _leads(swing: Swing, axes: dict[str, Axis]) -> dict[str, float]:
+def _leads(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, float]:
     """The last peak of x in the window, and those of v and a before it; none where they are out of it or too close."""
     tau = swing.oscillator.period
     first_peak = ((QUARTER - swing.constants.phi) % (2 * math.pi)) / (2 * math.pi)
@@ -226,7 +253,7 @@ def _leads(swing: Swing, axes: dict[str, Axis]) -> dict[str, float]:
     return {"leads": 1.0, **peaks, **tops}
 
 
-def _values(swing: Swing, axes: dict[str, Axis]) -> dict[str, str]:
+def _values(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, str]:
     constants = swing.constants
     turned_back = constants.phi - math.copysign(math.pi, constants.phi)
     return {
@@ -248,7 +275,7 @@ def _values(swing: Swing, axes: dict[str, Axis]) -> dict[str, str]:
     }
 
 
-def _forms(swing: Swing, values: dict[str, str]) -> dict[str, str]:
+def _forms(swing: Oscillation, values: dict[str, str]) -> dict[str, str]:
     """Which sentences stand; the second form of x is left out where its numbers are too long for the line."""
     if not swing.omega:
         return {"kind": "drift", "why": "drift", "B": "drift", "C": "", "phi": "", "parts": "left_out"}

@@ -2,21 +2,23 @@
 
 from __future__ import annotations
 
-from components.plots import Curve, plot
+from components.page.blocks import Block
+from components.plots import NUMBERS, Room, curve, plot
 from components.scenes.oscillator.turning import FIRST, first, hero, lead, planes
-from components.sheet import Block, column, phrase, row, stage, term, words
+from components.sheet import column, either, phrase, row, stage, term, words
 from components.stage import Shape
 from components.traces import traced
 
 TINTS = {"x": "m1", "v": "T", "a": "F"}
 SHIFTS = {"x": "", "v": r"+ \tfrac{\pi}{2}", "a": r"+ \pi"}
 GAP = 16
+TASK = "Push the mass and let go: where is it fastest, and where is it pulled hardest?"
 
 CONSTANTS = (
-    (r"[m1|$A = x_0 = \val{A}$ m]", {"form": "C", "turn": r"[m1|$C = \sqrt{A^2 + B^2} = \val{C}$ m]"}),
+    (r"[m1|$A = x_0 = \val{A}$ m]", either("C", turn=r"[m1|$C = \sqrt{A^2 + B^2} = \val{C}$ m]")),
     (
-        {"form": "B", "turn": r"[T|$B = v_0 / \omega_n = \val{B}$ m]", "drift": r"[T|$v_0 = \val{v_0}$ m/s]"},
-        {"form": "phi", "turn": r"$\phi = \mathrm{atan2}(A, B) = \val{phi}$ rad"},
+        either("B", turn=r"[T|$B = v_0 / \omega_n = \val{B}$ m]", drift=r"[T|$v_0 = \val{v_0}$ m/s]"),
+        either("phi", turn=r"$\phi = \mathrm{atan2}(A, B) = \val{phi}$ rad"),
     ),
 )
 
@@ -24,11 +26,8 @@ CONSTANTS = (
 def oscillator_sheet() -> Block:
     over_plane, over_law = planes()
     label = "Mass on a spring, and the turning arrow whose height is its displacement"
-    start = {
-        **stage(*first(), label="The arrow at the start with its legs A and B", phone=30, height=190),
-        "style": "still",
-    }
-    return row(
+    start = stage(*first(), label="The arrow at the start with its legs A and B", phone=30, height=190, style="still")
+    paper = row(
         column(
             stage(*hero(), label=label, grow=300, height=206),
             row(_why(), start, grow=176, gap=GAP),
@@ -45,20 +44,22 @@ def oscillator_sheet() -> Block:
         column(_law_words(), _plane(over_plane), _law(over_law), grow=168),
         gap=0,
     )
+    return column(words(TASK, style="task", phone=0), paper)
 
 
 def _why() -> Block:
     """Why the phase is atan2: what the slide's atan would give for this start."""
     return words(
-        "**At** $t = 0$",
-        {
-            "form": "why",
-            "right": r"$\mathrm{atan}(A / B)$ is the same here: it is right for $v_0 > 0$, $\mathrm{atan2}$ always.",
-            "wrong": r"$\mathrm{atan}(A / B) = \val{atan}$ points the other way: it is right only for $v_0 > 0$.",
-            "zero": r"$\mathrm{atan}(A / B)$ would divide by zero: it is right only for $v_0 > 0$.",
-            "rest": "The mass rests: there is no arrow, and no phase.",
-            "drift": "No spring, no swing: the mass keeps its velocity.",
-        },
+        either(
+            "why",
+            right=r"**At** $t = 0$: $\mathrm{atan}(A / B)$ is the same here: it is right for $v_0 > 0$, "
+            r"$\mathrm{atan2}$ always.",
+            wrong=r"**At** $t = 0$: $\mathrm{atan}(A / B) = \val{atan}$ points the other way: "
+            r"it is right only for $v_0 > 0.$",
+            zero=r"**At** $t = 0$: $\mathrm{atan}(A / B)$ would divide by zero: it is right only for $v_0 > 0.$",
+            rest="The mass rests: there is no arrow, and no phase.",
+            drift="No spring, no swing: the mass keeps its velocity.",
+        ),
         style="small",
         basis=FIRST - GAP,
         phone=31,
@@ -68,17 +69,17 @@ def _why() -> Block:
 def _row(name: str) -> Block:
     """x, v or a against time, under its formula."""
     tint = TINTS[name]
-    curve, band = traced(name, tint=tint, width="sum", label=f"*{name}*", signal=name)
+    curve, band = traced(name, tint=tint, width="sum", read=f"*{name}*", signal=name)
     drift = {
         "x": r"x = \val{A}\, \val{drift}\,t",
         "v": r"v = \val{v_0} \text{: constant}",
         "a": r"a = 0 \text{: no force}",
     }[name]
     sine = rf"{name} = \val{{top_{name}}}\, \sin(\val{{omega}}\,t\, \val{{phi_plus}} {SHIFTS[name]})"
-    heading = [{**term(name, "sum", tint, turn=sine, drift=drift), "form": "kind"}]
+    heading = [term(name, "sum", tint, form="kind", turn=sine, drift=drift)]
     if name == "x":
         parts = r"= \val{A_plain}\, \cos(\val{omega}\,t)\, \val{B_plus}\, \sin(\val{omega}\,t)"
-        heading.append({**term("", "none", "ink", shown=parts, left_out=""), "form": "parts"})
+        heading.append(term("", "none", "ink", form="parts", shown=parts, left_out=""))
     return plot(
         name,
         x="t",
@@ -88,7 +89,7 @@ def _row(name: str) -> Block:
         bands=(band,),
         heading=tuple(heading),
         x_labels=name == "a",
-        margin=(62, 30),
+        room=Room(62, 30),
         cursor="time",
         shapes={"x": (), "v": lead("x", "v"), "a": lead("v", "a")}[name],
         grow={"x": 212, "v": 153, "a": 102}[name],
@@ -99,9 +100,11 @@ def _row(name: str) -> Block:
 
 def _law_words() -> Block:
     return words(
+        either("force", shown=r"[F|$F = -k x =$ {F} {F_unit}]"),
         r"$m \ddot{x} + k x = 0$",
+        r"$\ddot{x} + \omega_n^2 x = 0$",
         r"$\omega_n = \sqrt{\frac{k}{m}} = \val{omega}$ rad/s",
-        {"form": "kind", "turn": r"$\tau = 2 \pi / \omega_n = \val{tau}$ s", "drift": "no period"},
+        either("kind", turn=r"$\tau = 2 \pi / \omega_n = \val{tau}$ s", drift="no period"),
         style="facts proof",
         grow=212,
         basis=22,
@@ -115,11 +118,10 @@ def _plane(over: tuple[Shape, ...]) -> Block:
         x="x",
         y="v",
         title="Phase plane: velocity against displacement",
-        curves=(Curve(name="v", source="loop", x="x", tint="ink", signal="x,v", group="plane"),),
+        curves=(curve("v", source="loop", x="x", tint="ink", signal_x="x", signal="v", group="plane"),),
         heading=(phrase("", "none", "ink", formula="**Phase plane**"),),
-        source="loop",
         x_column="x",
-        margin=(8, 8),
+        room=Room(8, 8),
         plain=True,
         shapes=over,
         grow=153,
@@ -135,11 +137,11 @@ def _law(over: tuple[Shape, ...]) -> Block:
         x="x",
         y="a_bare",
         title="The law: acceleration against displacement is a straight line",
-        curves=(Curve(name="a", source="loop", x="x", tint="ink", signal="x,a", group="law"),),
+        curves=(curve("a", source="loop", x="x", tint="ink", signal_x="x", signal="a", group="law"),),
         heading=(phrase("", "none", "ink", formula=r"**The law:** $a = -\val{ratio}\,x$"),),
-        source="loop",
         x_column="x",
-        margin=(8, 8),
+        x_labels=False,
+        room=Room(8, 8, bottom=NUMBERS),
         shapes=over,
         grow=102,
         phone=41,

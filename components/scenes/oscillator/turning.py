@@ -2,27 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import pi
 
+from components.grabs import at_rest, begin, grab, linear, on_plot
+from components.page.numbers import Expression, Number, var
+from components.page.shapes import Begin, Grab
+from components.scenes.oscillator.pull import pulled
 from components.stage import (
     NARROW,
     WIDE,
-    Expression,
     H,
-    Number,
     Shape,
     T,
     W,
     arc,
     arrow,
+    box,
     circle,
     line,
     on_x,
     on_y,
-    shape,
+    shown_by,
     spring,
     text,
-    var,
     wall,
     wave,
 )
@@ -35,7 +38,9 @@ PIVOT = WIDE * 0.635 * W + NARROW * 0.395 * W
 FRAME = WIDE * (var("x.bottom") - var("x.top")) + NARROW * 0.8 * H
 """The height of the plot of x, on whose scale all is drawn; on a phone, where it stands elsewhere, one like it."""
 LEVEL = WIDE * on_y("x", 0) + NARROW * 0.5 * H
-RADIUS = WIDE * -1 * var("x.y1") * var("C") + NARROW * SWING * var("turns")
+SCALE = WIDE * -1 * var("x.y1") + NARROW * SWING * var("per_x")
+"""Pixels that one of the axis of x takes; on a phone, where the frame ends."""
+RADIUS = SCALE * var("C") * var("turns")
 STRIP, STRIP_LENGTH = 0.64 * W, 0.31 * W
 """On a phone the stage has a small x(t) of its own."""
 FIRST = 132
@@ -46,16 +51,16 @@ NAMES = {"x": "*x*", "v": "*v*/*ω*_n", "a": "*a*/*ω*_n²"}
 REACH = {"x": (15, 13), "v": (26, 16), "a": (30, 16)}
 """Pixels from the tip of an arrow to the middle of its name, across and up."""
 
-Vector = tuple[Number, Number]
+StageVector = tuple[Number, Number]
 
 
-def unit(name: str) -> Vector:
+def unit(name: str) -> StageVector:
     """The direction of the arrow of x, v or a, up positive: each a quarter turn ahead of the one before."""
     cosine, sine = var("cosine"), var("sine")
     return {"x": (cosine, sine), "v": (-1 * sine, cosine), "a": (-1 * cosine, -1 * sine)}[name]
 
 
-def at(centre: Vector, way: Vector, length: Number) -> Vector:
+def at(centre: StageVector, way: StageVector, length: Number) -> StageVector:
     return centre[0] + length * way[0], centre[1] - length * way[1]
 
 
@@ -68,12 +73,38 @@ def hero() -> list[Shape]:
         line(MASS, y, now, y, style="level", tint="m1"),
         *strip(now, y),
         *table(y),
-        *[{**one, "show": "turns"} for one in turning((PIVOT, LEVEL))],
+        *shown_by("turns", *turning((PIVOT, LEVEL))),
     ]
 
 
+def height(x: Number) -> Expression:
+    return LEVEL - SCALE * x
+
+
 def mass_height() -> Expression:
-    return WIDE * on_y("x", var("x")) + NARROW * (LEVEL - SWING * var("x") * var("per_x"))
+    return height(var("x"))
+
+
+START = (Begin("x_0", "x", "x"), Begin("v_0", "v", "v"))
+"""Where the tip of the arrow is held: it says x and v."""
+
+
+def beside(centre: Number, scale: Number) -> Callable[[Number], Number]:
+    """Where a velocity stands beside the middle of a circle: as far as x would be a quarter period later."""
+    return lambda v: centre + scale * var("per_v") * v
+
+
+MASS_GRAB = begin(
+    "Mass, start",
+    linear(height, "y", "x_0", moves="x", axis="x", rate="v_0"),
+    start=(START[0], *at_rest("v_0")),
+)
+TIP_GRAB = begin(
+    "Turning arrow, start",
+    linear(height, "y", "x_0", moves="x", axis="x"),
+    linear(beside(PIVOT, SCALE), "x", "v_0", moves="v", axis="v"),
+    start=START,
+)
 
 
 def table(y: Number) -> list[Shape]:
@@ -84,14 +115,15 @@ def table(y: Number) -> list[Shape]:
     return [
         wall(MASS - 42, foot, 84, side="bottom"),
         spring(MASS, y + 0.5 * side, MASS, foot, var("wire"), height=13, show="wire"),
-        shape("block", x=MASS, y=y + 0.5 * side, side=side, label="m", tint="m1"),
+        box(MASS, y + 0.5 * side, side, "*m*", tint="m1", grab=MASS_GRAB),
         arrow(aside, LEVEL, aside, y, tint="m1"),
-        text(2, 16, "*x* = {x} {x_unit}", "start", tint="m1", style="t2 b halo"),
+        *pulled(MASS + 0.5 * side + 13, y, LEVEL),
+        text(MASS + 38, 16, "*x* = {x} {x_unit}", "start", tint="m1", style="t2 b halo"),
         text(MASS + 52, foot + 4, "smooth table, seen from above", "start", tint="mute", style="halo", show="wide"),
     ]
 
 
-def turning(centre: Vector) -> list[Shape]:
+def turning(centre: StageVector) -> list[Shape]:
     """The arrow of x and its two companions, all drawn at the length C, on their circle."""
     found = [*cross(centre, RADIUS), *right_angles(centre)]
     for name, tint, style in reversed(WAYS):
@@ -99,11 +131,9 @@ def turning(centre: Vector) -> list[Shape]:
         found.append(arrow(*centre, *tip, tint=tint, style=style, head=13 if name == "x" else 11))
     found.append(circle(*centre, 4, tint="ink"))
     start = (var("start_cosine"), var("start_sine"))
-    name_x, name_y = at(centre, start, RADIUS + 18)
     found += [
         circle(*at(centre, start, RADIUS), 4, style="ghost", tint="mute"),
-        text(name_x, name_y + 4, "*t* = 0", tint="mute", style="halo"),
-        circle(*at(centre, unit("x"), RADIUS), 5, tint="m1"),
+        circle(beside(centre[0], SCALE)(var("v")), height(var("x")), 5, tint="m1", grab=TIP_GRAB),
     ]
     for name, tint, _ in WAYS:
         (x, y), (across, up) = unit(name), REACH[name]
@@ -112,7 +142,7 @@ def turning(centre: Vector) -> list[Shape]:
     return found
 
 
-def cross(centre: Vector, radius: Number) -> list[Shape]:
+def cross(centre: StageVector, radius: Number) -> list[Shape]:
     x, y = centre
     reach = radius + 8
     return [
@@ -122,7 +152,7 @@ def cross(centre: Vector, radius: Number) -> list[Shape]:
     ]
 
 
-def right_angles(centre: Vector) -> list[Shape]:
+def right_angles(centre: StageVector) -> list[Shape]:
     """The marks that say: a quarter turn."""
     found = []
     for one, other in (("x", "v"), ("v", "a")):
@@ -136,22 +166,33 @@ def strip(now: Number, y: Number) -> list[Shape]:
     """The small x(t) on a phone, with its cursor."""
     top, bottom = LEVEL - 0.34 * H, LEVEL + 0.34 * H
     curve = wave(
-        STRIP, LEVEL, STRIP_LENGTH, SWING, var("swings"), var("phi"), style="sum", tint="m1", show="narrow swings"
+        STRIP, LEVEL, STRIP_LENGTH, RADIUS, var("swings"), var("phi"), style="sum", tint="m1", show="narrow swings"
     )
     marks = [line(now, top, now, bottom, style="now"), circle(now, y, 5, tint="m1")]
-    return [curve, *[{**one, "show": "narrow"} for one in marks]]
+    return [curve, *shown_by("narrow", *marks)]
+
+
+def _start_grab(x: Number, y: Number, scale: Number) -> Grab:
+    """The tip of the arrow at the start, about (x, y): up is x_0, across v_0."""
+    return grab(
+        "Arrow at the start",
+        linear(lambda value: y - scale * value, "y", "x_0", moves="x_start", axis="x"),
+        linear(beside(x, scale), "x", "v_0", moves="v_start", axis="v"),
+    )
 
 
 def first() -> list[Shape]:
     """The arrow at t = 0: its legs are A and B; atan would send it the other way where v_0 < 0."""
     centre = (WIDE * (0.635 * (W + FIRST) - FIRST) + NARROW * 0.5 * W, 0.5 * H)
-    radius = WIDE * RADIUS + NARROW * 0.42 * H
+    scale = WIDE * SCALE + NARROW * 0.42 * H * var("per_x")
+    radius = scale * var("C")
     way = (var("start_cosine"), var("start_sine"))
     x, y = centre
-    tip, foot = at(centre, way, radius), (x + radius * way[0], y)
+    foot = (beside(x, scale)(var("v_start")), y)
+    tip = (foot[0], y - scale * var("x_start"))
     wrong = at(centre, (-1 * way[0], -1 * way[1]), radius)
     middle = at(centre, (var("middle_cosine"), var("middle_sine")), 40)
-    beside = at(centre, (way[0] - 0.22 * way[1], way[1] + 0.22 * way[0]), 0.58 * radius)
+    aside = at(centre, (way[0] - 0.22 * way[1], way[1] + 0.22 * way[0]), 0.58 * radius)
     quarter = pi / 2
     shapes = [
         *cross(centre, radius),
@@ -161,7 +202,7 @@ def first() -> list[Shape]:
         arc(x, y, 28, quarter, var("phi") + quarter, style="floor", tint="ink"),
         line(x, y, *foot, style="sum", tint="T"),
         line(*foot, *tip, style="sum", tint="m1"),
-        arrow(x, y, *tip, tint="m1", head=13),
+        arrow(x, y, *tip, tint="m1", head=13, grab=_start_grab(x, y, scale)),
         circle(x, y, 4, tint="ink"),
         text(middle[0], middle[1] + 5, "*φ*", style="t2 b halo", show="has_phi"),
         text(x + 0.5 * radius * way[0], y + 13 * var("under") + 5, "*B*", tint="T", style="t2 b halo", show="has_B"),
@@ -173,9 +214,9 @@ def first() -> list[Shape]:
             style="t2 b halo",
             show="has_A",
         ),
-        text(beside[0], beside[1] + 5, "*C*", tint="m1", style="t2 b halo", show="has_A has_B"),
+        text(aside[0], aside[1] + 5, "*C*", tint="m1", style="t2 b halo", show="has_A has_B"),
     ]
-    return [{**one, "show": f"turns {one.get('show', '')}".strip()} for one in shapes]
+    return shown_by("turns", *shapes)
 
 
 def lead(late: str, early: str) -> tuple[Shape, ...]:
@@ -188,7 +229,7 @@ def lead(late: str, early: str) -> tuple[Shape, ...]:
         arrow(a, y, b, y, style="thin", head=8),
         text((a + b) * 0.5, y - 6, "*τ*/4", style="b halo"),
     )
-    return tuple({**one, "show": "leads"} for one in shapes)
+    return tuple(shown_by("leads", *shapes))
 
 
 def planes() -> tuple[tuple[Shape, ...], tuple[Shape, ...]]:
@@ -199,7 +240,14 @@ def planes() -> tuple[tuple[Shape, ...], tuple[Shape, ...]]:
         line(x, on_y("plane", var("v")), x, on_y("law", var("a")), style="level", tint="mute", show="wide"),
         line(on_x("a", T), on_y("a", var("a")), x, on_y("law", var("a")), style="level", tint="mute", show="wide"),
     )
-    return (*links, *axis_names("plane", "v", "T")), tuple(axis_names("law", "a", "F"))
+    held = begin(
+        "Point of the phase plane, start",
+        on_plot("plane", "x", "x_0", "x", "x"),
+        on_plot("plane", "y", "v_0", "v", "v"),
+        start=START,
+    )
+    point = circle(x, on_y("plane", var("v")), 4.5, grab=held)
+    return (*links, *axis_names("plane", "v", "T"), point), tuple(axis_names("law", "a", "F"))
 
 
 def axis_names(plot: str, upward: str, tint: str) -> list[Shape]:

@@ -2,33 +2,53 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
-import param
 
 from components.about import About
-from components.about_single import flight_about
 from components.axes import Axis, nice_axis, time_axis
 from components.controls import Group
+from components.frames import FITTED, framed
 from components.motion import pace
 from components.numbers import MINUS, signed, three
-from components.parameters import Quantity, mass, positive
+from components.page.blocks import Block
+from components.page.state import Frame
+from components.parameters import Quantity, Values, mass, one_of, positive
 from components.scene import Picture, Scene
-from components.scenes.phugoid.flight import flight_shapes, ground_axes, outline, velocity_axes, velocity_shapes
+from components.scenes.phugoid.about import flight_about
+from components.scenes.phugoid.flight import (
+    flight_shapes,
+    ground_axes,
+    lift_shapes,
+    outline,
+    velocity_axes,
+    velocity_shapes,
+)
 from components.scenes.phugoid.plots import (
     exchange_plots,
+    lift_plot,
     path_plot,
     period_plot,
     period_shapes,
     swing_plot,
     velocity_plot,
 )
-from components.sheet import Block, choice, column, row, stage, when, words
+from components.scenes.phugoid.swing import (
+    Swing,
+    along_path,
+    energy_shares,
+    lift_columns,
+    lift_signals,
+    motion_signals,
+    over_time,
+    velocities,
+    verdict,
+)
+from components.sheet import choice, column, row, stage, when, words
 from components.stage import Shape, W, text
-from components.swing import Swing, along_path, energy_shares, motion_signals, over_time, velocities, verdict
-from components.traces import samples
+from components.traces import samples, sources_over_time
 from components.units import Unit
 from physics.phugoid import CUSP_EXCESS, EXCESS_AT_LATENESS, linear_phugoid
 
@@ -44,23 +64,32 @@ AIRCRAFT = {
 FASTEST = 275.0  # m/s, the end of the plot of periods
 LARGEST = 3.0  # v_0; the flight is then a small circle far below the level line
 NAMES = {name: label for name, (label, _, _) in AIRCRAFT.items()}
-VIEWS = {"period": "Period", "exchange": "Exchange", "limits": "Limits"}
+VIEWS = {"period": "Period", "lift": "Lift", "exchange": "Exchange", "limits": "Limits"}
+TASK = "Change the speed v₀, the mass, the disturbance: which of them changes the period?"
 
 
 class Phugoid(Scene):
     slug = "phugoid"
     title = "Phugoid"
     lecture = "D31"
+    points = "points 8 to 10"
     headline = "Left alone, an aircraft swings; only its speed sets the period"
+    spoken = {"period by the linear theory": "{tau} s", "this swing": "{late}"}
+    equations = (
+        "V' = -g sin(theta); V theta' = g (V/v_0)^2 - g cos(theta); lift over weight = (V/v_0)^2",
+        "h and v from those of steady flight: v = V - v_0; v = excess v_0 at t = 0 in level flight",
+        "to first order: h'' + omega^2 h = 0; omega = sqrt(2) g/v_0; v = -g h/v_0",
+    )
     groups = (
         Group("Excess of speed", ("excess",), "period late by"),
+        Group("Aircraft", ("v_0", "m")),
         Group(
-            "Aircraft",
-            ("v_0", "m", "g"),
-            "move m: no change",
+            "",
+            ("g", "unit"),
+            "Examples, gravity, unit of speed",
             actions=tuple((name, label.split()[0]) for name, (label, _, _) in AIRCRAFT.items()),
+            folded=True,
         ),
-        Group("Speeds in", ("unit",)),
     )
     places = tuple(AIRCRAFT)
     presets = {
@@ -93,8 +122,8 @@ class Phugoid(Scene):
         9.80665, symbol="g", unit="m/s²", label="gravity", tint="k", softbounds=(1.0, 30.0),
         says="is the gravity. A weaker one swings more slowly.",
     )  # fmt: skip
-    unit = param.Selector(default="ft/s", objects=list(SPEEDS), label="Unit of speed")
-    show = param.Selector(default="period", objects=list(VIEWS), label="View")
+    unit = one_of(default="ft/s", objects=list(SPEEDS), label="Unit of speed")
+    show = one_of(default="period", objects=list(VIEWS), label="View")
 
     @classmethod
     def drawings(cls) -> dict[str, str]:
@@ -106,7 +135,7 @@ class Phugoid(Scene):
         speed = {} if size == 1 else {"v_0": Unit(self.unit, size)}
         return own | speed | ({} if metres == 1 else {"g": Unit(f"{length}/s²", metres)})
 
-    def action(self, name: str) -> dict[str, Any]:
+    def action(self, name: str) -> Values:
         _, speed, weight = AIRCRAFT[name]
         return {"v_0": speed, "m": weight}
 
@@ -116,17 +145,20 @@ class Phugoid(Scene):
         shapes = [
             *_words(),
             *flight_shapes("path"),
+            *lift_shapes("path", "is_lift"),
             *period_shapes(NAMES, "is_period"),
             *velocity_shapes("velocity", "is_limits"),
         ]
         label = "The flight path with the aircraft, beside the spring and mass it mimics"
         return column(
+            words(TASK, style="task", phone=0),
             column(stage(*shapes, label=label, grow=0, basis=26, phone=0, height=28), path_plot(), grow=262),
             words("{verdict}", style="narrow", phone=6),
             row(
                 column(
                     choice("show", VIEWS, "View", phone=5),
                     when("period", period_plot(NAMES)),
+                    *(when("lift", block) for block in lift_plot()),
                     *(when("exchange", block) for block in exchange_plots()),
                     when("limits", velocity_plot()),
                     grow=430,
@@ -137,21 +169,23 @@ class Phugoid(Scene):
             ),
         )
 
-    def picture(self) -> Picture:
+    def picture(self, frame: Frame = FITTED) -> Picture:
         swing = Swing(self.v_0, self.g, self.excess)
-        end = self.window or float(f"{2.2 * swing.linear.tau:.2g}")
+        own_window = self.window or float(f"{2.2 * swing.linear.tau:.2g}")
+        end = frame.window or own_window
         swing.check(end)
         t = np.linspace(0.0, end, samples(end, swing.fastest))
-        axes = self._axes(swing, end)
+        axes = framed(frame, {"t": time_axis(own_window), **self._axes(swing, end)})
         curves, bands = over_time(swing, t)
         path, path_band = along_path(swing, end, axes["along"].end / swing.length)
         shares = energy_shares(swing, t) if self.show == "exchange" else {}
+        lift, lift_band = lift_columns(swing, t) if self.show == "lift" else ({}, {})
+        bands |= lift_band
         own, family = velocities(swing) if self.show == "limits" else ({}, {})
         reach = np.array([0.0, axes["v_0"].end])
         return Picture(
             columns={
-                "time": {"t": t, **curves, **shares},
-                "band": bands and {"t": t, **bands},
+                **sources_over_time(t, {**curves, **shares, **lift}, bands),
                 "path": path,
                 "path_band": path_band,
                 "velocity": own,
@@ -159,10 +193,15 @@ class Phugoid(Scene):
                 "periods": {"v_0": reach, "tau": linear_phugoid(1.0, self.g).tau * reach},
             },
             axes=axes,
-            signals=motion_signals(swing, axes["t"], axes["along"], axes["h"], axes["v"]),
-            scalars={**pace(swing.linear.omega, swing.fastest), **self._scalars(swing, axes)},
+            signals=motion_signals(swing, axes["t"], axes["along"], axes["h"], axes["v"])
+            | (lift_signals(swing, axes["v"]) if self.show == "lift" else {}),
+            scalars=self._scalars(swing, axes),
+            pace=pace(swing.linear.omega, swing.fastest),
             values=self._values(swing, axes),
-            live={name: axes[name].digits(signed=True) for name in ("h", "v")},
+            live={
+                **{name: axes[name].digits(signed=True) for name in ("h", "v")},
+                **{name: axes["lift"].digits() for name in ("lift", "lift_linear") if self.show == "lift"},
+            },
             forms={self.show: "shown"},
         )
 
@@ -172,23 +211,26 @@ class Phugoid(Scene):
         # One frame for both: h' in v_0^2/g and v' in v_0 are mirror images in the linear theory.
         reach = max(abs(float(swing.lap.h.min())), abs(float(swing.lap.h.max())), abs(self.excess))
         fastest = FASTEST if self.v_0 <= FASTEST else 1.25 * self.v_0
+        tau = nice_axis(0.0, linear_phugoid(fastest, self.g).tau, "s", 2, exact=True)
         return {
-            "t": time_axis(end),
             "along": along,
             "up": up,
             "h": nice_axis(-reach * swing.length, reach * swing.length, length, 3, factor=metres),
             "v": nice_axis(-reach * swing.v_0, reach * swing.v_0, self.unit, 3, factor=size),
-            "v_0": nice_axis(0.0, fastest, self.unit, 4, exact=True, factor=size),
-            "tau": nice_axis(0.0, linear_phugoid(fastest, self.g).tau, "s", 4, exact=True),
+            "v_0": nice_axis(0.0, fastest, self.unit, 2, exact=True, factor=size),
+            "tau": replace(tau, drawn=(0.0, tau.end * max(AIRCRAFT["airliner"][1], self.v_0) / fastest)),
             "share": Axis(0.0, 1.0, "%", ticks=(0.0, 50.0, 100.0), factor=0.01),
+            "lift": nice_axis(0.0, float(max(swing.lap.u[0], 1.0)) ** 2, count=4),
             **velocity_axes(swing),
         }
 
     def _scalars(self, swing: Swing, axes: dict[str, Axis]) -> dict[str, float]:
         scalars = {
             "excess": self.excess,
+            "head": axes["up"].place(swing.length),
             "is_period": float(self.show == "period"),
             "is_limits": float(self.show == "limits"),
+            "is_lift": float(self.show == "lift"),
         }
         for name, top in (("top", swing.top), ("top_lin", swing.top_linear)):
             scalars |= {f"{name}_x": axes["along"].place(top[0]), f"{name}_y": axes["up"].place(top[1])}
@@ -212,6 +254,7 @@ class Phugoid(Scene):
             "v_unit": axes["v"].full_unit,
             "h_size": three(-swing.climb / axes["h"].factor),
             "v_size": three(self.excess * self.v_0 / axes["v"].factor),
+            **({} if self.show == "lift" else {"lift": "", "lift_linear": ""}),
             "gain": signed(axes["v"].place(self.excess * self.v_0)),
             "omega": three(swing.linear.omega),
             "tau": three(swing.linear.tau),
@@ -231,6 +274,6 @@ class Phugoid(Scene):
 def _words() -> list[Shape]:
     return [
         text(0, 17, "*h*′ = {h} {h_unit}", anchor="start", tint="V", style="t2 b"),
-        text(176, 17, "*v*′ = {v} {v_unit}", anchor="start", tint="T", style="t2 b"),
+        text(120, 17, "*v*′ = {v} {v_unit}", anchor="start", tint="T", style="t2 b"),
         text(W, 17, "{verdict}", anchor="end", tint="ink", show="wide"),
     ]

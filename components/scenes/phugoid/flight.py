@@ -5,29 +5,16 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 
 from components.axes import Axis, nice_axis, nice_ticks
+from components.grabs import begin, grab, on_plot
 from components.numbers import short
-from components.stage import (
-    Number,
-    Shape,
-    W,
-    arrow,
-    block,
-    circle,
-    line,
-    on_x,
-    on_y,
-    path,
-    spring,
-    text,
-    var,
-    wall,
-)
-from components.swing import Swing
+from components.page.numbers import Number, var
+from components.page.shapes import Grab, Trade
+from components.scenes.phugoid.swing import Swing
+from components.stage import Looks, Shape, W, arrow, box, circle, line, on_x, on_y, path, spring, text, wall
 from physics.phugoid import flight
 
 HULL = (
@@ -41,6 +28,8 @@ ASPECT = 4.4
 """Width over height of the frame of the path on a desk."""
 BEFORE = 0.3
 """Room before the start, in v_0^2/g: the length of the aircraft's tail."""
+SIZE = 0.45 + W * 0.0006
+"""The size of the aircraft beside that of its drawing."""
 BOX = (128, 46)
 SIDE, APART = 32, 104
 """The mass of the spring, and how far the spring stands before the frame, in pixels."""
@@ -57,15 +46,20 @@ def ground_axes(swing: Swing, window: float, unit: str, factor: float) -> tuple[
     end = max(swing.distance(window), ASPECT * (high - low + 2 * room), 0.5)
     along = _along(-BEFORE * length, end * length, unit, factor)
     half, middle = (end + BEFORE) / ASPECT / 2, (low + high) / 2
-    return along, _up(along, (middle - half) * length, (middle + half) * length)
+    up = _up(along, (middle - half) * length, (middle + half) * length)
+    far = min(swing.distance(window), end)
+    return (
+        replace(along, drawn=(-BEFORE * length, far * length)),
+        replace(up, drawn=(low * length, high * length)),
+    )
 
 
 def _along(low: float, high: float, unit: str, factor: float) -> Axis:
     """The horizontal axis; distances of five digits do without a power of ten."""
-    axis = nice_axis(low, high, unit, 5, exact=True, factor=factor)
+    axis = nice_axis(low, high, unit, 3, exact=True, factor=factor)
     if not 1e4 <= high / factor < 1e5:
         return axis
-    return replace(axis, exponent=0, suffix="", ticks=nice_ticks(low / factor, high / factor, 5))
+    return replace(axis, exponent=0, suffix="", ticks=nice_ticks(low / factor, high / factor, 3))
 
 
 def _up(along: Axis, low: float, high: float) -> Axis:
@@ -98,14 +92,9 @@ def flight_shapes(plot: str) -> list[Shape]:
     u_lin, w_lin forward and up in v_0.
     """
     level, foot, left, right = on_y(plot, 0), var(f"{plot}.bottom"), var(f"{plot}.left"), var(f"{plot}.right")
-    x, y, x_lin, y_lin = (
-        on_x(plot, var("x")),
-        on_y(plot, var("y")),
-        on_x(plot, var("x_lin")),
-        on_y(plot, var("y_lin")),
-    )
-    size = 0.45 + W * 0.0006
-    own: dict[str, Any] = {"inside": plot}
+    x, y = on_x(plot, var("x")), on_y(plot, var("y"))
+    x_lin, y_lin = on_x(plot, var("x_lin")), on_y(plot, var("y_lin"))
+    own: Looks = {"inside": plot}
     return [
         *_labels(plot, left, level),
         line(left, level, right, level, tint="mute", style="eq"),
@@ -113,35 +102,42 @@ def flight_shapes(plot: str) -> list[Shape]:
         *_spring(left - APART, y_lin, level, foot),
         line(left - APART + SIDE / 2, y_lin, x_lin, y_lin, tint="V", style="dots", **own),
         line(left - APART + SIDE / 2, y_lin, left, y_lin, tint="V", style="dots"),
-        path(
-            HULL,
-            x_lin,
-            y_lin,
-            dx=var("u_lin"),
-            dy=-var("w_lin"),
-            sx=size,
-            sy=size,
-            tint="m1",
-            style="fine",
-            **own,
-        ),
+        _aircraft(HULL, "fine", (x_lin, y_lin), (var("u_lin"), -var("w_lin")), SIZE, own),
         arrow(x, level, x, y, tint="V", **own),
-        arrow(x, y, x + 50 * size * var("u"), y - 50 * size * var("w"), gap=34 * size, head=12, tint="T", **own),
+        arrow(x, y, x + 50 * SIZE * var("u"), y - 50 * SIZE * var("w"), gap=34 * SIZE, head=12, tint="T", **own),
         *(
-            path(
-                d,
-                x,
-                y,
-                dx=var("u"),
-                dy=-var("w"),
-                sx=1.15 * size,
-                sy=1.15 * size,
-                tint="m1",
-                style=style,
-                **own,
-            )
-            for d, style in ((HULL, "fill"), (WING, "ghost fine"), (PROPELLER, "fine"))
+            _aircraft(part, style, (x, y), (var("u"), -var("w")), 1.15 * SIZE, own)
+            for part, style in ((HULL, "fill"), (WING, "ghost fine"), (PROPELLER, "fine"))
         ),
+        circle(x, y, 0, grab=_held(plot), **own),
+    ]
+
+
+def _held(plot: str) -> Grab:
+    """The aircraft in the hand: its height sets the excess of speed, as far as the energy allows."""
+    height = Trade(parameter="excess", moves="y", axis="up", zero=on_y(plot, 0), unit=var(f"{plot}.y1"), head="head")
+    return begin("Aircraft, height at the start", height, on_plot(plot, "x", "", "x", "along"))
+
+
+def _aircraft(
+    part: str, style: str, at: tuple[Number, Number], velocity: tuple[Number, Number], size: Number, look: Looks
+) -> Shape:
+    """A part of an aircraft, turned the way it flies."""
+    dx, dy = velocity
+    return path(part, *at, dx=dx, dy=dy, sx=size, sy=size, tint="m1", style=style, **look)
+
+
+def lift_shapes(plot: str, show: str) -> list[Shape]:
+    """Lift, upright to the velocity, and weight, which is as long as the velocity of level flight."""
+    x, y = on_x(plot, var("x")), on_y(plot, var("y"))
+    unit: Number = 50 * SIZE
+    tip = x + unit * var("lift_forward"), y - unit * var("lift_up")
+    own: Looks = {"inside": plot, "show": show}
+    return [
+        arrow(x, y, x, y + unit, tint="k", style="thick", head=13, **own),
+        arrow(x, y, *tip, tint="F", style="thick", head=13, **own),
+        text(x - 8, y + unit - 4, "*m g*", anchor="end", tint="k", style="t2 b halo", **own),
+        text(tip[0] - 8, tip[1] + 12, "*L*", anchor="end", tint="F", style="t2 b halo", **own),
     ]
 
 
@@ -160,7 +156,7 @@ def _spring(x: Number, y: Number, level: Number, foot: Number) -> list[Shape]:
         line(x - 32, level, x + 32, level, tint="mute", style="eq"),
         wall(x - 32, foot, 64, side="bottom"),
         spring(x, foot, x, y + half, 2.2, height=10),
-        block(x, y + half, SIDE, "m", tint="m1"),
+        box(x, y + half, SIDE, "*m*", tint="m1"),
     ]
 
 
@@ -169,7 +165,7 @@ def velocity_shapes(plot: str, show: str) -> list[Shape]:
     still = on_x(plot, -1)
     tip, level = (on_x(plot, var("u") - 1), on_y(plot, var("w"))), on_y(plot, 0)
     start = on_x(plot, var("excess"))
-    own: dict[str, Any] = {"inside": plot, "show": show}
+    own: Looks = {"inside": plot, "show": show}
     named = {**own, "show": f"{show} family_named"}
     return [
         line(still, var(f"{plot}.top"), still, var(f"{plot}.bottom"), tint="rule", style="hair", **own),
@@ -177,7 +173,14 @@ def velocity_shapes(plot: str, show: str) -> list[Shape]:
         arrow(still, level, *tip, head=13, tint="T", **own),
         circle(still, level, 5, **own),
         circle(on_x(plot, 0), level, 4, **own),
-        circle(start, level, 5, tint="T", **own),
+        circle(
+            start,
+            level,
+            5,
+            tint="T",
+            grab=grab("Speed at the start", on_plot(plot, "x", "excess", "excess", "forward")),
+            **own,
+        ),
         circle(*tip, 6, tint="m1", **own),
         text(on_x(plot, 0), level - 10, "*C* = 2/3", style="halo", **named),
         text(on_x(plot, 0.68), on_y(plot, 0.68), "cusp, *C* = 0", anchor="start", style="b halo", **named),

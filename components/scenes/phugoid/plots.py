@@ -2,44 +2,47 @@
 
 from __future__ import annotations
 
-from typing import Any
-
-from components.equations import rich
-from components.plots import Band, Curve, plot
-from components.sheet import Block, term, words
-from components.stage import Shape, circle, line, on_x, on_y, var
-from components.swing import FAMILY
+from components.page.blocks import Block
+from components.page.numbers import var
+from components.page.plots import Handle, Mark
+from components.plots import Room, curve, plot, region
+from components.scenes.phugoid.swing import FAMILY
+from components.sheet import term, words
+from components.stage import Looks, Shape, circle, line, on_x, on_y
+from components.text import rich
 from components.traces import traced
+
+EQUATIONS = {"h": r"\ddot{h} + 2 (g/v_0)^2\, h' = 0", "v": r"g\, h' + v_0\, v' = 0"}
+"""To first order: the equation of motion, and what the two trade."""
 
 
 def path_plot() -> Block:
     """Height over distance, at one scale; the stage draws the rest over it."""
-    block = plot(
+    return plot(
         "path",
         x="along",
         y="up",
         title="Height of the flight against distance: the exact path, and dashed that of the linear theory",
-        source="path",
         x_column="x",
         curves=(
-            Curve(name="y_lin", source="path", x="x_lin", tint="m1", width="dash", group="path_lin"),
-            Curve(name="y", source="path", tint="m1", width="sum", group="path"),
+            curve("y_lin", source="path", x="x_lin", tint="m1", width="dash", group="path_lin"),
+            curve("y", source="path", tint="m1", width="sum", group="path"),
         ),
-        bands=(Band(low="y_lo", high="y_hi", source="path_band", tint="m1", alpha=0.4, group="path"),),
-        margin=(138, 4),
+        bands=(region(low="y_lo", high="y_hi", source="path_band", tint="m1", alpha=0.4, group="path"),),
+        room=Room(138, 4),
         square=True,
         phone=0,
         height=150,
+        style="path",
     )
-    return {**block, "style": "path"}
 
 
 def swing_plot(name: str, tint: str, low: bool) -> Block:
     """h'(t) or v'(t), exact and linear, under the formula; the lower plot carries the time."""
-    wave = rf"\val{{{name}_size}}\, \cos(\val{{omega}}\,t)\;\text{{linear}}"
+    wave = rf"\val{{{name}_size}}\, \cos(\val{{omega}}\,t)"
     word = {"h": "Height", "v": "Speed"}[name]
-    dashed, dashed_band = traced(f"{name}_lin", tint=tint, width="dash", label="linear", signal=f"{name}_lin")
-    solid, solid_band = traced(name, tint=tint, width="sum", label="exact", signal=name)
+    dashed, dashed_band = traced(f"{name}_lin", tint=tint, width="dash", read="linear", signal=f"{name}_lin")
+    solid, solid_band = traced(name, tint=tint, width="sum", read="exact", signal=name)
     return plot(
         f"{name}_t",
         x="t",
@@ -48,11 +51,12 @@ def swing_plot(name: str, tint: str, low: bool) -> Block:
         curves=(dashed, solid),
         bands=(dashed_band, solid_band),
         heading=(
-            term(name, "sum", tint, formula=rf"{name}' = \val{{{name}}}\;\val{{{name}_unit}}"),
-            term(f"{name}_lin", "dash", tint, formula=wave),
+            term(name, "sum", tint, formula=f"{name}'"),
+            term(f"{name}_lin", "dash", tint, formula=rf"\text{{linear }}{wave}"),
+            term("", "none", "ink", formula=EQUATIONS[name]),
         ),
         x_labels=low,
-        margin=(62, 52),
+        room=Room(62, 52),
         cursor="time",
         phone=10 + low,
         height=150,
@@ -66,51 +70,74 @@ def period_plot(names: dict[str, str]) -> Block:
         x="v_0",
         y="tau",
         title="Period against the speed of steady flight: a straight line, the same for every aircraft",
-        source="periods",
         x_column="v_0",
-        curves=(Curve(name="tau", source="periods", tint="ink", width="sum", read="*τ*"),),
-        heading=(
-            term("", "sum", "ink", formula=r"\tau = \sqrt{2}\,\pi\,v_0 / g = \val{tau}\;\text{s}"),
-            term("", "none", "mute", formula=r"\text{for any aircraft of this speed}"),
-        ),
-        margin=(44, 26),
-        top=8,
-        handles=({"parameter": "v_0", "symbol": "v₀", "label": "Speed of steady flight", "tint": "T", "least": 1.0},),
-        marks=tuple(_example(name, label, i, i == len(names) - 1) for i, (name, label) in enumerate(names.items())),
+        curves=(curve("tau", source="periods", tint="ink", width="sum", read="*τ*"),),
+        heading=(term("", "sum", "ink", formula=r"\tau = \sqrt{2}\,\pi\,v_0 / g = \val{tau}\;\text{s}"),),
+        room=Room(44, 26, top=60),
+        handles=(Handle(parameter="v_0", symbol="v₀", label="Speed of steady flight", tint="T", least=1.0),),
+        marks=tuple(_example(name, label, i % 2) for i, (name, label) in enumerate(names.items())),
         phone=14,
         height=270,
     )
 
 
-def _example(name: str, label: str, i: int, last: bool) -> dict[str, Any]:
-    """The flag of an example; that of the fastest stands left of its point."""
-    return {
-        "at": f"at_{name}",
-        "tint": "ink",
-        "style": "bare",
-        "html": rich(f"{label}{{tau_{name}}}"),
-        "label": f"Speed of: {label}",
-        "act": name,
-        "flag": "one end" if last else "one start",
-        "shift": -10 if last else -1,
-        "lift": -2 if last else -34 - 32 * i,
-    }
+def _example(name: str, label: str, row: int) -> Mark:
+    """The flag of an example, in one of two rows over the frame."""
+    return Mark(
+        at=f"at_{name}",
+        tint="ink",
+        style="bare",
+        html=rich(f"{label.split()[0]}{{tau_{name}}}"),
+        label=f"Speed of: {label}",
+        act=name,
+        flag="one",
+        lift=54 - 26 * row,
+    )
 
 
 def period_shapes(names: dict[str, str], show: str) -> list[Shape]:
     """Poles of the examples, and the lines from the point of this aircraft to both axes."""
-    own: dict[str, Any] = {"show": show}
+    own: Looks = {"show": show}
     x, y = on_x("period", var("v_here")), on_y("period", var("tau_here"))
     shapes = [
         line(var("period.left"), y, x, y, tint="mute", style="eq", **own),
         line(x, y, x, var("period.bottom"), tint="T", **own),
     ]
-    for i, name in enumerate(names):
+    for name in names:
         at, tau = on_x("period", var(f"at_{name}")), on_y("period", var(f"tau_{name}_at"))
-        if i < len(names) - 1:
-            shapes.append(line(at, tau, at, var("period.top") + 34 + 32 * i, tint="rule", style="hair", **own))
+        shapes.append(line(at, tau, at, var("period.top"), tint="rule", style="hair", **own))
         shapes.append(circle(at, tau, 5, **own))
     return [*shapes, circle(x, y, 6, tint="T", **own)]
+
+
+def lift_plot() -> tuple[Block, ...]:
+    """Lift over weight, exact and to first order, and what follows from it."""
+    linear, linear_band = traced("lift_linear", tint="F", width="dash", label="linear", signal="lift_linear")
+    exact, exact_band = traced("lift", tint="F", width="sum", label="exact", signal="lift", group="lift_exact")
+    return (
+        plot(
+            "lift",
+            x="t",
+            y="lift",
+            title="Lift over weight against time: exact, and dashed to first order",
+            curves=(linear, exact),
+            bands=(linear_band, exact_band),
+            heading=(
+                term("lift_exact", "sum", "F", formula=r"L/(m g) = (v/v_0)^2 = \val{lift}"),
+                term("lift_linear", "dash", "F", formula=r"1 + 2 v'/v_0 = \val{lift_linear}"),
+            ),
+            room=Room(44, 52),
+            cursor="time",
+            phone=14,
+            height=200,
+        ),
+        words(
+            r"$m \ddot{h} = L - m g$, to first order $\ddot{h} = 2 g\, v'/v_0$.",
+            r"Thrust is drag, so $g\, h' + v_0 v' = 0$: together $\ddot{h} + 2 (g/v_0)^2\, h' = 0$.",
+            style="small",
+            phone=15,
+        ),
+    )
 
 
 def exchange_plots() -> tuple[Block, ...]:
@@ -144,11 +171,11 @@ def _shares(name: str, edge: str, upper: str, lower: str, title: str, low: bool)
         y="share",
         title=title,
         bands=(
-            Band(low="nothing", high=edge, tint="T", label=lower),
-            Band(low=edge, high="all", tint="V", label=upper),
+            region(low="nothing", high=edge, tint="T", label=lower),
+            region(low=edge, high="all", tint="V", label=upper),
         ),
         x_labels=low,
-        margin=(52, 8),
+        room=Room(52, 8),
         cursor="time",
         phone=13 + 2 * low,
         height=110,
@@ -158,8 +185,8 @@ def _shares(name: str, edge: str, upper: str, lower: str, title: str, low: bool)
 def velocity_plot() -> Block:
     """The tip of every flight's velocity runs on a line of constant C; the arrow points as the aircraft does."""
     family = (
-        Curve(
-            name=f"w_{name}",
+        curve(
+            f"w_{name}",
             source="family",
             x=f"u_{name}",
             tint="ink" if name == "cusp" else "mute",
@@ -172,29 +199,19 @@ def velocity_plot() -> Block:
         x="forward",
         y="upward",
         title="Velocity upward against forward: this flight, the linear theory, and others up to a loop",
-        source="velocity",
         x_column="u",
         curves=(
             *family,
-            Curve(name="w_lin", source="velocity", x="u_lin", tint="m1", width="dash"),
-            Curve(name="w", source="velocity", tint="m1", width="sum"),
+            curve("w_lin", source="velocity", x="u_lin", tint="m1", width="dash"),
+            curve("w", source="velocity", tint="m1", width="sum"),
         ),
         heading=(
             term("w", "sum", "m1", formula=r"C = u - V^3/3 = \val{C}"),
             term("w_lin", "dash", "m1", formula=r"\text{linear; exact }\val{late}"),
         ),
-        margin=(8, 8),
+        room=Room(8, 8),
         square=True,
-        handles=(
-            {
-                "parameter": "excess",
-                "symbol": "v′",
-                "label": "Excess of speed",
-                "tint": "T",
-                "least": -1,
-                "text": "gain",
-            },
-        ),
+        handles=(Handle(parameter="excess", symbol="v′", label="Excess of speed", tint="T", least=-1, text="gain"),),
         phone=14,
         height=280,
     )

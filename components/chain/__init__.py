@@ -1,0 +1,70 @@
+"""The two-mass chain: what the scenes about it share."""
+
+from components.chain.modes import MODES, direction_lines, directions
+from components.chain.parameters import (
+    CHAIN,
+    START,
+    masses_and_springs,
+    measured_by,
+    of_scene,
+    start_of,
+    start_positions,
+    start_velocities,
+)
+from components.chain.signals import components, free_rates, free_signals
+from components.chain.stage import (
+    EQUILIBRIUM,
+    WALL,
+    DrawnChain,
+    Extremes,
+    displacement_arrow,
+    extremes,
+    ground,
+    masses,
+    place,
+    rest,
+    scale,
+    sides,
+    sizes,
+    standing_wall,
+    to_scale,
+)
+
+FREE = ("m1 x1'' = -k1 x1 - k2 (x1 - x2)", "m2 x2'' = k2 (x1 - x2)")
+"""The equations of motion, as components.scene says."""
+
+DRIVEN = (FREE[0] + " + F_0 sin(omega t)", FREE[1])
+
+__all__ = [
+    "CHAIN",
+    "DRIVEN",
+    "EQUILIBRIUM",
+    "FREE",
+    "MODES",
+    "START",
+    "WALL",
+    "DrawnChain",
+    "Extremes",
+    "components",
+    "direction_lines",
+    "directions",
+    "displacement_arrow",
+    "extremes",
+    "free_rates",
+    "free_signals",
+    "ground",
+    "masses",
+    "masses_and_springs",
+    "measured_by",
+    "of_scene",
+    "place",
+    "rest",
+    "scale",
+    "sides",
+    "sizes",
+    "standing_wall",
+    "start_of",
+    "start_positions",
+    "start_velocities",
+    "to_scale",
+]

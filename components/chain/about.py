@@ -1,0 +1,66 @@
+"""What 'About these numbers' says of any two-mass chain: its motion, its modes, its energy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from math import fsum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from components.about import CheckedPoint, Place, Table, drift, few, rows
+from components.chain.modes import MODES
+from components.chain.parameters import Pair
+from components.traces import Columns
+from physics.coupled import TwoMassChain, free_modes, free_motion
+from physics.energy import chain_energy
+from physics.exact import precise
+from physics.problem import Problem
+from physics.reference import Point, modal_points, modes_of
+
+MASSES = {"x1": "$x_1$", "x2": "$x_2$"}
+DRIVE, FREQUENCY = (Place(column, r"$\omega$", "rad/s") for column in ("omega", "w"))
+ROUNDED_ONCE = 0.51
+
+
+def motion_rows(
+    names: dict[str, str],
+    columns: Columns,
+    chain: TwoMassChain,
+    x_0: Pair,
+    v_0: Pair,
+    F_0: float = 0.0,
+    omega: float = 0.0,
+) -> list[CheckedPoint]:
+    """x1 and x2 and their parts by mode, as far as they are drawn."""
+    at = few(columns["t"])
+    problem = Problem(chain=chain, x_0=x_0, v_0=v_0, t=columns["t"][at], F_0=F_0, omega=omega)
+    modal = modal_points(problem)
+    true: dict[str, Sequence[Point]] = {}
+    for i in (0, 1):
+        true[f"x{i + 1}"] = [_sum(parts) for parts in zip(modal[0][i], modal[1][i], strict=True)]
+        true |= {f"x{i + 1}_{mode}": modal[j][i] for j, mode in enumerate(MODES)}
+    return rows(names, columns, true, at)
+
+
+def _sum(parts: Iterable[Point]) -> Point:
+    values, sizes = zip(*parts, strict=True)
+    with precise():
+        return Point(sum(values), sum(sizes))
+
+
+def modes_table(chain: TwoMassChain) -> Table:
+    """Both frequencies and both shapes, as far as they are numbers."""
+    modes, found = chain.modes(), []
+    for j, ((omega, ratio), sign) in enumerate(zip(modes_of(chain), "-+", strict=True)):
+        place = f"The {MODES[j]} mode"
+        found.append(CheckedPoint(rf"$\omega_{sign}$", place, float(modes.omega[j]), Point(omega, omega)))
+        if ratio is not None and np.isfinite(modes.ratio[j]):
+            found.append(CheckedPoint("$X_2/X_1$", place, float(modes.ratio[j]), Point(ratio, abs(ratio))))
+    bound = "Frequencies and shapes of the modes are rounded once: off by at most 0.51 ulp of themselves."
+    return Table(bound, ROUNDED_ONCE, tuple(found))
+
+
+def free_drift(chain: TwoMassChain, x_0: Pair, v_0: Pair, t: NDArray[np.float64]) -> str:
+    total = chain_energy(chain, free_motion(chain, x_0, v_0, t)).total
+    return drift(total, fsum(free_modes(chain, x_0, v_0).energy))

@@ -1,0 +1,70 @@
+"""The forces on the two masses of the chain, as arrows and live numbers: what a scene shows when asked for them.
+
+F_1 = -k1 x1 - k2 (x1 - x2) + F_0 sin(omega t),   F_2 = k2 (x1 - x2)        (D34, slides 1 and 6)
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from components.axes import Axis, nice_axis
+from components.chain.stage import place
+from components.motion import derived, scaled
+from components.page.numbers import Number, var
+from components.page.picture import Digits
+from components.page.signals import AnySignal
+from components.stage import Shape, W, arrow, text
+from components.traces import Floats
+from physics.coupled import Motion, TwoMassChain
+
+LENGTH = 0.13
+"""The length of the arrow of the largest force, over the width of the stage."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Forces:
+    """What a picture holds of them: the signals F1, F2, the length of a newton and of the drive on the stage, texts."""
+
+    signals: dict[str, AnySignal] = field(default_factory=dict)
+    scalars: dict[str, float] = field(default_factory=lambda: {"forces": 0.0, "push": LENGTH})
+    values: dict[str, str] = field(default_factory=lambda: dict.fromkeys(("F1", "F2", "force_unit"), ""))
+    live: dict[str, Digits] = field(default_factory=dict)
+
+
+def on_masses(system: TwoMassChain, motion: Motion, F_0: float = 0.0, omega: float = 0.0) -> Floats:
+    """F_1, F_2 (2, n) in N from the springs' elongations and the drive; ValueError if one leaves the doubles."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        one, two = (k * e for k, e in zip((system.k1, system.k2), motion.e, strict=True))
+        result = np.array([two - one + F_0 * np.sin(omega * motion.t), -two])
+    if not np.all(np.isfinite(result)):
+        raise ValueError("the forces on the masses leave the range of doubles")
+    return result
+
+
+def forces(system: TwoMassChain, motion: Motion, size: Axis, F_0: float = 0.0, omega: float = 0.0) -> Forces:
+    """The forces while the signals x1 and x2 (of the axis `size`) move, and `drive`, the sine of the drive."""
+    largest = max(float(np.abs(on_masses(system, motion, F_0, omega)).max()), F_0)
+    axis = nice_axis(0.0, largest or 1.0, "N", exact=True)
+    k1, k2 = (scaled(axis.exponent - size.exponent, k) for k in (system.k1, system.k2))
+    pull = k2 * (var("x2") - var("x1"))
+    push = scaled(axis.exponent, F_0) * var("drive") if F_0 else 0.0
+    newton = LENGTH / axis.place(axis.end)
+    return Forces(
+        signals={"F1": derived(pull - k1 * var("x1") + push), "F2": derived(-pull)},
+        scalars={"forces": 1.0, "newton": newton, "push": newton * axis.place(F_0)},
+        values={"force_unit": axis.full_unit},
+        live=dict.fromkeys(("F1", "F2"), axis.digits(signed=True)),
+    )
+
+
+def arrows(foot: Number) -> list[Shape]:
+    """F_1 and F_2 in ink, from the upper part of each mass."""
+    shapes = []
+    for i in (1, 2):
+        x, y = place(i, f"x{i}"), foot - 0.78 * var(f"side{i}") * W
+        tip = x + var("newton") * W * var(f"F{i}")
+        shapes.append(arrow(x, y, tip, y, style="thick", head=18, show="forces"))
+        shapes.append(text(tip, y - 20, f"*F*_{i}", style="t3 b halo", show="forces"))
+    return shapes

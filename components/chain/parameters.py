@@ -1,0 +1,64 @@
+"""The parameters of the two-mass chain, its groups of controls, and the chain that a scene stands for."""
+
+from __future__ import annotations
+
+from components.controls import Group
+from components.page.messages import Onward
+from components.parameters import Quantity, displacement, mass, stiffness, velocity
+from components.scene import Scene
+from physics.coupled import TwoMassChain
+
+Pair = tuple[float, float]
+CHAIN = Group("Masses and springs", ("m1", "m2", "k1", "k2"))
+START = Group("Start", ("x1_0", "x2_0", "v1_0", "v2_0"))
+
+
+def masses_and_springs(
+    m1: float, m2: float, k1: float, k2: float, *, first: str = "next to the wall"
+) -> tuple[Quantity, Quantity, Quantity, Quantity]:
+    """m1, m2, k1, k2 with these defaults; `first` says which mass mass 1 is."""
+    return (
+        mass(m1, symbol="m_1", tint="m1", says=f"is the mass {first}. Type any value above 0."),
+        mass(m2, symbol="m_2", tint="m2", says="is the mass at the end. Type any value above 0."),
+        stiffness(k1, symbol="k_1", says="ties mass 1 to the wall. 0 lets the pair go free; type any value from 0 up."),
+        stiffness(k2, symbol="k_2", says="couples the masses. 0 lets mass 2 go free; type any value from 0 up."),
+    )
+
+
+def start_positions(x1_0: float = 0.0, x2_0: float = 0.0, *, how: str = "") -> tuple[Quantity, Quantity]:
+    """x1_0 and x2_0; `how` says what else the start is."""
+    one, two = (
+        displacement(x, symbol=f"x_{i}", tint=f"m{i}", says=f"is where mass {i} starts{how}. Type any value.")
+        for i, x in enumerate((x1_0, x2_0), start=1)
+    )
+    return one, two
+
+
+def start_velocities() -> tuple[Quantity, Quantity]:
+    """v1_0 and v2_0."""
+    one, two = (
+        velocity(0.0, symbol=f"v_{i}", tint=f"m{i}", says=f"is the velocity of mass {i} at the start. Type any value.")
+        for i in (1, 2)
+    )
+    return one, two
+
+
+def of_scene(scene: Scene) -> TwoMassChain:
+    """The chain that the scene's parameters stand for."""
+    return TwoMassChain(**_values(scene, CHAIN))
+
+
+def start_of(scene: Scene) -> tuple[Pair, Pair]:
+    """Its displacements and velocities at the start."""
+    x1, x2, v1, v2 = _values(scene, START).values()
+    return (x1, x2), (v1, v2)
+
+
+def _values(scene: Scene, group: Group) -> dict[str, float]:
+    return {name: getattr(scene, name) for name in group.names}
+
+
+def measured_by(*drive: str) -> Onward:
+    """The link that hands a motion, with its drive if it has one, to the scene that measures how it is solved."""
+    names = (*CHAIN.names, *START.names, *drive)
+    return Onward(label="Error and time", scene="accuracy", given={"system": "own"}, taken=names)

@@ -1,0 +1,167 @@
+"""The two-mass chain on the stage: how it is drawn, and to which scale."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from components.axes import Axis
+from components.motion import round_down, scaled
+from components.numbers import short
+from components.page.numbers import Number, var
+from components.page.shapes import Grab
+from components.stage import Looks, Shape, W, arrow, box, line, spring, text, wall, wire
+from components.traces import Columns
+from physics.coupled import TwoMassChain
+
+Extremes = dict[str, tuple[float, float]]
+
+EQUILIBRIUM = (0.29, 0.73)
+"""Where the masses stand at rest, as fractions of the stage's width."""
+WALL = 0.02
+UNIT = 0.185
+"""The width that one metre takes at scale 1."""
+MAGNIFIED = 1e308
+"""The largest drawing scale, a double still; the last few subnormal displacements stay invisible."""
+STEPS = (1, 2, 3, 5)
+"""The digits of drawing scales: a step is seldom more than half as much again."""
+LARGEST, SMALLEST, MARGIN, HOOK = 0.125, 0.02, 0.03, 0.04
+
+
+def sides(m1: float, m2: float) -> tuple[float, float]:
+    """Sides of the blocks as fractions of the width: area goes with mass, unless one would be too small to see."""
+    largest = max(m1, m2)
+    whole = min(0.08 * largest**0.5, LARGEST)
+    one, two = (max(whole * (m / largest) ** 0.5, SMALLEST) for m in (m1, m2))
+    return one, two
+
+
+def sizes(system: TwoMassChain, factor: float = 1.0) -> dict[str, float]:
+    """Sides of the blocks on the stage, the height of the springs, half the smaller block at most, and their wires."""
+    side1, side2 = (factor * side for side in sides(system.m1, system.m2))
+    hook = min(HOOK, side1 / 2, side2 / 2)
+    return {"side1": side1, "side2": side2, "hook": hook, "wire1": wire(system.k1), "wire2": wire(system.k2)}
+
+
+def extremes(curves: Columns, bands: Columns) -> Extremes:
+    """Least and largest x1 and x2 of what is drawn, and of the elongation of spring 2 (for a band: bounds)."""
+
+    def ends(name: str) -> tuple[float, float]:
+        low, high = (curves[name],) * 2 if name in curves else (bands[f"{name}_lo"], bands[f"{name}_hi"])
+        return float(low.min()), float(high.max())
+
+    one, two = ends("x1"), ends("x2")
+    if "x1" in curves and "x2" in curves:
+        stretch = curves["x2"] - curves["x1"]
+        return {"x1": one, "x2": two, "e2": (float(stretch.min()), float(stretch.max()))}
+    return {"x1": one, "x2": two, "e2": (two[0] - one[1], two[1] - one[0])}
+
+
+def scale(extremes: Extremes, side: tuple[float, float]) -> float:
+    """The largest drawing scale 1, 2, 3, 5, ... at which no block meets another or the wall.
+
+    `extremes` holds the least and largest x1, x2 and elongation of spring 2 (e2), in metres. Scale 1 is kept where it
+    fits and shows a motion of more than a thirtieth of the stage's width.
+    """
+    (low1, high1), (low2, high2), (squeeze, _) = (extremes[name] for name in ("x1", "x2", "e2"))
+    room = [
+        (-low1, EQUILIBRIUM[0] - side[0] / 2 - WALL - MARGIN),
+        (-squeeze, EQUILIBRIUM[1] - EQUILIBRIUM[0] - sum(side) / 2 - MARGIN),
+        (high2, 0.995 - EQUILIBRIUM[1] - side[1] / 2),
+        (high1, 0.995 - EQUILIBRIUM[0] - side[0] / 2),
+        (-low2, EQUILIBRIUM[1] - side[1] / 2 - WALL - MARGIN),
+    ]
+    fits = min((free / UNIT / reach for reach, free in room if reach > 0), default=1.0)
+    seen = max(abs(v) for pair in (extremes["x1"], extremes["x2"]) for v in pair) * UNIT > 1 / 30
+    return 1.0 if fits >= 1 and (seen or fits == 1.0) else round_down(min(fits, MAGNIFIED), STEPS)
+
+
+@dataclass(frozen=True)
+class DrawnChain:
+    """How the chain is drawn: sizes for the stage, what the floor's ticks say, and a note where the scale is not 1.
+
+    `fits` is the scale that suits what is drawn, `scale` the one it is drawn to.
+    """
+
+    scalars: dict[str, float]
+    values: dict[str, str]
+    notes: tuple[str, ...]
+    scale: float = 1.0
+    fits: float = 1.0
+
+
+def to_scale(system: TwoMassChain, extremes: Extremes, size: Axis, wanted: float | None = None) -> DrawnChain:
+    """Sizes on the stage, drawn to the scale `wanted` or the largest that fits; displacements come in the unit of the
+    axis `size`."""
+    fits = scale(extremes, sides(system.m1, system.m2))
+    factor = wanted or fits
+    tick = round_down(min(1 / factor, MAGNIFIED))
+    scalars = sizes(system) | {"metre": scaled(-size.exponent, UNIT, factor), "tick": UNIT * factor * tick}
+    notes = () if factor == 1 else (f"Displacements are drawn {short(factor)} times as large.",)
+    return DrawnChain(scalars, {"tick": f"{short(tick)} m", "x_unit": size.full_unit}, notes, factor, fits)
+
+
+def masses(
+    foot: Number,
+    x1: Number,
+    x2: Number,
+    *,
+    small: bool = False,
+    corner: bool = False,
+    grabs: tuple[Grab | None, Grab | None] = (None, None),
+) -> list[Shape]:
+    """The chain standing on `foot`, its masses at x1 and x2 (pixels); `small` draws smaller outlines,
+    `corner` puts the symbols aside, for what stands on the mass; `grabs` say what a hand does with the masses."""
+    size = 0.42 if small else 1.0
+    side1, side2 = var("side1") * W * size, var("side2") * W * size
+    height = foot - var("hook") * W * (0.65 if small else 1)
+    teeth: Looks = {"height": (1 if small else 2) + var("hook") * (125 if small else 275)}
+    teeth["style"] = "faint" if small else None
+    faces: Looks = {"style": "ghost"} if small else {"corner": True} if corner else {}
+    return [
+        spring(WALL * W, height, x1 - side1 / 2, height, var("wire1") * (0.5 if small else 1), show="wire1", **teeth),
+        spring(
+            x1 + side1 / 2, height, x2 - side2 / 2, height, var("wire2") * (0.5 if small else 1), show="wire2", **teeth
+        ),
+        box(x1, foot, side1, "" if small else "*m*_1", tint="m1", grab=grabs[0], **faces),
+        box(x2, foot, side2, "" if small else "*m*_2", tint="m2", grab=grabs[1], **faces),
+    ]
+
+
+def rest(mass: int) -> Number:
+    """Where mass 1 or 2 stands at rest, in pixels."""
+    return EQUILIBRIUM[mass - 1] * W
+
+
+def place(mass: int, signal: str) -> Number:
+    """Where a mass stands when it is displaced by `signal`, in pixels."""
+    return rest(mass) + var("metre") * W * var(signal)
+
+
+def ground(foot: Number) -> list[Shape]:
+    """Floor, a tick at each mass's own zero, and the scale from the first."""
+    shapes = [line(WALL * W, foot, W, foot, tint="ink", style="floor")]
+    for mass in (1, 2):
+        tint = f"m{mass}"
+        shapes.append(text(rest(mass), foot + 17, "0", tint=tint, style="t0"))
+        shapes.append(line(rest(mass), foot, rest(mass), foot + 5, style="floor"))
+    tick = rest(1) + var("tick") * W
+    return [
+        *shapes,
+        text(tick, foot + 17, "{tick}", tint="m1", style="t0"),
+        line(tick, foot, tick, foot + 5, style="floor"),
+    ]
+
+
+def displacement_arrow(mass: int, foot: Number, top: int = 27) -> list[Shape]:
+    """The arrow from equilibrium to the mass, and the number over the equilibrium line, where nothing moves."""
+    x, tint = place(mass, f"x{mass}"), f"m{mass}"
+    return [
+        line(rest(mass), top - 6, rest(mass), foot, tint="mute", style="eq"),
+        line(x, top, x, foot - var(f"side{mass}") * W, tint="mute", style="eq"),
+        arrow(rest(mass), top, x, top, tint=tint),
+        text(rest(mass), top - 12, f"*x*_{mass} = {{x{mass}}} {{x_unit}}", tint=tint, style="t2 b"),
+    ]
+
+
+def standing_wall(top: Number, length: Number) -> Shape:
+    return wall(WALL * W, top, length, side="left")

@@ -1,0 +1,181 @@
+"""What is covered until the visitor has made a prediction: it is not sent, so that nobody finds it before.
+
+A cover is named by its kind and its name in the sheet or the picture:
+
+    plot:x2, curve:energy.T, band:energy.T_lo, mark:det.w_slow    a plot, or one curve, band, flag in it
+    value:tau, form:why                                           a live number, a sentence
+    ticks:x                                                       the numbers at an axis, which round ones replace
+    stage, table                                                  the numbers of the apparatus, which rests; a table
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, TypeVar
+
+from components.axes import Axis, nice_ticks
+from components.description import blocks, heading_names, live_names, plots
+from components.numbers import excerpt
+from components.page.blocks import PlotBlock, StageBlock, TableBlock, WordsBlock
+from components.page.numbers import Expression, names_in
+from components.page.plots import Curve, Region
+from components.page.shapes import Label
+from components.page.signals import AnySignal, CosineOf, Derived, SineOf
+from components.scene import Picture, Scene
+
+Kept = TypeVar("Kept")
+PLOT, VALUE = "plot:", "value:"
+STAGE, TABLE = "stage", "table"
+ROOM = 0.5
+"""By how much the range of an axis without its own numbers is wider, so that it is no hint."""
+_LIVE = re.compile(r'data-value="(\w+)"')
+
+
+def coverable(scene: type[Scene], picture: Picture) -> set[str]:
+    """What can be covered: all parts of the sheet, the numbers that it speaks of, and those of the picture."""
+    found = {VALUE + name for name in (*live_names(scene), *picture.values, *picture.live)}
+    found |= {f"form:{name}" for name in picture.forms} | {f"ticks:{name}" for name in picture.axes}
+    for block in blocks(scene.sheet()):
+        if isinstance(block, PlotBlock):
+            found |= {PLOT + block.name} | {name for drawn in _drawn(block) for name in drawn.covers}
+            found |= {f"mark:{block.name}.{mark.at}" for mark in block.marks}
+        elif isinstance(block, WordsBlock):
+            found |= {f"form:{item.name}" for item in block.items if item.name}
+        elif isinstance(block, StageBlock):
+            found.add(STAGE)
+        elif isinstance(block, TableBlock):
+            found.add(TABLE)
+    return found
+
+
+def checked_covers(scene: type[Scene], picture: Picture, covered: Iterable[str]) -> tuple[str, ...]:
+    """The covers; ValueError, in words, for one that covers nothing, neither in this picture nor in any other."""
+    covers = tuple(covered)
+    for refusal in refused_covers(scene, picture, covers):
+        raise ValueError(refusal)
+    return covers
+
+
+def refused_covers(scene: type[Scene], picture: Picture, covered: Iterable[str]) -> list[str]:
+    """A sentence for each cover that covers nothing."""
+    known = coverable(scene, picture)
+    return [f"“{excerpt(name)}” is nothing that can be covered here." for name in covered if name not in known]
+
+
+def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> tuple[Picture, tuple[str, ...]]:
+    """The picture without what is covered, and the names of the quantities that are left out with it.
+
+    A covered curve takes its columns along, the motions that its dots show, and all that is made of them.
+    """
+    if not covered:
+        return picture, ()
+    drawn = [one for plot in plots(scene) for one in _drawn(plot)]
+    hidden = [one for one in drawn if one.covers.intersection(covered) or PLOT + one.plot in covered]
+    names = set(_named(covered, VALUE)) | {name.partition(".")[2] for name in _named(covered, "mark:")}
+    names |= {name for one in hidden for name in one.signals}
+    names = _made_of(picture.signals, names)
+    gone = {column for one in hidden for column in one.columns}
+    gone -= {column for one in drawn if one not in hidden for column in one.columns}
+    texts = names | set(_texts(scene, covered))
+    left = replace(
+        picture,
+        columns=_columns_less(picture.columns, gone),
+        axes={name: _rounded(axis) if f"ticks:{name}" in covered else axis for name, axis in picture.axes.items()},
+        signals=_less(picture.signals, names) if STAGE not in covered else _at_rest(picture.signals, names),
+        values=_less(picture.values, texts),
+        live=_less(picture.live, texts),
+        scalars=_less(picture.scalars, names),
+        forms={**picture.forms, **{name: "" for name in _named(covered, "form:")}},
+    )
+    return left, tuple(sorted(texts))
+
+
+@dataclass(frozen=True)
+class _Drawn:
+    """A curve or a band of a plot: the names that cover it, its columns and its motions; abscissae tell nothing."""
+
+    plot: str
+    covers: frozenset[str]
+    columns: frozenset[tuple[str, str]]
+    signals: frozenset[str] = frozenset()
+
+
+def _drawn(plot: PlotBlock) -> list[_Drawn]:
+    return [*(_curve(plot.name, curve) for curve in plot.curves), *(_band(plot.name, band) for band in plot.regions)]
+
+
+def _curve(plot: str, curve: Curve) -> _Drawn:
+    covers = frozenset(f"curve:{plot}.{name}" for name in (curve.y, curve.group) if name)
+    signals = frozenset(name for name in (curve.signal, curve.signal_x) if name)
+    return _Drawn(plot, covers, frozenset({(curve.source, curve.y)}), signals)
+
+
+def _band(plot: str, band: Region) -> _Drawn:
+    """An envelope goes with its curve."""
+    covers = {f"band:{plot}.{band.low}", *(f"curve:{plot}.{name}" for name in (band.of, band.group) if name)}
+    return _Drawn(plot, frozenset(covers), frozenset({(band.source, band.low), (band.source, band.high)}))
+
+
+def _named(covered: Iterable[str], kind: str) -> list[str]:
+    return [cover.removeprefix(kind) for cover in covered if cover.startswith(kind)]
+
+
+def _texts(scene: type[Scene], covered: tuple[str, ...]) -> Iterator[str]:
+    """The live numbers in what is covered: the headings of plots, the stage, tables."""
+    headings = heading_names(scene)
+    open_ = {name for plot, names in headings.items() if PLOT + plot not in covered for name in names}
+    yield from (name for plot in _named(covered, PLOT) for name in headings.get(plot, ()) if name not in open_)
+    for block in blocks(scene.sheet()):
+        if isinstance(block, StageBlock) and STAGE in covered:
+            words = (shape.words for shape in block.shapes if isinstance(shape, Label))
+            yield from (run.text for runs in words for run in runs if run.kind == "value")
+        elif isinstance(block, TableBlock) and TABLE in covered:
+            cells = (html for row in block.rows for cell in row for html in cell.variants.values())
+            yield from (name for html in cells for name in _LIVE.findall(html))
+
+
+def _columns_less(columns: Mapping[str, Mapping[str, Kept]], gone: set[tuple[str, str]]) -> dict[str, dict[str, Kept]]:
+    return {
+        source: {name: column for name, column in given.items() if (source, name) not in gone}
+        for source, given in columns.items()
+    }
+
+
+def _less(given: Mapping[str, Kept], names: set[str]) -> dict[str, Kept]:
+    return {name: value for name, value in given.items() if name not in names}
+
+
+def _at_rest(signals: Mapping[str, AnySignal], names: set[str]) -> dict[str, AnySignal]:
+    """The signals, of which those named stand at zero, and what is made of them where that puts it."""
+    made = (Derived, SineOf, CosineOf)
+    rest = Derived(value=Expression(()))
+    return {
+        name: rest if name in names and not isinstance(signal, made) else signal for name, signal in signals.items()
+    }
+
+
+def _rounded(axis: Axis) -> Axis:
+    """The axis over a wider range, with round numbers in place of its own."""
+    room = ROOM * abs(axis.end - axis.start)
+    way = 1 if axis.end > axis.start else -1
+    start = axis.start if axis.start == 0 else axis.start - way * room / 2
+    wide = replace(axis, start=start, end=axis.end + way * room / 2, ticks=(), labels=())
+    low, high = sorted((wide.place(wide.start), wide.place(wide.end)))
+    return replace(wide, ticks=nice_ticks(low, high, axis.count))
+
+
+def _made_of(signals: Mapping[str, AnySignal], names: set[str]) -> set[str]:
+    """The names, and the signals that speak of one of them, in the order in which they build on each other."""
+    found = set(names)
+    for name, signal in signals.items():
+        if found & _spoken_of(signal):
+            found.add(name)
+    return found
+
+
+def _spoken_of(signal: AnySignal) -> frozenset[Any]:
+    if isinstance(signal, Derived):
+        return names_in(signal.value)
+    return frozenset((signal.of,)) if isinstance(signal, (SineOf, CosineOf)) else frozenset()

@@ -1,0 +1,132 @@
+"""The frame that a picture is drawn in: a value, so that a change of parameters need not change it.
+
+A scene's `picture(frame)` keeps to the ranges that a frame names and chooses the others; what it chooses without any is
+the fitted frame. A frame grows where what is drawn would leave it, in steps of 1, 2, 5, and never shrinks.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+
+from components.axes import TIME_AXIS, Axis, Range, log_axis, nice_ticks, ordered
+from components.motion import round_down, round_up
+from components.numbers import excerpt, power_unit
+from components.page.picture import Pace
+from components.page.state import Frame
+
+FITTED = Frame()
+"""The frame that leaves everything to the scene."""
+FEW = 0.3
+"""Marks that fill less of a frame than this give way to round numbers."""
+LARGEST = 1e307
+"""As far as a frame grows by steps; beyond it the doubles end."""
+
+
+def checked(frame: Frame) -> Frame:
+    """The frame; ValueError, in words, for one that nothing can be drawn in."""
+    for name, (low, high) in frame.ranges.items():
+        if not (math.isfinite(low) and math.isfinite(high) and low != high):
+            raise ValueError(f"The range of “{excerpt(name)}” is from {low} to {high}: it must have a size.")
+    for name, value in (("window", frame.window), ("scale", frame.scale), ("speed", frame.speed)):
+        if value is not None and not 0 < value < math.inf:
+            raise ValueError(f"The {name} of a frame is {value}: it must be above 0.")
+    return frame
+
+
+def framed(frame: Frame, axes: Mapping[str, Axis]) -> dict[str, Axis]:
+    """The axes over the ranges of a frame, where it has one for them."""
+    return {name: with_range(axis, _range_in(frame, name, axis)) for name, axis in axes.items()}
+
+
+def _range_in(frame: Frame, name: str, axis: Axis) -> Range:
+    if name == TIME_AXIS:
+        return (0.0, frame.window) if frame.window else (axis.start, axis.end)
+    return frame.ranges.get(name, (axis.start, axis.end))
+
+
+def with_range(axis: Axis, span: Range) -> Axis:
+    """The axis over another range in SI units.
+
+    Round numbers are chosen anew; numbers that mark something stay where they are, unless they are crowded.
+    """
+    if span == (axis.start, axis.end):
+        return axis
+    wide = replace(axis, start=span[0], end=span[1], own=axis.chosen)
+    if axis.log:
+        return replace(wide, ticks=log_axis(*ordered(span), count=axis.count).ticks)
+    if axis.labels:
+        low, high = ordered((wide.place(wide.start), wide.place(wide.end)))
+        inside = [(tick, label) for tick, label in zip(axis.ticks, axis.labels, strict=True) if low <= tick <= high]
+        ticks, labels = zip(*inside, strict=True) if inside else ((), ())
+        if not ticks or max(ticks) - min(ticks) >= FEW * (high - low):
+            return replace(wide, ticks=ticks, labels=labels)
+        wide = replace(wide, labels=())
+    return _rounded(wide, named=not axis.labels or any(axis.labels))
+
+
+def _rounded(axis: Axis, named: bool) -> Axis:
+    """The axis with round numbers, in another power of ten where its own does not suit the range."""
+    reach = max(abs(axis.start), abs(axis.end))
+    if axis.power == 1 and bool(axis.exponent) == bool(axis.suffix) and not 1e-2 <= axis.place(reach) < 1e5:
+        exponent, suffix = power_unit(reach / axis.factor)
+        axis = replace(axis, exponent=exponent, suffix=suffix)
+    ticks = nice_ticks(*ordered((axis.place(axis.start), axis.place(axis.end))), axis.count)
+    return replace(axis, ticks=ticks, labels=() if named else ("",) * len(ticks))
+
+
+def unfitted(frame: Frame, fitted: Frame) -> Frame:
+    """What of a frame is not as it would be fitted: a picture in the one is a picture in the other."""
+    window = frame.window if frame.window != fitted.window else None
+    known = {**fitted.ranges, **({TIME_AXIS: (0.0, frame.window)} if frame.window else {})}
+    return Frame(
+        ranges={name: span for name, span in frame.ranges.items() if span != known.get(name)},
+        window=window,
+        scale=frame.scale if frame.scale != fitted.scale else None,
+        speed=frame.speed if frame.speed != fitted.speed else None,
+    )
+
+
+def paced(frame: Frame, pace: Pace) -> Pace:
+    """The speed of a frame in place of the one chosen; its limit stands."""
+    return pace if frame.speed is None else Pace(frame.speed, pace.limit)
+
+
+def grown(frame: Frame, axes: Mapping[str, Axis], scale: float | None = None) -> Frame:
+    """The frame, wide enough for what must be seen on the axes; `scale` is the largest at which the stage has room.
+
+    Window and speed stand, and so does a range that holds what is drawn; one that does not grows to round numbers.
+    """
+    ranges = {name: _grown(_range_in(frame, name, axis), axis) for name, axis in axes.items()}
+    scales = [one for one in (frame.scale, scale) if one is not None]
+    return Frame(ranges=ranges, window=frame.window, scale=min(scales, default=None), speed=frame.speed)
+
+
+def _grown(span: Range, axis: Axis) -> Range:
+    """The range that holds what must be seen; an axis that runs downwards keeps its way."""
+    (low, high), (least, most), (start, end) = ordered(span), axis.seen, ordered(axis.chosen)
+    if most > high:
+        high = _up(max(end, most))
+    if least < low:
+        low = -_up(-min(start, least))
+    return (low, high) if span[0] < span[1] else (high, low)
+
+
+def _up(value: float) -> float:
+    """A step of 1, 2, 5 above a value of either sign."""
+    if not 0 < abs(value) < LARGEST:
+        return value
+    return round_up(value) if value > 0 else -round_down(-value)
+
+
+def refitted(frame: Frame, before: Frame, fitted: Frame) -> Frame:
+    """The frame with what another way of showing changes: what fitted otherwise `before` is `fitted` anew."""
+    if before.window != fitted.window:
+        frame = Frame(ranges=frame.ranges, scale=frame.scale, window=fitted.window, speed=fitted.speed)
+    ranges = {
+        name: frame.ranges.get(name, span) if before.ranges.get(name) == span else span
+        for name, span in fitted.ranges.items()
+    }
+    scale = frame.scale if before.scale == fitted.scale else fitted.scale
+    return Frame(ranges=ranges, window=frame.window, scale=scale, speed=frame.speed)

@@ -1,0 +1,204 @@
+"""What the browser says, and what it is told. Every message of the browser is answered under its number."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, TypeAlias
+
+from msgspec import Meta, Struct
+
+from components.page.blocks import Block
+from components.page.controls import Panel, Setting
+from components.page.picture import Progress, View
+from components.page.state import State
+from components.page.text import Html
+from components.page.walk import Lesson, WalkSheet
+
+Name: TypeAlias = Annotated[str, Meta(max_length=100)]
+Text: TypeAlias = Annotated[str, Meta(max_length=1000)]
+MOST_POINTS = 400
+Stroke: TypeAlias = Annotated[list[tuple[float, float]], Meta(max_length=MOST_POINTS)]
+"""A sketched curve: points as places on the axes of its plot."""
+
+
+class FromBrowser(Struct, frozen=True, kw_only=True, tag_field="type", forbid_unknown_fields=True):
+    """Anything that the browser says."""
+
+    number: int = 0
+
+
+class SetValues(FromBrowser, frozen=True, kw_only=True, tag="set"):
+    """Quantities by name, in SI: from sliders and handles. While a hand is `holding` on to what is drawn, its frame
+    stands as it is."""
+
+    values: Annotated[dict[Name, float | None], Meta(max_length=50)]
+    holding: bool = False
+
+
+class Typed(FromBrowser, frozen=True, kw_only=True, tag="typed"):
+    """The text of a field, in the unit that it shows."""
+
+    name: Name
+    text: Text
+
+
+class Act(FromBrowser, frozen=True, kw_only=True, tag="act"):
+    """The action of a button."""
+
+    name: Name
+
+
+class Choose(FromBrowser, frozen=True, kw_only=True, tag="choose"):
+    """The word of a choice, or a list of words."""
+
+    name: Name
+    value: Text | Annotated[list[Name], Meta(max_length=50)]
+
+
+class RunOrder(FromBrowser, frozen=True, kw_only=True, tag="run"):
+    """To a scene that measures."""
+
+    order: Literal["start", "cancel", "skip"]
+
+
+class Open(FromBrowser, frozen=True, kw_only=True, tag="open"):
+    """Put the session into this state."""
+
+    state: State
+
+
+class Given(FromBrowser, frozen=True, kw_only=True, tag="given"):
+    """The answer to a step of a walk: an option by its place, the text of a number, a place on the axis, or curves."""
+
+    walk: Name
+    step: Name
+    option: int | None = None
+    text: Text = ""
+    value: float | None = None
+    curves: Annotated[dict[Name, Stroke], Meta(max_length=2)] = {}
+
+
+class RunWalk(FromBrowser, frozen=True, kw_only=True, tag="walk"):
+    """The text of a walk's file, to be run by this session alone."""
+
+    name: Name
+    text: Annotated[str, Meta(max_length=48_000)]
+
+
+class AskCsv(FromBrowser, frozen=True, kw_only=True, tag="csv"):
+    """The numbers of all plots, please; `page` is the address that their link begins with."""
+
+    page: Text = ""
+
+
+class AskAbout(FromBrowser, frozen=True, kw_only=True, tag="about"):
+    """What is known of the errors of what is drawn, please."""
+
+
+Said: TypeAlias = SetValues | Typed | Act | Choose | RunOrder | Open | Given | RunWalk | AskCsv | AskAbout
+
+
+class Told(Struct, frozen=True, kw_only=True, tag_field="type"):
+    """Anything that the browser is told; `answer` is the number of the message that it answers."""
+
+    answer: int | None = None
+
+
+class Shown(Told, frozen=True, kw_only=True, tag="shown"):
+    """The page as it now is.
+
+    `sheet` is the address of the scene's sheet, `settings` what the controls show by parameter, `preset` the one in
+    force, `here` the places where the scene is, `errors` what was refused
+    of the last message by parameter, `problems` what was refused of a link, `query` the link of this state.
+    """
+
+    scene: str
+    sheet: str
+    view: View
+    settings: dict[str, Setting]
+    state: State
+    preset: str | None
+    here: tuple[str, ...]
+    errors: dict[str, str]
+    problems: tuple[str, ...]
+    query: str
+    progress: Progress | None
+
+
+class File(Told, frozen=True, kw_only=True, tag="file"):
+    """A file to keep, and its media type."""
+
+    name: str
+    kind: str
+    content: bytes
+
+
+class AboutPoint(Struct, frozen=True, kw_only=True):
+    """One number in twenty digits: as drawn, as it truly is, and how far off in ulp."""
+
+    name: Html
+    place: Html
+    drawn: str
+    true: str
+    off: str
+
+
+class AboutTable(Struct, frozen=True):
+    """Points under the sentence that bounds their errors."""
+
+    bound: Html
+    rows: tuple[AboutPoint, ...]
+
+
+class AboutNumbers(Told, frozen=True, kw_only=True, tag="about"):
+    """What is known of the errors of what is drawn."""
+
+    reading: Html
+    tables: tuple[AboutTable, ...]
+    notes: tuple[Html, ...]
+
+
+class Taught(Told, frozen=True, kw_only=True, tag="taught"):
+    """What a step teaches, in answer to what was given; `refused` says why there is nothing."""
+
+    walk: str
+    step: str
+    lesson: Lesson | None
+    refused: str = ""
+
+
+class Walking(Told, frozen=True, kw_only=True, tag="walking"):
+    """A walk that this session runs; `refused` says what is wrong with its file."""
+
+    sheet: WalkSheet | None
+    refused: str = ""
+
+
+ToldAny: TypeAlias = Shown | File | AboutNumbers | Taught | Walking
+
+
+class Onward(Struct, frozen=True, kw_only=True):
+    """A link to another scene: what is `given`, and the parameters of this scene that are taken along."""
+
+    label: str
+    scene: str
+    given: dict[str, str]
+    taken: tuple[str, ...]
+
+
+class SceneSheet(Struct, frozen=True, kw_only=True):
+    """All that the browser must know of a scene once, the same for every visitor: an immutable file.
+
+    Messages about the scene are deflated with `usual` before them, which they refer to. `spoken` are the numbers that
+    are read aloud after a change: by what they are called, texts with {live numbers}.
+    """
+
+    slug: str
+    title: str
+    headline: str
+    runs: bool
+    about: bool
+    onward: tuple[Onward, ...]
+    usual: str
+    spoken: dict[str, str]
+    paper: Block
+    panel: Panel

@@ -1,0 +1,63 @@
+"""Numbers that the browser works out at every frame: polynomials, so that it runs no code it was sent."""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+from msgspec import Struct
+
+
+class Product(Struct, frozen=True, array_like=True):
+    """A coefficient times named quantities."""
+
+    factor: float
+    names: tuple[str, ...] = ()
+
+
+class Expression(Struct, frozen=True):
+    """A sum of products of named quantities: signals, scalars, W and H, the frames of plots."""
+
+    terms: tuple[Product, ...]
+
+    def __add__(self, other: Number) -> Expression:
+        return Expression(self.terms + as_expression(other).terms)
+
+    __radd__ = __add__
+
+    def __neg__(self) -> Expression:
+        return self * -1
+
+    def __sub__(self, other: Number) -> Expression:
+        return self + -as_expression(other)
+
+    def __rsub__(self, other: Number) -> Expression:
+        return as_expression(other) - self
+
+    def __mul__(self, other: Number) -> Expression:
+        right = as_expression(other).terms
+        return Expression(tuple(Product(a.factor * b.factor, a.names + b.names) for a in self.terms for b in right))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: float) -> Expression:
+        return self * (1 / other)
+
+
+Number: TypeAlias = float | Expression
+"""A number of a shape: fixed, or worked out at every frame."""
+
+
+def as_expression(value: Number) -> Expression:
+    return value if isinstance(value, Expression) else Expression((Product(float(value)),))
+
+
+def var(name: str) -> Expression:
+    """A named quantity."""
+    return Expression((Product(1.0, (name,)),))
+
+
+def names_in(value: Number) -> frozenset[str]:
+    """The quantities that a number speaks of."""
+    return (
+        frozenset(name for term in value.terms for name in term.names) if isinstance(value, Expression) else frozenset()
+    )

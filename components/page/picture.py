@@ -1,0 +1,81 @@
+"""Everything that a change of parameters changes on the screen, but for the columns of numbers."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from msgspec import Struct
+
+from components.page.signals import AnySignal
+
+
+class Ruler(Struct, frozen=True, kw_only=True):
+    """An axis as it is drawn: places are numbers in units of `factor` (SI) times 10**exponent, raised to `power`, or
+    their logarithms to base ten."""
+
+    start: float
+    end: float
+    ticks: tuple[float, ...]
+    labels: tuple[str, ...]
+    unit: str
+    exponent: int
+    factor: float
+    power: int
+    log: bool
+
+
+class Pace(Struct, frozen=True):
+    """Simulated over real seconds: what the speed Auto plays at, and the fastest at which the motion can be seen."""
+
+    auto: float = 1.0
+    limit: float | None = None
+
+
+class Digits(Struct, frozen=True, array_like=True):
+    """How a number that moves is shown: decimals, and whether its sign always stands."""
+
+    decimals: int
+    signed: bool
+
+
+class Progress(Struct, frozen=True, kw_only=True):
+    """How far a measurement has come: so many of a total, counted in `unit`."""
+
+    state: Literal["idle", "waiting", "running", "done"]
+    done: int
+    total: int
+    unit: str
+    text: str
+
+
+class Drawn(Struct, frozen=True, array_like=True):
+    """A column: the name of the axis that it is drawn on, and how many numbers it has."""
+
+    axis: str
+    count: int
+
+
+class View(Struct, frozen=True, kw_only=True):
+    """What the browser shows of a picture.
+
+    `columns`   the columns by source and name; their numbers follow the message, then those of the runs of `signals`
+    `axes`      the axes by name; `time` is the name of the one that the clock runs through, "" where nothing moves
+    `signals`   what moves, by name, in the order in which they build on each other
+    `scalars`   numbers that shapes and marks use
+    `values`    texts of live numbers, by name; `live` is how those that move are shown, by signal
+    `forms`     which variant of a formula or sentence stands, by name; "" hides it
+    `notes`     what the visitor must know about this picture
+    `left_out`  the quantities that are not sent because they are covered; a shape that needs one is not drawn
+    """
+
+    columns: dict[str, dict[str, Drawn]]
+    axes: dict[str, Ruler]
+    time: str
+    pace: Pace
+    signals: dict[str, AnySignal]
+    scalars: dict[str, float]
+    values: dict[str, str]
+    live: dict[str, Digits]
+    forms: dict[str, str]
+    notes: tuple[str, ...]
+    left_out: tuple[str, ...] = ()

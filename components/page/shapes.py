@@ -1,0 +1,205 @@
+"""What a stage is drawn from. Every number of a shape may be an expression; sizes are pixels of the stage."""
+
+from __future__ import annotations
+
+from typing import Literal, TypeAlias
+
+from msgspec import Struct
+
+from components.page.numbers import Number
+from components.page.text import Runs
+
+Anchor: TypeAlias = Literal["start", "middle", "end"]
+Side: TypeAlias = Literal["left", "right", "top", "bottom"]
+
+
+class Way(Struct, frozen=True, kw_only=True, tag_field="kind"):
+    """How the place of a hand becomes a value of `parameter`, of which one is `size` in SI; "" sets nothing.
+
+    `moves` is the signal or scalar, counted on `axis` ("" for one without), that is drawn where the hand is, at once.
+    A flick gives its velocity to the parameter `rate`.
+    """
+
+    parameter: str = ""
+    moves: str = ""
+    axis: str = ""
+    size: float = 1.0
+    rate: str = ""
+
+
+class Along(Way, frozen=True, kw_only=True, tag="along"):
+    """In proportion: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or downwards."""
+
+    across: Literal["x", "y"]
+    zero: Number
+    unit: Number
+
+
+class Turn(Way, frozen=True, kw_only=True, tag="turn"):
+    """The angle about (x, y) in rad, from straight down, counted to the right (anticlockwise)."""
+
+    x: Number
+    y: Number
+
+
+class Trade(Way, frozen=True, kw_only=True, tag="trade"):
+    """Height for speed without loss: the excess of speed in level flight at a height, by the height `head` (v_0^2/g);
+    no higher than where the speed is used up."""
+
+    zero: Number
+    unit: Number
+    head: str
+
+
+AnyWay: TypeAlias = Along | Turn | Trade
+
+
+class Begin(Struct, frozen=True):
+    """The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0."""
+
+    parameter: str
+    of: str = ""
+    axis: str = ""
+    size: float = 1.0
+
+
+class Grab(Struct, frozen=True, kw_only=True):
+    """What a hand does with a shape; `label` names it for a screen reader.
+
+    Where it `begins` a motion, time stops, what is seen becomes the new `start`, and letting go plays it.
+    """
+
+    label: str
+    ways: tuple[AnyWay, ...]
+    begins: bool = False
+    start: tuple[Begin, ...] = ()
+
+
+class Look(Struct, frozen=True, kw_only=True, tag_field="kind"):
+    """What all shapes have: `tint`, the class of a colour, and `style`, more classes; drawn while the picture has all
+    the scalars `show`, none of them 0; `inside` names the plot whose frame cuts it, `grab` what a hand does with it."""
+
+    tint: str = "ink"
+    style: str = ""
+    show: tuple[str, ...] = ()
+    inside: str = ""
+    grab: Grab | None = None
+
+
+class Spring(Look, frozen=True, kw_only=True, tag="spring"):
+    """A zigzag of nine teeth between two points: stretch is pitch, stiffness is the width of the wire."""
+
+    x1: Number
+    y1: Number
+    x2: Number
+    y2: Number
+    wire: Number = 2.5
+    height: Number = 13.0
+
+
+class Box(Look, frozen=True, kw_only=True, tag="box"):
+    """A square mass, given by the middle of its foot; `corner` puts its label over it, to the left."""
+
+    x: Number
+    y: Number
+    side: Number
+    label: Runs = ()
+    corner: bool = False
+
+
+class Line(Look, frozen=True, kw_only=True, tag="line"):
+    """A straight line."""
+
+    x1: Number
+    y1: Number
+    x2: Number
+    y2: Number
+
+
+class Arrow(Look, frozen=True, kw_only=True, tag="arrow"):
+    """An arrow with a head of so many pixels, moved ahead along itself by `gap`."""
+
+    x1: Number
+    y1: Number
+    x2: Number
+    y2: Number
+    head: Number = 11.0
+    gap: Number = 0.0
+
+
+class Circle(Look, frozen=True, kw_only=True, tag="circle"):
+    """A disc or, by its style, a ring."""
+
+    x: Number
+    y: Number
+    r: Number
+
+
+class Path(Look, frozen=True, kw_only=True, tag="path"):
+    """A fixed outline (SVG path data), moved to (x, y), scaled by (sx, sy) and turned by `turn` rad, clockwise on the
+    screen, or so that its right end points along (dx, dy)."""
+
+    d: str
+    x: Number = 0.0
+    y: Number = 0.0
+    turn: Number = 0.0
+    dx: Number = 0.0
+    dy: Number = 0.0
+    sx: Number = 1.0
+    sy: Number = 1.0
+
+
+class Arc(Look, frozen=True, kw_only=True, tag="arc"):
+    """Part of a circle, between two angles in rad from straight down, counted to the right (anticlockwise)."""
+
+    x: Number
+    y: Number
+    r: Number
+    start: Number
+    end: Number
+
+
+class Wave(Look, frozen=True, kw_only=True, tag="wave"):
+    """size sin(2 pi turns s + phase) upwards over a length from (x, y); with a `depth` filled down to there."""
+
+    x: Number
+    y: Number
+    length: Number
+    size: Number
+    turns: Number
+    phase: Number = 0.0
+    depth: Number = 0.0
+
+
+class Layers(Look, frozen=True, kw_only=True, tag="layers"):
+    """`count` slices of a medium from (x, y) to the right, their edges displaced along it by size sin(2 pi turns s)."""
+
+    x: Number
+    y: Number
+    length: Number
+    height: Number
+    count: int
+    size: Number
+    turns: Number
+
+
+class Label(Look, frozen=True, kw_only=True, tag="text"):
+    """Words."""
+
+    x: Number
+    y: Number
+    words: Runs
+    anchor: Anchor = "middle"
+
+
+class Wall(Look, frozen=True, kw_only=True, tag="wall"):
+    """A hatched wall; (x, y) is its upper or left end, `side` where the solid is, `depth` the size of its hatching."""
+
+    x: Number
+    y: Number
+    length: Number
+    side: Side = "left"
+    depth: Number = 10.0
+
+
+AnyShape: TypeAlias = Spring | Box | Line | Arrow | Circle | Path | Arc | Wave | Layers | Label | Wall

@@ -1,0 +1,33 @@
+"""What a page stands for: the browser keeps it, and one message puts a session into it."""
+
+from __future__ import annotations
+
+from typing import Annotated, TypeAlias
+
+from msgspec import Meta, Struct
+
+Value: TypeAlias = float | str | list[str] | None
+"""A quantity in SI (None: the scene's own choice), the word of a choice, or a list of words."""
+
+
+class Frame(Struct, frozen=True, kw_only=True):
+    """What a picture is drawn in: the ranges of its axes by name, its time window in s, the scale of its stage, and
+    its speed, simulated over real seconds."""
+
+    ranges: Annotated[dict[str, tuple[float, float]], Meta(max_length=50)] = {}
+    window: float | None = None
+    scale: float | None = None
+    speed: float | None = None
+
+
+class State(Struct, frozen=True, kw_only=True):
+    """A scene, what of its parameters is not at its default, its frame where it is not the fitted one, the parameters
+    held for comparison, the plots and values covered, the curves switched off, and the step of a walk."""
+
+    scene: str
+    parameters: dict[str, Value] = {}
+    frame: Frame | None = None
+    held: dict[str, Value] | None = None
+    covered: tuple[str, ...] = ()
+    hidden: tuple[str, ...] = ()
+    step: str = ""

@@ -1,0 +1,209 @@
+"""What a machine on a mounting does under its drive with an absorber on it, and the goals it is held to."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from components.traces import Floats
+from physics.absorber import Band, alone, damped_solution, helped_band, swing_and_stroke
+from physics.coupled import Motion, TwoMassChain
+from physics.exact import exact, precise, rounded
+from physics.forced import DrivenModes, antiresonance, driven_modes, particular_solution
+from physics.oscillator import Oscillator
+from physics.transient import DampedModes
+
+SWING, STROKE, AWAY = 0.5, 7.5, 0.2
+"""The goals: swing and stroke over the static deflection F_0/k1, share of the speed free of resonances."""
+SAME = 5e-4
+"""How near to the speed the absorber's own frequency counts as tuned to it: the same three digits."""
+SEGMENT = 110
+LARGEST, SMALLEST = 1e200, 1e-300
+
+
+@dataclass(frozen=True, kw_only=True)
+class Duty:
+    """Machine m1, k1 under F_0 sin(omega t), absorber m2, k2 with damping c; SI.
+
+    What is played is the particular solution, or with `from_rest` the motion from rest.
+    """
+
+    m1: float
+    k1: float
+    F_0: float
+    omega: float
+    m2: float
+    k2: float
+    c: float = 0.0
+    from_rest: bool = False
+
+    @cached_property
+    def chain(self) -> TwoMassChain:
+        return TwoMassChain(m1=self.m1, m2=self.m2, k1=self.k1, k2=self.k2)
+
+    @cached_property
+    def driven(self) -> DrivenModes:
+        return driven_modes(self.chain, self.F_0, self.omega)
+
+    @cached_property
+    def bare(self) -> DrivenModes:
+        """The machine alone."""
+        return driven_modes(alone(self.chain), self.F_0, self.omega)
+
+    @cached_property
+    def own(self) -> float:
+        """The natural frequency of the machine alone."""
+        return Oscillator(m=self.m1, k=self.k1).omega_n
+
+    def deflections(self, count: float) -> float:
+        """So many times the static deflection F_0/k1, in m."""
+        with precise():
+            deflection = rounded("the static deflection F_0/k1", exact(count) * exact(self.F_0) / exact(self.k1))
+        if deflection < SMALLEST:
+            raise ValueError(f"the static deflection F_0/k1 = {deflection:.3g} m is too small to draw by")
+        return deflection
+
+    def over_deflection(self, way: float) -> float:
+        """A displacement over the static deflection."""
+        with precise():
+            ratio = exact(way) * exact(self.k1) / exact(self.F_0)
+        if ratio > LARGEST:
+            raise ValueError("the motion is too large to be drawn beside the static deflection F_0/k1")
+        return float(ratio)
+
+    @cached_property
+    def X(self) -> NDArray[np.complex128]:
+        X = damped_solution(self.chain, self.c, self.F_0, self.omega)
+        return np.where(X != 0, np.inf, X) if self.driven.at_resonance and not self.c else X
+
+    @cached_property
+    def swings(self) -> tuple[float, float, float]:
+        """The machine's swing, the absorber's stroke, the machine's swing alone, in x_p, in m; inf at a resonance."""
+        grows = self.driven.at_resonance and not self.c
+        with_it = (math.inf,) * 2 if grows else swing_and_stroke(self.chain, self.c, self.F_0, self.omega)
+        by_itself = math.inf if self.bare.at_resonance else abs(float(self.bare.particular[0]))
+        return float(with_it[0]), 0.0 if self.loose else float(with_it[1]), by_itself
+
+    @property
+    def loose(self) -> bool:
+        """Whether nothing ties the absorber to the machine: there is no stroke then."""
+        return not self.k2 and not self.c
+
+    @cached_property
+    def damped(self) -> DampedModes:
+        return DampedModes(chain=self.chain, c=self.c, F_0=self.F_0, omega=self.omega)
+
+    @property
+    def played(self) -> DrivenModes | DampedModes:
+        """The motion from rest: its parts too, where it is solved."""
+        return self.damped if self.c else self.driven
+
+    def from_rest_at(self, t: Floats) -> Motion:
+        """The motion from rest; ValueError where it takes more time than a picture has."""
+        return self.damped.motion(t, quick=True) if self.c else self.driven.motion(t)
+
+    @cached_property
+    def bounds(self) -> tuple[float, float]:
+        """What swing and stroke stay within from rest, in m; inf where they grow."""
+        if self.c:
+            with_it = _damped_bounds(self.damped)
+        else:
+            with_it = (math.inf, math.inf) if self.driven.at_resonance else _bounds(self.driven)
+        return with_it[0], 0.0 if self.loose else with_it[1]
+
+    @cached_property
+    def bound_alone(self) -> float:
+        """The same of the machine's swing alone."""
+        return math.inf if self.bare.at_resonance else _bounds(self.bare)[0]
+
+    @cached_property
+    def solved(self) -> bool:
+        """Whether a particular solution exists and is worth drawing."""
+        return self.c > 0 or self.driven.split_is_meaningful
+
+    @property
+    def plays(self) -> bool:
+        """Whether the particular solution is what is played with the absorber."""
+        return self.solved and not self.from_rest
+
+    @property
+    def plays_alone(self) -> bool:
+        """The same of the machine alone."""
+        return self.bare.split_is_meaningful and not self.from_rest
+
+    @property
+    def nearest(self) -> tuple[int, float]:
+        """Which resonance is the nearest (0 slow, 1 fast), and how far away it is over the speed."""
+        with precise():
+            shares = [abs(exact(d)) / exact(self.omega) for d in self.driven.detuning.tolist()]
+        j = int(shares[1] < shares[0])
+        return j, float(min(shares[j], exact(LARGEST)))
+
+    @cached_property
+    def limits(self) -> tuple[float, float]:
+        return self.deflections(SWING), self.deflections(STROKE)
+
+    @property
+    def met(self) -> tuple[bool, bool, bool]:
+        """No resonance near, the machine quiet, the absorber's stroke short."""
+        swing, stroke, _ = self.swings
+        return self.nearest[1] >= AWAY, swing <= self.limits[0], stroke <= self.limits[1]
+
+    @property
+    def unsolved(self) -> str:
+        """What the swing does from rest at a resonance, or hardly beside it."""
+        return "grow" if self.driven.at_resonance else "beat"
+
+    @property
+    def verdict(self) -> str:
+        swing, _, without = self.swings
+        if self.loose:
+            return "detached"
+        if not self.solved:
+            return self.unsolved
+        if not self.c and abs(antiresonance(self.chain) - self.omega) < SAME * self.omega:
+            return "still"
+        return "less" if swing < without else "more"
+
+    @cached_property
+    def band(self) -> Band | None:
+        return helped_band(self.chain, self.c)
+
+    def frequencies(self, low: float, high: float) -> Floats:
+        """Drive frequencies for curves over [low, high], dense next to the poles, with all that is marked."""
+        poles = {self.own, *self.chain.modes().omega.tolist()}
+        if self.c:
+            poles.add(Oscillator(m=self.m1 + self.m2, k=self.k1).omega_n)
+        ends = [low, *sorted(p for p in poles if low < p < high), high]
+        bend = (1 - np.cos(np.linspace(0, math.pi, SEGMENT))) / 2
+        pieces = [a + (b - a) * bend for a, b in pairwise(ends)]
+        marked = [w for w in (self.omega, antiresonance(self.chain), *(self.band or ())) if low < w < high]
+        return np.unique(np.concatenate([*pieces, marked]))
+
+    def curves(self, w: Floats) -> tuple[Floats, Floats, Floats]:
+        """Swing, stroke and swing alone at drive frequencies w."""
+        swing, stroke = swing_and_stroke(self.chain, self.c, self.F_0, w)
+        stroke = np.zeros_like(w) if self.loose else stroke
+        return swing, stroke, np.abs(particular_solution(self.bare.chain, self.F_0, w)[0])
+
+
+def _bounds(driven: DrivenModes) -> tuple[float, float]:
+    """What |x1| and |x2 - x1| stay within from rest: the particular amplitude and those of both modes together."""
+    one, two = driven.particular.tolist()
+    modes = driven.complementary_modes.amplitude
+    return abs(one) + float(np.abs(modes[:, 0]).sum()), abs(two - one) + float(np.abs(modes[:, 1] - modes[:, 0]).sum())
+
+
+def _damped_bounds(damped: DampedModes) -> tuple[float, float]:
+    """The same with damping: each term t^j exp(-decay t) of the transient at its largest."""
+    reach = np.abs(damped.particular)[[0, 2]]
+    for exponent, amplitudes in damped.transient:
+        for j, row in enumerate(np.abs(amplitudes)):
+            top = (j / (math.e * -exponent.real)) ** j if j and exponent.real < 0 else math.inf if j else 1.0
+            reach = reach + row[[0, 2]] * top
+    return float(reach[0]), float(reach[1])

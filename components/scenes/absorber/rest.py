@@ -1,0 +1,102 @@
+"""The machine's motion from rest: the particular solution and the complementary part, which only damping lets die."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from components.axes import Axis, nice_ticks, widest
+from components.numbers import three
+from components.page.blocks import Block
+from components.plots import Room, curve, plot
+from components.scenes.absorber.duty import Duty
+from components.sheet import Paragraph, column, either, term, words
+from components.traces import Columns, samples
+from physics.exact import exact, precise
+
+_NEVER = "never dies: nothing damps."
+SENTENCES: list[Paragraph] = [
+    either(
+        "why_rest",
+        parts="The particular solution is {swing} {x_unit}. The complementary part, {part1} {x_unit} at "
+        f"$\\omega_-$ and {{part2}} {{x_unit}} at $\\omega_+$, {_NEVER}",
+        alone="The particular solution is {swing} {x_unit}. The complementary part, {part2} {x_unit} at its "
+        f"own frequency, {_NEVER}",
+        grow="The drive meets a natural frequency: no particular solution exists, the swing grows like the time.",
+        beat="Next to a natural frequency both parts are huge and opposite: the swing grows like the time for long.",
+        damped="The particular solution, {swing} {x_unit}, is what remains. The complementary part dies: "
+        "after {dies} at most 1 % of it is left.",
+    ),
+]
+
+
+def rest_block() -> Block:
+    """x1 from rest and its two parts, on the clock that moves the stage."""
+    curves = (
+        curve("x1_c", source="rest", tint="xc", width="dash", label="*x*_c"),
+        curve("x1_p", source="rest", tint="xp", label="*x*_p"),
+        curve("x1", source="rest", tint="m1", width="sum", label="*x*_1", signal="x1"),
+    )
+    heading = (
+        term("x1", "sum", "m1", formula=r"x_1 ="),
+        term("x1_p", "line", "xp", formula=r"x_{\mathrm{p}}"),
+        term("x1_c", "dash", "xc", formula=r"+\; x_{\mathrm{c}}"),
+    )
+    return column(
+        plot(
+            "rest",
+            x="t",
+            y="rest",
+            title="Displacement of the machine against time, from rest, with its particular and complementary part",
+            curves=curves,
+            heading=heading,
+            cursor="time",
+            room=Room(44, 26),
+            phone=5,
+            height=150,
+        ),
+        words(*SENTENCES, style="facts", phone=6),
+    )
+
+
+def rest_columns(duty: Duty, end: float, unit: Axis) -> tuple[Columns, Axis]:
+    """x1 and its parts over [0, end], on an axis in the unit of `unit`.
+
+    Next to a natural frequency, where the parts are huge and opposite, x1 alone.
+    """
+    fastest = max(duty.omega, float(duty.driven.free.omega[1]))
+    t = np.linspace(0.0, end, samples(end, fastest))
+    columns: Columns = {"t": t, "x1": duty.from_rest_at(t).x[0]}
+    if duty.solved:
+        columns |= {"x1_p": duty.played.particular_motion(t)[0], "x1_c": duty.played.complementary(t)[0]}
+    low, high = widest(*((float(c.min()), float(c.max())) for name, c in columns.items() if name != "t"))
+    room = 0.08 * (high - low)
+    ticks = nice_ticks(unit.place(low), unit.place(high), 3) if high > low else (0.0,)
+    return columns, replace(unit, start=low - room, end=high + room or unit.end, ticks=ticks)
+
+
+def rest_texts(duty: Duty, unit: Axis) -> dict[str, str]:
+    """The amplitudes of the complementary part at the machine, and what swing, stroke and swing alone stay within."""
+    texts = dict.fromkeys(("part1", "part2", "rest1", "rest2", "rest_alone", "dies"), "")
+    if duty.c and not duty.from_rest:
+        return texts
+    if duty.c:
+        slowest = min((-exponent.real for exponent, _ in duty.damped.transient), default=0.0)
+        texts["dies"] = f"{three(math.log(100) / slowest)} s" if slowest > 0 else "no time"
+    elif duty.solved:
+        parts = duty.driven.complementary_modes.amplitude[:, 0].tolist()
+        texts |= {f"part{j}": length(unit, part) for j, part in enumerate(parts, start=1)}
+    texts |= {name: length(unit, bound) for name, bound in zip(("rest1", "rest2"), duty.bounds, strict=True)}
+    return texts | {"rest_alone": length(unit, duty.bound_alone)} if duty.from_rest else texts
+
+
+def length(axis: Axis, value: float) -> str:
+    """Three digits; what is below 5 µm, or is what rounding leaves of nothing, is zero."""
+    if not np.isfinite(value):
+        return three(value)
+    least = 0.005 if axis.unit == "mm" else 1e-9 * axis.place(axis.end)
+    with precise():
+        place = exact(value).scaleb(-axis.exponent)
+    return three(place) if abs(place) >= least else "0.00"

@@ -1,0 +1,100 @@
+"""The list of prices: what the wanted error costs with each method, and why it has no price with the others."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from components.numbers import short, three
+from components.page.blocks import Block
+from components.page.text import Forms
+from components.scenes.accuracy.data import Known
+from components.sheet import either, table
+from physics.accuracy import Run
+from physics.price import Price, prices
+from physics.solvers import METHODS
+
+ROWS = len(METHODS)
+PriceRow = tuple[str, tuple[str, ...]]
+"""A method and its cells."""
+CELLS = ("name", "time", "ratio")
+NEVER = ("floor", "finest", "spacing")
+"""Why a method is refined no further although time is left: then it does not get there."""
+
+
+def price_list(measured: Known, methods: Sequence[str], wanted: float) -> list[PriceRow]:
+    """Rows (method, cells), cheapest first, then what does not get there, then what has no result."""
+    runs = measured.front(methods)
+    units = {price.method: price.time for price in prices(measured.front(["closed"]), wanted)}
+    old = {price.method: price.time for price in prices([r for r in measured.before if r.method == "closed"], wanted)}
+    rows = []
+    for price in prices(runs, wanted):
+        unit = (units if measured.is_here(price.method) == measured.is_here("closed") else old).get("closed")
+        rows.append((price.method, price_cells(price, unit, runs)))
+    known = {method for method, _ in rows}
+    return rows + [
+        (method, (METHODS[method].mark, "no result", _why(measured.of(method))))
+        for method in methods
+        if method not in known and measured.of(method)
+    ]
+
+
+def price_cells(price: Price, unit: float | None, runs: Iterable[Run]) -> tuple[str, ...]:
+    """Name, run time and its ratio to the closed form's; or why not, and the best error."""
+    name = METHODS[price.method].mark
+    if price.time is None:
+        return name, _not_reached(price, runs), f"best {short(float(f'{price.best:.0e}'))}"
+    unsteady = "" if price.repeats is not False else " ±"
+    ratio = f"× {short(price.time / unit)}" if unit else ""
+    return name, f"{time_text(price.time)}{unsteady}", ratio
+
+
+def _not_reached(price: Price, runs: Iterable[Run]) -> str:
+    if price.end in NEVER:
+        return "never"
+    last = [run for run in runs if run.method == price.method][-1]
+    return _in_words(last.failure) if price.end == "time limit" and last.failure else "not yet"
+
+
+def _why(runs: Sequence[Run]) -> str:
+    """Why a method has no result at all."""
+    reason = _in_words(runs[-1].failure or "")
+    reason = reason.partition(":")[0] if "cannot" in reason or "unstable" in reason else reason
+    return re.sub(r"\d(\.\d+)?e[+-]\d+", lambda match: short(float(match[0])), reason)
+
+
+def _in_words(failure: str) -> str:
+    return failure.replace("time limit", "over").replace("omega_+", "ω₊").replace("omega", "ω")
+
+
+def time_text(seconds: float) -> str:
+    """A run time as a person says it."""
+    return f"{three(seconds * 1e3)} ms" if seconds < 1 else f"{three(seconds)} s"
+
+
+def price_texts(rows: Sequence[PriceRow]) -> dict[str, str]:
+    return {
+        f"price{i}_{cell}": text for i, (_, cells) in enumerate(rows) for cell, text in zip(CELLS, cells, strict=True)
+    }
+
+
+def price_forms(rows: Sequence[PriceRow], measured: Known) -> dict[str, str]:
+    """Rows read from records are quiet where others were measured here."""
+    return {
+        f"price{i}": "before" if measured.here and not measured.is_here(method) else "here"
+        for i, (method, _) in enumerate(rows)
+    }
+
+
+def price_rows(phone: int) -> Block:
+    """The methods in the order of what the wanted error costs with each."""
+    return table(*([_cell(f"price{i}", cell) for cell in CELLS] for i in range(ROWS)), style="tight", phone=phone)
+
+
+def _cell(form: str, cell: str) -> Forms:
+    return either(form, here=f"{{{form}_{cell}}}", before=f"[mute|{{{form}_{cell}}}]")
+
+
+def power(value: float) -> str:
+    """A number in which 1·10⁻⁶ is 10⁻⁶."""
+    return short(value).removeprefix("1·")

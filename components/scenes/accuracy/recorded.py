@@ -1,0 +1,48 @@
+"""Measurements made beforehand by `make bench ARGS=--record`, so that the scene is not empty."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from components.scenes.accuracy.measuring import decoded_run
+from physics.accuracy import SYSTEMS, Run
+
+FOLDER = Path(__file__).with_name("recorded")
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """Where and when, the time limit of a run in s, and the runs."""
+
+    about: dict[str, str]
+    seconds: float
+    runs: tuple[Run, ...]
+
+    @property
+    def origin(self) -> str:
+        """2026-11-21 on such a machine."""
+        return f"{self.about['date'].partition(' ')[0]} on {self.about['machine'].rpartition(', ')[0]}"
+
+
+def records(slug: str) -> Recorded | None:
+    """Those of a system; None where it is a visitor's own."""
+    return recorded(slug) if slug in SYSTEMS else None
+
+
+@cache
+def recorded(name: str) -> Recorded:
+    """The runs on a system, or those of the study "length"."""
+    path = FOLDER / f"{name}.json"
+    data = json.loads(path.read_text(encoding="utf-8"))
+    return Recorded(data["about"], data["seconds"], tuple(decoded_run(row) for row in data["runs"]))
+
+
+@cache
+def digits() -> dict[str, Any]:
+    """The study of doubles against 80 digits: by sweep the columns x and error by method, and costs in ms by motion."""
+    data: dict[str, Any] = json.loads((FOLDER / "digits.json").read_text(encoding="utf-8"))
+    return data

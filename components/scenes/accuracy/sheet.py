@@ -1,0 +1,86 @@
+"""What stands where in the accuracy scene, and its sentences."""
+
+from __future__ import annotations
+
+from components.numbers import short, three
+from components.page.blocks import Block
+from components.scenes.accuracy.plots import growth_plot, picked_plot, work_plot
+from components.scenes.accuracy.prices import power, price_rows, time_text
+from components.scenes.accuracy.studies import digits_view, length_view, stability_view
+from components.sheet import choice, column, either, row, when, words
+from physics.accuracy import System
+
+VIEWS = {"time": "Run time", "growth": "Growth", "length": "Length", "digits": "Digits", "stability": "Stability"}
+
+
+def paper() -> Block:
+    """The five views, of which one stands."""
+    return column(
+        choice("view", VIEWS, "View", basis=0, style="views"),
+        when("time", row(column(_system_words(), work_plot()), _price_column())),
+        when("growth", words("{compared} [mute|{missing}]", style="plain", phone=9)),
+        growth_plot("error_growth", "Error of the motion, worst so far", "growth"),
+        growth_plot("energy_growth", "Error of the energy, worst so far: it does not certify the phase", "growth"),
+        length_view(),
+        digits_view(),
+        stability_view(),
+    )
+
+
+def _system_words() -> Block:
+    """The motion in numbers, and which curves were measured where."""
+    return words(
+        "{system}",
+        either(
+            "origin",
+            before="All recorded, {origin}.",
+            both="**Dots: measured here.** Thin lines: recorded {origin}.",
+            here="**Dots: measured here.** Thin, for scale: Benign, recorded {origin}.",
+            none="Thin, for scale: Benign, recorded {origin}.",
+        ),
+        style="plain",
+        phone=9,
+    )
+
+
+def _price_column() -> Block:
+    return column(
+        words(
+            either("costs", shown="**An error of {wanted} costs** [mute|time, × closed form]"),
+            style="plain",
+            phone=11,
+        ),
+        price_rows(phone=11),
+        words(either("unsteady", shown="[mute|± does not repeat within 20 %]"), style="plain", phone=12),
+        words(
+            either(
+                "kept",
+                shown="**Energy kept, phase lost?** {picked}; worst so far. Click a line to pick a run.",
+            ),
+            style="plain",
+            phone=13,
+        ),
+        picked_plot(),
+        basis=330,
+        grow=0,
+    )
+
+
+def system_texts(system: System) -> dict[str, str]:
+    """The motion in a line."""
+    chain, (slow, fast) = system.chain, system.problem().rates
+    if system.c:
+        text = f"m = {power(chain.m1)}, k = {power(chain.k1)}, c = {power(system.c)}"
+        text += f". Rates of decay 1 to {power(fast / slow)}"
+    else:
+        names = ("m1", "m2", "k1", "k2")
+        text = ", ".join(f"{name} = {short(getattr(chain, name))}" for name in names)
+        text += f". Fast over slow frequency {three(fast / slow) if slow else '∞'}"
+    return {"system": f"{text}. 50 {system.unit}, 1000 outputs."}
+
+
+def compared_text(equal: str, wanted: float, cost: float) -> str:
+    """Which runs the growth compares."""
+    if equal == "error":
+        return f"At equal error: of each method the first run with an error of {power(wanted)} at the most."
+    return f"At equal cost: of each method the finest run within {time_text(cost)}."

@@ -1,0 +1,49 @@
+"""'About these numbers' of the nine systems."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from components.about import About, bounded, drawn_as_bands, drift, few, rows
+from components.scene import Picture
+from components.scenes.analogues.case import AnalogueCase
+from physics.reference import Point
+from physics.reference_single import oscillator_points, pendulum_points
+
+
+def analogue_about(picture: Picture, case: AnalogueCase) -> About:
+    """The coordinate, and that of the spring of equal numbers."""
+    columns = picture.columns["time"]
+    at = few(columns["t"])
+    t = columns["t"][at].tolist()
+    spring = oscillator_points(case.spring, case.q_0, 0.0, t)["x"]
+    true: dict[str, Sequence[Point]] = {
+        "q": pendulum_points(case.pendulum, case.q_0, t) if case.pendulum else spring,
+        "x": spring,
+    }
+    symbol = f"${case.system.coordinate}$"
+    names = {"q": symbol, "x": "spring"} if case.pendulum else {"q": symbol}
+    found = rows(names, columns, true, at)
+    return About(
+        (bounded(f"{symbol} over $t$", 4, "its amplitude, once what plays $m$ and $k$ is rounded to doubles", found),),
+        _analogue_drift(case, columns["t"]),
+        drawn_as_bands(picture.columns, names),
+    )
+
+
+def _analogue_drift(case: AnalogueCase, t: np.ndarray) -> str:
+    """T + V over what it is at the start, so that no energy leaves the range of doubles."""
+    if not case.q_0:
+        return drift(np.zeros_like(t), 0.0)
+    if case.pendulum:
+        motion, size = case.swing(t)
+        top = np.sin(size / 2)
+        rate, place = motion.theta_dot / (2 * case.pendulum.omega_0), np.sin(motion.theta / 2)
+        share = (rate / top) ** 2 + (place / top) ** 2
+    else:
+        swing = case.spring.motion(case.q_0, 0.0, t)
+        share = (swing.v / case.omega / case.q_0) ** 2 + (swing.x / case.q_0) ** 2
+    level = case.system.exact_energy(case.p, case.q_0)
+    return drift(level * share, level)

@@ -1,0 +1,141 @@
+"""One system as the scene of the analogues shows it: released at rest, beside the spring of equal numbers."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cache, cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from components.axes import Axis, nice_axis
+from components.numbers import MINUS, short
+from components.traces import Columns, samples, trace
+from physics.analogue import Analogue
+from physics.oscillator import Oscillator
+from physics.pendulum import Pendulum, PendulumMotion, amplitude_at_excess, excess
+from physics.sampling import Sinusoid, periods
+
+DEGREE = math.pi / 180
+SWINGS = 3.5
+TINY = 1e-9
+"""rad; smaller swings have this one's shape to the last digit."""
+LIMITS = {"late_01": 0.001, "late_1": 0.01, "late_5": 0.05}
+"""Excesses T/T_0 - 1 that have a flag, by the scalar that places it."""
+
+
+@dataclass(frozen=True)
+class AnalogueCase:
+    """The chosen system, released at rest from q_0 (SI, rad), and the spring and mass of equal numbers."""
+
+    system: Analogue
+    p: dict[str, float]
+    q_0: float
+    window: float | None
+    standing: float | None = None
+    """The window that stands, where it is not the one chosen."""
+
+    @cached_property
+    def spring(self) -> Oscillator:
+        return Oscillator(m=self.system.inertia(self.p), k=self.system.stiffness(self.p))
+
+    @cached_property
+    def omega(self) -> float:
+        return self.system.omega_n(self.p)
+
+    @cached_property
+    def pendulum(self) -> Pendulum | None:
+        return self.system.pendulum(self.p)
+
+    @cached_property
+    def excess(self) -> float:
+        """T/T_0 - 1; 0 for what is linear."""
+        return excess(self.q_0) if self.pendulum else 0.0
+
+    @cached_property
+    def period(self) -> float:
+        """ValueError where it leaves the range of doubles."""
+        period = self.pendulum.period(self.q_0) if self.pendulum else self.spring.period
+        if math.isinf(period):
+            raise ValueError("the period leaves the range of doubles")
+        return period
+
+    @cached_property
+    def own_end(self) -> float:
+        return self.window or periods(2 * math.pi / self.period, SWINGS)
+
+    @property
+    def end(self) -> float:
+        return self.standing or self.own_end
+
+    def swing(self, t: NDArray[np.float64]) -> tuple[PendulumMotion, float]:
+        """The exact motion, and its size: that of q_0, or a small one of the same shape."""
+        size = math.copysign(max(abs(self.q_0), TINY), self.q_0)
+        if self.pendulum is None:
+            raise TypeError(f"{self.system.name} is linear: its motion is that of the spring")
+        return self.pendulum.motion(size, t), size
+
+    def axis(self) -> Axis:
+        """The axis of the coordinate, with ticks at the amplitude; angles of pendulums in degrees."""
+        unit, factor = ("°", DEGREE) if self.pendulum else (self.system.unit, 1.0)
+        size = abs(self.q_0)
+        axis = nice_axis(-size, size, unit, factor=factor)
+        top = axis.place(size) or 1.0
+        text = f"{top:.4g}" if 1 <= top < 1000 else short(top)
+        labels = (MINUS + text, "0", text + axis.gap + axis.full_unit)
+        start, end = 1.3 * -size or axis.start, 1.3 * size or axis.end
+        return replace(axis, start=start, end=end, ticks=(-top, 0.0, top), labels=labels, drawn=(-size, size))
+
+    def table_axis(self) -> Axis:
+        """The unit in which the table counts x and q."""
+        return nice_axis(-abs(self.q_0), abs(self.q_0), self.system.unit)
+
+    def energy_axis(self) -> Axis:
+        return nice_axis(0.0, self.system.energy(self.p, self.q_0), "J")
+
+
+def motion_columns(case: AnalogueCase) -> tuple[Columns, Columns, NDArray[np.float64]]:
+    """The coordinate q and that of the spring, x: curves, or bands where too fast."""
+    t = np.linspace(0.0, case.end, samples(case.end, case.omega))
+    rule = [Sinusoid(case.q_0, case.omega, math.pi / 2)]
+    x = case.spring.motion(case.q_0, 0.0, t).x
+    q = x
+    if case.pendulum:
+        motion, size = case.swing(t)
+        q = motion.theta * (case.q_0 / size)
+    curve_x, band_x = trace("x", rule, t, curve=x)
+    curve_q, band_q = trace("q", rule, t, curve=q)
+    return curve_x | curve_q, band_x | band_q, t
+
+
+def late_axes(case: AnalogueCase) -> dict[str, Axis]:
+    """Angle and lateness; they reach to 90 degrees and 19 %, or as far as the start is beyond."""
+    wide = case.pendulum is not None and abs(case.q_0) > 88 * DEGREE
+    end, step = (180, 60) if wide else (90, 30)
+    ticks = tuple(float(tick) for tick in range(0, end + 1, step))
+    late = nice_axis(0.0, max(1.25 * case.excess, 0.19), "%", 2, exact=True, factor=0.01)
+    return {
+        "angle": Axis(0.0, end, "°", ticks=ticks, drawn=(0.0, math.degrees(abs(case.q_0)) if case.pendulum else 0.0)),
+        "late": replace(late, drawn=(0.0, case.excess)),
+    }
+
+
+@cache
+def _lateness(end: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Angles in degrees and T/T_0 - 1 there."""
+    angles = np.linspace(0.0, min(end, 179.9), 121)
+    return angles, np.array([excess(math.radians(angle)) for angle in angles])
+
+
+def late_columns(case: AnalogueCase, end: float) -> dict[str, Columns]:
+    """T/T_0 - 1 against the angle, up to `end` degrees."""
+    if not case.pendulum:
+        return {"late": {}, "limits": {}, "here": {}}
+    angles, late = _lateness(end)
+    limits = np.array(list(LIMITS.values()))
+    return {
+        "late": {"angle": angles, "excess": late},
+        "limits": {"angle": np.degrees([amplitude_at_excess(value) for value in limits]), "excess": limits},
+        "here": {"angle": np.array([math.degrees(abs(case.q_0))]), "excess": np.array([case.excess])},
+    }

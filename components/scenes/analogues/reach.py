@@ -1,0 +1,52 @@
+"""What the scene adds to the table of physics.analogues: the ranges of the sliders, and what is said of a system."""
+
+from typing import Literal, NamedTuple
+
+
+class Reach(NamedTuple):
+    """The ends of a slider, and how it is divided."""
+
+    low: float
+    high: float
+    scale: Literal["log", "linear"] = "log"
+
+
+REACHES = {
+    "spring_m": Reach(0.1, 10),
+    "spring_k": Reach(1, 1000),
+    "shaft_J": Reach(0.001, 100),
+    "shaft_k_t": Reach(1, 1e6),
+    "pendulum_l": Reach(0.1, 100),
+    "pendulum_g": Reach(1.62, 24.8, "linear"),
+    "pendulum_m": Reach(0.1, 10),
+    "rocking_m": Reach(0.1, 100),
+    "rocking_d": Reach(0.01, 10),
+    "rocking_r": Reach(0.01, 10),
+    "floating_m": Reach(1, 1e8),
+    "floating_A": Reach(0.01, 10000),
+    "floating_rho": Reach(700, 1300, "linear"),
+    "circuit_L": Reach(1e-7, 10),
+    "circuit_C": Reach(1e-12, 0.01),
+    "string_L": Reach(0.05, 10),
+    "string_T": Reach(1, 1000),
+    "string_n": Reach(1, 8, "linear"),
+    "wave_wavelength": Reach(0.5, 1000),
+    "wave_g": Reach(1.62, 24.8, "linear"),
+    "wave_rho": Reach(700, 1300, "linear"),
+    "pipe_L": Reach(0.05, 20),
+    "pipe_c": Reach(250, 1100, "linear"),
+    "pipe_n": Reach(1, 8, "linear"),
+}
+"""By system and parameter."""
+
+REMARKS = {
+    "pendulum": "Small angles only; the mass drops out.",
+    "rocking": "d from the pivot to the centre of mass, r the radius of gyration about it. Small angles only.",
+    "floating": "The water that moves along (added mass) is left out.",
+    "circuit": "The current is the velocity; resistance is left out.",
+    "string": "The tension is written T here; the kinetic energy is that of mode n alone.",
+    "wave": "A standing wave, η its height where it is largest; energies are means over the surface, by unit of it; "
+    "κ = 2π/λ, the water deeper than half a wavelength.",
+    "pipe": "Closed at both ends; q is the displacement of the air where it is largest.",
+}
+"""Of some systems."""

@@ -1,0 +1,43 @@
+"""'About these numbers' of the driven chain."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from components.about import About, bounded, drawn_as_bands, few, rows
+from components.chain.about import DRIVE, MASSES, motion_rows
+from components.chain.parameters import Pair
+from components.numbers import short
+from components.scene import Picture
+from physics.energy import chain_energy
+from physics.forced import DrivenModes
+from physics.reference_single import steady_points
+
+BANDS = MASSES | {
+    f"x{i}_{part}": f"the {name} part" for i in (1, 2) for part, name in (("p", "particular"), ("c", "complementary"))
+}
+
+
+def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) -> About:
+    """Displacements, and both amplitudes of the particular solution."""
+    columns, sweep = picture.columns["time"], picture.columns["response"]
+    motion = motion_rows(MASSES, columns, driven.chain, x_0, v_0, driven.F_0, driven.omega)
+    at = few(sweep["omega"])
+    points = steady_points(driven.chain, 0.0, driven.F_0, sweep["omega"][at].tolist())
+    swings = {"Xp1": r"$X_{\mathrm{p}1}$", "Xp2": r"$X_{\mathrm{p}2}$"}
+    true = dict(zip(swings, points, strict=True))
+    tables = (
+        bounded("$x_1(t)$ or $x_2(t)$", 4, "the most it can have reached by then", motion),
+        bounded("the particular solution", 2, "itself", rows(swings, sweep, true, at, DRIVE)),
+    )
+    return About(tables, _work_gap(driven, columns["t"]), drawn_as_bands(picture.columns, BANDS))
+
+
+def _work_gap(driven: DrivenModes, t: NDArray[np.float64]) -> str:
+    total = chain_energy(driven.chain, driven.motion(t)).total
+    largest = float(np.max(total))
+    if not largest:
+        return "Nothing moves, and the drive does no work."
+    gap = float(np.max(np.abs((total - total[0] - driven.work(t)) / largest)))
+    return f"The gain of $T + V$ and the work of the drive agree to {short(gap)} of the largest $T + V$."

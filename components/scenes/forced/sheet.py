@@ -1,0 +1,117 @@
+"""The paper of the forced masses: the chain, the response at every drive frequency, the motion, and its energy."""
+
+from __future__ import annotations
+
+from components import chain
+from components.chain.forces import arrows
+from components.chain.grabs import mass_grab
+from components.page.blocks import Block
+from components.page.numbers import var
+from components.plots import Room, curve, plot, region
+from components.scenes.forced.response import response_plot
+from components.scenes.forced.words import MOTION, SOLUTION, TASK
+from components.sheet import choice, column, phrase, row, stage, term, when, words
+from components.stage import H, Shape, W, arrow, circle, text
+from components.traces import traced
+
+
+def forced_sheet() -> Block:
+    options = row(
+        words("**Particular solution**", phone=9),
+        choice("curve", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as", basis=0, phone=9),
+        when("lecture", choice("axes", {"si": "SI", "lecture": "Slide 8"}, "Units of the response", basis=0, phone=9)),
+        grow=0,
+        basis=34,
+        gap=10,
+    )
+    return column(
+        words(TASK, style="task", phone=0),
+        row(
+            stage(*_shapes(), label="Two masses and two springs, the first one driven by a force", height=150),
+            when("solution", words(*SOLUTION, style="facts", basis=318, phone=4)),
+            when("forces", words(*MOTION, style="facts", basis=318, phone=4)),
+            grow=165,
+        ),
+        row(
+            column(options, response_plot(), basis=430, grow=430),
+            column(_motion(1), _motion(2), _energy(), basis=456, grow=456),
+            grow=420,
+            gap=18,
+        ),
+    )
+
+
+def _shapes() -> list[Shape]:
+    foot = 0.8 * H
+    push, middle = chain.place(1, "x1"), foot - 0.5 * var("side1") * W
+    tip = push + var("push") * W * var("drive")
+    return [
+        chain.standing_wall(0.2 * H, 0.62 * H),
+        *chain.ground(foot),
+        *(s for i in (1, 2) for s in chain.displacement_arrow(i, foot)),
+        *chain.masses(foot, push, chain.place(2, "x2"), corner=True, grabs=(mass_grab(1), mass_grab(2))),
+        arrow(push, middle, tip, middle, tint="F", style="thick", head=18),
+        circle(push, middle, 5, tint="F"),
+        text(tip, middle - 14, "*F*", tint="F", style="t3 b halo"),
+        *arrows(foot),
+    ]
+
+
+def _motion(i: int) -> Block:
+    """x_i(t) with its particular and complementary parts; near resonance the envelope and line of growth instead."""
+    traces = (
+        traced(f"x{i}_c", tint="xc", width="dash", read="complementary", signal=f"x{i}_c"),
+        traced(f"x{i}_p", tint="xp", read="particular", signal=f"x{i}_p"),
+        traced(f"x{i}", tint=f"m{i}", width="sum", label=f"*x*_{i}", signal=f"x{i}"),
+    )
+    limit = {"source": "limit", "group": f"x{i}_limit"}
+    envelope = (
+        curve(f"x{i}_beat", tint="xp", label="envelope", **limit),
+        curve(f"x{i}_fall", tint="xp", **limit),
+        curve(f"x{i}_growth", tint="mute", width="dots", label="line", **limit),
+    )
+    return plot(
+        f"x{i}",
+        x="t",
+        y="x",
+        title=f"Displacement of mass {i} against time, with its particular and its complementary part",
+        curves=(*(curve for curve, _ in traces), *envelope),
+        bands=tuple(band for _, band in traces),
+        heading=(
+            term(f"x{i}", "sum", f"m{i}", formula=f"x_{i} ="),
+            term(f"x{i}_p", "line", "xp", formula=rf"\text{{particular }}\val{{X{i}}}\,\sin(\val{{omega}}\,t)"),
+            term(f"x{i}_c", "dash", "xc", formula=r"+\; \text{complementary}"),
+            phrase(
+                f"x{i}_limit",
+                "line",
+                "xp",
+                grows=f"envelope: {{growth{i}}} m more every second",
+                beats=f"envelope, a long beat: at first {{growth{i}}} m more every second",
+            ),
+        ),
+        x_labels=i == 2,
+        cursor="time",
+        room=Room(40, 58),
+        phone=10 + i,
+        height=125,
+    )
+
+
+def _energy() -> Block:
+    return plot(
+        "energy",
+        x="t",
+        y="E",
+        title="Gain of kinetic and potential energy since the start, and the work of the drive: they are equal",
+        bands=(region(low="none", high="gain", source="energy", tint="k2fill"),),
+        curves=(curve("work", source="energy", tint="F", width="dash", label="work"),),
+        heading=(
+            term("", "band", "k2fill", formula=r"\text{gain of } T + V"),
+            term("", "dash", "F", formula=r"=\; \text{work of the drive}"),
+        ),
+        cursor="time",
+        room=Room(40, 58),
+        phone=13,
+        height=120,
+        form="work",
+    )

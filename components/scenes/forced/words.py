@@ -1,0 +1,92 @@
+"""What the forced scene says: formulas, live numbers, and which sentence stands."""
+
+from __future__ import annotations
+
+import math
+
+from components.numbers import signed, three
+from components.scenes.forced.driven import growth_rate, resonant
+from components.sheet import Paragraph, either
+from components.traces import Columns
+from physics.forced import DrivenModes, determinant
+
+TASK = "Drag ω: where does mass 1 swing farthest, where not at all, and when against the push?"
+
+_ROWS = (
+    r"[small|$\begin{pmatrix} m_1 \omega^2 - k_1 - k_2 & k_2 \\ k_2 & m_2 \omega^2 - k_2 \end{pmatrix}"
+    r" \begin{pmatrix} X_{\mathrm{p}1} \\ X_{\mathrm{p}2} \end{pmatrix}"
+    r" = \begin{pmatrix} -F_0 \\ 0 \end{pmatrix}$]"
+)
+_GROWS = "from rest $x_1$ grows by {growth1} m a second, $x_2$ by {growth2} m."
+
+SOLUTION: list[Paragraph] = [
+    _ROWS,
+    either(
+        "steady",
+        finite=r"$\tint{m1}{X_{\mathrm{p}1} = \dfrac{(k_2 - m_2 \omega^2) F_0}{D} = \val{Xp1}}$ [m1|m, {way1}]",
+        none=r"**No drive:** at $\omega = 0$ the force is 0 at all times.",
+        resonance=f"**Drive at a natural frequency:** no such solution exists; {_GROWS}",
+        near=rf"**Next to a natural frequency,** where $D = 0$: at first, {_GROWS}",
+    ),
+    either(
+        "steady",
+        finite=r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = \val{Xp2}}$ [m2|m, {way2}]",
+        none="",
+        resonance="",
+        near="",
+    ),
+    either(
+        "steady",
+        finite=r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = \val{D}$]",
+        none="",
+        resonance=r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = 0$]",
+        near=r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = \val{D}$]",
+    ),
+]
+"""The particular solution: both rows, both amplitudes, or why there are none."""
+
+MOTION: list[Paragraph] = [
+    r"$\tint{m1}{m_1 \ddot{x}_1} = \tint{k}{-k_1 x_1 - k_2 (x_1 - x_2)} + \tint{F}{F_0 \sin \omega t}$",
+    r"$F_1 =$ {F1} {force_unit}",
+    r"$\tint{m2}{m_2 \ddot{x}_2} = \tint{k}{k_2 (x_1 - x_2)}$",
+    r"$F_2 =$ {F2} {force_unit}",
+    r"$\tint{F}{F = F_0 \sin \omega t =}$ [F|{force_now} {F_unit}]",
+]
+"""Newton's law for each mass, the force on it now, and the drive."""
+
+
+def values(driven: DrivenModes) -> dict[str, str]:
+    at_resonance = driven.at_resonance
+    texts = {"omega": three(driven.omega), "D": three(0.0 if at_resonance else determinant(driven.chain, driven.omega))}
+    for i, X in enumerate([math.inf, math.inf] if at_resonance else driven.particular.tolist()):
+        texts[f"X{i + 1}"] = texts[f"Xp{i + 1}"] = signed(X)
+        texts[f"way{i + 1}"] = f"{'with' if X > 0 else 'against'} F" if X else "at rest"
+        texts[f"growth{i + 1}"] = three(growth_rate(driven, i)) if resonant(driven) else ""
+    return texts
+
+
+def forms(driven: DrivenModes, limit: Columns, view: str) -> dict[str, str]:
+    """Close to a natural frequency the two parts are huge and opposite: there the envelope stands in their place."""
+    split = driven.split_is_meaningful
+    steady = "near" if resonant(driven) else "finite"
+    if driven.at_resonance:
+        steady = "resonance" if driven.omega else "none"
+    parts = {f"x{i}_{part}": "formula" if split else "" for i in (1, 2) for part in "pc"}
+    kind = ("beats" if "x1_growth" in limit else "grows") if limit else ""
+    limits = {f"x{i}_limit": kind for i in (1, 2)}
+    offered = driven.chain.k1 > 0 and driven.F_0 > 0
+    shown = {view: "shown", "solution": "" if view == "forces" else "shown"}
+    return {"steady": steady, **parts, **limits, **shown, "lecture": "offered" if offered else ""}
+
+
+def notes(driven: DrivenModes, units: str, lecture: bool, too_fast: bool) -> list[str]:
+    told = []
+    if not driven.omega and not driven.at_resonance:
+        told.append("At ω = 0 the force F₀ sin ωt is 0 at all times.")
+    if resonant(driven) and not driven.at_resonance:
+        told.append("Complementary and particular part are huge and opposite here, so they are not drawn.")
+    if units == "lecture" and not lecture:
+        told.append("The lecture's units F₀/k₁ and √(k₁/m₁) need k₁ and F₀ above 0: shown in SI.")
+    if too_fast:
+        told.append("The energies change too fast to be drawn in this window.")
+    return told

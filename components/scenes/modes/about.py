@@ -1,0 +1,49 @@
+"""'About these numbers' of the four ways to find the modes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from components.about import About, Place, bounded, few, rows
+from components.chain.about import FREQUENCY, MASSES, free_drift, modes_table, motion_rows
+from components.chain.parameters import Pair
+from components.numbers import ten
+from components.scene import Picture
+from physics.coupled import TwoMassChain
+from physics.modes import determinant_curve
+from physics.reference import Point, determinants, modes_of
+
+
+def guess_about(picture: Picture, chain: TwoMassChain) -> About:
+    """The crossings, and the curve of the determinant."""
+    columns = picture.columns["det"]
+    at = few(columns["w"])
+    exponent = determinant_curve(chain, columns["w"])[1]
+    D = [value.scaleb(-exponent) for value in determinants(chain, columns["w"][at].tolist())]
+    name = f"$D$ / {ten(exponent)}" if exponent else "$D$"
+    found = rows({"D": name}, columns, {"D": [Point(value, abs(value)) for value in D]}, at, FREQUENCY)
+    return About((modes_table(chain), bounded("$D$, next to its zeros too,", 32, "itself", found)))
+
+
+def solve_about(chain: TwoMassChain) -> About:
+    return About((modes_table(chain),))
+
+
+def sweep_about(picture: Picture, chain: TwoMassChain, swept: str) -> About:
+    """The frequencies of three of the chains that are swept through."""
+    columns = picture.columns["omega_sweep"]
+    at = few(columns["p"])
+    chains = [replace(chain, **{swept: float(columns["p"][i])}) for i in at]
+    pairs = zip(*([Point(omega, omega) for omega, _ in modes_of(each)] for each in chains), strict=True)
+    names = {"omega_slow": r"$\omega_-$", "omega_fast": r"$\omega_+$"}
+    place = Place("p", f"${swept[0]}_{swept[1]}$", {"m": "kg", "k": "N/m"}[swept[0]])
+    found = rows(names, columns, dict(zip(names, pairs, strict=True)), at, place)
+    return About((modes_table(chain), bounded("the curves of the frequencies", 8, "itself", found)))
+
+
+def hunt_about(picture: Picture, chain: TwoMassChain, x_0: Pair) -> About:
+    """Points of the path; the modes only where the answer is shown."""
+    path, rest = picture.columns["path"], (0.0, 0.0)
+    points = bounded("the path", 2, "its amplitudes", motion_rows(MASSES, path, chain, x_0, rest))
+    tables = (points, modes_table(chain)) if picture.columns["answer"] else (points,)
+    return About(tables, free_drift(chain, x_0, rest, path["t"]))

@@ -1,0 +1,36 @@
+"""'About these numbers' of the flight."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from components.about import About, bounded, drawn_as_bands, few, rows
+from components.numbers import short, three
+from components.scene import Picture
+from components.scenes.phugoid.swing import Swing
+from physics.phugoid import flight, invariant
+from physics.reference_single import flight_points
+
+FLIGHT, EACH_SWING = 32, 32
+"""ulp: of the first swing of a flight, and by how much its phase adds to that in each later one."""
+
+
+def flight_about(picture: Picture, swing: Swing) -> About:
+    columns = picture.columns["time"]
+    t = columns["t"]
+    at = few(t)
+    true = flight_points(swing.v_0, swing.g, swing.excess, t[at].tolist())
+    names = {"h": "$h'$", "v": "$v'$"}
+    later = max(0.0, float(t[-1]) / swing.period - 1)
+    bound = bounded(
+        "the flight",
+        float(np.ceil(FLIGHT + EACH_SWING * later)),
+        r"$v_0^2/g$ for $h'$, of $v_0$ for $v'$",
+        rows(names, columns, true, at),
+    )
+    motion = flight(swing.v_0, swing.g, swing.excess, t)
+    V, u = motion.V / swing.v_0, motion.u / swing.v_0
+    C = invariant(swing.excess)
+    strays = float(np.max(np.abs(u - V**3 / 3 - C)))
+    kept = f"The flight's invariant $C = u - V^3/3$ = {three(C)}, {short(strays)} off at most over the window."
+    return About((bound,), kept, drawn_as_bands(picture.columns, names))

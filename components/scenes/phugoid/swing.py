@@ -1,0 +1,258 @@
+"""One flight as numbers for the plots and the clock, exact and linear."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from components.axes import Axis
+from components.motion import derived, sampled, scaled, sines
+from components.numbers import short, three
+from components.page.numbers import var
+from components.page.signals import AnySignal
+from components.traces import Columns, Floats, band_columns, samples, trace
+from physics.phugoid import (
+    CUSP_EXCESS,
+    EXCESS_AT_LATENESS,
+    LanchesterPeriod,
+    LinearPhugoid,
+    flight,
+    lanchester,
+    linear_flight,
+    linear_phugoid,
+    period_excess,
+)
+from physics.sampling import Sinusoid, drawable
+
+NODES = 65
+"""Points of a period that the browser joins by Hermite pieces: heights are within 1e-6 v_0^2/g, and so are speeds in
+v_0 but near the cusp, whose corner is cut by 1 %."""
+SWINGS = 28
+"""As many swings of a path can be told apart."""
+FAMILY = {"a": 0.2, "b": 0.4, "cusp": CUSP_EXCESS, "loop": 1.0}
+"""Speed excesses of the flights shown for comparison."""
+SMALLEST, GREATEST = 1e-290, 1e290
+
+
+@dataclass(frozen=True)
+class Swing:
+    """A flight that is level at t = 0 with the speed v_0 (1 + excess); ValueError beyond the doubles."""
+
+    v_0: float
+    g: float
+    excess: float
+
+    def __post_init__(self) -> None:
+        sizes = (
+            self.v_0,
+            self.v_0 * self.v_0,
+            self.v_0 * self.v_0 / self.g,
+            self.v_0 / self.g,
+            self.g / self.v_0,
+        )
+        if not all(SMALLEST < size < GREATEST for size in sizes):
+            raise ValueError(
+                f"a swing at v_0 = {short(self.v_0)} m/s and g = {short(self.g)} m/s² has a size v_0²/g "
+                "or a period beyond what numbers can hold."
+            )
+
+    def check(self, window: float) -> None:
+        """ValueError where a time window and a swing cannot be counted in one unit of time."""
+        if not 1e-100 < window / self.period < 1e100:
+            raise ValueError(
+                f"a window of {short(window)} s and a swing of {short(self.period)} s are too far apart "
+                "to be shown together."
+            )
+
+    @property
+    def length(self) -> float:
+        """The unit of lengths, v_0^2/g in m."""
+        return self.v_0 * self.v_0 / self.g
+
+    @cached_property
+    def linear(self) -> LinearPhugoid:
+        return linear_phugoid(self.v_0, self.g)
+
+    @cached_property
+    def lap(self) -> LanchesterPeriod:
+        """One period of the exact flight, without its units, from its lowest point."""
+        return lanchester(self.excess, 161)
+
+    @property
+    def period(self) -> float:
+        """Of the exact flight, in s."""
+        return self.lap.period * self.v_0 / self.g
+
+    @property
+    def omega(self) -> float:
+        return 2 * math.pi / self.period
+
+    @property
+    def fastest(self) -> float:
+        return max(self.omega, self.linear.omega)
+
+    @property
+    def climb(self) -> float:
+        """The amplitude of h' in the linear theory, in m."""
+        return self.length * self.excess
+
+    @property
+    def late(self) -> float:
+        """T/T_0 - 1: by how much the exact swing takes longer than the linear one."""
+        return period_excess(self.excess)
+
+    @property
+    def top(self) -> tuple[float, float]:
+        """Distance and height of the first top of the exact path after the start, in m."""
+        laps = 0.5 if self.excess >= 0 else 1.0
+        return self.length * self.lap.advance * laps, self.length * float(self.lap.h.max())
+
+    @property
+    def top_linear(self) -> tuple[float, float]:
+        laps = 0.5 if self.excess >= 0 else 1.0
+        return self.v_0 * self.linear.tau * laps, abs(self.climb)
+
+    def distance(self, t: float) -> float:
+        """How far the exact flight comes in the time t, in units of v_0^2/g."""
+        return t / self.period * self.lap.advance
+
+
+def over_time(swing: Swing, t: Floats) -> tuple[Columns, Columns]:
+    """h' and v' over time, exact and linear (_lin), and as bands where they are too fast to draw."""
+    curves: Columns = {}
+    bands: Columns = {}
+    omega = swing.linear.omega
+    linear = linear_flight(swing.v_0, swing.g, swing.excess, t)
+    gain = swing.excess * swing.v_0
+    for name, size, phase, exact in (
+        ("h_lin", swing.climb, -math.pi / 2, linear.h),
+        ("v_lin", gain, math.pi / 2, gain * np.cos(omega * t)),
+    ):
+        curve, band = trace(name, [Sinusoid(size, omega, phase)], t, curve=exact)
+        curves |= curve
+        bands |= band
+    motion = flight(swing.v_0, swing.g, swing.excess, t)
+    for name, column in (("h", motion.h), ("v", motion.gain(swing.v_0, swing.g))):
+        curve, band = _drawn(name, column, swing.omega, t)
+        curves |= curve
+        bands |= band
+    return curves, bands
+
+
+def _drawn(name: str, column: Floats, omega: float, t: Floats) -> tuple[Columns, Columns]:
+    """A periodic column as a curve, or where the times do not resolve it as the band that it fills."""
+    if drawable(omega, t):
+        return {name: column}, {}
+    return {}, {
+        end: np.full_like(t, reach(column)) for end, reach in zip(band_columns(name), (np.min, np.max), strict=True)
+    }
+
+
+def along_path(swing: Swing, window: float, end: float) -> tuple[Columns, Columns]:
+    """The path over distance, exact and linear, to the end of the frame (in v_0^2/g) or of the window."""
+    last = max(window, min(end / swing.distance(1.0) + swing.period / 2, SWINGS * swing.period))
+    t = np.linspace(0.0, last, samples(last, 3 * swing.fastest))
+    exact, linear = (fly(swing.v_0, swing.g, swing.excess, t) for fly in (flight, linear_flight))
+    if drawable(swing.fastest, t):
+        return {"x": exact.x, "y": exact.h, "x_lin": linear.x, "y_lin": linear.h}, {}
+    height = np.full_like(t, swing.length)
+    reach = {"y_lo": swing.lap.h.min() * height, "y_hi": swing.lap.h.max() * height}
+    return {}, {"x": exact.x, **reach}
+
+
+def energy_shares(swing: Swing, t: Floats) -> Columns:
+    """Kinetic shares: of the aircraft's energy, counted from its lowest point, and of the spring's."""
+    fastest = swing.lap.u[0] * swing.v_0
+    V = flight(swing.v_0, swing.g, swing.excess, t).V
+    share = (V / fastest) ** 2
+    w = linear_flight(swing.v_0, swing.g, 1.0, t).w / (math.sqrt(2) * swing.v_0)
+    twin = w**2
+    if not drawable(2 * swing.fastest, t):
+        share, twin = np.full_like(t, share.mean()), np.full_like(t, 0.5)
+    nothing = np.zeros_like(t)
+    shares = {"nothing": nothing, "share": share, "all": nothing + 1}
+    return shares if swing.excess == 0 else {**shares, "twin": twin}
+
+
+def velocities(swing: Swing) -> tuple[Columns, Columns]:
+    """The tip of the velocity (u - v_0 forward, w up, in v_0): of this flight, exact and linear, and of FAMILY."""
+    lap = swing.lap
+    turn = np.linspace(0.0, 2 * math.pi, lap.t.size)
+    own = {
+        "u": lap.u - 1,
+        "w": lap.w,
+        "u_lin": swing.excess * np.cos(turn),
+        "w_lin": math.sqrt(2) * swing.excess * np.sin(turn),
+    }
+    others: Columns = {}
+    for name, excess in FAMILY.items():
+        other = lanchester(excess, 121)
+        others |= {f"u_{name}": other.u - 1, f"w_{name}": other.w}
+    return own, others
+
+
+def lift_columns(swing: Swing, t: Floats) -> tuple[Columns, Columns]:
+    """Lift over weight, (v/v_0)^2, and to first order 1 + 2 v'/v_0; as bands where they are too fast to draw."""
+    V = flight(swing.v_0, swing.g, swing.excess, t).V / swing.v_0
+    drawn = [_drawn(name, column, swing.omega, t) for name, column in (("lift", V * V), ("lift_linear", 2 * V - 1))]
+    return {k: v for curves, _ in drawn for k, v in curves.items()}, {k: v for _, b in drawn for k, v in b.items()}
+
+
+def lift_signals(swing: Swing, speed: Axis) -> dict[str, AnySignal]:
+    """Lift over weight from the signal v, to first order, and as a vector: upright to the velocity, |L| = V^2."""
+    V = 1 + var("v") * (1 / speed.place(swing.v_0))
+    return {
+        "V": derived(V),
+        "lift": derived(var("V") * var("V")),
+        "lift_linear": derived(2 * var("V") - 1),
+        "lift_forward": derived(-var("V") * var("w")),
+        "lift_up": derived(var("V") * var("u")),
+    }
+
+
+def motion_signals(swing: Swing, time: Axis, along: Axis, height: Axis, speed: Axis) -> dict[str, AnySignal]:
+    """What the clock moves: places on the path, h' and v', and velocities in v_0."""
+    v_0, g, omega = swing.v_0, swing.g, swing.linear.omega
+    t = np.linspace(0.0, swing.period, NODES)
+    lap = flight(v_0, g, swing.excess, t)
+    u_dot, w_dot, v_dot = lap.rates(v_0, g)
+    gain = lap.gain(v_0, g)
+    advance = along.place(swing.length * swing.lap.advance)
+    tables = {
+        "x": (along.places(lap.x), along.places(lap.u), advance),
+        "h": (height.places(lap.h), height.places(lap.w), 0.0),
+        "v": (speed.places(gain), speed.places(v_dot), 0.0),
+        "u": (lap.u / v_0, u_dot / v_0, 0.0),
+        "w": (lap.w / v_0, w_dot / v_0, 0.0),
+    }
+    unit = Axis(0.0, 1.0)
+    quarter, climb = math.pi / 2, swing.length * swing.excess / math.sqrt(2)
+    to_path = scaled(along.exponent - height.exponent, 1.0)
+    return {
+        **{name: sampled(time, swing.period, *parts) for name, parts in tables.items()},
+        "h_lin": sines(height, time, (swing.climb, omega, -quarter)),
+        "v_lin": sines(speed, time, (swing.excess * v_0, omega, quarter)),
+        "x_lin": sines(along, time, (climb, omega, 0.0), line=(0.0, v_0)),
+        "y": derived(to_path * var("h")),
+        "y_lin": derived(to_path * var("h_lin")),
+        "u_lin": sines(unit, time, (swing.excess, omega, quarter), line=(1.0, 0.0)),
+        "w_lin": sines(unit, time, (math.sqrt(2) * swing.excess, omega, 0.0)),
+    }
+
+
+def verdict(swing: Swing) -> str:
+    """Where the linear theory stands with a swing of this size."""
+    bottom, late = swing.lap.u[0] - 1, three(100 * abs(swing.late))
+    right, near = sorted(EXCESS_AT_LATENESS.values())
+    if swing.lap.loops:
+        return "The aircraft loops: linear theory does not apply."
+    if bottom >= CUSP_EXCESS - 1e-9:
+        return f"The cusp: a standstill at the top, and linear theory {late} % off in the period."
+    if bottom <= right:
+        return "Linear theory holds: its period is right to 0.1 %."
+    if bottom <= near:
+        return f"Linear theory is {late} % off in the period, more in the shape."
+    return f"Linear theory fails in the shape, though it is only {late} % off in the period."

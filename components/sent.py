@@ -1,0 +1,70 @@
+"""A picture as it is sent: what the browser shows of it, and its numbers in steps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from msgspec.structs import replace
+
+from components.axes import TIME_AXIS
+from components.page.picture import Drawn, View
+from components.page.signals import AnySignal, Sampled, Samples
+from components.places import COARSE, FINE, Steps, span, steps
+from components.scene import Picture
+
+ColumnAxes = Mapping[str, Mapping[str, str]]
+"""The axis that each column of each source is drawn on."""
+
+
+def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) -> tuple[View, list[Steps]]:
+    """The view of a picture, and the numbers that follow it: its columns, then the runs of its signals."""
+    rulers = {name: axis.ruler() for name, axis in picture.axes.items()}
+    columns, numbers = _columns(picture, axes, {name: span(ruler) for name, ruler in rulers.items()})
+    signals: dict[str, AnySignal] = {}
+    for name, signal in picture.signals.items():
+        if isinstance(signal, Sampled):
+            signal, runs = _run_of(signal)
+            numbers += runs
+        signals[name] = signal
+    view = View(
+        columns=columns,
+        axes=rulers,
+        time=TIME_AXIS if TIME_AXIS in picture.axes else "",
+        pace=picture.pace,
+        signals=signals,
+        scalars=picture.scalars,
+        values=picture.values,
+        live=picture.live,
+        forms=picture.forms,
+        notes=picture.notes,
+        left_out=left_out,
+    )
+    return view, numbers
+
+
+def _columns(
+    picture: Picture, axes: ColumnAxes, spans: Mapping[str, tuple[float, float]]
+) -> tuple[dict[str, dict[str, Drawn]], list[Steps]]:
+    """What is said of each column, and its numbers: where they stand on the axis that they are drawn on."""
+    columns: dict[str, dict[str, Drawn]] = {}
+    numbers: list[Steps] = []
+    for source, drawn in axes.items():
+        given = picture.columns.get(source, {})
+        for column, axis in drawn.items():
+            if column in given:
+                columns.setdefault(source, {})[column] = Drawn(axis, len(given[column]))
+                numbers.append(steps(picture.axes[axis].places(given[column]), *spans[axis], COARSE))
+    return columns, numbers
+
+
+def _run_of(signal: Sampled) -> tuple[Sampled, list[Steps]]:
+    """The signal with runs in place of its numbers, and these."""
+    told: dict[str, Samples] = {}
+    numbers: list[Steps] = []
+    for name in ("y", "dy"):
+        values = np.asarray(getattr(signal, name))
+        low, high = float(values.min()), float(values.max())
+        told[name] = Samples(len(values), low, high)
+        numbers.append(steps(values, low, high, FINE))
+    return replace(signal, **told), numbers

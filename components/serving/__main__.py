@@ -1,0 +1,56 @@
+"""The start command: `python -m components.serving [--port 8000]`, in the folder that app.py lies in."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import signal
+import sys
+import webbrowser
+from contextlib import suppress
+from pathlib import Path
+
+from app import FIGURES, SHEETS, walked
+from components.serving.logs import set_up
+from components.serving.server import Server
+from components.serving.settings import Settings, read_settings
+from components.walks.loading import WalkError
+
+log = logging.getLogger(__name__)
+
+
+async def serve(settings: Settings) -> None:
+    """Serve until the process is asked to end."""
+    open_page, walks = walked([Path(settings.walks)] if settings.walks else [])
+    server = Server(open_page, settings, FIGURES, {**SHEETS, **walks})
+    asked: asyncio.Queue[float] = asyncio.Queue()
+    for name, notice in ((signal.SIGTERM, settings.notice_seconds), (signal.SIGINT, 0.0)):
+        with suppress(NotImplementedError):  # on Windows Ctrl+C comes as an exception
+            asyncio.get_running_loop().add_signal_handler(name, asked.put_nowait, notice)
+    address = f"http://{'localhost' if settings.address in ('', '0.0.0.0') else settings.address}:{server.port}/"
+    log.info("The lecture is at %s", address)
+    if settings.show:
+        webbrowser.open(address)
+    await server.end(await asked.get())
+    log.info("The lecture has ended")
+
+
+def main() -> None:
+    try:
+        settings = read_settings(sys.argv[1:], os.environ)
+    except ValueError as refusal:
+        sys.exit(str(refusal))
+    set_up(settings.log_format, settings.log_visitors)
+    try:
+        asyncio.run(serve(settings))
+    except WalkError as refusal:
+        sys.exit(f"WALKS: {refusal}")
+    except OSError as error:
+        sys.exit(f"The server cannot listen at {settings.address}, port {settings.port}: {error.strerror}.")
+    except KeyboardInterrupt:
+        pass
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,115 @@
+"""What every answer of the server has in common: a refusal or a fault is a page with one sentence, nothing more."""
+
+from __future__ import annotations
+
+import logging
+from functools import cache
+from math import ceil
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from jinja2 import Environment, FileSystemLoader, Template
+from tornado.web import HTTPError, RequestHandler
+
+from components.serving.headers import SAFE, policy
+from components.serving.hosts import answers_to
+from components.serving.visitors import visitor
+
+if TYPE_CHECKING:
+    from components.serving.server import Lecture
+
+log = logging.getLogger(__name__)
+
+SENTENCES = {
+    400: "This request is not one that a browser sends.",
+    403: "This is not open to visitors.",
+    404: "There is no such page here.",
+    405: "This page can only be read.",
+    500: "Something went wrong here, and has been noted. The page may open if it is asked for again.",
+}
+
+
+class RefusedError(HTTPError):
+    """A request that is refused; the sentence says why, and what can be done, `after` in how many seconds."""
+
+    def __init__(self, status: int, sentence: str, after: float = 0.0) -> None:
+        super().__init__(status)
+        self.sentence = sentence
+        self.after = after
+
+
+@cache
+def templates() -> Environment:
+    return Environment(loader=FileSystemLoader(Path(__file__).parent), autoescape=True)
+
+
+@cache
+def notice() -> Template:
+    return templates().get_template("notice.html")
+
+
+class Answer(RequestHandler):
+    """A handler whose failures are said in a sentence."""
+
+    application: Lecture
+    log_level = logging.INFO
+    """Of the line that a request leaves in the log where nothing is wrong."""
+
+    def set_default_headers(self) -> None:
+        self.clear_header("Server")  # its version is nobody's business
+        self.set_header("Content-Security-Policy", policy(self.settings["frame_ancestors"]))
+        for name, value in SAFE.items():
+            self.set_header(name, value)
+
+    @property
+    def visitor(self) -> str:
+        """The address that the request comes from."""
+        request = self.request
+        forwarded = ",".join(request.headers.get_list("X-Forwarded-For"))
+        return visitor(request.remote_ip or "", forwarded, self.settings["trusted_proxies"])
+
+    def log_exception(self, kind: Any, error: Any, trace: Any) -> None:
+        """Once, without the visitor's address and query; what was refused is in the line of the request."""
+        if not isinstance(error, HTTPError):
+            log.error("%s %s failed", self.request.method, self.request.path, exc_info=(kind, error, trace))
+
+    def write_error(self, status_code: int, **more: Any) -> None:
+        error = more.get("exc_info", (None, None, None))[1]
+        sentence = error.sentence if isinstance(error, RefusedError) else SENTENCES.get(status_code, SENTENCES[400])
+        self.set_header("Cache-Control", "no-store")
+        if isinstance(error, RefusedError) and error.after:
+            self.set_header("Retry-After", str(ceil(error.after)))
+        self.application.metrics.refused.labels(f"request {status_code}").inc()
+        self.finish(notice().render(sentence=sentence))
+
+
+class Visited(Answer):
+    """A handler that answers only to the names that the server goes by."""
+
+    async def prepare(self) -> None:
+        host = self.request.headers.get("Host", "")
+        if not answers_to(host, self.application.websocket_origins):
+            raise RefusedError(
+                403, "This server does not go by that name. Who runs it can name more of them: ALLOWED_ORIGIN."
+            )
+        await super().prepare()  # type: ignore[misc]
+
+
+class Missing(Answer):
+    """Whatever has no address of its own."""
+
+    async def prepare(self) -> None:
+        raise HTTPError(404)
+
+
+class Moved(Answer):
+    """Where the page was, once: to where it is, with the query. Relative, since a proxy may serve it under a path."""
+
+    def initialize(self, to: str) -> None:
+        self.to = to
+
+    def get(self) -> None:
+        query = f"?{self.request.query}" if self.request.query else ""
+        self.redirect(f"{self.to}{query}")
+
+    head = get

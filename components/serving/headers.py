@@ -1,0 +1,36 @@
+"""The headers that tell a browser what a page of ours may do, and what others may do with it."""
+
+from __future__ import annotations
+
+import re
+from base64 import b64encode
+from collections.abc import Iterable
+from functools import lru_cache
+from hashlib import sha256
+
+from jinja2 import Template
+
+SAFE = {
+    "X-Content-Type-Options": "nosniff",
+    "Referrer-Policy": "no-referrer",  # a link carries what its visitor set
+}
+SCRIPT = re.compile(r"<script>(.*?)</script>", re.S)
+
+
+def policy(ancestors: str, scripts: Iterable[str] = ()) -> str:
+    """The Content-Security-Policy of a page with these scripts in it; without any it needs its styles alone.
+
+    One door stays open: BokehJS adds `<style>` elements whose text changes (StyleSheet in bokeh.js), hence
+    'unsafe-inline' for styles.
+    """
+    hashes = " ".join(f"'sha256-{b64encode(sha256(script.encode()).digest()).decode()}'" for script in scripts)
+    parts = ["default-src 'none'", "style-src 'self' 'unsafe-inline'", "img-src 'self' data: blob:"]
+    if hashes:
+        parts += [f"script-src 'self' {hashes}", "connect-src 'self'", "font-src 'self'"]
+    return "; ".join([*parts, "base-uri 'none'", "form-action 'none'", f"frame-ancestors {ancestors}"])
+
+
+@lru_cache(maxsize=4)
+def scripts_of(template: Template) -> tuple[str, ...]:
+    """The scripts that stand in a template itself: found while it knows of no visitor, so nobody can add to them."""
+    return tuple(SCRIPT.findall(template.render()))

@@ -1,0 +1,49 @@
+"""What a proxy, a container engine and Prometheus ask. They ask by address, so any name will do."""
+
+from __future__ import annotations
+
+import logging
+from typing import TYPE_CHECKING
+
+from prometheus_client import CONTENT_TYPE_LATEST
+
+from components.serving.answers import Answer
+
+if TYPE_CHECKING:
+    from components.serving.server import Lecture
+
+
+class Health(Answer):
+    """Asked every few seconds: not worth a line in the log."""
+
+    application: Lecture
+    log_level = logging.DEBUG
+
+    def prepare(self) -> None:
+        self.set_header("Cache-Control", "no-store")
+
+
+class Liveness(Health):
+    """Answers while the event loop turns."""
+
+    def get(self) -> None:
+        self.write({self.request.path: True})
+
+    head = get
+
+
+class Readiness(Health):
+    """Whether new visitors may be sent here: not to a server that is about to end."""
+
+    def get(self) -> None:
+        ready = not self.application.ending
+        self.set_status(200 if ready else 503)
+        self.write({self.request.path: ready})
+
+    head = get
+
+
+class Figures(Health):
+    def get(self) -> None:
+        self.set_header("Content-Type", CONTENT_TYPE_LATEST)
+        self.write(self.application.metrics.text())

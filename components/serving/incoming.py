@@ -1,0 +1,133 @@
+"""What a page may say: checked, while it is decoded, before Bokeh puts together or deserialises any of it.
+
+Bokeh believes what a socket announces: a number of buffers, compressed bytes, arrays of any type, models to be made.
+Our page needs none of that. It asks for the document, says that it is ready, and sends our component's messages:
+a message is three frames (header, metadata, content), a message of ours is JSON in Bokeh's encoding.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Generic, Literal, TypeVar
+
+import msgspec
+from bokeh.protocol.message import Message
+from bokeh.protocol.messages.patch_doc import patch_doc
+from bokeh.protocol.messages.pull_doc_req import pull_doc_req
+from msgspec import Meta, Struct
+
+MOST_BYTES = 64 * 1024
+"""Of one frame, which Tornado holds to, and of one message."""
+
+T = TypeVar("T")
+
+
+class ViolationError(Exception):
+    """What a page of ours does not do; the socket is closed with the code and the reason."""
+
+    def __init__(self, reason: str, code: int = 1008) -> None:
+        super().__init__(reason)
+        self.reason = reason
+        self.code = code
+
+
+class Header(Struct, frozen=True, forbid_unknown_fields=True):
+    msgid: Annotated[str, Meta(min_length=1, max_length=64)]
+    msgtype: Literal["PULL-DOC-REQ", "PATCH-DOC"]
+    num_buffers: Literal[0] = 0
+
+
+class Nothing(Struct, frozen=True, forbid_unknown_fields=True):
+    """The metadata, and the content of a PULL-DOC-REQ."""
+
+
+class NonFinite(Struct, frozen=True, forbid_unknown_fields=True, tag_field="type", tag="number"):
+    """A number that JSON has no word for."""
+
+    value: Literal["nan", "+inf", "-inf"]
+
+
+class Map(Struct, Generic[T], frozen=True, forbid_unknown_fields=True, tag_field="type", tag="map"):
+    entries: list[tuple[str, T]] = []
+
+
+# As deep as our messages go. Types without an end would let a few bytes exhaust the stack of who reads them.
+Level0 = None | bool | int | float | str | NonFinite
+Level1 = Level0 | list[Level0] | Map[Level0]
+Level2 = Level0 | list[Level1] | Map[Level1]
+Level3 = Level0 | list[Level2] | Map[Level2]
+Level4 = Level0 | list[Level3] | Map[Level3]
+Level5 = Level0 | list[Level4] | Map[Level4]
+
+
+class ModelReference(Struct, frozen=True, forbid_unknown_fields=True):
+    id: Annotated[str, Meta(max_length=64)]
+
+
+class Ready(Struct, frozen=True, forbid_unknown_fields=True, tag_field="name", tag="document_ready"):
+    class Values(Struct, frozen=True, forbid_unknown_fields=True, tag_field="type", tag="map"):
+        entries: Annotated[list[None], Meta(max_length=0)] = []
+
+    type: Literal["event"]
+    values: Values
+
+
+class DataEvent(Struct, frozen=True, forbid_unknown_fields=True, tag_field="name", tag="said"):
+    """A message of our component (components/view.py)."""
+
+    class Values(Struct, frozen=True, forbid_unknown_fields=True, tag_field="type", tag="map"):
+        entries: tuple[tuple[Literal["model"], ModelReference], tuple[Literal["data"], Level5]]
+
+    type: Literal["event"]
+    values: Values
+
+
+class Event(Struct, frozen=True, forbid_unknown_fields=True):
+    kind: Literal["MessageSent"]
+    msg_type: Literal["bokeh_event"]
+    msg_data: Ready | DataEvent
+
+
+class Patch(Struct, frozen=True, forbid_unknown_fields=True):
+    events: Annotated[list[Event], Meta(min_length=1, max_length=1)]
+
+    @property
+    def model(self) -> str | None:
+        """The id of the model that is spoken to."""
+        said = self.events[0].msg_data
+        return said.values.entries[0][1].id if isinstance(said, DataEvent) else None
+
+
+class Incoming:
+    """The messages of one socket, frame by frame."""
+
+    def __init__(self) -> None:
+        self._frames: list[str] = []
+
+    def take(self, frame: str | bytes) -> Message[Any] | None:
+        """The message that the frame completes, as Bokeh has it; ViolationError where it is none of ours."""
+        if not isinstance(frame, str):
+            raise ViolationError("Binary frames are not for this page.", 1003)
+        self._frames.append(frame)
+        if sum(map(len, self._frames)) > MOST_BYTES:
+            raise ViolationError("This message is too long.", 1009)
+        if len(self._frames) < 3:
+            return None
+        frames, self._frames = self._frames, []
+        return read(*frames)
+
+
+def read(header_json: str, metadata_json: str, content_json: str) -> Message[Any]:
+    """A message of our page. Bokeh is handed what was decoded here, not the text, which it might read otherwise."""
+    try:
+        header = msgspec.json.decode(header_json, type=Header)
+        msgspec.json.decode(metadata_json, type=Nothing)
+        if header.msgtype == "PULL-DOC-REQ":
+            msgspec.json.decode(content_json, type=Nothing)
+            return pull_doc_req(_plain(header), {}, {})
+        return patch_doc(_plain(header), {}, _plain(msgspec.json.decode(content_json, type=Patch)))
+    except (msgspec.DecodeError, RecursionError) as error:
+        raise ViolationError("This message is none of this page's.") from error
+
+
+def _plain(value: Struct) -> Any:
+    return msgspec.to_builtins(value)

@@ -1,0 +1,58 @@
+"""The log of a server: a line a request, for people or as JSON, of visitors only what was asked for.
+
+Unless LOG_VISITORS says so, no line has an address or what stands in a query; a traceback stands there once.
+"""
+
+from __future__ import annotations
+
+import json
+import logging
+from datetime import UTC, datetime
+from typing import TYPE_CHECKING
+
+from components.refusals import Once
+
+if TYPE_CHECKING:
+    from components.serving.answers import Answer
+
+log = logging.getLogger(__name__)
+
+
+class JsonLines(logging.Formatter):
+    """A record as an object in one line."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        facts: dict[str, object] = {
+            "time": datetime.fromtimestamp(record.created, UTC).isoformat(timespec="milliseconds"),
+            "level": record.levelname,
+            "logger": record.name,
+            "message": record.getMessage(),
+            **getattr(record, "facts", {}),
+        }
+        if record.exc_info:
+            facts["traceback"] = self.formatException(record.exc_info)
+        return json.dumps(facts, ensure_ascii=False)
+
+
+def log_request(handler: Answer) -> None:
+    """In place of Tornado's line, which names address and query."""
+    status, request, visitors = handler.get_status(), handler.request, handler.settings["log_visitors"]
+    level = logging.WARNING if status >= 400 else handler.log_level
+    facts = {"status": status, "method": request.method, "path": request.uri if visitors else request.path}
+    facts |= {"ms": round(1000 * request.request_time(), 1)} | ({"address": handler.visitor} if visitors else {})
+    log.log(level, " ".join(map(str, facts.values())), extra={"facts": facts})
+
+
+def set_up(form: str, visitors: bool) -> None:
+    """Send the log to standard error, as `form`: text or json."""
+    line = JsonLines() if form == "json" else logging.Formatter("%(levelname)s %(asctime)s %(message)s")
+    handler = logging.StreamHandler()
+    handler.setFormatter(line)
+    logging.basicConfig(level=logging.INFO, handlers=[handler])
+    # A warning of NumPy's would otherwise go to stderr, and again after every change of the filters.
+    logging.captureWarnings(True)
+    logging.getLogger("py.warnings").addFilter(Once())
+    # What they note of every session and socket is noise here, and Tornado's warnings name addresses.
+    quiet = {"bokeh": logging.WARNING, "panel": logging.WARNING, "tornado.general": logging.ERROR}
+    for name, level in quiet.items():
+        logging.getLogger(name).setLevel(logging.INFO if visitors else level)

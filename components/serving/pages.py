@@ -1,0 +1,107 @@
+"""The page itself: a new session for each visit, in the shell, with the token that opens it."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from bokeh.application.handlers.handler import Handler
+from bokeh.document import Document
+from bokeh.server.session import ServerSession
+from bokeh.server.views.session_handler import SessionHandler
+from panel.io.state import set_curdoc
+from tornado.web import HTTPError
+
+from components.serving.answers import RefusedError, Visited, templates
+from components.serving.door import ASK_AGAIN, ordinal
+from components.serving.headers import policy, scripts_of
+from components.serving.mended import patch_curdoc
+
+if TYPE_CHECKING:
+    from components.serving.server import Lecture
+
+log = logging.getLogger(__name__)
+
+LONGEST_LINK = 8000
+"""Characters: the query is in the token, and the token in a header of the WebSocket, with room for the others."""
+
+TOO_MANY = "Too many pages were opened from this network within a minute. A moment later this one opens too."
+
+OpenPage = Callable[[Document], None]
+
+
+class Filled(Handler):  # type: ignore[misc]  # Bokeh's are not looked into
+    """Fills the document of a new session. One that fails is left empty: what went wrong is for the log alone."""
+
+    def __init__(self, open_page: OpenPage) -> None:
+        super().__init__()
+        self._open_page = open_page
+
+    def modify_document(self, doc: Document) -> None:
+        # Reconnecting and telling of it are the page's own business.
+        doc.config.update(reconnect_session=False, notifications=None, notify_connection_status=False)
+        try:
+            with patch_curdoc(doc), set_curdoc(doc):
+                self._open_page(doc)
+        except Exception:
+            log.exception("A page could not be opened")
+            doc.clear()
+
+
+class Page(Visited, SessionHandler):  # type: ignore[misc]  # Bokeh's are not looked into
+    """The page of one visitor."""
+
+    application: Lecture
+
+    async def prepare(self) -> None:
+        await super().prepare()
+        if len(self.request.query) > LONGEST_LINK:
+            raise RefusedError(
+                414, f"This link is too long: {LONGEST_LINK} characters are the most after the question mark."
+            )
+        if "Bokeh-Session-Id" in self.request.headers or any(
+            name.startswith("bokeh-") for name in self.request.arguments
+        ):
+            raise RefusedError(403, "A link cannot name a session: each visitor has one of their own.")
+
+    async def get(self) -> None:
+        shown = self.request.arguments.pop("ticket", [b""])[0]  # is between door and visitor, no part of the link
+        place, ticket = self.application.door.knock(shown.decode("latin-1"))
+        if place:
+            self._wait(place, ticket)
+            return
+        if seconds := self.application.arrivals.admit(self.visitor):
+            raise RefusedError(429, TOO_MANY, after=seconds)
+        session = await self.get_session()
+        if not session.document.roots:
+            raise HTTPError(500)
+        self.application.metrics.arrivals.inc()
+        # The token is good for this visit only; a kept page could not connect.
+        scripts = scripts_of(session.document.template)
+        self.set_header("Cache-Control", "no-store")
+        self.set_header("Content-Security-Policy", policy(self.settings["frame_ancestors"], scripts))
+        self.write(page_of(session))
+
+    def _wait(self, place: int, ticket: str) -> None:
+        """A page that needs no session, and asks again by itself."""
+        parts = [part for part in self.request.query.split("&") if part and not part.startswith("ticket=")]
+        page = templates().get_template("waiting.html", globals={"seconds": ASK_AGAIN})
+        self.application.metrics.refused.labels("full").inc()
+        self.set_status(503)
+        self.set_header("Retry-After", str(ASK_AGAIN))
+        self.set_header("Cache-Control", "no-store")
+        self.set_header("Content-Security-Policy", policy(self.settings["frame_ancestors"], scripts_of(page)))
+        address = "?" + "&".join([*parts, f"ticket={ticket}"])
+        places = self.application.door.places
+        self.write(page.render(places=places, place=ordinal(place), address=address))
+
+    def head(self) -> None:
+        """A page is there: seeing that needs no session."""
+
+
+def page_of(session: ServerSession) -> str:
+    """The page's HTML, with the first picture and the token that opens the session in it."""
+    variables = session.document.template_variables
+    html: str = session.document.template.render(token=session.token, data=variables["opening"](), **variables)
+    return html

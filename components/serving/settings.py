@@ -1,0 +1,158 @@
+"""The settings of a server: environment variables and options of the same names, checked once, before the start."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from secrets import token_urlsafe
+from typing import Annotated, Any, Literal, get_type_hints
+
+import msgspec
+from bokeh.server.util import create_hosts_allowlist
+from msgspec import Meta
+
+from components.serving.visitors import networks
+
+SECRET = "bokeh_secret_key"
+"""The one that is no option: every user of a machine can read the command line of a process."""
+SECRET_FILE = "BOKEH_SECRET_KEY_FILE"
+"""The variable with the path of a file that has the secret in it."""
+LISTS = ("allowed_origin", "trusted_proxies")
+
+
+class Settings(msgspec.Struct, frozen=True, kw_only=True):
+    """How one process serves the lecture. The description of each field says what is allowed."""
+
+    address: Annotated[str, Meta(description="the address to listen at, 0.0.0.0 for all of this machine's")] = (
+        "localhost"
+    )
+    port: Annotated[int, Meta(ge=0, le=65535, description="a port from 1 to 65535, or 0 for any that is free")] = 5006
+    allowed_origin: Annotated[
+        tuple[str, ...],
+        Meta(description="the names that visitors know the server by, as host or host:port, with commas between them"),
+    ] = ()
+    bokeh_secret_key: Annotated[
+        str, Meta(min_length=16, description="at least 16 characters, the same for all replicas")
+    ] = msgspec.field(default_factory=token_urlsafe)
+    trusted_proxies: Annotated[
+        tuple[str, ...],
+        Meta(
+            description="the addresses and networks of the proxies whose word on where a visitor comes from is taken, "
+            "as 10.0.0.2 or 10.0.0.0/24, with commas between them"
+        ),
+    ] = ()
+    frame_ancestors: Annotated[
+        str,
+        Meta(
+            pattern=r"^(('self'|'none'|\*|https?://[\w.:*-]+)( +|$))+$",
+            description="whose frames may show the page: * for anybody's, 'self', 'none', or https://course.example "
+            "and more with spaces between them",
+        ),
+    ] = "*"
+    sessions: Annotated[
+        int, Meta(ge=1, le=100_000, description="visitors at once, 1 to 100000; the next ones wait in a line")
+    ] = 1000
+    arrivals: Annotated[
+        int,
+        Meta(ge=1, le=1_000_000, description="pages that one network may open in a minute, 1 to 1000000"),
+    ] = 600
+    unused_seconds: Annotated[
+        float, Meta(gt=0, le=86400, description="seconds, above 0 to 86400, that a session waits for its visitor")
+    ] = 30.0
+    notice_seconds: Annotated[
+        float,
+        Meta(ge=0, le=8, description="seconds, 0 to 8, between being not ready and sending visitors away at the end"),
+    ] = 0.0
+    log_format: Annotated[Literal["text", "json"], Meta(description="text for people, json for programs")] = "text"
+    log_visitors: Annotated[
+        bool, Meta(description="true writes visitors' addresses and links into the log, false does not")
+    ] = False
+    walks: Annotated[str, Meta(description="a folder of more guided walks, none where empty")] = ""
+    show: Annotated[bool, Meta(description="true opens the page in a browser, false does not")] = False
+
+    def hosts(self, port: int) -> list[str]:
+        """The names that pages may come from, as host:port; by default this machine's own."""
+        known: list[str] = create_hosts_allowlist(
+            self.allowed_origin or (f"localhost:{port}", f"127.0.0.1:{port}"), port
+        )
+        return known
+
+
+PLAIN = Settings()
+HINTS: Mapping[str, Any] = get_type_hints(Settings, include_extras=True)
+
+
+def read_settings(arguments: Sequence[str], environment: Mapping[str, str]) -> Settings:
+    """The settings that a command line and an environment ask for; an option wins, an empty variable is not given.
+
+    ValueError, in a sentence, for a value that is not allowed.
+    """
+    given = {name: environment[name.upper()] for name in HINTS if environment.get(name.upper())}
+    if (path := environment.get(SECRET_FILE)) and SECRET not in given:
+        given[SECRET] = _secret_in(path)
+    given |= {name: text for name, text in vars(_options().parse_args(arguments)).items() if text is not None}
+    settings = Settings(**{name: _converted(name, text) for name, text in given.items()})
+    for name, check in (
+        ("allowed_origin", lambda: settings.hosts(settings.port)),
+        ("trusted_proxies", lambda: networks(settings.trusted_proxies)),
+    ):
+        try:
+            check()
+        except ValueError as error:
+            raise ValueError(_refusal(name, given[name])) from error
+    return settings
+
+
+def _secret_in(path: str) -> str:
+    """The secret in a file, which is how container engines hand one over."""
+    try:
+        return Path(path).read_text(encoding="utf-8").strip()
+    except (OSError, UnicodeDecodeError) as error:
+        raise ValueError(f"{SECRET_FILE} names “{path}”, which cannot be read.") from error
+
+
+def table() -> str:
+    """The settings with what is theirs by default, in Markdown."""
+    rows = [f"| `{name.upper()}` | {_default(name)} | {describe(name)} |" for name in HINTS]
+    return "\n".join(["| setting | default | |", "|---|---|---|", *rows])
+
+
+def _default(name: str) -> str:
+    if name == SECRET:
+        return "made at start"
+    value = getattr(PLAIN, name)
+    if name in LISTS:
+        return "this machine" if name == "allowed_origin" else "none"
+    return f"{value:g}" if isinstance(value, float) else str(value).lower()
+
+
+def describe(name: str) -> str:
+    """What is allowed as the value of a setting."""
+    (meta,) = HINTS[name].__metadata__
+    return str(meta.description)
+
+
+def _options() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="python -m components.serving",
+        description="Serves the lecture. Each option can be given as an environment variable too: PORT for --port.",
+    )
+    for name in HINTS:
+        if name != SECRET:
+            flag = {"nargs": "?", "const": "true"} if isinstance(getattr(PLAIN, name), bool) else {}
+            parser.add_argument(f"--{name.replace('_', '-')}", help=describe(name), **flag)  # type: ignore[arg-type]
+    return parser
+
+
+def _converted(name: str, text: str) -> Any:
+    value: object = [part.strip() for part in text.split(",")] if name in LISTS else text
+    try:
+        return msgspec.convert(value, HINTS[name], strict=False)
+    except msgspec.ValidationError as error:
+        raise ValueError(_refusal(name, text)) from error
+
+
+def _refusal(name: str, text: str) -> str:
+    shown = "not what it should be" if name == SECRET else f"“{text}”"
+    return f"{name.upper()} is {shown}. Allowed: {describe(name)}."

@@ -1,0 +1,134 @@
+"""The WebSocket of a page: what comes in is checked, waits its turn in a short queue, and is answered one by one."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections import deque
+from contextlib import suppress
+from time import monotonic
+from typing import TYPE_CHECKING, Any
+
+from bokeh.core.serialization import UnknownReferenceError
+from bokeh.protocol.message import Message
+from bokeh.protocol.messages.patch_doc import patch_doc
+from bokeh.protocol.messages.pull_doc_req import pull_doc_req
+from bokeh.server.session import ServerSession
+from bokeh.server.views.ws import WSHandler
+from tornado.websocket import WebSocketClosedError
+
+from components.serving.answers import RefusedError, Visited
+from components.serving.incoming import Incoming, ViolationError
+from components.serving.tokens import opens_session
+
+if TYPE_CHECKING:
+    from components.serving.server import Lecture
+
+log = logging.getLogger(__name__)
+
+MOST_WAITING = 8
+"""Messages that may wait. The page has one in flight at a time; a queue that its visitor has left is dropped."""
+MOST_MISSED = 2
+"""Pings that may go without an answer."""
+
+
+class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looked into
+    """In place of Bokeh's, which assembles and deserialises whatever is announced to it."""
+
+    application: Lecture
+
+    def __init__(self, *args: Any, **kwargs: Any) -> None:
+        super().__init__(*args, **kwargs)
+        self._incoming = Incoming()
+        self._waiting: deque[tuple[float, Message[Any]]] = deque()
+        self._work: asyncio.Task[None] | None = None
+        self._missed = 0
+        self.gone = asyncio.Event()
+
+    async def prepare(self) -> None:
+        await super().prepare()
+        name, _, token = self.request.headers.get("Sec-WebSocket-Protocol", "").partition(",")
+        if name.strip() != "bokeh" or not opens_session(token.strip(), self.application.secret_key):
+            raise RefusedError(403, "This page is no longer known here; open it anew.")
+
+    def check_origin(self, origin: str) -> bool:
+        """Tornado asks where the page is not from the host that it connects to."""
+        return self.application.goes_by(origin)
+
+    def open(self, *args: str, **kwargs: str) -> None:
+        self.application.sockets.add(self)
+        # An answer is several small frames. By default TCP holds the later ones back until the browser has acknowledged
+        # the first, which it delays by up to 40 ms.
+        self.set_nodelay(True)
+        super().open()
+
+    async def _async_open(self, token: str) -> None:
+        """Bokeh's opening, of which it is not certain that the visitor is still there when it is done."""
+        await super()._async_open(token)
+        assert self.connection is not None
+        if self.gone.is_set():
+            self.application.client_lost(self.connection)
+        elif not self.connection.session.document.roots:
+            self.drop(1011, "This page could not be opened.")
+
+    def on_message(self, frame: str | bytes) -> None:
+        """Read on at once, whatever waits: so the end of a flood is seen when it comes."""
+        if self.ws_connection is None or self.ws_connection.is_closing():
+            return
+        try:
+            if message := self._incoming.take(frame):
+                self._admit(message)
+        except ViolationError as violation:
+            log.warning("A socket is closed: %s", violation.reason)
+            self.application.metrics.refused.labels(f"socket {violation.code}").inc()
+            self.drop(violation.code, violation.reason)
+
+    def on_close(self) -> None:
+        self.gone.set()
+        self._waiting.clear()
+        self.application.sockets.discard(self)
+        super().on_close()
+
+    def drop(self, code: int, reason: str) -> None:
+        self._waiting.clear()
+        self.close(code, reason)
+
+    def pulse(self) -> None:
+        """Ask whether the visitor is still there; called at intervals."""
+        if self._missed == MOST_MISSED:
+            self.drop(1001, "No answer to two pings.")
+            return
+        self._missed += 1
+        with suppress(WebSocketClosedError):  # on_close is about to be called
+            self.ping(b"")
+
+    def on_pong(self, data: bytes) -> None:
+        self._missed = 0
+
+    def _admit(self, message: Message[Any]) -> None:
+        if self.connection is None:
+            raise ViolationError("A page waits until it is welcomed.")
+        if len(self._waiting) == MOST_WAITING:
+            raise ViolationError("Too many messages at once: a page waits for the answer to its last.")
+        self._waiting.append((monotonic(), message))
+        if self._work is None:
+            self._work = asyncio.create_task(self._work_off())
+
+    async def _work_off(self) -> None:
+        while self._waiting:
+            arrived, message = self._waiting.popleft()
+            await self._answer(message)
+            if isinstance(message, patch_doc):
+                self.application.metrics.change.observe(monotonic() - arrived)
+        self._work = None
+
+    async def _answer(self, message: Message[Any]) -> None:
+        handle = ServerSession.pull if isinstance(message, pull_doc_req) else ServerSession.patch
+        try:
+            if answer := await handle(message, self.connection):
+                await self.send_message(answer)
+        except UnknownReferenceError:
+            self.drop(1008, "This message speaks of something that is not on the page.")
+        except Exception:
+            log.exception("A message could not be answered")
+            self.drop(1011, "Something went wrong here, and has been noted.")

@@ -1,0 +1,26 @@
+"""The token of a page, which opens its session: made by Bokeh, believed only where our secret has signed it."""
+
+from __future__ import annotations
+
+import hmac
+import time
+from base64 import urlsafe_b64encode
+
+from bokeh.util.token import check_token_signature, get_token_payload
+
+
+def opens_session(token: str, secret: bytes) -> bool:
+    """Whether the token was signed with the secret, for a session of ours, and has not expired.
+
+    Nothing of a token is decoded before its signature is known to be good: what a stranger writes there may be
+    anything.
+    """
+    text, _, signature = token.partition(".")
+    expected = urlsafe_b64encode(hmac.digest(secret, text.encode(), "sha256")).rstrip(b"=")
+    if not hmac.compare_digest(expected, signature.encode()):
+        return False
+    try:
+        expiry: float = get_token_payload(token)["session_expiry"]
+        return check_token_signature(token, secret_key=secret, signed=True) and time.time() < expiry
+    except (ValueError, KeyError, TypeError):  # a session's id, which is signed as tokens are
+        return False

@@ -1,0 +1,258 @@
+"""One visitor's page: a scene, what it is told, and what it answers. It knows neither Panel nor sockets."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+from msgspec.structs import replace
+
+from components.about import About, about_numbers
+from components.controls import settings
+from components.covers import checked_covers, coverable, refused_covers, without
+from components.deeds import Deed, Errors, apply, sentence
+from components.description import column_axes, sheet_address, usual
+from components.frames import checked
+from components.numbers import excerpt
+from components.page.messages import AskAbout, AskCsv, Given, Open, RunWalk, Said, SetValues, Shown, Taught, Walking
+from components.page.picture import View
+from components.page.state import State
+from components.refusals import LINK_LOST, SORRY, report
+from components.running import Later
+from components.scene import Picture, Scene
+from components.sent import view_of
+from components.states import state_of, values_in
+from components.take import as_file
+from components.url import Link, step_query, write_query
+from components.walks import Walks
+from components.walks.cards import walk_sheet
+from components.walks.judging import lesson_of
+from components.walks.registry import read_own
+from components.wire import Packet, decoded, packed
+
+MOST_MESSAGES = 2**53
+"""Messages are numbered below this; beyond it a browser counts no further."""
+
+Send = Callable[[Packet], None]
+
+
+class Session:
+    """Holds the scene that a visitor sees; `send` takes what the browser is told, packed; `scenes` are those that the
+    session can be put into.
+
+    `later` runs a function under the page's own lock: for what comes from another thread.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        problems: tuple[str, ...] = (),
+        *,
+        scenes: Mapping[str, type[Scene]] | None = None,
+        covered: tuple[str, ...] = (),
+        walks: Walks | None = None,
+        step: str = "",
+    ) -> None:
+        self.scene = scene
+        self.scenes = scenes or {}
+        self.walks: Walks = walks or {}
+        self.send: Send = lambda packet: None
+        self._errors: Errors = {}
+        self._problems = problems
+        self._answering = False
+        self._last: int | None = None
+        self._kept = State(scene=scene.slug, covered=covered, step=step)
+        self.later: Later = lambda act: act()
+        self._take_up(scene)
+
+    def close(self) -> None:
+        """The visitor has left."""
+        if self.scene.running:
+            self.scene.running.close()
+
+    def opening(self) -> Packet:
+        """The page as it is shown first, with what was refused of its link."""
+        return self._packed(problems=self._problems)
+
+    def hear(self, data: object) -> None:
+        """Do what the visitor asks and answer, whatever happens: the browser waits for the answer.
+
+        What comes need not be what our page sends; its number goes back only where it is one.
+        """
+        number = data.get("number") if isinstance(data, dict) else None
+        answer = number if isinstance(number, int) and 0 <= number < MOST_MESSAGES else None
+        scene, kept, back = self.scene, self._kept, self.scene.way_back()
+        try:
+            reply = self._heard(data, answer)
+        except Exception as error:
+            report(error)
+            self.scene, self._kept = scene, kept
+            back()
+            self._errors = {}
+            reply = self._packed(answer, (SORRY,))
+        self.send(reply)
+
+    def _heard(self, data: object, answer: int | None) -> Packet:
+        try:
+            said = decoded(data)
+        except ValueError as refusal:
+            self._errors = {"message": excerpt(str(refusal), 200)}
+            return self._packed(answer)
+        return self._reply(said, answer)
+
+    def _reply(self, said: Said, answer: int | None) -> Packet:
+        """What a message asks for, done and told; one that comes again is told only: its first answer was lost."""
+        match said:
+            case AskCsv(page=page):
+                return packed(as_file(self.scene, self.picture, page, answer))
+            case AskAbout():
+                return packed(about_numbers(self._about, answer))
+            case Given():
+                return packed(self._judged(said, answer))
+            case RunWalk():
+                return packed(self._walking(said, answer))
+        if answer is not None and answer == self._last:
+            return self._packed(answer)
+        self._last = answer
+        self._answering = True
+        try:
+            self._errors = self._open(said.state) if isinstance(said, Open) else self._applied(said)
+        finally:
+            self._answering = False
+        return self._packed(answer)
+
+    def _applied(self, deed: Deed) -> Errors:
+        """What a deed does; when a hand lets go, the frame grows where it must."""
+        scene, held, shown = self.scene, self.scene.held, self.scene.shown
+        scene.held = isinstance(deed, SetValues) and deed.holding
+        errors = apply(scene, deed)
+        if held and not scene.held and scene.shown is shown:
+            scene.redraw()
+        return errors
+
+    def _judged(self, given: Given, answer: int | None) -> Taught:
+        """What a step teaches and what is said of its answer, which is forgotten here."""
+        steps = self.walks[given.walk].steps if given.walk in self.walks else ()
+        step = next((step for step in steps if step.id == given.step), None)
+        try:
+            if step is None:
+                raise ValueError(f"There is no step “{excerpt(given.step)}” in the walk “{excerpt(given.walk)}”.")
+            lesson, refused = lesson_of(step, given, self.scenes), ""
+        except ValueError as reason:
+            lesson, refused = None, str(reason)
+        return Taught(answer=answer, walk=given.walk, step=given.step, lesson=lesson, refused=refused)
+
+    def _walking(self, said: RunWalk, answer: int | None) -> Walking:
+        """A walk of the visitor's own, which this session alone knows."""
+        try:
+            walk = read_own(said.text, said.name, self.walks, self.scenes)
+        except ValueError as reason:
+            return Walking(answer=answer, sheet=None, refused=str(reason))
+        self.walks = {**self.walks, walk.name: walk}
+        return Walking(answer=answer, sheet=walk_sheet(walk, self.scenes))
+
+    def _about(self) -> About | None:
+        if self._kept.covered:
+            raise ValueError("they would give away what is covered")
+        return self.scene.about()
+
+    def _open(self, state: State) -> Errors:
+        """Put the session into a state, in one batch, whole or not at all."""
+        if state.scene not in self.scenes:
+            return {"state": f"“{excerpt(state.scene)}” is not a scene. Still drawn as before."}
+        scene = self.scene if state.scene == self.scene.slug else self.scenes[state.scene]()
+        try:
+            values, frame = values_in(type(scene), state), state.frame and checked(state.frame)
+        except ValueError as refusal:
+            return {"state": f"{refusal} Still drawn as before."}
+        back = scene.way_back()
+        try:
+            scene.open(values, frame)
+            covered = checked_covers(type(scene), scene.shown, state.covered)
+        except ValueError as error:
+            back()
+            return {"state": f"{sentence(error)} Still drawn as before."}
+        if scene is not self.scene:
+            self._change_to(scene)
+        self._kept = State(scene=state.scene, held=state.held, covered=covered, step=state.step)
+        return {}
+
+    @property
+    def state(self) -> State:
+        """What the page stands for: the scene, and what the session keeps beside it."""
+        kept = self._kept
+        return replace(state_of(self.scene), held=kept.held, covered=kept.covered, step=kept.step)
+
+    @property
+    def picture(self) -> Picture:
+        """What is shown, without what is covered."""
+        return without(type(self.scene), self.scene.shown, self._kept.covered)[0]
+
+    def _change_to(self, scene: Scene) -> None:
+        self.close()
+        self._take_up(scene)
+
+    def _take_up(self, scene: Scene) -> None:
+        self.scene = scene
+        scene.keep_frame()
+        scene.on_picture(self._tell)
+        if scene.running:
+            scene.running.later = lambda act: self.later(act)
+
+    def _tell(self, picture: Picture) -> None:
+        """A change that no message of this page has asked for is sent at once; the others are with the answer, and a
+        scene that the visitor has left says nothing."""
+        if not self._answering and picture is self.scene.shown:
+            self.send(self._packed())
+
+    def _packed(self, answer: int | None = None, problems: tuple[str, ...] = ()) -> Packet:
+        shown, left_out = without(type(self.scene), self.scene.shown, self._kept.covered)
+        scene = type(self.scene)
+        view, numbers = view_of(shown, column_axes(scene), left_out)
+        told = self.shown(view, answer, problems)
+        return packed(told, numbers, sheet=told.sheet, usual=usual(scene))
+
+    def shown(self, view: View, answer: int | None = None, problems: tuple[str, ...] = ()) -> Shown:
+        """All that the browser needs to show the scene as it now is."""
+        scene = self.scene
+        return Shown(
+            answer=answer,
+            scene=scene.slug,
+            sheet=sheet_address(type(scene)),
+            view=view,
+            settings=settings(scene, scene.units(), scene.shown.spans),
+            state=self.state,
+            preset=scene.preset(),
+            here=tuple(scene.here()),
+            errors=self._errors,
+            problems=problems,
+            query=step_query(self._kept.step) if self._kept.step else write_query(scene, self._kept.covered),
+            progress=scene.running.progress if scene.running else None,
+        )
+
+
+def opened(scenes: Mapping[str, type[Scene]], link: Link, walks: Walks | None = None, step: str = "") -> Session:
+    """The page of a link: where its values cannot be shown, the scene as it is without them, and why."""
+    scene, problems = scenes[link.slug](), list(link.problems)
+    back = scene.way_back()
+    try:
+        problems += _refused(scene, link)
+        covered = [cover for cover in link.covered if cover in coverable(type(scene), scene.shown)]
+        session = Session(scene, tuple(problems), scenes=scenes, covered=tuple(covered), walks=walks, step=step)
+        session.opening()
+    except Exception as error:
+        report(error)
+        back()
+        return Session(scene, (*problems, LINK_LOST), scenes=scenes, walks=walks)
+    return session
+
+
+def _refused(scene: Scene, link: Link) -> Iterator[str]:
+    """Puts the scene where the link wants it; what of that cannot be, in words."""
+    try:
+        scene.open(link.values, link.frame)
+    except ValueError as reason:
+        yield f"{sentence(reason)} The link's parameters were not used."
+    for name in link.frame.ranges if link.frame else ():
+        if name not in scene.shown.axes:
+            yield f"frame.{excerpt(name)}: “{excerpt(name)}” is not an axis of this picture."
+    yield from refused_covers(type(scene), scene.shown, link.covered)

@@ -1,0 +1,145 @@
+"""What a visitor takes away: the numbers of all plots as CSV, with the link, parameters and equations behind them."""
+
+from __future__ import annotations
+
+import csv
+import io
+import zipfile
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from itertools import chain
+from urllib.parse import quote
+
+from components.axes import Axis
+from components.choices import word
+from components.description import column_axes, plots
+from components.numbers import shortest
+from components.page.messages import File
+from components.parameters import Quantity
+from components.scene import Picture, Scene
+from components.traces import Columns
+from components.url import write_query
+
+READING = "SI units, those of a column in brackets after its name; every digit of the doubles"
+SI = {"ft": "m", "ft/s": "m/s", "knots": "m/s", "km/h": "m/s", "mm": "m", "°": "rad", "%": ""}
+"""Of units that axes count in though columns do not, what the columns are in."""
+
+
+@dataclass(frozen=True)
+class CsvTable:
+    """Rows under the names of their columns."""
+
+    name: str
+    head: tuple[str, ...]
+    rows: list[tuple[object, ...]]
+
+
+def as_file(scene: Scene, picture: Picture, page: str = "", answer: int | None = None) -> File:
+    """The numbers of all plots that are seen, a table a file; several are packed. `page` is its address."""
+    head = comments(scene, picture, page)
+    found = tables(type(scene), picture)
+    if len(found) < 2:
+        content = as_csv(found[0], head) if found else _noted(head).encode("ascii")
+        return File(name=f"{scene.slug}.csv", kind="text/csv", content=content, answer=answer)
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as files:
+        for table in found:
+            files.writestr(zipfile.ZipInfo(f"{scene.slug}-{table.name}.csv"), as_csv(table, head))
+    return File(name=f"{scene.slug}.zip", kind="application/zip", content=packed.getvalue(), answer=answer)
+
+
+def as_csv(table: CsvTable, head: Iterable[str]) -> bytes:
+    """One table, unrounded, under lines that begin with #. All is ASCII and no comment has a comma or a quotation mark:
+    a spreadsheet, which knows of no comments, shows each in one cell."""
+    text = io.StringIO(newline="")
+    text.write(_noted(head))
+    writer = csv.writer(text)
+    writer.writerow(table.head)
+    writer.writerows(table.rows)
+    return text.getvalue().encode("ascii")
+
+
+def _noted(head: Iterable[str]) -> str:
+    return "".join(f"# {line}\r\n" for line in head)
+
+
+def comments(scene: Scene, picture: Picture, page: str = "") -> list[str]:
+    """What the numbers belong to: the link, the parameters, the equations, the plots."""
+    link = quote(page, safe=":/[]@!$&'()*+;=%") + "?" + write_query(scene).replace(",", "%2C")
+    title = f"Oscillations: {scene.title}: {scene.headline}"
+    lines = [title, link, *_parameters(scene), *scene.equations, *_plots(type(scene), picture), READING]
+    return [in_ascii(line).replace(",", ";").replace('"', "'") for line in lines]
+
+
+def _parameters(scene: Scene) -> Iterator[str]:
+    for name, parameter in scene.linked().items():
+        value = getattr(scene, name)
+        if isinstance(parameter, Quantity):
+            if value is not None:
+                yield f"{name} = {shortest(value)} {parameter.unit}".rstrip()
+        elif not isinstance(value, list):
+            yield f"{name} = {word(value)}"
+
+
+def _plots(scene: type[Scene], picture: Picture) -> Iterator[str]:
+    """What the columns of each plot are; the edges of a stack are explained by its layers."""
+    for plot in plots(scene):
+        curves = [
+            c for c in plot.curves if plot.y in picture.axes and len(picture.columns.get(c.source, {}).get(c.y, ()))
+        ]
+        layers = [r for r in plot.regions if r.read and len(picture.columns.get(r.source, {}).get(r.high, ()))]
+        names = [*dict.fromkeys(curve.y for curve in curves)]
+        names += [f"{layer.read} = {layer.high} - {layer.low}" for layer in layers]
+        if names:
+            yield f"{', '.join(names)}: {plot.title}"
+
+
+def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
+    """The columns of all sources that are drawn. Sources with the same columns are pieces of one table, whose first
+    column says which."""
+    pieces: dict[tuple[str, ...], dict[str, Columns]] = {}
+    for source, columns in picture.columns.items():
+        drawn = _drawn(scene, picture, source, columns)
+        if drawn:
+            pieces.setdefault(tuple(drawn), {})[source] = columns
+    return [_table(scene, picture, names, sources) for names, sources in pieces.items()]
+
+
+def _drawn(scene: type[Scene], picture: Picture, source: str, columns: Columns) -> list[str]:
+    axes = column_axes(scene).get(source, {})
+    found = [name for name, column in columns.items() if len(column) and axes.get(name) in picture.axes]
+    # A path in a plane has its times beside it, though no axis shows them.
+    return ["t", *found] if found and "t" in columns and "t" not in found else found
+
+
+def _table(scene: type[Scene], picture: Picture, names: tuple[str, ...], sources: dict[str, Columns]) -> CsvTable:
+    first = next(iter(sources))
+    axes = {name: picture.axes.get(axis) for name, axis in column_axes(scene)[first].items()}
+    head = tuple(f"{name} [{unit}]" if (unit := _unit(axes.get(name))) else name for name in names)
+    bodies = {
+        source: zip(*(columns[name].tolist() for name in names), strict=True) for source, columns in sources.items()
+    }
+    if len(sources) == 1:
+        return CsvTable(first, head, list(bodies[first]))
+    rows = chain.from_iterable(((source, *row) for row in body) for source, body in bodies.items())
+    return CsvTable("-".join(names[1:]), ("curve", *head), list(rows))
+
+
+def _unit(axis: Axis | None) -> str:
+    """The unit of a column in SI, whatever the axis counts in; without an axis it is a time."""
+    if axis is None:
+        return "s"
+    prefixed = axis.exponent and not axis.suffix
+    unit = SI[axis.unit] if axis.factor != 1 or prefixed else axis.unit
+    return in_ascii(unit.removeprefix("(").removesuffix(")²") if axis.power == 2 else unit)
+
+
+_ASCII = str.maketrans({
+    "²": "^2", "³": "^3", "₀": "_0", "₁": "1", "₂": "2", "√": "sqrt", "°": "deg", "·": " ", "−": "-", "′": "'",
+    "½": "1/2",
+})  # fmt: skip
+
+
+def in_ascii(text: str) -> str:
+    """The same in letters that every program reads."""
+    return text.translate(_ASCII)

@@ -1,0 +1,65 @@
+"""What the browser must know of a walk before its questions are answered: an immutable file, as a scene's sheet is."""
+
+from __future__ import annotations
+
+import re
+from hashlib import sha256
+
+import msgspec
+
+from components.page.walk import StepCard, WalkSheet
+from components.text import rich
+from components.walks.links import Scenes, answer_state, opening_state
+from components.walks.types import ChoiceStep, NumericStep, PointStep, SketchStep, Step, Walk, kind_of, minutes_of
+
+SENTENCE = re.compile(r"(?<=[.?!]) (?=[A-ZΑ-Ω*√½\"“])")
+ASKS = re.compile(r"\?$|^(Sketch|Mark)\b")
+
+
+def walk_sheet(walk: Walk, scenes: Scenes) -> WalkSheet:
+    return WalkSheet(
+        name=walk.name, title=walk.title, steps=tuple(_card(walk.name, step, scenes) for step in walk.steps)
+    )
+
+
+def walk_file(walk: Walk, scenes: Scenes) -> tuple[str, bytes]:
+    """The sheet of a walk as the browser reads it, under an address with the hash of what it says."""
+    content = msgspec.json.encode(walk_sheet(walk, scenes))
+    return f"walks/{walk.name}.{sha256(content).hexdigest()[:16]}.json", content
+
+
+def _card(walk: str, step: Step, scenes: Scenes) -> StepCard:
+    given, question = parted(step.question)
+    opens = opening_state(walk, step, scenes)
+    return StepCard(
+        id=step.id,
+        kind=kind_of(step),  # type: ignore[arg-type]  # the tags of the steps are these words
+        place=place_in_lecture(step.slides),
+        scene=scenes[opens.scene].title,
+        given=rich(given),
+        question=rich(question),
+        minutes=minutes_of(step),
+        opens=opens,
+        reveals=answer_state(walk, step, scenes),
+        controls=step.controls,
+        options=tuple(rich(option.text) for option in step.options) if isinstance(step, ChoiceStep) else (),
+        unit=step.answer.unit if isinstance(step, NumericStep) else "",
+        plot=step.plot if isinstance(step, (PointStep, SketchStep)) else "",
+        axis=step.which if isinstance(step, PointStep) else "",
+        curves=step.curves if isinstance(step, SketchStep) else (),
+    )
+
+
+def parted(question: str) -> tuple[str, str]:
+    """What is given, and what is asked: from the first sentence that asks to the end."""
+    sentences = SENTENCE.split(question)
+    first = next((i for i, sentence in enumerate(sentences) if ASKS.search(sentence)), 0)
+    return " ".join(sentences[:first]), " ".join(sentences[first:])
+
+
+def place_in_lecture(slides: tuple[str, ...]) -> str:
+    """Where it is in the lecture: "D34, slide 8"."""
+    if not slides:
+        return ""
+    lecture, _, page = slides[0].partition("-")
+    return f"{lecture}, notes {page[1:]}" if page.startswith("N") else f"{lecture}, slide {page}"

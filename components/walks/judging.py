@@ -1,0 +1,83 @@
+"""What is said of an answer, and what its step then teaches."""
+
+from __future__ import annotations
+
+from typing import TypedDict
+
+from msgspec.structs import replace
+
+from components.numbers import parse_number, three
+from components.page.messages import Given
+from components.page.walk import Lesson, Verdict
+from components.text import mathml, rich
+from components.walks.curves import axes_of, number_at, place_of, true_curves
+from components.walks.findings import findings
+from components.walks.links import Scenes, scene_at
+from components.walks.types import ChoiceStep, NumberStep, NumericStep, PointStep, SketchStep, Step
+
+
+class Judgement(TypedDict, total=False):
+    """The fields of a lesson that depend on the answer."""
+
+    right: bool | None
+    reply: str
+    truth: str
+
+
+def lesson_of(step: Step, given: Given, scenes: Scenes) -> Lesson:
+    """The lesson with what is said of the answer; ValueError, in words, for what is no answer to such a question."""
+    lesson = Lesson(
+        title=rich(step.title),
+        explain=rich(step.explain),
+        follows=tuple(map(mathml, step.equations)),
+        next=rich(step.next),
+    )
+    match step:
+        case ChoiceStep():
+            return _chosen(step, given.option, lesson)
+        case NumberStep():
+            return replace(lesson, **_numeric(step, parse_number(given.text) if given.text.strip() else None))
+        case PointStep():
+            return _marked(step, given.value, lesson, scenes)
+    return _sketched(step, given, lesson, scenes)
+
+
+def _chosen(step: ChoiceStep, option: int | None, lesson: Lesson) -> Lesson:
+    if option is not None and not 0 <= option < len(step.options):
+        raise ValueError(f"This question has {len(step.options)} answers.")
+    verdicts = tuple(Verdict(right=one.right, reply=rich(one.reply)) for one in step.options)
+    return replace(lesson, verdicts=verdicts, right=None if option is None else step.options[option].right)
+
+
+def _numeric(step: NumericStep, value: float | None) -> Judgement:
+    unit = step.answer.unit
+    gap = " " if unit and unit != "°" else ""
+    truth = " or ".join(f"{three(one)}{gap}{unit}" for one in step.answer.value)
+    if value is None:
+        return {"truth": truth}
+    right = any(abs(value - one) <= step.answer.tol for one in step.answer.value)
+    hit = [] if right else [miss.reply for miss in step.misses if abs(value - miss.value) <= step.answer.tol]
+    return {"truth": truth, "right": right, "reply": rich(hit[0]) if hit else ""}
+
+
+def _marked(step: PointStep, place: float | None, lesson: Lesson, scenes: Scenes) -> Lesson:
+    field = axes_of(scene_at(step.state, scenes), step.plot)
+    axis = field.x if step.which == "x" else field.y
+    places = tuple(place_of(axis, one) for one in step.answer.value)
+    return replace(lesson, places=places, **_numeric(step, None if place is None else number_at(axis, place)))
+
+
+def _sketched(step: SketchStep, given: Given, lesson: Lesson, scenes: Scenes) -> Lesson:
+    scene = scene_at(step.state, scenes)
+    field = axes_of(scene, step.plot)
+    found = findings(step, field.drawn(given.curves, step.curves), true_curves(step, scene), field)
+    if not any(given.curves.values()):
+        return replace(lesson, findings=found)
+    missed = {str(feature.__struct_config__.tag) for feature, one in zip(step.must, found, strict=True) if not one.has}
+    return replace(lesson, findings=found, right=not missed, reply=_reply(step, missed))
+
+
+def _reply(step: SketchStep, missed: set[str]) -> str:
+    """The sentence of that wrong sketch which fails most of what this one fails."""
+    alike = [wrong for wrong in step.wrong if missed.issuperset(wrong.fails)]
+    return rich(max(alike, key=lambda wrong: len(wrong.fails)).reply) if alike else ""

@@ -1,0 +1,117 @@
+"""Walks from their files: TOML, decoded by types; a complaint names the file, the step and the field."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from components.numbers import excerpt
+from components.walks.types import Step, Walk
+
+OWN = Path(__file__).parent / "content"
+"""The walks that the lecture brings along."""
+ORDER = ("d31", "d34", "tour")
+LARGEST = 48_000
+"""Bytes of a file."""
+MOST_STEPS = 60
+PLACE = re.compile(r"^(?P<what>.*?) - at `\$\.?(?P<field>.*?)`$")
+NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
+
+KnownSteps = Mapping[str, Step]
+
+
+class WalkError(ValueError):
+    """What is wrong with a walk's file, in a sentence that says where."""
+
+
+def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
+    """The walk that a file's text describes; WalkError for one that is none.
+
+    A step with `from` takes the fields that it does not give itself from one of the `known` steps.
+    """
+    if not NAME.fullmatch(name):
+        raise WalkError(f"{excerpt(name)}: a walk's name has small letters, digits and hyphens, at most 40.")
+    if len(text.encode()) > LARGEST:
+        raise WalkError(f"{name}: the file has {len(text.encode())} bytes; {LARGEST} are the most.")
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise WalkError(f"{name}: this is not TOML: {error}.") from error
+    title, entries = data.pop("title", None), data.pop("step", None)
+    if data:
+        raise WalkError(f"{name}: “{excerpt(next(iter(data)))}” is no field of a walk; title and step are.")
+    if not isinstance(title, str) or not title:
+        raise WalkError(f'{name}: the title is missing: title = "..." in the file\'s first line.')
+    if not isinstance(entries, list) or not 1 <= len(entries) <= MOST_STEPS:
+        raise WalkError(f"{name}: a walk has 1 to {MOST_STEPS} steps, each under [[step]].")
+    steps = tuple(_step(entry, f"{name}, step {i}", known or {}) for i, entry in enumerate(entries, 1))
+    for i, step in enumerate(steps):
+        if step.id in {before.id for before in steps[:i]}:
+            raise WalkError(f"{name}, step {i + 1}: the id “{step.id}” was given to a step before.")
+    return Walk(name=name, title=title, steps=steps)
+
+
+def _step(entry: Any, where: str, known: KnownSteps) -> Step:
+    if not isinstance(entry, dict):
+        raise WalkError(f"{where}: a step begins with [[step]].")
+    given = {**_base(entry, where, known), **{key: value for key, value in entry.items() if key != "from"}}
+    if isinstance(entry.get("id"), str):
+        where += f" ({excerpt(entry['id'])})"
+    if isinstance(answer := given.get("answer"), dict) and not isinstance(answer.get("is"), (list, tuple)):
+        given["answer"] = {**answer, "is": [answer.get("is")]}
+    try:
+        step: Step = msgspec.convert(given, Step)
+    except msgspec.ValidationError as error:
+        raise WalkError(f"{where}, {_told(str(error))}") from error
+    return step
+
+
+def _base(entry: dict[str, Any], where: str, known: KnownSteps) -> dict[str, Any]:
+    origin = entry.get("from")
+    if origin is None:
+        return {}
+    if origin not in known:
+        raise WalkError(f"{where}, from: “{excerpt(str(origin))}” is no step that is known.")
+    fields = msgspec.to_builtins(known[origin])
+    return dict(fields)
+
+
+def _told(problem: str) -> str:
+    """What msgspec complains of, the field first."""
+    match = PLACE.match(problem)
+    what, field = (match["what"], match["field"]) if match else (problem, "")
+    return f"{field or 'its fields'}: {what[:1].lower()}{what[1:]}."
+
+
+def load_walks(folders: Iterable[Path]) -> dict[str, Walk]:
+    """The walks of the lecture, then those of the folders' files, by name."""
+    paths = [OWN / f"{name}.toml" for name in ORDER]
+    for folder in folders:
+        if not folder.is_dir():
+            raise WalkError(f"{folder}: this is no folder of walks.")
+        paths += sorted(folder.glob("*.toml"))
+    walks: dict[str, Walk] = {}
+    for path in paths:
+        if path.stem in walks:
+            raise WalkError(f"{path.name}: there is a walk “{path.stem}” already.")
+        walks[path.stem] = load_walk(path, steps_of(walks.values()))
+    return walks
+
+
+def load_walk(path: Path, known: KnownSteps) -> Walk:
+    """The walk of a file."""
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise WalkError(f"{path.name}: the file cannot be read as UTF-8 text.") from error
+    return read_walk(text, path.stem, known)
+
+
+def steps_of(walks: Iterable[Walk]) -> dict[str, Step]:
+    """All steps of walks, by id."""
+    return {step.id: step for walk in walks for step in walk.steps}

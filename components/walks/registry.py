@@ -1,0 +1,50 @@
+"""The walks of a server by name, one's own among them, and the step that a link asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from components.numbers import excerpt
+from components.walks import Query, Walks
+from components.walks.checking import problems
+from components.walks.links import Scenes
+from components.walks.loading import WalkError, load_walks, read_walk, steps_of
+from components.walks.types import Step, Walk
+
+
+def all_walks(folders: Iterable[Path], scenes: Scenes) -> dict[str, Walk]:
+    """The lecture's own walks, which its tests have checked, and those of folders, checked here; WalkError for the
+    first that is wrong."""
+    own = load_walks(())
+    walks = load_walks(folders)
+    for name, walk in walks.items():
+        if name not in own:
+            check(walk, scenes)
+    return walks
+
+
+def check(walk: Walk, scenes: Scenes) -> Walk:
+    """The walk; WalkError with the first thing that is wrong with it."""
+    for problem in problems(walk, scenes):
+        raise WalkError(problem)
+    return walk
+
+
+def read_own(text: str, name: str, walks: Walks, scenes: Scenes) -> Walk:
+    """A visitor's own walk from a file's text."""
+    return check(read_walk(text, name, steps_of(walks.values())), scenes)
+
+
+def asked_step(query: Query, walks: Walks) -> tuple[Walk, Step] | None:
+    """The step that a link asks for: the first where it names none. ValueError, in words, where there is no such."""
+    if "walk" not in query:
+        return None
+    name, step = (query.get(key, [b""])[0].decode(errors="replace") for key in ("walk", "step"))
+    if name not in walks:
+        raise ValueError(f"walk: “{excerpt(name)}” is not a walk: choose one of {', '.join(walks)}.")
+    walk = walks[name]
+    place = walk.place(step) if step else 0
+    if place is None:
+        raise ValueError(f"step: the walk {name} has no step “{excerpt(step)}”; it has {len(walk.steps)}.")
+    return walk, walk.steps[place]

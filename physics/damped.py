@@ -1,0 +1,198 @@
+r"""One oscillator with a dashpot: what the lecture leaves out of D31, in one expression for every damping.
+
+    wall --/\/\/ k \/\/\--+
+                          [m] --> x        m x'' + c x' + k x = 0
+    wall ------[ c ]------+
+
+With a = c/2m and omega_n^2 = k/m the exponents are -a +- sqrt(a^2 - omega_n^2). Let sigma be the rate at which the
+slower part dies, omega_d = sqrt(omega_n^2 - a^2) or 0, and beta = sqrt(a^2 - omega_n^2) or 0, whichever is real:
+
+    x = exp(-sigma t) (x_0 cos(omega_d t) + (v_0 + sigma x_0) S(t)),
+
+    S = sin(omega_d t)/omega_d   or   (1 - exp(-2 beta t))/(2 beta),   both t at critical damping.
+
+sigma is a up to critical damping and omega_n^2/(a + beta) beyond, where a - beta would cancel. v and a obey the same
+equation from (v_0, a_0) and (a_0, a_0').
+
+Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 2.6.
+"""
+
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+from itertools import pairwise
+from math import inf, pi
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from physics.curves import ScaledCurve, combined, product, turning
+from physics.elementary import SMALLEST_EXPONENT, exponential
+from physics.exact import Array, angle, exact, pair_sum, precise, rounded, sum_of, two_sum
+from physics.oscillator import OscillatorMotion, phase_of
+from physics.valid import check_finite, check_not_negative, check_positive, finite_array
+
+QUANTITIES = ("the displacement", "the velocity", "the acceleration")
+NONE = Decimal(0)
+_SAME = Decimal("1e-6")  # of a: exponents closer than this make one term in doubles
+_SHORT = 2.0**-20  # of 2 beta t: S takes three terms of its series
+
+Start = tuple[Decimal, Decimal]  # a value and its rate at t = 0
+
+
+class Decay(NamedTuple):
+    """(amplitude + slope t) exp(-rate t) sin(omega t + phase); a plain exponential has omega = 0, phase = pi/2."""
+
+    amplitude: float
+    slope: float
+    rate: float
+    omega: float
+    phase: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class DampedOscillator:
+    """A mass m (kg) on a spring k (N/m) and a dashpot c (N s/m)."""
+
+    m: float
+    c: float
+    k: float
+
+    def __post_init__(self) -> None:
+        check_positive("a mass in kg", m=self.m)
+        check_not_negative("a damping in N s/m", c=self.c)
+        check_not_negative("a stiffness in N/m", k=self.k)
+
+    @property
+    def omega_n(self) -> float:
+        """Without damping, in rad/s."""
+        with precise():
+            return float((exact(self.k) / exact(self.m)).sqrt())
+
+    @property
+    def omega_d(self) -> float:
+        """Of the damped swing, in rad/s; 0 from critical damping on."""
+        return float(self._swing)
+
+    @property
+    def zeta(self) -> float:
+        """c over the critical damping 2 sqrt(k m); 1 is critical."""
+        if not self.c:
+            return 0.0
+        with precise():
+            return float(exact(self.c) / (2 * (exact(self.k) * exact(self.m)).sqrt())) if self.k else inf
+
+    def motion(self, x_0: float, v_0: float, t: ArrayLike) -> OscillatorMotion:
+        """x, v, a (n,) from x(0) = x_0, x'(0) = v_0 at the times t (n,) in s, 0 or more.
+
+        Within 2 u of the sum of the sizes of both parts; a part that has died down to 1e-260 counts as nothing.
+        """
+        t = finite_array("t", t)
+        check_not_negative("a time in s", t=float(np.min(t, initial=0.0)))
+        starts = self._starts(x_0, v_0)
+        result = np.empty((3, t.size))
+        with precise():
+            late = t > (float(1 / (2 * self._beta)) if self._beta else inf)
+        for where, form in ((~late, self._together), (late, self._apart)):
+            if np.any(where):
+                result[:, where] = combined(*form(starts, t[where]), QUANTITIES)
+        x, v, acceleration = result
+        return OscillatorMotion(t=t, x=x, v=v, a=acceleration)
+
+    def decays(self, x_0: float, v_0: float) -> tuple[Decay, ...]:
+        """x as a sum for a signal, in doubles: one damped swing, or two exponentials.
+
+        Where the exponents differ by less than 1e-6 of themselves, one exponential with a slope.
+        """
+        start = self._starts(x_0, v_0)[0]
+        with precise():
+            x, w = start[0], sum_of(start[1], self._sigma * start[0])
+            apart = 2 * self._beta
+            if self._swing > _SAME * self._a:
+                sine = w / self._swing
+                return (_decay((x * x + sine * sine).sqrt(), NONE, self._sigma, self._swing, phase_of(x, sine)),)
+            if apart > _SAME * self._a:
+                slow, fast = sum_of(x, w / apart), -w / apart
+                return _decay(slow, NONE, self._sigma), _decay(fast, NONE, self._sigma + apart)
+            return (_decay(x, w, self._sigma),)
+
+    @cached_property
+    def _a(self) -> Decimal:
+        with precise():
+            return exact(self.c) / (2 * exact(self.m))
+
+    @cached_property
+    def _excess(self) -> Decimal:
+        """a^2 - omega_n^2: below 0 it swings."""
+        m, c, k = exact(self.m), exact(self.c), exact(self.k)
+        with precise():
+            return sum_of(c * c, -4 * m * k) / (4 * m * m)
+
+    @cached_property
+    def _swing(self) -> Decimal:
+        with precise():
+            return max(-self._excess, NONE).sqrt()
+
+    @cached_property
+    def _beta(self) -> Decimal:
+        with precise():
+            return max(self._excess, NONE).sqrt()
+
+    @cached_property
+    def _sigma(self) -> Decimal:
+        with precise():
+            return exact(self.k) / exact(self.m) / (self._a + self._beta) if self._beta else self._a
+
+    def _starts(self, x_0: float, v_0: float) -> list[Start]:
+        """Of x, v and a."""
+        check_finite("a displacement in m", x_0=x_0)
+        check_finite("a velocity in m/s", v_0=v_0)
+        m, c, k = exact(self.m), exact(self.c), exact(self.k)
+        values = [exact(x_0), exact(v_0)]
+        with precise():
+            for _ in range(2):
+                values.append(sum_of(-k * values[-2], -c * values[-1]) / m)
+        return list(pairwise(values))
+
+    def _together(self, starts: list[Start], t: Array) -> tuple[list[Start], list[ScaledCurve]]:
+        """Both exponents in one expression, while exp(-2 beta t) has not parted from 1."""
+        decay = _dying(self._sigma, t)
+        cosine, sine = turning(self._swing, t)
+        curves = [product(decay, cosine), product(decay, _parting(self._beta, t) if self._beta else sine)]
+        return [(x, sum_of(v, self._sigma * x)) for x, v in starts], curves
+
+    def _apart(self, starts: list[Start], t: Array) -> tuple[list[Start], list[ScaledCurve]]:
+        """Each exponent by itself, so that one keeps its digits where the other has little share."""
+        x, v = starts[0]
+        with precise():
+            apart = 2 * self._beta
+            fast = self._sigma + apart
+            A, B = sum_of(v, fast * x) / apart, -sum_of(v, self._sigma * x) / apart
+            rows = [(A, B), (-self._sigma * A, -fast * B), (self._sigma**2 * A, fast**2 * B)]
+        return rows, [_dying(self._sigma, t), _dying(fast, t)]
+
+
+def _dying(rate: Decimal, t: Array) -> ScaledCurve:
+    """exp(-rate t), nothing below 1e-260."""
+    with precise():
+        gone = t > (float(-Decimal(SMALLEST_EXPONENT) / rate) if rate else inf)
+    hi, lo = exponential(angle(-rate, np.where(gone, 0.0, t)))
+    return ScaledCurve(np.where(gone, 0.0, hi), np.where(gone, 0.0, lo), Decimal(1))
+
+
+def _parting(beta: Decimal, t: Array) -> ScaledCurve:
+    """(1 - exp(-2 beta t))/(2 beta), up to 2 beta t = 1."""
+    with precise():
+        y, y_lo = angle(2 * beta, t)
+        hi, lo = exponential((-y, -y_lo))
+        whole = pair_sum((np.ones_like(t), np.zeros_like(t)), (-hi, -lo))
+        first = two_sum(y, y_lo - y * (y / 2) * (1 - y / 3))
+        short = y < _SHORT
+        hi, lo = np.where(short, first, whole)
+        return ScaledCurve(hi, lo, 1 / (2 * beta))
+
+
+def _decay(amplitude: Decimal, slope: Decimal, rate: Decimal, omega: Decimal = NONE, phase: float = pi / 2) -> Decay:
+    sizes = rounded("the amplitude", amplitude), rounded("the slope", slope)
+    return Decay(*sizes, float(rate), float(omega), phase)

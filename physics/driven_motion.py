@@ -1,0 +1,122 @@
+"""The driven motion of the chain in the form that keeps its digits at each time (lecture D34, slides 6 to 8).
+
+Each mode adds to the free motion of the start share * g, where g'' + omega_n^2 g = sin(omega t) from rest:
+
+    g = (sin(omega t) - omega sin(omega_n t)/omega_n)/(omega_n^2 - omega^2)
+
+which is x_p and a change of the starting velocity, sinusoids all of it. It loses its digits while the phases are
+small, and near resonance, until the beat has begun. There other forms of the same function stand in its place:
+
+    the onset of the whole chain, of one mode    power series, regular at t = 0
+    a beat, d t < 1/16                           g = (cos(d t) sin(s t)/s - cos(s t) sin(d t)/d)/(2 omega_n)
+    a slow sinusoid, omega t < 1/16              sin(omega t)/omega = t (1 + small)
+
+with s and d half the sum and half the difference of the frequencies. A form that has ended never comes back, so the
+times fall into stages, a few at most.
+"""
+
+from collections.abc import Sequence
+from decimal import Decimal
+from math import inf
+
+import numpy as np
+
+from physics.coupled import QUANTITIES, FreeModes, Mode
+from physics.curves import early
+from physics.exact import Array, exact, precise
+from physics.onset import EARLY, onset
+from physics.sinusoids import SLOW, Beat, ExactSinusoid, Weighted, total
+from physics.valid import rows_in_range
+
+NONE = Decimal(0)
+_ONSET_OF_A_MODE = 0.5  # rad; the closed form of a response has digits to spare from here on
+
+
+def driven_values(free: FreeModes, F_0: float, omega: float, t: Array) -> Array:
+    """x1, x2, x2 - x1, v1, v2 as (5, n) under F_0 sin(omega t) on mass 1, neither 0, from the start of the free motion.
+
+    ValueError names the quantity that leaves the range of doubles.
+    """
+    ends = _ends(free, omega)
+    order = np.sort(ends)
+    stages = np.searchsorted(order, np.abs(t), side="right")
+    values = np.empty((5, t.size))
+    for stage in np.flatnonzero(np.bincount(stages)).tolist():
+        where = stages == stage
+        begin = float(order[stage - 1]) if stage else -1.0
+        values[:, where] = _at(free, F_0, omega, t[where], [end > begin for end in ends])
+    return values
+
+
+def _ends(free: FreeModes, omega: float) -> list[float]:
+    """Until when, in s, all starts and the slow mode does; slow, fast mode and drive are slow; slow and fast beat."""
+    drive, (slow, fast) = exact(omega), free.chain.exact_modes
+    with precise():
+        turns = [slow.omega, fast.omega, drive, (drive - slow.omega) / 2, (drive - fast.omega) / 2]
+    onsets = _until(EARLY, max(drive, fast.omega)), _until(_ONSET_OF_A_MODE, max(drive, slow.omega))
+    return [*onsets, *(_until(SLOW, turn) for turn in turns)]
+
+
+def _until(phase: float, omega: Decimal) -> float:
+    """When that phase (rad) is reached."""
+    speed = abs(float(omega))
+    return phase / speed if speed else inf
+
+
+def _at(free: FreeModes, F_0: float, omega: float, t: Array, forms: Sequence[bool]) -> Array:
+    """At times in one stage; forms are those of _ends, in its order."""
+    all_starts, slow_starts, slow, fast, drive_is_slow, slow_beats, fast_beats = forms
+    if all_starts:
+        return _onset(free, F_0, omega, t)
+    drive, X = exact(omega), [NONE] * 3
+    turning: tuple[list[ExactSinusoid], list[ExactSinusoid]] = [], []  # quick, slow
+    beats, curves = [], []
+    per_mode = zip(free.each(), (slow, fast), (slow_starts, False), (slow_beats, fast_beats), strict=True)
+    for (mode, q, v), is_slow, starts, is_beating in per_mode:
+        with precise():
+            share = exact(F_0) * mode.shape[0] / mode.mass
+            if share and starts:
+                curves += _start(drive, mode, share, t)
+            elif share and is_beating:
+                beats.append(_beat(drive, mode, share))
+            elif share:
+                reach = share / ((mode.omega - drive) * (mode.omega + drive))
+                X = [x + part * reach for x, part in zip(X, mode.rows, strict=True)]
+                v -= reach * drive
+        if q or v:
+            turning[is_slow].append(mode.sinusoid(q, v))
+    if any(X):
+        with precise():
+            rates = [x * drive for x in X]
+        turning[drive_is_slow].append(ExactSinusoid(drive, [*[NONE] * 3, *rates[:2]], [*rates, *[NONE] * 2]))
+    return total(t, QUANTITIES, *turning, beats, curves)
+
+
+def _onset(free: FreeModes, F_0: float, omega: float, t: Array) -> Array:
+    with np.errstate(over="ignore", invalid="ignore"):
+        values = onset(free.chain, F_0, omega, t)
+        if any((*free.coordinate, *free.velocity)):
+            values = values + free.values(t)
+    return rows_in_range(QUANTITIES, values)
+
+
+def _start(drive: Decimal, mode: Mode, share: Decimal, t: Array) -> list[Weighted]:
+    """share g and share g' as series."""
+    g, speed = early((drive, mode.omega), t, 3), early((drive, mode.omega), t, 2)
+    return [
+        Weighted(g, [*(part * share for part in mode.rows), NONE, NONE]),
+        Weighted(speed, [*[NONE] * 3, *(part * share for part in mode.shape)]),
+    ]
+
+
+def _beat(drive: Decimal, mode: Mode, share: Decimal) -> Beat:
+    """share g and share g', where g' = omega sin(s t) sin(d t)/(2 s d)."""
+    s, d = (drive + mode.omega) / 2, (drive - mode.omega) / 2
+    half = share / (2 * mode.omega)
+    return Beat(
+        s,
+        d,
+        sine=[*(part * half / s for part in mode.rows), NONE, NONE],
+        growing_cosine=[*(-part * half for part in mode.rows), NONE, NONE],
+        growing_sine=[*[NONE] * 3, *(part * share * drive / (2 * s) for part in mode.shape)],
+    )

@@ -1,0 +1,137 @@
+"""Ways to compute the motion of the driven chain at any time, without steps or with exact ones.
+
+The trailing arguments of each are the setting, which they have no use for, and the watch over the run.
+"""
+
+import numpy as np
+
+from physics.coupled import free_motion
+from physics.exact import Array
+from physics.forced import forced_motion
+from physics.problem import Problem, StoppedError, Trajectory, Watch, trajectory
+
+
+def closed_form(problem: Problem, _: float, watch: Watch) -> Trajectory:
+    """This project's own."""
+    watch.evaluations = problem.t.size
+    if problem.c:
+        return _with_dashpot(problem)
+    if problem.F_0:
+        motion = forced_motion(problem.chain, problem.F_0, problem.omega, problem.t, problem.x_0, problem.v_0)
+    else:
+        motion = free_motion(problem.chain, problem.x_0, problem.v_0, problem.t)
+    return Trajectory(x=motion.x, v=motion.v, stretch=motion.e[1])
+
+
+def _with_dashpot(problem: Problem) -> Trajectory:
+    """The particular solution Im(X exp(i omega t)) and the free decay that fits the start."""
+    omega, t = problem.omega, problem.t
+    X = problem.F_0 / complex(problem.chain.k1 - problem.chain.m1 * omega**2, problem.c * omega) if problem.F_0 else 0j
+    free = problem.damped.motion(problem.x_0[0] - X.imag, problem.v_0[0] - omega * X.real, t)
+    S, C = np.sin(omega * t), np.cos(omega * t)
+    x, v = free.x + X.real * S + X.imag * C, free.v + omega * (X.real * C - X.imag * S)
+    still = np.zeros_like(x)
+    return Trajectory(x=np.stack([x, still]), v=np.stack([v, still]), stretch=-x)
+
+
+def slide_formulas(problem: Problem, _: float, watch: Watch) -> Trajectory:
+    """The lecture's formulas (D34, slides 3 to 8) in the order they are printed, in float64."""
+    chain = problem.chain
+    b = chain.m1 * chain.k2 + chain.m2 * (chain.k1 + chain.k2)
+    root = np.sqrt(b * b - 4 * chain.m1 * chain.m2 * chain.k1 * chain.k2)
+    squares = np.array([b - root, b + root]) / (2 * chain.m1 * chain.m2)
+    ratios = -(chain.m1 * squares - chain.k1 - chain.k2) / chain.k2
+    particular = _slide_particular(problem, squares)
+    return _superposed(problem, np.sqrt(squares), np.array([[1.0, 1.0], ratios]), particular, watch)
+
+
+def dense_eigh(problem: Problem, _: float, watch: Watch) -> Trajectory:
+    """Frequencies and shapes from scipy.linalg.eigh(K, M); of each mode the free motion and the response from rest.
+
+    The response is [cos(d t) sin(s t)/s - cos(s t) sin(d t)/d]/(2 omega_n) with the half sum s and the half difference
+    d of omega and omega_n, which nothing divides by zero.
+    """
+    omega, shapes, forces = _eigenmodes(problem)
+    free = _superposed(problem, omega, shapes, np.zeros(2), watch)
+    if not problem.F_0:
+        return free
+    n, t = omega[:, None], problem.t
+    s, d = (problem.omega + n) / 2, (problem.omega - n) / 2
+    slow, fast = t * np.sinc(d * t / np.pi), np.sin(s * t)
+    response = (np.cos(d * t) * fast / s - np.cos(s * t) * slow) / (2 * n)
+    rate = problem.omega * fast * slow / (2 * s)
+    pushed = shapes * forces
+    return _trajectory(free.x + pushed @ response, free.v + pushed @ rate)
+
+
+def naive_eigh(problem: Problem, _: float, watch: Watch) -> Trajectory:
+    """The same with the usual particular solution, mode by mode f/(omega_n^2 - omega^2)."""
+    omega, shapes, forces = _eigenmodes(problem)
+    return _superposed(problem, omega, shapes, shapes @ (forces / (omega**2 - problem.omega**2)), watch)
+
+
+def _eigenmodes(problem: Problem) -> tuple[Array, Array, Array]:
+    """omega (2,), shapes (2, 2) in columns, and the drive's share of each."""
+    from scipy.linalg import eigh
+
+    stiffness, mass = matrices(problem)
+    squares, shapes = eigh(stiffness, np.diag(mass))
+    return np.sqrt(squares), shapes, shapes[0] * problem.F_0
+
+
+def matrix_exponential(problem: Problem, _: float, watch: Watch) -> Trajectory:
+    """exp(A dt) from one output time to the next, the drive carried along as an oscillator of its own."""
+    from scipy.linalg import expm
+
+    stiffness, mass = matrices(problem)
+    A = np.zeros((6, 6))
+    A[:2, 2:4] = np.eye(2)
+    A[2:4, :2] = -stiffness / mass[:, None]
+    A[2, 4] = problem.F_0 / mass[0]
+    A[4, 5], A[5, 4] = problem.omega, -problem.omega
+    A[2, 2] = -problem.c / mass[0]
+    step = expm(A * problem.spacing)
+    states = np.empty((problem.t.size, 6))
+    states[0] = *problem.start, 0.0, 1.0
+    multiply = step.dot
+    for n in range(1, problem.t.size):
+        states[n] = multiply(states[n - 1])
+        watch.check(float(problem.t[n]))
+    watch.evaluations = watch.steps = problem.t.size - 1
+    return trajectory(states)
+
+
+def matrices(problem: Problem) -> tuple[Array, Array]:
+    """K (2, 2) and the diagonal of M."""
+    chain = problem.chain
+    stiffness = np.array([[chain.k1 + chain.k2, -chain.k2], [-chain.k2, chain.k2]])
+    return stiffness, np.array([chain.m1, chain.m2])
+
+
+def _slide_particular(problem: Problem, squares: Array) -> Array:
+    """Xp of slide 8."""
+    chain, square = problem.chain, problem.omega**2
+    D = chain.m1 * chain.m2 * (square - squares[0]) * (square - squares[1])
+    if not D:
+        raise StoppedError("D(omega) = 0: no particular solution", 0.0)
+    amplitudes: Array = np.array([chain.k2 - chain.m2 * square, chain.k2]) * problem.F_0 / D
+    return amplitudes
+
+
+def _superposed(problem: Problem, omega: Array, shapes: Array, particular: Array, watch: Watch) -> Trajectory:
+    """x_c + x_p: the columns of shapes at the frequencies omega, with constants that fit the start."""
+    watch.evaluations = problem.t.size
+    drive = problem.omega * problem.t
+    cosine = np.linalg.solve(shapes, np.array(problem.x_0))
+    sine = np.linalg.solve(shapes, np.array(problem.v_0) - problem.omega * particular) / omega
+    angle = np.outer(omega, problem.t)
+    q = cosine[:, None] * np.cos(angle) + sine[:, None] * np.sin(angle)
+    p = omega[:, None] * (sine[:, None] * np.cos(angle) - cosine[:, None] * np.sin(angle))
+    return _trajectory(
+        shapes @ q + np.outer(particular, np.sin(drive)),
+        shapes @ p + problem.omega * np.outer(particular, np.cos(drive)),
+    )
+
+
+def _trajectory(x: Array, v: Array) -> Trajectory:
+    return Trajectory(x=x, v=v, stretch=x[1] - x[0])

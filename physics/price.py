@@ -1,0 +1,87 @@
+"""What an error costs with each method: the one rule by which prices are read off measured runs."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import repeat
+from math import exp, log
+from typing import Any
+
+from physics.accuracy import Run
+from physics.solvers import METHODS
+
+LEAST = 1e-17
+"""An error of nothing stands here on logarithmic scales: a double has no more digits."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Price:
+    """The run time (s) and the evaluations that an error costs with one method; None where it was not reached.
+
+    Then `best` is how near the method came, and `end` why it was not refined further ("" where it was cut short).
+    `repeats` is whether the run times that the price was read off repeat within 20 %, None where measured once.
+    """
+
+    method: str
+    time: float | None
+    evaluations: float | None
+    best: float
+    end: str
+    repeats: bool | None = None
+
+    @property
+    def name(self) -> str:
+        return METHODS[self.method].name
+
+
+def prices(runs: Iterable[Run], wanted: float) -> list[Price]:
+    """What `wanted` costs with each method that has a result, cheapest first."""
+    by_method: dict[str, list[Run]] = {}
+    for run in runs:
+        by_method.setdefault(run.method, []).append(run)
+    found = [price(many, wanted) for many in by_method.values() if any(run.error is not None for run in many)]
+    return sorted(found, key=lambda each: (each.time is None, each.time or 0.0, each.best))
+
+
+def price(runs: Sequence[Run], wanted: float) -> Price:
+    """The price of one method, its runs given coarse to fine, one of them at least with a result.
+
+    It is the least run time at which the straight lines from run to run, both axes logarithmic, are good enough.
+    """
+    good = [run for run in runs if run.error is not None]
+    facts: dict[str, Any] = {"method": good[0].method, "best": min(map(_error, good)), "end": runs[-1].end}
+    offers = [offer for offer in map(_offer, [None, *good], good, repeat(wanted)) if offer]
+    if not offers:
+        return Price(time=None, evaluations=None, **facts)
+    time, evaluations, pair = min(offers, key=lambda offer: offer[0])
+    told = [run.repeats for run in pair]
+    return Price(time=time, evaluations=evaluations, repeats=None if None in told else all(told), **facts)
+
+
+def _offer(before: Run | None, run: Run, wanted: float) -> tuple[float, float, list[Run]] | None:
+    """The cheapest good enough point of the line that ends in a run: time, evaluations and the runs it is read off."""
+    now = (run.time or 0.0, float(run.evaluations), [run])
+    if before is None or (_error(before) > wanted) == (_error(run) > wanted):
+        return now if _error(run) <= wanted else None
+    share = log(_error(before) / wanted) / log(_error(before) / _error(run))
+    time = _between(before.time or 0.0, run.time or 0.0, share)
+    there = (time, _between(before.evaluations, run.evaluations, share), [before, run])
+    return there if _error(run) > wanted or time < now[0] else now
+
+
+def _error(run: Run) -> float:
+    return max(run.error or 0.0, LEAST)
+
+
+def _between(start: float, end: float, share: float) -> float:
+    """Logarithmically so far from one to the other."""
+    return start * exp(share * log(end / start)) if start > 0 else end
+
+
+def at_error(runs: Sequence[Run], wanted: float) -> Run | None:
+    """The first run of a method that is good enough."""
+    return next((run for run in runs if run.error is not None and run.error <= wanted), None)
+
+
+def at_cost(runs: Sequence[Run], seconds: float) -> Run | None:
+    """The finest run of a method that takes no longer."""
+    return next((run for run in reversed(runs) if run.time is not None and run.time <= seconds), None)

@@ -1,0 +1,114 @@
+"""What a method that computes motion is given, and what it gives back.
+
+    m1 x1'' = -k1 x1 - k2 (x1 - x2) - c x1' + F_0 sin(omega t),   m2 x2'' = k2 (x1 - x2)
+
+The dashpot c lies beside spring 1 and is there for an oscillator alone that does not swing: with it k2 = 0, mass 2 is
+at rest, and both rates of decay of mass 1 are real.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import inf
+
+from physics.coupled import TwoMassChain
+from physics.damped import DampedOscillator
+from physics.exact import Array
+
+MotionState = tuple[float, float, float, float]  # x1, x2, v1, v2
+
+
+@dataclass(frozen=True, kw_only=True)
+class Problem:
+    """A chain, its drive, its start, and the times t (n,) it is asked for: equally spaced, from 0 on."""
+
+    chain: TwoMassChain
+    x_0: tuple[float, float]
+    v_0: tuple[float, float]
+    t: Array
+    F_0: float = 0.0
+    omega: float = 0.0
+    c: float = 0.0  # N s/m
+    size: float = 1.0  # the largest displacement to be expected, in m
+
+    def __post_init__(self) -> None:
+        if self.c and (self.chain.k2 or self.x_0[1] or self.v_0[1]):
+            raise ValueError(f"c = {self.c:g} N s/m: a dashpot needs k2 = 0 and mass 2 at rest")
+
+    @property
+    def start(self) -> MotionState:
+        return *self.x_0, *self.v_0
+
+    @property
+    def spacing(self) -> float:
+        return float(self.t[1] - self.t[0])
+
+    @property
+    def damped(self) -> DampedOscillator:
+        """Mass 1 on its spring with its dashpot."""
+        return DampedOscillator(m=self.chain.m1, c=self.c, k=self.chain.k1)
+
+    @property
+    def rates(self) -> tuple[float, float]:
+        """The slow and the fast one: natural frequencies in rad/s (0 for a drift), or rates of decay in 1/s."""
+        if not self.c:
+            slow, fast = self.chain.modes().omega.tolist()
+            return slow, fast
+        decays = self.damped.decays(1.0, 0.0)
+        if len(decays) < 2:
+            raise ValueError(f"c = {self.c:g} N s/m lets the mass swing")
+        return decays[0].rate, decays[1].rate
+
+
+class StoppedError(Exception):
+    """A run that was given up; the message is the reason, reached the time it got to in s.
+
+    `end` is why nothing finer is tried after it, "" where something finer may succeed.
+    """
+
+    end = ""
+
+    def __init__(self, reason: str, reached: float) -> None:
+        super().__init__(reason)
+        self.reached = reached
+
+
+class OverTimeError(StoppedError):
+    end = "time limit"
+
+
+class CancelledError(StoppedError):
+    end = "cancelled"
+
+
+class StepTooSmallError(StoppedError):
+    """The step is below the spacing of doubles at the time it starts from."""
+
+    end = "spacing"
+
+
+@dataclass
+class Watch:
+    """Counts evaluations and steps of one run; check(t), called now and then, may raise StoppedError.
+
+    Fixed steps whose displacements pass `bound` (m) are given up as unstable.
+    """
+
+    check: Callable[[float], None] = lambda t: None
+    bound: float = inf
+    evaluations: int = 0
+    steps: int = 0
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """x and v, each (2, n), and x2 - x1 (n,), which a method may know better than their difference."""
+
+    x: Array
+    v: Array
+    stretch: Array
+
+
+def trajectory(states: Array) -> Trajectory:
+    """Of a method that knows states (n, 4) only: x1, x2, v1, v2."""
+    x, v = states[:, :2].T, states[:, 2:4].T
+    return Trajectory(x=x, v=v, stretch=x[1] - x[0])

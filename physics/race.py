@@ -1,0 +1,221 @@
+"""The race: every method on the same motions, refined side by side and timed round after round.
+
+    for run in measure([SYSTEMS["benign"]]): ...
+
+yields a Run as soon as it is there, and anew when it has been timed again. In the first round all methods on all
+systems are refined side by side, coarse to fine, each until it stands at its floor, has no finer setting or is out of
+time. Each further round times every run again, so that what disturbs the machine for a while disturbs all alike. Times
+are of the processor, not of the clock on the wall, and relative to how long a fixed piece of work took just then.
+"""
+
+import sys
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import count
+from math import inf
+from statistics import median
+from time import perf_counter, thread_time
+from typing import Any
+
+import numpy as np
+
+from physics.accuracy import MARKS, PERIODS, Limits, Run, System, entered
+from physics.exact import Array
+from physics.problem import CancelledError, OverTimeError, Problem, StoppedError, Trajectory, Watch
+from physics.reference import Reference, reference
+from physics.solvers import METHODS, Method
+
+EXPLODED = 1e3  # times the largest true displacement: a step that gets there is unstable
+SMALLEST_ENERGY = 1e-290  # J: below, doubles run out of digits
+GLANCE = 64  # steps of SciPy's solvers, or outputs, between two looks at the clock
+STANDS, GAIN, RESOLVED = 4, 2.0, 0.1  # so many rungs without such a gain, the fast mode resolved so well: the floor
+
+clock = perf_counter if sys.platform == "win32" else thread_time  # Windows counts a thread's time in 16 ms
+Cancelled = Callable[[str], bool]
+
+
+def measure(
+    systems: Sequence[System],
+    methods: Sequence[str] = tuple(METHODS),
+    limits: Limits | None = None,
+    cancelled: Cancelled = lambda method: False,
+) -> Iterator[Run]:
+    """Runs as they come, and again with each round that times them. cancelled(method) is asked before and within each
+    run: True gives that method up.
+
+    ValueError where there is nothing to compare with: a chain at rest, an energy no double holds.
+    """
+    limits = limits or Limits()
+    pace = median(yardstick() for _ in range(5))
+    benches = [bench_of(system, limits, cancelled, pace) for system in systems]
+    ladders = [
+        Ladder(bench, METHODS[slug]) for slug in methods for bench in benches if slug in entered(bench.system, [slug])
+    ]
+    while any(not ladder.end for ladder in ladders):
+        for ladder in ladders:
+            if not ladder.end and (run := ladder.climb()):
+                yield run
+    for _ in range(limits.rounds - 1):
+        for rung in range(max(len(ladder.runs) for ladder in ladders)):
+            for ladder in ladders:
+                if run := ladder.again(rung):
+                    yield run
+
+
+def yardstick() -> float:
+    """Seconds that a fixed piece of work takes, half of it plain Python, half NumPy on small arrays."""
+    start, x, matrix, vector = clock(), 0.1, np.full((4, 4), 0.2), np.ones(4)
+    for _ in range(10_000):
+        x = 3.7 * x * (1 - x)
+    for _ in range(1_000):
+        vector = matrix.dot(vector)
+    return clock() - start
+
+
+@dataclass(frozen=True)
+class Bench:
+    """What all runs on one system share."""
+
+    system: System
+    problem: Problem
+    truth: Reference
+    limits: Limits
+    cancelled: Cancelled
+    pace: float  # what the yardstick took at first, in s
+
+    def visit(self, method: Method, setting: float) -> Run:
+        """A timed and judged run, or the row that says why there is none; a quick one is repeated for a while."""
+        times, runs, pace = list[float](), list[Run](), yardstick()
+        while not times or sum(times) < self.limits.visit:
+            watch = Watch(bound=EXPLODED * self.truth.size)
+            try:
+                with np.errstate(all="raise", under="ignore"):
+                    time, result = self._timed(method, setting, watch)
+                    runs = runs or [self._judged(method, setting, watch, result)]
+            except StoppedError as stop:
+                reached = stop.reached / float(self.problem.t[-1])
+                return self._row(method, setting, watch, str(stop), stop.end, reached)
+            except (ArithmeticError, ValueError, np.linalg.LinAlgError) as fault:
+                return self._row(method, setting, watch, f"cannot be computed: {fault}")
+            except MemoryError:
+                return self._row(method, setting, watch, "no memory left", "no memory left")
+            times.append(time)
+        time = median(times) * 2 * self.pace / (pace + yardstick())
+        return runs[0] if runs[0].failure else replace(runs[0], time=time, time_low=time, time_high=time, rounds=1)
+
+    def _row(
+        self, method: Method, setting: float, watch: Watch, failure: str, end: str = "", reached: float = 0.0
+    ) -> Run:
+        return Run(
+            system=self.system.slug, method=method.slug, setting=setting, failure=failure, end=end, reached=reached,
+            evaluations=watch.evaluations, steps=watch.steps,
+        )  # fmt: skip
+
+    def _timed(self, method: Method, setting: float, watch: Watch) -> tuple[float, Trajectory]:
+        fresh = replace(self.problem, chain=replace(self.problem.chain))  # nothing kept from the run before
+        start = clock()
+        watch.check = self._clock(method.slug, start + self.limits.seconds)
+        result = method.run(fresh, setting, watch)
+        return clock() - start, result
+
+    def _clock(self, method: str, deadline: float) -> Callable[[float], None]:
+        calls = count()
+
+        def check(t: float) -> None:
+            if next(calls) % GLANCE:
+                return
+            if clock() > deadline:
+                raise OverTimeError(f"time limit {self.limits.seconds:g} s", t)
+            if self.cancelled(method):
+                raise CancelledError("cancelled", t)
+
+        return check
+
+    def _judged(self, method: Method, setting: float, watch: Watch, result: Trajectory) -> Run:
+        error = self.truth.errors(result.x)
+        energy_error = self.truth.energy_errors(self.problem.chain, result)
+        if not np.all(np.isfinite(error + energy_error)):
+            return self._row(method, setting, watch, "not a number")
+        return Run(
+            system=self.system.slug,
+            method=method.slug,
+            setting=setting,
+            evaluations=watch.evaluations,
+            steps=watch.steps,
+            error=float(np.max(error)),
+            energy_error=float(np.max(energy_error)),
+            error_growth=_growth(error),
+            energy_growth=_growth(energy_error),
+        )
+
+
+def bench_of(
+    system: System, limits: Limits, cancelled: Cancelled, pace: float, problem: Problem | None = None
+) -> Bench:
+    """On the system's own problem, or on one of another length; ValueError where there is nothing to compare with."""
+    import scipy.integrate  # here, so that no run pays for it
+    import scipy.linalg  # noqa: F401
+
+    problem = problem or system.problem()
+    truth = reference(problem)
+    if not (truth.size > 0 and SMALLEST_ENERGY < truth.largest_energy < inf):
+        raise ValueError(f"largest displacement {truth.size:g} m, energy {truth.largest_energy:g} J: no scale")
+    return Bench(system, replace(problem, size=truth.size), truth, limits, cancelled, pace)
+
+
+class Ladder:
+    """One method on one system, refined rung by rung; `end` says why it is refined no further."""
+
+    def __init__(self, bench: Bench, method: Method) -> None:
+        self.bench, self.method, self.end = bench, method, ""
+        self.runs: list[Run] = []
+        self._settings = method.settings()
+        self._times: list[list[float]] = []
+
+    def climb(self) -> Run | None:
+        """The run at the next setting."""
+        if self.bench.cancelled(self.method.slug):
+            self.end = "cancelled"
+            return None
+        run = self.bench.visit(self.method, self._settings[len(self.runs)])
+        self.runs.append(run)
+        self._times.append([] if run.time is None else [run.time])
+        self.end = self._end()
+        self.runs[-1] = replace(run, end=self.end)
+        return self.runs[-1]
+
+    def again(self, rung: int) -> Run | None:
+        """The run at a rung with its time measured once more."""
+        if rung >= len(self.runs) or not self._times[rung] or self.bench.cancelled(self.method.slug):
+            return None
+        if len(self._times[rung]) >= 2 and sum(self._times[rung]) > self.bench.limits.budget:
+            return None
+        run = self.bench.visit(self.method, self._settings[rung])
+        if run.time is None:  # this time it was too slow
+            return None
+        times = self._times[rung]
+        times.append(run.time)
+        told: dict[str, Any] = {"time": median(times), "time_low": min(times), "time_high": max(times)}
+        self.runs[rung] = replace(self.runs[rung], rounds=len(times), **told)
+        return self.runs[rung]
+
+    def _end(self) -> str:
+        if self.runs[-1].end:
+            return self.runs[-1].end
+        if len(self.runs) == len(self._settings):
+            return "finest"
+        return "floor" if self.method.family == "fixed" and self._stands() else ""
+
+    def _stands(self) -> bool:
+        """Whether the error no longer falls, though steps so short should let it: rounding is what is left."""
+        errors = [run.error for run in self.runs if run.error is not None]
+        if len(errors) <= STANDS or min(errors[-STANDS:]) * GAIN < min(errors[:-STANDS]):
+            return False
+        problem, (_, fast) = self.bench.problem, self.bench.problem.rates
+        h = problem.spacing / self.runs[-STANDS].setting
+        return (h * fast) ** self.method.order * fast * float(problem.t[-1]) < RESOLVED
+
+
+def _growth(errors: Array) -> tuple[float, ...]:
+    worst = np.maximum.accumulate(errors)
+    return tuple(float(worst[mark * (worst.size - 1) // PERIODS]) for mark in MARKS)

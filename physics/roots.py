@@ -1,0 +1,101 @@
+"""The roots of a real polynomial in arbitrary precision, in conjugate pairs.
+
+All of them at once by the iteration of L. W. Ehrlich (Commun. ACM 10 (1967) 107) and O. Aberth (Math. Comp. 27
+(1973) 339), from starting points on the circles of the Newton polygon (D. A. Bini, Numer. Algorithms 13 (1996)
+179), so that coefficients of any size do.
+
+Where m roots nearly coincide, each is known to 1/m of the digits only: a working precision four times that of the
+result serves every quartic, and mismatch() tells how well the roots together reproduce the polynomial.
+"""
+
+import math
+import sys
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+_MOST_STEPS = 500
+_COMFORT = 1e60  # powers of numbers within this and its inverse stay in the range of doubles
+
+
+def roots(ctx: Any, coefficients: Sequence[Any]) -> list[Any]:
+    """Of sum_k coefficients[k] z^k; numbers of the mpmath context ctx, the first and the last not zero.
+
+    The roots of a pair are conjugate digit for digit, and other roots are real.
+    """
+    z = _starting_points(ctx, coefficients)
+    plain = [float(a) for a in coefficients]
+    if all(1 / _COMFORT < abs(a) < _COMFORT for a in (*plain, *map(float, map(abs, z))) if a):
+        z = [ctx.mpc(point) for point in _refined(plain, [complex(point) for point in z], sys.float_info.epsilon)]
+    return _conjugate(ctx, _refined(coefficients, z, ctx.eps))
+
+
+def mismatch(coefficients: Sequence[Any], z: Sequence[Any]) -> Any:
+    """The largest relative error of a coefficient of the product of all z - z_k."""
+    product, size = [coefficients[-1]], [abs(coefficients[-1])]
+    for root in z:
+        product = [b - root * a for a, b in zip([*product, 0], [0, *product], strict=True)]
+        size = [b + abs(root) * a for a, b in zip([*size, 0], [0, *size], strict=True)]
+    return max(abs(a - b) / c for a, b, c in zip(product, coefficients, size, strict=True))
+
+
+def _refined(coefficients: Sequence[Any], z: list[Any], eps: Any) -> list[Any]:
+    """Until the polynomial is at each point as small as its terms let one see."""
+    sizes = [abs(a) for a in coefficients]
+    moving = list(range(len(z)))
+    for _ in range(_MOST_STEPS):
+        for i in tuple(moving):
+            value, slope = _value_and_slope(coefficients, z[i])
+            if abs(value) <= 8 * eps * _value_and_slope(sizes, abs(z[i]))[0]:
+                moving.remove(i)
+                continue
+            crowd = sum(1 / (z[i] - other) for j, other in enumerate(z) if j != i)
+            z[i] -= value / (slope - value * crowd)
+            if z.count(z[i]) > 1:
+                z[i] *= 1 + eps**0.5
+        if not moving:
+            return z
+    raise ArithmeticError(f"roots not found in {_MOST_STEPS} steps: {coefficients}")
+
+
+def _value_and_slope(coefficients: Sequence[Any], z: Any) -> tuple[Any, Any]:
+    value, slope = coefficients[-1], 0 * z
+    for a in reversed(coefficients[:-1]):
+        slope = slope * z + value
+        value = value * z + a
+    return value, slope
+
+
+def _starting_points(ctx: Any, coefficients: Sequence[Any]) -> list[Any]:
+    """As many on each circle as the polygon has roots of that size; angles that no symmetry of the roots shares."""
+    corners: list[tuple[int, float]] = []
+    for corner in ((k, float(ctx.log(abs(a), 2))) for k, a in enumerate(coefficients) if a):
+        while len(corners) > 1 and _slope(corners[-2], corner) >= _slope(corners[-2], corners[-1]):
+            corners.pop()
+        corners.append(corner)
+    points = []
+    for one, two in pairwise(corners):
+        count = two[0] - one[0]
+        radius = ctx.mpf(2) ** -_slope(one, two)
+        angles = (2 * math.pi * i / count + 0.7 + one[0] for i in range(count))
+        points += [radius * ctx.expj(angle) for angle in angles]
+    return points
+
+
+def _slope(one: tuple[int, float], two: tuple[int, float]) -> float:
+    return (two[1] - one[1]) / (two[0] - one[0])
+
+
+def _conjugate(ctx: Any, z: list[Any]) -> list[Any]:
+    """Each root with the one nearest to its mirror image: a pair, or, where that is itself, a real root."""
+    rest, found = list(z), []
+    while rest:
+        one = rest.pop()
+        other = min(rest, key=lambda candidate: abs(candidate - ctx.conj(one)), default=None)
+        if other is None or abs(2 * one.imag) <= abs(other - ctx.conj(one)):
+            found.append(ctx.mpc(one.real, 0))
+            continue
+        rest.remove(other)
+        mean = (one + ctx.conj(other)) / 2
+        found += [mean, ctx.conj(mean)]
+    return found

@@ -1,0 +1,43 @@
+// Whether the visitor is busy with the page: a pointer is down, or a field is being edited.
+
+export class Busy {
+  held = false
+  edits = false
+
+  /** @type {(() => void) | null} */
+  act = null
+
+  constructor() {
+    this.#on(["pointerdown"], () => (this.held = true))
+    this.#on(["pointerup", "pointercancel"], () => (this.held = false))
+    this.#on(["input"], ({target}) => (this.edits = target instanceof HTMLInputElement && target.type === "text"))
+    this.#on(["change", "focusout"], () => (this.edits = false))
+  }
+
+  /** @param {string[]} events @param {(event: Event) => void} note */
+  #on(events, note) {
+    for (const name of events) {
+      addEventListener(
+        name,
+        event => {
+          note(event)
+          setTimeout(() => this.#look()) // when what the event does to the page has been done
+        },
+        true,
+      )
+    }
+  }
+
+  /** @param {() => void} act */
+  whenFree(act) {
+    this.act = act
+    this.#look()
+  }
+
+  #look() {
+    const {act, held, edits} = this
+    if (!act || held || edits) return
+    this.act = null
+    act()
+  }
+}

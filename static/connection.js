@@ -1,0 +1,151 @@
+// The connection to the server: what is lost is said, and taken up again with a new token and the state that stands.
+
+import {bokeh} from "./bokeh.js"
+import {Status} from "./status.js"
+import {connect} from "./wire.js"
+
+const FIRST = 1000 // ms, the pause after the first try that failed; each is twice the one before
+const LONGEST = 30000
+const STEADY = 10000 // ms after which a connection that is lost is taken up again at once
+const PATIENCE = 15000 // ms for a try
+
+/**
+ * `link` is the page's own address; `changed` is called when the connection comes or goes, `outdated` where the server
+ * has another version of the page.
+ * @typedef {{link: () => string, changed: () => void, outdated: () => void}} Options
+ */
+
+export class Connection {
+  /** @type {import("./wire.js").Wire | null} */
+  wire = null
+
+  isOutdated = false
+  trying = false
+  tries = -1 // without a steady connection, but for the first
+  refused = 0 // tries in which the page came and no socket opened
+  since = 0
+
+  /** @type {number | undefined} */
+  timer
+
+  /** @param {import("./line.js").Line} line @param {Options} options */
+  constructor(line, options) {
+    this.line = line
+    this.options = options
+    this.status = new Status(() => this.#again())
+    line.overdue = () => this.lose()
+    addEventListener("offline", () => this.lose())
+    addEventListener("online", () => this.#again())
+    document.addEventListener("visibilitychange", () => document.hidden || this.#again())
+    document.documentElement.dataset.connected = "false"
+  }
+
+  /** With the token that the page was served with; it may have become too old. @param {string} token */
+  async begin(token) {
+    await this.#try(() => this.#open(token, false))
+  }
+
+  /** @param {string} token @param {boolean} anew */
+  async #open(token, anew) {
+    await bokeh()
+    const opened = connect(
+      token,
+      packet => this.line.receive(packet),
+      () => this.lose(),
+    )
+    try {
+      this.wire = await inTime(opened)
+    } catch (reason) {
+      opened.then(
+        late => late.close(),
+        () => {},
+      )
+      this.refused++
+      throw reason
+    }
+    this.since = performance.now()
+    this.refused = 0
+    this.line.attach(this.wire, anew)
+    this.status.found()
+    this.#tell()
+  }
+
+  lose() {
+    if (!this.wire) return
+    if (performance.now() - this.since > STEADY) this.tries = 0
+    this.wire.close()
+    this.wire = null
+    this.line.detach()
+    this.#say()
+    this.#pause()
+  }
+
+  #say() {
+    this.status.say(this.refused > 1)
+    this.#tell()
+  }
+
+  #tell() {
+    document.documentElement.dataset.connected = String(Boolean(this.wire))
+    this.options.changed()
+  }
+
+  /** At once after a steady connection, then less and less often, and not all visitors at the same time. */
+  #pause() {
+    const pause = this.tries ? Math.min(FIRST * 2 ** (this.tries - 1), LONGEST) * (0.5 + Math.random()) : 0
+    this.status.wait(pause)
+    clearTimeout(this.timer)
+    this.timer = setTimeout(() => this.#again(), pause)
+  }
+
+  async #again() {
+    if (!this.wire && !this.isOutdated) await this.#try(() => this.#renew())
+  }
+
+  async #renew() {
+    const {token, version} = await served(this.options.link())
+    if (version === versionOf(document)) return this.#open(token, true)
+    this.isOutdated = true
+    this.status.outdated()
+    this.options.outdated()
+  }
+
+  /** @param {() => Promise<void>} attempt */
+  async #try(attempt) {
+    if (this.trying) return
+    clearTimeout(this.timer)
+    this.trying = true
+    try {
+      await attempt()
+    } catch {
+      this.#say()
+    }
+    this.trying = false
+    this.tries++
+    if (!this.wire && !this.isOutdated) this.#pause()
+  }
+}
+
+/** The token of a new session, and the version of the page that it is for. @param {string} link */
+async function served(link) {
+  const answer = await fetch(link, {cache: "no-store", signal: AbortSignal.timeout(PATIENCE)})
+  const page = new DOMParser().parseFromString(await answer.text(), "text/html")
+  const {token} = JSON.parse(page.getElementById("opening")?.textContent ?? "")
+  return {token, version: versionOf(page)}
+}
+
+/** The scripts, and the sheets of all scenes. @param {Document} page */
+function versionOf(page) {
+  const sheets = [...page.querySelectorAll("[data-sheet]")].map(link => link.getAttribute("data-sheet"))
+  return [page.documentElement.dataset.version, ...sheets].join()
+}
+
+/**
+ * @template Value
+ * @param {Promise<Value>} promise @returns {Promise<Value>}
+ */
+const inTime = promise =>
+  Promise.race([
+    promise,
+    new Promise((_, failed) => setTimeout(() => failed(new Error("There is no answer.")), PATIENCE)),
+  ])

@@ -1,0 +1,35 @@
+// Over a plot that waits for a prediction; what it shows has not been sent.
+
+import {element} from "./dom.js"
+
+export class Cover {
+  /** @type {HTMLElement | undefined} */
+  element
+
+  /** @param {import("./plots.js").Plot} plot */
+  constructor(plot) {
+    this.plot = plot
+  }
+
+  /** @param {string[]} covered */
+  update(covered) {
+    const {block, host} = this.plot
+    const isCovered = covered.includes(`plot:${block.name}`)
+    if (isCovered && !this.element) {
+      const reveal = element("button", {type: "button", class: "chip"}, "Reveal")
+      reveal.addEventListener("click", () => this.plot.page.lecture.reveal(`plot:${block.name}`))
+      this.element = element("div", {class: "cover"}, element("span", {}, "Covered. What do you expect?"), reveal)
+      host.append(this.element)
+    }
+    if (this.element) this.element.hidden = !isCovered
+    this.place()
+  }
+
+  /** It lies on the frame alone: predicting needs the axes. */
+  place() {
+    const {left, top, width, height} = this.plot.frame
+    for (const [side, size] of Object.entries({left, top, width, height})) {
+      this.element?.style.setProperty(side, `${size}px`)
+    }
+  }
+}

@@ -1,0 +1,119 @@
+// A Bokeh figure: mounted in the page, filled with the columns of a message, coloured as the quantities now are.
+
+import {colour, element} from "./dom.js"
+
+export class Figure {
+  /** @param {page.PlotBlock} block */
+  constructor(block) {
+    this.block = block
+    this.says = element("p", {class: "heard", id: `says-${block.name}`})
+    this.element = element("div", {
+      class: "figure",
+      role: "img",
+      "aria-label": block.title,
+      "aria-describedby": this.says.id,
+    })
+  }
+
+  /** The models, without a view yet: what is set on them now is drawn once, when they are mounted. */
+  make() {
+    const {Document} = Bokeh.require("document")
+    this.document = Document.from_json(this.block.figure.doc)
+    this.model = this.document.roots()[0]
+    const names = new Set([...this.block.curves, ...this.block.regions].map(part => part.source))
+    this.sources = [...names].map(name => ({name, source: this.document.get_model_by_name(name)}))
+    this.theme()
+  }
+
+  /** To be called while the element is on the page. */
+  async mount() {
+    this.manager = await Bokeh.embed.add_document_standalone(this.document, this.element)
+    const [view] = this.manager
+    view.canvas_view.events_el.removeAttribute("tabindex") // the keys have nothing to do on the figure itself
+    if (this.left) this.leave()
+  }
+
+  // Bokeh keeps every document that it has shown in a list of its own.
+  leave() {
+    this.left = true
+    if (!this.manager) return
+    const {documents} = Bokeh
+    const index = documents.indexOf(this.document)
+    this.manager.clear()
+    if (index >= 0) documents.splice(index, 1)
+  }
+
+  /**
+   * Only what has its columns and is not switched off is drawn.
+   * @param {Columns} columns @param {Set<string>} hidden
+   */
+  fill(columns, hidden) {
+    for (const {name, source} of this.sources ?? []) fill(source, columns[name] ?? {})
+    for (const renderer of this.model.renderers) {
+      const given = columns[renderer.data_source.name] ?? {}
+      const {glyph} = renderer
+      const needed = [glyph.x, glyph.y, glyph.y1, glyph.y2].filter(Boolean).map(value => value.field)
+      const group = this.#drawn(renderer).group
+      renderer.visible = !hidden.has(group) && needed.every(column => given[column]?.length)
+    }
+  }
+
+  /** @param {Span} x @param {Span} y */
+  setRanges(x, y) {
+    this.model.x_range.setv({start: x.start, end: x.end})
+    this.model.y_range.setv({start: y.start, end: y.end})
+  }
+
+  /** @param {number[]} x @param {number[]} y */
+  setTicks(x, y) {
+    this.model.below[0].ticker.ticks = x
+    this.model.left[0].ticker.ticks = y
+  }
+
+  /** The texts under the horizontal axis. @param {Map<number, string>} labels */
+  setLabels(labels) {
+    this.model.below[0].major_label_overrides = labels
+  }
+
+  theme() {
+    if (!this.model) return
+    for (const renderer of this.model.renderers) this.#paint(renderer)
+    for (const model of this.model.center) {
+      if (model.type === "Span") model.setv({line_color: colour("rule")})
+      if (model.type === "Grid") model.setv({grid_line_color: colour("grid")})
+    }
+    const label = {
+      major_label_text_color: colour("mute"),
+      major_label_text_font: colour("sans"),
+      major_label_text_font_size: colour("t0"),
+    }
+    for (const axis of [...this.model.below, ...this.model.left]) axis.setv(label)
+  }
+
+  /** @param {any} renderer */
+  #paint(renderer) {
+    const {glyph} = renderer
+    const drawn = this.#drawn(renderer)
+    const ink = colour(drawn.tint)
+    if ("line_color" in glyph && glyph.type !== "VArea") glyph.setv({line_color: ink})
+    if ("fill_color" in glyph) {
+      const isRing = "marker" in drawn && drawn.marker === "ring"
+      glyph.setv({fill_color: isRing ? colour("paper") : ink})
+    }
+  }
+
+  /** What a renderer draws: its name is the place in the block, "curves.0". @param {any} renderer */
+  #drawn(renderer) {
+    const [list, index] = renderer.name.split(".")
+    return list === "curves" ? this.block.curves[Number(index)] : this.block.regions[Number(index)]
+  }
+}
+
+/**
+ * Columns that the picture does without (their renderers are not drawn) are filled up to the common length.
+ * @param {any} source @param {Record<string, Float32Array>} given
+ */
+function fill(source, given) {
+  const nothing = new Float32Array(Object.values(given)[0]?.length ?? 0)
+  source.data = Object.fromEntries(Object.keys(source.data).map(key => [key, given[key] ?? nothing]))
+}

@@ -1,0 +1,52 @@
+// How fingers and keys move a slider: a finger by going sideways, keys by steps that mean something where it stands.
+
+import {atTwoDigits, leapt} from "./scales.js"
+
+const SIDEWAYS = 8 // px before a finger is taken to mean the slider, and not the page
+
+/** @type {Record<string, 1 | -1>} */
+const ALONG = {ArrowUp: 1, ArrowDown: -1, ArrowRight: 1, ArrowLeft: -1}
+
+/** @type {Record<string, 1 | -1>} */
+const LEAPS = {PageUp: 1, PageDown: -1}
+
+// A swipe that starts on a slider scrolls the page: until the finger has gone sideways the slider stays where it was.
+export class Finger {
+  /** @type {{x: number, y: number, stood: string, sideways: boolean} | null} */
+  swipe = null
+
+  /** @param {HTMLInputElement} slider */
+  constructor(slider) {
+    this.slider = slider
+    slider.addEventListener("pointerdown", ({pointerType, clientX: x, clientY: y}) => {
+      this.swipe = pointerType === "touch" ? {x, y, stood: slider.value, sideways: false} : null
+    })
+    slider.addEventListener("pointermove", ({clientX, clientY}) => {
+      if (!this.swipe) return
+      const [across, along] = [Math.abs(clientX - this.swipe.x), Math.abs(clientY - this.swipe.y)]
+      this.swipe.sideways ||= across > SIDEWAYS && across > along
+    })
+    slider.addEventListener("keydown", () => {
+      this.swipe = null
+    })
+  }
+
+  /** Whether what the slider was just moved by is no more than a touch; it is then put back. */
+  onlyTouched() {
+    if (!this.swipe || this.swipe.sideways) return false
+    this.slider.value = this.swipe.stood
+    return true
+  }
+}
+
+/**
+ * Where a key takes a slider that stands at `value`: null for another key, or where `next` says so.
+ * @param {string} key @param {page.SliderRow["scale"]} scale @param {number} value @param {[number, number]} soft
+ * @param {(direction: 1 | -1) => number} next the value after it on the slider
+ */
+export function keyed(key, scale, value, soft, next) {
+  if (key in LEAPS) return leapt(scale, value, LEAPS[key], soft)
+  const direction = ALONG[key]
+  if (!direction) return null
+  return scale === "log" ? atTwoDigits(value, direction, soft) : next(direction)
+}

@@ -1,0 +1,183 @@
+// The hand on a page: what it holds is drawn where it is, at once; the server hears of it and answers when it can.
+
+import {evaluate, polynomial} from "./signals.js"
+import {toPlace, toSI} from "./ruler.js"
+
+const FLICK = 120 // ms before letting go over which its velocity is taken
+const STILL = 40 // pixels a second, below which a hand rests
+/** @typedef {{x: number, y: number}} Point */
+
+/** What an axis is to a quantity that is drawn on none. @type {page.Ruler} */
+const PLAIN = {start: 0, end: 1, ticks: [], labels: [], unit: "", exponent: 0, factor: 1, power: 1, log: false}
+
+export class Hand {
+  /** @type {page.Grab | null} what is held */
+  grab = null
+
+  /** @type {Named} what is drawn in place of the picture's own numbers, in SI by the name that it moves */
+  moved = {}
+
+  /** @type {Named} the same as it was last drawn without a refusal */
+  good = {}
+
+  /** @type {Named} what stands still until the first answer */
+  frozen = {}
+
+  /** @type {{at: Point, when: number}[]} */
+  trail = []
+
+  hint = "" // said once, until something has been grabbed
+
+  refusal = ""
+  from = 0
+  leaving = false
+  plays = false
+
+  /** @param {import("./page.js").Page} page */
+  constructor(page) {
+    this.page = page
+  }
+
+  /** The numbers that are drawn in place of those of the picture. @returns {Named} */
+  get named() {
+    if (!this.grab) return {}
+    /** @type {Named} */
+    const named = {...this.frozen}
+    for (const {moves, axis} of this.grab.ways) {
+      if (moves in this.moved) named[moves] = toPlace(this.#ruler(axis), this.moved[moves])
+    }
+    return named
+  }
+
+  /** @param {string} axis */
+  #ruler(axis) {
+    return this.page.shown.view.axes[axis] ?? PLAIN
+  }
+
+  /** @param {page.Grab} grab */
+  take(grab) {
+    const {clock, shown} = this.page
+    const now = evaluate(shown.view.signals, shown.view.scalars, clock.t, this.named)
+    const again = this.grab === grab
+    Object.assign(this, {grab, leaving: false, refusal: "", trail: []})
+    if (again) return
+    Object.assign(this, {moved: {}, good: {}, frozen: {}})
+    if (!grab.begins) return
+    for (const [name, {kind}] of Object.entries(shown.view.signals)) {
+      if (kind !== "derived" && kind !== "sine" && kind !== "cosine") this.frozen[name] = now[name]
+    }
+    this.plays = clock.playing
+    clock.playing = false
+    clock.seek(0)
+    if (!grab.start.length) return
+    this.#send(
+      Object.fromEntries(
+        grab.start.map(({parameter, of, axis, size}) => [
+          parameter,
+          of ? digits(toSI(this.#ruler(axis), now[of]) / size) : 0,
+        ]),
+      ),
+    )
+  }
+
+  /**
+   * The hand is at a point of a stage, whose named quantities are `all`.
+   * @param {Point} at @param {Named} all
+   */
+  move(at, all) {
+    if (!this.grab) return
+    this.trail.push({at, when: performance.now()})
+    /** @type {Record<string, number>} */
+    const values = {}
+    for (const way of this.grab.ways) {
+      const {si, value, pixel} = placed(way, at, all, this.#ruler(way.axis))
+      if (way.moves && !this.refusal) this.moved[way.moves] = si
+      if (way.parameter) values[way.parameter] = rounded(value / way.size, pixel / way.size)
+    }
+    if (Object.keys(values).length) this.#send(values)
+    this.page.clock.dirty = true
+  }
+
+  /** The hand stands still: letting go is no flick. */
+  rest() {
+    this.trail = []
+  }
+
+  /** Letting go: the motion starts as soon as all is answered, with the velocity of the hand. @param {Named} all */
+  release(all) {
+    if (!this.grab) return
+    this.leaving = true
+    this.#send(this.#flick(all), false)
+  }
+
+  /** What a flick gives; without one nothing, but the frame may grow again. @param {Named} all */
+  #flick(all) {
+    const {grab, trail, page} = this
+    const last = trail[trail.length - 1]
+    const recent = trail.findIndex(({when}) => when > last.when - FLICK)
+    const first = trail[Math.min(recent, trail.length - 2)]
+    if (!first || performance.now() - last.when > FLICK) return {}
+    /** @type {Record<string, number>} */
+    const values = {}
+    for (const way of grab?.ways ?? []) {
+      if (!way.rate || this.refusal) continue
+      const seconds = (last.when - first.when) / 1000
+      const far = Math.hypot(last.at.x - first.at.x, last.at.y - first.at.y)
+      if (!seconds || far / seconds < STILL) continue
+      const ruler = this.#ruler(way.axis)
+      const [before, after] = [first, last].map(({at}) => placed(way, at, all, ruler).value)
+      values[way.rate] = digits((after - before) / seconds / page.clock.factor / way.size)
+    }
+    return values
+  }
+
+  /** @param {Record<string, number>} values @param {boolean} [holding] */
+  #send(values, holding = true) {
+    const {line} = this.page.lecture
+    this.page.send({type: "set", values, holding})
+    if (!this.from) this.from = line.number + line.outbox.length
+  }
+
+  /** An answer has come. @param {Drawn} shown */
+  heard({answer, errors}) {
+    if (!this.grab || answer === null || answer < this.from) return
+    const refused = this.grab.ways.map(way => errors[way.parameter]).find(Boolean) ?? ""
+    this.refusal = refused
+    if (refused) Object.assign(this.moved, this.good)
+    else this.good = {...this.moved}
+    const {line} = this.page.lecture
+    this.frozen = {}
+    if (!this.leaving || line.asked || line.outbox.length) return
+    const {begins} = this.grab
+    Object.assign(this, {grab: null, moved: {}, good: {}, frozen: {}, from: 0, leaving: false})
+    if (begins) this.page.clock.playing = this.plays || !matchMedia("(prefers-reduced-motion: reduce)").matches
+  }
+}
+
+/**
+ * What the place of a hand stands for: in SI as it is drawn, as a value, and how much of that a pixel is.
+ * @param {page.AnyWay} way @param {Point} at @param {Named} all @param {page.Ruler} ruler
+ */
+function placed(way, at, all, ruler) {
+  if (way.kind === "turn") {
+    const [across, down] = [at.x - polynomial(way.x, all), at.y - polynomial(way.y, all)]
+    const angle = Math.atan2(across, down)
+    return {si: angle, value: angle, pixel: 1 / Math.hypot(across, down)}
+  }
+  const unit = polynomial(way.unit, all)
+  const place = ((way.kind === "along" ? at[way.across] : at.y) - polynomial(way.zero, all)) / unit
+  const si = toSI(ruler, place)
+  if (way.kind === "along") return {si, value: si, pixel: Math.abs(toSI(ruler, place + 1 / unit) - si)}
+  const head = toSI(ruler, all[way.head])
+  const high = Math.min(si, head / 2)
+  return {si: high, value: Math.sqrt(1 - (2 * high) / head) - 1, pixel: 0.01}
+}
+
+/** A value to the digits that a hand can tell apart. @param {number} value @param {number} pixel */
+function rounded(value, pixel) {
+  const step = 10 ** Math.floor(Math.log10(pixel))
+  return Number((Math.round(value / step) * step).toPrecision(12)) + 0
+}
+
+/** @param {number} value */
+const digits = value => Number(value.toPrecision(4)) + 0

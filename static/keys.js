@@ -1,0 +1,125 @@
+// Keys that act wherever the focus is, but while something is typed. Each stands in the list that `?` opens, where it
+// is a button too; those of a single letter can be switched off.
+
+/**
+ * A key by what the event calls it, as it is shown, what it does in words, and the deed; what matches `own` and has the
+ * focus keeps it for itself.
+ * @typedef {import("./main.js").Lecture} Lecture
+ * @typedef {{keys: string[], shown: string, does: string, act: (lecture: Lecture) => void, own?: string}} Key
+ */
+
+const PRESSED = "button, a, summary, input, select, [role=slider], [role=application]"
+const MOVED = "input, [role=slider], [role=application]"
+const OFF = "single-keys"
+
+/** @param {Lecture} lecture @param {() => void} act on a clock that is not held by a question */
+function timed({page}, act) {
+  if (!page.transport.element.inert && !page.transport.element.classList.contains("idle")) act()
+}
+
+/** @param {number} n @returns {Key["act"]} */
+const numbered =
+  n =>
+  ({walks, page}) => {
+    if (walks.walk) walks.walk.choose(n - 1)
+    else page.controls.presets.buttons[n - 1]?.click()
+  }
+
+/** @type {Key[]} */
+export const KEYS = [
+  {keys: [" "], shown: "Space", does: "Play or pause", own: PRESSED, act: l => timed(l, () => l.clock.toggle())},
+  {keys: ["["], shown: "[", does: "Step back in time", act: l => timed(l, () => l.clock.step(-1))},
+  {keys: ["]"], shown: "]", does: "Step forward in time", act: l => timed(l, () => l.clock.step(1))},
+  {keys: ["Home"], shown: "Home", does: "Restart", own: MOVED, act: l => timed(l, () => l.clock.seek(0))},
+  {keys: ["0"], shown: "0", does: "Fit axes, window and speed", act: l => l.fit()},
+  {keys: ["PageDown"], shown: "Page Down", does: "In a walk: Show, then Next", act: l => l.walks.walk?.forward(true)},
+  {keys: ["PageUp"], shown: "Page Up", does: "In a walk: Back", act: l => l.walks.walk?.back()},
+  ...[1, 2, 3, 4].map(n => ({keys: [`${n}`], shown: `${n}`, does: `Answer ${n}, or preset ${n}`, act: numbered(n)})),
+  {keys: ["w", "W"], shown: "W", does: "Walk: choose one, or leave it", act: l => l.walks.toggle()},
+  {keys: ["r", "R"], shown: "R", does: "Reveal what is covered", act: l => l.walks.reveal()},
+  {keys: ["f", "F"], shown: "F", does: "Full screen", act: () => fullScreen()},
+  {keys: [".", "b", "B"], shown: "B", does: "Blank the screen; any key brings it back", act: () => blank()},
+  {keys: ["?"], shown: "?", does: "This list", act: l => list(l)},
+]
+
+const isLetter = (/** @type {string} */ key) => /^[a-z.]$/i.test(key)
+
+/** Whether keys of a single letter act, as long as the browser remembers. */
+export const singles = {
+  off: false,
+  read() {
+    try {
+      this.off = localStorage.getItem(OFF) === "off"
+    } catch {
+      // A browser that keeps nothing keeps them on.
+    }
+  },
+  /** @param {boolean} off */
+  set(off) {
+    this.off = off
+    try {
+      localStorage.setItem(OFF, off ? "off" : "on")
+    } catch {
+      // The same.
+    }
+  },
+}
+
+/** @param {Lecture} lecture */
+export function listen(lecture) {
+  singles.read()
+  document.querySelector("#keys")?.addEventListener("click", () => list(lecture))
+  addEventListener("keydown", event => hear(event, lecture), true)
+}
+
+/**
+ * Page Down and Page Up belong to a walk, and without one to what has the focus.
+ * @param {KeyboardEvent} event @param {Lecture} lecture
+ */
+function hear(event, lecture) {
+  const known = KEYS.find(({keys}) => keys.includes(event.key))
+  if (!known || !lecture.page || !acts(event, known)) return
+  if (event.key.startsWith("Page") && !lecture.walks.walk) return
+  event.preventDefault()
+  event.stopPropagation()
+  known.act(lecture)
+}
+
+/** @param {KeyboardEvent} event @param {Key} known */
+function acts(event, {own}) {
+  const {target, key} = event
+  if (event.ctrlKey || event.metaKey || event.altKey) return false
+  if (document.querySelector("dialog:modal") || (singles.off && isLetter(key))) return false
+  if (!(target instanceof HTMLElement)) return true
+  const isTyped = key.length === 1 || key === "Home"
+  return !(isTyped && isTyping(target)) && !(own && target.matches(own))
+}
+
+/** @param {HTMLElement} target */
+const isTyping = target =>
+  target.isContentEditable || target.matches("input:not([type=range], [type=checkbox]), textarea, select")
+
+/** It stays through scenes and steps, which are one page. */
+async function fullScreen() {
+  if (document.fullscreenElement) await document.exitFullscreen()
+  else await document.documentElement.requestFullscreen?.().catch(() => {})
+}
+
+function blank() {
+  const black = document.createElement("div")
+  black.className = "blank"
+  document.body.append(black)
+  const end = (/** @type {Event} */ event) => {
+    event.preventDefault()
+    event.stopPropagation()
+    black.remove()
+    for (const kind of ["keydown", "pointerdown"]) removeEventListener(kind, end, true)
+  }
+  for (const kind of ["keydown", "pointerdown"]) addEventListener(kind, end, true)
+}
+
+/** @param {Lecture} lecture */
+async function list(lecture) {
+  const {toggleList} = await import("./later/keylist.js")
+  toggleList(lecture)
+}

@@ -1,0 +1,67 @@
+// What was answered: kept by this browser alone, for as long as it keeps anything.
+
+/** @typedef {{said: string, right: boolean, title: page.Html}} Kept of a step: the answer in words */
+
+const KEY = "walk-answers"
+
+export class Answers {
+  constructor() {
+    /** @type {Record<string, Kept>} by the id of the step */
+    this.kept = {}
+    try {
+      this.kept = JSON.parse(localStorage.getItem(KEY) ?? "{}")
+    } catch {
+      // A browser that keeps nothing: they last as long as the page.
+    }
+  }
+
+  /** @param {string} step */
+  of(step) {
+    return /** @type {Kept | undefined} */ (this.kept[step])
+  }
+
+  /** @param {string} step @param {Kept} answer */
+  keep(step, answer) {
+    this.kept[step] = answer
+    this.#store()
+  }
+
+  clear() {
+    this.kept = {}
+    this.#store()
+  }
+
+  #store() {
+    try {
+      localStorage.setItem(KEY, JSON.stringify(this.kept))
+    } catch {
+      // The same.
+    }
+  }
+
+  /** A page of text to keep. @param {page.WalkSheet[]} sheets */
+  text(sheets) {
+    const lines = sheets.flatMap(({title, steps}) => {
+      const answered = steps.filter(step => this.of(step.id))
+      return answered.length ? [title, "", ...answered.flatMap(step => this.#lines(step)), ""] : []
+    })
+    return lines.length ? lines.join("\n") : "Nothing was answered yet.\n"
+  }
+
+  /** @param {page.StepCard} step */
+  #lines(step) {
+    const {said, right, title} = /** @type {Kept} */ (this.of(step.id))
+    return [
+      `${step.place} (${step.id})`,
+      `  ${plain(step.given)} ${plain(step.question)}`.trimEnd(),
+      `  You: ${said}${right ? ", right" : ""}`,
+      `  ${plain(title)}`,
+    ]
+  }
+}
+
+/** The words of our own HTML. @param {page.Html} html */
+function plain(html) {
+  const body = new DOMParser().parseFromString(html, "text/html").body
+  return body.textContent ?? ""
+}

@@ -1,0 +1,160 @@
+// The card of a step, in the panel's place: what is given and asked, the answer, what it means, what to try.
+
+import {element, marked} from "../dom.js"
+import {questionOf} from "./questions.js"
+
+const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // what waits for the answer
+
+export class Card {
+  /** @type {{part: Element, place: Comment}[]} controls that stand on the card, and where they come from */
+  borrowed = []
+
+  /**
+   * @param {import("./walk.js").Walk} walk
+   * @param {import("../page.js").Page} page
+   */
+  constructor(walk, page) {
+    this.walk = walk
+    this.page = page
+    const {step} = walk
+    this.question = questionOf(step, walk, page)
+    this.refusal = element("p", {class: "problem", role: "alert"})
+    this.after = element("div", {class: "after"})
+    this.back = element("button", {type: "button", class: "act", "data-key": "PageUp"}, "Back")
+    this.back.disabled = walk.place === 0
+    this.back.addEventListener("click", () => walk.back())
+    this.forward = element("button", {type: "button", class: "act filled"}, "Show")
+    this.forward.addEventListener("click", () => walk.forward())
+    const asks = marked("h2", {class: "asks", tabindex: -1}, step.question)
+    this.body = element("div", {class: "card-body"}, this.#head(), ...given(step), asks, this.question.element)
+    this.body.append(this.refusal, this.after)
+    this.element = element("section", {class: "card", "aria-label": "The walk"}, this.body)
+    this.element.append(element("div", {class: "foot"}, this.back, this.forward))
+    this.question.changed = () => this.#ready()
+    page.panel.prepend(this.element)
+    this.question.host?.scrollIntoView({block: "nearest"})
+    page.root.classList.add("walked")
+    this.#ask()
+    asks.focus({preventScroll: true})
+  }
+
+  #head() {
+    const {sheet, place, step} = this.walk
+    const contents = element("button", {type: "button", class: "plain"}, "Contents")
+    contents.addEventListener("click", () => this.walk.open())
+    const where = [step.place, `${place + 1} of ${sheet.steps.length}`].filter(Boolean).join(" · ")
+    const dashes = sheet.steps.map((other, i) =>
+      element("i", {class: i === place ? "here" : this.walk.answers.of(other.id) ? "done" : ""}),
+    )
+    const ruler = element("div", {class: "ruler", "aria-hidden": "true"}, ...dashes)
+    return element("div", {class: "card-head"}, element("span", {}, where), contents, ruler)
+  }
+
+  #ask() {
+    const {page} = this
+    page.root.classList.add("asked")
+    page.headline(null)
+    for (const part of page.root.querySelectorAll(HELD)) part.setAttribute("inert", "")
+    this.#ready()
+  }
+
+  #ready() {
+    const isReady = this.walk.lesson !== null || this.question.given() !== null
+    this.forward.classList.toggle("waiting", !isReady)
+    this.forward.title = isReady ? "" : "First an answer: a guess counts"
+    this.refusal.textContent = ""
+  }
+
+  /** @param {string} why */
+  refuse(why) {
+    this.refusal.textContent = why
+  }
+
+  /** What the step teaches takes its place under the question. @param {page.Lesson} lesson */
+  teach(lesson) {
+    const {page} = this
+    this.#release()
+    page.headline(lesson.title)
+    this.question.teach(lesson)
+    this.after.replaceChildren(...this.#meaning(lesson))
+    page.name(this.after)
+    this.forward.textContent = this.walk.place + 1 < this.walk.sheet.steps.length ? "Next" : "Contents"
+    this.#ready()
+  }
+
+  /** @param {page.Lesson} lesson */
+  #meaning({reply, truth, explain, follows, next}) {
+    const answered = [truth ? `It is ${truth}.` : ""].filter(Boolean).map(text => element("p", {class: "truth"}, text))
+    const sentence = reply ? [marked("p", {class: "reply"}, reply)] : []
+    return [
+      ...answered,
+      ...sentence,
+      marked("p", {class: "why"}, explain),
+      ...derivation(follows, this.walk),
+      ...this.#try(next),
+    ]
+  }
+
+  /** @param {page.Html} next */
+  #try(next) {
+    const name = this.walk.step.kind === "sketch" ? "Draw again" : "Answer again"
+    const again = element("button", {type: "button", class: "chip"}, name)
+    again.addEventListener("click", () => this.walk.again())
+    const words = next ? [marked("p", {class: "try"}, `<b>Try:</b> ${next}`)] : []
+    return [...words, element("div", {class: "borrowed"}, ...this.#borrow()), again]
+  }
+
+  /** The controls that the step names stand on the card while it does. */
+  #borrow() {
+    const {controls, panel, spec} = this.page
+    const parts = this.walk.step.controls.map(
+      name => controls.sliders.get(name)?.element ?? panel.querySelector(`.seg[data-name="${name}"]`),
+    )
+    return parts.flatMap(part => {
+      if (!part || !spec) return []
+      const place = document.createComment("on the card")
+      part.replaceWith(place)
+      this.borrowed.push({part, place})
+      return [part]
+    })
+  }
+
+  /** @param {Drawn} shown */
+  update(shown) {
+    this.question.update(shown)
+  }
+
+  #release() {
+    const {page} = this
+    page.root.classList.remove("asked")
+    for (const part of page.root.querySelectorAll(HELD)) part.removeAttribute("inert")
+  }
+
+  leave() {
+    for (const {part, place} of this.borrowed) place.replaceWith(part)
+    this.#release()
+    this.question.leave()
+    this.element.remove()
+    this.page.root.classList.remove("walked")
+    this.page.headline()
+  }
+}
+
+/** @param {page.StepCard} step */
+const given = step => (step.given ? [marked("p", {class: "given"}, step.given)] : [])
+
+/**
+ * The slide's own equations, closed at first, then as they were left; where there is room they open over the paper.
+ * @param {page.Html[]} follows @param {import("./walk.js").Walk} walk
+ */
+function derivation(follows, walk) {
+  if (!follows.length) return []
+  const lines = follows.map(html => marked("div", {class: "line"}, html))
+  const sheet = element("div", {class: "lines", tabindex: 0, role: "group", "aria-label": "How it follows"}, ...lines)
+  const fold = element("details", {class: "fold follows"}, element("summary", {}, "How it follows"), sheet)
+  fold.open = walk.unfolded
+  fold.addEventListener("toggle", () => {
+    walk.unfolded = fold.open
+  })
+  return [fold]
+}

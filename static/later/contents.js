@@ -1,0 +1,85 @@
+// The contents of all walks on the paper: a step that was answered stands as its claim, one to come as its question.
+
+import {element, marked} from "../dom.js"
+import {mark} from "./questions.js"
+
+export class Contents {
+  /** @type {page.WalkSheet[]} */
+  sheets = []
+
+  /** @param {import("./walk.js").Walk} walk */
+  constructor(walk) {
+    this.walk = walk
+    this.element = element("dialog", {class: "contents", "aria-label": "Contents of the walks"})
+    document.body.append(this.element)
+    this.element.addEventListener("click", event => {
+      if (event.target === this.element) this.close()
+    })
+  }
+
+  async open() {
+    const {walks} = this.walk
+    this.sheets = await Promise.all(walks.names.map(name => walks.sheet(name)))
+    this.#fill()
+    if (!this.element.open) this.element.showModal()
+  }
+
+  close() {
+    this.element.close()
+  }
+
+  #fill() {
+    const {sheets} = this
+    const head = element("h1", {}, "What the walk has shown, and what it asks next")
+    const columns = element("div", {class: "columns"}, ...sheets.map(sheet => this.#column(sheet)))
+    const tools = [
+      this.#button("Export as text", () => this.#export(sheets)),
+      this.#button("Clear the answers", () => this.#clear()),
+      this.#button("Close", () => this.close()),
+    ]
+    this.element.replaceChildren(head, columns, element("div", {class: "tools"}, ...tools))
+  }
+
+  /** @param {string} name @param {() => void} act */
+  #button(name, act) {
+    const button = element("button", {type: "button", class: "chip"}, name)
+    button.addEventListener("click", act)
+    return button
+  }
+
+  /** @param {page.WalkSheet} sheet */
+  #column(sheet) {
+    const rows = sheet.steps.map((step, i) => this.#row(sheet, step, i))
+    return element("section", {}, element("h2", {}, sheet.title), element("ol", {}, ...rows))
+  }
+
+  /** @param {page.WalkSheet} sheet @param {page.StepCard} step @param {number} i */
+  #row(sheet, step, i) {
+    const kept = this.walk.answers.of(step.id)
+    const said = kept ? `${step.scene}, you: ${kept.said}` : `${step.scene}, ${step.minutes} minutes`
+    const claim = marked("span", {class: "claim"}, kept ? kept.title : step.question)
+    const slide = element("span", {class: "slide"}, step.place.replace(/^\S+ slide |^\S+ notes /, ""))
+    const parts = [slide, claim, element("span", {class: "said"}, said), ...(kept ? [mark(kept.right)] : [])]
+    const row = element("button", {type: "button"}, ...parts)
+    const isHere = sheet === this.walk.sheet && i === this.walk.place
+    if (isHere) row.setAttribute("aria-current", "step")
+    row.addEventListener("click", () => {
+      this.close()
+      this.walk.walks.enter(sheet.name, i)
+    })
+    return element("li", {}, row)
+  }
+
+  #clear() {
+    this.walk.answers.clear()
+    this.#fill()
+  }
+
+  /** @param {page.WalkSheet[]} sheets */
+  #export(sheets) {
+    const text = new Blob([this.walk.answers.text(sheets)], {type: "text/plain"})
+    const link = element("a", {href: URL.createObjectURL(text), download: "answers.txt"})
+    link.click()
+    URL.revokeObjectURL(link.href)
+  }
+}

@@ -1,0 +1,202 @@
+// A plot as an SVG of its own: what the figure shows, in a frame of any size, with its names, flags and shapes.
+
+import {set, svg} from "../dom.js"
+import {Flags, Labels} from "../labels.js"
+import {fixed} from "../numbers.js"
+import {Stage} from "../stage.js"
+import {axes} from "./describe.js"
+import {plain} from "./plain.js"
+
+const FAR = 1e4 // pixels beyond which no curve is followed
+/** @type {Record<page.Curve["width"], number>} */
+const WIDTHS = {sum: 3, line: 1.75, dash: 1.75, dots: 1, thin: 1, none: 0}
+/** @type {Partial<Record<page.Curve["width"], string>>} */
+const DASHES = {dash: "7 5", dots: "1 3"}
+let clips = 0
+
+export class Drawing {
+  /**
+   * `host` is an element of the page as large as the plot with its margins; `frame` lies in it.
+   * @param {import("../plots.js").Plot} plot @param {HTMLElement} host @param {Frame} frame
+   */
+  constructor(plot, host, frame) {
+    this.block = plot.block
+    this.view = plot.view
+    this.hidden = plot.hidden
+    this.page = plot.page
+    this.host = host
+    this.frame = frame
+    const {x, y} = axes(plot)
+    const scale = Math.max((x.end - x.start) / frame.width, (y.end - y.start) / frame.height)
+    this.x = this.block.square ? widened(x, scale * frame.width) : x
+    this.y = this.block.square ? widened(y, scale * frame.height) : y
+    this.over = svg("g")
+    this.controls = document.createElement("div")
+    host.append(this.controls)
+    const clip = `within-${++clips}`
+    this.over.append(svg("clipPath", {id: clip}, svg("rect", this.#box())))
+    this.inside = svg("g", {"clip-path": `url(#${clip})`})
+  }
+
+  #box() {
+    const {left, top, width, height} = this.frame
+    return {x: left, y: top, width, height}
+  }
+
+  /** @param {number} value */
+  px(value) {
+    return this.frame.left + ((value - this.x.start) / (this.x.end - this.x.start)) * this.frame.width
+  }
+
+  /** @param {number} value */
+  py(value) {
+    return this.frame.top + ((this.y.end - value) / (this.y.end - this.y.start)) * this.frame.height
+  }
+
+  /** Everything, to be called while `over` is in the page. @param {Named} named the quantities at the instant shown */
+  draw(named) {
+    this.over.append(...this.#grid(), this.inside)
+    for (const region of this.block.regions) this.#region(region)
+    for (const curve of this.block.curves) this.#curve(curve)
+    const flags = new Flags(/** @type {any} */ (this))
+    const labels = new Labels(/** @type {any} */ (this))
+    fill(this.over, this.view, named)
+    fill(this.controls, this.view, named)
+    labels.place()
+    flags.place()
+    if (this.block.shapes.length) this.#shapes(named)
+    this.over.append(...flags.marks.flatMap(({flag}) => this.#flag(flag)))
+  }
+
+  #grid() {
+    const {left, top, width, height} = this.frame
+    const {plain: bare} = this.block
+    const across = bare
+      ? []
+      : this.y.ticks.map(tick => ({x1: left, x2: left + width, y1: this.py(tick), y2: this.py(tick)}))
+    const upright = bare
+      ? []
+      : this.x.ticks.map(tick => ({x1: this.px(tick), x2: this.px(tick), y1: top, y2: top + height}))
+    const zeros = [{x1: left, x2: left + width, y1: this.py(0), y2: this.py(0)}]
+    if (bare) zeros.push({x1: this.px(0), x2: this.px(0), y1: top, y2: top + height})
+    const numbers = bare ? [] : this.x.ticks.map((tick, i) => this.#number(this.px(tick), this.x.labels[i]))
+    const seen = zeros.filter(({y1, x1}) => y1 >= top - 1 && y1 <= top + height + 1 && x1 >= left - 1)
+    return [
+      ...[...across, ...upright].map(ends => svg("line", {class: "grid", ...ends})),
+      ...seen.map(ends => svg("line", {class: "hair", ...ends})),
+      ...numbers,
+    ]
+  }
+
+  /** @param {number} x @param {string} label */
+  #number(x, label) {
+    return svg("text", {x, y: this.frame.top + this.frame.height + 18, "text-anchor": "middle"}, label)
+  }
+
+  /** @param {number} x @param {number} y */
+  #at(x, y) {
+    const place = Math.min(Math.max(this.py(y), -FAR), FAR)
+    return `${this.px(x).toFixed(2)} ${place.toFixed(2)}`
+  }
+
+  /** @param {page.Region} region */
+  #region({source, x, low, high, tint, alpha, group}) {
+    const {[x]: xs, [low]: lows, [high]: highs} = this.view.columns[source] ?? {}
+    if (!lows?.length || !highs?.length || this.hidden.has(group)) return
+    const there = [...xs].map((at, i) => this.#at(at, highs[i]))
+    const back = [...xs].map((at, i) => this.#at(at, lows[i])).toReversed()
+    const d = `M${[...there, ...back].join("L")}Z`
+    this.inside.append(svg("g", {class: tint}, svg("path", {class: "body", d, "fill-opacity": alpha})))
+  }
+
+  /** @param {page.Curve} curve */
+  #curve({source, x, y, tint, width, marker, group}) {
+    const {[x]: xs, [y]: ys} = this.view.columns[source] ?? {}
+    if (!ys?.length || this.hidden.has(group)) return
+    const points = [...xs].map((at, i) => this.#at(at, ys[i]))
+    const look = {"stroke-width": `${WIDTHS[width]}px`, "stroke-dasharray": DASHES[width] ?? "none"}
+    const line = svg("path", {class: "ln", d: `M${points.join("L")}`})
+    Object.assign(line.style, {strokeWidth: look["stroke-width"], strokeDasharray: look["stroke-dasharray"]})
+    const dots = marker ? points.map(point => dotAt(point, marker)) : []
+    this.inside.append(svg("g", {class: tint}, ...(width === "none" ? [] : [line]), ...dots))
+  }
+
+  /** @param {Named} named */
+  #shapes(named) {
+    const layer = document.createElement("div")
+    this.host.append(layer)
+    const stage = new Stage({shapes: this.block.shapes, label: ""}, layer)
+    stage.leave()
+    const {offsetWidth: W, offsetHeight: H} = this.host
+    stage.size = {W, H, narrow: 0, wide: 1}
+    const names = this.page.plots.map(plot => plot.block.name)
+    stage.measure(names.map(name => /** @type {any} */ ({geometry: () => this.#geometry(name)})))
+    stage.update(this.view.left_out)
+    fill(stage.svg, this.view, named)
+    stage.frame(named)
+    this.over.append(svg("g", {}, ...stage.svg.childNodes))
+    layer.remove()
+  }
+
+  /**
+   * The frame and the axes as named quantities: other plots are not in the picture, and what leads there ends here.
+   * @param {string} name
+   */
+  #geometry(name) {
+    const {left, top, width, height} = this.frame
+    return {
+      [`${name}.left`]: left,
+      [`${name}.right`]: left + width,
+      [`${name}.top`]: top,
+      [`${name}.bottom`]: top + height,
+      [`${name}.x0`]: this.px(0),
+      [`${name}.x1`]: width / (this.x.end - this.x.start),
+      [`${name}.y0`]: this.py(0),
+      [`${name}.y1`]: -height / (this.y.end - this.y.start),
+    }
+  }
+
+  /** A flag, which is HTML on the page. @param {HTMLElement} flag */
+  #flag(flag) {
+    if (flag.hidden || flag.style.display === "none") return []
+    const origin = this.host.getBoundingClientRect()
+    const {left, top, width, height} = flag.getBoundingClientRect()
+    const lines = [...flag.children].length > 1 && !flag.classList.contains("one") ? [...flag.children] : [flag]
+    const middle = left - origin.left + width / 2
+    const texts = lines.map((line, i) =>
+      svg(
+        "text",
+        {x: middle, y: top - origin.top + (height / lines.length) * (i + 0.5) + 4.5, "text-anchor": "middle"},
+        [...line.childNodes].map(plain).join(" "),
+      ),
+    )
+    const box = svg("rect", {class: "ring", x: left - origin.left, y: top - origin.top, width, height, rx: 4})
+    return [svg("g", {class: flag.className.replace("flag", "")}, box, ...texts)]
+  }
+}
+
+/**
+ * Live numbers as they stand at the instant shown.
+ * @param {Element} root @param {Drawn["view"]} view @param {Named} named
+ */
+export function fill(root, view, named) {
+  for (const one of root.querySelectorAll("[data-value]")) {
+    const name = one.getAttribute("data-value") ?? ""
+    const [places, signed] = view.live[name] ?? []
+    one.textContent = places === undefined ? (view.values[name] ?? "?") : fixed(named[name], places, signed)
+  }
+}
+
+/** @param {string} point @param {string} marker */
+function dotAt(point, marker) {
+  const [cx, cy] = point.split(" ")
+  const dot = svg("circle", {class: marker === "ring" ? "ring" : "body", r: 4.5})
+  set(dot, {cx, cy})
+  return dot
+}
+
+/** An axis around the same middle that spans `size`. @param {page.Ruler} ruler @param {number} size */
+function widened(ruler, size) {
+  const middle = (ruler.start + ruler.end) / 2
+  return {...ruler, start: middle - size / 2, end: middle + size / 2}
+}

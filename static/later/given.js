@@ -1,0 +1,26 @@
+// What a picture is of: the parameters as the panel shows them, the instant, and the link.
+
+import {indexed, plain} from "./plain.js"
+
+/** @typedef {import("../page.js").Page} Page */
+
+/** Those that stand, as "m₁ = 2.00 kg"; then those that only stand in a table. @param {Page} page */
+export function parameters({spec, panel, shown: {settings, view}}) {
+  const groups = spec.panel.groups.filter(({form}) => !form || view.forms[form])
+  const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")
+  const set = rows.map(row => {
+    const {text, unit} = settings[row.name]
+    return `${indexed(row.symbol)} = ${text.replace("-", "−")} ${unit ?? row.unit}`.trim()
+  })
+  const facts = [...panel.querySelectorAll("section:not([hidden]) .cells-4")].map(row => {
+    const [symbol, , number, unit] = [...row.children].map(cell => plain(cell).trim())
+    return `${symbol} = ${number} ${unit}`
+  })
+  return [...facts, ...set]
+}
+
+/** @param {Page} page */
+export const link = page => new URL(page.link, location.href).href
+
+/** @param {Page} page */
+export const instant = page => (page.shown.view.time ? `t = ${page.clock.t.toFixed(page.timePlaces)} s` : "")

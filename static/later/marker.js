@@ -1,0 +1,116 @@
+// A place to mark on an axis of a plot: an open pill that is pressed, dragged, or moved by the arrow keys.
+
+import {element, set} from "../dom.js"
+
+const STEPS = 100 // arrow keys from end to end
+
+export class Marker {
+  /** @type {number | null} the place marked */
+  value = null
+
+  /** @type {number[]} */
+  truths = []
+
+  /** @param {import("../page.js").Page} page @param {page.StepCard} step @param {() => void} moved */
+  constructor(page, {plot, axis, unit}, moved) {
+    this.plot = /** @type {import("../plots.js").Plot} */ (page.plots.find(({block}) => block.name === plot))
+    this.which = axis || "x"
+    this.unit = unit
+    this.moved = moved
+    this.pill = element("button", {type: "button", class: "pill-mark", role: "slider", "aria-label": "Your mark"}, "?")
+    this.line = element("i", {class: "line-mark"})
+    this.layer = element("div", {class: `marking ${this.which}`}, this.line, this.pill)
+    this.plot.host.append(this.layer)
+    this.plot.host.classList.add("marked")
+    this.observer = new ResizeObserver(() => this.place())
+    this.observer.observe(this.plot.host)
+    this.layer.addEventListener("pointerdown", event => this.#press(event))
+    this.layer.addEventListener("pointermove", event => this.#drag(event))
+    this.pill.addEventListener("keydown", event => this.#key(event))
+    this.place()
+  }
+
+  get ruler() {
+    return this.plot[this.which === "x" ? "x" : "y"]
+  }
+
+  /** The number at the mark, to three digits, as it is written at the axis. */
+  get number() {
+    if (this.value === null) return ""
+    const {log, exponent} = this.ruler
+    const number = log ? 10 ** this.value : this.value * 10 ** exponent
+    return String(Number(number.toPrecision(3))).replace("-", "−")
+  }
+
+  /** @param {PointerEvent} event */
+  #press(event) {
+    event.preventDefault()
+    event.stopPropagation()
+    this.layer.setPointerCapture(event.pointerId)
+    this.pill.focus({preventScroll: true})
+    this.#set(this.plot.valueAt(event, this.which === "x" ? "x" : "y"))
+  }
+
+  /** @param {PointerEvent} event */
+  #drag(event) {
+    if (!this.layer.hasPointerCapture(event.pointerId)) return
+    event.stopPropagation()
+    this.#set(this.plot.valueAt(event, this.which === "x" ? "x" : "y"))
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    const way = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1}[event.key]
+    if (!way) return
+    event.preventDefault()
+    event.stopPropagation()
+    const {start, end} = this.ruler
+    const size = (end - start) / STEPS / (event.shiftKey ? 10 : 1)
+    this.#set((this.value ?? (start + end) / 2) + way * size)
+  }
+
+  /** @param {number} value */
+  #set(value) {
+    const {start, end} = this.ruler
+    this.value = Math.min(Math.max(value, Math.min(start, end)), Math.max(start, end))
+    this.place()
+    this.moved()
+  }
+
+  /** Where the axis now is. */
+  place() {
+    const {start, end} = this.ruler
+    this.#put(this.pill, this.value ?? (start + end) / 2)
+    this.#put(this.line, this.value ?? (start + end) / 2)
+    this.line.hidden = this.value === null
+    this.pill.textContent = this.value === null ? "?" : this.number
+    set(this.pill, {"aria-valuemin": start, "aria-valuemax": end, "aria-valuenow": this.value ?? (start + end) / 2})
+    set(this.pill, {"aria-valuetext": this.value === null ? "not set" : `${this.number} ${this.unit}`})
+    for (const [i, truth] of this.truths.entries())
+      this.#put(/** @type {HTMLElement} */ (this.layer.children[i + 2]), truth)
+  }
+
+  /** @param {HTMLElement} part @param {number} value */
+  #put(part, value) {
+    const {left, top, width, height} = this.plot.frame
+    const along = this.which === "x" ? this.plot.px(value) : this.plot.py(value)
+    part.style.setProperty("--at", `${along}px`)
+    part.style.setProperty("--low", `${this.which === "x" ? top + height : left}px`)
+    part.style.setProperty("--high", `${this.which === "x" ? top : left + width}px`)
+  }
+
+  /** The right places stand beside the one marked. @param {number[]} places */
+  teach(places) {
+    this.truths = places
+    this.layer.classList.add("taught")
+    this.pill.disabled = true
+    this.layer.append(...places.map(() => element("i", {class: "line-mark true"})))
+    this.place()
+  }
+
+  leave() {
+    this.observer.disconnect()
+    this.plot.host.classList.remove("marked")
+    this.layer.remove()
+  }
+}

@@ -1,0 +1,227 @@
+// Empty axes to draw on, with mouse, pen, finger or keys: one height for each abscissa, so that drawing over a part
+// replaces it. What leaves the frame is kept; gaps stay gaps.
+
+import {element, set, svg} from "../dom.js"
+import {mark} from "./questions.js"
+
+/** @typedef {Record<string, [number, number][]>} Strokes curves by name: places on both axes */
+
+const COLUMNS = 200 // across the frame
+const SLACK = 12 // pixels around the frame that a hand may go to
+const STEP = 0.02 // of the frame, by an arrow key with Shift
+
+export class Pad {
+  /** @type {Map<string, (number | null)[]>} heights by curve */
+  heights = new Map()
+
+  pen = {column: 0, height: 0, down: false}
+
+  /** @type {number | null} the column where the pointer was last */
+  last = null
+
+  /** @type {page.Finding[]} */
+  findings = []
+
+  /**
+   * `drawn` is called after every stroke; `before` stays, dotted.
+   * @param {import("../page.js").Page} page
+   * @param {page.StepCard} step @param {Strokes} before @param {() => void} drawn
+   */
+  constructor(page, {plot, curves}, before, drawn) {
+    this.plot = /** @type {import("../plots.js").Plot} */ (page.plots.find(({block}) => block.name === plot))
+    this.drawn = drawn
+    this.before = before
+    this.span = {...this.plot.x}
+    this.status = element("p", {class: "hint", role: "status"})
+    for (const name of curves)
+      this.heights.set(
+        name,
+        Array.from({length: COLUMNS + 1}, () => null),
+      )
+    this.name = curves[0]
+    this.ink = svg("svg", {class: "strokes"})
+    this.layer = element("div", {
+      class: "drawing",
+      tabindex: 0,
+      role: "application",
+      "aria-label": "Drawing: arrows move the pen, Enter sets it down and lifts it",
+    })
+    this.layer.append(this.ink)
+    this.plot.host.append(this.layer)
+    this.plot.host.classList.add("sketched")
+    this.#listen()
+    this.observer = new ResizeObserver(() => this.place())
+    this.observer.observe(this.plot.host)
+    this.pen.height = (this.plot.y.start + this.plot.y.end) / 2
+    this.place()
+  }
+
+  #listen() {
+    this.layer.addEventListener("pointerdown", event => {
+      event.preventDefault()
+      event.stopPropagation()
+      this.layer.classList.add("by-hand")
+      this.layer.focus({preventScroll: true})
+      this.layer.setPointerCapture(event.pointerId)
+      this.last = null
+      this.#draw(event)
+    })
+    this.layer.addEventListener("pointermove", event => {
+      if (!this.layer.hasPointerCapture(event.pointerId)) return
+      event.stopPropagation()
+      for (const one of event.getCoalescedEvents?.() ?? [event]) this.#draw(one)
+    })
+    this.layer.addEventListener("keydown", event => this.#key(event))
+  }
+
+  /** @param {string} name the curve that is drawn from now on */
+  take(name) {
+    this.name = name
+    this.place()
+  }
+
+  get current() {
+    return /** @type {(number | null)[]} */ (this.heights.get(this.name))
+  }
+
+  /** @param {number} column */
+  #abscissa(column) {
+    return this.span.start + ((this.span.end - this.span.start) * column) / COLUMNS
+  }
+
+  /** @param {PointerEvent} event */
+  #draw(event) {
+    const {top, height} = this.plot.frame
+    const box = this.plot.host.getBoundingClientRect()
+    const share = (this.plot.valueAt(event) - this.span.start) / (this.span.end - this.span.start)
+    const column = Math.round(Math.min(Math.max(share, 0), 1) * COLUMNS)
+    const y = Math.min(Math.max(event.clientY - box.top, top - SLACK), top + height + SLACK)
+    this.#reach(column, this.plot.y.end - ((y - top) / height) * (this.plot.y.end - this.plot.y.start))
+  }
+
+  /** From the last place to this one. @param {number} column @param {number} height */
+  #reach(column, height) {
+    const from = this.last ?? column
+    const start = this.last === null ? height : (this.current[from] ?? height)
+    const count = Math.abs(column - from)
+    for (let i = 0; i <= count; i++) {
+      const share = count ? i / count : 1
+      this.current[from + Math.sign(column - from) * i] = start + (height - start) * share
+    }
+    this.last = column
+    Object.assign(this.pen, {column, height})
+    this.place()
+    this.drawn()
+  }
+
+  /** @param {KeyboardEvent} event */
+  #key(event) {
+    const {start, end} = this.plot.y
+    const size = event.shiftKey ? 10 : 1
+    const move = {ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key]
+    if (!move && event.key !== "Enter") return
+    this.layer.classList.remove("by-hand")
+    event.preventDefault()
+    event.stopPropagation()
+    if (!move) this.pen.down = !this.pen.down
+    const [right = 0, up = 0] = move ?? []
+    const column = Math.min(Math.max(this.pen.column + right * size, 0), COLUMNS)
+    const height = this.pen.height + (up * size * STEP * (end - start)) / 2
+    this.last = this.pen.down && move ? this.pen.column : null
+    Object.assign(this.pen, {column, height})
+    if (this.pen.down) this.#reach(column, height)
+    this.place()
+    this.#say()
+  }
+
+  #say() {
+    const {column, height, down} = this.pen
+    const [x, y] = [this.#abscissa(column), height].map(number =>
+      String(Number(number.toPrecision(2))).replace("-", "−"),
+    )
+    this.status.textContent = `Pen at ${x} ${this.plot.x.unit}, ${y} ${this.plot.y.unit}, ${down ? "down" : "lifted"}.`
+  }
+
+  clear() {
+    this.current.fill(null)
+    this.last = null
+    this.place()
+    this.drawn()
+  }
+
+  /** What is sent. @returns {Strokes} */
+  get strokes() {
+    return Object.fromEntries([...this.heights].map(([name, heights]) => [name, this.#points(heights)]))
+  }
+
+  /** @param {(number | null)[]} heights */
+  #points(heights) {
+    /** @type {[number, number][]} */
+    const points = []
+    for (const [i, height] of heights.entries()) if (height !== null) points.push([this.#abscissa(i), height])
+    return points
+  }
+
+  /** The ink where the axes now are. */
+  place() {
+    const box = this.plot.frame
+    const old = Object.values(this.before).map(points => svg("path", {class: "old", d: this.#path(points)}))
+    const lines = [...this.heights].map(([name, heights]) => this.#line(name, this.#points(heights)))
+    const {column, height} = this.pen
+    const pen = svg("circle", {class: "pen", r: 7, cx: this.plot.px(this.#abscissa(column)), cy: this.plot.py(height)})
+    const marks = this.findings.flatMap(({has, at}) => (at ? [this.#mark(has, at)] : []))
+    this.ink.replaceChildren(...old, ...lines.flat(), ...marks, ...(this.taught ? [] : [pen]))
+    for (const [key, value] of Object.entries(box)) this.layer.style.setProperty(`--${key}`, `${value}px`)
+  }
+
+  /** @param {string} name @param {[number, number][]} points */
+  #line(name, points) {
+    const last = points[points.length - 1]
+    const path = svg("path", {
+      class: name === this.name || this.taught ? "yours" : "yours other",
+      d: this.#path(points),
+    })
+    if (!last) return [path]
+    const words = this.heights.size > 1 ? `yours, ${name}` : "yours"
+    const place = {x: this.plot.px(last[0]) - 4, y: this.plot.py(last[1]) - 8, "text-anchor": "end"}
+    return [path, svg("text", {class: "t0", ...place}, words)]
+  }
+
+  /** Gaps stay gaps. @param {[number, number][]} points */
+  #path(points) {
+    const wide = (1.5 * Math.abs(this.span.end - this.span.start)) / COLUMNS
+    return points
+      .map(([x, y], i) => {
+        const goesOn = i > 0 && Math.abs(x - points[i - 1][0]) < wide
+        return `${goesOn ? "L" : "M"}${this.plot.px(x).toFixed(1)} ${this.plot.py(y).toFixed(1)}`
+      })
+      .join("")
+  }
+
+  /** @param {boolean} has @param {[number, number]} at */
+  #mark(has, [x, y]) {
+    const {left, top, width, height} = this.plot.frame
+    const sign = mark(has)
+    const place = {x: Math.min(Math.max(this.plot.px(x), left), left + width), y: this.plot.py(y)}
+    set(sign, {x: place.x - 9, y: Math.min(Math.max(place.y, top), top + height) - 9, width: 18, height: 18})
+    return sign
+  }
+
+  taught = false
+
+  /** The true curve lies under it now; what was found is marked where it is. @param {page.Finding[]} findings */
+  teach(findings) {
+    this.taught = true
+    this.findings = findings
+    this.layer.classList.add("taught")
+    this.layer.removeAttribute("tabindex")
+    this.status.textContent = ""
+    this.place()
+  }
+
+  leave() {
+    this.observer.disconnect()
+    this.plot.host.classList.remove("sketched")
+    this.layer.remove()
+  }
+}

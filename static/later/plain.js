@@ -1,0 +1,58 @@
+// Formulas and sentences as plain text: for pictures that other programs open, and for what is read aloud.
+
+const LOW = new Map(
+  [..."0123456789+-−()=aehijklmnoprstuvx"].map((sign, i) => [sign, "₀₁₂₃₄₅₆₇₈₉₊₋₋₍₎₌ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ"[i]]),
+)
+const HIGH = new Map([..."0123456789+-−()n"].map((sign, i) => [sign, "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻⁽⁾ⁿ"[i]]))
+/** @type {Record<string, string>} */
+const OVER = {"˙": "\u0307", "¨": "\u0308", ".": "\u0307", "..": "\u0308", "^": "\u0302", "¯": "\u0304", "→": "\u20d7"}
+const APART = "=+−-±<>≤≥≈→⇒≠×·"
+
+/**
+ * Signs of an index or a power where there are such, else after a mark.
+ * @param {string} text @param {Map<string, string>} signs @param {string} mark
+ */
+function shifted(text, signs, mark) {
+  const all = [...text].map(sign => signs.get(sign))
+  if (all.every(Boolean)) return all.join("")
+  return text.length > 1 ? `${mark}(${text})` : mark + text
+}
+
+/** k_2 as k₂. @param {string} symbol */
+export function indexed(symbol) {
+  const [letter, index] = symbol.split("_")
+  return letter + (index ? shifted(index, LOW, "_") : "")
+}
+
+/** In brackets where it is more than one thing. @param {string} text */
+const held = text => (/^[^\s+−=/]+$/.test(text) ? text : `(${text})`)
+
+/** @type {Record<string, (parts: string[], node: Element) => string>} */
+const MATH = {
+  mfrac: ([over, under]) => `${held(over)}/${held(under)}`,
+  msqrt: parts => `√${held(parts.join("").trim())}`,
+  msub: ([base, index]) => base + shifted(index.trim(), LOW, "_"),
+  msup: ([base, power]) => held(base) + shifted(power.trim(), HIGH, "^"),
+  msubsup: ([base, index, power]) => base + shifted(index.trim(), LOW, "_") + shifted(power.trim(), HIGH, "^"),
+  mover: ([base, accent]) => base + (OVER[accent.trim()] ?? accent),
+  mspace: () => " ",
+  mo: ([sign], node) => (APART.includes(sign) && node.getAttribute("form") !== "prefix" ? ` ${sign} ` : sign),
+  sub: parts => shifted(parts.join(""), LOW, "_"),
+}
+
+/** What of an element is seen. @param {Node} node @returns {string} */
+export function plain(node) {
+  if (node.nodeType === Node.TEXT_NODE) return (node.textContent ?? "").replace(/\s+/g, " ")
+  if (!(node instanceof Element) || isHidden(node)) return ""
+  const parts = [...node.childNodes].map(plain)
+  const told = MATH[node.localName]?.(parts, node) ?? parts.join("")
+  return node.localName === "math"
+    ? told
+        .replace(/\s+/g, " ")
+        .replace(/([(|]) | ([)|])/g, "$1$2")
+        .trim()
+    : told
+}
+
+/** @param {Element} node */
+const isHidden = node => node.hasAttribute("hidden") || (node instanceof HTMLElement && node.style.display === "none")

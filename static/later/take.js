@@ -1,0 +1,121 @@
+// What can be taken away of a page: each plot and the stage as a picture, its numbers as a table.
+
+import {element} from "../dom.js"
+import {description, table} from "./describe.js"
+import {plotPicture, png, stagePicture} from "./picture.js"
+import {things} from "./things.js"
+
+/**
+ * @typedef {import("../plots.js").Plot} Plot
+ * @typedef {import("../stage.js").Stage} Stage
+ * @typedef {import("../page.js").Page} Page
+ */
+
+/**
+ * What can be taken: its name in a file and on a button, how it is drawn and described.
+ * @typedef {{subject: Plot | Stage, file: string, name: string, draw: () => import("./picture.js").Picture,
+ *   says: () => string, table: (() => HTMLElement) | null}} Thing
+ */
+
+/**
+ * Opens the choice of what to take, with `subject` taken up first.
+ * @param {Page} page @param {Plot | Stage} [subject]
+ */
+export function take(page, subject) {
+  const all = choices(page)
+  const first = all.find(one => one.subject === subject) ?? all[0]
+  if (first) new Taking(page, all).open(first)
+}
+
+/** What is seen of the page: the stages, then the plots. @param {Page} page @returns {Thing[]} */
+function choices(page) {
+  const {stages, plots} = things(page)
+  return [
+    ...stages.map((stage, i) => ({
+      subject: stage,
+      file: i ? `stage-${i + 1}` : "stage",
+      name: i ? `Stage ${i + 1}` : "Stage",
+      draw: () => stagePicture(stage, page),
+      says: () => `${stage.svg.getAttribute("aria-label")}.`,
+      table: null,
+    })),
+    ...plots.map(plot => ({
+      subject: plot,
+      file: plot.block.name,
+      name: plot.block.title.split(/[,:]/)[0],
+      draw: () => plotPicture(plot),
+      says: () => description(plot),
+      table: () => table(plot),
+    })),
+  ]
+}
+
+class Taking {
+  /** @param {Page} page @param {Thing[]} all */
+  constructor(page, all) {
+    this.page = page
+    this.image = element("img", {alt: ""})
+    this.says = element("p", {})
+    this.table = element("div", {class: "points-room", tabindex: 0, role: "region", "aria-label": "Table"})
+    this.choices = all.map(thing => this.#choice(thing))
+    const close = button("Close", () => this.dialog.close(), "×", "close")
+    this.dialog = element(
+      "dialog",
+      {class: "taking", "aria-labelledby": "taking"},
+      element("header", {}, element("h2", {id: "taking"}, "Take a picture or its numbers"), close),
+      element("div", {class: "chips", role: "group", "aria-label": "Of"}, ...this.choices.map(({chip}) => chip)),
+      element("div", {class: "chips"}, this.#save("PNG", ".png"), this.#save("SVG", ".svg")),
+      this.image,
+      this.says,
+      this.table,
+    )
+    this.dialog.addEventListener("close", () => this.dialog.remove())
+  }
+
+  /** @param {Thing} first */
+  open(first) {
+    document.body.append(this.dialog)
+    this.#show(first)
+    this.dialog.showModal()
+  }
+
+  /** @param {Thing} thing */
+  #choice(thing) {
+    return {thing, chip: button(thing.name, () => this.#show(thing))}
+  }
+
+  /** @param {Thing} thing */
+  #show(thing) {
+    this.thing = thing
+    this.picture = thing.draw()
+    this.image.src = `data:image/svg+xml,${encodeURIComponent(this.picture.svg)}`
+    this.says.textContent = thing.says()
+    this.table.hidden = !thing.table
+    this.table.replaceChildren(...(thing.table ? [thing.table()] : []))
+    for (const one of this.choices) one.chip.setAttribute("aria-pressed", String(one.thing === thing))
+  }
+
+  /** @param {string} name @param {".png" | ".svg"} kind */
+  #save(name, kind) {
+    return button(name, async () => {
+      const {thing, picture, page} = this
+      if (!thing || !picture) return
+      const content = kind === ".png" ? await png(picture) : new Blob([picture.svg], {type: "image/svg+xml"})
+      keep(content, `${page.spec.slug}-${thing.file}${kind}`)
+    })
+  }
+}
+
+/** @param {string} name @param {() => void} act @param {string} [text] @param {string} [style] */
+function button(name, act, text = name, style = "chip") {
+  const made = element("button", {type: "button", class: style, "aria-label": text === name ? undefined : name}, text)
+  made.addEventListener("click", act)
+  return made
+}
+
+/** @param {Blob} content @param {string} name */
+function keep(content, name) {
+  const link = element("a", {href: URL.createObjectURL(content), download: name})
+  link.click()
+  URL.revokeObjectURL(link.href)
+}

@@ -1,0 +1,137 @@
+// A guided walk: from step to step, from the question to what it means.
+
+import {Answers} from "./answers.js"
+import {Card} from "./card.js"
+import {Contents} from "./contents.js"
+
+export class Walk {
+  /** @type {number} of the step */
+  place = -1
+
+  /** @type {page.Lesson | null} what the step teaches, once it has been answered */
+  lesson = null
+
+  /** @type {Card | null} */
+  card = null
+
+  /** @type {Contents | null} */
+  contents = null
+
+  unfolded = false
+
+  /** @type {import("./pad.js").Strokes} the sketch that was drawn before, when one draws again */
+  before = {}
+
+  /** @param {import("../walks.js").Walks} walks @param {page.WalkSheet} sheet */
+  constructor(walks, sheet) {
+    this.walks = walks
+    this.lecture = walks.lecture
+    this.sheet = sheet
+    this.answers = new Answers()
+  }
+
+  /** @returns {page.StepCard} */
+  get step() {
+    return this.sheet.steps[this.place]
+  }
+
+  /** To a step, which opens covered and at t = 0. @param {number} place */
+  go(place) {
+    const step = this.sheet.steps[place]
+    if (!step) return
+    this.contents?.close()
+    this.#putAway()
+    this.lecture.open(step.opens)
+  }
+
+  /** The same question once more; what was drawn stays, dotted. */
+  again() {
+    const before = this.card?.question.strokes ?? {}
+    this.go(this.place)
+    this.before = before
+  }
+
+  #putAway() {
+    this.lesson = null
+    this.before = {}
+    this.card?.leave()
+    this.card = null
+  }
+
+  /** After every picture of a step. @param {string} id @param {Drawn} shown */
+  arrive(id, shown) {
+    const place = this.sheet.steps.findIndex(step => step.id === id)
+    const {page} = this.lecture
+    const isAsked = shown.state.covered.length > 0
+    if (place !== this.place || page !== this.card?.page || (this.lesson && isAsked)) this.#lay(place, isAsked)
+    this.card?.update(shown)
+  }
+
+  /** @param {number} place @param {boolean} isAsked */
+  #lay(place, isAsked) {
+    if (place !== this.place || isAsked) this.lesson = null
+    this.card?.leave()
+    this.place = place
+    if (!this.step) return
+    this.card = new Card(this, this.lecture.page)
+    if (this.lesson) this.card.teach(this.lesson)
+    else this.#hold()
+  }
+
+  /** Nothing moves before the answer. */
+  #hold() {
+    const {clock} = this.lecture.page
+    clock.playing = false
+    clock.seek(0)
+  }
+
+  /** What the filled button does, and Page Down. @param {boolean} [always] without an answer, too */
+  forward(always = false) {
+    if (this.lesson) this.next()
+    else this.show(always)
+  }
+
+  /** @param {number} option of a choice */
+  choose(option) {
+    this.card?.question.choose(option)
+  }
+
+  /** @param {boolean} always */
+  show(always) {
+    const given = this.card?.question.given()
+    if (given || always) this.lecture.line.send({type: "given", walk: this.sheet.name, step: this.step.id, ...given})
+  }
+
+  next() {
+    if (this.place + 1 < this.sheet.steps.length) this.go(this.place + 1)
+    else this.open()
+  }
+
+  back() {
+    this.go(this.place - 1)
+  }
+
+  /** @param {page.Taught} told */
+  taught({step, lesson, refused}) {
+    if (!this.card || step !== this.step.id) return
+    if (!lesson) return this.card.refuse(refused)
+    this.lesson = lesson
+    if (lesson.right !== null) {
+      this.answers.keep(step, {said: this.card.question.said(), right: lesson.right, title: lesson.title})
+    }
+    this.card.teach(lesson)
+    this.lecture.line.send({type: "open", state: this.step.reveals}, {start: true})
+  }
+
+  /** The contents of all walks. */
+  open() {
+    this.contents ??= new Contents(this)
+    this.contents.open()
+  }
+
+  leave() {
+    this.contents?.close()
+    this.#putAway()
+    this.place = -1
+  }
+}

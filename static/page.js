@@ -1,0 +1,284 @@
+// The paper and the panel of one scene, built from its sheet: a message from the server repaints all, the clock moves
+// the rest.
+
+import {bokeh} from "./bokeh.js"
+import {buildControls} from "./controls.js"
+import {Clock} from "./clock.js"
+import {copy} from "./copy.js"
+import {element} from "./dom.js"
+import {Hand} from "./hand.js"
+import {fixed} from "./numbers.js"
+import {Sheet} from "./sheet.js"
+import {evaluate} from "./signals.js"
+import {Transport} from "./transport.js"
+
+/**
+ * What only some sheets need.
+ * @typedef {{RunBar?: typeof import("./later/runbar.js").RunBar,
+ *   buildPicker?: typeof import("./later/picker.js").buildPicker}} Extras
+ * @typedef {import("./main.js").Lecture} Lecture
+ * @typedef {import("./plots.js").Plot} Plot
+ * @typedef {import("./stage.js").Stage} Stage
+ * @typedef {Plot | Stage} Subject
+ */
+
+const SAVE =
+  '<svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M8 2v8' +
+  'M4.5 6.5 8 10l3.5-3.5M2.5 13.5h11"/></svg>'
+
+export class Page {
+  /** @type {Drawn} what is shown, from the first picture on */
+  shown
+
+  /** @type {import("./later/about.js").About | undefined} */
+  about
+
+  /** @type {import("./later/voice.js").Voice | undefined} for those who do not see it; it comes when all is drawn */
+  voice
+
+  /** @type {import("./later/print.js").Print | undefined} */
+  print
+
+  /** @type {Map<string, Element[]>} the elements of each live number */
+  named = new Map()
+
+  timePlaces = 2
+
+  /** @type {Promise<void> | null} until every plot that is seen has its figure */
+  joining = null
+
+  left = false
+
+  /**
+   * `lecture` sends what the visitor does.
+   * @param {page.SceneSheet} sheet @param {Extras} extras @param {Lecture} lecture
+   */
+  constructor(sheet, extras, lecture) {
+    this.spec = sheet
+    this.extras = extras
+    this.lecture = lecture
+    this.clock = new Clock(t => this.draw(t))
+    this.hand = new Hand(this)
+    this.root = element("div", {class: `page ${sheet.slug}`})
+    this.paper = element("main", {class: "paper"})
+    this.notice = element("div", {class: "notice", role: "alert", hidden: ""})
+    this.sheet = new Sheet(this.spec.paper, this)
+    this.heading = element("h1", {tabindex: -1}, this.spec.headline)
+    this.paper.append(this.heading, this.notice, this.sheet.element)
+    this.transport = extras.RunBar ? new extras.RunBar(this) : new Transport(this)
+    this.paper.append(this.transport.element)
+    this.panel = element("aside", {class: "panel", "aria-label": "Controls"})
+    this.controls = buildControls(
+      this.panel,
+      this.spec.panel,
+      message => this.send(message),
+      sets => this.lecture.take(sets),
+      extras.buildPicker,
+    )
+    this.controls.presets.element.append(this.lecture.undo.element)
+    this.plots = this.sheet.plots
+    this.stages = [...this.sheet.stages, ...this.controls.stages]
+    for (const stage of this.stages) stage.resized = () => this.redraw()
+    for (const plot of this.plots) plot.handles.help(this.controls)
+    if (this.spec.about) this.panel.append(this.#aboutNumbers())
+    this.panel.append(this.#tools())
+    this.root.append(this.paper, this.panel)
+  }
+
+  #aboutNumbers() {
+    const fold = element("details", {class: "about"}, element("summary", {}, "About these numbers"))
+    const open = async () => {
+      const {About} = await import("./later/about.js")
+      this.about = new About(fold, message => this.send(message))
+    }
+    fold.addEventListener("toggle", open, {once: true})
+    return fold
+  }
+
+  #tools() {
+    const link = element("button", {type: "button", class: "chip"}, "Copy link")
+    link.addEventListener("click", async () => {
+      const copied = await copy(new URL(this.link, location.href).href)
+      link.textContent = copied ? "Copied" : "See the address bar"
+      setTimeout(() => {
+        link.textContent = "Copy link"
+      }, 1500)
+    })
+    const csv = element("button", {type: "button", class: "chip"}, "CSV")
+    csv.addEventListener("click", () => this.send({type: "csv", page: location.origin + location.pathname}))
+    const pictures = element("button", {type: "button", class: "chip"}, "Pictures")
+    pictures.addEventListener("click", () => this.#take())
+    for (const stage of this.sheet.stages.filter(({svg}) => svg.role === "img")) this.#takeable(stage.host, stage)
+    for (const plot of this.plots) this.#takeable(plot.host.parentElement, plot)
+    return element("div", {class: "tools"}, link, csv, pictures, ...this.spec.onward.map(way => this.#onward(way)))
+  }
+
+  /**
+   * A button on a plot or a stage, for the pointer; the keys have that among the tools.
+   * @param {HTMLElement | null} host @param {Subject} subject
+   */
+  #takeable(host, subject) {
+    const button = element("button", {type: "button", class: "take", tabindex: -1, title: "Picture, table"})
+    button.innerHTML = SAVE
+    button.setAttribute("aria-label", "Picture, table")
+    button.addEventListener("click", () => this.#take(subject))
+    host?.append(button)
+  }
+
+  /** @param {Subject} [subject] */
+  async #take(subject) {
+    const {take} = await import("./later/take.js")
+    take(this, subject)
+  }
+
+  /** A link that takes values of this scene along to another. @param {page.Onward} way */
+  #onward({label, scene, given, taken}) {
+    const link = element("a", {class: "chip", href: "#"}, label)
+    link.addEventListener("click", event => {
+      event.preventDefault()
+      const values = Object.fromEntries(taken.map(name => [name, this.shown.settings[name].value]))
+      this.lecture.open({scene, parameters: {...given, ...values}})
+    })
+    return link
+  }
+
+  /** @param {page.Said} message */
+  send(message) {
+    this.lecture.send(message)
+  }
+
+  /** @param {Drawn} shown */
+  apply(shown) {
+    this.shown = shown
+    const {view, state} = shown
+    this.about?.changed()
+    this.voice?.changed()
+    this.sheet.update(shown)
+    for (const [name, elements] of this.named) {
+      if (name in view.values) for (const one of elements) one.textContent = view.values[name]
+    }
+    for (const name of view.left_out) for (const one of this.named.get(name) ?? []) one.textContent = "?"
+    this.hand.heard(shown)
+    const absent = view.left_out.filter(name => !(name in view.signals || name in view.scalars))
+    for (const stage of this.stages) stage.update(absent)
+    this.root.classList.toggle("at-rest", state.covered.includes("stage"))
+    this.root.classList.toggle("without-table", state.covered.includes("table"))
+    for (const plot of this.plots) plot.update(shown)
+    if (this.plots.some(plot => plot.waits)) this.join()
+    this.controls.update(shown)
+    this.measured = false
+    this.clock.update(view.axes[view.time], view.pace)
+    this.transport.update(shown)
+    const {errors} = shown
+    const problems = [...shown.problems, errors.message, errors.state].filter(Boolean)
+    if (problems.length) this.notify(problems)
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("oscillations:painted"))),
+    )
+  }
+
+  get link() {
+    return `?${this.shown.query}`
+  }
+
+  /** @param {string[]} problems */
+  notify(problems) {
+    const close = element("button", {type: "button", "aria-label": "Close"}, "×")
+    close.addEventListener("click", () => {
+      this.notice.hidden = true
+    })
+    this.notice.replaceChildren(element("span", {}, problems.join(" ")), close)
+    this.notice.hidden = false
+  }
+
+  redraw() {
+    this.measured = false
+    this.clock.dirty = true
+  }
+
+  /** @param {number} t */
+  draw(t) {
+    if (!this.shown) return
+    const {signals, scalars, axes, time, live: moving} = this.shown.view
+    const named = evaluate(signals, scalars, t, this.hand.named)
+    for (const [name, [places, signed]] of Object.entries(moving)) {
+      const text = fixed(named[name], places, signed)
+      for (const one of this.named.get(name) ?? []) one.textContent = text
+    }
+    const timeText = `${t.toFixed(this.timePlaces)} ${axes[time]?.unit ?? ""}`
+    if (!this.measured) this.stages.forEach(stage => stage.measure(this.plots))
+    this.measured = true
+    this.stages.forEach(stage => stage.frame(named))
+    this.plots.forEach(plot => plot.draw(named, t, timeText))
+  }
+
+  /** Shows the first picture: all but the figures, which join when they are ready. @param {Drawn} shown */
+  start(shown) {
+    this.name(this.root)
+    this.apply(shown)
+    this.stages.forEach(stage => stage.fit())
+    const places = this.plots.map(plot => plot.place()) // all are read before anything is written
+    this.plots.forEach((plot, i) => plot.layout(places[i]))
+    this.draw(this.clock.t)
+  }
+
+  /** The live numbers of a part that has come to the page. @param {Element} part */
+  name(part) {
+    for (const one of part.querySelectorAll("[data-value]")) {
+      const name = one.getAttribute("data-value") ?? ""
+      this.named.set(name, [...(this.named.get(name) ?? []).filter(other => other.isConnected), one])
+      one.textContent = this.shown?.view.values[name] ?? ""
+    }
+    this.redraw()
+  }
+
+  /** Its own headline, another, or null while it would give an answer away. @param {page.Html | null} [html] */
+  headline(html) {
+    this.heading.classList.toggle("waits", html === null)
+    if (html) this.heading.innerHTML = html
+    else this.heading.textContent = html === null ? "Hidden until Show" : this.spec.headline
+  }
+
+  /** Each plot that is seen gets its figure, one a frame, so that what moves goes on moving. */
+  join() {
+    this.joining ??= this.#joinNext().finally(() => {
+      this.joining = null
+    })
+    return this.joining
+  }
+
+  async speak() {
+    const {Voice} = await import("./later/voice.js")
+    const {Print} = await import("./later/print.js")
+    if (this.left) return
+    this.voice ??= new Voice(this)
+    this.print ??= new Print(this)
+  }
+
+  async #joinNext() {
+    await frame()
+    const plot = this.left ? undefined : this.plots.find(one => one.waits)
+    if (!plot) return
+    await bokeh()
+    if (this.left) return
+    await plot.mount()
+    await this.#joinNext()
+  }
+
+  leave() {
+    this.left = true
+    this.clock.stop()
+    this.about?.leave()
+    this.voice?.leave()
+    this.print?.leave()
+    for (const part of [...this.plots, ...this.stages]) part.leave()
+    this.root.remove()
+  }
+
+  theme() {
+    this.plots.forEach(plot => plot.theme())
+  }
+}
+
+/** The next frame; a page in a tab that nobody sees is not waited for. */
+export const frame = () => Promise.race([new Promise(requestAnimationFrame), new Promise(done => setTimeout(done, 50))])

@@ -1,0 +1,27 @@
+// Places on an axis and what they stand for.
+
+/** The quantity in SI at a place of the axis. @param {page.Ruler} ruler @param {number} place */
+export function toSI({log, power, exponent, factor}, place) {
+  return (log ? 10 ** place : place ** (1 / power) * 10 ** (exponent / power)) * factor
+}
+
+/** Where a quantity in SI stands on the axis. @param {page.Ruler} ruler @param {number} value */
+export function toPlace({log, power, exponent, factor}, value) {
+  return log ? Math.log10(value / factor) : (value / factor / 10 ** (exponent / power)) ** power
+}
+
+/**
+ * Both axes at one scale in a box: the one with room to spare shows more than it was asked to.
+ * @param {page.Ruler} x @param {page.Ruler} y @param {{width: number, height: number}} box
+ */
+export function toOneScale(x, y, {width, height}) {
+  const unit = 10 ** (x.exponent - y.exponent) // one of x, counted as y is
+  const scale = Math.max((unit * (x.end - x.start)) / width, (y.end - y.start) / height)
+  return [widened(x, (scale * width) / unit), widened(y, scale * height)]
+}
+
+/** An axis around the same middle that spans `size`. @param {page.Ruler} ruler @param {number} size */
+function widened(ruler, size) {
+  const middle = (ruler.start + ruler.end) / 2
+  return {...ruler, start: middle - size / 2, end: middle + size / 2}
+}

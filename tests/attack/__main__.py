@@ -1,0 +1,90 @@
+"""`make attack`: the hunt for what breaks a page, bounded and repeatable; it fails where something got through.
+
+Random combinations of extreme values over all scenes and parameters, by link, slider, field, preset and button, among
+malformed messages; malformed links; and abuse of the protocol against a server on this machine.
+"""
+
+from __future__ import annotations
+
+import argparse
+import logging
+import sys
+from collections.abc import Callable, Iterator
+from time import monotonic
+from traceback import format_exception
+
+from hypothesis import HealthCheck, Phase, given, seed, settings
+
+from components.scene import Scene
+from components.scenes import SCENES
+from tests.attack import protocol, stage
+from tests.attack.extremes import messages, queries, values
+from tests.attack.finding import Finding
+from tests.attack.visit import follow, visit
+from tests.browser.chromium import find
+from tests.serving.server import ROOT, serving
+
+LOG = ROOT / "build" / "attack" / "server.log"
+PATIENCE = 2.0
+"""While one visitor's picture is worked out the others wait: never so many seconds."""
+LINES = 40
+"""So much is told of one finding."""
+
+
+def extremes(size: int, start: int) -> Iterator[Finding]:
+    for slug, scene in SCENES.items():
+        took: list[float] = []
+        pages = hunt(f"{slug}: {size} pages at extremes", size, start, _pages(scene, took))
+        yield pages._replace(detail=pages.detail or f"the slowest answer took {max(took):.2f} s")
+        yield Finding(f"{slug}: no answer takes {PATIENCE:.0f} s", max(took) < PATIENCE)
+        yield hunt(f"{slug}: {size} malformed links", size, start, given(queries(scene))(follow))
+
+
+def _pages(scene: type[Scene], took: list[float]) -> Callable[[], None]:
+    return given(values(scene), messages(scene))(lambda link, deeds: took.append(visit(scene.slug, link, deeds)))
+
+
+def hunt(name: str, size: int, start: int, test: Callable[[], None]) -> Finding:
+    """Run a property over so many examples; what fails is told by its simplest example."""
+    checks = {"suppress_health_check": list(HealthCheck), "deadline": None, "database": None}
+    phases = (Phase.generate, Phase.shrink)
+    try:
+        seed(start)(settings(max_examples=size, derandomize=False, phases=phases, **checks)(test))()
+    except Exception as error:
+        return Finding(name, False, "".join(format_exception(error)))
+    return Finding(name, True)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--size", type=int, default=200, help="pages and links of each scene (default: %(default)s)")
+    parser.add_argument("--seed", type=int, default=1, help="another one hunts elsewhere (%(default)s)")
+    options = parser.parse_args()
+    logging.disable(logging.WARNING)
+    begun, failed = monotonic(), 0
+    for finding in found(options.size, options.seed):
+        failed += not finding.held
+        print(f"{monotonic() - begun:6.1f} s  {told(finding)}", flush=True)
+    print(f"{failed} of the findings did not hold; seed {options.seed}." if failed else "All held.")
+    return 1 if failed else 0
+
+
+def told(finding: Finding) -> str:
+    """One line; of what did not hold the last lines of its detail too, where the example is."""
+    if finding.held:
+        return f"held    {finding.name}" + (f": {finding.detail}" if finding.detail else "")
+    return "\n".join([f"FAILED  {finding.name}", *finding.detail.splitlines()[-LINES:]])
+
+
+def found(size: int, start: int) -> Iterator[Finding]:
+    yield from extremes(size, start)
+    LOG.parent.mkdir(parents=True, exist_ok=True)
+    with serving(LOG) as server:
+        yield from protocol.attack(server.url)
+        if find():
+            yield from stage.attack(server.url, size, start)
+        yield Finding("the log tells of nothing unexpected", not server.complaints(), "\n".join(server.complaints()))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,137 @@
+"""Clients that say what no page says: requests and WebSockets byte by byte."""
+
+from __future__ import annotations
+
+import asyncio
+import base64
+import json
+import re
+import zlib
+from collections.abc import Mapping
+from http.client import HTTPConnection
+from typing import Any, NamedTuple
+from urllib.parse import urlsplit
+
+from tornado.httpclient import HTTPClientError
+from tornado.websocket import WebSocketClientConnection, websocket_connect
+
+PATIENCE = 15.0
+"""Seconds after which a server that says nothing has not answered."""
+TRACES = ("Traceback", 'File "', "site-packages", "Error:")
+
+
+class Reply(NamedTuple):
+    status: int
+    text: str
+    headers: Mapping[str, str]
+
+    @property
+    def refused(self) -> bool:
+        """In words: a status of its own, and nothing of the program in it."""
+        return 400 <= self.status < 500 and self.quiet
+
+    @property
+    def quiet(self) -> bool:
+        return not any(sign in self.text for sign in TRACES)
+
+
+def ask(url: str, path: str = "/", method: str = "GET", **headers: str) -> Reply:
+    """One request; the names of headers are written with underscores."""
+    connection = HTTPConnection(urlsplit(url).netloc, timeout=PATIENCE)
+    try:
+        named = {name.replace("_", "-"): value for name, value in headers.items()}
+        connection.request(method, path, headers=named)
+        answer = connection.getresponse()
+        return Reply(answer.status, answer.read().decode("utf-8", "replace"), dict(answer.headers))
+    finally:
+        connection.close()
+
+
+def token_of(page: str) -> str:
+    found = re.search(r'"token":"([^"]+)"', page)
+    if found is None:
+        raise RuntimeError("this is not a page with a token")
+    return found[1]
+
+
+def contents(token: str) -> dict[str, Any]:
+    """What a token says to whoever reads it."""
+    said: dict[str, Any] = json.loads(_decoded(token.partition(".")[0]))
+    packed = said.pop("__bk__zlib_", None)
+    return said | (json.loads(zlib.decompress(_decoded(packed))) if packed else {})
+
+
+def _decoded(text: str) -> bytes:
+    return base64.urlsafe_b64decode(text + "=" * (-len(text) % 4))
+
+
+async def connect(url: str, token: str) -> WebSocketClientConnection:
+    address = f"{url.replace('http', 'ws', 1)}ws"
+    return await asyncio.wait_for(websocket_connect(address, subprotocols=["bokeh", token]), PATIENCE)
+
+
+async def refused(url: str, token: str) -> int:
+    """The status of a refused handshake; 101 where it was not refused."""
+    try:
+        (await connect(url, token)).close()
+    except HTTPClientError as error:
+        return error.code
+    return 101
+
+
+class Caller:
+    """A raw WebSocket on a session of its own."""
+
+    def __init__(self, socket: WebSocketClientConnection) -> None:
+        self.socket = socket
+
+    @classmethod
+    async def arrive(cls, url: str) -> Caller:
+        page = await asyncio.to_thread(ask, url, "/?scene=coupled")
+        caller = cls(await connect(url, token_of(page.text)))
+        for _ in range(3):  # the welcome
+            await caller.hear()
+        return caller
+
+    async def hear(self) -> str | bytes | None:
+        """The next frame; None where the server has closed."""
+        return await asyncio.wait_for(self.socket.read_message(), PATIENCE)
+
+    async def say(self, *frames: str | bytes) -> None:
+        for frame in frames:
+            await self.socket.write_message(frame, binary=isinstance(frame, bytes))
+
+    async def depart(self) -> None:
+        """Close, and wait for the end."""
+        self.socket.close()
+        while await self.hear() is not None:
+            pass
+
+    async def closed(self) -> tuple[int | None, str]:
+        """The code and the reason that the server closes with, whatever it still says before."""
+        while await self.hear() is not None:
+            pass
+        self.socket.close()
+        return self.socket.close_code, self.socket.close_reason or ""
+
+
+def header(kind: str = "PATCH-DOC", **more: Any) -> str:
+    return json.dumps({"msgid": "attack", "msgtype": kind, **more})
+
+
+def patch(*events: Any) -> tuple[str, str, str]:
+    return header(), "{}", json.dumps({"events": list(events)})
+
+
+def event(name: str, **values: Any) -> dict[str, Any]:
+    wired = {"type": "map", "entries": [list(entry) for entry in values.items()]}
+    return {
+        "kind": "MessageSent",
+        "msg_type": "bokeh_event",
+        "msg_data": {"type": "event", "name": name, "values": wired},
+    }
+
+
+def said(data: Any, model: str = "p1") -> tuple[str, str, str]:
+    """A message of the page's component."""
+    return patch(event("said", model={"id": model}, data=data))

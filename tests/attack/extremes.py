@@ -1,0 +1,118 @@
+"""Extreme values in random combinations, over all scenes and all their parameters; and malformed links and messages."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+import param
+from hypothesis import strategies as st
+from hypothesis.strategies import SearchStrategy
+
+from components.choices import options, word
+from components.numbers import shortest
+from components.parameters import Quantity
+from components.scene import Scene
+from components.scenes import SCENES
+
+TINY, HUGE = sys.float_info.min, sys.float_info.max
+EXTREMES = (5e-324, TINY, 1e-300, 1e-160, 1e-80, 1e-9, 1.0, 1e9, 1e80, 1e160, 1e300, HUGE)
+NAMES = ("x1", "x2", "x1_p", "work", "verlet", "closed", "2", "99", "nothing")
+AXES = ("t", "x", "w", "omega", "X", "X1", "v", "E", "p", "f", "none")
+COVERS = ("plot:x1", "plot:x2", "plot:response", "value:tau", "value:omega", "value:D", "plot:none")
+Values = dict[str, Any]
+Message = dict[str, Any]
+
+
+def values(scene: type[Scene]) -> SearchStrategy[Values]:
+    """Values of some of a scene's parameters, each possible by itself."""
+    each = {name: value(parameter) for name, parameter in scene.linked().items()}
+    return st.fixed_dictionaries({}, optional=each)
+
+
+def value(parameter: param.Parameter) -> SearchStrategy[Any]:
+    if isinstance(parameter, Quantity):
+        return number(parameter)
+    if isinstance(parameter, param.List) and not isinstance(parameter, param.ListSelector):
+        return st.lists(st.sampled_from(NAMES), max_size=4)
+    return st.sampled_from(list(options(parameter).values()))
+
+
+def number(quantity: Quantity) -> SearchStrategy[float | None]:
+    """What the quantity takes: extremes, any double, and what lies around its slider."""
+    extremes = [sign * size for sign in (1.0, -1.0) for size in EXTREMES]
+    whole = quantity.scale == "count"
+    around = st.floats(*quantity.softbounds)
+    anything = st.floats(-HUGE, HUGE)
+    if whole:
+        around, anything = around.map(round).map(float), st.integers(1, 10**300).map(float)
+    numbers = st.one_of(st.sampled_from([0.0, -0.0, *extremes]), anything, around)
+    possible = numbers.filter(lambda found: quantity.refusal(found) is None)
+    return st.none() | possible if quantity.allow_None else possible
+
+
+def messages(scene: type[Scene]) -> SearchStrategy[list[Message]]:
+    """What a visitor may do one after another, measurements aside; some of it is malformed."""
+    kinds = [
+        values(scene).map(_set),
+        st.sampled_from(sorted(scene.linked())).flatmap(lambda name: _about(scene, name)),
+        st.sampled_from([{"type": "csv"}, {"type": "about"}, {"type": "run", "order": "cancel"}]),
+        st.sampled_from([scene, *SCENES.values()]).flatmap(_open),
+        malformed(scene),
+    ]
+    acts = [{"type": "act", "name": name} for group in scene.groups for name, _ in group.actions]
+    kinds += [st.sampled_from(acts)] if acts else []
+    return st.lists(st.one_of(*kinds), min_size=1, max_size=5)
+
+
+def _open(scene: type[Scene]) -> SearchStrategy[Message]:
+    """Put the page into a state, of another scene too, in a frame of any size."""
+    sizes = st.sampled_from([0.1, 5.0, *EXTREMES]) | st.floats(0.0, HUGE, exclude_min=True)
+    ends = st.just(0.0) | sizes | sizes.map(lambda size: -size)
+    ranges = st.dictionaries(st.sampled_from(AXES), st.tuples(ends, ends), max_size=3)
+    frames = st.fixed_dictionaries({}, optional={"ranges": ranges, "window": sizes, "scale": sizes, "speed": sizes})
+    more = {
+        "frame": st.none() | frames,
+        "covered": st.lists(st.sampled_from(COVERS), max_size=2),
+        "hidden": st.lists(st.sampled_from(NAMES), max_size=2),
+    }
+    parts = st.fixed_dictionaries({"parameters": values(scene).map(_in_words)}, optional=more)
+    return parts.map(lambda state: {"type": "open", "state": {"scene": scene.slug, **state}})
+
+
+def _in_words(given: Values) -> Values:
+    """As a state has them: no booleans, and the curves switched off elsewhere."""
+    return {name: word(v) if isinstance(v, bool) else v for name, v in given.items() if name != "hidden"}
+
+
+def _set(given: Values) -> Message:
+    return {"type": "set", "values": {name: v for name, v in given.items() if isinstance(v, float)}}
+
+
+def _about(scene: type[Scene], name: str) -> SearchStrategy[Message]:
+    """One parameter is typed or chosen."""
+    parameter = scene.linked()[name]
+    if isinstance(parameter, Quantity):
+        return value(parameter).map(lambda v: {"type": "typed", "name": name, "text": "" if v is None else shortest(v)})
+    return value(parameter).map(lambda v: {"type": "choose", "name": name, "value": v})
+
+
+def malformed(scene: type[Scene]) -> SearchStrategy[Message]:
+    """Messages with anything in the place of anything."""
+    names = st.sampled_from([*scene.linked(), "name", "_state", "param", "__class__"]) | st.text(max_size=20)
+    scalars = st.none() | st.booleans() | st.floats() | st.integers() | st.text(max_size=80)
+    deeper = st.lists(scalars, max_size=3) | st.dictionaries(names, scalars, max_size=3)
+    junk = scalars | deeper | st.dictionaries(names, deeper, max_size=2)
+    fields = ("values", "name", "text", "value", "order", "state", "number")
+    kind = st.sampled_from(["set", "typed", "choose", "act", "open", "csv", "about"]) | junk
+    return st.fixed_dictionaries({"type": kind}, optional=dict.fromkeys(fields, names | junk))
+
+
+def queries(scene: type[Scene]) -> SearchStrategy[dict[str, list[bytes]]]:
+    """Malformed links: anything as the name or the value of a parameter."""
+    names = st.sampled_from([*scene.linked(), "scene", "theme", "bokeh-token"]) | st.text(max_size=20)
+    texts = st.text(max_size=80).map(lambda text: text.encode("utf-8", "replace")) | st.binary(max_size=80)
+    told = st.sampled_from([b"1e999", b"-0", b"nan", b"inf", b"auto", b"", b",,,", b"1e-400", b"0x10", "١".encode()])
+    return st.dictionaries(names, st.lists(texts | told, min_size=1, max_size=2), max_size=6).map(
+        lambda found: {"scene": [scene.slug.encode()], **found}
+    )

@@ -1,0 +1,83 @@
+"""What the browser makes of extreme pictures: nothing on the page may be no number, or without end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from hypothesis import HealthCheck, Phase, given, seed, settings
+from playwright.sync_api import Page, sync_playwright
+
+from components.scene import Scene
+from components.scenes import SCENES
+from components.session import opened
+from components.url import Link, write_query
+from tests.attack.extremes import Values, values
+from tests.attack.finding import Finding
+from tests.browser.chromium import find
+
+READY = "document.documentElement.dataset.ready === 'true'"
+SHOW = r"""async data => {
+  const [sheet] = oscillations.sheets.keys()  // as this server has it: Bokeh counts its models, and here are others
+  oscillations.line.receive({sheet, data: Uint8Array.from(data).buffer})
+  await oscillations.line.heard
+  await oscillations.turning
+  const {page} = oscillations, fault = /NaN|Infinity|undefined/
+  for (const share of [0, 0.37, 1]) {
+    page.clock.seek(share * page.clock.end)
+    page.draw(page.clock.t)
+    for (const one of document.querySelectorAll("svg *")) {
+      const wrong = [...one.attributes].find(({value}) => fault.test(value))
+      if (wrong) return `${one.tagName} ${one.getAttribute("class")}: ${wrong.name}=${wrong.value.slice(0, 60)}`
+    }
+    for (const one of document.querySelectorAll("#app *")) {
+      if (!one.children.length && fault.test(one.textContent)) return `${one.className}: ${one.textContent}`
+    }
+  }
+  page.clock.tick(page.clock.last + 16)
+  return Number.isFinite(page.clock.t) ? "" : `the clock: ${page.clock.t}`
+}"""
+
+
+def attack(url: str, size: int, start: int) -> Iterator[Finding]:
+    """Each scene in Chromium, with pictures at extremes as the server would send them."""
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=find())
+        for slug, scene in SCENES.items():
+            page = chromium.new_page(bypass_csp=True)
+            page.goto(f"{url}?scene={slug}")
+            page.wait_for_function(READY)
+            faults = list(faults_of(page, scene, size, start))
+            yield Finding(f"{slug}: {size} extreme pictures in Chromium", not faults, "\n".join(faults))
+            page.close()
+        chromium.close()
+
+
+def faults_of(page: Page, scene: type[Scene], size: int, start: int) -> Iterator[str]:
+    """What is wrong on the page, and the link that shows it."""
+    for query, packet in pictures(scene, size, start):
+        fault = page.evaluate(SHOW, list(packet["data"]))
+        if fault:
+            yield f"/?{query}  {fault}"
+
+
+def pictures(scene: type[Scene], size: int, start: int) -> list[tuple[str, dict[str, Any]]]:
+    """Links to extremes, as far as the scene can draw them, and what opens there."""
+    found: dict[str, dict[str, Any]] = {}
+
+    @seed(start)
+    @settings(
+        max_examples=size,
+        derandomize=False,
+        database=None,
+        deadline=None,
+        phases=[Phase.generate],
+        suppress_health_check=list(HealthCheck),
+    )
+    @given(values(scene))
+    def draw(link: Values) -> None:
+        session = opened(SCENES, Link(scene.slug, link))
+        found[write_query(session.scene)] = session.opening()
+
+    draw()
+    return list(found.items())

@@ -1,0 +1,78 @@
+"""A short form of the hunt of `make attack`: whatever is asked of a page, it stays whole."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from components.scene import Scene
+from components.scenes import SCENES
+from components.url import Link
+from tests.attack.__main__ import hunt
+from tests.attack.extremes import Message, Values, messages, queries, values
+from tests.attack.visit import Visit, follow, visit
+from tests.serving.server import ROOT
+
+scenes = pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES.keys())
+HUGE = 1.7976931348623157e308
+
+
+@scenes
+@pytest.mark.timeout(600)
+def test_pages_at_extremes(scene: type[Scene]) -> None:
+    @settings(max_examples=15)
+    @given(values(scene), messages(scene))
+    def page(link: Values, deeds: list[Message]) -> None:
+        visit(scene.slug, link, deeds)
+
+    page()
+
+
+@scenes
+def test_malformed_links(scene: type[Scene]) -> None:
+    settings(max_examples=15)(given(queries(scene))(follow))()
+
+
+@pytest.mark.parametrize(
+    ("slug", "given", "message"),
+    [
+        ("absorber", {}, {"type": "set", "values": {"k1": 1e-300}}),
+        ("forced", {}, {"type": "set", "values": {"window": 1e300, "k1": 9.0}}),
+        ("forced", {}, {"type": "set", "values": {"m1": 1e175, "v2_0": 1e308}}),
+        ("modes", {"task": "hunt"}, {"type": "set", "values": {"window": 5e-324, "m2": 2e-146, "x2_0": -HUGE}}),
+        ("oscillator", {}, {"type": "set", "values": {"m": HUGE, "k": HUGE, "x_0": HUGE, "v_0": HUGE}}),
+    ],
+)
+def test_a_refusal_leaves_every_byte_of_the_message(slug: str, given: dict[str, object], message: Message) -> None:
+    """Among them what once moved the ranges of the sliders."""
+    page = Visit(Link(slug, given))
+    assert page.say(message, 1)
+    page.leave()
+
+
+def test_ticks_far_off_their_unit_can_be_read() -> None:
+    """A frame that is kept grows to 5e16 m for the smallest mass on the softest spring: once labelled −4e+16."""
+    parameters = {"k": 5e-324, "x_0": 0.0, "m": sys.float_info.min}
+    state = {"scene": "energy", "parameters": parameters, "frame": {}}
+    visit("oscillator", {}, [{"type": "open", "state": state}, {"type": "set", "values": {"m": 5e-324}}])
+
+
+def test_a_hunt_that_finds_something_says_by_what() -> None:
+    def small(found: int) -> None:
+        assert found < 1000
+
+    missed = hunt("below a million", 50, 1, given(st.integers(0, 10**6))(small))
+    assert not missed.held
+    assert "found=1000," in missed.detail
+    assert hunt("below a hundred", 50, 1, given(st.integers(0, 100))(small)).held
+
+
+def test_the_hunt_is_a_command() -> None:
+    told = subprocess.run(
+        [sys.executable, "-m", "tests.attack", "--help"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    assert "--seed" in told.stdout

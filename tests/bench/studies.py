@@ -1,0 +1,124 @@
+"""What the race over 50 periods does not show: other lengths, and where digits beyond a double's begin to matter."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from statistics import median
+
+import numpy as np
+
+from physics.accuracy import SYSTEMS, Limits, Run, System
+from physics.coupled import TwoMassChain
+from physics.exact import Array
+from physics.problem import Problem, StoppedError, Watch
+from physics.race import Bench, bench_of, clock, yardstick
+from physics.reference import Reference, reference
+from physics.solvers import METHODS
+
+LENGTHS = (5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
+OUTPUTS = 500
+STEPS_A_PERIOD = 400
+PATIENCE = 15.0
+STEPPING = ("verlet", "newmark", "rk4", "gauss4", "yoshida6")
+TOLERANCES = {"dop853": 1e-6, "lsoda": 1e-6, "rk45": 1e-6}
+WITHOUT = ("closed", "slides", "eigh", "naive")
+
+NEIGHBOURS = (1.0, 1.17, 1.41, 1.73)
+
+Curves = dict[str, list[float | None]]
+"""Columns: "x", and the largest error of each method there, None where it has no answer."""
+
+
+@dataclass(frozen=True)
+class Costs:
+    """Milliseconds of the closed form and of eigh: the constants alone, and with a thousand times."""
+
+    motion: str
+    digits: float
+    closed: float
+    eigh: float
+
+
+def lengths(limits: Limits) -> list[Run]:
+    """The benign chain for 5 to 5,000 slow periods, 500 outputs, steps and tolerances kept; `setting` is the length.
+
+    Every method in turn at each length, and all of that in two rounds.
+    """
+    pace, benign = median(yardstick() for _ in range(5)), SYSTEMS["benign"]
+    patient = replace(limits, seconds=PATIENCE)
+    benches = {n: bench_of(benign, patient, lambda _: False, pace, benign.problem(n, OUTPUTS)) for n in LENGTHS}
+    rounds = [[_at_length(benches[n], slug, n) for n in LENGTHS for slug in _lasting()] for _ in range(2)]
+    return [_merged(one, two) for one, two in zip(*rounds, strict=True)]
+
+
+def _lasting() -> tuple[str, ...]:
+    return "closed", "eigh", "expm", *STEPPING, *TOLERANCES
+
+
+def _at_length(bench: Bench, slug: str, periods: int) -> Run:
+    setting = periods * STEPS_A_PERIOD / OUTPUTS if slug in STEPPING else TOLERANCES.get(slug, 0.0)
+    return replace(bench.visit(METHODS[slug], setting), setting=float(periods))
+
+
+def _merged(one: Run, two: Run) -> Run:
+    if one.time is None or two.time is None:
+        return one
+    times = (one.time, two.time)
+    return replace(one, time=median(times), time_low=min(times), time_high=max(times), rounds=2)
+
+
+def digits() -> dict[str, Curves]:
+    """Errors of the ways without steps where doubles begin to fail: wide chains, near resonance, long runs.
+
+    The worst over a few neighbours of each place, because at a round number the roundings may happen to cancel.
+    """
+    near, benign = SYSTEMS["near"], SYSTEMS["benign"]
+    return {
+        "ratio": _worst(10.0 ** np.arange(0, 17), lambda ratio: _wide(ratio).problem(50, 100)),
+        "detuning": _worst(10.0 ** -np.arange(1, 16), lambda d: replace(near, omega=1 + d).problem(50, 100)),
+        "periods": _worst(10.0 ** np.arange(0, 13), lambda periods: benign.problem(periods, 100)),
+    }
+
+
+def _wide(ratio: float) -> System:
+    chain = TwoMassChain(m1=1.0, m2=1.5, k1=2.0, k2=2.0 * ratio)
+    return System(slug="wide", name="", chain=chain, x_0=(1.0, 1.0))
+
+
+def _worst(places: Array, problem: Callable[[float], Problem]) -> Curves:
+    curves: Curves = {"x": places.tolist(), **{slug: [] for slug in WITHOUT}}
+    for place in places.tolist():
+        asked = [problem(place * neighbour) for neighbour in NEIGHBOURS]
+        truths = [reference(each) for each in asked]
+        for slug in WITHOUT:
+            errors = [_error(slug, each, truth) for each, truth in zip(asked, truths, strict=True)]
+            known = [error for error in errors if error is not None]
+            curves[slug].append(max(known) if len(known) == len(errors) else None)
+    return curves
+
+
+def _error(slug: str, asked: Problem, truth: Reference) -> float | None:
+    """The largest error of the motion; None where the method has no answer."""
+    try:
+        with np.errstate(all="raise", under="ignore"):
+            return float(np.max(truth.errors(METHODS[slug].run(asked, 0, Watch()).x)))
+    except (StoppedError, ArithmeticError, ValueError):
+        return None
+
+
+def costs() -> list[Costs]:
+    """What the 80 digits cost: the closed form at two times against a thousand, beside eigh."""
+    rows = []
+    for name, slug in (("free", "benign"), ("driven", "near")):
+        whole = SYSTEMS[slug].problem()
+        few = replace(whole, t=whole.t[:2])
+        pairs = [("closed", few), ("closed", whole), ("eigh", whole)]
+        times = np.array([[_seconds(method, problem) for method, problem in pairs] for _ in range(200)])
+        rows.append(Costs(name, *(float(1e3 * value) for value in np.median(times, axis=0))))
+    return rows
+
+
+def _seconds(method: str, problem: Problem) -> float:
+    fresh = replace(problem, chain=replace(problem.chain))
+    start = clock()
+    METHODS[method].run(fresh, 0, Watch())
+    return clock() - start

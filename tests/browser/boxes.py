@@ -1,0 +1,99 @@
+"""Where all that is read or touched lies on a page, and what is wrong with it: overlaps, cuts, what is too small."""
+
+from __future__ import annotations
+
+from typing import cast
+
+from playwright.sync_api import Page
+
+FAULTS = r"""() => {
+  const faults = []
+  const style = element => getComputedStyle(element)
+  const hasSize = ({width, height}) => width > 1 && height > 1
+  // An SVG text inside a group that is not drawn passes for visible, but has no size.
+  const stands = element =>
+    element.checkVisibility({opacityProperty: true, visibilityProperty: true}) &&
+    hasSize(element.getBoundingClientRect())
+  const scrollers = new Map()
+  const scroller = element => {
+    if (!element || element === document.body) return null
+    if (!scrollers.has(element)) {
+      const {overflowX, overflowY, display} = style(element)
+      const holds = display !== "contents" && /auto|scroll|hidden|clip/.test(overflowX + overflowY)
+      scrollers.set(element, holds && !(element instanceof SVGElement) ? element : scroller(element.parentElement))
+    }
+    return scrollers.get(element)
+  }
+  const named = ({owner, text}) => {
+    const place = owner.closest(".block, .group, .transport, .nav, .panel, .page")
+    return `${(place?.getAttribute("class") ?? "").trim()}: ${text.replace(/\s+/g, " ")}`
+  }
+  const pieces = new Map()
+  const walker = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT)
+  const range = document.createRange()
+  while (walker.nextNode()) {
+    const node = walker.currentNode, element = node.parentElement
+    const owner = element.closest("text, math, td, th") ?? element
+    if (!node.textContent.trim() || !stands(element) || !stands(owner) || element.closest("option, .figure")) continue
+    range.selectNodeContents(node)
+    const piece = pieces.get(owner) ?? {owner, text: "", boxes: []}
+    piece.text += node.textContent
+    piece.boxes.push(...[...range.getClientRects()].filter(hasSize))
+    pieces.set(owner, piece)
+    const size = parseFloat(style(element).fontSize)
+    const isIndex = element.closest("sub, sup, .sub, msub, msup, msubsup, mover, mfrac, tspan")
+    if (size < (isIndex ? 10.99 : 11.99)) faults.push(`small, ${size.toFixed(1)} px: ${named(piece)}`)
+  }
+  const texts = [...pieces.values()]
+  const controls = [...document.querySelectorAll("button, input, summary, .pill, .flag, nav a")].filter(stands)
+  for (const field of controls) {
+    if (field.matches("input:not([type=range])") && field.scrollWidth > field.clientWidth + 1)
+      faults.push(`cut in its field: ${field.name} ${field.value}`)
+  }
+  if (document.documentElement.scrollWidth > innerWidth) faults.push("the page scrolls sideways")
+
+  const wide = holder => holder.scrollWidth > holder.clientWidth + 1 && style(holder).overflowX !== "hidden"
+  const parts = controls.map(owner => ({owner, text: owner.getAttribute("aria-label") ?? owner.textContent,
+                                       boxes: [owner.getBoundingClientRect()]}))
+  const staying = [...document.querySelectorAll(".paper *")]
+    .filter(part => style(part).position === "sticky" && stands(part))
+    .map(part => ({part, box: part.getBoundingClientRect()}))
+  const isCut = ({left, right}, frame) => left < frame.left - 1.5 || right > frame.right + 1.5
+  for (const piece of [...texts, ...parts]) {
+    const holder = scroller(piece.owner)
+    const frame = holder?.getBoundingClientRect() ?? {left: 0, right: innerWidth, top: -Infinity, bottom: Infinity}
+    // What a list that scrolls along holds beyond its edge is not cut off.
+    if (holder?.matches(".chips, .roles") && wide(holder)) piece.gone = true
+    else if (piece.boxes.some(box => isCut(box, frame))) faults.push(`cut: ${named(piece)}`)
+    piece.boxes = piece.boxes.filter(({top, bottom}) => bottom > frame.top && top < frame.bottom)
+    if (!piece.boxes.length) piece.gone = true
+    // Nor is what lies under a part that stays in sight.
+    const lies = ({top, bottom}, over) => top < over.bottom && bottom > over.top
+    for (const {part, box} of staying)
+      if (!part.contains(piece.owner) && piece.boxes.some(one => lies(one, box))) piece.gone = true
+  }
+
+  const seen = texts.filter(piece => !piece.gone)
+  const top = ({boxes}) => Math.min(...boxes.map(box => box.top))
+  const bottom = ({boxes}) => Math.max(...boxes.map(box => box.bottom))
+  seen.sort((one, other) => top(one) - top(other))
+  // Letters do not fill their line: a quarter of it above and below is air.
+  const meet = (one, other) =>
+    one.left + 1.5 < other.right && other.left + 1.5 < one.right &&
+    one.top + one.height / 4 < other.bottom - other.height / 4 &&
+    other.top + other.height / 4 < one.bottom - one.height / 4
+  for (const [i, one] of seen.entries()) {
+    for (const other of seen.slice(i + 1)) {
+      if (top(other) > bottom(one)) break
+      if (one.owner.contains(other.owner) || other.owner.contains(one.owner)) continue
+      if (one.boxes.some(box => other.boxes.some(another => meet(box, another))))
+        faults.push(`overlap: ${named(one)} | ${named(other)}`)
+    }
+  }
+  return faults
+}"""
+
+
+def faults(page: Page) -> list[str]:
+    """What overlaps, is cut off, leaves its frame or is too small to read, on the page as it stands."""
+    return cast(list[str], page.evaluate(FAULTS))

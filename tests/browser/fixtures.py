@@ -1,0 +1,110 @@
+"""Fixtures of the browser tests: a served app, a Chromium, and pages that fail the test on a fault."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+from urllib.parse import urlsplit
+
+import pytest
+from playwright.sync_api import Browser, ConsoleMessage, Page, Request, sync_playwright
+
+from tests.browser.chromium import find
+from tests.browser.waiting import unfold
+from tests.serving.server import ROOT, Server, serving
+
+SCREENSHOTS = ROOT / "build" / "screenshots"
+READY = "document.documentElement.dataset.ready === 'true'"
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Browser tests last: Playwright leaves an event loop running, which other tests should not see."""
+    items.sort(key=lambda item: item.get_closest_marker("browser") is not None)
+
+
+@pytest.fixture(scope="session")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    with serving(tmp_path_factory.mktemp("server") / "log") as running:
+        yield running
+        assert not running.complaints(), running.log.read_text()
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    path = find()
+    if path is None:
+        (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)("no Chromium: make test installs one")
+    with sync_playwright() as playwright:
+        chromium = playwright.chromium.launch(executable_path=path)
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture
+def new_page(browser: Browser, server: Server) -> Iterator[Callable[..., Page]]:
+    """Makes pages: `new_page(width=390, height=844, color_scheme="dark")` and whatever else a context takes.
+
+    The test fails if one of them logged an error to the console or asked another host for anything.
+    """
+    contexts, faults = [], []
+
+    def make(width: int = 1280, height: int = 720, **options: Any) -> Page:
+        # Playwright's waiting for an expression is an eval, which the page forbids; test_serving_headers.py tests that.
+        context = browser.new_context(viewport={"width": width, "height": height}, **{"bypass_csp": True, **options})
+        contexts.append(context)
+        page = context.new_page()
+        page.on("console", lambda message: faults.extend(_console_fault(message)))
+        page.on("pageerror", lambda error: faults.append(f"page error: {error}"))
+        page.on("request", lambda request: faults.extend(_foreign(request, server)))
+        return page
+
+    yield make
+    for context in contexts:
+        context.close()
+    assert not faults, "\n".join(faults)
+
+
+@pytest.fixture
+def page(new_page: Callable[..., Page]) -> Page:
+    return new_page()
+
+
+@pytest.fixture
+def open_scene(server: Server) -> Callable[..., Page]:
+    """Opens a link on a page and waits until the scene is drawn: `open_scene(page, scene="forced", k2=3)`.
+
+    All controls of the panel are unfolded; `folded=True` leaves the page as a visitor meets it.
+    """
+
+    def go(page: Page, *, folded: bool = False, **query: object) -> Page:
+        page.goto(server.url + "?" + "&".join(f"{name}={value}" for name, value in query.items()))
+        page.wait_for_function(READY)
+        if not folded:
+            unfold(page)
+        return page
+
+    return go
+
+
+@pytest.fixture
+def screenshot() -> Callable[[Page, str], Path]:
+    """Keeps a picture of a page as build/screenshots/NAME.png."""
+
+    def take(page: Page, name: str) -> Path:
+        path = SCREENSHOTS / f"{name}.png"
+        page.screenshot(path=path)
+        return path
+
+    return take
+
+
+def _console_fault(message: ConsoleMessage) -> list[str]:
+    return [f"console: {message.text}"] if message.type == "error" else []
+
+
+def _foreign(request: Request, server: Server) -> list[str]:
+    address = urlsplit(request.url)
+    at_home = address.scheme in ("data", "blob") or address.netloc == urlsplit(server.url).netloc
+    return [] if at_home else [f"request to another host: {request.url}"]

@@ -1,0 +1,100 @@
+"""The control panel of one scene on a page of its own, with the scene behind it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, ClassVar
+
+from msgspec import to_builtins
+from playwright.sync_api import Page, Route
+
+from components.controls import Group
+from components.controls import panel as described
+from components.frames import FITTED
+from components.page.blocks import Block
+from components.page.state import Frame
+from components.parameters import displacement, mass, stiffness
+from components.scene import Picture, Scene
+from components.serving.assets import TYPES, static_files
+from components.sheet import column
+from tests.page.told import Page as Told
+
+HTML = """<!DOCTYPE html><html lang="en"><title>Controls</title>
+<link rel="stylesheet" href="style.css">
+<aside class="panel"></aside>
+<script type="module">
+  import {buildControls} from "./controls.js"
+  import {sliderPlace, sliderValue, stepped} from "./scales.js"
+  Object.assign(globalThis, {sliderPlace, sliderValue, stepped})
+  const take = parameters => send({type: "open", state: {scene: "chain", parameters}})
+  const controls = buildControls(document.querySelector("aside"), await describe(), send, take)
+  const show = state => controls.update(state)
+  async function send(message) { show(await tell(message)) }
+  Object.assign(globalThis, {show, release: () => controls.release()})
+  show(await tell({type: "set", values: {}}))
+  document.documentElement.dataset.ready = "true"
+</script></html>"""
+
+
+class Chain(Scene):
+    """A scene with one rule of its own: k2/m1 is at most 1e6."""
+
+    slug = "chain"
+    title = headline = "Chain"
+    m1 = mass(2.0, symbol="m_1", tint="m1")
+    k2 = stiffness(2.0, symbol="k_2", says="couples the masses. Type any value from 0 up.")
+    x1_0 = displacement(1.0, symbol="x_1", tint="m1")
+    presets: ClassVar = {"Both": {"m1": 2.0}, "Stiff": {"k2": 50.0}}
+    groups = (Group("Chain", ("m1", "k2")), Group("Start", ("x1_0",), "or drag a mass"))
+
+    @classmethod
+    def sheet(cls) -> Block:
+        return column()
+
+    def picture(self, frame: Frame = FITTED) -> Picture:
+        if self.k2 > 1e6 * self.m1:
+            raise ValueError("the motion is too fast for a double")
+        return Picture(columns={}, axes={})
+
+
+class Panel:
+    """The controls of one scene on a page of their own; `messages` are those that the page has sent."""
+
+    def __init__(self, page: Page) -> None:
+        self.page, self.scene = page, Chain()
+        self.told = Told(self.scene)
+        self.messages: list[dict[str, Any]] = []
+        page.expose_function(
+            "describe",
+            lambda: to_builtins(described(Chain.param.objects("existing"), Chain.groups, presets=Chain.presets)),
+        )
+        page.expose_function("tell", self.tell)
+        page.route("**/*", self.serve)
+        page.goto("http://controls.test/")
+        page.wait_for_selector("html[data-ready=true]")
+        self.messages.clear()
+
+    def serve(self, route: Route) -> None:
+        name = route.request.url.rsplit("/", 1)[-1]
+        if name:
+            suffix = Path(name).suffix
+            route.fulfill(body=static_files()[name], content_type=TYPES[suffix])
+        else:
+            route.fulfill(body=HTML, content_type="text/html")
+
+    def tell(self, message: dict[str, Any]) -> dict[str, Any]:
+        self.messages.append(message)
+        return self.told.say(message)
+
+    def field(self, name: str) -> Any:
+        return self.page.locator(f'input[name="{name}"]')
+
+    def slider(self, name: str) -> Any:
+        return self.page.locator(f'input[name="{name}-slider"]')
+
+    def problem(self, name: str) -> Any:
+        return self.page.locator(f"#problem-{name}")
+
+    def type(self, name: str, text: str) -> None:
+        self.field(name).fill(text)
+        self.field(name).press("Enter")

@@ -1,0 +1,108 @@
+"""About these numbers in a Chromium: silent while folded, asked when opened and after a change, within its panel."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, WebSocket, expect
+
+from components.scene import Scene
+from components.scenes import SCENES
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+Keep = Callable[[Page, str], Path]
+
+SLUGS = [slug for slug, scene in SCENES.items() if scene.about is not Scene.about]
+LATER = 700  # ms, well beyond the moment for which a change has to be the last
+FIT = """() => {
+  const page = document.documentElement, about = document.querySelector('.about')
+  const parts = [about, ...about.querySelectorAll('table, p')]
+  return {
+    page: page.scrollWidth <= innerWidth,
+    about: parts.every(part => part.scrollWidth <= about.clientWidth),
+    panel: document.querySelector('.panel').scrollWidth <= innerWidth,
+  }
+}"""
+HIGH = "document.documentElement.scrollHeight > innerHeight"
+
+
+def asked(page: Page) -> list[str]:
+    """Grows by every message that asks for the numbers."""
+    questions: list[str] = []
+
+    def told(payload: str | bytes) -> None:
+        if isinstance(payload, str) and '"about"' in payload:
+            questions.append(payload)
+
+    def opened(socket: WebSocket) -> None:
+        socket.on("framesent", told)
+
+    page.on("websocket", opened)
+    return questions
+
+
+def wait_moment(page: Page) -> None:
+    """What waits for its moment has had it, and all is answered."""
+    page.clock.fast_forward(LATER)
+    page.wait_for_function("!oscillations.line.asked && !oscillations.line.outbox.length")
+
+
+def settle(page: Page) -> None:
+    """Until nothing is asked any more and the answer stands."""
+    wait_moment(page)
+    page.wait_for_function("!document.querySelector('.about [aria-busy]')")
+
+
+def unfold(page: Page) -> None:
+    page.locator(".about summary").click()
+    expect(page.locator(".about tbody, .about table").first).to_be_visible()
+
+
+def test_it_is_asked_when_opened_and_after_a_change_and_never_while_folded(page: Page, open_scene: Open) -> None:
+    questions = asked(page)
+    page.clock.install()
+    open_scene(page, scene="coupled")
+    expect(page.locator(".about")).not_to_have_attribute("open", "")
+    settle(page)
+    assert not questions
+
+    unfold(page)
+    assert len(questions) == 1
+    table = page.locator(".about table").first
+    before = table.text_content()
+    page.locator('input[name="k2-slider"]').press("ArrowRight")
+    expect(table).not_to_have_text(before or "")
+    settle(page)
+    count = len(questions)
+
+    page.evaluate("for (let n = 0; n < 9; n++) oscillations.about.changed()")
+    expect(page.locator(".about-body")).to_have_attribute("aria-busy", "true")
+    settle(page)
+    assert len(questions) == count + 1
+
+    page.evaluate("() => { oscillations.about.changed(); document.querySelector('.about').open = false }")
+    page.locator('input[name="k2-slider"]').press("ArrowRight")
+    wait_moment(page)
+    assert len(questions) == count + 1
+
+
+@pytest.mark.parametrize("slug", SLUGS)
+def test_it_stays_within_the_panel(
+    slug: str, page: Page, new_page: Callable[..., Page], open_scene: Open, screenshot: Keep
+) -> None:
+    open_scene(page, scene=slug, folded=True)
+    assert not page.evaluate(HIGH)
+    unfold(page)
+    assert not page.evaluate(HIGH)
+    assert all(page.evaluate(FIT).values()), page.evaluate(FIT)
+    top = "document.querySelector('.{}').getBoundingClientRect().top"
+    assert page.evaluate(f"{top.format('about')} - {top.format('panel')}") > -1
+    expect(page.locator(".about .bound").first).to_be_in_viewport()
+    screenshot(page, f"{slug}-about")
+    phone = open_scene(new_page(390, 844, has_touch=True, color_scheme="dark"), scene=slug)
+    unfold(phone)
+    assert all(phone.evaluate(FIT).values()), phone.evaluate(FIT)
+    screenshot(phone, f"{slug}-about-phone-dark")

@@ -1,0 +1,46 @@
+"""Accuracy in a Chromium: a measurement of one's own, its place in the queue, and what a visitor leaves behind."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.serving.server import Server, serving
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    """A server that notices soon when a visitor has left."""
+    soon = ("--unused-seconds", "0.3")
+    with serving(tmp_path_factory.mktemp("server") / "log", options=soon) as running:
+        yield running
+        assert not running.complaints(), running.log.read_text()
+
+
+UNDER_WAY = re.compile("It begins|is running")
+
+
+def test_who_leaves_makes_room_for_the_next(
+    new_page: Callable[..., Page], open_scene: Open, screenshot: Callable[[Page, str], Path]
+) -> None:
+    first, second = (open_scene(new_page(), scene="accuracy", limit=3, system=name) for name in ("wide", "beats"))
+    status = ".transport [role=status]"
+    first.get_by_role("button", name="Run", exact=True).click()
+    expect(first.locator(status)).to_contain_text(UNDER_WAY, timeout=30_000)
+    second.get_by_role("button", name="Run", exact=True).click()
+    expect(second.locator(status)).to_contain_text("1 measurement before yours")
+    screenshot(second, "accuracy-waiting")
+    first.close()
+    expect(second.locator(status)).to_contain_text(UNDER_WAY, timeout=30_000)
+    expect(second.locator(".count")).to_contain_text("of 60 s", timeout=20_000)
+    second.get_by_role("button", name="Skip this method").click()
+    second.get_by_role("button", name="Cancel").click()
+    expect(second.locator(".count")).to_contain_text("methods measured here")
+    expect(second.get_by_role("button", name="Run again")).to_be_visible()

@@ -1,0 +1,75 @@
+"""The analogues in a Chromium: pictures to choose from, the controls that follow, flags, the stated speed."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from physics.analogues import ANALOGUES
+from tests.browser.waiting import seek
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+
+# Everything of the shown pictures that has a size, as numbers.
+BROKEN = """() => [...document.querySelectorAll('svg.stage *')].filter(one =>
+  [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value))).length"""
+
+
+def test_each_picture_chooses_its_system(page: Page, open_scene: Open, screenshot: Callable[[Page, str], Path]) -> None:
+    open_scene(page, scene="analogues", folded=True)
+    tiles = page.get_by_role("group", name="System").get_by_role("button")
+    assert tiles.count() == 9
+    for tile, (slug, system) in zip(tiles.all(), ANALOGUES.items(), strict=True):
+        tile.click()
+        expect(tile).to_have_attribute("aria-pressed", "true")
+        page.locator("summary:visible", has_text=system.name).click()
+        first = system.parameters[0].name
+        expect(page.locator(f"input[name={slug}_{first}]")).to_be_visible()
+        other = "pipe_L" if slug == "spring" else "spring_m"
+        expect(page.locator(f"input[name={other}]")).to_be_hidden()
+        assert page.evaluate(BROKEN) == 0
+        overflow = "(p => p.scrollHeight - p.clientHeight)(document.querySelector('.panel'))"
+        assert page.evaluate(overflow) <= 0, slug
+    screenshot(page, "analogues-pipe")
+    page.wait_for_url(re.compile("system=pipe"))
+
+
+def test_flags_set_the_angle_and_a_slider_changes_the_curve(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="analogues")
+    page.get_by_role("button", name="Start from 50.1°").click()
+    expect(page.locator("input[name=theta_0]")).to_have_value("50.104")
+    late = page.locator("[data-value=late_percent]").first
+    expect(late).to_have_text("5.00")
+    before = page.evaluate("[...oscillations.shown.view.columns.time.q]")
+    slider = page.locator("input[name=theta_0-slider]")
+    slider.focus()
+    slider.press("ArrowRight")
+    expect(late).not_to_have_text("5.00")
+    assert page.evaluate("[...oscillations.shown.view.columns.time.q]") != before
+
+
+def test_speed_is_stated_and_the_drawings_move(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="analogues", system="circuit")
+    speed = page.locator("[data-value=speed]").first
+    expect(speed).to_have_text("played 200\u202f000 times slower")
+    page.get_by_role("button", name="Slower").click()
+    page.get_by_role("button", name="Auto speed").click()
+    expect(speed).to_have_text("played 200\u202f000 times slower")
+    seek(page, 5)
+    place = "document.querySelectorAll('.tile')[2].querySelector('circle').getAttribute('cx')"
+    before = page.evaluate(place)
+    seek(page, 12)
+    assert page.evaluate(place) != before
+
+
+def test_link_restores_and_a_bad_part_of_it_is_told(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="analogues", system="shaft", shaft_J="12.5", theta_0="200", pipe_n="2.5")
+    expect(page.locator("input[name=shaft_J]")).to_have_value("12.5")
+    notice = page.get_by_role("alert").first
+    expect(notice).to_contain_text("theta_0")
+    expect(notice).to_contain_text("whole number")

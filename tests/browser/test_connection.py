@@ -1,0 +1,143 @@
+"""The connection is lost and comes back: nothing that was set is lost, and what is missing for good is said."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from urllib.parse import urlsplit
+
+import pytest
+from playwright.sync_api import Browser, Page, Route, expect
+
+from tests.browser.fixtures import READY
+from tests.browser.waiting import unfold
+from tests.reconnect.losses import CONNECTED, LINK, LOSSES, SETTLED, too_late, visit
+from tests.reconnect.site import Site
+from tests.serving.server import Server
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
+    with Site(tmp_path_factory.mktemp("site")) as found:
+        yield found
+
+
+@pytest.fixture
+def page(browser: Browser) -> Iterator[Page]:
+    """Without the fixture of pages, which fails on what a browser says in the console of a lost connection."""
+    context = browser.new_context(viewport={"width": 1280, "height": 720}, bypass_csp=True)
+    page = context.new_page()
+    faults: list[str] = []
+    page.on("pageerror", lambda error: faults.append(str(error)))
+    yield page
+    context.close()
+    assert not faults
+
+
+@pytest.mark.parametrize("name", LOSSES)
+def test_every_last_value_stands_when_the_connection_is_back(page: Page, site: Site, name: str) -> None:
+    visit(page, site, LOSSES[name], seed=1)
+
+
+def test_a_token_that_came_too_late_is_replaced(page: Page, site: Site) -> None:
+    too_late(page, site, seed=1)
+
+
+def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server) -> None:
+    opened(page, server)
+    page.context.set_offline(True)
+    alert = page.get_by_role("alert").filter(has_text="Not connected.")
+    expect(alert).to_have_text("Not connected. What you see still plays; changes wait.")
+    expect(page.get_by_role("navigation", name="Scenes")).to_be_hidden()
+    page.locator("input[name=k2-slider]").fill("0.5")
+    expect(page.get_by_text("1 change waits")).to_be_visible()
+    expect(page.locator(".control.waits")).to_have_count(1)
+    frames = page.evaluate("oscillations.clock.frames")
+    page.wait_for_function("frames => oscillations.clock.frames > frames", arg=frames)
+    page.context.set_offline(False)
+    expect(page.get_by_role("status").filter(has_text="Connected again")).to_be_visible()
+    expect(alert).to_be_hidden()
+    page.wait_for_function(SETTLED)
+    expect(page.get_by_text("1 change waits")).to_be_hidden()
+    expect(page.locator(".control.waits")).to_have_count(0)
+    expect(page.get_by_role("navigation", name="Scenes")).to_be_visible()
+
+
+def test_presets_undo_and_scenes_wait_too(page: Page, server: Server) -> None:
+    opened(page, server)
+    page.context.set_offline(True)
+    page.locator("input[name=m1-slider]").fill("0.5")
+    page.get_by_role("button", name="Beats").click()
+    page.locator("input[name=k2-slider]").fill("0.5")
+    page.evaluate("oscillations.undo.go('past')")
+    page.evaluate("oscillations.send({type: 'set', values: {k1: 7}})")
+    page.context.set_offline(False)
+    page.wait_for_function(SETTLED)
+    settings = page.evaluate("oscillations.shown.settings")
+    assert [settings[name]["value"] for name in ("m1", "m2", "k1", "k2")] == [1.0, 0.04, 7.0, 0.04]
+
+
+def test_a_page_older_than_the_server_takes_the_new_one_but_not_under_a_hand(page: Page, server: Server) -> None:
+    opened(page, server)
+    page.evaluate("globalThis.old = true")
+    page.context.set_offline(True)
+    page.locator("input[name=k2-slider]").fill("0.5")
+    k2 = page.evaluate("oscillations.line.left[0].values.k2")
+    page.locator("input[name=m1]").press_sequentially("5")
+    page.route(server.url + "?*", another_version)
+    with page.expect_response(lambda answer: urlsplit(answer.url).path == "/"):
+        page.context.set_offline(False)
+    page.wait_for_function("oscillations.connection.isOutdated")
+    assert page.evaluate("old && document.documentElement.dataset.connected") == "false"
+    page.unroute(server.url + "?*", another_version)
+    page.locator("input[name=m1]").fill("5")
+    page.locator("input[name=m1]").press("Enter")
+    page.wait_for_function("!globalThis.old && globalThis.oscillations?.page")
+    page.wait_for_function(SETTLED)
+    state = page.evaluate("oscillations.line.state")
+    assert state["parameters"] == {"k2": k2, "m1": 5}
+    assert (state["hidden"], state["covered"]) == (["x1_slow"], ["plot:x2"])
+
+
+def test_a_proxy_that_refuses_sockets_is_named(page: Page, server: Server) -> None:
+    page.add_init_script("globalThis.WebSocket = class { constructor() { throw new Error('refused') } }")
+    page.goto(server.url + LINK)
+    page.wait_for_function(READY)
+    alert = page.get_by_role("alert").filter(has_text="Not connected.")
+    expect(alert).to_contain_text("refuses WebSockets", timeout=30_000)
+
+
+def test_a_message_is_numbered_once_and_the_newest_value_wins(page: Page, server: Server) -> None:
+    opened(page, server)
+    page.context.set_offline(True)
+    page.wait_for_function(CONNECTED.format("false"))
+    page.evaluate(
+        """() => {
+          const {line} = oscillations
+          line.send({type: "set", values: {k1: 1, k2: 2}})
+          line.send({type: "typed", name: "k1", text: "3"})
+          line.send({type: "set", values: {k2: 4, m1: 5}})
+          line.send({type: "act", name: "any"})
+          line.send({type: "set", values: {k2: 6}})
+        }"""
+    )
+    assert page.evaluate("oscillations.line.left") == [
+        {"type": "typed", "name": "k1", "text": "3"},
+        {"type": "set", "values": {"k2": 4, "m1": 5}},
+        {"type": "act", "name": "any"},
+        {"type": "set", "values": {"k2": 6}},
+    ]
+
+
+def opened(page: Page, server: Server) -> None:
+    page.goto(server.url + LINK)
+    page.wait_for_function(READY)
+    page.wait_for_function(CONNECTED.format("true"))
+    unfold(page)
+
+
+def another_version(route: Route) -> None:
+    answer = route.fetch()
+    route.fulfill(response=answer, body=answer.text().replace('data-version="', 'data-version="x'))

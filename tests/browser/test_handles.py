@@ -1,0 +1,98 @@
+"""Handles and what leads from scene to scene: dragged by a finger on a phone, the time by the mouse; links."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+
+
+def middle(handle: Locator) -> tuple[float, float]:
+    handle.evaluate("handle => handle.scrollIntoView({block: 'center'})")
+    box = handle.bounding_box()
+    assert box
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def swipe(page: Page, start: tuple[float, float], way: tuple[int, int]) -> None:
+    """A finger put down, moved and lifted."""
+    browser = page.context.new_cdp_session(page)
+    for kind, share in (("touchStart", 0.0), ("touchMove", 0.5), ("touchMove", 1.0), ("touchEnd", None)):
+        points = [] if share is None else [{"x": start[0] + share * way[0], "y": start[1] + share * way[1]}]
+        browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+
+@pytest.mark.parametrize(
+    ("query", "name", "way", "moves"),
+    [
+        ({"scene": "forced"}, "Drive frequency", (40, 0), "omega.value > 0.9"),
+        ({"scene": "absorber"}, "Frequency to which the absorber is tuned", (40, 0), "k2.value > 40000"),
+        ({"scene": "modes"}, "Trial shape X2/X1", (0, -40), "ratio.value > 0"),
+        ({"scene": "modes", "task": "hunt"}, "Start of mass 2", (0, -40), "x2_0.value > 0.8"),
+        ({"scene": "modes", "task": "sweep"}, "k₂, swept", (-40, 0), "k2.value < 0.5"),
+        ({"scene": "accuracy"}, "Error that is good enough", (0, -40), "wanted.value > 1e-5"),
+    ],
+)
+def test_a_finger_drags_a_handle_and_not_the_page(
+    query: dict[str, str], name: str, way: tuple[int, int], moves: str, new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(390, 844, has_touch=True, is_mobile=True), **query)
+    start = middle(page.get_by_role("slider", name=name, exact=True))
+    before = page.evaluate("scrollY")
+    swipe(page, start, way)
+    page.wait_for_function(f"oscillations.shown.settings.{moves}")
+    # What stands above may take another line; the page has not gone with the finger.
+    assert page.evaluate("scrollY") == pytest.approx(before, abs=10)
+
+
+def test_time_is_dragged_and_plays_on(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    page.evaluate("oscillations.clock.seek(1)")
+    x, y = middle(page.get_by_role("slider", name="Time"))
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 200, y, steps=3)
+    held = page.evaluate("oscillations.clock.t")
+    assert held > 5
+    assert not page.evaluate("oscillations.clock.playing")
+    page.mouse.up()
+    page.wait_for_function(f"oscillations.clock.t > {held}")
+
+
+def test_a_driven_motion_is_handed_over_to_be_measured(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="forced", omega=0.77, x1_0=0.125)
+    page.get_by_role("link", name="Error and time").click()
+    expect(page.get_by_role("heading", level=1)).to_contain_text("Stepping")
+    state = "(p => [p.system.value, p.F_0.value, p.omega.value, p.x1_0.value])(oscillations.shown.settings)"
+    page.wait_for_function("document.documentElement.dataset.ready === 'true'")
+    assert page.evaluate(state) == ["own", 1, 0.77, 0.125]
+
+
+def test_help_is_also_of_the_handle_that_has_the_focus(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="forced")
+    says = page.locator("#controls-says")
+    handle = page.get_by_role("slider", name="Drive frequency", exact=True)
+    handle.focus()
+    expect(says).to_have_text("ω is the drive frequency. Type any value from 0 up.")
+    expect(handle).to_have_attribute("aria-describedby", "controls-says")
+    page.get_by_role("slider", name="Time").focus()
+    expect(says).to_have_text("")
+
+
+def test_a_drag_over_a_plot_moves_the_instant_and_letting_go_plays_on(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    box = page.locator(".plot-area").first.bounding_box()
+    assert box
+    y = box["y"] + box["height"] / 2
+    page.mouse.move(box["x"] + 0.4 * box["width"], y)
+    page.mouse.down()
+    first = page.evaluate("oscillations.clock.t")
+    page.mouse.move(box["x"] + 0.7 * box["width"], y, steps=3)
+    assert page.evaluate("oscillations.clock.t") > first + 1
+    assert not page.evaluate("oscillations.clock.playing")
+    page.mouse.up()
+    page.wait_for_function("oscillations.clock.playing")

@@ -1,0 +1,85 @@
+"""Those who do not see the page hear what a plot shows, and what a change did, in words that are true of it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from playwright.sync_api import Page, expect
+
+from components.numbers import short, three
+from components.scenes import SCENES
+
+pytestmark = pytest.mark.browser
+
+Open = Callable[..., Page]
+SAYS = "name => document.getElementById(`says-${name}`).textContent"
+TOLD = 'name => document.getElementById(`says-${name}`)?.textContent !== ""'
+
+
+def described(page: Page, name: str) -> str:
+    page.wait_for_function(TOLD, arg=name)
+    return str(page.evaluate(SAYS, name))
+
+
+def test_a_change_is_told_in_one_sentence_of_the_scenes_values(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    described(page, "x1")
+    heard = page.locator(".page > [role=status]")
+    expect(heard).to_have_text("")
+    before, now = SCENES["coupled"]().shown.values, SCENES["coupled"](k2=3.0).shown.values
+    page.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
+    told = [
+        f"Slow mode {now['omega_minus']} rad/s, was {before['omega_minus']} rad/s",
+        f"fast mode {now['omega_plus']} rad/s, was {before['omega_plus']} rad/s",
+        f"energy {now['E_total']} J, was {before['E_total']} J.",
+    ]
+    expect(heard).to_have_text("; ".join(told))
+    page.evaluate("oscillations.send({type: 'set', values: {v1_0: 1}})")
+    expect(heard).to_have_text(re.compile(r"^Energy [\d.]+ J, was [\d.]+ J; slow mode, fast mode as before\.$"))
+
+
+def test_a_covered_number_is_not_told(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    described(page, "x1")
+    state = "{...oscillations.shown.state, covered: ['value:omega_minus', 'plot:x2']}"
+    page.evaluate(f"oscillations.send({{type: 'open', state: {state}}})")
+    page.evaluate("oscillations.send({type: 'set', values: {k1: 9}})")
+    expect(page.locator(".page > [role=status]")).to_have_text(re.compile("^Fast mode .*"))
+    assert "slow" not in (page.locator(".page > [role=status]").text_content() or "").lower()
+    assert described(page, "x2").endswith("Covered, until it is revealed.")
+
+
+@pytest.mark.parametrize("k2", [2.0, 7.0])
+def test_a_plot_is_described_by_its_own_numbers(page: Page, open_scene: Open, k2: float) -> None:
+    open_scene(page, scene="coupled", k2=k2)
+    scene = SCENES["coupled"](k2=k2)
+    time = scene.sources["time"].data
+    text = described(page, "x1")
+    x = time["x1"]
+    found = re.search(r"x1: from (\S+) m to (\S+) m, lowest (\S+) m at (\S+) s, highest (\S+) m at (\S+) s\.", text)
+    assert found, text
+    numbers = [float(part.replace("−", "-")) for part in found.groups()]
+    true = [x[0], x[-1], x.min(), x.max()]
+    assert np.allclose([*numbers[:3], numbers[4]], true, rtol=5e-3, atol=2e-3), (text, true)
+    assert np.allclose(np.interp([numbers[3], numbers[5]], time["t"], x), [x.min(), x.max()], atol=0.02), text
+    assert f"Across 0 s to {short(scene.shown.axes['t'].end)} s" in text
+    layers = described(page, "energy")
+    assert (
+        f"T2: between 0 J and {three(float(np.ptp(np.vstack([time['e4'] - time['e3'], 0 * time['t']]).max(0))))[:3]}"
+        in layers
+    )
+
+
+def test_what_leaves_the_frame_is_said_to(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="absorber")
+    assert "highest beyond the frame" in described(page, "stroke")
+
+
+def test_the_figure_has_the_description_as_its_own(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="oscillator")
+    described(page, "x")
+    figures = page.get_by_role("img", name="Displacement against time")
+    expect(figures).to_have_accessible_description(re.compile(r"^Displacement against time\. Across 0 s to 2 s"))

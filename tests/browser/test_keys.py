@@ -1,0 +1,112 @@
+"""Keys: what each does, where it acts, and that none acts while something is typed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.serving.server import Server
+
+pytestmark = pytest.mark.browser
+CARD = "document.documentElement.dataset.ready === 'true' && document.querySelector('.card')"
+
+
+def playing(page: Page) -> bool:
+    return bool(page.evaluate("oscillations.clock.playing"))
+
+
+def test_a_walk_goes_by_two_keys_of_a_clicker(server: Server, page: Page) -> None:
+    page.goto(f"{server.url}?walk=d31&step=3")
+    page.wait_for_function(CARD)
+    page.keyboard.press("2")
+    expect(page.locator(".answers button").nth(1)).to_have_attribute("aria-pressed", "true")
+    page.keyboard.press("Space")
+    assert not playing(page)  # nothing plays before the answer
+    page.keyboard.press("PageDown")
+    page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
+    page.locator(".card input[name=x_0]").focus()
+    page.keyboard.press("PageDown")
+    page.wait_for_function("oscillations.walks.walk.place === 3")
+    page.keyboard.press("PageUp")
+    page.wait_for_function("oscillations.walks.walk.place === 2")
+    page.keyboard.press("Escape")
+    expect(page.locator(".card")).to_be_visible()  # Esc never leaves a walk
+    page.keyboard.press("w")
+    expect(page.locator(".card")).to_have_count(0)
+
+
+def test_keys_of_a_scene(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="coupled")
+    before = playing(page)
+    page.keyboard.press("Space")
+    assert playing(page) is not before
+    page.keyboard.press("]")
+    later = page.evaluate("oscillations.clock.t")
+    assert later > 0 and not playing(page)
+    page.keyboard.press("[")
+    assert page.evaluate("oscillations.clock.t") < later
+    page.keyboard.press("]")
+    page.keyboard.press("Home")
+    assert page.evaluate("oscillations.clock.t") == 0
+    page.keyboard.press("2")
+    page.wait_for_function("oscillations.shown.preset === oscillations.page.spec.panel.presets[1].label")
+    page.keyboard.press("b")
+    expect(page.locator(".blank")).to_be_visible()
+    page.keyboard.press("Space")
+    expect(page.locator(".blank")).to_have_count(0)
+    assert not playing(page)  # the key that brings the screen back does nothing else
+
+
+def test_none_acts_while_something_is_typed(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="coupled")
+    state = page.evaluate("[oscillations.clock.playing, oscillations.shown.preset]")
+    field = page.locator(".panel input[name=k2]").last
+    field.fill("")
+    field.press_sequentially("2 fwb?.")
+    assert field.input_value() == "2 fwb?."
+    assert page.locator(".blank, dialog.keys, .walks[open]").count() == 0
+    assert page.evaluate("[oscillations.clock.playing, oscillations.shown.preset]") == state
+
+
+def test_the_list_names_each_key_and_single_letters_can_be_switched_off(
+    page: Page, open_scene: Callable[..., Page]
+) -> None:
+    open_scene(page, scene="coupled")
+    page.keyboard.press("?")
+    keys = page.get_by_role("dialog", name="Keys")
+    for shown in ("Space", "Home", "Page Down", "W", "R", "F", "B", "?"):
+        expect(keys.locator("kbd").get_by_text(shown, exact=True)).to_be_visible()
+    before = playing(page)
+    keys.get_by_role("button", name="Play or pause").click()
+    assert playing(page) is not before
+    keys.get_by_label("Keys of a single letter act").uncheck()
+    keys.get_by_role("button", name="Close").click()
+    page.keyboard.press("b")
+    assert page.locator(".blank").count() == 0
+    page.keyboard.press("?")
+    expect(keys).to_be_visible()
+    keys.get_by_label("Keys of a single letter act").check()
+    page.keyboard.press("Escape")
+    expect(keys).to_have_count(0)
+    page.keyboard.press("b")
+    expect(page.locator(".blank")).to_be_visible()
+
+
+def test_the_full_screen_stays_when_the_scene_changes(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="coupled")
+    page.keyboard.press("f")
+    page.wait_for_function("document.fullscreenElement !== null")
+    page.evaluate("oscillations.open({scene: 'forced'})")
+    page.wait_for_function("oscillations.shown.scene === 'forced' && document.documentElement.dataset.ready === 'true'")
+    assert page.evaluate("document.fullscreenElement !== null")
+    page.keyboard.press("f")
+    page.wait_for_function("document.fullscreenElement === null")
+
+
+def test_r_reveals_what_is_covered(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="coupled", cover="plot:x2,value:omega_minus")
+    page.wait_for_function("oscillations.shown.state.covered.length === 2")
+    page.keyboard.press("r")
+    page.wait_for_function("oscillations.shown.state.covered.length === 0")

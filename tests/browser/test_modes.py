@@ -1,0 +1,101 @@
+"""Scene modes in a browser: the knobs on both axes, the flags, the four views, the hunt."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.waiting import redrawn
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+Keep = Callable[[Page, str], Path]
+
+
+def test_guess_with_the_knobs_and_the_flags(page: Page, open_scene: Open, screenshot: Keep) -> None:
+    open_scene(page, scene="modes", theme="light")
+    screenshot(page, "modes-guess")
+    knob = page.get_by_role("slider", name="Trial frequency, squared")
+    knob.press("ArrowRight")
+    page.wait_for_function("oscillations.shown.settings.omega.value > 1.7")
+    page.get_by_role("slider", name="Trial shape X2/X1", exact=True).press("ArrowUp")
+    page.wait_for_function("oscillations.shown.settings.ratio.value > -0.8")
+    page.get_by_role("button", name="Go to the fast mode").click()
+    expect(page.get_by_text("One and the same equation: the fast mode.")).to_be_visible()
+    page.get_by_role("button", name="As mass 1 wants").click()
+    page.wait_for_function("oscillations.shown.settings.ratio.value === -1")
+    expect(page.get_by_text("nothing: a mode")).to_be_visible()
+    page.wait_for_url(re.compile("omega=2"))
+
+
+def at(page: Page, plot: str, x: float, y: float) -> tuple[float, float]:
+    """Where a point of a plot is on the page."""
+    page.wait_for_function(f"oscillations.plots.find(p => p.block.name === '{plot}').box")
+    found = page.evaluate(f"""(p => {{
+      const box = p.host.getBoundingClientRect()
+      return [box.x + p.px({x}), box.y + p.py({y})] }})(oscillations.plots.find(p => p.block.name === '{plot}'))""")
+    return found[0], found[1]
+
+
+def drag(page: Page, start: tuple[float, float], end: tuple[float, float]) -> None:
+    page.mouse.move(*start)
+    page.mouse.down()
+    page.mouse.move(*end, steps=4)
+    page.mouse.up()
+
+
+def test_the_point_of_the_guess_is_dragged_in_both_directions(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="modes")
+    drag(page, at(page, "shape", 2.0, 1.5), at(page, "shape", 1.0, 2.0))
+    page.wait_for_function("Math.abs(oscillations.shown.settings.omega.value - 1) < 0.02")
+    page.wait_for_function("Math.abs(oscillations.shown.settings.ratio.value - 2) < 0.05")
+
+
+def test_views(page: Page, open_scene: Open, screenshot: Keep) -> None:
+    open_scene(page, scene="modes")
+    for name, words in (("Solve", "sign"), ("Sweep", "Now"), ("Hunt", "Not yet")):
+        page.get_by_role("button", name=name, exact=True).click()
+        page.wait_for_function(f"oscillations.shown.settings.task.value === '{name.lower()}'")
+        if name != "Solve":
+            expect(page.get_by_text(words).filter(visible=True).first).to_be_visible()
+        redrawn(page)
+        screenshot(page, f"modes-{name.lower()}")
+    page.get_by_role("button", name="Guess", exact=True).click()
+    expect(page.get_by_role("slider", name="Trial frequency, squared")).to_be_visible()
+
+
+def test_hunt_by_dragging_the_start(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="modes", task="hunt")
+    drag(page, at(page, "plane", 0.9, 0.2), at(page, "plane", 0.5, 1.0))
+    expect(page.get_by_text("Found: a straight line, the slow mode.")).to_be_visible()
+    expect(page.get_by_text("The lines:")).to_be_hidden()
+    page.get_by_role("button", name="Reveal").click()
+    expect(page.get_by_text("The lines:")).to_be_visible()
+    before = page.evaluate("oscillations.clock.t")
+    page.wait_for_function(f"oscillations.clock.t !== {before}")
+
+
+def test_views_on_a_narrow_phone(new_page: Callable[..., Page], open_scene: Open) -> None:
+    page = new_page(320, 800, has_touch=True)
+    for task in ("guess", "solve", "sweep", "hunt"):
+        for values in ({}, {"k2": "1e8"}, {"m2": "1e-6"}, {"m1": "1.2345e-100", "k1": "1e100"}):
+            open_scene(page, scene="modes", task=task, **values)
+            assert page.evaluate("document.documentElement.scrollWidth") == 320, (task, values)
+        chip = page.get_by_role("button", name="Equal (slide 8)")
+        chip.scroll_into_view_if_needed()
+        chip.click(timeout=3000)
+        page.wait_for_function("oscillations.shown.settings.m1.value === 1")
+
+
+def test_transport_on_a_phone_is_under_the_stage_in_sight(new_page: Callable[..., Page], open_scene: Open) -> None:
+    page = open_scene(new_page(390, 844, has_touch=True), scene="modes")
+    top = "parseFloat(getComputedStyle(document.querySelector('.transport')).top)"
+    height = "([...document.querySelectorAll('.stage.block:not(.still)')].find(b => b.offsetHeight)?.offsetHeight) ?? 0"
+    for name in ("Solve", "Hunt", "Guess"):
+        page.get_by_role("button", name=name, exact=True).click()
+        page.wait_for_function(f"oscillations.shown.settings.task.value === '{name.lower()}'")
+        assert page.evaluate(top) == page.evaluate(height)

@@ -1,0 +1,145 @@
+"""Scenes oscillator and energy in a Chromium: shared lines, a slider, gravity, the datum, the link."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.waiting import seek
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+Keep = Callable[[Page, str], Path]
+
+BROKEN = """() => [...document.querySelectorAll('svg.stage *')].filter(one =>
+  [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value))).length"""
+FITS = "document.documentElement.scrollWidth <= innerWidth && document.documentElement.scrollHeight <= innerHeight"
+
+
+def level(page: Page, selector: str, way: str) -> float:
+    """Where the middle or an edge of an element stands, from the top of the window."""
+    return float(page.evaluate(f"(b => {way})(document.querySelector('{selector}').getBoundingClientRect())"))
+
+
+def dot(page: Page, plot: str, tint: str) -> float:
+    """The height of the dot on a curve."""
+    find = f"oscillations.plots.find(p => p.block.name === '{plot}').dots.find(d => d.curve.tint === '{tint}').dot"
+    return float(page.evaluate(f"(b => b.top + b.height / 2)({find}.getBoundingClientRect())"))
+
+
+def test_mass_and_curve_stand_on_one_level(page: Page, open_scene: Open, screenshot: Keep) -> None:
+    open_scene(page)
+    expect(page.locator("h1")).to_have_text("A swing is a turning arrow, seen from the side")
+    for t in (0.2, 0.685, 1.4):
+        seek(page, t)
+        assert level(page, "svg.stage rect.mass", "b.top + b.height / 2") == pytest.approx(dot(page, "x", "m1"), abs=1)
+        assert dot(page, "v", "T") == pytest.approx(dot(page, "plane", "ink"), abs=1)
+        assert dot(page, "a", "F") == pytest.approx(dot(page, "law", "ink"), abs=1)
+    assert page.evaluate(BROKEN) == 0
+    assert page.evaluate(FITS)
+    screenshot(page, "oscillator")
+
+
+def test_it_plays_and_a_slider_changes_the_curve(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="oscillator")
+    page.wait_for_function("oscillations.clock.t > 0.05")
+    before = page.evaluate("[...oscillations.shown.view.columns.time.x]")
+    slider = page.locator("input[name=v_0-slider]")
+    slider.focus()
+    slider.press("PageUp")
+    page.wait_for_function("oscillations.shown.query.includes('v_0')")
+    assert page.evaluate("[...oscillations.shown.view.columns.time.x]") != before
+    page.wait_for_url(re.compile("v_0="))
+
+
+def test_the_hook_of_the_hanging_mass_and_the_ball_share_lines(page: Page, open_scene: Open, screenshot: Keep) -> None:
+    open_scene(page, scene="energy")
+    for t in (0.3, 1.09):
+        seek(page, t)
+        assert level(page, "svg.stage rect.mass", "b.top") == pytest.approx(dot(page, "x", "m1"), abs=1)
+        shared = "oscillations.plots.filter(p => ['well', 'energy'].includes(p.block.name)).map(p => p.py(0.5))"
+        one, other = page.evaluate(shared)
+        assert one == pytest.approx(other, abs=1)
+    assert page.evaluate(BROKEN) == 0
+    assert page.evaluate(FITS)
+    screenshot(page, "energy")
+
+
+def test_gravity_and_datum(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="energy", m="2", g="abc")
+    expect(page.get_by_role("alert").first).to_contain_text("g: “abc” is not a number")
+    expect(page.locator("input[name=m]")).to_have_value("2.00")
+    omega = page.locator("[data-value=omega]").first.text_content() or ""
+    page.get_by_role("button", name="Moon", exact=True).click()
+    expect(page.locator("input[name=g]")).to_have_value("1.62")
+    expect(page.locator("[data-value=omega]").first).to_have_text(omega)
+    told = page.get_by_text("a constant more, and the same motion")
+    expect(told).to_be_hidden()
+    page.get_by_role("button", name="Spring + gravity").click()
+    expect(told).to_be_visible()
+    page.wait_for_url(re.compile("datum=separate"))
+
+
+@pytest.mark.parametrize("scene", ["oscillator", "energy"])
+def test_phone_has_the_same_in_one_column(new_page: Callable[..., Page], open_scene: Open, scene: str) -> None:
+    page = new_page(width=390, height=844, color_scheme="dark")
+    open_scene(page, scene=scene)
+    seek(page, 0.4)
+    assert page.evaluate("document.documentElement.scrollWidth") == 390
+    assert page.evaluate(BROKEN) == 0
+
+
+FOCUS = """() => (e => e === document.body ? null : (e.getAttribute('aria-label') || e.textContent).trim())
+  (document.activeElement)"""
+
+
+def test_the_tab_key_stops_only_where_keys_do_something_and_each_stop_has_its_own_name(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(reduced_motion="reduce"), scene="energy")
+    assert page.evaluate("oscillations.clock.playing") is False
+    stops = []
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        name = page.evaluate(FOCUS)
+        if name is None:
+            break
+        stops.append(name)
+    plots = page.evaluate("oscillations.plots.map(p => p.block.title)")
+    assert not set(plots) & set(stops)
+    paper = stops[stops.index("Light or dark") + 1 : stops.index("Restart")]
+    assert len(set(paper)) == len(paper) and "Kinetic energy: T" in paper and "Time" in paper
+    assert stops.index("Pictures") == len(stops) - 1
+
+
+def test_the_planet_in_force_is_pressed(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="energy")
+    expect(page.get_by_role("button", name="Earth")).to_have_attribute("aria-pressed", "true")
+    page.get_by_role("button", name="Moon").click()
+    expect(page.get_by_role("button", name="Moon")).to_have_attribute("aria-pressed", "true")
+    expect(page.get_by_role("button", name="Earth")).to_have_attribute("aria-pressed", "false")
+
+
+@pytest.mark.parametrize(
+    ("scene", "plot", "says"),
+    [
+        ("oscillator", "v", r"^v −?\d[\d.]* m/s$"),
+        ("energy", "well", r"^V \d[\d.]* J$"),
+        ("analogues", "late", r"^late by \d[\d.]* %$"),
+        ("phugoid", "period", r"^τ \d[\d.]* s$"),
+    ],
+)
+def test_the_numbers_at_the_pointer_have_their_unit(
+    page: Page, open_scene: Open, scene: str, plot: str, says: str
+) -> None:
+    open_scene(page, scene=scene)
+    area = page.evaluate(
+        f"(p => (b => [b.x + p.frame.left + 0.6 * p.frame.width, b.y + p.frame.top + 0.5 * p.frame.height])"
+        f"(p.host.getBoundingClientRect()))(oscillations.plots.find(p => p.block.name === '{plot}'))"
+    )
+    page.mouse.move(*area)
+    expect(page.locator(".reading:visible span").first).to_have_text(re.compile(says))

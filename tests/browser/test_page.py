@@ -1,0 +1,194 @@
+"""The page in a real Chromium: draws, plays without the server, answers a slider, restores a link, refuses kindly."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, WebSocket, expect
+
+from components.scenes import SCENES
+from tests.browser.waiting import passed, played, seek
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+slugs = pytest.mark.parametrize("slug", list(SCENES))
+
+INKED = """() => oscillations.plots.filter(plot => plot.host.offsetParent && !plot.absent).map(plot => {
+  const below = one => [one, ...(one.shadowRoot ? within(one.shadowRoot) : [])]
+  const within = root => [...root.querySelectorAll('*')].flatMap(below)
+  const canvases = within(plot.host).filter(one => one.tagName === 'CANVAS' && one.width)
+  const pixels = canvases.map(one => one.getContext('2d').getImageData(0, 0, one.width, one.height).data)
+  const probe = document.createElement('canvas').getContext('2d')
+  const has = tint => {
+    probe.fillStyle = getComputedStyle(document.documentElement).getPropertyValue('--' + tint).trim()
+    probe.fillRect(0, 0, 1, 1)
+    const ink = probe.getImageData(0, 0, 1, 1).data
+    return pixels.some(data => {
+      for (let i = 0; i < data.length; i += 4)
+        if (data[i + 3] > 99 && [0, 1, 2].every(part => Math.abs(data[i + part] - ink[part]) < 40)) return true
+      return false
+    })
+  }
+  const {curves, regions} = plot.block
+  return {name: plot.block.name, inked: [...curves, ...regions].some(part => has(part.tint))}
+})"""
+OVERFLOW = """() => {
+  const page = document.documentElement
+  const wide = page.scrollWidth > innerWidth, high = page.scrollHeight > innerHeight
+  const panel = document.querySelector('.panel')
+  return {wide, high, panel: panel.scrollHeight - panel.clientHeight}
+}"""
+
+
+SIZES = {"": (1280, 720), "-hall-dark": (1920, 1080), "-phone-dark": (390, 844)}
+
+
+@slugs
+def test_scene_draws_and_fits_desk_hall_and_phone(
+    slug: str, page: Page, open_scene: Open, screenshot: Callable[[Page, str], Path]
+) -> None:
+    open_scene(page, scene=slug, folded=True)
+    expect(page.get_by_role("heading", level=1)).to_have_text(SCENES[slug].headline)
+    plots = page.evaluate(INKED)
+    assert plots
+    assert all(plot["inked"] for plot in plots), plots
+    for name, (width, height) in SIZES.items():
+        page.set_viewport_size({"width": width, "height": height})
+        passed(page)
+        fit = page.evaluate(OVERFLOW)
+        assert not fit["wide"], (name, fit)
+        if width > 700:
+            assert not fit["high"], (name, fit)
+            assert fit["panel"] <= 0, (name, fit)
+        screenshot(page, f"{slug}{name}")
+        if name == "":
+            page.get_by_role("button", name="Light or dark").click()
+
+
+def test_plays_without_the_server(page: Page, open_scene: Open) -> None:
+    frames: list[WebSocket] = []
+    page.on("websocket", lambda socket: socket.on("framesent", lambda _: frames.append(socket)))
+    open_scene(page, scene="coupled")
+    played(page, 5)
+    sent, first = len(frames), page.evaluate("oscillations.clock.t")
+    played(page, 30)
+    assert page.evaluate("oscillations.clock.t") != first
+    assert len(frames) == sent
+    page.get_by_role("button", name="Pause").click()
+    stopped = page.evaluate("oscillations.clock.t")
+    passed(page)
+    assert page.evaluate("oscillations.clock.t") == stopped
+    page.get_by_role("button", name="Step forward").click()
+    assert page.evaluate("oscillations.clock.t") > stopped
+    page.get_by_role("button", name="Step back").click()
+    assert page.evaluate("oscillations.clock.t") == pytest.approx(stopped)
+    page.get_by_role("button", name="Restart").click()
+    assert page.evaluate("oscillations.clock.t") == 0
+
+
+def test_stage_shows_what_the_plot_shows(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    columns = page.evaluate("(c => ({t: [...c.t], x1: [...c.x1]}))(oscillations.shown.view.columns.time)")
+    places, _ = page.evaluate("oscillations.shown.view.live.x1")
+    for i in (0, 57, 200):
+        seek(page, columns["t"][i])
+        text = page.locator("svg.stage [data-value=x1]").first.text_content() or ""
+        assert float(text.replace("−", "-")) == pytest.approx(columns["x1"][i], abs=0.5001 * 10**-places)
+
+
+def test_a_slider_changes_the_curve_with_one_message(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    before = page.evaluate("[...oscillations.shown.view.columns.time.x1]")
+    with page.expect_event("console", lambda m: m.text == "painted"):
+        page.evaluate("document.addEventListener('oscillations:painted', () => console.log('painted'), {once: true})")
+        slider = page.locator('input[name="k2-slider"]')
+        slider.focus()
+        slider.press("ArrowRight")
+    assert page.evaluate("[...oscillations.shown.view.columns.time.x1]") != before
+    page.wait_for_url(re.compile("k2="))
+
+
+def test_typed_values_and_refusals(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="forced")
+    field = page.locator('input[name="k2"]')
+    field.fill("-3")
+    field.press("Enter")
+    alert = page.get_by_role("alert").filter(has_text="−3 N/m is not possible")
+    expect(alert).to_be_visible()
+    assert page.evaluate("oscillations.shown.settings.k2.value") == 1
+    field.fill("1e6")
+    field.press("Enter")
+    expect(alert).to_be_hidden()
+    page.wait_for_function("oscillations.shown.settings.k2.value === 1e6")
+
+
+def test_a_link_restores_the_scene_and_names_what_it_refuses(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled", k2="3.5", m1="-2", energy="modes", hidden="x1_slow", window="50", fruit="pear")
+    state = page.evaluate(
+        "(s => ({k2: s.settings.k2.value, m1: s.settings.m1.value, hidden: s.state.hidden, end: s.view.axes.t.end}))"
+        "(oscillations.shown)"
+    )
+    assert state == {"k2": 3.5, "m1": 2, "hidden": ["x1_slow"], "end": 50}
+    notice = page.locator(".notice")
+    expect(notice).to_be_visible()
+    expect(notice).to_contain_text("m1")
+    expect(notice).to_contain_text("fruit")
+    page.reload()
+    page.wait_for_function("document.documentElement.dataset.ready === 'true'")
+    assert page.evaluate("oscillations.shown.settings.k2.value") == 3.5
+
+
+def test_a_script_in_a_link_stays_text(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled", m1="<img src=x onerror=alert(1)>")
+    assert page.locator(".notice img").count() == 0
+    expect(page.locator(".notice")).to_be_visible()
+
+
+def test_the_handle_on_the_response_curve(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="forced")
+    pill = page.get_by_role("slider", name="Drive frequency")
+    pill.focus()
+    pill.press("ArrowRight")
+    page.wait_for_function("oscillations.shown.settings.omega.value > 0.8")
+    box = pill.bounding_box()
+    assert box
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + 5)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 120, box["y"] + 5, steps=4)
+    page.mouse.up()
+    page.wait_for_function("oscillations.shown.settings.omega.value > 1")
+    page.get_by_role("button", name="Drive at the slow natural frequency").click()
+    page.wait_for_function("Math.abs(oscillations.shown.settings.omega.value - 0.6180339887498949) < 1e-15")
+    assert page.evaluate("oscillations.shown.view.columns.time.x1_p === undefined")
+
+
+def test_a_handle_over_the_last_number_says_the_unit(page: Page, open_scene: Open) -> None:
+    pill = page.get_by_role("slider", name="Drive frequency")
+    open_scene(page, scene="forced", curve="log", omega=10)
+    expect(pill).to_have_text("ω 10.0 rad/s")
+    open_scene(page, scene="forced", curve="log", omega=0.3)
+    expect(pill).to_have_text("ω 0.300")
+
+
+def test_a_term_of_the_formula_takes_its_curve_away(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    page.locator(".block.plot .part.slow").first.click()
+    page.wait_for_function("oscillations.shown.state.hidden.includes('x1_slow')")
+    page.wait_for_url(re.compile("hidden=x1_slow"))
+
+
+def test_dark_and_light(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    paper = "getComputedStyle(document.body).backgroundColor"
+    light = page.evaluate(paper)
+    page.get_by_role("button", name="Light or dark").click()
+    assert page.evaluate(paper) != light
+
+
+def test_reduced_motion_opens_paused(new_page: Callable[..., Page], open_scene: Open) -> None:
+    page = open_scene(new_page(reduced_motion="reduce"), scene="coupled")
+    expect(page.get_by_role("button", name="Play", exact=True)).to_be_visible()
+    assert page.evaluate("oscillations.clock.playing") is False

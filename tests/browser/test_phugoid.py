@@ -1,0 +1,117 @@
+"""The phugoid in a Chromium: presets as pictures, other units, views, the clock, links."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.waiting import redrawn, seek
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+
+BROKEN = """() => [...document.querySelectorAll('svg *')].filter(one =>
+  [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value))).length"""
+HEIGHTS = "[...oscillations.shown.view.columns.time.h]"
+OUTLINES = """[...document.querySelectorAll('svg.stage > g')].filter(g => !g.querySelector('text'))
+  .map(g => g.innerHTML.replace(/-?\\d+(\\.\\d+)?/g, number => Math.round(number)))"""
+PAUSE = "oscillations.clock.playing = false"
+
+
+def drawn(page: Page) -> list[str]:
+    """The outlines on the paper: what another unit must not change."""
+    shapes: list[str] = page.evaluate(OUTLINES)
+    return shapes
+
+
+def test_presets_are_pictures_and_change_the_flight(
+    page: Page, open_scene: Open, screenshot: Callable[[Page, str], Path]
+) -> None:
+    open_scene(page, scene="phugoid", folded=True)
+    page.evaluate(PAUSE)
+    before = page.evaluate(HEIGHTS)
+    loop = page.get_by_role("button", name="Loop, 1")
+    expect(loop.locator("svg path")).to_be_visible()
+    loop.click()
+    expect(loop).to_have_attribute("aria-pressed", "true")
+    expect(page.locator("[data-value=verdict]").first).to_contain_text("loops")
+    assert page.evaluate(HEIGHTS) != before
+    for view in ("Period", "Exchange", "Limits"):
+        page.get_by_role("button", name=view, exact=True).click()
+        page.wait_for_function(f"'{view.lower()}' in oscillations.shown.view.forms")
+        assert page.evaluate(BROKEN) == 0
+    screenshot(page, "phugoid-loop")
+    page.wait_for_url(re.compile("excess=1.*show=limits"))
+    for size in ("scrollHeight - p.clientHeight", "scrollWidth - p.clientWidth"):
+        assert page.evaluate(f"(p => p.{size})(document.querySelector('.panel'))") <= 0
+
+
+def test_another_unit_changes_labels_and_not_the_drawing(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="phugoid")
+    seek(page, 7)
+    field, before = page.locator("input[name=v_0]"), drawn(page)
+    assert field.input_value() == "150"
+    page.get_by_role("button", name="knots").click()
+    expect(field).to_have_value("88.87")
+    expect(page.get_by_label("v0, speed of steady flight, knots").first).to_be_visible()
+    redrawn(page)
+    assert drawn(page) == before
+    field.fill("200")
+    field.press("Enter")
+    expect(page.locator("[data-value=tau]").first).to_have_text("46.6")
+    field.fill("-5")
+    field.press("Enter")
+    expect(page.locator("#problem-v_0")).to_contain_text("−5 knots is not possible")
+
+
+def test_mass_is_moved_in_vain_and_speed_is_not(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="phugoid")
+    before = page.evaluate(HEIGHTS)
+    page.locator("input[name=m-slider]").focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_url("**m=*")
+    assert page.evaluate(HEIGHTS) == before
+    page.get_by_role("button", name="Speed of: Glider").click()
+    expect(page.locator("[data-value=tau]").first).to_have_text("12.4")
+    assert page.evaluate(HEIGHTS) != before
+
+
+def test_clock_moves_the_aircraft_and_a_link_restores(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="phugoid", excess=0.3, unit="km/h", v_0=250)
+    assert page.locator("input[name=v_0]").input_value() == "900"
+    page.evaluate(PAUSE)
+    places = []
+    for t in (0, 20, 40):
+        seek(page, t)
+        places.append(
+            page.evaluate("document.querySelectorAll('svg.stage g.m1 path.fill')[0].getAttribute('transform')")
+        )
+    assert len(set(places)) == 3
+    assert page.evaluate(BROKEN) == 0
+
+
+def test_on_a_phone_no_number_touches_another_and_no_heading_is_cut(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(width=390, height=844, has_touch=True), scene="phugoid")
+    labels = page.evaluate(
+        "(p => p.x.ticks.map(t => [p.px(t), p.figure.model.below[0].major_label_overrides.get(t)]))"
+        "(oscillations.plots.find(p => p.block.name === 'path'))"
+    )
+    shown = [(x, text) for x, text in labels if text]
+    assert shown[-1][1] == "4000 ft"
+    for (x, text), (later, other) in itertools.pairwise(shown):
+        assert later - x > 3.4 * (len(text) + len(other)), (text, other)
+    assert page.evaluate("[...document.querySelectorAll('.head')].every(h => h.scrollWidth <= h.clientWidth)")
+
+
+def test_a_flag_of_the_period_plot_is_the_button_of_its_aircraft(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="phugoid")
+    page.get_by_role("button", name="Speed of: Glider").click()
+    expect(page.get_by_role("button", name="Glider", exact=True)).to_have_attribute("aria-pressed", "true")
+    assert page.evaluate("oscillations.shown.settings.v_0.value") == pytest.approx(90 * 0.3048)

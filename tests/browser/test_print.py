@@ -1,0 +1,32 @@
+"""On paper a scene is one sheet: its pictures in ink, with parameters and link."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from components.scenes import SCENES
+
+pytestmark = pytest.mark.browser
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_a_scene_is_one_sheet_in_ink(new_page: Callable[..., Page], open_scene: Callable[..., Page], slug: str) -> None:
+    page = open_scene(new_page(color_scheme="dark", reduced_motion="reduce"), scene=slug)
+    page.wait_for_function("oscillations.page.print")
+    for landscape in (False, True):
+        sheets = re.findall(rb"/Count (\d+)", page.pdf(format="A4", landscape=landscape))
+        assert sheets == [b"1"], landscape
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    sheet = page.locator(".printed")
+    expect(sheet.locator("h1")).to_have_text(SCENES[slug].headline)
+    expect(sheet.locator(".printed-pictures > div").first).to_be_visible()
+    expect(sheet).to_contain_text(page.url)
+    expect(sheet).to_have_css("background-color", "rgb(255, 255, 255)")
+    expect(page.locator(".nav")).to_be_hidden()
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    expect(sheet).to_have_count(0)

@@ -1,0 +1,271 @@
+"""What the scripts work out by themselves, against the same in Python: signals, texts of numbers, places of names."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from itertools import pairwise, product
+from typing import Any
+
+import numpy as np
+import pytest
+from mpmath import mp, mpf
+from msgspec import to_builtins
+from playwright.sync_api import Browser
+
+from components.page.numbers import Expression, Product
+from components.page.signals import AnySignal, CosineOf, Derived, Response, Responses, Sampled, Sine, SineOf, Sines
+from components.scenes import SCENES
+from tests.browser.script_page import Scripts
+from tests.page.playing import played
+from tests.serving.server import ROOT
+
+pytestmark = pytest.mark.browser
+
+NEAR = 1e-12
+"""Of the size that a signal has reached by then: angles to 1000 rad, a few roundings each."""
+INSTANTS = [0, 1e-6, 1e-3, 0.02, 0.5, 1.3, 7.0, 40.0, 300.0]
+TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
+
+
+@pytest.fixture(scope="module")
+def scripts(browser: Browser) -> Iterator[Scripts]:
+    running = Scripts(browser, ("signals", "numbers", "labels", "ruler"))
+    yield running
+    running.context.close()
+    assert running.faults == []
+
+
+def evaluated(
+    scripts: Scripts, signals: dict[str, AnySignal], times: list[float], scalars: dict[str, float] | None = None
+) -> dict[str, list[float]]:
+    """The signals in JavaScript, by name."""
+    told = to_builtins(signals, enc_hook=float)
+    values = scripts.each("signals.evaluate", ([told, scalars or {}, t] for t in times))
+    return {name: [value[name] for value in values] for name in signals}
+
+
+def assert_near(found: list[float], exact: Callable[[mpf], mpf], times: list[float], least: float = 0.0) -> None:
+    """Every value is within NEAR of the size that has been reached."""
+    with mp.workdps(80):
+        truth = [exact(mpf(t)) for t in times]
+        reached = mpf(least)
+        for t, value, true in zip(times, found, truth, strict=True):
+            reached = max([reached, abs(true), *(abs(exact(mpf(t) * k / 16)) for k in range(1, 16))])
+            assert abs(mpf(value) - true) <= NEAR * reached, (t, value, float(true), float(reached))
+
+
+def from_rest(omega: float, omega_n: float) -> Callable[[mpf], mpf]:
+    """x'' + omega_n^2 x = sin(omega t) from rest, by its three closed forms."""
+    w, n = mpf(omega), mpf(omega_n)
+
+    def exact(t: mpf) -> mpf:
+        if n == 0:
+            return (w * t - mp.sin(w * t)) / w**2
+        if w == n:
+            return (mp.sin(w * t) - w * t * mp.cos(w * t)) / (2 * w**2)
+        return (n * mp.sin(w * t) - w * mp.sin(n * t)) / (n * (n - w) * (n + w))
+
+    return exact
+
+
+DRIVES = [
+    *((1.3, 1.3 * (1 + off)) for off in (0, 2.0**-52, 1e-12, 1e-9, -1e-6, 1e-3, -0.05)),
+    *((1.3, own) for own in (0.0, 1e-9, 1e-4, 0.01, 0.3, 2.6, 3.0)),
+    *((omega, 1.0) for omega in (1e-9, 1e-4, 0.05, 0.5, 0.54, 1.9, 3.1)),
+]
+
+
+@pytest.mark.parametrize(("omega", "omega_n"), DRIVES)
+def test_response_to_a_drive(scripts: Scripts, omega: float, omega_n: float) -> None:
+    signal = Responses(responses=(Response(2.0, omega, omega_n),))
+    found = evaluated(scripts, {"x": signal}, INSTANTS)["x"]
+    exact = from_rest(omega, omega_n)
+    assert_near(found, lambda t: 2 * exact(t), INSTANTS)
+
+
+def test_sines_with_a_line_and_a_decay(scripts: Scripts) -> None:
+    sines = (Sine(1.5, 2.0, 0.3, 0.1), Sine(-0.2, 3.1, -2.0), Sine(4.0, 0.0, 1.0, 2.0, 3.0))
+    found = evaluated(scripts, {"x": Sines(sines=sines, line=(0.5, -0.01))}, INSTANTS)["x"]
+
+    def exact(t: mpf) -> mpf:
+        waves = (
+            (mpf(s.size) + mpf(s.slope) * t) * mp.exp(-mpf(s.decay) * t) * mp.sin(mpf(s.omega) * t + mpf(s.phase))
+            for s in sines
+        )
+        return mpf(0.5) - mpf(0.01) * t + sum(waves)
+
+    assert_near(found, exact, INSTANTS)
+
+
+def test_what_has_decayed_is_small_and_not_rounded_away(scripts: Scripts) -> None:
+    times = [0.0, 1.0, 100.0, 650.0]
+    found = evaluated(scripts, {"x": Sines(sines=(Sine(1.0, 1.0, 1.0, 1.0),))}, times)["x"]
+    with mp.workdps(60):
+        for t, value in zip(times, found, strict=True):
+            true = mp.exp(-mpf(t)) * mp.sin(mpf(t) + 1)
+            assert abs(value - true) <= 1e-12 * abs(true)
+
+
+SAMPLED = Sampled(period=2.5, y=(1.0, -0.4, 0.3, 1.2), dy=(0.5, -2.0, 1.0, 0.5), drift=0.2)
+
+
+def piece(t: Fraction) -> Fraction:
+    """SAMPLED at a fraction of time, as the cubic through two values with two slopes."""
+    period, count = Fraction(SAMPLED.period), len(SAMPLED.y) - 1
+    turns = math.floor(t / period)
+    h = period / count
+    i = min(math.floor((t - turns * period) / h), count - 1)
+    u = (t - turns * period) / h - i
+    y0, y1, d0, d1 = (Fraction(v) for v in (SAMPLED.y[i], SAMPLED.y[i + 1], SAMPLED.dy[i], SAMPLED.dy[i + 1]))
+    third = y0 * (1 + 2 * u) * (1 - u) ** 2 + y1 * u * u * (3 - 2 * u)
+    return turns * Fraction(SAMPLED.drift) + third + h * (d0 * u * (1 - u) ** 2 + d1 * u * u * (u - 1))
+
+
+def test_hermite_pieces_at_their_ends_between_and_in_later_periods(scripts: Scripts) -> None:
+    ends = [k * SAMPLED.period / 3 for k in range(7)]
+    times = [*ends, 0.1, 0.83, 1.7, 2.4999999, 2.5, 2.5000001, 11.3, 250.1]
+    found = evaluated(scripts, {"x": SAMPLED}, times)["x"]
+    for t, value in zip(times, found, strict=True):
+        assert abs(value - float(piece(Fraction(t)))) <= NEAR * (2 + abs(value)), t
+
+
+def test_a_sampled_motion_has_no_step_and_no_kink(scripts: Scripts) -> None:
+    smooth = Sampled(period=2.5, y=(1.0, -0.4, 1.0), dy=(0.5, -2.0, 0.5), drift=0.0)
+    h = 1e-6
+    for node in (1.25, 2.5, 3.75, 5.0):
+        before, at, after = evaluated(scripts, {"x": smooth}, [node - h, node, node + h])["x"]
+        assert abs(after - before) < 5 * h
+        assert abs((at - before) - (after - at)) < 1e-9
+
+
+def test_what_is_derived_builds_on_what_comes_before(scripts: Scripts) -> None:
+    signals: dict[str, AnySignal] = {
+        "x": Sines(sines=(Sine(1.0, 2.0, 0.5),)),
+        "p": Derived(value=Expression((Product(3.0, ("x", "x", "k")), Product(-1.0, ()), Product(0.5, ("t",))))),
+        "s": SineOf(of="p"),
+        "c": CosineOf(of="p"),
+    }
+    found = evaluated(scripts, signals, INSTANTS, {"k": 0.25})
+    for i, t in enumerate(INSTANTS):
+        p = 0.75 * math.sin(2 * t + 0.5) ** 2 - 1 + 0.5 * t
+        assert found["p"][i] == pytest.approx(p, rel=1e-12, abs=1e-12)
+        assert found["s"][i] == pytest.approx(math.sin(p), abs=1e-12)
+        assert found["c"][i] == pytest.approx(math.cos(p), abs=1e-12)
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_every_scene_moves_in_the_browser_as_in_python(scripts: Scripts, slug: str) -> None:
+    scene = SCENES[slug]()
+    picture = scene.shown
+    if not picture.signals:
+        pytest.skip("nothing moves here")
+    end = picture.axes["t"].end
+    times = [float(end * share) for share in (0, 0.001, 0.1, 0.37, 0.5, 0.93, 1)]
+    scalars = {name: float(value) for name, value in picture.scalars.items()}
+    found = evaluated(scripts, dict(picture.signals), times, scalars)
+    truth = played(picture, np.array(times))
+    for name in picture.signals:
+        size = np.max(np.abs(truth[name]))
+        assert np.array(found[name]) == pytest.approx(truth[name] + 0 * np.array(times), abs=1e-11 * size), name
+
+
+@pytest.mark.parametrize("kind", ["three", "signed", "short", "tidy"])
+def test_numbers_read_as_python_writes_them(scripts: Scripts, kind: str) -> None:
+    found = scripts.each(f"numbers.{kind}", ([case["value"]] for case in TEXTS))
+    assert {case["value"]: text for case, text in zip(TEXTS, found, strict=True)} == {
+        case["value"]: case[kind] for case in TEXTS
+    }
+
+
+def test_what_is_no_number_says_so(scripts: Scripts) -> None:
+    texts = scripts.page.evaluate("[NaN, Infinity, -Infinity].map(value => numbers.three(value))")
+    assert texts == ["NaN", "∞", "−∞"]
+
+
+@pytest.mark.parametrize(
+    ("value", "decimals", "signed", "text"),
+    [
+        (1.25, 1, False, "1.3"),
+        (-1.25, 1, False, "−1.3"),
+        (-0.001, 2, False, "0.00"),
+        (-0.001, 2, True, "+0.00"),
+        (0.5, 2, True, "+0.50"),
+        (-12.0, 0, True, "−12"),
+    ],
+)
+def test_a_number_that_moves_keeps_its_places(
+    scripts: Scripts, value: float, decimals: int, signed: bool, text: str
+) -> None:
+    assert scripts.call("numbers.fixed", value, decimals, signed) == text
+
+
+@pytest.mark.parametrize(
+    ("count", "text"),
+    [(2.0, "2"), (12345.6, "12\u202f300"), (0.5, "0.5"), (999400.0, "999\u202f000"), (1.23e7, "1.23·10⁷")],
+)
+def test_how_many_times_in_words(scripts: Scripts, count: float, text: str) -> None:
+    assert scripts.call("numbers.grouped", count) == text
+
+
+def heights() -> list[list[float]]:
+    """Rows of names from apart to all at one height, also at the very bottom."""
+    return [
+        [],
+        [50.0],
+        [10.0, 40.0, 90.0],
+        [10.0, 12.0, 14.0],
+        [90.0, 95.0, 99.0],
+        [98.0, 98.0, 98.0, 98.0],
+        [5.0, 96.0, 97.0],
+    ]
+
+
+@pytest.mark.parametrize("wanted", heights(), ids=str)
+def test_names_that_would_touch_stand_apart(scripts: Scripts, wanted: list[float]) -> None:
+    gap, bottom = 16.0, 100.0
+    places = scripts.call("labels.apart", wanted, gap, bottom)
+    assert len(places) == len(wanted)
+    assert all(b - a >= gap for a, b in pairwise(places))
+    assert all(place <= bottom for place in places)
+    if all(b - a >= gap for a, b in pairwise(wanted)):
+        assert places == wanted
+
+
+FLAGS: list[list[float]] = [[100.0], [100.0, 300.0], [100.0, 110.0, 120.0], [380.0, 390.0], [10.0, 380.0, 385.0, 390.0]]
+
+
+@pytest.mark.parametrize("wanted", FLAGS, ids=str)
+def test_flags_that_would_overlap_stand_side_by_side(scripts: Scripts, wanted: list[float]) -> None:
+    half, width = 30.0, 400.0
+    places = scripts.call("labels.sideBySide", [{"at": at, "half": half} for at in wanted], width)
+    assert all(b - a >= 2 * half - 1e-9 for a, b in pairwise(places))
+    if all(b - a >= 2 * half for a, b in pairwise(wanted)):
+        assert places == wanted
+    else:
+        assert places[-1] + half <= width
+
+
+RULERS: list[dict[str, Any]] = [
+    {"log": log, "power": power, "exponent": exponent, "factor": factor}
+    for log, power, exponent, factor in product((False, True), (1, 2), (0, -3), (1.0, math.pi / 180))
+    if not (log and (power > 1 or exponent))
+]
+
+
+@pytest.mark.parametrize("ruler", RULERS, ids=str)
+def test_a_place_on_an_axis_stands_for_a_quantity_and_back(scripts: Scripts, ruler: dict[str, Any]) -> None:
+    for value in (0.25, 1.0, 3.7):
+        place = scripts.call("ruler.toPlace", ruler, value)
+        assert scripts.call("ruler.toSI", ruler, place) == pytest.approx(value, rel=1e-14)
+
+
+def test_an_axis_counts_in_its_unit(scripts: Scripts) -> None:
+    thousandths = {"log": False, "power": 1, "exponent": -3, "factor": 1.0}
+    assert scripts.call("ruler.toPlace", thousandths, 0.25) == pytest.approx(250)
+    decades = {"log": True, "power": 1, "exponent": 0, "factor": 2.0}
+    assert scripts.call("ruler.toPlace", decades, 200.0) == pytest.approx(2)
+    squares = {"log": False, "power": 2, "exponent": 0, "factor": 1.0}
+    assert scripts.call("ruler.toPlace", squares, 3.0) == pytest.approx(9)

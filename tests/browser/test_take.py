@@ -1,0 +1,110 @@
+"""What a visitor takes away from the page: numbers and pictures, by a press on a button."""
+
+from __future__ import annotations
+
+import io
+import re
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from urllib.parse import unquote
+from xml.etree import ElementTree
+
+import numpy as np
+import pandas as pd
+import pytest
+from playwright.sync_api import Download, Page, expect
+
+from components.scenes import SCENES
+from components.url import write_query
+
+pytestmark = pytest.mark.browser
+
+
+def test_csv_comes_as_a_file_whose_link_leads_back(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="coupled", k2=3)
+    with page.expect_download() as waiting:
+        page.get_by_role("button", name="CSV").click()
+    assert waiting.value.suggested_filename == "coupled.zip"
+    with zipfile.ZipFile(Path(waiting.value.path())) as packed:
+        content = packed.read("coupled-time.csv")
+    table = pd.read_csv(io.BytesIO(content), comment="#")
+    assert list(table)[:2] == ["t [s]", "x1 [m]"] and table["x1 [m]"][0] == 1
+    assert f"# {page.url.split('?')[0]}?scene=coupled&k2=3\r\n" in content.decode()
+
+
+SVG = "{http://www.w3.org/2000/svg}"
+DRAWN = {
+    f"{SVG}{name}" for name in ("svg", "title", "g", "rect", "line", "path", "circle", "text", "tspan", "clipPath")
+}
+
+
+def saved(page: Page, kind: str) -> Download:
+    with page.expect_download() as waiting:
+        page.get_by_role("dialog").get_by_role("button", name=kind).click()
+    return waiting.value
+
+
+def content(download: Download) -> bytes:
+    return Path(download.path()).read_bytes()
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_every_picture_is_light_says_what_it_is_of_and_needs_nothing_from_the_page(
+    new_page: Callable[..., Page], open_scene: Callable[..., Page], slug: str
+) -> None:
+    page = open_scene(new_page(color_scheme="dark", reduced_motion="reduce"), scene=slug)
+    page.get_by_role("button", name="Pictures").click()
+    choices = page.get_by_role("dialog").get_by_role("group", name="Of").get_by_role("button")
+    expect(choices.first).to_be_visible()
+    for i in range(choices.count()):
+        choices.nth(i).click()
+        expect(choices.nth(i)).to_have_attribute("aria-pressed", "true")
+        source = unquote(page.get_by_role("dialog").locator("img").get_attribute("src") or "").partition(",")[2]
+        picture = ElementTree.fromstring(source)
+        assert {part.tag for part in picture.iter()} <= DRAWN, slug
+        assert not re.search(r"var\(| class=| style=|NaN|undefined|href", source)
+        ground = next(part for part in picture.iter(f"{SVG}rect"))
+        assert (ground.get("fill"), ground.get("width")) == ("rgb(255, 255, 255)", picture.get("width"))
+        texts = ["".join(part.itertext()) for part in picture.iter(f"{SVG}text")]
+        assert f"?{write_query(SCENES[slug]())}" in "".join(texts)
+        assert "?" not in texts, texts
+        assert len(texts) >= 3 and page.get_by_role("dialog").locator("p").inner_text()
+
+
+def test_a_picture_has_the_curve_of_the_plot_on_any_screen(
+    new_page: Callable[..., Page], open_scene: Callable[..., Page]
+) -> None:
+    scene = SCENES["coupled"](k2=3.0)
+    page = open_scene(new_page(390, 844, has_touch=True, reduced_motion="reduce"), scene="coupled", k2=3)
+    page.get_by_role("button", name="Pictures").click()
+    page.get_by_role("dialog").get_by_role("button", name="Displacement of mass 1 against time").click()
+    download = saved(page, "SVG")
+    assert download.suggested_filename == "coupled-x1.svg"
+    picture = ElementTree.fromstring(content(download))
+    paths = [part.get("d", "") for part in picture.iter(f"{SVG}path") if part.get("stroke-width") == "3px"]
+    (points,) = [np.array([[float(n) for n in place.split()] for place in d[1:].split("L")]) for d in paths]
+    time = scene.sources["time"].data
+    for places, column in zip(points.T, (time["t"], time["x1"]), strict=True):
+        slope, start = np.polyfit(column, places, 1)
+        assert np.max(np.abs(start + slope * column - places)) < 0.02
+    assert "= 0.333" not in "".join(picture.itertext()) and "m₁ = 2.00 kg" in "".join(picture.itertext())
+
+
+def test_a_png_is_twice_the_size_and_a_press_on_a_plot_takes_that_plot(
+    page: Page, open_scene: Callable[..., Page]
+) -> None:
+    open_scene(page, scene="forced")
+    plot = page.locator(".block.plot", has=page.locator(".figure")).nth(1)
+    plot.hover()
+    plot.get_by_role("button", name="Picture, table").click()
+    image = page.get_by_role("dialog").locator("img")
+    width = image.evaluate("image => image.naturalWidth")
+    download = saved(page, "PNG")
+    head = content(download)[:24]
+    assert head[1:4] == b"PNG" and int.from_bytes(head[16:20]) == 2 * width
+    assert download.suggested_filename == "forced-x1.png"
+    rows = page.get_by_role("dialog").get_by_role("table").get_by_role("row")
+    assert rows.count() == 26
+    page.get_by_role("button", name="Close").click()
+    expect(page.get_by_role("dialog")).to_have_count(0)

@@ -1,0 +1,35 @@
+"""How much there is to read at first sight."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page
+
+from components.scenes import SCENES
+from tests.browser.texts import pieces
+from tests.browser.waiting import seek
+
+pytestmark = pytest.mark.browser
+MOST = {
+    "oscillator": 98,
+    "energy": 97,
+    "analogues": 97,
+    "phugoid": 95,
+    "coupled": 108,
+    "modes": 100,
+    "forced": 110,
+    "absorber": 93,
+    "accuracy": 100,
+}
+USUAL = 91
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_a_scene_opens_with_no_more_than_its_idea_needs(slug: str, page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene=slug, folded=True)
+    seek(page, 0.0)
+    found = pieces(page)
+    assert SCENES[slug].headline in found
+    assert len(found) <= MOST.get(slug, USUAL), found

@@ -1,0 +1,195 @@
+"""A guided walk in a browser: questions, answers by mouse and keys, sketches, contents, and what is kept."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.serving.server import Server
+
+pytestmark = pytest.mark.browser
+CARD = "document.documentElement.dataset.ready === 'true' && document.querySelector('.card')"
+BLOCKED = "Object.defineProperty(window, 'localStorage', {get() { throw new DOMException('blocked') }})"
+
+
+@pytest.fixture
+def walk(server: Server, new_page: Callable[..., Page]) -> Callable[..., Page]:
+    def open_step(step: str, init: str = "", **options: int) -> Page:
+        page = new_page(**options)
+        if init:
+            page.add_init_script(init)
+        page.goto(f"{server.url}?walk={step.split('-')[0]}&step={step}")
+        page.wait_for_function(CARD)
+        return page
+
+    return open_step
+
+
+def show(page: Page) -> None:
+    page.get_by_role("button", name="Show", exact=True).click()
+    page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
+
+
+def arrived(page: Page, step: str) -> None:
+    page.wait_for_function(f"oscillations.shown.state.step.endsWith('{step}') && {CARD}")
+    expect(page.locator(".card .asks")).to_be_visible()
+
+
+def test_a_choice_is_asked_answered_and_explained(walk: Callable[..., Page]) -> None:
+    page = walk("d31-03")
+    expect(page.locator("h1")).to_have_text("Hidden until Show")
+    expect(page.locator(".card .asks")).to_have_text("How long does one swing take?")
+    assert page.evaluate("[oscillations.clock.playing, oscillations.clock.t]") == [False, 0]
+    expect(page.locator(".transport")).to_have_attribute("inert", "")
+    assert page.locator(".panel [name=k]").is_hidden()
+    page.get_by_role("button", name="Show", exact=True).click()  # without an answer nothing is shown
+    page.get_by_role("button", name=re.compile("Longer: the way is longer")).click()
+    show(page)
+    expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
+    expect(page.locator(".answers button").nth(1)).to_contain_text("It would be right at the same speed")
+    expect(page.locator(".card .why")).to_contain_text("the same 1.00 s")
+    assert page.locator(".card input[name=x_0]").input_value() == "0.200"
+    assert page.locator(".panel [name=k]").is_hidden()
+    assert page.evaluate("location.search") == "?walk=d31&step=d31-03"
+    page.get_by_role("button", name="Next", exact=True).click()
+    arrived(page, "d31-04")
+    assert page.evaluate("location.search") == "?walk=d31&step=d31-04"
+    page.go_back()
+    arrived(page, "d31-03")
+
+
+def test_leaving_keeps_the_state_that_was_reached(walk: Callable[..., Page]) -> None:
+    page = walk("d31-02")
+    page.get_by_label("Your answer").fill("4.0")
+    page.get_by_label("Your answer").press("Enter")
+    page.wait_for_function("oscillations.walks.walk.lesson")
+    expect(page.locator(".card .reply")).to_contain_text("it goes with the root of m")
+    page.wait_for_function("oscillations.shown.settings.m.value === 4")
+    page.locator(".walks summary").click()
+    page.get_by_role("button", name="Leave the walk").click()
+    expect(page.locator(".card")).to_have_count(0)
+    expect(page.locator("h1")).to_have_text("A swing is a turning arrow, seen from the side")
+    assert page.evaluate("oscillations.shown.settings.m.value") == 4
+    expect(page.locator(".panel input[name=m]")).to_be_visible()
+
+
+@pytest.mark.parametrize("init", ["", BLOCKED], ids=["kept", "storage blocked"])
+def test_answers_stay_in_the_browser(walk: Callable[..., Page], init: str) -> None:
+    page = walk("d31-02", init)
+    page.get_by_label("Your answer").fill("2")
+    show(page)
+    if not init:
+        page.reload()
+        page.wait_for_function(CARD)
+    page.get_by_role("button", name="Contents", exact=True).first.click()
+    row = page.locator(".contents li").nth(1)
+    expect(row).to_contain_text("Four times the mass, twice the period")
+    expect(row).to_contain_text("you: 2 s")
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Export as text").click()
+    text = download.value.path().read_text(encoding="utf-8")
+    assert "You: 2 s, right" in text and "How long does one swing take now?" in text
+    page.get_by_role("button", name="Clear the answers").click()
+    expect(row).not_to_contain_text("you:")
+    page.locator(".contents li").nth(2).get_by_role("button").click()
+    arrived(page, "d31-03")
+
+
+def test_a_point_is_marked_by_mouse_and_keys(walk: Callable[..., Page]) -> None:
+    page = walk("d34-04")
+    box = page.evaluate(
+        "(() => { const p = oscillations.plots.find(p => p.block.name === 'det');"
+        " const b = p.host.getBoundingClientRect(); return [b.left + p.px(3), b.top + p.py(0)] })()"
+    )
+    page.mouse.click(*box)
+    expect(page.get_by_text(re.compile("Your mark: (3|2.99|3.01|3.0.) "))).to_be_visible()
+    mark = page.get_by_role("slider", name="Your mark")
+    before = float(mark.get_attribute("aria-valuenow") or "nan")
+    mark.press("ArrowRight")
+    assert float(mark.get_attribute("aria-valuenow") or "nan") > before
+    show(page)
+    expect(page.locator(".card .reply")).to_contain_text("mass 1 alone")
+    expect(page.locator(".line-mark.true")).to_have_count(2)
+
+
+def sketch(page: Page, height: Callable[[float], float], count: int = 120) -> None:
+    """Draws over the pad: heights and places as shares of the frame."""
+    frame = page.evaluate(
+        "(() => { const {plot} = oscillations.walks.walk.card.question.pad;"
+        " const b = plot.host.getBoundingClientRect(), f = plot.frame;"
+        " return [b.left + f.left, b.top + f.top, f.width, f.height] })()"
+    )
+    left, top, width, tall = frame
+    for i in range(count + 1):
+        share = i / count
+        page.mouse.move(left + share * width, top + (1 - height(share)) * tall)
+        if not i:
+            page.mouse.down()
+    page.mouse.up()
+
+
+def test_a_sketch_is_judged_by_its_features(walk: Callable[..., Page]) -> None:
+    page = walk("d34-14")
+
+    def saddle(share: float) -> float:
+        """Two resonances and a saddle between them, that stays above zero."""
+        s = 2.5 * share
+        swing = abs((1 - s * s) / (s**4 - 3 * s * s + 1 + 1e-9))
+        return min(max(swing, 0.9 if 0.7 < s < 1.6 else 0.0) / 5, 1.02)
+
+    sketch(page, saddle)
+    show(page)
+    rows = page.locator(".findings li")
+    expect(rows).to_have_count(5)
+    assert [row.get_attribute("aria-label") for row in page.locator(".findings .judged").all()] == [
+        "right", "right", "not this", "right", "right"
+    ]  # fmt: skip
+    expect(rows.nth(2)).to_contain_text("missed")
+    expect(page.locator(".card .reply")).to_contain_text("with friction")
+    expect(page.locator(".strokes .judged")).to_have_count(5)
+    page.get_by_role("button", name="Draw again").click()
+    page.wait_for_function("oscillations.shown.state.covered.length")
+    expect(page.locator(".strokes .old")).to_have_count(1)
+
+
+def test_a_sketch_can_be_drawn_by_keys(walk: Callable[..., Page]) -> None:
+    page = walk("d31-15")
+    pad = page.get_by_role("application")
+    pad.press("Enter")
+    for key in ["Shift+ArrowRight"] * 20:
+        pad.press(key)
+    expect(page.get_by_role("status").filter(has_text="Pen at")).to_contain_text("down")
+    drawn = page.evaluate("oscillations.walks.walk.card.question.given().curves.h.length")
+    assert drawn == 201
+    show(page)
+    expect(page.locator(".findings li")).to_have_count(4)
+
+
+def test_two_curves_are_drawn_one_after_the_other(walk: Callable[..., Page]) -> None:
+    page = walk("d31-09")
+    sketch(page, lambda share: 0.45 * (1 + math.cos(12 * math.pi * share)))
+    page.get_by_role("button", name="Draw T").click()
+    sketch(page, lambda share: 0.45 * (1 - math.cos(12 * math.pi * share)))
+    show(page)
+    assert page.evaluate("oscillations.walks.walk.lesson.right") is True
+
+
+@pytest.mark.parametrize("width", [1280, 390])
+@pytest.mark.parametrize("name", ["d31", "d34", "tour"])
+def test_every_step_has_its_card(walk: Callable[..., Page], name: str, width: int) -> None:
+    page = walk(f"{name}-01", width=width, height=720 if width > 700 else 844)
+    for i in range(page.evaluate("oscillations.walks.walk.sheet.steps.length")):
+        page.evaluate("i => oscillations.walks.walk.go(i)", i)
+        page.wait_for_function(f"i => oscillations.walks.walk.place === i && {CARD}", arg=i)
+        page.wait_for_function("oscillations.walks.walk.card.page === oscillations.page")
+        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), i
+        page.evaluate("oscillations.walks.walk.show(true)")
+        page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
+        assert page.locator(".card .why").inner_text().strip()
+        assert "?" not in page.locator(".card .why").inner_text()
+        numbers = page.locator(".card .why [data-value]").all_inner_texts()
+        assert all(numbers), numbers

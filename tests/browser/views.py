@@ -1,0 +1,33 @@
+"""Every scene in each word of each of its choices: what is looked at over a grid of screens."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import param
+
+from components.scene import Scene
+from components.scenes import SCENES
+from components.url import write_query
+from tests.scenes.checks import WHOLE
+
+
+def choices(scene: type[Scene]) -> Iterator[Scene]:
+    """The scene as it opens, then with each other word of each choice."""
+    yield scene()
+    for name, parameter in scene.linked().items():
+        if isinstance(parameter, param.Selector) and not isinstance(parameter, param.ListSelector):
+            for value in parameter.get_range().values():
+                if value != parameter.default:
+                    yield scene(**{name: value})
+
+
+LINKS = [write_query(view) for scene in SCENES.values() for view in (choices(scene) if WHOLE else [scene()])]
+"""All views; a sample has each scene as it opens."""
+
+SCREENS = [(theme, width, height) for theme in ("light", "dark") for width, height in ((1280, 720), (390, 844))]
+
+
+def screens(link: str) -> list[tuple[str, int, int]]:
+    """Theme and size to look at a link; a sample takes one for each link, another for the next."""
+    return SCREENS if WHOLE else [SCREENS[LINKS.index(link) % len(SCREENS)]]

@@ -1,0 +1,45 @@
+"""What tests of the page wait for: conditions, never so many seconds."""
+
+from __future__ import annotations
+
+from playwright.sync_api import Page
+
+FRAMES = """count => new Promise(drawn => {
+  const {clock} = oscillations, last = clock.frames + count
+  const look = () => (clock.frames >= last ? drawn() : requestAnimationFrame(look))
+  clock.dirty = true
+  look()
+})"""
+PASSED = """count => new Promise(passed => {
+  const wait = left => (left ? requestAnimationFrame(() => wait(left - 1)) : passed())
+  wait(count)
+})"""
+
+
+UNFOLD = "document.querySelectorAll('.panel details.fold').forEach(fold => { fold.open = true })"
+
+
+def unfold(page: Page) -> None:
+    """Opens what is folded away in the panel, so that every control can be reached."""
+    page.evaluate(UNFOLD)
+
+
+def seek(page: Page, t: float) -> None:
+    """Stops at an instant, which is drawn on return."""
+    page.evaluate("t => { oscillations.clock.playing = false; oscillations.clock.seek(t) }", t)
+    redrawn(page)
+
+
+def redrawn(page: Page) -> None:
+    """All that is known is drawn."""
+    page.evaluate(FRAMES, 1)
+
+
+def played(page: Page, frames: int) -> None:
+    """So many frames of a motion have been drawn."""
+    page.evaluate(FRAMES, frames)
+
+
+def passed(page: Page, frames: int = 3) -> None:
+    """The browser has had so many chances to draw, used or not."""
+    page.evaluate(PASSED, frames)

@@ -1,0 +1,137 @@
+"""The frame is a value beside the parameters: fit, grow and picture are pure; a session keeps the one it was given."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from components.axes import nice_axis
+from components.frames import FITTED, checked, grown, unfitted
+from components.page.state import Frame, State
+from components.scene import Picture, Scene, frame_of
+from components.scenes import SCENES
+from components.states import state_of
+from tests.page.playing import played
+from tests.page.told import Page
+from tests.scenes.checks import check_picture
+
+scenes = pytest.mark.parametrize("slug", SCENES)
+SINES = ("oscillator", "energy", "coupled")
+"""The scenes whose curves over time are what the clock plays, to the last digits."""
+spans = st.tuples(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6)).map(lambda pair: (pair[0], pair[0] + pair[1]))
+
+
+def each(slug: str) -> list[Scene]:
+    """The scene and its presets."""
+    scene = SCENES[slug]
+    return [scene(), *(scene(**values) for values in scene.presets.values())]
+
+
+def same(one: Picture, other: Picture) -> None:
+    assert one.axes == other.axes
+    assert (one.signals, one.scalars, one.values, one.pace) == (other.signals, other.scalars, other.values, other.pace)
+    assert one.columns.keys() == other.columns.keys()
+    for source, columns in one.columns.items():
+        for name, column in columns.items():
+            np.testing.assert_array_equal(column, other.columns[source][name])
+
+
+@scenes
+def test_in_the_fitted_frame_a_picture_is_what_it_is_without_one(slug: str) -> None:
+    for scene in each(slug):
+        same(scene.picture(scene.fit()), scene.shown)
+        assert frame_of(scene.picture(FITTED)) == scene.fit()
+
+
+def wider(frame: Frame) -> Frame:
+    """Every range half as wide again to the right, and twice the window."""
+    ranges = {name: (start, end + 0.5 * (end - start)) for name, (start, end) in frame.ranges.items()}
+    window = frame.window and 2 * frame.window
+    if window:
+        ranges["t"] = (0.0, window)
+    return msgspec.structs.replace(frame, ranges=ranges, window=window)
+
+
+@scenes
+def test_a_picture_keeps_to_its_frame(slug: str) -> None:
+    """The axes have the ranges asked for, and what the clock plays stays on the curves."""
+    for scene in each(slug):
+        frame = wider(scene.fit())
+        picture = scene.picture(frame)
+        for name, axis in picture.axes.items():
+            assert (axis.start, axis.end) == pytest.approx(frame.ranges[name], rel=1e-12), name
+            low, high = sorted((axis.place(axis.start), axis.place(axis.end)))
+            assert all(low - 1e-9 <= tick <= high + 1e-9 for tick in axis.ticks)
+        if slug not in SINES:
+            continue
+        assert picture.columns.get("time", {"t": [frame.window]})["t"][-1] == pytest.approx(frame.window)
+        for name, column in picture.columns.get("time", {}).items():
+            if name in picture.signals and name in picture.axes:
+                at = picture.axes["t"].places(picture.columns["time"]["t"])
+                places, size = picture.axes[name].places(column), picture.axes[name]
+                reach = abs(size.place(size.end)) + abs(size.place(size.start))
+                np.testing.assert_allclose(played(picture, at)[name], places, atol=1e-9 * reach)
+
+
+@given(spans, spans)
+def test_a_frame_grows_in_round_steps_and_never_shrinks(has: tuple[float, float], needs: tuple[float, float]) -> None:
+    axes = {"x": nice_axis(*needs)}
+    frame = grown(Frame(ranges={"x": has}), axes)
+    low, high = frame.ranges["x"]
+    assert low <= min(has[0], needs[0] + 1e-9 * abs(needs[0]))
+    assert high >= max(has[1], needs[1] - 1e-9 * abs(needs[1]))
+    for value, old in ((low, has[0]), (high, has[1])):
+        if value != old and value:
+            assert round(abs(value) / 10.0 ** math.floor(math.log10(abs(value)) + 1e-9), 9) in (1, 2, 5, 10)
+    if has[0] <= needs[0] and needs[1] <= has[1]:
+        assert (low, high) == has, "what is still in the frame moves nothing"
+    assert grown(frame, axes) == frame
+
+
+def opened(page: Page, **state: Any) -> dict[str, Any]:
+    return page.say({"type": "open", "state": {"scene": "coupled", **state}, "number": len(page.packets) + 1})
+
+
+def test_a_session_keeps_its_frame_until_it_must_grow() -> None:
+    page = Page(SCENES["coupled"]())
+    frame = wider(page.scene.fit())
+    told = opened(page, frame=msgspec.to_builtins(frame))
+    assert told["errors"] == {}
+    kept = msgspec.convert(told["state"], State).frame
+    assert kept == unfitted(frame, page.scene.fit())
+    x = told["view"]["axes"]["x"]
+    told = page.say({"type": "set", "values": {"x1_0": 0.5}, "number": 90})
+    assert told["view"]["axes"]["x"] == x, "a smaller start is seen as smaller"
+    told = page.say({"type": "set", "values": {"x1_0": 30.0}, "number": 91})
+    assert told["view"]["axes"]["x"]["end"] > x["end"]
+    assert told["view"]["axes"]["t"]["end"] == pytest.approx(frame.window)
+    check_picture(page.scene)
+    told = opened(page)
+    assert told["state"]["frame"] is None
+    assert state_of(page.scene) == State(scene="coupled")
+    same(page.scene.shown, SCENES["coupled"]().shown)
+
+
+@pytest.mark.parametrize(
+    ("frame", "says"),
+    [
+        ({"ranges": {"x": [1.0, 1.0]}}, "it must have a size"),
+        ({"window": 0.0}, "window of a frame"),
+        ({"speed": -1.0}, "speed of a frame"),
+        ({"scale": 0.0}, "scale of a frame"),
+    ],
+)
+def test_a_frame_that_nothing_can_be_drawn_in_is_refused(frame: dict[str, Any], says: str) -> None:
+    page = Page(SCENES["coupled"](k2=3.0))
+    before = page.opening()
+    told = opened(page, frame=frame)
+    assert says in told["errors"]["state"]
+    assert (told["state"], told["query"]) == (before["state"], before["query"])
+    with pytest.raises(ValueError, match=says):
+        checked(msgspec.convert(frame, Frame))

@@ -1,0 +1,174 @@
+"""What a change does to the picture: axes, window, scale and speed stand; they grow where they must, and Fit fits."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from components.axes import TIME_AXIS, ordered
+from components.choices import stated
+from components.page.state import Frame
+from components.scene import Scene, frame_of
+from components.scenes import SCENES
+from tests.page.told import Page
+from tests.scenes.checks import WHOLE, check_picture, quantities
+
+scenes = pytest.mark.parametrize("slug", SCENES)
+MOVING = [slug for slug in SCENES if slug != "accuracy"]
+WHOLLY_SEEN = {"oscillator": "x v a", "energy": "x T V", "coupled": "x1 x2", "analogues": "q", "phugoid": "h v"}
+"""Columns over time that no frame cuts, by scene."""
+steps = st.lists(st.tuples(st.integers(0, 50), st.floats(0.0, 1.0)), min_size=1, max_size=6)
+
+
+def page_of(slug: str) -> Page:
+    return Page(SCENES[slug]())
+
+
+def set_value(page: Page, values: dict[str, Any]) -> dict[str, Any]:
+    return page.say({"type": "set", "values": values, "number": len(page.packets) + 1})
+
+
+def fit(page: Page) -> dict[str, Any]:
+    state = {**msgspec.to_builtins(page.session.state), "frame": None}
+    return page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
+
+
+def holds(wide: Frame, narrow: Frame) -> bool:
+    """Whether the one has room for all of the other."""
+    pairs = [(ordered(wide.ranges[name]), ordered(span)) for name, span in narrow.ranges.items()]
+    return all(one[0] <= other[0] and other[1] <= one[1] for one, other in pairs)
+
+
+def standing(scene: Scene) -> Frame:
+    return frame_of(scene.shown)
+
+
+def check_nothing_outside(slug: str, scene: Scene) -> None:
+    for name, axis in scene.shown.axes.items():
+        (low, high), (least, most) = ordered((axis.start, axis.end)), axis.seen
+        slack = 1e-9 * max(abs(low), abs(high))
+        assert low - slack <= least <= most <= high + slack or name == TIME_AXIS, (name, axis)
+    for name in WHOLLY_SEEN.get(slug, "").split():
+        column = scene.shown.columns["time"].get(name)
+        if column is not None:
+            # The energies of the hanging mass share an axis, and so do the displacements of the chain.
+            axis = scene.shown.axes.get(name, scene.shown.axes.get({"x1": "x", "x2": "x"}.get(name, "E")))
+            low, high = ordered((axis.start, axis.end)) if axis else (0.0, 0.0)
+            assert low <= column.min() <= column.max() <= high, name
+
+
+@pytest.mark.parametrize("slug", MOVING)
+@given(steps=steps)
+@settings(max_examples=40 if WHOLE else 8)
+def test_walks_of_values_never_shrink_a_frame_nor_leave_it(slug: str, steps: list[tuple[int, float]]) -> None:
+    page, ranges = page_of(slug), quantities(SCENES[slug])
+    names = list(ranges)
+    for which, share in steps:
+        name = names[which % len(names)]
+        low, high = page.scene.shown.spans.get(name, ranges[name].softbounds)
+        value = low + share * (high - low)
+        before = standing(page.scene)
+        told = set_value(page, {name: round(value) if ranges[name].scale == "count" else value})
+        after = standing(page.scene)
+        if told["errors"]:
+            assert after == before
+            continue
+        assert holds(after, before), (name, value)
+        assert (after.window, after.speed) == (before.window, before.speed)
+        assert (after.scale or 0) <= (before.scale or 0)
+        check_nothing_outside(slug, page.scene)
+        # The same again moves nothing: there is no flipping.
+        set_value(page, {name: msgspec.to_builtins(getattr(page.scene, name))})
+        assert standing(page.scene) == after
+    check_picture(page.scene)
+    assert fit(page)["state"]["frame"] is None
+    values = {name: getattr(page.scene, name) for name in page.scene.linked()}
+    assert standing(page.scene) == standing(SCENES[slug](**values)), "Fit is the frame of a fresh page"
+
+
+@scenes
+def test_a_preset_fits(slug: str) -> None:
+    page = page_of(slug)
+    for label, values in SCENES[slug].presets.items():
+        set_value(page, {"window": 3.0})
+        state = {"scene": slug, "parameters": {name: stated(value) for name, value in values.items()}}
+        told = page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
+        assert told["errors"] == {}
+        fresh = Page(SCENES[slug](**values)).opening()
+        assert told["state"]["frame"] is None
+        assert told["view"]["axes"] == fresh["view"]["axes"], label
+        assert told["view"]["pace"] == fresh["view"]["pace"]
+
+
+def test_four_times_the_mass_swings_half_as_fast() -> None:
+    page = page_of("oscillator")
+    before = page.opening()["view"]
+    after = set_value(page, {"m": 4.0})["view"]
+    assert after["axes"]["t"] == before["axes"]["t"]
+    assert after["pace"]["auto"] == before["pace"]["auto"]
+    (_, omega, _, *_), (_, slower, _, *_) = (view["signals"]["x"]["sines"][0] for view in (before, after))
+    assert slower == pytest.approx(omega / 2, rel=1e-12)
+
+
+def test_a_faster_aircraft_is_seen_to_swing_more_slowly() -> None:
+    page = page_of("phugoid")
+    before = page.opening()["view"]
+    after = set_value(page, {"v_0": 3 * page.scene.v_0})["view"]
+    assert (after["axes"]["t"]["end"], after["pace"]["auto"]) == (before["axes"]["t"]["end"], before["pace"]["auto"])
+    assert after["signals"]["x"] != before["signals"]["x"]
+
+
+def test_a_smaller_swing_is_seen_as_smaller_and_nothing_flips() -> None:
+    page = page_of("oscillator")
+    set_value(page, {"v_0": 0.0, "x_0": 0.4})
+    wide = standing(page.scene)
+    assert wide.ranges["x"] == (-0.5, 0.5)
+    for x_0 in (0.05, 0.39, 0.05, 0.4):
+        set_value(page, {"x_0": x_0})
+        assert standing(page.scene) == wide
+    assert fit(page)["view"]["axes"]["x"]["end"] == pytest.approx(1.25 * 0.4)
+
+
+def test_another_window_is_chosen_by_its_field() -> None:
+    page = page_of("coupled")
+    set_value(page, {"k2": 3.0})
+    told = set_value(page, {"window": 5.0})
+    assert told["view"]["axes"]["t"]["end"] == 5.0
+    told = set_value(page, {"k2": 2.0})
+    assert told["view"]["axes"]["t"]["end"] == 5.0
+    assert set_value(page, {"window": None})["view"]["axes"]["t"]["end"] == page_of("coupled").scene.fit().window
+
+
+def test_another_way_of_showing_fits_what_it_changes_and_nothing_else() -> None:
+    page = page_of("energy")
+    set_value(page, {"x_0": 0.05})
+    small = standing(page.scene)
+    page.say({"type": "choose", "name": "datum", "value": "separate", "number": 50})
+    after = standing(page.scene)
+    assert after.ranges["x"] == small.ranges["x"]
+    assert after.ranges["E"] == page.scene.fit().ranges["E"]
+    page = page_of("analogues")
+    page.say({"type": "choose", "name": "system", "value": "spring", "number": 50})
+    assert page.session.state.frame is None, "another system is another scene"
+
+
+def test_where_nothing_can_be_drawn_in_the_frame_it_is_fitted() -> None:
+    """A window of many years is no place for a quick motion of many digits."""
+    page = page_of("coupled")
+    set_value(page, {"x1_0": 1.7e308})
+    check_picture(page.scene)
+    told = set_value(page, {"x1_0": 1e-3})
+    assert told["errors"] == {}
+    check_picture(page.scene)
+
+
+def test_presets_and_refusals_keep_what_a_scene_without_a_page_does() -> None:
+    """A scene of its own, as tests and tools have it, always fits."""
+    scene = SCENES["oscillator"]()
+    scene.x_0 = 0.4
+    assert scene.frame is None
+    assert standing(scene) == scene.fit()

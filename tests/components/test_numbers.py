@@ -1,0 +1,166 @@
+"""Numbers as a person reads and types them."""
+
+import json
+import math
+from decimal import Decimal
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from components.numbers import at_tick, excerpt, parse_number, power_unit, short, shortest, signed, three, tidy
+from tests.serving.server import ROOT
+
+TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
+"""What both languages write: tests/browser/test_scripts.py reads the same."""
+finite = st.floats(allow_nan=False, allow_infinity=False)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0, "0.00"),
+        (-0.0, "0.00"),
+        (2, "2.00"),
+        (0.04, "0.0400"),
+        (-1.236, "−1.24"),
+        (99.95, "100"),
+        (999.6, "1000"),
+        (12345, "12300"),
+        (1e-3, "0.00100"),
+        (9.99e-4, "9.99·10⁻⁴"),
+        (1.234e-7, "1.23·10⁻⁷"),
+        (99999, "1.00·10⁵"),
+        (-1e300, "−1.00·10³⁰⁰"),
+        (5e-324, "4.94·10⁻³²⁴"),
+        (math.inf, "∞"),
+        (-math.inf, "−∞"),
+    ],
+)
+def test_three_digits(value: float, text: str) -> None:
+    assert three(value) == text
+
+
+@given(finite)
+def test_three_digits_are_within_half_a_unit_of_the_third(value: float) -> None:
+    shown = three(value).replace("−", "-").replace("·10", "e").translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
+    assert abs(Decimal(shown) - Decimal(value)) <= abs(Decimal(value)) * Decimal("0.005")
+
+
+@pytest.mark.parametrize("case", TEXTS, ids=lambda case: repr(case["value"]))
+def test_both_languages_write_the_same(case: dict[str, object]) -> None:
+    written = {function.__name__: function(case["value"]) for function in (three, signed, short, tidy)}
+    assert {"value": case["value"], **written} == case
+
+
+def test_signed_numbers_always_show_their_sign() -> None:
+    assert [signed(value) for value in (0.265, -1.24, 0.0)] == ["+0.265", "−1.24", "+0.00"]
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (2.0, "2.00"),
+        (0.04, "0.0400"),
+        (1.2345, "1.2345"),
+        (1e-300, "1e-300"),
+        (-3.0, "-3.00"),
+        (0.1 + 0.2, repr(0.1 + 0.2)),
+    ],
+)
+def test_field_shows_three_digits_or_as_many_as_are_needed(value: float, text: str) -> None:
+    assert tidy(value) == text
+
+
+@given(finite)
+def test_field_and_shortest_text_read_back_exactly(value: float) -> None:
+    for text in (tidy(value), shortest(value)):
+        assert text.isascii()
+        assert float(text) == value
+        assert parse_number(text) == value
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1e-3", 1e-3),
+        ("1,5", 1.5),
+        ("−3", -3.0),
+        ("1.5·10^-3", 1.5e-3),
+        ("1.5 × 10^−3", 1.5e-3),
+        ("1.23·10⁻⁷", 1.23e-7),
+        ("10⁻³", 1e-3),
+        ("-10^3", -1e3),
+        ("  2.5 ", 2.5),
+        ("12 000", 12000.0),
+        ("１．５", 1.5),
+        (".5", 0.5),
+        ("+5.", 5.0),
+        ("0e-999", 0.0),
+    ],
+)
+def test_number_as_people_type_it(text: str, value: float) -> None:
+    assert parse_number(text) == value
+
+
+@given(finite)
+def test_what_is_shown_can_be_typed_again(value: float) -> None:
+    if 1e-307 < abs(value) < 1e307:
+        assert parse_number(three(value)) == pytest.approx(value, rel=5e-3)
+
+
+@pytest.mark.parametrize(
+    "text", ["abc", "nan", "inf", "1e", "1 2", "0x10", "1_0", "1.5·105", "٣", "1.2.3", "1" * 61, "3 N/m"]
+)
+def test_text_that_is_no_number_is_refused_with_an_example(text: str) -> None:
+    with pytest.raises(ValueError, match=r"is not a number: type one such as 2\.5 or 1e-3"):
+        parse_number(text)
+
+
+@pytest.mark.parametrize("text", ["", "  "])
+def test_an_empty_field_is_not_quoted(text: str) -> None:
+    with pytest.raises(ValueError, match=r"^Nothing is typed here: type a number such as 2\.5 or 1e-3\.$"):
+        parse_number(text)
+
+
+@pytest.mark.parametrize(("text", "reason"), [("1e999", "too large"), ("-1e999", "too large"), ("1e-999", "too small")])
+def test_number_that_no_double_holds_is_refused(text: str, reason: str) -> None:
+    with pytest.raises(ValueError, match=reason):
+        parse_number(text)
+
+
+@pytest.mark.parametrize(
+    ("value", "exponent", "text"),
+    [
+        (0.0, 0, ""),
+        (9999.0, 0, ""),
+        (1e-3, 0, ""),
+        (1e4, 3, "·10³ "),
+        (9e-4, -6, "·10⁻⁶ "),
+        (-2e300, 300, "·10³⁰⁰ "),
+    ],
+)
+def test_axis_is_scaled_by_a_thousand_at_a_time(value: float, exponent: int, text: str) -> None:
+    assert power_unit(value) == (exponent, text)
+
+
+@given(finite)
+def test_scaled_axis_reaches_to_a_readable_number(value: float) -> None:
+    exponent, _ = power_unit(value)
+    scaled = abs(value) / 10.0**exponent
+    assert exponent % 3 == 0
+    assert value == 0 or 0.999e-3 <= scaled < 1e4 or abs(value) < 1e-306
+
+
+def test_foreign_text_is_shortened_and_made_visible() -> None:
+    assert excerpt("a\nb\u202ec") == "a\ufffdb\ufffdc"
+    assert excerpt("x" * 41) == "x" * 39 + "…"
+    assert excerpt("x" * 40) == "x" * 40
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(0.0, "0"), (-2.5, "−2.5"), (1252.5, "1252.5"), (0.00125, "0.00125"), (4e6, "4·10⁶"), (-1e305, "−1·10³⁰⁵")],
+)
+def test_a_tick_has_the_digits_that_it_takes(value: float, text: str) -> None:
+    assert at_tick(value) == text

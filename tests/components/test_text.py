@@ -1,0 +1,63 @@
+"""Formulas: what the converter is corrected in, and that the font has every sign of them."""
+
+from __future__ import annotations
+
+import json
+import re
+from html import unescape
+
+import pytest
+from fontTools.ttLib import TTFont
+
+from components.description import sheet_json
+from components.scenes import SCENES
+from components.text import mathml, rich
+from tests.tooling.math_font import FONT
+
+
+def signs(markup: str) -> set[str]:
+    formulas = re.findall(r"<math.*?</math>", unescape(markup))
+    return {sign for formula in formulas for sign in re.sub(r"<mtext.*?</mtext>|<[^>]*>", "", formula)}
+
+
+def italic(sign: str) -> str:
+    """What a browser draws for a variable."""
+    if sign == "h":
+        return "ℎ"
+    for first, last, start in (("A", "Z", 0x1D434), ("a", "z", 0x1D44E), ("Α", "Ω", 0x1D6E2), ("α", "ω", 0x1D6FC)):
+        if first <= sign <= last:
+            return chr(start + ord(sign) - ord(first))
+    return sign
+
+
+def test_the_font_has_every_sign_of_every_formula() -> None:
+    held = TTFont(FONT).getBestCmap()
+    used = set().union(*(signs(json.loads(json.dumps(sheet_json(scene).decode()))) for scene in SCENES.values()))
+    assert {"ω", "−", "½"} <= used
+    assert {sign for sign in used if ord(sign) not in held or ord(italic(sign)) not in held} == set()
+
+
+@pytest.mark.parametrize(
+    ("latex", "part"),
+    [
+        (r"\tfrac{1}{2} m", "<mn>½</mn>"),
+        (r"\val{k1}", '<mn class="n" data-value="k1"></mn>'),
+        (r"\tint{m1}{x}", '<mstyle class="tint m1">'),
+        ("v'", "<mi>v</mi><mo"),
+        (r"l \sin t", '<mi>l</mi><mspace width="0.15em" /><mi class="up">sin</mi><mspace width="0.15em" />'),
+        (r"x = -1", '<mo form="prefix">&#x02212;</mo>'),
+        (r"b \pm c", "<mo>&#x000B1;</mo>"),
+    ],
+)
+def test_what_the_converter_is_corrected_in(latex: str, part: str) -> None:
+    assert part in mathml(latex)
+
+
+def test_a_sentence_escapes_what_is_not_markup() -> None:
+    assert rich("a < b & **c**") == "a &lt; b &amp; <b>c</b>"
+    assert rich("[m1|{x1} m]") == '<span class="tint m1"><span class="n" data-value="x1"></span> m</span>'
+
+
+def test_words_lead_to_a_scene() -> None:
+    assert rich("see [scene:phugoid|the **aircraft**]") == 'see <a href="?scene=phugoid">the <b>aircraft</b></a>'
+    assert rich("[m1|blue]") == '<span class="tint m1">blue</span>'

@@ -1,0 +1,85 @@
+"""A visitor without a browser who does what the page does when its server is gone: comes back with all that was set."""
+
+from __future__ import annotations
+
+import asyncio
+from http.client import HTTPConnection, HTTPException
+from time import monotonic
+from typing import Any
+from urllib.parse import urlsplit
+
+from tests.bench.visitor import Visitor, token_in
+
+PATIENCE = 30.0
+AGAIN = 0.1
+"""Seconds until the next attempt to come back."""
+
+
+class Guest:
+    """Opens a scene and changes a value of it; `cookies` says whether the proxy's is kept."""
+
+    def __init__(self, url: str, cookies: bool) -> None:
+        self.url = url
+        self.cookies = cookies
+        self.told: dict[str, Any] = {}
+        self.longest = 0.0
+        """Seconds that a change took at most."""
+        self.returns = 0
+        self._headers: dict[str, str] = {}
+        self._token = ""
+        self._visitor: Visitor | None = None
+
+    async def arrive(self, query: str) -> None:
+        await self._load(query)
+        await self._connect()
+
+    async def change(self, values: dict[str, float]) -> None:
+        """Set values, however often the server goes away meanwhile."""
+        begun = monotonic()
+        while monotonic() - begun < PATIENCE:
+            try:
+                visitor = self._visitor or await self._back()
+                self.told = await visitor.say({"type": "set", "values": values})
+                self.longest = max(self.longest, monotonic() - begun)
+                return
+            except (ConnectionError, TimeoutError):
+                self.leave()
+                await asyncio.sleep(AGAIN)
+        raise TimeoutError("nobody answers any more")
+
+    def leave(self) -> None:
+        """The page goes, or has lost its server."""
+        if self._visitor:
+            self._visitor.leave()
+        self._visitor = None
+
+    async def _back(self) -> Visitor:
+        """A session on any replica, put into the state that the page has kept."""
+        visitor = await self._connect()
+        self.returns += 1
+        if self.told:
+            await visitor.say({"type": "open", "state": self.told["state"]})
+        return visitor
+
+    async def _connect(self) -> Visitor:
+        self._visitor = await Visitor.connect(self.url, self._token, self._headers)
+        return self._visitor
+
+    async def _load(self, query: str) -> None:
+        page, cookie = await asyncio.to_thread(_page, self.url, query)
+        self._token = token_in(page)
+        if self.cookies and cookie:
+            self._headers = {"Cookie": cookie.partition(";")[0]}
+
+
+def _page(url: str, query: str) -> tuple[str, str]:
+    """The page, and the cookie that came with it."""
+    connection = HTTPConnection(urlsplit(url).netloc, timeout=PATIENCE)
+    try:
+        connection.request("GET", f"/?{query}")
+        answer = connection.getresponse()
+        return answer.read().decode(), answer.headers.get("Set-Cookie", "")
+    except HTTPException as error:
+        raise ConnectionError(str(error)) from error
+    finally:
+        connection.close()

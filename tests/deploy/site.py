@@ -1,0 +1,103 @@
+"""Two replicas behind the real proxy, on loopback: as compose.yaml has them, without containers."""
+
+from __future__ import annotations
+
+import shutil
+import sys
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+
+from tests.serving.server import ROOT, Server, free_port, serving
+
+SECRET = "a secret of more than thirty-two letters"
+COPIED = ("app.py", "components", "physics", "static")
+
+
+class Site:
+    """The lecture at `url`; its replicas end and start one by one."""
+
+    def __init__(self, folder: Path, replicas: int) -> None:
+        self.folder = folder
+        self.ports = [free_port() for _ in range(replicas)]
+        self.port = free_port()
+        self._running: dict[int, tuple[Server, ExitStack]] = {}
+
+    @property
+    def url(self) -> str:
+        return f"http://127.0.0.1:{self.port}/"
+
+    def start(self, number: int, code: Path = ROOT) -> None:
+        """Start a replica that is not there, with the code in a folder."""
+        stack = ExitStack()
+        log = self.folder / f"replica-{number}-{time.monotonic_ns()}.log"
+        environment = {
+            "BOKEH_SECRET_KEY": SECRET,
+            "ALLOWED_ORIGIN": f"127.0.0.1:{self.port}",
+            "TRUSTED_PROXIES": "127.0.0.1",
+            "ARRIVALS": "100000",
+        }
+        running = serving(log, port=self.ports[number], folder=code, environment=environment)
+        self._running[number] = stack.enter_context(running), stack
+
+    def kill(self, number: int) -> None:
+        """Without a word, as a machine that fails."""
+        server, stack = self._running.pop(number)
+        server.process.kill()
+        stack.close()
+
+    def end(self, number: int) -> None:
+        """As a container engine ends it."""
+        self._running.pop(number)[1].close()
+
+    def complaints(self) -> list[str]:
+        return [line for server, _ in self._running.values() for line in server.complaints()]
+
+    def close(self) -> None:
+        for number in list(self._running):
+            self.end(number)
+
+    def proxy(self) -> Mapping[str, str]:
+        """The variables of the Caddyfile."""
+        return {
+            "SITE": f"http://127.0.0.1:{self.port}",
+            "UPSTREAMS": " ".join(f"127.0.0.1:{port}" for port in self.ports),
+            "XDG_DATA_HOME": str(self.folder),
+            "XDG_CONFIG_HOME": str(self.folder),
+        }
+
+
+@contextmanager
+def deployed(folder: Path, codes: Sequence[Path] = (ROOT, ROOT)) -> Iterator[Site]:
+    """A site that serves, each replica the code of a folder."""
+    site = Site(folder, len(codes))
+    command = (
+        str(Path(sys.executable).with_name("caddy")),
+        "run",
+        "--config",
+        str(ROOT / "Caddyfile"),
+        "--adapter",
+        "caddyfile",
+    )
+    try:
+        for number, code in enumerate(codes):
+            site.start(number, code)
+        with serving(
+            folder / "proxy.log", port=site.port, command=(*command, "--adapter", "caddyfile"), environment=site.proxy()
+        ):
+            yield site
+    finally:
+        site.close()
+
+
+def upgraded(folder: Path) -> Path:
+    """A copy of the code with other static files."""
+    folder.mkdir()
+    for name in COPIED:
+        source = ROOT / name
+        copy = shutil.copytree if source.is_dir() else shutil.copy
+        copy(source, folder / name)
+    with (folder / "static" / "main.js").open("a", encoding="utf-8") as script:
+        script.write("// of a later version\n")
+    return folder

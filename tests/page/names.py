@@ -1,0 +1,181 @@
+"""The names that a scene's sheet speaks of, against what its picture has.
+
+A name that a shape, a visible text, a handle or a signal needs must be in the picture. What may come and go with the
+parameters (marks, dots, curves, forms) must be in some picture of the scene: `spoken` and `given` are for the sums.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+
+import msgspec
+
+from components.description import blocks, scene_sheet
+from components.page.blocks import Block, ChoiceBlock, Column, PlotBlock, Row, StageBlock, TableBlock, WordsBlock
+from components.page.numbers import Expression, names_in
+from components.page.shapes import AnyShape, Box, Label
+from components.page.signals import CosineOf, Derived, SineOf
+from components.page.text import Forms, Runs
+from components.scene import Scene
+
+LIVE = re.compile(r'data-value="(\w+)"')
+FRAME = ("left", "right", "top", "bottom", "x0", "x1", "y0", "y1")
+OF_THE_STAGE = {"W", "H", "wide", "narrow", "t"}
+OF_THE_CLOCK = {"speed"}
+
+
+@dataclass
+class Names:
+    """What a sheet speaks of that need not always be there: (kind, name) pairs."""
+
+    spoken: set[tuple[str, str]] = field(default_factory=set)
+    given: set[tuple[str, str]] = field(default_factory=set)
+
+
+def visible(block: Block, forms: dict[str, str]) -> Iterator[Block]:
+    """The blocks that stand, with those in them."""
+    if block.form and not forms.get(block.form):
+        return
+    yield block
+    if isinstance(block, (Row, Column)):
+        for inner in block.blocks:
+            yield from visible(inner, forms)
+
+
+def missing(scene: Scene) -> list[str]:
+    """Every name that is needed for the picture in force and is not in it."""
+    picture, sheet = scene.shown, scene_sheet(type(scene))
+    quantities = {*picture.signals, *picture.scalars, *OF_THE_STAGE}
+    plots = [block for block in blocks(sheet.paper) if isinstance(block, PlotBlock)]
+    quantities |= {f"{plot.name}.{part}" for plot in plots for part in FRAME}
+    texts = {*picture.values, *picture.live, *OF_THE_CLOCK}
+    found = list(_signals(scene))
+    for block in visible(sheet.paper, picture.forms):
+        if isinstance(block, (StageBlock, PlotBlock)):
+            found += _shapes(block.shapes, quantities, scene, texts)
+        if isinstance(block, PlotBlock):
+            found += _plot(block, scene, texts)
+        found += [f"value {name}" for name in _texts(block, picture.forms) if name not in texts]
+        if isinstance(block, ChoiceBlock) and block.name not in scene.param:
+            found.append(f"parameter {block.name}")
+    for group in sheet.panel.groups:
+        for row in group.rows:
+            for shapes in getattr(row, "pictures", {}).values():
+                found += _shapes(shapes, quantities, scene, texts)
+    found += [f"live {name} without a signal" for name in picture.live if name not in picture.signals]
+    return found
+
+
+def names(scene: Scene) -> Names:
+    """What the sheet speaks of and what the picture gives, of that which may come and go."""
+    picture, sheet = scene.shown, scene_sheet(type(scene))
+    found = Names()
+    found.given |= {("form", name) for name in picture.forms} | {("scalar", name) for name in picture.scalars}
+    found.given |= {("axis", name) for name in picture.axes} | {("signal", name) for name in picture.signals}
+    found.given |= {("signal", name) for name in picture.scalars}  # a dot may stand at one
+    found.given |= {("show", name) for name in (*picture.scalars, *picture.signals, *OF_THE_STAGE)}
+    found.given |= {("column", f"{s}.{name}") for s, columns in picture.columns.items() for name in columns}
+    found.given |= {("form", f"{name}={variant}") for name, variant in picture.forms.items()}
+    for block in blocks(sheet.paper):
+        if block.form:
+            found.spoken.add(("form", block.form))
+        if isinstance(block, PlotBlock):
+            found.spoken |= _spoken_of(block)
+        if isinstance(block, (StageBlock, PlotBlock)):
+            found.spoken |= {("show", name) for shape in block.shapes for name in shape.show}
+        for forms in _forms(block):
+            if forms.name:
+                found.spoken.add(("form", forms.name))
+    found.spoken |= {("form", group.form) for group in sheet.panel.groups if group.form}
+    return found
+
+
+def _spoken_of(plot: PlotBlock) -> set[tuple[str, str]]:
+    spoken = {("axis", plot.x), ("axis", plot.y)}
+    for curve in plot.curves:
+        spoken |= {("column", f"{curve.source}.{curve.x}"), ("column", f"{curve.source}.{curve.y}")}
+        spoken |= {("signal", name) for name in (curve.signal, curve.signal_x) if name}
+    for region in plot.regions:
+        spoken |= {("column", f"{region.source}.{name}") for name in (region.x, region.low, region.high)}
+    for mark in plot.marks:
+        spoken |= {("scalar", name) for name in (mark.at, mark.exactly) if name}
+    spoken |= {("form", handle.form) for handle in plot.handles if handle.form}
+    return spoken | {("form", term.form) for term in plot.heading if len(term.variants) > 1}
+
+
+def _signals(scene: Scene) -> Iterator[str]:
+    """Names that a signal speaks of and that do not come before it."""
+    known = {*scene.shown.scalars, "t"}
+    for name, signal in scene.shown.signals.items():
+        needed: Iterable[str] = ()
+        if isinstance(signal, Derived):
+            needed = names_in(signal.value)
+        elif isinstance(signal, (SineOf, CosineOf)):
+            needed = (signal.of,)
+        yield from (f"{one} before the signal {name}" for one in needed if one not in known)
+        known.add(name)
+
+
+def _shapes(shapes: Iterable[AnyShape], quantities: set[str], scene: Scene, texts: set[str]) -> Iterator[str]:
+    """Names that the numbers and words of those shapes need that stand."""
+    moving = {*scene.shown.signals, *OF_THE_STAGE}
+    for shape in shapes:
+        if not all(name in moving or scene.shown.scalars.get(name) for name in shape.show):
+            continue
+        numbers = [part for part in msgspec.structs.astuple(shape) if isinstance(part, Expression)]
+        needed = frozenset[str]().union(*map(names_in, numbers))
+        yield from (f"{name} of a {type(shape).__name__}" for name in needed if name not in quantities)
+        words = shape.words if isinstance(shape, Label) else shape.label if isinstance(shape, Box) else ()
+        yield from (f"value {name}" for name in _live(words) if name not in texts)
+
+
+def _live(runs: Runs) -> list[str]:
+    return [run.text for run in runs if run.kind == "value"]
+
+
+def _plot(plot: PlotBlock, scene: Scene, texts: set[str]) -> Iterator[str]:
+    for handle in plot.handles:
+        if handle.parameter not in scene.param:
+            yield f"parameter {handle.parameter}"
+        if handle.text and handle.text not in texts:
+            yield f"value {handle.text}"
+    for mark in plot.marks:
+        if mark.at in scene.shown.scalars:
+            yield from (f"value {name} of a mark" for name in LIVE.findall(mark.html) if name not in texts)
+            if mark.exactly and mark.exactly not in scene.shown.scalars:
+                yield f"scalar {mark.exactly}"
+            if mark.set and mark.set not in scene.param:
+                yield f"parameter {mark.set}"
+            if mark.act and mark.act not in {name for group in scene.groups for name, _ in group.actions}:
+                yield f"action {mark.act}"
+    for term in plot.heading:
+        variant = scene.shown.forms.get(term.form, "formula" if "formula" in term.variants else None)
+        if variant is None and len(term.variants) == 1:
+            variant = next(iter(term.variants))
+        if variant is None or (variant and variant not in term.variants):
+            yield f"form {term.form} = {variant} of the heading of {plot.name}"
+        elif variant:
+            yield from (f"value {name}" for name in LIVE.findall(term.variants[variant]) if name not in texts)
+
+
+def _forms(block: Block) -> Iterator[Forms]:
+    if isinstance(block, WordsBlock):
+        yield from block.items
+    if isinstance(block, TableBlock):
+        for row in block.rows:
+            yield from row
+
+
+def _texts(block: Block, forms: dict[str, str]) -> Iterator[str]:
+    """The live numbers of what is seen of a block; a form that has no such variant is named too."""
+    if isinstance(block, TableBlock):
+        for head in block.head:
+            yield from LIVE.findall(head)
+    for item in _forms(block):
+        variant = forms.get(item.name, "") if item.name else ""
+        if item.name and variant and variant not in item.variants:
+            yield f"{item.name} = {variant}, a form without words"
+        elif variant or not item.name:
+            yield from LIVE.findall(item.variants[variant])

@@ -1,0 +1,79 @@
+"""What is covered is not sent: not its curves, nor the motions behind them, nor what is made of them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page as BrowserPage
+from playwright.sync_api import expect
+
+from components.covers import PLOT, VALUE
+from components.description import plots
+from components.scenes import SCENES
+from tests.page.told import Page
+
+scenes = pytest.mark.parametrize("slug", SCENES)
+
+
+def covering(page: Page, *covered: str) -> dict[str, Any]:
+    state = {"scene": page.scene.slug, "covered": list(covered)}
+    return page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
+
+
+def test_a_covered_plot_takes_its_motion_along() -> None:
+    page = Page(SCENES["coupled"]())
+    before = page.opening()
+    told = covering(page, "plot:x2")
+    view = told["view"]
+    assert told["errors"] == {} and told["state"]["covered"] == ["plot:x2"]
+    left = set(before["view"]["signals"]) - set(view["signals"])
+    assert {"x2", "x2_slow", "x2_fast", "stretch", "V2"} <= left <= set(view["left_out"])
+    assert {"x1", "x1_slow", "V1"} <= set(view["signals"])
+    assert "x2" not in view["live"]
+    assert "x2_slow" in before["view"]["columns"]["time"] and "x2_slow" not in view["columns"]["time"]
+    assert view["columns"]["time"].keys() >= {"t", "x1", "x1_slow"}
+    told = page.say({"type": "set", "values": {"k2": 3.0}, "number": 70})
+    assert told["state"]["covered"] == ["plot:x2"] and "x2" not in told["view"]["signals"]
+    assert "covered" in page.say({"type": "about", "number": 72})["notes"][0]
+    told = covering(page)
+    assert told["view"]["signals"].keys() == before["view"]["signals"].keys() and told["view"]["left_out"] == []
+
+
+def test_a_covered_number_is_not_sent() -> None:
+    page = Page(SCENES["coupled"]())
+    view = covering(page, "value:omega_minus")["view"]
+    assert "omega_minus" not in view["values"] and view["left_out"] == ["omega_minus"]
+
+
+@scenes
+def test_every_plot_and_number_can_be_covered(slug: str) -> None:
+    page = Page(SCENES[slug]())
+    picture = page.scene.shown
+    for cover in (*(PLOT + plot.name for plot in plots(SCENES[slug])), *(VALUE + name for name in picture.values)):
+        told = covering(page, cover)
+        assert (told["errors"], told["state"]["covered"]) == ({}, [cover])
+        spoken = json.dumps([signal for signal in told["view"]["signals"].values() if signal["kind"] == "derived"])
+        assert not any(f'"{name}"' in spoken for name in told["view"]["left_out"])
+
+
+def test_what_is_nothing_to_cover_is_refused() -> None:
+    page = Page(SCENES["coupled"]())
+    told = covering(page, "plot:x9")
+    assert told["errors"]["state"] == "“plot:x9” is nothing that can be covered here. Still drawn as before."
+    assert told["state"]["covered"] == []
+
+
+@pytest.mark.browser
+def test_a_covered_plot_waits_for_its_reveal(page: BrowserPage, open_scene: Callable[..., BrowserPage]) -> None:
+    open_scene(page, scene="coupled")
+    page.evaluate("oscillations.open({scene: 'coupled', covered: ['plot:x2', 'value:omega_minus']})")
+    page.wait_for_function("oscillations.shown.state.covered.length === 2")
+    expect(page.get_by_text("Covered. What do you expect?")).to_be_visible()
+    expect(page.locator("[data-value=omega_minus]").first).to_have_text("?")
+    page.get_by_role("button", name="Reveal").click()
+    page.wait_for_function("oscillations.shown.state.covered.length === 1")
+    expect(page.get_by_text("Covered. What do you expect?")).to_be_hidden()
+    page.wait_for_function("oscillations.shown.view.columns.time.x2 !== undefined")

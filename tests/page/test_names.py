@@ -1,0 +1,84 @@
+"""Every name that a sheet speaks of is in the picture, in every scene, preset and view: nothing is misspelt."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import param
+import pytest
+
+from components.scene import Scene
+from components.scenes import SCENES
+from components.states import state_of
+from tests.page.names import Names, missing, names
+
+scenes = pytest.mark.parametrize("slug", SCENES)
+
+# What else brings something to the picture: fast motions are drawn as bands, some marks need their case.
+MORE: dict[str, list[dict[str, Any]]] = {
+    "oscillator": [{"window": 1e4}],
+    "energy": [
+        {"window": 1e4},
+        {"datum": "separate", "window": 1e4},
+        {"g": 1.62},
+        {"g": 24.8, "k": 150.0},
+        {"k": 200.0, "g": 3.7},
+    ],
+    "analogues": [{"window": 1e4}, {"system": "spring", "window": 1e4}],
+    "phugoid": [{"window": 1e6}, {"show": "lift", "window": 1e6}],
+    "coupled": [{"window": 1e4}],
+    "modes": [
+        {"task": "hunt", "answer": "shown"},
+        *({"task": "sweep", "swept": name} for name in ("m1", "m2", "k1", "k2")),
+    ],
+    "absorber": [{"omega": 50.0001, "tuning": "free"}],
+    "forced": [{"window": 1e4}, {"omega": 0.6180339887498949 + 2e-5, "window": 2e5}],
+    "accuracy": [{"hidden": []}, {"view": "growth", "equal": "cost"}],
+}
+# Which side of its point the name of a method stands on depends on what was measured; both are made from one list.
+BY_MEASUREMENT = {"accuracy": ("_start", "_end")}
+
+
+def cases(scene: type[Scene]) -> Iterator[Scene]:
+    """The scene as it opens, each preset, each option of each choice, and what MORE names."""
+    yield scene()
+    for values in scene.presets.values():
+        yield scene(**values)
+    for name, parameter in scene.linked().items():
+        if isinstance(parameter, param.Boolean):
+            yield from (scene(**{name: value}) for value in (False, True))
+        elif isinstance(parameter, param.Selector) and not isinstance(parameter, param.ListSelector):
+            yield from (scene(**{name: value}) for value in parameter.get_range().values())
+    yield from (scene(**values) for values in MORE.get(scene.slug, []))
+
+
+@scenes
+def test_what_is_spoken_of_is_there(slug: str) -> None:
+    found = Names()
+    for scene in cases(SCENES[slug]):
+        assert missing(scene) == [], state_of(scene)
+        own = names(scene)
+        found.spoken |= own.spoken
+        found.given |= own.given
+    never = {name for name in found.spoken - found.given if not name[1].endswith(BY_MEASUREMENT.get(slug, ()))}
+    assert never == set()
+
+
+@scenes
+def test_what_is_read_aloud_is_there(slug: str) -> None:
+    given = [scene.shown.values for scene in cases(SCENES[slug])]
+    for text in SCENES[slug].spoken.values():
+        wanted = set(re.findall(r"\{(\w+)\}", text))
+        assert wanted and any(all(values.get(name) for name in wanted) for values in given), text
+
+
+@pytest.mark.parametrize(("part", "name"), [("signals", "x1"), ("values", "tick"), ("scalars", "metre")])
+def test_a_misspelt_name_is_found(part: str, name: str) -> None:
+    scene = SCENES["coupled"]()
+    whole = getattr(scene.shown, part)
+    misspelt = {f"{key}_" if key == name else key: value for key, value in whole.items()}
+    scene._drawn = replace(scene._drawn, picture=replace(scene.shown, **{part: misspelt}))
+    assert any(name in said.split() for said in missing(scene))

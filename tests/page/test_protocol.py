@@ -1,0 +1,64 @@
+"""docs/protocol.md and the browser's types say what the types of components/page say."""
+
+from __future__ import annotations
+
+import ast
+import pkgutil
+import re
+from pathlib import Path
+
+import pytest
+
+import components.page
+from tools import page_types
+from tools.notation import limit, notation
+from tools.protocol import FILES
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+def test_what_is_written_is_current(path: Path) -> None:
+    assert path.read_text(encoding="utf-8") == FILES[path](), "make protocol writes it anew"
+
+
+def test_every_module_is_written_of() -> None:
+    assert {module.name for module in pkgutil.iter_modules(components.page.__path__)} == set(page_types.MODULES)
+
+
+def test_no_two_types_share_a_name() -> None:
+    names = [type.name for chapter in page_types.chapters() for type in chapter.types]
+    assert "Shown" in names
+    assert len(names) == len(set(names))
+
+
+def test_every_name_of_a_definition_is_defined() -> None:
+    (definitions,) = (text() for path, text in FILES.items() if path.suffix == ".ts")
+    code = re.sub(r'/\*\*.*?\*/|//[^\n]*|"[^"]*"', "", definitions, flags=re.S)
+    defined = set(re.findall(r"(?:type|interface) (\w+)", code))
+    assert set(re.findall(r"\b[A-Z]\w+", code)) - {"Record"} == defined
+
+
+@pytest.mark.parametrize(
+    ("annotation", "written"),
+    [
+        ("tuple[Curve, ...]", "Curve[]"),
+        ("tuple[tuple[Html, ...], ...]", "Html[][]"),
+        ("tuple[float, float] | None", "[number, number] | null"),
+        ("list[str | None]", "(string | null)[]"),
+        ("dict[Name, float | None]", "Record<Name, number | null>"),
+        ('Literal["x", "y"]', '"x" | "y"'),
+        ("Annotated[str, Meta(max_length=7)]", "string"),
+    ],
+)
+def test_notation(annotation: str, written: str) -> None:
+    assert notation(ast.parse(annotation, mode="eval").body) == written
+
+
+def test_a_type_without_notation_is_refused() -> None:
+    with pytest.raises(ValueError, match="set"):
+        notation(ast.parse("set[str]", mode="eval").body)
+
+
+def test_limits() -> None:
+    assert limit(ast.parse("Annotated[str, Meta(max_length=7)]", mode="eval").body) == "at most 7 characters"
+    assert limit(ast.parse("Annotated[list[Name], Meta(max_length=5)]", mode="eval").body) == "at most 5"
+    assert limit(ast.parse("str", mode="eval").body) == ""

@@ -1,0 +1,135 @@
+"""One message, Open(state), puts a session into anything: presets, links, other scenes; whole or not at all."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import param
+import pytest
+from msgspec.structs import replace
+
+from components.axes import TIME_AXIS
+from components.covers import coverable
+from components.description import sheet_address
+from components.page.state import State
+from components.scene import Scene
+from components.scenes import SCENES
+from components.session import opened
+from components.states import state_of, values_in
+from components.url import read_query
+from tests.page.told import Page, unpacked
+from tests.scenes.checks import as_arguments, quantities
+
+scenes = pytest.mark.parametrize("slug", SCENES)
+
+
+def opening(state: State | dict[str, Any], number: int = 1) -> dict[str, Any]:
+    plain = msgspec.to_builtins(state) if isinstance(state, State) else state
+    return {"type": "open", "state": plain, "number": number}
+
+
+def changed(scene: type[Scene]) -> Scene:
+    """The scene with something of every kind changed: a quantity, a choice, a window, a hidden curve."""
+    values: dict[str, Any] = {name: q.softbounds[1] for name, q in list(quantities(scene).items())[:2]}
+    for name, parameter in scene.linked().items():
+        if isinstance(parameter, param.Selector) and not isinstance(parameter, param.ListSelector):
+            values[name] = list(parameter.get_range().values())[-1]
+            break
+    return scene(**values, window=12.5, hidden=["x1"])
+
+
+@scenes
+def test_a_state_brings_a_scene_back_from_anywhere(slug: str) -> None:
+    wanted = changed(SCENES[slug])
+    for start in ("coupled", slug):
+        page = Page(SCENES[start]())
+        told = page.say(opening(state_of(wanted), number=5))
+        assert (told["answer"], told["errors"], told["scene"]) == (5, {}, slug)
+        assert msgspec.convert(told["state"], State) == state_of(wanted)
+        assert state_of(page.scene) == state_of(wanted)
+        assert told["sheet"] == sheet_address(SCENES[slug])
+
+
+@scenes
+def test_what_a_state_does_not_name_is_at_its_default(slug: str) -> None:
+    page = Page(changed(SCENES[slug]))
+    page.say(opening(State(scene=slug)))
+    assert state_of(page.scene) == State(scene=slug)
+    assert values_in(SCENES[slug], State(scene=slug))["window"] is None
+
+
+@pytest.mark.parametrize(
+    ("state", "reason"),
+    [
+        ({"scene": "nowhere"}, "“nowhere” is not a scene."),
+        ({"scene": "forced", "parameters": {"k9": 1.0}}, "“k9” is not a parameter of this scene."),
+        ({"scene": "forced", "parameters": {"m1": -1.0}}, "−1 kg is not possible: a mass is a finite number above 0."),
+        ({"scene": "forced", "parameters": {"m1": "heavy"}}, "'heavy' is not possible"),
+        ({"scene": "forced", "parameters": {"curve": "loud"}}, "curve: “loud” is not possible: choose one of"),
+        ({"scene": "forced", "parameters": {"omega": 1e300}}, "Still drawn as before."),
+        ({"scene": "forced", "hidden": ["<b>"]}, "“<b>” is not possible"),
+        ({"scene": "coupled", "parameters": {"hidden": ["x1"]}}, "“hidden” is not a parameter"),
+    ],
+)
+def test_a_state_that_is_refused_changes_nothing(state: dict[str, Any], reason: str) -> None:
+    page = Page(SCENES["coupled"](k2=3.0))
+    before, scene = page.opening(), page.scene
+    told = page.say(opening(state))
+    assert reason in told["errors"]["state"]
+    assert told["errors"]["state"].endswith("Still drawn as before.")
+    assert page.scene is scene
+    assert {**told, "errors": {}, "answer": None} | {"view": None} == before | {"view": None}
+
+
+@scenes
+def test_a_link_brings_the_state_of_a_page_back(slug: str) -> None:
+    page = Page(changed(SCENES[slug]))
+    cover = sorted(coverable(SCENES[slug], page.scene.shown))[0]
+    frame = page.scene.fit()
+    ranges = {name: (low, high + (high - low)) for name, (low, high) in frame.ranges.items() if name != TIME_AXIS}
+    kept = {name: span for name, span in ranges.items() if not page.scene.shown.axes[name].log}
+    wide = replace(frame, ranges={**frame.ranges, **kept}, speed=frame.speed and 0.5 * frame.speed)
+    told = page.say(opening(replace(page.session.state, frame=wide, covered=(cover,))))
+    assert told["errors"] == {}
+    link = read_query(as_arguments(told["query"]), SCENES)
+    assert link.problems == []
+    assert link.frame is None or set(link.frame.ranges) <= set(kept)
+    assert opened(SCENES, link).state == page.session.state
+
+
+def test_what_a_link_asks_of_a_picture_is_named_where_it_has_no_such_thing() -> None:
+    link = read_query(as_arguments("scene=coupled&k2=3&frame.fruit=1,2&cover=plot:x2,plot:pear"), SCENES)
+    session = opened(SCENES, link)
+    assert session.state.covered == ("plot:x2",)
+    assert session.state.parameters == {"k2": 3.0}
+    assert unpacked(session.opening())["problems"] == [
+        "frame.fruit: “fruit” is not an axis of this picture.",
+        "“plot:pear” is nothing that can be covered here.",
+    ]
+
+
+def test_what_is_covered_in_one_view_may_stay_so_in_another() -> None:
+    """The number is in a view that the state is not in, as a new session finds it when a page comes back."""
+    page = Page(SCENES["modes"]())
+    page.say(opening({"scene": "modes", "parameters": {"task": "solve"}, "covered": ["value:Delta"]}))
+    told = page.say({"type": "choose", "name": "task", "value": "hunt", "number": 2})
+    again = Page(SCENES["modes"]()).say(opening(told["state"]))
+    assert (again["errors"], again["state"]) == ({}, told["state"])
+
+
+@pytest.mark.parametrize("state", [None, 3, {}, {"scene": 3}, {"scene": "coupled", "parameters": {"k2": {"a": 1}}}])
+def test_what_is_no_state_is_no_message(state: Any) -> None:
+    page = Page(SCENES["coupled"]())
+    assert list(page.say(opening(state))["errors"]) == ["message"]
+
+
+def test_a_scene_that_was_left_is_closed_and_silent() -> None:
+    page = Page(SCENES["accuracy"]())
+    left = page.scene
+    ended: list[bool] = []
+    left.running.close = lambda: ended.append(True)  # type: ignore[method-assign,union-attr]
+    page.say(opening(State(scene="forced")))
+    told = len(page.packets)
+    left.set({"limit": 3.0})
+    assert (ended, len(page.packets)) == ([True], told)

@@ -1,0 +1,88 @@
+"""A scene's conversation without a browser: what a message of the page does, and what the browser is told."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import msgspec
+
+from components.controls import panel
+from components.deeds import Errors, apply
+from components.description import column_axes, sheet_address, usual
+from components.page.messages import AskAbout, AskCsv, Given, Open, RunWalk, ToldAny
+from components.page.picture import View
+from components.places import encoded
+from components.scene import Scene
+from components.scenes import SCENES
+from components.sent import view_of
+from components.session import Session
+from components.wire import Packet, as_json, decoded
+from tests.page.columns import inflated, with_numbers
+
+
+def apply_message(scene: Scene, data: object) -> Errors:
+    """What a message does to a scene, and what of it is refused; by "message" where our page sends no such thing."""
+    try:
+        said = decoded(data)
+    except ValueError as refusal:
+        return {"message": str(refusal)}
+    assert not isinstance(said, (AskAbout, AskCsv, Given, Open, RunWalk))
+    return apply(scene, said)
+
+
+def take_preset(scene: Scene, label: str) -> Errors:
+    """A press on the button of a preset: what it sets goes into the state of the page, which is opened."""
+    page = Page(scene)
+    buttons = panel(scene.param.objects("existing"), (), presets=scene.presets).presets
+    (sets,) = (button.sets for button in buttons if button.label == label)
+    state = page.session.state
+    wanted = msgspec.structs.replace(state, parameters={**state.parameters, **sets}, frame=None)
+    return Errors(page.say({"type": "open", "state": msgspec.to_builtins(wanted), "number": 1})["errors"])
+
+
+def picture_wire(scene: Scene) -> dict[str, Any]:
+    """The picture as the browser has it after unpacking: nested lists and dicts, columns as float32."""
+    view, numbers = view_of(scene.shown, column_axes(type(scene)))
+    text = as_json(view)
+    msgspec.json.decode(text, type=View)
+    return dict(with_numbers(json.loads(text), encoded(numbers)))
+
+
+class Page:
+    """A session, and all that it has told."""
+
+    def __init__(self, scene: Scene, problems: tuple[str, ...] = ()) -> None:
+        self.session = Session(scene, problems, scenes={**SCENES, scene.slug: type(scene)})
+        self.packets: list[Packet] = []
+        self.session.send = self.packets.append
+
+    @property
+    def scene(self) -> Scene:
+        return self.session.scene
+
+    def say(self, data: object) -> dict[str, Any]:
+        """The answer to a message."""
+        before = len(self.packets)
+        self.session.hear(data)
+        assert len(self.packets) == before + 1, "every message has one answer"
+        return unpacked(self.packets[-1])
+
+    def opening(self) -> dict[str, Any]:
+        return unpacked(self.session.opening())
+
+
+def unpacked(packet: Packet) -> dict[str, Any]:
+    """A message as the browser has it; each number of it is one, though msgspec writes null for what is not finite."""
+    text, _, numbers = inflated(packet, _usual(packet["sheet"])).partition(b"\n")
+    msgspec.json.decode(text, type=ToldAny)
+    told = json.loads(text)
+    if "view" in told:
+        told["view"] = with_numbers(told["view"], numbers)
+    return dict(told)
+
+
+def _usual(sheet: str) -> bytes:
+    """The text in the sheet at an address, of whatever scenes there are."""
+    named = [scene for scene in Scene.__subclasses__() if sheet.startswith(f"sheets/{scene.slug}.")]
+    return next((usual(scene) for scene in named if sheet_address(scene) == sheet), b"")

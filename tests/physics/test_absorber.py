@@ -1,0 +1,237 @@
+"""Damped amplitudes against arbitrary precision, the undamped limit, Den Hartog's book values."""
+
+import math
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+
+from physics.absorber import (
+    alone,
+    damped_amplitude,
+    damped_solution,
+    den_hartog,
+    helped_band,
+    highest_peak,
+    swing_and_stroke,
+    tuned_stiffness,
+)
+from physics.coupled import TwoMassChain
+from physics.forced import antiresonance, particular_solution
+from physics.reference_single import steady
+
+MACHINE = {"m1": 100.0, "k1": 250e3}
+F_0 = 500.0
+TUNED = TwoMassChain(**MACHINE, m2=16.0, k2=36864.0)
+LARGEST = sys.float_info.max
+
+
+def log_uniform(low: int, high: int) -> st.SearchStrategy[float]:
+    return st.builds(math.ldexp, st.floats(0.5, 1.0, exclude_max=True), st.integers(low + 1, high))
+
+
+FAMILIES = {
+    "moderate": st.floats(0.1, 10.0),
+    "1e+-8": log_uniform(-27, 27),
+    "all doubles": log_uniform(-1074, 1024),
+}
+families = pytest.mark.parametrize("numbers", FAMILIES.values(), ids=FAMILIES)
+
+
+@pytest.fixture(autouse=True)
+def strict() -> Iterator[None]:
+    with np.errstate(all="raise", under="ignore"):
+        yield
+
+
+@contextmanager
+def exactly() -> Iterator[None]:
+    """Bits enough for sums and products of any few doubles."""
+    with mp.workprec(20000):
+        yield
+
+
+def truth(chain: TwoMassChain, c: float, F: float, omega: float) -> tuple[mp.mpc, mp.mpc]:
+    """The steady amplitudes from Newton's laws as two linear equations."""
+    return steady(mp, chain, c, F, omega)
+
+
+def close(value: float, true: mp.mpf, ulps: float) -> bool:
+    if math.isinf(value):
+        return bool(abs(true) > LARGEST)
+    return bool(abs(mp.mpf(value) - true) <= ulps * math.ulp(value))
+
+
+@families
+def test_damped_amplitudes_are_rounded_once(numbers):
+    @settings(max_examples=80)
+    @given(*[numbers] * 7)
+    def check(m1, m2, k1, k2, c, F, omega):
+        chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
+        with exactly():
+            true = truth(chain, c, F, omega)
+            try:
+                size, parts = (
+                    damped_amplitude(chain, c, F, [omega])[:, 0],
+                    damped_solution(chain, c, F, omega),
+                )
+            except ValueError as refusal:
+                assert "leaves the range of doubles" in str(refusal)
+                assert max(abs(x) for x in true) > LARGEST
+                return
+            for i in (0, 1):
+                assert close(size[i], abs(true[i]), 0.51)
+                assert close(parts[i].real, true[i].real, 0.51)
+                assert close(parts[i].imag, true[i].imag, 0.51)
+
+    check()
+
+
+@families
+def test_the_stroke_is_the_distance_between_the_masses(numbers):
+    @settings(max_examples=80)
+    @given(*[numbers] * 7, st.booleans())
+    def check(m1, m2, k1, k2, c, F, omega, damped):
+        chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
+        with exactly():
+            one, two = truth(chain, c if damped else 0.0, F, omega)
+            try:
+                swing, stroke = swing_and_stroke(chain, c if damped else 0.0, F, omega)
+            except ValueError as refusal:
+                assert "leaves the range of doubles" in str(refusal)
+                assert max(abs(one), abs(two), abs(two - one)) > LARGEST / 2
+                return
+            assert close(swing, abs(one), 0.51)
+            assert close(stroke, abs(two - one), 4)
+
+    check()
+
+
+def test_strokes_of_the_book_example():
+    """From 48 rad/s, where it is tuned: |X2| would say 12.5 mm at 50 rad/s and 117 mm at 60."""
+    stroke = swing_and_stroke(TUNED, 0.0, F_0, [48.0, 50.0, 60.0])[1]
+    np.testing.assert_allclose(1e3 * stroke, [13.563, 13.563, 182.749], rtol=1e-4)
+    assert swing_and_stroke(TUNED, 0.0, F_0, 48.0)[1] == pytest.approx(F_0 / TUNED.k2)
+
+
+def test_without_a_spring_the_stroke_is_the_machines_swing():
+    loose = alone(TUNED)
+    swing, stroke = swing_and_stroke(loose, 0.0, F_0, [0.0, 30.0, 60.0])
+    np.testing.assert_allclose(stroke, swing, rtol=1e-15)
+
+
+@pytest.mark.parametrize(("mu", "percent"), [(0.01, 0.0162), (0.16, 0.27), (1.0, 1.3)])
+def test_den_hartogs_fixed_points_are_nearly_the_peaks(mu, percent):
+    best = den_hartog(1.0, 1.0, mu)
+    tuning, damping = math.sqrt(best.k2 / mu), best.c / (2 * mu)
+    peak = highest_peak(mu, tuning, damping)
+    assert 100 * (peak / best.height - 1) == pytest.approx(percent, rel=0.05)
+    omega = np.linspace(0.3, 2.0, 20_001)
+    chain = TwoMassChain(m1=1.0, m2=mu, k1=1.0, k2=best.k2)
+    seen = damped_amplitude(chain, best.c, 1.0, omega)[0].max()
+    assert seen <= peak * (1 + 1e-9) and seen == pytest.approx(peak, rel=1e-6)
+
+
+def test_peaks_of_other_dampings():
+    """Nothing damps: no limit. A rigid link, nearly: the peak is that of one heavier mass, as high as c allows."""
+    assert highest_peak(0.16, 1.0, 0.0) == math.inf
+    assert highest_peak(0.16, 1.0, 1e4) > 1e3
+    for tuning, damping in ((0.8, 0.05), (1.1, 0.3), (0.86, 0.168)):
+        chain = TwoMassChain(m1=1.0, m2=0.16, k1=1.0, k2=0.16 * tuning**2)
+        seen = damped_amplitude(chain, 2 * 0.16 * damping, 1.0, np.linspace(0.3, 2.0, 20_001))[0].max()
+        assert highest_peak(0.16, tuning, damping) == pytest.approx(seen, rel=1e-5)
+
+
+def test_damped_amplitudes_next_to_a_resonance():
+    """Next to a double at which nothing but the damping holds the motion."""
+    chain = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
+    near = [math.nextafter(1.0, 2.0), 1.0, math.nextafter(2.0, 1.0), 2.0]
+    for c in (1e-3, 1e-12, 1e-300):
+        with exactly():
+            for omega, column in zip(near, damped_amplitude(chain, c, 1.0, near).T, strict=True):
+                for value, true in zip(column, truth(chain, c, 1.0, omega), strict=True):
+                    assert close(value, abs(true), 0.51)
+
+
+def test_without_damping_it_is_the_undamped_result():
+    omega = np.linspace(0.0, 100.0, 401)
+    assert np.array_equal(damped_amplitude(TUNED, 0.0, F_0, omega), np.abs(particular_solution(TUNED, F_0, omega)))
+    for w in (*omega, *TUNED.modes().omega, 48.0):
+        exact = damped_solution(TUNED, 0.0, F_0, float(w))
+        assert np.array_equal(exact.real, particular_solution(TUNED, F_0, float(w)))
+        assert not np.any(exact.imag)
+
+
+@pytest.mark.parametrize("c", [5e-324, 1e-300])
+def test_no_seam_between_damped_and_undamped(c):
+    omega = np.array([0.0, 30.0, 40.0, 48.5, 59.0, 70.0])
+    undamped = [np.abs(particular_solution(TUNED, F_0, w)) for w in omega]
+    assert np.array_equal(damped_amplitude(TUNED, c, F_0, omega), np.transpose(undamped))
+
+
+def test_no_steady_amplitude_at_an_undamped_resonance():
+    chain = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
+    assert np.all(np.isinf(damped_amplitude(chain, 0.0, 1.0, [1.0, 2.0])))
+    assert np.all(np.isinf(damped_solution(chain, 0.0, 1.0, 2.0)))
+    assert np.all(np.isfinite(damped_amplitude(chain, 1e-9, 1.0, [1.0, 2.0])))
+
+
+def test_damped_motion_is_that_of_the_equations():
+    chain, c, omega = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0), 0.7, 1.3
+    X = damped_solution(chain, c, 3.0, omega)
+
+    def law(t, y):
+        x1, x2, v1, v2 = y
+        link = chain.k2 * (x2 - x1) + c * (v2 - v1)
+        return [v1, v2, (-chain.k1 * x1 + link + 3.0 * math.sin(omega * t)) / chain.m1, -link / chain.m2]
+
+    start = [*X.imag, *(1j * omega * X).imag]
+    t = np.linspace(0.0, 20.0, 50)
+    run = solve_ivp(law, (0, 20), start, t_eval=t, rtol=1e-10, atol=1e-12)
+    steady = (X[:, None] * np.exp(1j * omega * t)).imag
+    assert np.max(np.abs(run.y[:2] - steady)) < 1e-7
+
+
+@pytest.mark.parametrize("k1", [0.0, 250e3])
+def test_damper_without_a_spring(k1):
+    """N and kappa share a factor omega, which must not become 0/0 at rest."""
+    chain = TwoMassChain(m1=100.0, m2=16.0, k1=k1, k2=0.0)
+    still, moving = damped_amplitude(chain, 50.0, F_0, [0.0, 40.0]).T
+    assert np.array_equal(still, np.full(2, F_0 / k1 if k1 else math.inf))
+    with exactly():
+        assert all(close(x, abs(true), 0.51) for x, true in zip(moving, truth(chain, 50.0, F_0, 40.0), strict=True))
+
+
+def test_tuned_absorber_holds_the_machine():
+    assert tuned_stiffness(16.0, 48.0) == 36864.0
+    assert tuned_stiffness(16.7, 48.0) == 38476.8
+    assert antiresonance(TUNED) == 48.0
+    assert np.array_equal(damped_solution(TUNED, 0.0, F_0, 48.0), [0.0, -F_0 / 36864.0])
+
+
+def test_machine_alone():
+    swing = F_0 / (250e3 - 100 * 48.0**2)
+    assert particular_solution(alone(TUNED), F_0, 48.0) == pytest.approx((swing, 0.0), rel=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: damped_amplitude(TUNED, -1.0, F_0, 48.0), "c = -1.0: a damping"),
+        (lambda: damped_solution(TUNED, math.nan, F_0, 48.0), "c = nan: a damping"),
+        (lambda: damped_amplitude(TUNED, 1.0, math.inf, 48.0), "F_0 = inf: a force"),
+        (lambda: damped_amplitude(TUNED, 1.0, F_0, [1.0, -2.0]), "omega = -2.0: a drive frequency"),
+        (lambda: helped_band(TUNED, -2.0), "c = -2.0: a damping"),
+        (lambda: tuned_stiffness(1.0, 1e200), "the tuned stiffness"),
+        (lambda: den_hartog(100.0, 0.0, 1.0), "k1 = 0.0: a stiffness"),
+    ],
+)
+def test_refusals_name_the_value(call, words):
+    with pytest.raises(ValueError, match=words):
+        call()

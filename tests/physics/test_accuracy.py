@@ -1,0 +1,234 @@
+"""The machinery of the measurement: reference, rows, failures, cancelling. No timing is judged."""
+
+import json
+from dataclasses import replace
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from physics.accuracy import MARKS, SYSTEMS, Limits, Run, System, entered
+from physics.coupled import TwoMassChain
+from physics.race import STANDS, Ladder, bench_of, measure, yardstick
+from physics.reference import reference
+from physics.solvers import METHODS
+
+U = 2.0**-53
+ONCE = Limits(seconds=60.0, rounds=1, visit=0.0)
+DRIFTING = System(
+    slug="link", name="Drift", chain=TwoMassChain(m1=1.0, m2=2.0, k1=0.0, k2=3.0),
+    x_0=(1.0, 0.5), v_0=(0.1, 0.0), F_0=0.7, omega=0.3,
+)  # fmt: skip
+APART = System(
+    slug="link", name="Apart", chain=TwoMassChain(m1=1.0, m2=2.0, k1=3.0, k2=0.0),
+    x_0=(1.0, 0.5), v_0=(0.1, 0.2), F_0=0.7, omega=0.3,
+)  # fmt: skip
+DAMPED = System(
+    slug="link", name="Damped", chain=TwoMassChain(m1=1.0, m2=1.0, k1=20.0, k2=0.0), c=12.0,
+    x_0=(1.0, 0.0), v_0=(0.3, 0.0), F_0=5.0, omega=3.0,
+)  # fmt: skip
+ALL = (*SYSTEMS.values(), DRIFTING, APART, DAMPED)
+systems = pytest.mark.parametrize("system", ALL, ids=lambda system: system.name)
+
+
+def visited(system, method, setting=0.0, limits=ONCE, cancelled=lambda method: False):
+    return bench_of(system, limits, cancelled, yardstick()).visit(METHODS[method], setting)
+
+
+def by_exponential(problem, t):
+    """x1, x2, v1, v2 from mpmath's matrix exponential, the drive as two more states."""
+    chain = problem.chain
+    m1, m2, k1, k2 = (mp.mpf(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2))
+    omega = mp.mpf(problem.omega)
+    A = mp.zeros(6)
+    A[0, 2] = A[1, 3] = 1
+    A[2, 0], A[2, 1], A[3, 0], A[3, 1] = -(k1 + k2) / m1, k2 / m1, k2 / m2, -k2 / m2
+    A[2, 2] = -mp.mpf(problem.c) / m1
+    A[2, 4] = mp.mpf(problem.F_0) / m1
+    A[4, 5], A[5, 4] = omega, -omega
+    return (mp.expm(A * mp.mpf(t)) * mp.matrix([*problem.start, 0, 1]))[:4]
+
+
+@systems
+def test_reference_against_a_matrix_exponential(system):
+    problem = system.problem()
+    truth = reference(replace(problem, t=problem.t[[0, 1, 500]]))
+    for n, t in enumerate(problem.t[[0, 1, 500]]):
+        with mp.workdps(60):
+            x1, x2, v1, v2 = by_exponential(problem, float(t))
+            for i, x in enumerate((x1, x2)):
+                assert abs(mp.mpf(truth.x[i, n]) + mp.mpf(truth.x_rest[i, n]) - x) <= 1e-28 * truth.size
+            chain = problem.chain
+            energy = (chain.m1 * v1**2 + chain.m2 * v2**2 + chain.k1 * x1**2 + chain.k2 * (x2 - x1) ** 2) / 2
+            assert abs(truth.energy[n] - energy) <= U * energy
+
+
+@systems
+def test_output_times_are_exact_doubles(system):
+    t = system.problem().t
+    assert t.size == 1001
+    assert all(n * mp.mpf(t[1]) == t[n] for n in range(1001))
+    slow, fast = system.problem().rates
+    assert t[-1] == pytest.approx(50 * (1 if system.c else 2 * np.pi) / (slow or fast), rel=1e-11)
+
+
+@systems
+def test_the_closed_form_reaches_the_last_digit_everywhere(system):
+    run = visited(system, "closed")
+    assert run.failure is None
+    assert run.error <= 4 * U
+    assert run.energy_error <= 8 * U
+
+
+def test_a_run_tells_how_its_error_grew():
+    run = visited(SYSTEMS["benign"], "verlet", 4)
+    assert len(run.error_growth) == len(run.energy_growth) == len(MARKS)
+    assert run.error_growth[0] < 1e-90
+    assert run.error_growth[-1] == run.error
+    assert run.energy_growth[-1] == run.energy_error
+    assert np.all(np.diff(run.error_growth) >= 0)
+    assert (run.steps, run.evaluations, run.rounds) == (4000, 4000, 1)
+    assert run.time == run.time_low == run.time_high > 0
+
+
+def test_methods_and_systems_are_refined_side_by_side_and_timed_again():
+    two = [SYSTEMS["benign"], SYSTEMS["beats"]]
+    runs = list(measure(two, ["closed", "slides"], Limits(seconds=60.0, rounds=3, visit=0.0)))
+    turn = [("closed", "benign"), ("closed", "beats"), ("slides", "benign"), ("slides", "beats")]
+    assert [(run.method, run.system) for run in runs] == 3 * turn
+    assert [run.rounds for run in runs] == [1] * 4 + [2] * 4 + [3] * 4
+    assert all(run.time_low <= run.time <= run.time_high for run in runs)
+    assert [run.repeats for run in runs[:4]] == [None] * 4
+
+
+def test_what_takes_long_is_timed_twice_only():
+    runs = list(measure([SYSTEMS["benign"]], ["closed"], Limits(rounds=5, visit=0.0, budget=0.0)))
+    assert [run.rounds for run in runs] == [1, 2]
+
+
+def test_a_time_that_does_not_repeat_within_a_fifth_is_known():
+    run = Run(system="benign", method="closed", setting=0, time=1.0, time_low=1.0, time_high=1.15, rounds=3)
+    assert run.repeats
+    assert replace(run, time_high=1.25).repeats is False
+    assert replace(run, rounds=1).repeats is None
+
+
+def climbed(ladder, errors, steps=1e9):
+    """The ladder after runs with these errors, all at so many steps."""
+    ladder.runs = [Run(system="benign", method="rk4", setting=steps, error=error) for error in errors]
+    return ladder
+
+
+def test_a_method_is_refined_to_its_floor():
+    bench = bench_of(SYSTEMS["benign"], ONCE, lambda method: False, yardstick())
+    ladder = Ladder(bench, METHODS["rk4"])
+    falling = [1e-3 * 10 ** (-n / 2) for n in range(8)]
+    assert climbed(ladder, falling)._end() == ""
+    still = [*falling, *STANDS * [falling[-1]]]
+    assert climbed(ladder, still[:-1])._end() == ""
+    assert climbed(ladder, still)._end() == "floor"
+    assert climbed(ladder, still, steps=1.0)._end() == "", "a fast mode that is stepped over is no floor"
+
+
+def test_a_ladder_ends_with_the_finest_setting_or_a_reason():
+    bench = bench_of(SYSTEMS["benign"], ONCE, lambda method: False, yardstick())
+    ladder = Ladder(bench, METHODS["closed"])
+    assert ladder.climb().end == ladder.end == "finest"
+    (*_, last) = measure([SYSTEMS["wide"]], ["rk45"], Limits(seconds=0.0, rounds=1))
+    assert (last.failure, last.end, last.setting) == ("time limit 0 s", "time limit", 1e-2)
+
+
+def test_an_unstable_step_is_a_row():
+    run = visited(SYSTEMS["wide"], "verlet", 1)
+    assert run.failure.startswith("unstable step: h omega_+ = 628")
+    assert 0 < run.reached < 0.1
+    assert run.error is None
+    assert run.time is None
+    assert visited(SYSTEMS["dashpot"], "rk4", 1).failure == "unstable step: h f = 5e+04"
+
+
+@pytest.mark.parametrize("method", ["verlet", "rk45", "radau", "lsoda", "expm"])
+def test_a_run_out_of_time_is_a_row(method):
+    run = visited(SYSTEMS["wide"], method, METHODS[method].settings()[-1], Limits(seconds=0.0))
+    assert run.failure == "time limit 0 s"
+    assert 0 <= run.reached < 0.5
+
+
+def test_what_no_double_holds_is_a_row():
+    assert visited(SYSTEMS["resonance"], "slides").failure == "D(omega) = 0: no particular solution"
+    assert visited(replace(DRIFTING, F_0=0.0), "slides").failure.startswith("cannot be computed: ")
+
+
+def test_a_run_without_memory_is_a_row():
+    def greedy(*_):
+        raise MemoryError
+
+    bench = bench_of(SYSTEMS["benign"], ONCE, lambda method: False, yardstick())
+    assert bench.visit(replace(METHODS["slides"], run=greedy), 0).failure == "no memory left"
+
+
+def test_only_methods_made_for_friction_enter_with_a_dashpot():
+    assert entered(SYSTEMS["benign"]) == tuple(METHODS)
+    assert entered(SYSTEMS["dashpot"], ("closed", "slides", "verlet", "rk4")) == ("closed", "rk4")
+    runs = list(measure([SYSTEMS["dashpot"]], ["slides", "expm"], ONCE))
+    assert [run.method for run in runs] == ["expm"]
+
+
+def test_cancelling_between_runs():
+    asked = []
+
+    def cancelled(method):
+        asked.append(method)
+        return len(asked) > 1
+
+    runs = list(measure([SYSTEMS["benign"]], ["closed", "slides", "eigh"], ONCE, cancelled))
+    assert [run.method for run in runs] == ["closed"]
+
+
+@pytest.mark.parametrize(("method", "setting"), [("yoshida6", 64), ("dop853", 1e-9)])
+def test_cancelling_within_a_run(method, setting):
+    run = visited(SYSTEMS["benign"], method, setting, cancelled=lambda slug: slug == method)
+    assert run.failure == "cancelled"
+    assert run.reached < 0.5
+
+
+def test_rows_are_json():
+    for name, method in (("wide", "verlet"), ("resonance", "slides"), ("benign", "closed")):
+        run = visited(SYSTEMS[name], method, METHODS[method].settings()[0])
+        assert json.loads(json.dumps(run.to_dict(), allow_nan=False))["method"] == run.method
+
+
+def test_the_systems_are_what_they_are_called():
+    ratio = {
+        slug: float(np.divide(*system.chain.modes().omega[::-1])) for slug, system in SYSTEMS.items() if not system.c
+    }
+    assert ratio["benign"] == pytest.approx(3.19, abs=0.01)
+    assert ratio["wide"] == pytest.approx(2e3, rel=1e-3)
+    assert ratio["wider"] == pytest.approx(2e5, rel=1e-3)
+    assert SYSTEMS["dashpot"].problem().rates == pytest.approx((1.0, 1e6), rel=1e-15)
+    assert SYSTEMS["light"].chain.m2 / SYSTEMS["light"].chain.m1 == 1e-6
+    assert SYSTEMS["near"].omega / SYSTEMS["near"].chain.modes().omega[0] - 1 == pytest.approx(1e-8, rel=1e-7)
+    assert SYSTEMS["resonance"].omega == SYSTEMS["resonance"].chain.modes().omega[0]
+
+
+def test_two_free_masses_have_nothing_to_measure():
+    free = System(slug="link", name="Free", chain=TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=0.0), x_0=(1.0, 0.0))
+    with pytest.raises(ValueError, match="two free masses"):
+        list(measure([free]))
+
+
+@pytest.mark.parametrize("x_0", [(0.0, 0.0), (1e300, 1e300), (1e-320, 0.0)])
+def test_a_motion_without_a_scale_is_refused(x_0):
+    still = replace(SYSTEMS["benign"], x_0=x_0, v_0=(0.0, 0.0))
+    with pytest.raises(ValueError, match="no scale"):
+        list(measure([still]))
+
+
+@pytest.mark.parametrize("chain", [(1e300, 1, 1, 1), (1, 1e-300, 1, 1), (1, 1, 1e-250, 1), (1, 1, 1, 1e300)])
+def test_extreme_chains_give_rows_and_never_an_exception(chain):
+    m1, m2, k1, k2 = map(float, chain)
+    system = System(slug="link", name="?", chain=TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2), x_0=(1.0, 1.0))
+    runs = list(measure([system], limits=Limits(seconds=0.005, rounds=1)))
+    assert {run.method for run in runs} == set(METHODS)
+    assert all((run.error is None) != (run.failure is None) for run in runs)
+    json.dumps([run.to_dict() for run in runs], allow_nan=False)

@@ -1,0 +1,182 @@
+"""Energies of the chain: conserved when free, equal to the work done when driven, shared by the modes."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from scipy.integrate import quad
+
+from physics.coupled import TwoMassChain, free_modes, free_motion
+from physics.energy import chain_energy, half_square, mean_energy
+from physics.forced import drive_work, driven_modes, forced_motion
+from tests.physics.chain_cases import chain_with, each_family
+from tests.physics.chain_families import drawn
+from tests.physics.chain_truth import U
+
+thorough = settings(max_examples=40)
+LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
+STIFF = TwoMassChain(m1=2.0, m2=1.0, k1=1.0, k2=1e12)
+
+
+def within_range(chain):
+    """Energies of displacements near 1 are doubles well inside the range."""
+    values = [chain.m1, chain.m2, chain.k1, chain.k2, *chain.modes().omega]
+    return all(not value or 1e-120 < value < 1e120 for value in values)
+
+
+def long_times(chain, quickest, early, late, n=300):
+    """From a fraction of a radian to a million slow periods, as far as phases are certain."""
+    slow = chain.modes().omega[0] or quickest
+    end = min(1e6 * 2 * math.pi / slow, 1e15 / quickest) * late
+    return np.concatenate([[0.0], np.geomspace(early / quickest, max(end, 1.0 / quickest), n)])
+
+
+@each_family
+def test_free_energy_is_constant_within_8_u(family):
+    amounts = st.floats(-1.0, 1.0)
+
+    @thorough
+    @given(drawn(family), st.tuples(amounts, amounts), st.tuples(amounts, amounts), st.floats(1e-3, 1.0))
+    def check(parameters, x_0, v_0, late):
+        chain = chain_with(parameters)
+        if not within_range(chain):
+            return
+        slow, fast = chain.modes().omega
+        v_0 = tuple(v * (slow or fast or 1.0) for v in v_0)
+        t = long_times(chain, fast or 1.0, 0.1, late)
+        total = chain_energy(chain, free_motion(chain, x_0, v_0, t)).total
+        energy = math.fsum(free_modes(chain, x_0, v_0).energy)
+        assert np.all(np.abs(total - energy) <= 8 * U * energy)
+
+    check()
+
+
+@each_family
+def test_work_is_the_gain_of_energy_within_8_u(family):
+    amounts = st.floats(-1.0, 1.0)
+
+    @thorough
+    @given(
+        drawn(family),
+        st.one_of(st.just((0.0, 0.0)), st.tuples(amounts, amounts)),
+        st.one_of(st.just(0.0), st.floats(-17.0, 2.0).map(lambda e: 10.0**e)),
+        st.sampled_from([0, 1]),
+        st.floats(1e-6, 1.0),
+    )
+    def check(parameters, x_0, detuning, mode, late):
+        chain = chain_with(parameters)
+        assume(within_range(chain))
+        omega = float(chain.modes().omega[mode]) * (1.0 + detuning) or 1.0
+        t = long_times(chain, max(omega, chain.modes().omega[1]), 1e-3, late)
+        F_0 = chain.m1 * omega**2
+        total = chain_energy(chain, forced_motion(chain, F_0, omega, t, x_0)).total
+        work = drive_work(chain, F_0, omega, t, x_0)
+        assert np.all(np.abs(work - (total - total[0])) <= 8 * U * np.maximum.accumulate(total) + 1e-300)
+
+    check()
+
+
+@pytest.mark.parametrize("k2", [1e12, 1.0, 1e-12])
+@pytest.mark.parametrize("drive", ["slow", "fast", "slow + 1e-9", "between"])
+def test_a_million_periods(k2, drive):
+    chain = TwoMassChain(m1=2.0, m2=1.0, k1=1.0, k2=k2)
+    slow, fast = chain.modes().omega
+    omega = {"slow": slow, "fast": fast, "slow + 1e-9": slow * (1 + 1e-9), "between": math.sqrt(slow * fast)}[drive]
+    t = np.sort(np.concatenate([np.linspace(0.0, 100.0 / fast, 500), np.linspace(0.0, 2e6 * np.pi / slow, 1500)]))
+    total = chain_energy(chain, forced_motion(chain, 1.0, omega, t)).total
+    work = drive_work(chain, 1.0, omega, t)
+    assert np.all(np.abs(work - total) <= 8 * U * np.maximum.accumulate(total))
+    free = chain_energy(chain, free_motion(chain, (1.0, 0.3), (0.2, -0.5), t)).total
+    assert np.all(np.abs(free - free[0]) <= 8 * U * free[0])
+
+
+@pytest.mark.parametrize("omega", [0.3, 1.0, 1.0000001, 2.0, 5.0])
+@pytest.mark.parametrize("x_0", [(0.0, 0.0), (1.0, -0.5)])
+def test_work_is_the_integral_of_force_times_velocity(omega, x_0):
+    end, modes = 9.0, driven_modes(LECTURE, 1.5, omega, x_0)
+    power, _ = quad(lambda s: 1.5 * math.sin(omega * s) * modes.motion([s]).v[0, 0], 0.0, end, epsabs=1e-12, limit=200)
+    assert modes.work([end])[0] == pytest.approx(power, rel=1e-11, abs=1e-11)
+
+
+def test_no_drive_does_no_work():
+    for F_0, omega in ((0.0, 1.0), (1.0, 0.0)):
+        assert not np.any(drive_work(LECTURE, F_0, omega, [0.0, 1.0, 5.0], (1.0, 0.0)))
+
+
+def test_modes_share_the_energy_for_good():
+    """1/3 + 8/3 = 3: two flat lines while the masses pass energy to and fro."""
+    t = np.linspace(0.0, 6e6, 1001)
+    modes = free_modes(LECTURE, (1.0, 0.0), (0.0, 0.0))
+    assert modes.energy.tolist() == [1 / 3, 8 / 3]
+    parts = modes.parts(t)
+    masses = LECTURE.m1 + LECTURE.m2 * LECTURE.modes().ratio ** 2
+    for j, omega in enumerate(LECTURE.modes().omega):
+        energy = masses[j] * (parts[j].v[0] ** 2 + (omega * parts[j].x[0]) ** 2) / 2
+        assert np.all(np.abs(energy - modes.energy[j]) <= 8 * U * modes.energy[j])
+    energy_of = chain_energy(LECTURE, free_motion(LECTURE, (1.0, 0.0), (0.0, 0.0), t))
+    assert np.ptp(energy_of.T[0] + energy_of.V[0]) > 1.0
+
+
+def test_elongations_keep_the_energy_of_a_stiff_spring():
+    """From x2 - x1 of rounded displacements it is lost: the reason why a motion carries elongations."""
+    start, t = (1.0, 1.000001), np.linspace(0.0, 50.0, 400)
+    motion, modes = free_motion(STIFF, start, (0.0, 0.0), t), free_modes(STIFF, start, (0.0, 0.0))
+    energy, true = chain_energy(STIFF, motion), math.fsum(modes.energy)
+    naive = np.sum(energy.T, axis=0) + energy.V[0] + STIFF.k2 * (motion.x[1] - motion.x[0]) ** 2 / 2
+    assert np.all(np.abs(energy.total - true) <= 8 * U * true)
+    assert np.max(np.abs(naive - true)) > 1e4 * U
+
+
+@pytest.mark.parametrize("start", [(1.0, 1.0), (1.0, 1.000001)])
+def test_mean_energies_of_a_spring_too_stiff_to_draw(start):
+    """Over a coarse grid the fast mode counts by its mean, the slow one as it is; their sum is the whole energy."""
+    t = np.linspace(0.0, 30.0, 300)
+    free = free_modes(STIFF, start, (0.0, 0.0))
+    mean = mean_energy(free, t)
+    assert mean.total == pytest.approx(math.fsum(free.energy), rel=1e-6)
+    slow_V = (
+        STIFF.k2
+        * (np.cos(STIFF.modes().omega[0] * t) * free.amplitude[0, 0] * float(STIFF.exact_modes[0].stretch)) ** 2
+        / 2
+    )
+    assert mean.V[1] == pytest.approx(slow_V + free.energy[1] / 2, rel=1e-9)
+
+
+def test_mean_energies_of_what_can_be_drawn_are_the_energies():
+    t = np.linspace(0.0, 6.0, 300)
+    mean = mean_energy(free_modes(LECTURE, (1.0, -0.5), (0.25, 0.5)), t)
+    energy = chain_energy(LECTURE, free_motion(LECTURE, (1.0, -0.5), (0.25, 0.5), t))
+    for found, true in ((mean.T, energy.T), (mean.V, energy.V)):
+        assert found == pytest.approx(true, abs=1e-14)
+
+
+def test_the_energy_of_a_mode_without_frequency_is_kinetic():
+    free = free_modes(TwoMassChain(m1=2.0, m2=1.0, k1=0.0, k2=3.0), (5.0, 5.0), (2.0, 2.0))
+    assert free.energy.tolist() == [6.0, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("factor", "value", "energy"),
+    [
+        (1e300, 2e-200, 2e-100),
+        (1e-300, 2e200, 2e100),
+        (2.0, 3.0, 9.0),
+        (5e-324, 2.0**537, 0.5),
+        (1e-200, 1e-200, 0.0),
+        (0.0, 1e300, 0.0),
+        (1.0, 0.0, 0.0),
+    ],
+)
+def test_half_squares_at_the_edges(factor, value, energy):
+    assert half_square("V", factor, np.array([value, -value])) == pytest.approx([energy, energy], rel=4 * U, abs=0.0)
+
+
+def test_an_energy_out_of_range_is_named():
+    chain = TwoMassChain(m1=1.0, m2=1.0, k1=1e300, k2=1.0)
+    motion = free_motion(chain, (1e10, 0.0), (0.0, 0.0), [0.0])
+    with pytest.raises(ValueError, match="the energy V1 leaves the range of doubles"):
+        chain_energy(chain, motion)
+    with pytest.raises(ValueError, match="the work of the drive leaves the range of doubles"):
+        drive_work(TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0), 1e200, 1.0, [1.0])

@@ -1,0 +1,276 @@
+"""The driven chain: reference cases, every family at every detuning, resonance, absorber, limits."""
+
+import math
+import sys
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from physics.coupled import TwoMassChain
+from physics.forced import (
+    antiresonance,
+    determinant,
+    driven_modes,
+    forced_motion,
+    particular_solution,
+    steady_start,
+)
+from tests.physics.chain_cases import chain_of, chain_with, each_case, each_family
+from tests.physics.chain_families import FAMILIES, drawn
+from tests.physics.chain_truth import WORKING_BITS, Truth, U, rows, ulps, units, worst
+
+LARGEST = mp.mpf(sys.float_info.max)
+thorough = settings(max_examples=30)
+LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
+FIGURE = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0)
+
+
+@pytest.fixture(autouse=True)
+def many_digits():
+    with mp.workprec(WORKING_BITS):
+        yield
+
+
+@each_case
+def test_reference_forced(case):
+    chain = chain_of(case)
+    for drive in case["forced"]:
+        amplitudes = [mp.mpf(drive[key]) for key in ("Xp1", "Xp2")]
+        check_amplitudes(chain, drive["F0"], drive["w"], amplitudes)
+        motion = forced_motion(chain, drive["F0"], drive["w"], drive["t"])
+        for n, scales in enumerate(drive["envelope"]):
+            for i in (0, 1):
+                true = mp.mpf(drive[f"x{i + 1}"][n])
+                assert units(motion.x[i, n], true, mp.mpf(scales[i])) <= 16
+
+
+def check_amplitudes(chain, F_0, omega, true):
+    """One frequency is rounded once, a curve through it is within 2 ulp; what leaves the range is refused."""
+    if any(LARGEST < abs(X) < mp.inf for X in true):
+        with pytest.raises(ValueError, match=r"Xp[12] at omega = .* leaves the range of doubles"):
+            particular_solution(chain, F_0, omega)
+        return
+    for value, exactly in zip(particular_solution(chain, F_0, omega), true, strict=True):
+        assert ulps(value, exactly) <= 0.51
+    for value, exactly in zip(particular_solution(chain, F_0, [omega])[:, 0], true, strict=True):
+        assert ulps(value, exactly) <= 2
+
+
+@st.composite
+def drives(draw, parameters):
+    """A drive frequency at a detuning of 0 or 1e-17 to 100 from either mode, or from the antiresonance."""
+    true = Truth(*parameters)
+    root = draw(st.sampled_from([*true.omega, true.antiresonance]))
+    detuning = draw(st.one_of(st.just(0.0), st.floats(-17.0, 2.0).map(lambda e: 10.0**e)))
+    sign = draw(st.sampled_from([-1, 1])) if detuning < 1 else 1
+    omega = root * (1 + sign * mp.mpf(detuning)) if root else mp.mpf(detuning)
+    assume(omega < LARGEST)
+    return float(omega)
+
+
+@each_family
+def test_amplitudes_at_every_frequency(family):
+    @thorough
+    @given(st.data())
+    def check(data):
+        parameters = data.draw(drawn(family))
+        omega, F_0 = data.draw(drives(parameters)), data.draw(st.floats(0.01, 100.0))
+        check_amplitudes(chain_with(parameters), F_0, omega, Truth(*parameters).particular(F_0, omega))
+
+    check()
+
+
+@each_family
+def test_motion_from_rest_is_within_16_u_at_every_detuning(family):
+    @thorough
+    @given(st.data())
+    def check(data):
+        parameters = data.draw(drawn(family))
+        omega, true = data.draw(drives(parameters)), Truth(*parameters)
+        quickest = max(true.omega[1], mp.mpf(omega)) or mp.mpf(1)
+        turns = [data.draw(st.floats(low, high)) for low, high in ((-6.0, 1.0), (0.0, 7.0), (0.0, 14.9))]
+        t = [float(s) for s in (mp.mpf(10) ** e / quickest for e in turns) if s < LARGEST]
+        expected = [true.driven(2.0, omega, s) for s in t]
+        if max((abs(value) for values, _ in expected for value in values), default=0) > LARGEST:
+            with pytest.raises(ValueError, match="leaves the range of doubles"):
+                forced_motion(chain_with(parameters), 2.0, omega, t)
+            return
+        motion = forced_motion(chain_with(parameters), 2.0, omega, t)
+        for n, (values, scales) in enumerate(expected):
+            assert worst(motion, n, values, scales) <= 16
+
+    check()
+
+
+@each_family
+def test_motion_from_any_start_is_within_16_u(family):
+    @thorough
+    @given(st.data())
+    def check(data):
+        parameters = data.draw(drawn(family))
+        omega, true = data.draw(drives(parameters)), Truth(*parameters)
+        quickest = max(true.omega[1], mp.mpf(omega)) or mp.mpf(1)
+        assume(mp.mpf("1e-100") < quickest < mp.mpf("1e100"))
+        x_0 = data.draw(st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)))
+        v_0 = (data.draw(st.floats(-1.0, 1.0)) * float(quickest), 0.0)
+        t = float(mp.mpf(10) ** data.draw(st.floats(-3.0, 14.9)) / quickest)
+        F_0 = float(min(mp.mpf("1e200"), true.m1 * quickest**2))
+        parts = true.free(x_0, v_0, t), true.driven(F_0, omega, t)
+        values, scales = ([a + b for a, b in zip(*pair, strict=True)] for pair in zip(*parts, strict=True))
+        assume(max(abs(value) for value in values) < LARGEST)
+        motion = forced_motion(chain_with(parameters), F_0, omega, [t], x_0, v_0)
+        assert worst(motion, 0, values, scales) <= 16
+
+    check()
+
+
+@pytest.mark.parametrize("name", ["moderate", "1e+-8", "tuned weak coupling", "k2 to 0", "k1 = 0"])
+def test_mass_2_starts_like_the_fifth_power_of_time(name):
+    """Relative to its own value, far below the envelope: the modes all but cancel in it."""
+
+    @thorough
+    @given(drawn(FAMILIES[name]), st.floats(-6.0, 0.0), st.floats(-3.0, 3.0))
+    def check(parameters, early, ratio):
+        true = Truth(*parameters)
+        omega = float(true.omega[1] * mp.mpf(10) ** ratio)
+        t = float(mp.mpf(10) ** early / max(mp.mpf(omega), true.omega[1]))
+        values, _ = true.driven(1.0, omega, t)
+        assume(all(not value or mp.mpf("1e-290") < abs(value) < LARGEST for value in values))
+        motion = forced_motion(chain_with(parameters), 1.0, omega, [t])
+        for row, value in zip(rows(motion), values, strict=True):
+            assert units(row[0], value, abs(value)) <= 8
+
+    check()
+
+
+def test_the_numbers_of_the_lecture():
+    assert antiresonance(LECTURE) == math.sqrt(2.0)
+    assert antiresonance(FIGURE) == 1.0
+    assert particular_solution(FIGURE, 1.0, 1.0).tolist() == [0.0, -1.0]
+    assert particular_solution(FIGURE, 1.0, 0.0).tolist() == [1.0, 1.0]
+    assert determinant(LECTURE, 1.0) == 0.0 and determinant(LECTURE, 0.0) == 8.0
+
+
+@pytest.mark.parametrize("omega", [1.0, 2.0])
+@pytest.mark.parametrize("F_0", [3.0, -3.0])
+def test_resonance_has_no_steady_amplitude(omega, F_0):
+    assert particular_solution(LECTURE, F_0, omega).tolist() == [math.inf, math.inf]
+    assert particular_solution(LECTURE, F_0, [0.5, omega])[:, 1].tolist() == [math.inf, math.inf]
+    modes = driven_modes(LECTURE, F_0, omega)
+    assert not modes.split_is_meaningful and np.min(np.abs(modes.detuning)) == 0.0
+    for refused in (lambda: modes.complementary([1.0]), lambda: modes.particular_motion([1.0])):
+        with pytest.raises(ValueError, match=f"omega = {omega} rad/s is a natural frequency"):
+            refused()
+    with pytest.raises(ValueError, match="natural frequency"):
+        steady_start(LECTURE, F_0, omega)
+
+
+def test_at_resonance_the_response_grows_like_t():
+    t = np.array([1e3, 1e6]) * 2 * np.pi
+    x = driven_modes(LECTURE, 6.0, 1.0).motion(t).x
+    assert -x[0] / t == pytest.approx([0.5, 0.5], rel=1e-3)
+    assert -x[1] / t == pytest.approx([1.0, 1.0], rel=1e-3)
+
+
+def test_no_seam_at_resonance():
+    """From exactly on it to a detuning of a millionth the motion changes smoothly."""
+    t = np.linspace(0.0, 60.0, 301)
+    still = forced_motion(LECTURE, 1.0, 2.0, t).x
+    for detuning in (1e-6, 1e-9, 1e-12, 4.5e-16):
+        for sign in (-1, 1):
+            moved = forced_motion(LECTURE, 1.0, 2.0 * (1 + sign * detuning), t).x
+            assert np.max(np.abs(moved - still)) <= 2000 * detuning + 1e-14
+
+
+def test_detuning_is_exact():
+    chain = TwoMassChain(m1=1.0, m2=1.0, k1=3.0, k2=2.0)
+    omega = chain.modes().omega
+    modes = driven_modes(chain, 1.0, omega[1])
+    assert modes.detuning[1] == pytest.approx(float(mp.mpf(float(omega[1])) - mp.sqrt(6)), rel=1e-15)
+    assert modes.detuning[1] != 0.0
+
+
+def test_the_absorber_stops_mass_1():
+    chain, t = TwoMassChain(m1=3.0, m2=0.25, k1=2.0, k2=1.0), np.linspace(0.0, 30.0, 200)
+    assert antiresonance(chain) == 2.0
+    assert particular_solution(chain, 5.0, 2.0).tolist() == [0.0, -5.0]
+    assert particular_solution(chain, 5.0, [1.0, 2.0])[:, 1].tolist() == [0.0, -5.0]
+    x_0, v_0 = steady_start(chain, 5.0, 2.0)
+    assert x_0 == (0.0, 0.0) and v_0 == (0.0, -10.0)
+    motion = forced_motion(chain, 5.0, 2.0, t, x_0, v_0)
+    assert np.max(np.abs(motion.x[0])) <= 100 * U
+    assert motion.x[1] == pytest.approx(-5.0 * np.sin(2.0 * t), abs=1e-13)
+    assert -chain.k2 * motion.e[1] == pytest.approx(5.0 * np.sin(2.0 * t), abs=1e-13)
+
+
+@pytest.mark.parametrize("omega", [0.3, 0.9999, 1.4, 1.97, 7.0])
+def test_total_is_complementary_plus_particular(omega):
+    t = np.linspace(0.0, 40.0, 200)
+    modes = driven_modes(LECTURE, 2.0, omega, (0.5, -1.0), (0.25, 0.0))
+    assert modes.split_is_meaningful == (omega != 0.9999)
+    size = np.max(np.abs(modes.particular)) + 1.0
+    split = modes.complementary(t) + modes.particular_motion(t)
+    assert np.max(np.abs(split - modes.motion(t).x)) <= 32 * U * size
+
+
+def test_the_steady_start_leaves_x_p_alone():
+    t = np.linspace(0.0, 40.0, 200)
+    x_0, v_0 = steady_start(LECTURE, 2.0, 1.3)
+    modes = driven_modes(LECTURE, 2.0, 1.3, x_0, v_0)
+    assert np.max(np.abs(modes.motion(t).x - np.outer(modes.particular, np.sin(1.3 * t)))) <= 1e-14
+
+
+def test_coupling_and_g_give_the_motion():
+    omega, t = 0.7, np.linspace(0.0, 20.0, 100)
+    modes = driven_modes(LECTURE, 2.0, omega)
+    w = LECTURE.modes().omega[:, np.newaxis]
+    g = (w * np.sin(omega * t) - omega * np.sin(w * t)) / (w * (w**2 - omega**2))
+    assert 2.0 * modes.coupling.T @ g == pytest.approx(modes.motion(t).x, abs=1e-14)
+
+
+def test_without_a_wall_the_centre_of_mass_drifts():
+    chain, t = TwoMassChain(m1=2.0, m2=1.0, k1=0.0, k2=3.0), np.linspace(0.0, 1000.0, 50)
+    x = forced_motion(chain, 6.0, 0.5, t).x
+    assert (2 * x[0] + x[1]) / 3 == pytest.approx(4.0 * t - 8.0 * np.sin(0.5 * t), rel=1e-14, abs=1e-13)
+    assert particular_solution(chain, 1.0, [0.0, 1.0])[:, 0].tolist() == [math.inf, math.inf]
+
+
+def test_without_coupling_mass_2_does_not_notice():
+    chain = TwoMassChain(m1=2.0, m2=1.0, k1=8.0, k2=0.0)
+    assert particular_solution(chain, 4.0, [0.0, 1.0, 2.0]).tolist() == [
+        [0.5, 2 / 3, math.inf],
+        [0.0, 0.0, 0.0],
+    ]
+    assert particular_solution(chain, 4.0, 0.0).tolist() == [0.5, 0.0]
+    assert particular_solution(chain, 4.0, 2.0).tolist() == [math.inf, 0.0]
+    assert not np.any(forced_motion(chain, 4.0, 2.0, [0.0, 1.0, 1e3]).x[1])
+
+
+@pytest.mark.parametrize(
+    ("F_0", "omega", "message"),
+    [
+        (math.nan, 1.0, "F_0 = nan"),
+        (math.inf, 1.0, "F_0 = inf"),
+        (1.0, -1.0, "omega = -1.0"),
+        (1.0, math.inf, "omega"),
+        (1.0, math.nan, "omega"),
+    ],
+)
+def test_refused_drives(F_0, omega, message):
+    for call in (particular_solution, driven_modes, steady_start):
+        with pytest.raises(ValueError, match=message):
+            call(LECTURE, F_0, omega)
+    with pytest.raises(ValueError, match=message):
+        particular_solution(LECTURE, F_0, [1.0, omega])
+    with pytest.raises(ValueError, match="shape"):
+        particular_solution(LECTURE, 1.0, [[1.0, 2.0]])
+
+
+@pytest.mark.parametrize(("m1", "omega"), [(1.0, 1e300), (1e-150, 1.0)])
+def test_at_rest_before_anything_can_move(m1, omega):
+    """No phase but 0 lies in the onset: its series has no unit of time to count in."""
+    motion = forced_motion(TwoMassChain(m1=m1, m2=1.0, k1=1.0, k2=1.0), 1.0, omega, [0.0, 0.0, 10.0])
+    assert not np.any(np.array(rows(motion))[:, :2])

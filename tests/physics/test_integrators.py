@@ -1,0 +1,261 @@
+"""Steps: orders by measured slope, stability by running into it, and one face for every method."""
+
+import math
+import tracemalloc
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from physics.coupled import TwoMassChain
+from physics.integrators import FIXED_STEP, WEIGHTS, run_fixed
+from physics.problem import Problem, StoppedError, Watch
+from physics.reference import reference
+from physics.solvers import METHODS
+from physics.stability import amplification, stability_limit, stable_steps
+
+CHAIN = TwoMassChain(m1=1.0, m2=1.5, k1=2.0, k2=3.0)
+FREE = Problem(chain=CHAIN, x_0=(1.0, -0.5), v_0=(0.2, 0.3), t=0.25 * np.arange(61.0))
+DRIVEN = replace(FREE, F_0=1.5, omega=1.7)
+DAMPED = Problem(
+    chain=TwoMassChain(m1=1.0, m2=1.0, k1=20.0, k2=0.0), c=12.0, F_0=5.0, omega=3.0,
+    x_0=(1.0, 0.0), v_0=(0.3, 0.0), t=0.01 * np.arange(201.0),
+)  # fmt: skip
+ORDERS = {
+    "euler": (1, 512), "semi": (1, 128), "verlet": (2, 4), "midpoint": (2, 4), "newmark": (2, 4),
+    "rk4": (4, 4), "gauss4": (4, 4), "yoshida4": (4, 4), "yoshida6": (6, 2),
+}  # fmt: skip
+RUBBED = [method for method in FIXED_STEP if method not in WEIGHTS]
+explicit = pytest.mark.parametrize("method", [*WEIGHTS, "semi", "rk4"])
+fixed = pytest.mark.parametrize("method", FIXED_STEP)
+
+
+def error(problem, method, setting):
+    result = METHODS[method].run(problem, setting, Watch())
+    return float(np.max(reference(problem).errors(result.x)))
+
+
+@fixed
+@pytest.mark.parametrize("problem", [FREE, DRIVEN], ids=["free", "driven"])
+def test_order_by_measured_slope(method, problem):
+    order, steps = ORDERS[method]
+    slope = math.log2(error(problem, method, steps) / error(problem, method, 2 * steps))
+    assert slope == pytest.approx(order, abs=0.15)
+
+
+@pytest.mark.parametrize("method", RUBBED)
+def test_order_with_a_dashpot(method):
+    order = ORDERS[method][0]
+    slope = math.log2(error(DAMPED, method, 1) / error(DAMPED, method, 2))
+    assert slope == pytest.approx(order, abs=0.15)
+
+
+@pytest.mark.parametrize("method", WEIGHTS)
+def test_weights_are_symmetric_and_sum_to_one(method):
+    weights = WEIGHTS[method]
+    assert weights == weights[::-1]
+    assert math.fsum(weights) == pytest.approx(1.0, abs=4e-16)
+    for power in range(3, {"verlet": 2, "yoshida4": 4, "yoshida6": 6}[method], 2):
+        assert math.fsum(w**power for w in weights) == pytest.approx(0.0, abs=1e-14)
+
+
+@pytest.mark.parametrize(
+    ("method", "limit"),
+    [
+        ("semi", 2.0), ("verlet", 2.0), ("yoshida4", 1.5734), ("yoshida6", 2.2691), ("rk4", 2 * math.sqrt(2)),
+        ("euler", 0.0), ("midpoint", math.inf), ("newmark", math.inf), ("gauss4", math.inf),
+    ],
+)  # fmt: skip
+def test_stability_limits(method, limit):
+    assert stability_limit(method) == pytest.approx(limit, abs=5e-5)
+    if limit and method != "rk4":
+        near = [0.01, 0.5, 0.999 * min(limit, 1e3)]
+        np.testing.assert_allclose(amplification(method, near), 1.0, rtol=1e-12)
+
+
+def test_what_grows_or_decays_at_a_step():
+    z = np.array([0.1, 1.0, 2.0])
+    np.testing.assert_allclose(amplification("euler", z), np.hypot(1, z), rtol=1e-12)
+    runge_kutta = np.abs(1 + 1j * z - z**2 / 2 - 1j * z**3 / 6 + z**4 / 24)
+    np.testing.assert_allclose(amplification("rk4", z), runge_kutta, rtol=1e-12)
+
+
+def test_newmark_is_the_implicit_midpoint_where_nothing_drives():
+    one, other = (run_fixed(method, FREE, 3, Watch()) for method in ("newmark", "midpoint"))
+    np.testing.assert_array_equal(one.x, other.x)
+    apart = [run_fixed(method, DRIVEN, 3, Watch()).x for method in ("newmark", "midpoint")]
+    assert np.max(np.abs(apart[0] - apart[1])) > 1e-5
+
+
+def test_verlet_is_the_central_difference():
+    x = run_fixed("verlet", FREE, 1, Watch()).x
+    h, chain = FREE.spacing, CHAIN
+    stretch = x[1] - x[0]
+    a = np.array([(chain.k2 * stretch - chain.k1 * x[0]) / chain.m1, -chain.k2 * stretch / chain.m2])
+    np.testing.assert_allclose(x[:, 2:] - 2 * x[:, 1:-1] + x[:, :-2], h * h * a[:, 1:-1], atol=1e-13)
+
+
+@pytest.mark.parametrize("method", WEIGHTS)
+def test_a_run_grows_by_the_amplification(method):
+    """One mass alone, k2 = 0, a little past the limit: the growth a step approaches the spectral radius."""
+    h_omega = 1.015 * stability_limit(method)
+    chain = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=0.0)
+    problem = Problem(chain=chain, x_0=(1.0, 0.0), v_0=(0.1, 0.0), t=h_omega * np.arange(400.0))
+    x = run_fixed(method, problem, 1, Watch()).x[0]
+    growth = amplification(method, h_omega)[0]
+    assert growth > 1.01
+    assert abs(x[-1] / x[-2]) == pytest.approx(growth, rel=1e-6)
+
+
+@explicit
+@pytest.mark.parametrize(("share", "explodes"), [(0.98, False), (1.02, True)])
+def test_a_step_past_the_limit_is_given_up_with_the_reason(method, share, explodes):
+    spacing = share * stability_limit(method) / CHAIN.modes().omega[1]
+    problem = replace(FREE, t=spacing * np.arange(2000.0))
+    if not explodes:
+        assert np.max(np.abs(run_fixed(method, problem, 1, Watch(bound=1e3)).x)) < 100
+        return
+    with pytest.raises(StoppedError, match="unstable step: h omega_") as stop:
+        run_fixed(method, problem, 1, Watch(bound=1e3))
+    assert 0 < stop.value.reached < problem.t[-1]
+
+
+def test_explicit_steps_pay_for_a_stiff_spring():
+    soft, stiff = (TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=k2) for k2 in (1e6, 1e10))
+    assert stable_steps("verlet", stiff) / stable_steps("verlet", soft) == pytest.approx(100, rel=1e-4)
+    assert stable_steps("midpoint", stiff) == 0.0
+
+
+def test_implicit_midpoint_keeps_the_energy_and_loses_the_phase():
+    truth, result = reference(FREE), METHODS["midpoint"].run(FREE, 2, Watch())
+    assert np.max(truth.energy_errors(CHAIN, result)) < 1e-14
+    assert np.max(truth.errors(result.x)) > 0.1
+
+
+@pytest.mark.parametrize("method", [*WEIGHTS, "midpoint", "newmark", "gauss4"])
+def test_time_reversed_it_comes_back(method):
+    there = run_fixed(method, FREE, 3, Watch())
+    back = replace(FREE, x_0=tuple(there.x[:, -1]), v_0=tuple(-there.v[:, -1]))
+    home = run_fixed(method, back, 3, Watch())
+    np.testing.assert_allclose(home.x[:, -1], FREE.x_0, atol=1e-12)
+    np.testing.assert_allclose(home.v[:, -1], np.negative(FREE.v_0), atol=1e-12)
+
+
+FINEST = {"fixed": 64, "adaptive": 1e-9, "closed": 0, "exact": 0}
+WORST = {"euler": 0.2, "semi": 0.01, "verlet": 2e-3, "midpoint": 4e-3, "newmark": 4e-3, "bdf": 1e-5}
+
+
+@pytest.mark.parametrize(
+    ("method", "problem"),
+    [
+        pytest.param(slug, problem, id=f"{slug}-{name}")
+        for slug, method in METHODS.items()
+        for name, problem in (("free", FREE), ("driven", DRIVEN), ("damped", DAMPED))
+        if method.friction or not problem.c
+    ],
+)
+def test_every_method_finds_the_motion(method, problem):
+    family = METHODS[method].family
+    worst = 1e-13 if family in ("closed", "exact") else WORST.get(method, 2e-7)
+    assert error(problem, method, FINEST[family]) < worst
+
+
+@pytest.mark.parametrize("method", [slug for slug, method in METHODS.items() if method.family == "adaptive"])
+def test_a_tighter_tolerance_is_nearer_and_dearer(method):
+    loose, tight = Watch(), Watch()
+    far = METHODS[method].run(FREE, 1e-4, loose).x
+    near = METHODS[method].run(FREE, 1e-7, tight).x
+    truth = reference(FREE)
+    assert np.max(truth.errors(near)) < np.max(truth.errors(far)) / 10
+    assert tight.evaluations > loose.evaluations
+    assert tight.evaluations > tight.steps > loose.steps > 10
+
+
+def memory_of_steps(method, periods):
+    """Bytes that a run holds at its most, and its steps."""
+    problem, watch = replace(FREE, t=periods * np.arange(11.0)), Watch()
+    tracemalloc.start()
+    try:
+        METHODS[method].run(problem, 1e-4, watch)
+        return tracemalloc.get_traced_memory()[1], watch.steps
+    finally:
+        tracemalloc.stop()
+
+
+@pytest.mark.parametrize("method", [slug for slug, method in METHODS.items() if method.family == "adaptive"])
+def test_steps_are_forgotten(method):
+    memory_of_steps(method, 1.0)
+    (some, few), (more, many) = memory_of_steps(method, 1.0), memory_of_steps(method, 50.0)
+    assert many - few > 400
+    assert (more - some) / (many - few) < 16
+
+
+def test_the_closed_form_is_within_two_roundings():
+    assert error(FREE, "closed", 0) < 4 * 2.0**-53
+    assert error(DRIVEN, "closed", 0) < 4 * 2.0**-53
+
+
+@pytest.mark.parametrize("method", [slug for slug, method in METHODS.items() if method.order])
+def test_fixed_steps_go_down_by_half_a_decade_of_error(method):
+    steps = METHODS[method].settings()
+    assert steps[0] == 1 and all(n == int(n) for n in steps)
+    fine = np.array([n for n in steps if n > 30])
+    np.testing.assert_allclose((fine[1:] / fine[:-1]) ** METHODS[method].order, math.sqrt(10), rtol=0.25)
+    assert steps[-1] >= 2**40
+
+
+def test_tolerances_go_down_two_a_decade():
+    tolerances = np.array(METHODS["radau"].settings())
+    assert (tolerances[0], tolerances[-1]) == (1e-2, 1e-13)
+    np.testing.assert_allclose(tolerances[:-1] / tolerances[1:], math.sqrt(10), rtol=0.02)
+
+
+def test_a_step_that_doubles_cannot_tell_apart_is_refused():
+    stiff = replace(FREE, chain=TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1e40))
+    with pytest.raises(StoppedError, match="step below spacing"):
+        METHODS["verlet"].run(stiff, 2.0**56, Watch())
+
+
+def test_the_slides_have_no_particular_solution_at_resonance():
+    at_it = replace(DRIVEN, chain=TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0), omega=1.0)
+    with pytest.raises(StoppedError, match=r"D\(omega\) = 0"):
+        METHODS["slides"].run(at_it, 0, Watch())
+
+
+def test_modes_by_eigh_at_resonance():
+    """Doubles suffice there, with the response in its regular form; the usual one divides by rounding."""
+    at_it = replace(DRIVEN, chain=TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0), omega=1.0)
+    near = replace(at_it, omega=1 + 1e-9)
+    assert error(at_it, "eigh", 0) < 1e-14 and error(near, "eigh", 0) < 1e-14
+    assert error(near, "naive", 0) > 1e-9
+
+
+def test_a_dashpot_needs_one_mass_that_does_not_swing():
+    with pytest.raises(ValueError, match="needs k2 = 0"):
+        replace(FREE, c=1.0)
+    with pytest.raises(ValueError, match="lets the mass swing"):
+        replace(DAMPED, c=1.0).rates  # noqa: B018
+    slow, fast = DAMPED.rates
+    assert (slow + fast, slow * fast) == pytest.approx((12.0, 20.0))
+
+
+def test_a_solver_that_gives_up_says_why(monkeypatch):
+    from scipy import integrate
+
+    class Failing(integrate.RK45):
+        def _step_impl(self):
+            return super()._step_impl() if self.t < 2.5 else (False, self.TOO_SMALL_STEP)
+
+    monkeypatch.setattr(integrate, "RK45", Failing)
+    with pytest.raises(StoppedError, match="step below spacing") as stop:
+        METHODS["rk45"].run(FREE, 1e-6, Watch())
+    assert 2.5 <= stop.value.reached < 4
+
+
+def test_steps_are_counted_and_checked():
+    watch = Watch()
+    run_fixed("yoshida4", FREE, 2, watch)
+    assert (watch.steps, watch.evaluations) == (120, 360)
+    for steps in (0, 1.5, -3):
+        with pytest.raises(ValueError, match=f"steps = {steps}"):
+            run_fixed("verlet", FREE, steps, Watch())

@@ -1,0 +1,288 @@
+"""Looking for the modes: determinant, readings, forces, the quadratic, sweeps and limits, shares of the energy."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from physics.coupled import TwoMassChain, free_modes
+from physics.modes import determinant_curve, quadratic, row_curves, shares, trial, trial_forces
+from physics.sweeps import PARAMETERS, limit, sweep
+
+U = 2.0**-53
+GOOD = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
+EQUAL = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0)
+NO_WALL = TwoMassChain(m1=2.0, m2=1.0, k1=0.0, k2=2.0)
+LOOSE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=0.0)
+
+wide = st.floats(-200, 200).map(lambda power: 10.0**power)
+usual = st.floats(-3, 3).map(lambda power: 10.0**power)
+chains = st.builds(TwoMassChain, m1=wide, m2=wide, k1=wide, k2=wide)
+usual_chains = st.builds(TwoMassChain, m1=usual, m2=usual, k1=usual, k2=usual)
+thorough = settings(max_examples=60)
+
+
+def matrix(chain: TwoMassChain, omega: float) -> mp.matrix:
+    m1, m2, k1, k2, w = (mp.mpf(v) for v in (chain.m1, chain.m2, chain.k1, chain.k2, omega))
+    return mp.matrix([[m1 * w**2 - k1 - k2, k2], [k2, m2 * w**2 - k2]])
+
+
+# The trial frequency
+
+
+def test_book_values_of_a_trial() -> None:
+    """At omega = 1.7 the rows of the good chain ask for +0.11 and -2.247, and D = -4.1958."""
+    asked = trial(GOOD, 1.7)
+    assert [float(row) for row in asked.rows if row is not None] == pytest.approx([0.11, -2.0 / 0.89], rel=1e-14)
+    assert float(asked.determinant) == pytest.approx(-4.1958, rel=1e-14)
+    assert float(asked.apart or 0) == pytest.approx(0.11 + 2.0 / 0.89, rel=1e-14)
+
+
+@thorough
+@given(chains, wide)
+def test_determinant_is_that_of_the_matrix(chain: TwoMassChain, omega: float) -> None:
+    with mp.workprec(6000):
+        A = matrix(chain, omega)
+        D = A[0, 0] * A[1, 1] - A[0, 1] * A[1, 0]
+        found = mp.mpf(str(trial(chain, omega).determinant))
+        assert abs(found - D) <= abs(D) * mp.mpf(10) ** -78
+
+
+@thorough
+@given(usual_chains, st.floats(0.0, 10.0))
+def test_determinant_is_the_distance_of_the_rows(chain: TwoMassChain, omega: float) -> None:
+    """D = k2 (k2 - m2 omega^2) (row 1 - row 2)."""
+    asked = trial(chain, omega)
+    assume(asked.apart is not None)
+    held = Fraction(chain.k2) - Fraction(chain.m2) * Fraction(omega) ** 2
+    expected = Fraction(chain.k2) * held * Fraction(asked.apart or 0)
+    assert abs(Fraction(asked.determinant) - expected) <= abs(expected) * Fraction(1, 10**70)
+
+
+@pytest.mark.parametrize(("omega", "ratio"), [(1.0, 2), (2.0, -1)])
+def test_both_rows_are_one_equation_at_a_mode(omega: float, ratio: int) -> None:
+    asked = trial(GOOD, omega)
+    assert asked.rows == (ratio, ratio)
+    assert asked.determinant == asked.apart == 0
+
+
+@thorough
+@given(st.floats(0.0, 3.0))
+def test_rows_disagree_everywhere_else(omega: float) -> None:
+    assume(omega not in (1.0, 2.0))
+    asked = trial(GOOD, omega)
+    assert asked.determinant != 0
+    assert asked.apart != 0
+
+
+def test_the_sign_of_D_tells_on_which_side_of_a_mode_a_double_lies() -> None:
+    """The golden ratio is no double: its neighbours see different signs, however small D is there."""
+    slow = float(EQUAL.modes().omega[0])
+    below, above = (trial(EQUAL, float(np.nextafter(slow, end))).determinant for end in (0.0, 1.0))
+    assert below > 0 > above
+    assert abs(above) < 1e-15
+
+
+def test_a_row_without_coupling_asks_for_rest_or_for_nothing() -> None:
+    assert trial(LOOSE, 1.0).rows[1] == 0
+    first, _ = trial(LOOSE, 1.0).rows
+    assert first is not None and first.is_infinite()
+    assert trial(LOOSE, 0.0).rows[1] is None
+    assert trial(TwoMassChain(m1=1.0, m2=1.0, k1=4.0, k2=0.0), 2.0).rows[0] is None
+    assert trial(LOOSE, 1.0).apart is None
+
+
+def test_pole_of_the_second_row() -> None:
+    _, second = trial(TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=4.0), 2.0).rows
+    assert second is not None and second.is_infinite()
+
+
+@pytest.mark.parametrize("omega", [-1.0, float("nan"), float("inf")])
+def test_a_trial_frequency_is_finite_and_not_negative(omega: float) -> None:
+    with pytest.raises(ValueError, match="omega"):
+        trial(GOOD, omega)
+
+
+# Forces
+
+
+def test_book_values_of_the_forces() -> None:
+    push = trial_forces(GOOD, 1.7, -0.8)
+    values = [[float(value) for value in pair] for pair in push]
+    np.testing.assert_allclose(values, [[1, -0.8], [-5.78, 2.312], [-7.6, 3.6], [1.82, -1.288]], rtol=1e-14)
+
+
+@thorough
+@given(usual_chains, st.floats(0.0, 10.0), st.floats(-50.0, 50.0))
+def test_what_is_missing_is_minus_A_X(chain: TwoMassChain, omega: float, ratio: float) -> None:
+    push = trial_forces(chain, omega, ratio)
+    with mp.workprec(400):
+        X = mp.matrix([mp.mpf(str(value)) for value in push.amplitude])
+        needed = mp.matrix([-mp.mpf(m) * mp.mpf(omega) ** 2 * x for m, x in zip((chain.m1, chain.m2), X, strict=True)])
+        size = max(map(abs, [*needed, *(matrix(chain, omega) * X), mp.mpf("1e-300")]))
+        for found, expected in zip(push.missing, -matrix(chain, omega) * X, strict=True):
+            assert abs(mp.mpf(str(found)) - expected) < size * mp.mpf(10) ** -70
+        for found, expected in zip(push.needed, needed, strict=True):
+            assert abs(mp.mpf(str(found)) - expected) < size * mp.mpf(10) ** -70
+    assert max(abs(value) for value in push.amplitude) == (1 if abs(ratio) <= 1 else pytest.approx(1))
+
+
+@pytest.mark.parametrize(("omega", "ratio"), [(1.0, 2.0), (2.0, -1.0)])
+def test_springs_give_just_what_a_mode_needs(omega: float, ratio: float) -> None:
+    push = trial_forces(GOOD, omega, ratio)
+    assert push.missing == (0, 0)
+    assert push.needed == push.springs
+
+
+@thorough
+@given(st.floats(0.0, 3.0), st.floats(-5.0, 5.0))
+def test_no_other_guess_balances_both_masses(omega: float, ratio: float) -> None:
+    assume((omega, ratio) not in ((1.0, 2.0), (2.0, -1.0)))
+    assert trial_forces(GOOD, omega, ratio).missing != (0, 0)
+
+
+# The quadratic
+
+
+def test_book_values_of_the_quadratic() -> None:
+    assert quadratic(GOOD) == (2, 10, 8, 64, -2, 32, 36, 6)
+
+
+@thorough
+@given(chains)
+def test_both_forms_of_the_discriminant(chain: TwoMassChain) -> None:
+    """b^2 - 4 m1 m2 k1 k2 is a sum of squares, and less than b^2."""
+    equation = quadratic(chain)
+    squares = Fraction(equation.difference) ** 2 + Fraction(equation.coupling)
+    assert abs(Fraction(equation.Delta) - squares) <= squares * Fraction(1, 10**75)
+    assert equation.Delta > 0
+    assert equation.fourfold > 0
+    assert Fraction(equation.root) <= Fraction(equation.b) * (1 + Fraction(1, 10**78))
+
+
+# Curves
+
+
+@thorough
+@given(usual_chains)
+def test_determinant_curve_keeps_its_digits_beside_a_root(chain: TwoMassChain) -> None:
+    slow, fast = (float(w) for w in chain.modes().omega)
+    omega = np.array([0.0, 0.5 * slow, slow * (1 + 1e-12), np.sqrt(slow * fast), fast * (1 - 1e-9), 1.2 * fast])
+    curve, exponent = determinant_curve(chain, omega)
+    assert exponent == 0
+    exactly = [float(trial(chain, w).determinant) for w in omega]
+    np.testing.assert_allclose(curve, exactly, rtol=32 * U)
+
+
+def test_determinant_curve_beyond_the_range_of_doubles() -> None:
+    chain = TwoMassChain(m1=1.0, m2=1.0, k1=1e300, k2=1e300)
+    omega = np.array([0.0, 1e150, 2e150])
+    curve, exponent = determinant_curve(chain, omega)
+    exactly = [float(trial(chain, w).determinant.scaleb(-exponent)) for w in omega]
+    np.testing.assert_allclose(curve, exactly, rtol=32 * U)
+    assert exponent == 600
+
+
+@thorough
+@given(usual_chains)
+def test_row_curves_are_what_the_rows_say(chain: TwoMassChain) -> None:
+    modes = chain.modes()
+    end = 1.2 * float(modes.omega[1])
+    largest = 6.0 * float(np.max(np.abs(modes.ratio)))
+    first, second = row_curves(chain, end, largest)
+    for branches, row in ((first, 0), (second, 1)):
+        for omega, ratio in zip(branches.omega, branches.ratio, strict=True):
+            assert np.all(np.diff(omega) >= 0)
+            assert omega[0] >= 0 and omega[-1] <= end * (1 + 1e-15)
+            for w, r in zip(omega[::20], ratio[::20], strict=True):
+                found = trial(chain, float(w)).rows[row]
+                assert found is None or float(found) == pytest.approx(r, rel=1e-6 * max(1, abs(r)), abs=1e-6 * largest)
+
+
+def test_row_curves_without_coupling() -> None:
+    first, second = row_curves(LOOSE, 3.0, 10.0)
+    np.testing.assert_allclose(first.omega[0], [np.sqrt(2.0)] * 2)
+    np.testing.assert_array_equal(second.ratio[0], [0.0, 0.0])
+
+
+# Sweeps
+
+
+@pytest.mark.parametrize("name", PARAMETERS)
+@pytest.mark.parametrize(
+    "chain", [GOOD, EQUAL, TwoMassChain(m1=1.0, m2=0.04, k1=0.96, k2=0.04)], ids=["good", "equal", "beats"]
+)
+def test_sweep_is_the_modes_of_each_chain(name: str, chain: TwoMassChain) -> None:
+    values = np.geomspace(1e-3, 1e3, 61)
+    run = sweep(chain, name, values)
+    for i, value in enumerate(values):
+        modes = TwoMassChain(**{**vars_of(chain), name: float(value)}).modes()
+        np.testing.assert_allclose(run.omega[:, i], modes.omega, rtol=8 * U)
+        np.testing.assert_allclose(run.ratio[:, i], modes.ratio, rtol=1e-12)
+
+
+def vars_of(chain: TwoMassChain) -> dict[str, float]:
+    return {name: getattr(chain, name) for name in PARAMETERS}
+
+
+@thorough
+@given(usual_chains, st.sampled_from(PARAMETERS))
+def test_modes_keep_outside_of_what_is_held(chain: TwoMassChain, name: str) -> None:
+    """Held masses lie between the modes, so the modes never meet: the avoided crossing."""
+    run = sweep(chain, name, np.geomspace(1e-3, 1e3, 41))
+    assert np.all(run.omega[0] <= run.held.min(axis=0) * (1 + 1e-15))
+    assert np.all(run.omega[1] >= run.held.max(axis=0) * (1 - 1e-15))
+    assert np.all(run.omega[0] < run.omega[1])
+
+
+@pytest.mark.parametrize("name", PARAMETERS)
+@pytest.mark.parametrize("chain", [GOOD, NO_WALL, LOOSE], ids=["good", "no wall", "loose"])
+@pytest.mark.parametrize("end", [0, 1])
+def test_limits(name: str, chain: TwoMassChain, end: int) -> None:
+    """A million times beyond the others the modes are their limits to about a millionth, each kind of limit its own."""
+    value = np.array([1e-8, 1e8][end : end + 1])
+    run, tends = sweep(chain, name, value), limit(chain, name, end, value)
+    np.testing.assert_allclose(tends.omega, run.omega, rtol=1e-6)
+    np.testing.assert_allclose(tends.ratio, run.ratio, rtol=1e-6)
+
+
+def test_limits_of_the_coupling_in_numbers() -> None:
+    values = np.array([1.0])
+    apart, rigid = limit(GOOD, "k2", 0, values), limit(GOOD, "k2", 1, values)
+    assert (apart.kind, rigid.kind) == ("apart", "rigid")
+    np.testing.assert_allclose(apart.omega[:, 0], [1.0, np.sqrt(2.0)])
+    np.testing.assert_allclose(rigid.omega[:, 0], [np.sqrt(4 / 3), np.sqrt(1.5)])
+    np.testing.assert_allclose(rigid.ratio[:, 0], [1.0, -2.0])
+
+
+def test_only_a_parameter_is_swept() -> None:
+    with pytest.raises(ValueError, match="m1, m2, k1, k2"):
+        sweep(GOOD, "omega", [1.0])
+
+
+# Shares
+
+
+@pytest.mark.parametrize(
+    ("start", "slow"), [((1, 2), 1.0), ((-0.5, -1), 1.0), ((1, -1), 0.0), ((1, 0), 1 / 9), ((1, 0.5), 1 / 3)]
+)
+def test_book_values_of_the_shares(start: tuple[float, float], slow: float) -> None:
+    assert shares(GOOD, start) == pytest.approx((slow, 1 - slow), abs=1e-15)
+
+
+@thorough
+@given(usual_chains, st.floats(-2, 2), st.floats(-2, 2))
+def test_shares_are_those_of_the_energies(chain: TwoMassChain, x1: float, x2: float) -> None:
+    assume(max(abs(x1), abs(x2)) > 1e-3)
+    energy = free_modes(chain, (x1, x2), (0.0, 0.0)).energy
+    np.testing.assert_allclose(shares(chain, (x1, x2)), energy / energy.sum(), rtol=1e-14, atol=1e-300)
+
+
+def test_nothing_has_a_share_at_rest() -> None:
+    assert shares(GOOD, (0, 0)) == (0.0, 0.0)
+    assert shares(NO_WALL, (1, 1)) == (0.0, 0.0)

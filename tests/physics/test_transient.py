@@ -1,0 +1,231 @@
+"""The damped chain from any start: against the matrix exponential in many digits, at double roots, in its limits."""
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from scipy.integrate import solve_ivp
+
+from physics.absorber import damped_solution
+from physics.coupled import TwoMassChain
+from physics.forced import forced_motion
+from physics.transient import DampedModes, damped_motion
+from tests.physics.chain_cases import chain_with
+from tests.physics.chain_families import FAMILIES, drawn
+from tests.physics.chain_truth import Truth, U, rows, ulps, worst
+
+MACHINE = TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0)
+LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
+WITHIN = ("moderate", "1e+-8", "tuned weak coupling", "k1 = 0", "k2 = 0", "k1 = k2 = 0", "small integers")
+EQUAL_EXPONENTS = {
+    "critical pair, no wall": (TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=2.0), 2.0),
+    "(s^2 + s + 1)^2": (TwoMassChain(m1=1.0, m2=1.0, k1=2.0, k2=0.5), 1.0),
+    "(s + 1)^4": (TwoMassChain(m1=5.0, m2=20.0, k1=25.0, k2=4.0), 16.0),
+}
+equal_exponents = pytest.mark.parametrize(("chain", "c"), EQUAL_EXPONENTS.values(), ids=EQUAL_EXPONENTS)
+
+
+@pytest.fixture(autouse=True)
+def strict():
+    with np.errstate(all="raise", under="ignore"), mp.workprec(1500):
+        yield
+
+
+def truth(modes, t, bits=1500):
+    """x1, x2, x2 - x1, v1, v2 from exp(A t), the drive carried along as an oscillator of its own."""
+    chain = modes.chain
+    with mp.workprec(bits):
+        m1, m2, k1, k2, c, F, omega = map(
+            mp.mpf, (chain.m1, chain.m2, chain.k1, chain.k2, modes.c, modes.F_0, modes.omega)
+        )
+        A = mp.matrix(6, 6)
+        A[0, 2] = A[1, 3] = 1
+        for i, m, sign, wall in ((2, m1, 1, k1), (3, m2, -1, mp.mpf(0))):
+            A[i, 0], A[i, 1] = (-sign * k2 - wall) / m, sign * k2 / m
+            A[i, 2], A[i, 3] = -sign * c / m, sign * c / m
+        A[2, 4] = F / m1
+        A[4, 5], A[5, 4] = omega, -omega
+        start = mp.matrix([*modes.x_0, *modes.v_0, 0, 1])
+        x1, x2, v1, v2, _, _ = mp.expm(A * mp.mpf(t)) * start
+        return x1, x2, x2 - x1, v1, v2
+
+
+def check(modes, times, bits=1500):
+    """Every number within 0.51 ulp, the smallest too."""
+    motion = modes.motion(times)
+    for n, t in enumerate(times):
+        for row, aim in zip(rows(motion), truth(modes, t, bits), strict=True):
+            assert ulps(row[n], aim) <= 0.51
+
+
+def modes_of(chain, c, F_0=1.0, omega=1.0, x_0=(0.0, 0.0), v_0=(0.0, 0.0)):
+    return DampedModes(chain=chain, c=c, F_0=F_0, omega=omega, x_0=x_0, v_0=v_0)
+
+
+@pytest.mark.parametrize("family", WITHIN)
+def test_motion_is_rounded_once(family):
+    @settings(max_examples=8)
+    @given(st.data())
+    def examine(data):
+        chain = chain_with(data.draw(drawn(FAMILIES[family])))
+        fast = float(chain.modes().omega[1]) or 1.0
+        c = math.sqrt(chain.m1 * chain.m2) * fast * 10.0 ** data.draw(st.floats(-6.0, 2.0))
+        omega = fast * 10.0 ** data.draw(st.floats(-3.0, 1.0))
+        x_0 = data.draw(st.tuples(st.floats(-1.0, 1.0), st.floats(-1.0, 1.0)))
+        v_0 = data.draw(st.sampled_from([(0.0, 0.0), (fast, -fast)]))
+        times = [10.0 ** data.draw(st.floats(low, high)) / fast for low, high in ((-4.0, 0.0), (0.0, 2.0), (0.0, 4.0))]
+        F_0 = data.draw(st.sampled_from([0.0, 1.0])) * chain.m1 * fast**2
+        assume(max(abs(number) for number in (F_0, omega, c, *times)) < 1e100)
+        check(modes_of(chain, c, F_0, omega, x_0, v_0), [0.0, *times])
+
+    examine()
+
+
+@pytest.mark.parametrize("size", [2.2250738585072014e-308, 3e-308, 1e-307, 5e-320])
+def test_the_smallest_numbers_are_rounded_once(size):
+    chain = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0)
+    times = np.linspace(0.0, 5.0, 40)
+    check(modes_of(chain, 1.618033988749895, F_0=0.0, x_0=(size, 0.0)), times.tolist())
+
+
+@equal_exponents
+def test_where_exponents_are_equal(chain, c):
+    check(modes_of(chain, c, omega=0.7, x_0=(0.3, -1.0)), [0.0, 1e-6, 0.1, 1.0, 7.0, 30.0, 200.0])
+
+
+@equal_exponents
+@pytest.mark.parametrize("apart", [1e-15, 1e-9, 1e-6, 1e-3])
+def test_where_exponents_are_nearly_equal(chain, c, apart):
+    check(modes_of(chain, c * (1 + apart), omega=0.7), [1e-3, 1.0, 20.0])
+
+
+@pytest.mark.parametrize("ratio", [1e-3, 1.0, 1e3, 1e6, 1e9])
+def test_stiff(ratio):
+    """Overdamped: rates ratio^2 apart."""
+    check(modes_of(LECTURE, 3.0 * ratio, x_0=(1.0, 0.0)), [1e-9, 1e-3, 1.0, 40.0, 1e4])
+
+
+@pytest.mark.parametrize("mass", [2.0**-900, 2.0**1000])
+@pytest.mark.parametrize("rate", [2.0**-30, 1.0, 2.0**10])
+def test_units_do_not_matter(mass, rate):
+    """Powers of two as units of mass and time change no digit."""
+    t, stiffness = np.array([1e-5, 0.3, 2.0, 100.0]), mass * rate**2
+    plain = modes_of(LECTURE, 0.3, 1.0, 1.3, (0.5, -0.25), (0.1, 0.0)).motion(t)
+    chain = TwoMassChain(m1=2.0 * mass, m2=mass, k1=4.0 * stiffness, k2=2.0 * stiffness)
+    start = (0.5, -0.25), (0.1 * rate, 0.0)
+    scaled = modes_of(chain, 0.3 * mass * rate, stiffness, 1.3 * rate, *start).motion(t / rate)
+    assert np.array_equal(scaled.x, plain.x)
+    assert np.array_equal(scaled.v, rate * plain.v)
+
+
+@pytest.mark.parametrize("c", [5e-324, 1e-100, 1e-20])
+@pytest.mark.parametrize("omega", [1.0, 1.0 + 1e-9, 1.7, 2.0, 30.0])
+def test_little_damping_is_none(c, omega):
+    """At resonance too, where x_p and the transient are 1/c large."""
+    t, true = np.array([1e-4, 0.3, 5.0, 100.0]), Truth(2.0, 1.0, 4.0, 2.0)
+    damped = damped_motion(LECTURE, c, 1.0, omega, t)
+    for n, time in enumerate(t):
+        values, scales = true.driven(1.0, omega, time)
+        assert worst(damped, n, values, scales) <= 1.0
+
+
+def test_without_damping_it_is_the_undamped_motion():
+    t = np.linspace(0.0, 50.0, 200)
+    start = (0.5, -1.0), (0.1, 2.0)
+    damped = modes_of(LECTURE, 0.0, 1.0, 1.3, *start)
+    undamped = forced_motion(LECTURE, 1.0, 1.3, t, *start)
+    assert np.array_equal(damped.motion(t).x, undamped.x)
+    together = damped.particular_motion(t) + damped.complementary(t)
+    assert np.max(np.abs(together - undamped.x)) < 100 * U
+    assert all(term.exponent.real == 0.0 for term in damped.transient)
+
+
+@pytest.mark.parametrize("c", [0.0, 1e-6, 1.0, 313.7, 2000.0, 1e6])
+def test_the_motion_is_its_particular_solution_and_its_transient(c):
+    modes = modes_of(MACHINE, c, 500.0, 48.0)
+    t = np.linspace(0.0, 2.0, 300)
+    x = modes.motion(t).x
+    assert np.max(np.abs(modes.particular_motion(t) + modes.complementary(t) - x)) < 1e-12 * np.max(np.abs(x))
+    steady = damped_solution(MACHINE, c, 500.0, 48.0)
+    assert np.array_equal(modes.particular[:2], steady)
+    assert modes.particular[2] == pytest.approx(modes.particular[1] - modes.particular[0], rel=1e-14)
+    for exponent, (amplitude,) in modes.transient:
+        assert exponent.imag >= 0.0
+        assert exponent.real < 0.0 or not c
+        assert amplitude[2] == pytest.approx(amplitude[1] - amplitude[0], abs=1e-14 * np.max(np.abs(amplitude)))
+
+
+@equal_exponents
+@pytest.mark.parametrize("apart", [0.0, 1e-15, 1e-3])
+def test_terms_where_exponents_are_equal(chain, c, apart):
+    modes, t = modes_of(chain, c * (1 + apart), omega=0.7, v_0=(1.0, 0.0)), np.linspace(0.0, 30.0, 100)
+    x = modes.motion(t).x
+    error = np.max(np.abs(modes.particular_motion(t) + modes.complementary(t) - x))
+    assert error < 1e-5 * np.max(np.abs(x))
+
+
+def test_two_masses_without_a_wall_drift():
+    chain, c = TwoMassChain(m1=1.0, m2=3.0, k1=0.0, k2=2.0), 0.5
+    modes = DampedModes(chain=chain, c=c, F_0=0.0, omega=0.0, x_0=(1.0, 2.0), v_0=(4.0, 0.0))
+    late = modes.motion([1e3]).x[:, 0]
+    assert late == pytest.approx([1.75 + 1e3] * 2, rel=1e-14)
+    (drift,) = (term for term in modes.transient if not term.exponent)
+    assert drift.amplitudes[1] == pytest.approx([1.0, 1.0, 0.0], abs=1e-15)
+
+
+def test_it_obeys_the_equations_of_motion():
+    chain, c, omega = LECTURE, 0.7, 1.3
+
+    def law(t, y):
+        x1, x2, v1, v2 = y
+        link = chain.k2 * (x2 - x1) + c * (v2 - v1)
+        return [v1, v2, (-chain.k1 * x1 + link + 3.0 * math.sin(omega * t)) / chain.m1, -link / chain.m2]
+
+    t = np.linspace(0.0, 20.0, 50)
+    run = solve_ivp(law, (0, 20), [0.0] * 4, t_eval=t, rtol=1e-10, atol=1e-12)
+    motion = damped_motion(chain, c, 3.0, omega, t)
+    assert np.max(np.abs(run.y[:2] - motion.x)) < 1e-8
+    assert np.max(np.abs(run.y[2:] - motion.v)) < 1e-8
+
+
+def test_nothing_moves_without_a_force():
+    loose = TwoMassChain(m1=1.0, m2=2.0, k1=0.0, k2=0.0)
+    motion = damped_motion(loose, 1.0, 0.0, 1.0, [0.0, 1.0], x_0=(0.0, 1.0))
+    assert np.array_equal(rows(motion), np.repeat([[0.0], [1.0], [1.0], [0.0], [0.0]], 2, axis=1))
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"c": -1.0}, "c = -1.0: a damping"),
+        ({"F_0": math.inf}, "F_0 = inf: a force"),
+        ({"omega": -2.0}, "omega = -2.0: a drive frequency"),
+        ({"x_0": (0.0, math.nan)}, "x2_0 = nan: a displacement"),
+        ({"v_0": (math.inf, 0.0)}, "v1_0 = inf: a velocity"),
+    ],
+)
+def test_refusals_name_the_value(change, words):
+    with pytest.raises(ValueError, match=words):
+        DampedModes(**({"chain": LECTURE, "c": 1.0, "F_0": 1.0, "omega": 1.0} | change))
+
+
+def test_no_particular_solution_at_an_undamped_resonance():
+    modes = modes_of(LECTURE, 0.0, 1.0, 1.0)
+    with pytest.raises(ValueError, match=r"omega = 1.0 rad/s is a natural frequency"):
+        _ = modes.transient
+    with pytest.raises(ValueError, match=r"omega = 1.0 rad/s is a natural frequency"):
+        _ = modes.particular
+    assert np.all(np.isfinite(modes.motion([100.0]).x))
+
+
+@pytest.mark.parametrize("t", [1e13, 1e-100])
+def test_who_has_no_time_is_refused_what_takes_many_digits(t):
+    """After many periods, and at first, where x2 starts like t^4, all but everything cancels."""
+    modes = DampedModes(chain=TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0), c=100.0, F_0=500.0, omega=48.0)
+    few, many = np.linspace(t / 2, t, 3), np.linspace(t / 2, t, 500)
+    np.testing.assert_array_equal(modes.motion(few, quick=True).x, modes.motion(few).x)
+    with pytest.raises(ValueError, match="more digits than there is time for"):
+        modes.motion(many, quick=True)

@@ -1,0 +1,105 @@
+"""What holds of every scene's picture, whatever its parameters."""
+
+from __future__ import annotations
+
+import itertools
+import math
+import os
+import re
+from collections.abc import Iterator
+from typing import Any
+from urllib.parse import parse_qs
+
+import numpy as np
+
+from components.parameters import Quantity
+from components.scene import Scene
+from tests.page.told import picture_wire
+
+LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNORECASE)
+HYPHEN = re.compile(r"(?<![\w)\]])-\s?\.?\d")
+"""What stands where a true minus should."""
+WHOLE = os.environ.get("GRIDS") == "whole"
+"""Whether grids are walked whole, as `make test-all` does, or sampled."""
+EXTREMES = (5e-324, 3e-310, 1e-300, 1e-150, 1e150, 1e300, 1.7e308)
+
+EXTREME_LINKS = (
+    "scene=forced&m1=1e175&v2_0=1e308",
+    "scene=absorber&omega=5e-324&window=1e-80",
+    "scene=modes&task=hunt&window=5e-324&m2=2.035838133457214e-146&x2_0=-1.7976931348623157e308",
+)
+"""Their pictures need more than a double holds."""
+
+
+def quantities(scene: type[Scene]) -> dict[str, Quantity]:
+    return {name: p for name in scene.param if isinstance(p := scene.param[name], Quantity) and p.default is not None}
+
+
+def corners(scene: type[Scene], most: int = 64 if WHOLE else 16) -> Iterator[dict[str, float]]:
+    """The corners of all sliders; where they are many, an even choice of them."""
+    names = list(quantities(scene))
+    whole = list(itertools.islice(itertools.product((0, 1), repeat=len(names)), 2 ** min(len(names), 16)))
+    for pick in whole[:: max(1, len(whole) // most)]:
+        yield {name: _inside(scene.param[name], end) for name, end in zip(names, pick, strict=True)}
+
+
+def _inside(quantity: Quantity, end: int) -> float:
+    low, high = quantity.softbounds
+    return float((low, high)[end])
+
+
+def typed(scene: type[Scene]) -> Iterator[dict[str, float]]:
+    """Every quantity alone at values far beyond its slider, at 0 and with the other sign, as far as physics allows."""
+    values = (0.0, *EXTREMES, *(-v for v in EXTREMES))
+    for i, (name, quantity) in enumerate(quantities(scene).items()):
+        # A sample takes every other value, of each quantity others.
+        for value in values if WHOLE else values[i % 2 :: 2]:
+            if quantity.refusal(value) is None:
+                yield {name: value}
+
+
+def check_picture(scene: Scene) -> None:
+    """All numbers of the picture, as Python has them and as they are sent, are finite, and its texts can be read."""
+    for source, data in scene.sources.items():
+        for name, column in data.data.items():
+            assert np.all(np.isfinite(column)), f"{source}.{name}"
+    message = picture_wire(scene)
+    for source, columns in message["columns"].items():
+        for name, column in columns.items():
+            assert np.all(np.isfinite(column)), f"{source}.{name} as sent"
+    for name, axis in message["axes"].items():
+        assert math.isfinite(axis["start"]) and math.isfinite(axis["end"]) and axis["start"] != axis["end"], (
+            name,
+            axis,
+        )
+        assert all(map(math.isfinite, axis["ticks"])), (name, axis)
+    assert all(map(math.isfinite, message["scalars"].values())), message["scalars"]
+    check_numbers(message["signals"])
+    for name, text in {**message["values"], **{f"note {i}": n for i, n in enumerate(message["notes"])}}.items():
+        assert not LONG_NUMBER.search(text) and not HYPHEN.search(text), f"{name}: {text}"
+    for axis in message["axes"].values():
+        assert not any(LONG_NUMBER.search(label) for label in axis["labels"]), axis
+
+
+def check_numbers(value: Any) -> None:
+    """Every number in nested lists and dicts is finite."""
+    if isinstance(value, dict):
+        for part in value.values():
+            check_numbers(part)
+    elif isinstance(value, (list, tuple)):
+        for part in value:
+            check_numbers(part)
+    elif isinstance(value, float):
+        assert math.isfinite(value), value
+
+
+def as_arguments(query: str) -> dict[str, list[bytes]]:
+    """The query of a link as the server has it."""
+    return {name: [v.encode() for v in values] for name, values in parse_qs(query, keep_blank_values=True).items()}
+
+
+def solves(scene: Scene) -> list[Any]:
+    """Grows by every picture that the scene makes from now on."""
+    counted: list[Any] = []
+    scene.on_picture(counted.append)
+    return counted

@@ -1,0 +1,243 @@
+"""About these numbers: every point within its bound, and true by formulas that physics.reference does not share."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from decimal import Decimal
+from typing import Any
+
+import mpmath as mp
+import msgspec
+import numpy as np
+import pytest
+
+from components.about import NO_BAND, SHARES, CheckedPoint, Table, about_numbers, bounded, digits, drift
+from components.numbers import parse_number
+from components.scene import Scene
+from components.scenes import SCENES
+from physics.reference import Point
+from tests.page.told import Page
+from tests.scenes.about_truth import chain_flow, flight_flow, oscillator_flow, pendulum_flow, swing_at
+
+SLUGS = [slug for slug, scene in SCENES.items() if scene.about is not Scene.about]
+GOLDEN = (math.sqrt(5.0) - 1) / 2
+ON_SLOW = {"m1": 2.0, "m2": 1.0, "k1": 4.0, "k2": 2.0, "omega": 1.0}
+STIFF = [{"k2": 10.0**power} for power in (8, 10, 12)]
+STIFF_SOON = {"k2": 1e12, "window": 2e-5}
+TOGETHER = {"x1_0": 1.0, "x2_0": 1.0}
+VIEWS = ("guess", "solve", "sweep", "hunt")
+CHAINS = ({}, *STIFF, {"k1": 0.0}, {"k2": 0.0}, {"m2": 1e150}, {"m2": 1e-150})
+HARD: dict[str, list[dict[str, Any]]] = {
+    "oscillator": [{"k": 1e12}, {"m": 1e150, "k": 1e-150}, {"m": 1e-150, "k": 1e150}, {"x_0": 1e300}, {"k": 0.0}],
+    "energy": [{"k": 1e12}, {"x_0": 1e-150}, {"m": 1e150}, {"datum": "separate", "x_0": -0.2}, {"g": 0.0}],
+    "analogues": [
+        *({"system": system} for system in ("shaft", "rocking", "floating", "circuit", "string", "wave", "pipe")),
+        *({"theta_0": angle} for angle in (1e-150, 1e-30, -60.0, 179.9999)),
+        {"pendulum_l": 1e150},
+        {"pendulum_l": 1e-150},
+    ],
+    "phugoid": [
+        *({"excess": excess} for excess in (1e-150, 1e-9, -0.5, -0.999, 0.7320508, 2.0, 3.0)),
+        *({"v_0": 1e-100}, {"v_0": 1e140}, {"g": 1e-150}, {"excess": 0.1, "window": 1000.0}),
+    ],
+    "coupled": [
+        *STIFF,
+        *({**stiff, **TOGETHER} for stiff in STIFF),
+        *({name: 10.0**power} for name in ("m1", "m2", "k1", "k2", "x1_0") for power in (-150, 150)),
+        *({"k1": 0.0, "k2": 0.0}, {"k2": 1e-12}, {"x1_0": 0.0, "x2_0": 0.0}),
+    ],
+    "modes": [
+        *({"task": task, **chain} for task in VIEWS for chain in CHAINS),
+        *({"task": "sweep", "swept": name, "k2": 1e12} for name in ("m1", "m2", "k1", "k2")),
+        {"task": "hunt", "answer": "shown"},
+    ],
+    "forced": [
+        *STIFF,
+        *({"omega": GOLDEN * (1 + detuning)} for detuning in (1e-15, 1e-12, -1e-12, 1e-9, 1e-6)),
+        *({**ON_SLOW, "omega": w} for w in (1.0, 2.0, 1.0 + 1e-12, 2.0 - 1e-12, math.sqrt(2.0))),
+        *({name: 10.0**power} for name in ("m1", "m2", "k1", "F_0", "x1_0") for power in (-150, 150)),
+        *({"omega": 1e-150}, {"k1": 0.0}, {"k2": 0.0}, {"F_0": 0.0}, {"omega": 0.0}),
+    ],
+    "absorber": [{"damping": "added"}, {"own": True, "m1": 1e150}, {"k2": 1e12}, {"k2": 0.0}, {"m2": 1e-12}],
+}
+FAST: dict[str, dict[str, Any]] = {
+    **{slug: {"window": 1e5} for slug in ("oscillator", "energy", "analogues", "phugoid", "coupled")},
+    "forced": {**STIFF[2], "omega": 1e5},
+}
+UNREAD = re.compile(r"\$|\*\*|\bnan\b|\binf\b|None|Decimal|\de[-+]?\d", re.IGNORECASE)
+each_scene = pytest.mark.parametrize("slug", SLUGS)
+
+
+def opened(slug: str, values: dict[str, Any]) -> Scene:
+    scene = SCENES[slug]()
+    scene.set(values)
+    return scene
+
+
+def cases() -> Iterator[Any]:
+    for slug in SLUGS:
+        scene = SCENES[slug]
+        named = {"default": {}}
+        named |= {label: {n: scene.preset_value(label, n) for n in scene.preset_names()} for label in scene.presets}
+        named |= {", ".join(f"{name}={value}" for name, value in hard.items()): hard for hard in HARD.get(slug, [])}
+        yield from (pytest.param(slug, values, id=f"{slug}: {name}") for name, values in named.items())
+
+
+def beyond(tables: tuple[Table, ...]) -> list[tuple[str, str, float]]:
+    return [(row.name, row.place, row.off) for each in tables for row in each.rows if not row.off <= each.limit]
+
+
+@pytest.mark.parametrize(("slug", "values"), list(cases()))
+def test_every_point_is_within_its_bound(slug: str, values: dict[str, Any]) -> None:
+    scene = opened(slug, values)
+    about = scene.about()
+    assert about is not None and about.tables
+    assert not beyond(about.tables)
+    drawn = {float(value) for data in scene.shown.columns.values() for column in data.values() for value in column}
+    for each in about.tables:
+        for row in each.rows:
+            where = re.search(r"= (\S+) ", row.place)
+            assert where is None or parse_number(where[1]) in drawn, row.place
+            assert where is None or row.drawn in drawn
+    wire = about_numbers(scene.about)
+    told = msgspec.json.encode(wire).decode()
+    assert not UNREAD.search(re.sub(r"<[^>]*>", "", told))
+    assert len(wire.tables) == sum(bool(each.rows) for each in about.tables)
+
+
+def test_only_the_scene_that_measures_errors_has_nothing_to_say() -> None:
+    assert SCENES["accuracy"].about is Scene.about
+    assert set(SLUGS) >= set(HARD)
+
+
+@each_scene
+def test_a_curve_that_is_off_is_found_out(slug: str) -> None:
+    """A few ulp of its largest value are added to every column: each row that shows one is then beyond its bound."""
+    scene = SCENES[slug]()
+    if slug == "modes":
+        scene.set({"task": "sweep"})
+    about = scene.about()
+    assert about is not None
+    most = max(each.limit for each in about.tables)
+    places = {"t", "omega", "w", "p"}
+
+    def moved(column: np.ndarray) -> np.ndarray:
+        return column + 4 * most * np.spacing(np.max(np.abs(column)))
+
+    columns = {
+        source: {name: column if name in places else moved(column) for name, column in data.items()}
+        for source, data in scene.shown.columns.items()
+        if not source.startswith("band")
+    }
+    scene._drawn = replace(scene._drawn, picture=replace(scene.shown, columns=columns))
+    wrong = scene.about()
+    assert wrong is not None
+    of_curves = [each for each in wrong.tables if each.limit >= 1]
+    assert of_curves and len(beyond(wrong.tables)) == sum(len(each.rows) for each in of_curves)
+
+
+@each_scene
+def test_what_is_drawn_as_an_envelope_is_said_and_has_no_points(slug: str) -> None:
+    scene = SCENES[slug]()
+    plain = scene.about()
+    assert plain is not None and plain.envelope.startswith(NO_BAND)
+    if slug not in FAST:
+        return
+    scene.set(FAST[slug])
+    about = scene.about()
+    bands = {name.removesuffix("_lo") for name in scene.shown.columns["band"] if name.endswith("_lo")}
+    assert about is not None and bands and not bands & set(scene.shown.columns["time"])
+    assert "**envelope**" in about.envelope and NO_BAND not in about.envelope
+    assert not any(row.name in about.envelope and row.place.startswith("$t$") for t in about.tables for row in t.rows)
+    assert all(sentence.rows for sentence in about_numbers(scene.about).tables)
+
+
+Flow = Callable[[Any, float], dict[str, Any]]
+TRUTHS: list[tuple[str, dict[str, Any], str, Flow]] = [
+    *(("coupled", values, "$t$", chain_flow) for values in ({}, {"k1": 0.0}, STIFF_SOON, {**STIFF_SOON, **TOGETHER})),
+    *(("forced", values, "$t$", chain_flow) for values in (ON_SLOW, {"omega": GOLDEN * (1 + 1e-12)}, STIFF_SOON)),
+    *(("forced", values, r"$\omega$", swing_at) for values in ({}, STIFF[2])),
+    ("absorber", {}, r"$\omega$", swing_at),
+    *(("oscillator", values, "$t$", oscillator_flow) for values in ({}, {"k": 1e12}, {"m": 1e20, "k": 1e-20})),
+    ("energy", {}, "$t$", oscillator_flow),
+    ("analogues", {"window": 2.0}, "$t$", pendulum_flow),
+    ("phugoid", {"window": 15.0}, "$t$", flight_flow),
+]
+
+
+@pytest.mark.parametrize(("slug", "values", "place", "truth"), TRUTHS)
+def test_what_is_called_true_is_true(slug: str, values: dict[str, Any], place: str, truth: Flow) -> None:
+    """Worked out by other means than physics.reference: matrix exponentials, Taylor series, linear equations."""
+    scene, known = opened(slug, values), 0
+    about = scene.about()
+    assert about is not None
+    for row in (row for each in about.tables for row in each.rows if row.place.startswith(place)):
+        where = parse_number(row.place.split(" ")[2])
+        with mp.workdps(24 if slug in ("analogues", "phugoid") else 60):
+            value = truth(scene, where).get(row.name)
+            if value is None:
+                continue
+            known += 1
+            assert abs(value - mp.mpf(str(row.true.value))) <= mp.mpf("1e-19") * mp.mpf(str(row.true.size)), row
+    assert known >= len(SHARES)
+
+
+def test_off_is_counted_in_steps_of_the_size() -> None:
+    one = Decimal(1)
+    assert CheckedPoint("x", "t", 1 + 2**-51, Point(one, one)).off == 2
+    assert CheckedPoint("x", "t", float(np.nextafter(1.0, 0.0)), Point(one, one)).off == 0.5
+    assert CheckedPoint("x", "t", 1 + 2**-51, Point(one, Decimal(4))).off == 0.5
+    assert CheckedPoint("x", "t", 5e-324, Point(Decimal(0), Decimal(0))).off == 1
+    assert CheckedPoint("x", "t", 0.0, Point(Decimal("1e400"), Decimal("1e400"))).off > 1e100
+
+
+@pytest.mark.parametrize(("limit", "said"), [(4, "4 ulp"), (1511.2, "1520 ulp"), (123456, "1.24·10⁵ ulp")])
+def test_the_bound_that_is_said_is_not_below_the_one_that_holds(limit: float, said: str) -> None:
+    found = bounded("x", limit, "itself", ())
+    assert f"more than {said} of itself" in found.bound and found.limit >= limit
+
+
+def test_twenty_digits() -> None:
+    assert digits(Decimal.from_float(0.1)) == "0.10000000000000000555"
+    assert digits(Decimal("-1.5e-200")) == "−1.5000000000000000000·10⁻²⁰⁰"
+    assert digits(Decimal("0.99999999999999999999999")) == "1.0000000000000000000"
+    assert digits(Decimal(0)) == "0"
+
+
+def test_drift() -> None:
+    assert drift(np.array([2.0, 2.0]), 2.0) == "$T + V$ = 2.00 J keeps every digit of that over the window."
+    assert "strays by at most 0.5 of that" in drift(np.array([2.0, 3.0]), 2.0)
+    assert drift(np.zeros(2), 0.0) == "$T + V$ is 0: nothing moves."
+
+
+def test_an_energy_out_of_range_does_not_take_the_points_along() -> None:
+    about = opened("oscillator", {"x_0": 1e300}).about()
+    assert about is not None and about.tables[0].rows
+    assert about.energy == "$T + V$ cannot be followed: the energy T leaves the range of doubles."
+
+
+def test_the_hunt_keeps_its_answer() -> None:
+    tables = [opened("modes", {"task": "hunt", "answer": answer}).about() for answer in ("hidden", "shown")]
+    told = [any("X_2/X_1" in row.name for each in about.tables for row in each.rows) for about in tables if about]
+    assert told == [False, True]
+
+
+def test_a_scene_that_cannot_say_says_why(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refused(_: Scene) -> None:
+        raise ValueError("the phase leaves the range of doubles")
+
+    monkeypatch.setattr(SCENES["coupled"], "about", refused)
+    told = about_numbers(SCENES["coupled"]().about)
+    assert (told.reading, told.tables) == ("", ())
+    assert told.notes == ("These numbers cannot be recomputed: the phase leaves the range of doubles.",)
+
+
+def test_the_page_is_answered_and_nothing_changes() -> None:
+    page = Page(SCENES["coupled"]())
+    before = page.scene.shown
+    told = page.say({"type": "about", "number": 7})
+    assert told == msgspec.json.decode(msgspec.json.encode(about_numbers(page.scene.about, 7)))
+    assert page.scene.shown is before

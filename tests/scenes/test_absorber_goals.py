@@ -1,0 +1,195 @@
+"""Scene absorber: its goals, its tuning, links, refusals and any machine, through its callbacks."""
+
+from __future__ import annotations
+
+import random
+from typing import Any
+
+import numpy as np
+import pytest
+
+from components.scenes import SCENES
+from components.scenes.absorber import Absorber
+from components.url import read_query, write_query
+from physics.absorber import den_hartog
+from tests.page.told import apply_message, take_preset
+from tests.scenes.checks import as_arguments, check_picture, solves
+
+M1, K1, F_0 = 100.0, 250e3, 500.0
+
+
+def met(scene: Absorber) -> list[bool]:
+    return [bool(scene.shown.scalars[f"met{i}"]) for i in range(3)]
+
+
+def lightest_tuned(omega: float) -> float:
+    """The mass at which a tuned absorber's resonances are 20 % away: the roots of D at 0.8 and 1.2 omega."""
+    below, above = ((K1 - M1 * (s * omega) ** 2) * (1 - s**2) / (s**2 * omega**2) for s in (0.8, 1.2))
+    return max(below, above)
+
+
+@pytest.mark.parametrize("label", ["Below", "Resonant", "Above"])
+def test_goals_can_be_met_from_the_lightest_mass_on(label: str) -> None:
+    scene = Absorber()
+    assert take_preset(scene, label) == {}
+    mass = lightest_tuned(scene.omega)
+    scene.m2 = mass * (1 - 1e-3)
+    assert met(scene) == [False, True, True]
+    assert scene.shown.values["lightest"] == "none yet"
+    scene.m2 = mass * (1 + 1e-3)
+    assert met(scene) == [True, True, True]
+    assert scene.shown.values["lightest"] == f"{mass * (1 + 1e-3):.4g} kg"
+
+
+def test_mass_ratios_of_the_book() -> None:
+    assert lightest_tuned(50.0) / M1 == pytest.approx(0.2025)
+    assert lightest_tuned(48.0) == pytest.approx(25.04, abs=0.005)
+    scene = Absorber(omega=50.0, m2=20.25)
+    assert met(scene) == [True, True, True]
+
+
+def test_goals_see_swing_and_stroke() -> None:
+    assert met(Absorber(k2=30e3)) == [False, False, True]
+    assert met(Absorber(m2=10.0)) == [False, True, False]
+
+
+def test_score_is_the_lightest_mass_of_this_machine() -> None:
+    scene = Absorber(m2=30.0)
+    assert scene.shown.values["lightest"] == "30 kg"
+    scene.m2 = 26.0
+    scene.m2 = 40.0
+    assert scene.shown.values["lightest"] == "26 kg"
+    scene.set({"damping": "added", "c": 0.1, "m2": 25.5})
+    assert scene.shown.values["lightest"] == "26 kg"
+    assert "lightest" not in write_query(scene)
+    scene.omega = 47.0
+    assert scene.shown.values["lightest"] == "none yet"
+
+
+def test_tuned_spring_follows_mass_and_speed() -> None:
+    scene = Absorber()
+    scene.m2 = 20.0
+    assert (scene.k2, scene.tuning) == (46080.0, "tuned")
+    scene.omega = 50.0
+    assert (scene.k2, scene.tuning) == (50e3, "tuned")
+    scene.k2 = 45e3
+    assert (scene.k2, scene.tuning) == (45e3, "free")
+    scene.m2 = 30.0
+    assert scene.k2 == 45e3
+    assert apply_message(scene, {"type": "choose", "name": "tuning", "value": "tuned"}) == {}
+    assert scene.k2 == 75e3
+
+
+def test_knob_drags_the_valley() -> None:
+    scene = Absorber()
+    assert apply_message(scene, {"type": "set", "values": {"_valley": 40.0}}) == {}
+    assert (scene.k2, scene.tuning, scene._valley) == (25600.0, "free", 40.0)
+    data = scene.sources["sweep"].data
+    low = np.argmin(np.where((data["w"] > 36) & (data["w"] < 44), data["swing"], np.inf))
+    assert data["w"][low] == pytest.approx(40.0, abs=1e-9)
+
+
+def test_detached_the_machine_is_alone() -> None:
+    scene = Absorber(tuning="detached")
+    data = scene.sources["sweep"].data
+    np.testing.assert_array_equal(data["swing"], data["alone"])
+    assert not data["stroke"].any()
+    assert scene.shown.forms["helped"] == "never"
+    assert scene.shown.scalars["is_detached"] == 1
+    scene.tuning = "tuned"
+    assert scene.shown.scalars["is_still"] == 1
+
+
+def test_verdict_tells_help_from_harm() -> None:
+    assert Absorber(k2=30e3).shown.forms["why"] == "less"
+    assert Absorber(omega=60.0, k2=36e3).shown.forms["why"] == "more"
+
+
+def test_den_hartogs_optimum() -> None:
+    scene = Absorber(damping="added")
+    assert apply_message(scene, {"type": "act", "name": "optimum"}) == {}
+    best = den_hartog(M1, K1, 16.0)
+    assert (scene.k2, scene.c) == (pytest.approx(best.k2, rel=5e-4), pytest.approx(best.c, rel=5e-4))
+    assert scene.sources["sweep"].data["swing"].max() == pytest.approx(best.height * F_0 / K1, rel=5e-3)
+    assert scene.shown.values["over_height"] == "0.27 %"
+    heights = [scene.shown.scalars[f"{name}_y"] for name in "PQ"]
+    assert heights == pytest.approx([1e3 * best.height * F_0 / K1] * 2, rel=1e-3)
+    assert scene.shown.forms["why"] == "damped"
+
+
+def test_no_damping_is_the_lecture() -> None:
+    lecture, none = Absorber(), Absorber(damping="added", c=0.0)
+    np.testing.assert_array_equal(none.sources["sweep"].data["swing"], lecture.sources["sweep"].data["swing"])
+    assert not none.sources["compare"].data
+    assert "damped" not in lecture.shown.forms
+
+
+def test_damping_stays_out_until_asked_for() -> None:
+    scene = Absorber(c=500.0)
+    np.testing.assert_array_equal(scene.sources["sweep"].data["swing"], Absorber().sources["sweep"].data["swing"])
+
+
+def test_one_solve_even_where_one_value_follows_another() -> None:
+    scene = Absorber()
+    counted = solves(scene)
+    scene.m2 = 20.0
+    apply_message(scene, {"type": "set", "values": {"_valley": 45.0}})
+    take_preset(scene, "Above")
+    assert len(counted) == 3
+
+
+def test_presets_choose_the_machine_and_leave_the_absorber() -> None:
+    scene = Absorber(m2=30.0)
+    for label, omega, kind in (("Resonant", 50.0, "fixed"), ("Above", 60.0, "fixed"), ("Own", 48.0, "own")):
+        take_preset(scene, label)
+        assert (scene.omega, scene.m2, scene.preset()) == (omega, 30.0, label)
+        assert kind in scene.shown.forms
+        assert scene.k2 == pytest.approx(30.0 * omega**2, rel=1e-15)
+
+
+def test_refusals_leave_the_scene_as_it_was() -> None:
+    scene = Absorber()
+    before = scene.shown, scene.param.values()
+    for name, text, reason in (
+        ("m2", "0", "a mass is a finite number above 0"),
+        ("omega", "0", "a running speed is a finite number above 0"),
+        ("k1", "0", "a mounting is a finite number above 0"),
+        ("m2", "1e307", "the tuned stiffness"),
+    ):
+        errors = apply_message(scene, {"type": "typed", "name": name, "text": text})
+        assert reason in errors[name].lower()
+    assert (scene.shown, scene.param.values()) == before
+
+
+@pytest.mark.parametrize(
+    "values",
+    [{"m2": 16.7}, {"k2": 30e3}, {"_valley": 43.21}, {"tuning": "detached", "m2": 3.0}, {"own": True, "omega": 31.0}],
+)
+def test_link_brings_the_absorber_back(values: dict[str, Any]) -> None:
+    scene = Absorber()
+    scene.set(values)
+    link = read_query(as_arguments(write_query(scene)), SCENES)
+    again = Absorber()
+    again.set(link.values)
+    assert link.problems == []
+    assert again.param.values() | {"name": ""} == scene.param.values() | {"name": ""}
+    assert again.shown.values == scene.shown.values
+
+
+@pytest.mark.parametrize(("seed", "decades"), [(1, 300), (2, 100), (3, 10)])
+def test_any_machine_is_drawn_or_refused_in_words(seed: int, decades: int) -> None:
+    draw, scene, drawn = random.Random(seed), Absorber(), 0
+    for _ in range(25):
+        values: dict[str, Any] = {
+            name: 10.0 ** draw.uniform(-decades, decades) for name in ("m1", "k1", "F_0", "omega", "m2", "k2", "c")
+        }
+        values |= {"tuning": draw.choice(["tuned", "free", "detached"]), "damping": draw.choice(["none", "added"])}
+        try:
+            with np.errstate(all="raise", under="ignore"):
+                scene.set(values)
+        except ValueError as reason:
+            assert len(str(reason)) > 20
+            continue
+        drawn += 1
+        check_picture(scene)
+    assert drawn > 10

@@ -1,0 +1,189 @@
+"""Scene accuracy: what it shows of measured runs, without measuring."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from components.scenes.accuracy import Accuracy
+from components.scenes.accuracy.data import Known, picked_run, setting_text
+from components.scenes.accuracy.measuring import LIVE
+from components.scenes.accuracy.plots import name_places
+from components.scenes.accuracy.prices import price_list
+from components.scenes.accuracy.recorded import recorded
+from components.scenes.accuracy.studies import LASTING, step_explosion
+from physics.accuracy import MARKS, SYSTEMS, Run, entered
+from physics.coupled import TwoMassChain
+from physics.solvers import METHODS
+from tests.scenes.checks import check_picture
+
+
+def a_run(method: str, setting: float, time: float | None, error: float | None, **more: object) -> Run:
+    levels = {"error_growth": tuple((error or 0.0) * mark / 50 for mark in MARKS), "energy_growth": 15 * (1e-6,)}
+    facts = {"system": "benign", "energy_error": 1e-3, "evaluations": 1000, **(levels if error else {})}
+    return Run(method=method, setting=setting, time=time, error=error, **(facts | more))  # type: ignore[arg-type]
+
+
+HERE = (
+    a_run("closed", 0, 1e-3, 2e-16, end="finest"),
+    a_run("verlet", 1, 1e-2, 1e-2),
+    a_run("verlet", 4, 1e-1, 1e-4, evaluations=16000),
+    a_run("verlet", 6, None, None, failure="time limit 1 s", reached=0.4, end="time limit"),
+    a_run("lsoda", 1e-3, 2e-2, 5.0),
+)
+BEFORE = (a_run("closed", 0, 2e-3, 2e-16), a_run("rk4", 3, 4e-3, 1e-4), a_run("bdf", 1e-9, 0.5, 1e-9, end="finest"))
+
+
+def measured(**values: object) -> Accuracy:
+    scene = Accuracy(**values)
+    scene.set({"measured": (SYSTEMS["benign"], scene.limit, HERE, "done")})
+    return scene
+
+
+def test_dots_are_measured_here_and_lines_recorded() -> None:
+    scene = Accuracy()
+    assert not any(len(scene.sources[slug].data["time"]) for slug in METHODS)
+    assert all(len(scene.sources[f"rec_{slug}"].data["time"]) for slug in METHODS)
+    scene = measured()
+    np.testing.assert_allclose(scene.sources["verlet"].data["error"], [1e-2, 1e-4])
+    np.testing.assert_allclose(scene.sources["verlet"].data["time"], [1e-2, 1e-1])
+    assert not len(scene.sources["rec_verlet"].data["time"]) and len(scene.sources["old_verlet"].data["time"]) > 9
+    assert not len(scene.sources["lsoda"].data["time"]), "what is all wrong is not drawn"
+    assert scene.shown.forms["origin"] == "both"
+    check_picture(scene)
+
+
+def test_rows_of_prices() -> None:
+    rows = dict(price_list(Known(HERE, BEFORE), ("closed", "verlet", "rk4", "bdf", "lsoda"), 1e-3))
+    assert rows["closed"] == ("Closed form", "1.00 ms", "× 1")
+    assert rows["verlet"] == ("Verlet", "31.6 ms", "× 31.6")
+    assert rows["rk4"] == ("RK4", "4.00 ms", "× 2"), "recorded with recorded"
+    fine = dict(price_list(Known(HERE, BEFORE), ("verlet", "rk4", "bdf", "lsoda"), 1e-10))
+    assert fine["verlet"] == ("Verlet", "over 1 s", "best 1·10⁻⁴")
+    assert fine["rk4"] == ("RK4", "not yet", "best 1·10⁻⁴")
+    assert fine["bdf"] == ("BDF", "never", "best 1·10⁻⁹")
+
+
+def test_a_method_without_a_result_is_a_row_with_its_reason() -> None:
+    failed = (a_run("rk4", 1, None, None, failure="unstable step: h omega_+ = 3.1e+02", end="time limit"),)
+    assert price_list(Known(failed, ()), ("rk4", "bdf"), 1e-3) == [("rk4", ("RK4", "no result", "unstable step"))]
+
+
+def test_rows_from_records_are_told_apart() -> None:
+    scene = measured()
+    forms = {scene.shown.values[f"price{i}_name"]: scene.shown.forms[f"price{i}"] for i in range(len(LIVE))}
+    assert forms["Verlet"] == "here" and forms["RK4"] == "before"
+    assert {Accuracy().shown.forms[f"price{i}"] for i in range(len(LIVE))} == {"here"}
+
+
+def test_a_time_that_does_not_repeat_is_marked() -> None:
+    unsteady = (a_run("rk4", 3, 4e-3, 1e-4, time_low=3e-3, time_high=5e-3, rounds=3),)
+    ((_, cells),) = price_list(Known(unsteady, ()), ("rk4",), 1e-3)
+    assert cells[1] == "4.00 ms ±"
+
+
+def test_the_picked_run_keeps_energy_and_loses_phase() -> None:
+    scene = measured(picked=["verlet", "1"])
+    kept = scene.sources["kept"].data
+    assert kept["period"].tolist() == list(MARKS)
+    assert kept["motion"][-1] == pytest.approx(1e-2) and kept["energy"][-1] == pytest.approx(1e-4)
+    found = Known(HERE, BEFORE)
+    assert picked_run(found, ["verlet", "9"]) is None and picked_run(found, ["what", "0"]) is None
+    assert picked_run(found, ["old_rk4", "0"]) == picked_run(found, ["rec_rk4", "0"]) == BEFORE[1]
+    assert setting_text(HERE[1]) == "Verlet, 1 step an output"
+    assert setting_text(a_run("rk45", 3.2e-5, 1.0, 1.0)) == "RK45, rtol 3.2·10⁻⁵"
+    assert setting_text(a_run("rk45", 1e-6, 1.0, 1.0)) == "RK45, rtol 10⁻⁶"
+
+
+def test_growth_at_equal_error_and_at_equal_cost() -> None:
+    scene = measured(view="growth", wanted=1e-3)
+    assert scene.sources["error_growth_verlet"].data["error_growth"][-1] == pytest.approx(1e-4)
+    scene.set({"equal": "cost", "cost": 0.05})
+    assert scene.sources["error_growth_verlet"].data["error_growth"][-1] == pytest.approx(1e-2)
+    scene.set({"cost": 1.5e-3})
+    assert not len(scene.sources["error_growth_verlet"].data["period"])
+    assert "Verlet" in scene.shown.values["missing"] and "Closed" not in scene.shown.values["missing"]
+    assert scene.shown.axes["period"].unit == "slow periods"
+    assert Accuracy(system="dashpot").shown.axes["period"].unit == "relaxation times"
+
+
+def test_results_of_another_system_or_limit_are_not_shown() -> None:
+    scene = measured(limit=3.0)
+    scene.set({"system": "wide"})
+    assert not any(len(scene.sources[slug].data["time"]) for slug in METHODS)
+
+
+@pytest.mark.parametrize("view", ["time", "growth", "length", "digits", "stability"])
+@pytest.mark.parametrize("system", [*SYSTEMS, "own"])
+def test_every_view_of_every_system(view: str, system: str) -> None:
+    check_picture(measured(view=view, system=system))
+    check_picture(Accuracy(view=view, system=system, hidden=[]))
+
+
+def test_steps_explode_like_the_root_of_the_stiffness() -> None:
+    columns = step_explosion(TwoMassChain(m1=1, m2=1, k1=1, k2=1))
+    slope = np.diff(np.log(columns["steps_verlet"])) / np.diff(np.log(columns["ratio"]))
+    assert slope[-1] == pytest.approx(0.5, abs=1e-3)
+
+
+def test_own_system_from_a_link() -> None:
+    scene = Accuracy(system="own", m1=2.0, k2=7.0, F_0=1.5)
+    system = scene.shown_system()
+    assert (system.chain.m1, system.chain.k2, system.F_0) == (2.0, 7.0, 1.5)
+    assert scene.shown.scalars["empty"] == 1.0 and "kept" not in scene.shown.forms
+    assert scene.shown.forms["origin"] == "none" and "costs" not in scene.shown.forms
+    assert len(scene.sources["old_verlet"].data["time"]), "another motion for scale"
+    assert not len(scene.sources["rec_verlet"].data["time"])
+    with pytest.raises(ValueError, match="no period"):
+        scene.set({"k1": 0.0, "k2": 0.0})
+    assert scene.k1 == 1.0
+
+
+@pytest.mark.parametrize("slug", SYSTEMS)
+def test_recorded_runs_stand_before_anything_is_measured(slug: str) -> None:
+    known = recorded(slug)
+    assert {run.method for run in known.runs} == set(entered(SYSTEMS[slug]))
+    assert {run.system for run in known.runs} == {slug}
+    (closed,) = (run for run in known.runs if run.method == "closed")
+    assert closed.error is not None and closed.error < 2.0**-51 and closed.rounds == 3
+    assert known.about["machine"] and known.origin.startswith(known.about["date"][:10])
+    assert Accuracy(system=slug).shown.forms["origin"] == "before"
+
+
+def test_the_recorded_lengths_show_what_they_are_said_to() -> None:
+    """The closed form is flat, stepping grows with the length, and its error too."""
+    sources = Accuracy(view="length").sources
+    for slug in LASTING:
+        data = sources[f"length_{slug}"].data
+        growth = data["span_time"][-1] / data["span_time"][0]
+        assert (growth < 2) == (METHODS[slug].family in ("closed", "exact"))
+    rk4 = sources["length_rk4"].data
+    slope = np.polyfit(np.log(rk4["span"]), np.log(rk4["span_error"]), 1)[0]
+    assert slope == pytest.approx(1.0, abs=0.1)
+
+
+def test_doubles_do_up_to_the_named_place() -> None:
+    loose, tight = (Accuracy(view="digits", wanted=wanted).shown.values for wanted in (1e-6, 1e-12))
+    assert loose["digits_ratio"] != tight["digits_ratio"]
+    assert tight["digits_periods"] == "100 periods"
+    assert "where eigh takes" in tight["digits_cost"]
+
+
+def test_names_stand_beside_their_lines() -> None:
+    scene = Accuracy()
+    axes = scene.shown.axes
+    columns = {slug: scene.shown.columns[f"rec_{slug}"] for slug in LIVE}
+    places = name_places(columns, axes["time"], axes["error"], scene.limit)
+    for slug in LIVE:
+        assert (f"{slug}_start" in places) != (f"{slug}_end" in places)
+        assert places[f"{slug}_at"] == pytest.approx(math.log10(columns[slug]["time"][-1]))
+
+
+def test_what_the_run_bar_says() -> None:
+    told = Accuracy().running.progress
+    assert (told.done, told.text) == (0, "Run measures 8 methods here.")
+    assert Accuracy(system="dashpot").running.progress.text == "Run measures 6 methods here."
+    told = measured().running.progress
+    assert (told.done, told.total, told.unit) == (3, 3, "methods measured here")

@@ -1,0 +1,231 @@
+"""Scene analogues through its callbacks: nine systems, their spring, and the pendulum at any amplitude."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from components.scenes import SCENES
+from components.scenes.analogues import Analogues
+from components.scenes.analogues.reach import REACHES, REMARKS
+from components.url import read_query, write_query
+from physics.analogues import ANALOGUES
+from tests.page.playing import played
+from tests.page.told import apply_message
+from tests.scenes.checks import EXTREMES, check_picture, quantities
+
+systems = pytest.mark.parametrize("slug", ANALOGUES)
+LINEAR = [slug for slug in ANALOGUES if slug not in ("pendulum", "rocking")]
+G = 9.81
+
+# What omega_n is, once more, from the table of the lecture.
+OMEGA = {
+    "spring": lambda s: math.sqrt(s.spring_k / s.spring_m),
+    "shaft": lambda s: math.sqrt(s.shaft_k_t / s.shaft_J),
+    "pendulum": lambda s: math.sqrt(s.pendulum_g / s.pendulum_l),
+    "rocking": lambda s: math.sqrt(G * s.rocking_d / (s.rocking_d**2 + s.rocking_r**2)),
+    "floating": lambda s: math.sqrt(s.floating_rho * G * s.floating_A / s.floating_m),
+    "circuit": lambda s: 1 / math.sqrt(s.circuit_L * s.circuit_C),
+    "string": lambda s: s.string_n * math.pi / s.string_L * math.sqrt(s.string_T / 4e-4),
+    "wave": lambda s: math.sqrt(s.wave_g * 2 * math.pi / s.wave_wavelength),
+    "pipe": lambda s: s.pipe_n * math.pi * s.pipe_c / s.pipe_L,
+}
+
+
+def own(slug: str) -> list[str]:
+    """The parameters of one system."""
+    names = [name for name in quantities(Analogues) if name.startswith(f"{slug}_")]
+    return [*names, "theta_0"] if ANALOGUES[slug].length_of else names
+
+
+def test_default_is_the_pendulum_from_sixty_degrees() -> None:
+    values = Analogues().shown.values
+    assert (values["omega"], values["small_period"], values["period"]) == ("3.13", "2.01", "2.15")
+    assert (values["late"], values["late_percent"]) == ("0.440", "7.32")
+    assert (values["m"], values["k"]) == ("1.00", "9.81")
+
+
+@pytest.mark.parametrize("slug", ["pendulum", "rocking"])
+@pytest.mark.parametrize("degrees", [1.0, 60.0, -120.0, 179.0])
+def test_exact_swing_solves_the_equation_of_motion(slug: str, degrees: float) -> None:
+    scene = Analogues(system=slug, theta_0=degrees)
+    data, square = scene.sources["time"].data, OMEGA[slug](scene) ** 2
+    start = [math.radians(degrees), 0.0]
+    swing = solve_ivp(
+        lambda _, y: [y[1], -square * math.sin(y[0])],
+        (0, data["t"][-1]), start, "DOP853", data["t"], rtol=1e-12, atol=1e-14,
+    ).y[0]  # fmt: skip
+    np.testing.assert_allclose(data["q"], swing, atol=1e-7 * abs(start[0]))
+    np.testing.assert_allclose(data["x"], start[0] * np.cos(math.sqrt(square) * data["t"]), atol=1e-12)
+
+
+@systems
+def test_frequency_is_that_of_the_lectures_table(slug: str) -> None:
+    scene = Analogues(system=slug)
+    for name in own(slug):
+        quantity = quantities(Analogues)[name]
+        scene.set({name: math.floor(sum(quantity.softbounds) / 2) or quantity.softbounds[1]})
+    data, omega = scene.sources["time"].data, OMEGA[slug](scene)
+    np.testing.assert_allclose(data["x"], data["x"][0] * np.cos(omega * data["t"]), atol=1e-11 * abs(data["x"][0]))
+
+
+@pytest.mark.parametrize("slug", LINEAR)
+def test_what_is_linear_moves_with_its_spring(slug: str) -> None:
+    scene = Analogues(system=slug)
+    scene.set({f"{slug}_start": 3.7 * ANALOGUES[slug].swing})
+    data = scene.sources["time"].data
+    assert data["q"][0] == 3.7 * ANALOGUES[slug].swing
+    np.testing.assert_array_equal(data["q"], data["x"])
+    assert scene.shown.forms["linear"] and "swinging" not in scene.shown.forms
+
+
+@systems
+def test_what_moves_is_what_is_drawn(slug: str) -> None:
+    scene = Analogues(system=slug, theta_0=150.0)
+    data, axes = scene.sources["time"].data, scene.shown.axes
+    for i in range(0, len(data["t"]), 37):
+        named = played(scene.shown, axes["t"].place(data["t"][i]))
+        assert named["level"] == pytest.approx(
+            axes["q"].place(data["q"][i]), abs=2e-5 * axes["q"].place(abs(data["q"][0]))
+        )
+        assert named["rule"] == pytest.approx(
+            axes["q"].place(data["x"][i]), abs=1e-9 * axes["q"].place(abs(data["q"][0]))
+        )
+
+
+def test_energies_of_the_pendulum_and_of_its_spring_part() -> None:
+    scene = Analogues(theta_0=100.0, pendulum_m=2.0, pendulum_l=0.5)
+    data = scene.sources["time"].data
+    for i in (3, 50, 200):
+        named = played(scene.shown, data["t"][i])
+        lifted = 2.0 * 9.81 * 0.5 * (1 - math.cos(data["q"][i]))
+        assert named["V_q"] == pytest.approx(lifted, abs=1e-4)
+        assert named["T_q"] + named["V_q"] == pytest.approx(9.81 * (1 - math.cos(math.radians(100))), rel=1e-12)
+        assert named["T_x"] + named["V_x"] == pytest.approx(9.81 * math.radians(100) ** 2 / 2, rel=1e-12)
+        assert named["V_x"] == pytest.approx(9.81 * data["x"][i] ** 2 / 2, rel=1e-9)
+
+
+def test_lateness_is_that_of_the_agm_and_its_flags_stand_on_it() -> None:
+    def late(degrees: float) -> float:
+        return float(1 / mp.agm(1, mp.cos(mp.radians(degrees) / 2)) - 1)
+
+    scene = Analogues(theta_0=75.0)
+    curve, here = scene.sources["late"].data, scene.sources["here"].data
+    np.testing.assert_allclose(curve["excess"], [late(angle) for angle in curve["angle"]], rtol=1e-9, atol=1e-15)
+    assert here["excess"][0] == pytest.approx(late(75.0), rel=1e-12)
+    for flag, excess in (("late_01", 0.001), ("late_1", 0.01), ("late_5", 0.05)):
+        assert late(scene.shown.scalars[flag]) == pytest.approx(excess, rel=2e-5)
+    scene.set({"theta_0": scene.shown.scalars["late_5"]})
+    assert scene.shown.values["late_percent"] == "5.00"
+
+
+def test_the_mass_of_a_pendulum_is_moved_in_vain() -> None:
+    scene = Analogues()
+    before = scene.sources["time"].data["q"]
+    scene.set({"pendulum_m": 7.0, "spring_k": 3.0})
+    np.testing.assert_array_equal(scene.sources["time"].data["q"], before)
+    assert scene.shown.values["k"] == "68.7"
+
+
+@pytest.mark.parametrize(
+    ("label", "period"), [("Radio", 1e-6), ("Guitar", 1 / 329.6), ("Swell", 11.32), ("Cavendish", 840)]
+)
+def test_microseconds_and_minutes_play_at_a_speed_that_is_seen(label: str, period: float) -> None:
+    scene = Analogues()
+    scene.set({name: scene.preset_value(label, name) for name in scene.preset_names()})
+    assert float(2 * math.pi / OMEGA[scene.system](scene)) == pytest.approx(period, rel=2e-3)
+    assert 1 <= period / scene.shown.pace.auto <= 12
+
+
+def test_the_balance_is_cavendishs() -> None:
+    assert Analogues.presets["Cavendish"] == {"system": "shaft", "shaft_J": 1.25, "shaft_k_t": 7e-5}
+
+
+def test_the_aircraft_of_slide_7_is_found() -> None:
+    texts = str(Analogues.sheet())
+    assert [slug for slug in SCENES if f"?scene={slug}" in texts] == ["phugoid"]
+
+
+@systems
+def test_only_the_chosen_systems_controls_stand(slug: str) -> None:
+    scene = Analogues(system=slug)
+    shown = [group.names for group in scene.groups if not group.form or scene.shown.forms.get(group.form)]
+    assert sorted(itertools.chain(*shown)) == sorted(["system", *own(slug)])
+
+
+@systems
+def test_far_beyond_the_sliders_a_picture_or_a_reason(slug: str) -> None:
+    drawn = refused = 0
+    for name, value in itertools.product(own(slug), (0.0, *EXTREMES, -1.0)):
+        scene = Analogues(system=slug)
+        before = scene.shown
+        try:
+            scene.set({name: value})
+        except ValueError as reason:
+            assert str(reason) and scene.shown is before
+            refused += 1
+            continue
+        check_picture(scene)
+        drawn += 1
+    assert drawn >= len(own(slug))
+
+
+@systems
+def test_corners_of_the_sliders_of_each_system(slug: str) -> None:
+    scene = Analogues(system=slug)
+    for ends in itertools.product((0, 1), repeat=len(own(slug))):
+        scene.set({n: quantities(Analogues)[n].softbounds[end] for n, end in zip(own(slug), ends, strict=True)})
+        check_picture(scene)
+
+
+def test_too_fast_to_draw_is_a_band() -> None:
+    scene = Analogues(system="circuit", window=1.0)
+    band = scene.sources["band"].data
+    assert "q" not in scene.sources["time"].data
+    np.testing.assert_allclose([band["q_hi"], band["q_lo"]], [[1e-6] * len(band["t"]), [-1e-6] * len(band["t"])])
+    assert "period_seen" not in scene.shown.scalars
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("theta_0", "180", "the top itself left out"),
+        ("string_n", "1.5", "whole number"),
+        ("pendulum_l", "0", "above 0"),
+        ("circuit_C", "-1", "above 0"),
+    ],
+)
+def test_bad_values_are_refused_with_a_sentence(name: str, text: str, said: str) -> None:
+    scene = Analogues()
+    before = scene.shown
+    errors = apply_message(scene, {"type": "typed", "name": name, "text": text})
+    assert said in errors[name] and errors[name].endswith(".")
+    assert scene.shown is before
+
+
+def test_many_half_waves_are_drawn_as_twelve_and_it_is_said() -> None:
+    scene = Analogues(system="string", string_n=100.0)
+    assert scene.shown.scalars["half_waves"] == 12
+    assert "12 half waves" in scene.shown.notes[0]
+    assert apply_message(scene, {"type": "typed", "name": "string_n", "text": "3"}) == {}
+    assert (scene.shown.scalars["half_waves"], scene.shown.notes) == (3, ())
+
+
+def test_link_carries_the_system_and_its_parameters() -> None:
+    scene = Analogues(system="shaft", shaft_J=12.5, theta_0=100.0)
+    assert write_query(scene) == "scene=analogues&system=shaft&theta_0=100&shaft_J=12.5"
+    link = read_query({"scene": [b"analogues"], "system": [b"balloon"], "shaft_J": [b"2"]}, SCENES)
+    assert link.values == {"shaft_J": 2.0}
+    assert "balloon" in link.problems[0]
+
+
+def test_defaults_lie_on_their_sliders() -> None:
+    parameters = {f"{system.slug}_{p.name}": p for system in ANALOGUES.values() for p in system.parameters}
+    assert REACHES.keys() == parameters.keys() and REMARKS.keys() < ANALOGUES.keys()
+    for name, reach in REACHES.items():
+        assert 0 < reach.low <= parameters[name].default <= reach.high

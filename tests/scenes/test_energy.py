@@ -1,0 +1,206 @@
+"""Scene energy through its callbacks: the hanging mass, its well, the datum of V, and what gravity does not do."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from components.scenes import SCENES
+from components.scenes.energy import Energy
+from components.scenes.energy.hanging import PLANETS
+from components.url import read_query, write_query
+from tests.page.playing import played
+from tests.page.told import apply_message, take_preset
+from tests.scenes.checks import check_picture, corners, typed
+
+CASE = {"m": 0.8, "k": 17.0, "g": 3.71, "x_0": -0.12, "v_0": 0.9}
+datums = pytest.mark.parametrize("datum", ["equilibrium", "separate", "slide"])
+
+
+def columns(scene: Energy, source: str = "time") -> dict[str, np.ndarray]:
+    return {name: np.asarray(column) for name, column in scene.sources[source].data.items()}
+
+
+def test_book_values() -> None:
+    values = Energy(k=4 * math.pi**2).shown.values
+    assert (values["delta"], values["omega"], values["tau"]) == ("0.248", "6.28", "1.00")
+    assert values["v_max"] == "1.26"  # omega_n x_max
+    assert (values["E_total"], values["T_max"], values["V_max"], values["omega_2"]) == (
+        "0.790",
+        "0.790",
+        "0.790",
+        "12.6",
+    )
+
+
+@datums
+def test_energies_of_the_motion_from_the_ceiling(datum: str) -> None:
+    """The same motion solved in the length from the natural one, with spring and weight as they are."""
+    scene = Energy(**CASE, datum=datum)
+    m, k, g = CASE["m"], CASE["k"], CASE["g"]
+    data, sag = columns(scene), m * g / k
+    start = [CASE["x_0"] + sag, CASE["v_0"]]
+    found = solve_ivp(
+        lambda _, y: [y[1], g - k / m * y[0]], (0, data["t"][-1]), start, t_eval=data["t"], rtol=1e-11, atol=1e-13
+    )
+    stretch, speed = found.y
+    np.testing.assert_allclose(data["x"], stretch - sag, atol=1e-9)
+    np.testing.assert_allclose(data["T"], m * speed**2 / 2, atol=1e-9)
+    spring, gravity = k * stretch**2 / 2, -m * g * (stretch - sag)
+    shift = 0.0 if datum == "separate" else k * sag**2 / 2
+    np.testing.assert_allclose(data["V"], spring + gravity - shift, atol=1e-9)
+    np.testing.assert_allclose(data["T"] + data["V"], columns(scene, "level")["total"][0], rtol=1e-14)
+    if datum == "separate":
+        np.testing.assert_allclose(data["spring"], spring, atol=1e-9)
+        np.testing.assert_allclose(data["gravity"], gravity, atol=1e-9)
+
+
+@datums
+def test_signals_are_the_columns(datum: str) -> None:
+    scene = Energy(**CASE, datum=datum)
+    data, axes = columns(scene), scene.shown.axes
+    for i in (0, 37, 101, 200):
+        named = played(scene.shown, axes["t"].place(data["t"][i]))
+        assert named["x"] == pytest.approx(axes["x"].place(data["x"][i]), abs=1e-12)
+        for name in data.keys() & {"T", "V", "spring", "gravity"}:
+            assert named[name] == pytest.approx(axes["E"].place(data[name][i]), abs=1e-12)
+        assert named["V_share"] == pytest.approx(data["V"][i] / (data["V"][i] + data["T"][i]), abs=1e-12)
+
+
+def test_exchange_runs_at_twice_the_frequency() -> None:
+    scene = Energy()
+    data = columns(scene)
+    turn = 2 * math.sqrt(scene.k / scene.m) * data["t"]
+    half = scene.k * scene.x_0**2 / 4
+    np.testing.assert_allclose(data["V"], half + half * np.cos(turn), atol=1e-12)
+    np.testing.assert_allclose(data["T"], half - half * np.cos(turn), atol=1e-12)
+
+
+def test_the_datum_shifts_v_by_a_constant_and_takes_the_equality() -> None:
+    one, other = Energy(**CASE), Energy(**CASE, datum="separate")
+    shift = (CASE["m"] * CASE["g"]) ** 2 / (2 * CASE["k"])
+    for source in ("time", "well"):
+        ahead = columns(other, source)["V"] - columns(one, source)["V"]
+        np.testing.assert_allclose(ahead, shift, rtol=1e-12)
+    np.testing.assert_array_equal(columns(one)["x"], columns(other)["x"])
+    assert one.shown.values["T_max"] == one.shown.values["V_max"]
+    assert other.shown.values["T_max"] != other.shown.values["V_max"]
+    assert columns(other, "well")["other"] == pytest.approx(columns(one, "well")["V"])
+
+
+def test_gravity_moves_the_equilibrium_and_nothing_else() -> None:
+    scene = Energy()
+    motion, values = columns(scene), scene.shown.values
+    for slug, (_, g) in PLANETS.items():
+        scene.set(scene.action(slug))
+        assert scene.g == g
+        assert scene.shown.scalars[f"{slug}_here"] == 1.0
+        for name in ("x", "T", "V"):
+            np.testing.assert_array_equal(columns(scene)[name], motion[name])
+        assert scene.shown.values["omega"] == values["omega"]
+        delta = scene.m * g / scene.k
+        assert -scene.shown.scalars["natural"] == pytest.approx(delta)
+
+
+def test_turning_points_stand_on_the_level() -> None:
+    scene = Energy(**CASE)
+    C = scene.shown.scalars["C"]
+    assert CASE["k"] * C**2 / 2 == pytest.approx(columns(scene, "level")["total"][0])
+    assert np.abs(columns(scene)["x"]).max() == pytest.approx(C, rel=1e-3)
+
+
+def test_other_planets_stand_where_the_mass_would_hang() -> None:
+    scalars = Energy().shown.scalars
+    assert scalars["mars"] - scalars["natural"] == pytest.approx(3.71 / 39.4)
+    assert scalars["moon"] - scalars["natural"] == pytest.approx(1.62 / 39.4)
+
+
+def test_a_natural_length_far_away_is_left_out_of_the_picture() -> None:
+    scene = Energy(x_0=0.001)
+    assert (scene.shown.scalars["natural_seen"], scene.shown.scalars["natural_far"]) == (0.0, 1.0)
+    assert scene.shown.axes["x"].end == pytest.approx(-0.00125)
+
+
+def test_the_three_terms_of_the_slide_add_up_to_half_k_x_squared() -> None:
+    """k (x + delta)^2/2 - k delta^2/2 - m g x = k x^2/2: gravity drops out, and T_max = V_max as from equilibrium."""
+    scene = Energy(**CASE, datum="slide")
+    time, well = scene.sources["time"].data, scene.sources["well"].data
+    constant = scene.sources["level"].data["constant"][0]
+    assert constant == pytest.approx(-((CASE["m"] * CASE["g"]) ** 2) / (2 * CASE["k"]))
+    for columns, x in ((time, time["x"]), (well, well["x"])):
+        total = columns["spring"] + constant + columns["gravity"]
+        np.testing.assert_allclose(total, CASE["k"] * x**2 / 2, atol=1e-14 * np.abs(columns["spring"]).max())
+        np.testing.assert_allclose(columns["V"], CASE["k"] * x**2 / 2, rtol=1e-14)
+    assert scene.shown.values["V_max"] == scene.shown.values["T_max"] == Energy(**CASE).shown.values["T_max"]
+    axis = scene.shown.axes["E"]
+    ends = [column.min() for column in (time["spring"], time["gravity"])] + [constant]
+    assert axis.start < min(ends) and axis.end > time["spring"].max()
+
+
+@datums
+def test_too_fast_to_draw_are_the_bands_between_the_extremes(datum: str) -> None:
+    scene = Energy(window=500.0, datum=datum)
+    band, E = columns(scene, "band"), scene.k * scene.x_0**2 / 2
+    shift = (scene.m * scene.g) ** 2 / (2 * scene.k) if datum == "separate" else 0.0
+    np.testing.assert_allclose([band["T_lo"], band["T_hi"] - E], 0.0, atol=1e-12)
+    np.testing.assert_allclose([band["V_lo"] - shift, band["V_hi"] - shift - E], 0.0, atol=1e-12)
+
+
+def test_presets_solve_once_and_leave_gravity_and_datum() -> None:
+    scene = Energy(g=1.62, datum="separate")
+    solved: list[str | None] = []
+    scene.on_picture(lambda _: solved.append(scene.preset()))
+    others = [label for label in scene.presets if label != scene.preset()]
+    for label in others:
+        assert not take_preset(scene, label)
+        check_picture(scene)
+    assert solved == others
+    assert (scene.g, scene.datum) == (1.62, "separate")
+
+
+@pytest.mark.parametrize("name, text", [("m", "0"), ("k", "0"), ("g", "-9.81"), ("x_0", "down"), ("v_0", "1e999")])
+def test_bad_input_is_told_and_changes_nothing(name: str, text: str) -> None:
+    scene = Energy()
+    before = scene.shown
+    assert name in apply_message(scene, {"type": "typed", "name": name, "text": text})
+    assert scene.shown is before
+
+
+def test_what_leaves_the_doubles_is_refused() -> None:
+    scene = Energy()
+    before = scene.shown
+    with pytest.raises(ValueError, match="range of doubles"):
+        scene.set({"m": 1e200, "g": 1e200})
+    with pytest.raises(ValueError, match="range of doubles"):
+        scene.set({"m": 1e150, "k": 5e-324, "g": 1.0})
+    assert scene.shown is before
+
+
+def test_link_brings_the_scene_back() -> None:
+    scene = Energy(g=1.62, datum="separate")
+    query = dict(pair.split("=") for pair in write_query(scene).split("&"))
+    link = read_query({key: [value.encode()] for key, value in query.items()}, SCENES)
+    assert (link.slug, link.values, link.problems) == ("energy", {"g": 1.62, "datum": "separate"}, [])
+
+
+@datums
+def test_pictures_at_the_ends_of_all_sliders_and_far_beyond(datum: str) -> None:
+    for values in (*corners(Energy), *typed(Energy), {"x_0": 0.0}, {"x_0": 0.0, "g": 0.0}):
+        scene = Energy(datum=datum)
+        try:
+            scene.set(values)
+        except ValueError as reason:
+            assert len(str(reason)) > 10
+        check_picture(scene)
+
+
+def test_the_button_of_the_planet_in_force_is_known() -> None:
+    scene = Energy()
+    assert scene.here() == ["earth"]
+    scene.set(scene.action("jupiter"))
+    assert scene.here() == ["jupiter"]
+    scene.g = 10.0
+    assert scene.here() == []

@@ -1,0 +1,174 @@
+"""What every scene keeps to: one solve a change, presets, links, refusals, and pictures that stay finite."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from components.description import column_axes
+from components.places import COARSE, span
+from components.scene import Scene
+from components.scenes import SCENES
+from components.url import read_query, write_query
+from tests.page.told import Page, apply_message, take_preset
+from tests.scenes.checks import as_arguments, check_picture, corners, quantities, solves, typed
+
+MOST_BYTES = {"coupled": 3300, "forced": 5000, "phugoid": 5000}
+"""Of a change, where 3000 are not enough."""
+
+scenes = pytest.mark.parametrize("scene_class", SCENES.values(), ids=SCENES.keys())
+
+
+def test_scenes_stand_in_the_lectures_order() -> None:
+    order = ["oscillator", "energy", "analogues", "phugoid", "coupled", "modes", "forced", "absorber", "accuracy"]
+    assert [slug for slug in SCENES if slug in order] == order
+
+
+@pytest.mark.parametrize("slug", [slug for slug in SCENES if slug != "accuracy"])
+def test_one_task_in_plain_words_opens_each_scene(slug: str) -> None:
+    """Each view of a scene has its own; none needs a formula."""
+    found: list[Any] = []
+
+    def visit(block: Any) -> None:
+        for child in getattr(block, "blocks", ()):
+            visit(child)
+        if block.style == "task":
+            found.append(block)
+
+    visit(SCENES[slug].sheet())
+    for block in found:
+        (item,) = block.items
+        (text,) = item.variants.values()
+        assert "<math" not in text and len(text.split()) <= 25, text
+    standing = [block for block in found if not block.form or SCENES[slug]().shown.forms.get(block.form)]
+    assert len(standing) == 1
+
+
+@scenes
+def test_first_picture(scene_class: type[Scene]) -> None:
+    check_picture(scene_class())
+
+
+@scenes
+def test_one_solve_a_change(scene_class: type[Scene]) -> None:
+    scene = scene_class()
+    name, quantity = next(iter(quantities(scene_class).items()))
+    counted = solves(scene)
+    setattr(scene, name, quantity.softbounds[1])
+    assert len(counted) == 1
+
+
+@scenes
+def test_every_preset_is_one_solve_and_is_recognised(scene_class: type[Scene]) -> None:
+    scene = scene_class()
+    for label in scene.presets:
+        values = {name: scene.preset_value(label, name) for name in scene.preset_names()}
+        is_there = all(getattr(scene, name) == value for name, value in values.items())
+        counted = solves(scene)
+        assert take_preset(scene, label) == {}
+        assert len(counted) == (0 if is_there else 1), label
+        assert scene.preset() == label
+        check_picture(scene)
+
+
+@scenes
+def test_a_refused_batch_changes_nothing(scene_class: type[Scene]) -> None:
+    scene = scene_class()
+    names = list(quantities(scene_class))
+    before = scene.param.values(), scene.shown
+    with pytest.raises(ValueError, match=r"not possible|finite"):
+        scene.param.update({names[0]: quantities(scene_class)[names[0]].softbounds[1], names[-1]: float("nan")})
+    assert (scene.param.values(), scene.shown) == before
+    counted = solves(scene)
+    scene.set({names[0]: quantities(scene_class)[names[0]].softbounds[0]})
+    assert len(counted) == 1
+
+
+@scenes
+def test_a_bad_value_is_told_at_its_control(scene_class: type[Scene]) -> None:
+    scene = scene_class()
+    name = next(iter(quantities(scene_class)))
+    before = scene.shown
+    for text in ("", "many", "nan", "1e999"):
+        errors = apply_message(scene, {"type": "typed", "name": name, "text": text})
+        assert list(errors) == [name]
+        assert errors[name].endswith(".")
+    assert scene.shown is before
+
+
+@scenes
+def test_link_round_trip(scene_class: type[Scene]) -> None:
+    scene = scene_class()
+    assert write_query(scene) == f"scene={scene.slug}"
+    changed = {name: q.softbounds[1] for name, q in list(quantities(scene_class).items())[:2]}
+    scene.set({**changed, "window": 12.5})
+    link = read_query(as_arguments(write_query(scene)), SCENES)
+    assert (link.slug, link.problems) == (scene.slug, [])
+    again = scene_class()
+    again.set(link.values)
+    assert again.param.values() | {"name": ""} == scene.param.values() | {"name": ""}
+
+
+@scenes
+def test_what_is_sent_is_the_picture(scene_class: type[Scene]) -> None:
+    page = Page(scene_class())
+    name, quantity = next(iter(quantities(scene_class).items()))
+    told = page.say({"type": "set", "values": {name: quantity.softbounds[1]}, "number": 1})
+    assert (told["type"], told["answer"], told["errors"]) == ("shown", 1, {})
+    assert told["state"]["parameters"][name] == quantity.softbounds[1]
+    picture, sent = page.scene.shown, 0
+    for source, columns in told["view"]["columns"].items():
+        for column, places in columns.items():
+            axis = picture.axes[column_axes(scene_class)[source][column]]
+            low, high = span(axis.ruler())
+            true = np.clip(axis.places(picture.columns[source][column]), low, high)
+            assert np.allclose(places, true, rtol=1e-6, atol=0.51 * (high - low) / COARSE)
+            sent += 1
+    assert sent
+
+
+@scenes
+def test_a_change_is_small(scene_class: type[Scene]) -> None:
+    page = Page(scene_class())
+    for number, (name, quantity) in enumerate(quantities(scene_class).items(), start=1):
+        low, high = quantity.softbounds
+        value = 1.1 * (quantity.default or 0.1 * high)
+        page.say({"type": "set", "values": {name: min(max(value, low), high)}, "number": 2 * number})
+        page.say({"type": "set", "values": {name: quantity.default}, "number": 2 * number + 1})
+    around = 450  # bytes of Bokeh's frames
+    assert max(len(packet["data"]) for packet in page.packets) + around <= MOST_BYTES.get(scene_class.slug, 3000)
+
+
+@scenes
+def test_corners_of_all_sliders(scene_class: type[Scene]) -> None:
+    scene = scene_class()
+    drawn = 0
+    for values in corners(scene_class):
+        try:
+            scene.set(values)
+        except ValueError as reason:
+            assert str(reason)
+            continue
+        drawn += 1
+        check_picture(scene)
+    assert drawn
+
+
+@scenes
+def test_values_far_beyond_the_sliders(scene_class: type[Scene]) -> None:
+    drawn = refused = 0
+    for values in typed(scene_class):
+        scene = scene_class()
+        before = scene.shown
+        try:
+            scene.set(values)
+        except ValueError as reason:
+            assert str(reason), values
+            assert scene.shown is before
+            refused += 1
+            continue
+        drawn += 1
+        check_picture(scene)
+    assert drawn > refused

@@ -1,0 +1,237 @@
+"""Scene forced through its callbacks: set a parameter, read the data sources."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from components.chain.forces import LENGTH
+from components.scenes.forced import Forced
+from components.scenes.forced.response import response_plot
+from physics.coupled import TwoMassChain
+from physics.forced import particular_solution
+from tests.page.playing import value_of
+from tests.page.told import apply_message, take_preset
+
+GOLDEN = (math.sqrt(5) + 1) / 2
+
+
+def integrated(scene: Forced, times: np.ndarray) -> np.ndarray:
+    def rates(t: float, y: np.ndarray) -> list[float]:
+        x1, x2, v1, v2 = y
+        pull, drive = scene.k2 * (x2 - x1), scene.F_0 * math.sin(scene.omega * t)
+        return [v1, v2, (-scene.k1 * x1 + pull + drive) / scene.m1, -pull / scene.m2]
+
+    start = [scene.x1_0, scene.x2_0, scene.v1_0, scene.v2_0]
+    return solve_ivp(rates, (0, times[-1]), start, "DOP853", times, rtol=1e-12, atol=1e-12).y[:2]
+
+
+@pytest.mark.parametrize(
+    "values",
+    [
+        {},
+        {"omega": 1 / GOLDEN},
+        {"omega": GOLDEN},
+        {"omega": 1 / GOLDEN + 1e-9},
+        {"k1": 0.0, "omega": 0.3},
+        {"k2": 0.0},
+    ],
+)
+def test_curves_are_the_motion(values: dict[str, float]) -> None:
+    scene = Forced(**values)
+    data = scene.sources["time"].data
+    np.testing.assert_allclose([data["x1"], data["x2"]], integrated(scene, data["t"]), atol=1e-7)
+
+
+def test_total_is_complementary_plus_particular() -> None:
+    data = Forced(x1_0=0.5, v2_0=-1.0).sources["time"].data
+    for i in (1, 2):
+        np.testing.assert_allclose(data[f"x{i}_c"] + data[f"x{i}_p"], data[f"x{i}"], atol=1e-13)
+
+
+def test_the_lectures_figure() -> None:
+    """Slide 8: poles at 0.618 and 1.618, zero of Xp1 at 1, axes 0 to 2.5 and -5 to 5, signs change at each pole."""
+    scene = Forced(curve="signed", axes="lecture")
+    axes, scalars = scene.shown.axes, scene.shown.scalars
+    assert (axes["omega"].ruler().start, axes["omega"].ruler().end) == (0.0, 2.6) or axes[
+        "omega"
+    ].ruler().end == pytest.approx(2.5, rel=0.01)
+    assert (axes["X"].ruler().start, axes["X"].ruler().end) == (-5.0, 5.0)
+    assert scalars["mark_minus"] == pytest.approx(1 / GOLDEN)
+    assert scalars["mark_plus"] == pytest.approx(GOLDEN)
+    assert scalars["mark_still"] == 1.0
+    branches = [scene.sources[f"branch{i}"].data for i in range(4)]
+    signs = [(np.sign(b["Xp1"][5]), np.sign(b["Xp2"][5])) for b in branches]
+    assert signs == [(1, 1), (-1, -1), (1, -1), (-1, 1)]
+
+
+@pytest.mark.parametrize("values", [{}, {"k1": 0.0}, {"k2": 0.0}, {"m1": 2.0, "k1": 2.0, "m2": 0.1, "k2": 0.1}])
+@pytest.mark.parametrize("shown", ["size", "log"])
+def test_what_swings_against_the_push_is_dashed(values: dict[str, float], shown: str) -> None:
+    """Each branch is drawn with one line sample: the sign of the particular solution is seen without asking for it."""
+    scene = Forced(**values, curve=shown)
+    chain = TwoMassChain(m1=scene.m1, m2=scene.m2, k1=scene.k1, k2=scene.k2)
+    drawn = {(one.source, one.y): one.width for one in response_plot().curves}
+    branches = [scene.sources[f"branch{i}"].data.get("omega", np.empty(0))[1:-1] for i in range(4)]
+    assert sum(w.size for w in branches) > 100
+    for i, w in enumerate(branches):
+        for name, X in zip(("Xp1", "Xp2"), particular_solution(chain, 1.0, w), strict=True):
+            assert not np.any(X < 0 if drawn[f"branch{i}", name] == "sum" else X > 0), (i, name)
+
+
+def test_a_dot_that_has_left_the_frame_is_marked() -> None:
+    marks = ("Xp1_over", "Xp2_over", "Xp1_under", "Xp2_under")
+    assert [Forced(omega=0.6).shown.scalars[name] for name in marks] == [1, 1, 0, 0]
+    assert [Forced(omega=0.65, curve="signed").shown.scalars[name] for name in marks] == [0, 0, 1, 1]
+    assert [Forced().shown.scalars[name] for name in marks] == [0, 0, 0, 0]
+
+
+@pytest.mark.parametrize(("omega", "ways"), [(0.3, "with with"), (0.8, "against against"), (1.3, "with against")])
+def test_with_or_against_the_push_is_said(omega: float, ways: str) -> None:
+    shown = Forced(omega=omega).shown
+    assert [shown.values[f"way{i}"] for i in (1, 2)] == [f"{way} F" for way in ways.split()]
+
+
+def test_still_mass_1_stands_still() -> None:
+    """The preset starts on the particular solution: from rest mass 1 would swing by up to 0.99 m."""
+    rest = np.abs(Forced(omega=1.0).sources["time"].data["x1"]).max()
+    assert rest == pytest.approx(0.99, abs=0.01)
+    scene = Forced()
+    take_preset(scene, "Still mass 1")
+    data = scene.sources["time"].data
+    assert np.abs(data["x1"]).max() < 1e-15 and np.abs(data["x2"]).max() == pytest.approx(1.0, rel=1e-3)
+
+
+def test_growth_at_resonance_is_said_and_drawn() -> None:
+    """m1 = 2, m2 = 1, k1 = 4, k2 = 2 at omega_- = 1: M_- = 6 kg, so x1 grows by F_0/(2 M_- omega_-) = 1/12 m/s."""
+    scene = Forced(m1=2.0, k1=4.0, k2=2.0, omega=1.0)
+    assert scene.shown.forms["steady"] == "resonance"
+    assert (scene.shown.values["growth1"], scene.shown.values["growth2"]) == ("0.0833", "0.167")
+    limit, data = scene.sources["limit"].data, scene.sources["time"].data
+    np.testing.assert_allclose(limit["x1_beat"], limit["t"] / 12, rtol=1e-14)
+    np.testing.assert_array_equal(limit["x1_fall"], -limit["x1_beat"])
+    # What is left beside the envelope is the fast mode's share, which stays bounded.
+    assert np.all(np.abs(data["x1"]) < np.interp(data["t"], limit["t"], limit["x1_beat"]) + 0.2)
+
+
+def test_next_to_resonance_no_huge_amplitude_is_said() -> None:
+    scene = Forced()
+    take_preset(scene, "At slow")
+    assert scene.shown.forms["steady"] in ("near", "resonance")
+    assert scene.shown.values["growth1"] == "0.224"  # F_0 c/(2 omega), c = 1/(1 + 1.618^2)
+
+
+def test_a_long_window_bends_the_line_into_a_beat() -> None:
+    short, long = Forced(omega=1 / GOLDEN + 2e-5), Forced(omega=1 / GOLDEN + 2e-5, window=2e5)
+    assert (short.shown.forms["x1_limit"], long.shown.forms["x1_limit"]) == ("grows", "beats")
+    assert "x1_growth" not in short.sources["limit"].data and "x1_growth" in long.sources["limit"].data
+
+
+def test_forces_on_demand_are_newtons_law() -> None:
+    assert "F1" not in Forced().shown.signals
+    scene = Forced(view="forces", x1_0=0.5, v2_0=-1.0)
+    signals, t = scene.shown.signals, scene.sources["time"].data["t"]
+    x = {name: scene.sources["time"].data[name] for name in ("x1", "x2")} | {"drive": np.sin(scene.omega * t)}
+    F1, F2 = (value_of(signals[name], t, x) for name in ("F1", "F2"))
+    step = t[1] - t[0]
+    for F, m, name in ((F1, scene.m1, "x1"), (F2, scene.m2, "x2")):
+        np.testing.assert_allclose(F[1:-1], m * np.diff(x[name], 2) / step**2, atol=0.01)
+    scalars = scene.shown.scalars
+    assert scalars["newton"] * max(np.abs(F1).max(), np.abs(F2).max(), scene.F_0) == pytest.approx(LENGTH)
+    assert scalars["push"] == pytest.approx(scalars["newton"] * scene.F_0)
+
+
+def test_lecture_axes_are_not_offered_without_a_wall() -> None:
+    scene = Forced(k1=0.0, axes="lecture")
+    assert scene.shown.axes["X"].unit == "m"
+    assert scene.shown.forms["lecture"] == ""
+    assert any("k₁" in note for note in scene.shown.notes)
+
+
+def test_steady_start_leaves_no_complementary_part() -> None:
+    scene = Forced()
+    assert apply_message(scene, {"type": "act", "name": "steady"}) == {}
+    data = scene.sources["time"].data
+    assert np.abs(data["x1_c"]).max() < 1e-15 and np.abs(data["x2_c"]).max() < 1e-15
+    assert apply_message(scene, {"type": "act", "name": "rest"}) == {}
+    assert (scene.v1_0, scene.v2_0) == (0.0, 0.0)
+
+
+def test_steady_start_is_refused_at_resonance() -> None:
+    scene = Forced(k2=0.0, omega=1.0)
+    errors = apply_message(scene, {"type": "act", "name": "steady"})
+    assert "natural frequency" in errors["action"]
+
+
+def test_refusals_write_numbers_as_they_are_typed() -> None:
+    errors = apply_message(Forced(), {"type": "typed", "name": "omega", "text": "1e300"})
+    assert "= 1e300 rad/s" in errors["omega"]
+
+
+def test_near_resonance_the_parts_give_way_to_the_envelope() -> None:
+    scene = Forced(omega=(1 + 1e-9) / GOLDEN)
+    data, limit = scene.sources["time"].data, scene.sources["limit"].data
+    assert "x1_p" not in data and scene.shown.forms["x1_p"] == ""
+    assert any("huge and opposite" in note for note in scene.shown.notes)
+    np.testing.assert_allclose(limit["x1_beat"], limit["t"] * limit["x1_beat"][-1] / limit["t"][-1], rtol=1e-12)
+    # The other mode's share stays bounded while the envelope grows.
+    late = data["t"] > data["t"][-1] / 2
+    assert np.abs(data["x1"][late]).max() == pytest.approx(limit["x1_beat"][-1], rel=0.2)
+
+
+@pytest.mark.parametrize("label", ["At slow", "At fast"])
+def test_hardly_an_ulp_from_a_natural_frequency_is_resonance(label: str) -> None:
+    scene = Forced()
+    take_preset(scene, label)
+    natural = scene.omega
+    seen = []
+    for omega in (natural, math.nextafter(natural, 0.0), math.nextafter(natural, math.inf)):
+        scene.set({"omega": omega})
+        seen.append(scene.shown.forms["steady"])
+        if seen[-1] != "resonance":
+            continue
+        assert (scene.shown.values["D"], scene.shown.values["Xp1"]) == ("0.00", "+∞")
+        assert "drive_at" not in scene.shown.scalars
+        assert not any("huge" in note for note in scene.shown.notes)
+        before = scene.shown
+        (error,) = apply_message(scene, {"type": "act", "name": "steady"}).values()
+        assert error.startswith("The drive is at a natural frequency")
+        assert scene.shown is before
+    # The frequency lies between two doubles: these and no others are at most an ulp away.
+    assert seen[0] == "resonance" and seen.count("resonance") == 2
+
+
+def test_without_a_force_nothing_resonates() -> None:
+    scene = Forced(F_0=0.0, omega=1 / GOLDEN)
+    assert scene.shown.forms["steady"] == "finite"
+    assert apply_message(scene, {"type": "act", "name": "steady"}) == {}
+
+
+def test_work_is_the_gain_of_energy() -> None:
+    for values in ({}, {"omega": 1 / GOLDEN}, {"x1_0": 1.0, "v2_0": -2.0}):
+        data = Forced(**values, view="work").sources["energy"].data
+        np.testing.assert_allclose(data["work"], data["gain"], atol=1e-13 * np.abs(data["gain"]).max())
+
+
+def test_the_slider_spans_two_and_a_half_natural_frequencies() -> None:
+    scene = Forced()
+    scene.set({"k1": 100.0})
+    fast = TwoMassChain(m1=1, m2=1, k1=100, k2=1).modes().omega[1]
+    assert scene.shown.spans["omega"] == (0.0, 2.5 * fast)
+
+
+def test_antiresonance_stops_mass_1() -> None:
+    scene = Forced(omega=1.0)
+    assert scene.shown.values["Xp1"] in ("+0.00", "−0.00")
+    assert scene.shown.values["Xp2"] == "−1.00"
+
+
+@pytest.mark.parametrize(("shown", "least"), [("size", 0.0), ("signed", 0.0), ("log", 1e-3)])
+def test_curve_of_mass_1_comes_down_to_its_zero(shown: str, least: float) -> None:
+    scene = Forced(m1=2.0, k1=2.0, m2=0.1, k2=0.1, curve=shown)
+    swing = scene.sources["response"].data["Xp1"]
+    assert np.abs(swing).min() <= least
+    assert np.all(np.abs(swing) > 0) == (shown == "log")

@@ -1,0 +1,254 @@
+"""The queue of measurements and its worker process."""
+
+from __future__ import annotations
+
+import asyncio
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+import psutil
+import pytest
+
+from components.scenes.accuracy.measuring import WAITING, Job, Measuring
+from physics.accuracy import SYSTEMS, entered
+from physics.accuracy_worker import decoded_system, encoded_system
+from tests.bench.visitor import Visitor
+from tests.serving.server import ROOT, Server, serving
+
+BENIGN = SYSTEMS["benign"]
+TWO = ("closed", "verlet")
+
+
+def wait(until: Callable[[], object], seconds: float = 100.0) -> None:
+    end = time.monotonic() + seconds
+    while not until():
+        assert time.monotonic() < end, "waited in vain"
+        time.sleep(0.02)
+
+
+def nothing() -> None:
+    """A listener that does not listen."""
+
+
+def visitors(count: int) -> list[Callable[[], None]]:
+    """Listeners that differ."""
+    return [partial(print, end="") for _ in range(count)]
+
+
+@pytest.fixture
+def two(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two methods are measured, not eight: they come to their end on a busy machine too."""
+    monkeypatch.setattr("components.scenes.accuracy.measuring.LIVE", TWO)
+
+
+@pytest.fixture
+def full() -> Iterator[tuple[Measuring, list[Job], list[Callable[[], None]]]]:
+    """A queue with no room left, its jobs (the first one runs) and who waits for each."""
+    queue, people = Measuring(budget=60.0), visitors(WAITING + 1)
+    jobs = [queue.ask(replace(BENIGN, slug=f"own{n}"), 30.0, one) for n, one in enumerate(people)]
+    yield queue, jobs, people
+    for job, one in reversed(list(zip(jobs, people, strict=True))):
+        queue.leave(job, one)
+    wait(lambda: jobs[0].state == "done")
+
+
+Full = tuple[Measuring, list[Job], list[Callable[[], None]]]
+
+
+def test_a_system_survives_json() -> None:
+    for system in SYSTEMS.values():
+        assert decoded_system(encoded_system(system)) == system
+
+
+def test_a_measurement_comes_run_by_run_and_is_remembered(two: None) -> None:
+    queue, seen = Measuring(budget=60.0), list[int]()
+    job: Job | None = None
+
+    def heard() -> None:
+        if job:
+            seen.append(len(job.runs))
+
+    job = queue.ask(BENIGN, 0.02, heard)
+    assert job.methods == TWO
+    wait(lambda: job.state == "done")
+    assert seen == sorted(seen) and len(set(seen)) > 5
+    assert {run.method for run in job.runs} == set(TWO)
+    assert len({(run.method, run.setting) for run in job.runs}) == len(job.runs)
+    closed = next(run for run in job.runs if run.method == "closed")
+    assert closed.error is not None and closed.error < 1e-15
+    assert closed.rounds == 3
+    assert any(run.failure and "time limit" in run.failure for run in job.runs)
+    again = queue.ask(BENIGN, 0.02, nothing)
+    assert again is job
+
+
+def test_with_a_dashpot_only_methods_made_for_it_run(two: None) -> None:
+    queue = Measuring(budget=60.0)
+    job = queue.ask(SYSTEMS["dashpot"], 0.02, nothing)
+    assert job.methods == entered(SYSTEMS["dashpot"], TWO) == ("closed",)
+    wait(lambda: job.state == "done")
+    assert {run.method for run in job.runs} == {"closed"}
+
+
+def test_one_at_a_time_with_the_place_in_the_queue(two: None) -> None:
+    queue = Measuring(budget=60.0)
+    first = queue.ask(BENIGN, 30.0, nothing)
+    other, heard = visitors(2)
+    second = queue.ask(SYSTEMS["beats"], 30.0, heard)
+    shared = queue.ask(SYSTEMS["beats"], 30.0, other)
+    assert shared is second
+    assert (queue.place(first), queue.place(second)) == (0, 1)
+    assert (first.state, second.state) == ("running", "waiting")
+    queue.leave(second, heard)
+    assert queue.place(second) == 1
+    queue.leave(second, other)
+    queue.leave(first, nothing)
+    wait(lambda: first.state == "done")
+    assert first.reason == "cancelled"
+    assert second.state == "waiting" and queue.place(second) == 0
+    third = queue.ask(replace(BENIGN, slug="own"), 0.01, nothing)
+    wait(lambda: third.state == "done")
+    assert {run.method for run in third.runs} == set(TWO)
+
+
+def test_a_full_queue_says_so_and_stays_as_it_is(full: Full) -> None:
+    queue, jobs, people = full
+    (late,) = visitors(1)
+    with pytest.raises(ValueError, match="8 measurements wait already"):
+        queue.ask(SYSTEMS["wide"], 30.0, late)
+    with pytest.raises(ValueError, match="8 measurements wait already"):
+        queue.ask(SYSTEMS["wide"], 30.0, people[0])
+    assert [queue.place(job) for job in jobs] == list(range(WAITING + 1))
+    assert queue.ask(jobs[5].system, 30.0, late) is jobs[5]
+    queue.leave(jobs[5], late)
+
+
+def test_who_waits_may_ask_for_something_else(full: Full) -> None:
+    queue, jobs, people = full
+    gone, jobs[3] = jobs[3], queue.ask(SYSTEMS["wide"], 30.0, people[3])
+    assert queue.place(gone) == 0 and gone.listeners == []
+    assert queue.place(jobs[3]) == WAITING
+
+
+def test_a_visitor_has_one_measurement_at_a_time() -> None:
+    queue = Measuring(budget=60.0)
+    first = queue.ask(BENIGN, 30.0, nothing)
+    assert queue.ask(BENIGN, 30.0, nothing) is first
+    assert first.listeners == [nothing]
+    second = queue.ask(SYSTEMS["beats"], 30.0, nothing)
+    wait(lambda: first.state == "done" and second.state == "running")
+    assert first.reason == "cancelled"
+    queue.leave(second, nothing)
+    wait(lambda: second.state == "done")
+
+
+def test_a_worker_that_does_not_end_is_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    worker = tmp_path / "worker"
+    worker.write_text("#!/bin/sh\nexec sleep 600\n")
+    worker.chmod(0o755)
+    monkeypatch.setattr("components.scenes.accuracy.measuring.sys.executable", str(worker))
+    monkeypatch.setattr("components.scenes.accuracy.measuring.GRACE", 0.2)
+    queue = Measuring(budget=0.1)
+    job = queue.ask(BENIGN, 1.0, nothing)
+    wait(lambda: job.state == "done")
+    assert job.reason == "stopped after 0.1 s"
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="limits of memory are the operating system's")
+def test_a_worker_has_little_memory() -> None:
+    code = "from physics.accuracy_worker import MEMORY, restrain; restrain(); bytearray(MEMORY)"
+    told = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=False)
+    assert told.returncode == 1 and "MemoryError" in told.stderr
+
+
+def test_a_method_can_be_skipped() -> None:
+    queue = Measuring(budget=60.0)
+    job = queue.ask(replace(BENIGN, slug="skipped"), 20.0, nothing)
+    wait(lambda: job.method == "verlet")
+    queue.skip(job)
+    wait(lambda: job.method not in ("", "verlet"))
+    skipped = len([run for run in job.runs if run.method == "verlet"])
+    wait(lambda: len([run for run in job.runs if run.method == "rk4"]) > skipped + 2)
+    assert len([run for run in job.runs if run.method == "verlet"]) <= skipped + 1
+    queue.leave(job, nothing)
+    wait(lambda: job.state == "done")
+
+
+def test_nobody_skips_what_others_wait_for() -> None:
+    queue = Measuring(budget=60.0)
+    job = queue.ask(replace(BENIGN, slug="shared"), 20.0, nothing)
+    queue.ask(replace(BENIGN, slug="shared"), 20.0, other := (lambda: None))
+    with pytest.raises(ValueError, match="Others wait"):
+        queue.skip(job)
+    queue.leave(job, nothing)
+    queue.leave(job, other)
+    wait(lambda: job.state == "done")
+
+
+def test_what_lacks_a_method_is_not_kept_for_others(two: None) -> None:
+    queue = Measuring(budget=60.0)
+    job: Job | None = None
+
+    def heard() -> None:
+        if job and job.method == "verlet":
+            queue.skip(job)
+
+    job = queue.ask(replace(BENIGN, slug="lacking"), 0.01, heard)
+    wait(lambda: job.state == "done")
+    assert (job.reason, job.skipped) == ("", {"verlet"})
+    assert queue.remembered(job.system, job.seconds) is None
+
+
+def test_a_worker_that_dies_while_it_writes_does_not_stop_the_queue(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    worker = tmp_path / "worker"
+    worker.write_text("""#!/bin/sh\nread order\nprintf '{"method": "verl'\n""")
+    worker.chmod(0o755)
+    monkeypatch.setattr("components.scenes.accuracy.measuring.sys.executable", str(worker))
+    queue = Measuring()
+    jobs = [queue.ask(SYSTEMS[slug], 1.0, one) for slug, one in zip(("benign", "beats"), visitors(2), strict=True)]
+    wait(lambda: all(job.state == "done" for job in jobs))
+    assert [job.reason for job in jobs] == ["the measuring process stopped"] * 2
+
+
+def test_the_limit_for_a_visitor() -> None:
+    queue = Measuring(budget=1.0)
+    job = queue.ask(BENIGN, 20.0, nothing)
+    wait(lambda: job.state == "done")
+    assert job.reason.startswith("stopped after 1 s")
+    assert queue.remembered(BENIGN, 20.0) is None
+
+
+def test_nothing_to_measure() -> None:
+    queue = Measuring(budget=30.0)
+    rest = replace(BENIGN, x_0=(0.0, 0.0), v_0=(0.0, 0.0))
+    job = queue.ask(rest, 1.0, nothing)
+    wait(lambda: job.state == "done")
+    assert job.reason and not job.runs
+    with pytest.raises(ValueError, match="no period"):
+        queue.ask(replace(BENIGN, chain=replace(BENIGN.chain, k1=0.0, k2=0.0)), 1.0, nothing)
+
+
+def test_a_visitor_who_leaves_ends_the_measurement(tmp_path: Path) -> None:
+    soon = ("--unused-seconds", "0.05")
+    with serving(tmp_path / "log", options=soon) as server:
+        asyncio.run(_measure_and_leave(server))
+        wait(lambda: not workers(server))
+        assert "on_session_destroyed" not in server.log.read_text()
+
+
+def workers(server: Server) -> list[psutil.Process]:
+    return psutil.Process(server.process.pid).children()
+
+
+async def _measure_and_leave(server: Server) -> None:
+    visitor = await Visitor.arrive(server.url, "scene=accuracy&limit=60")
+    await visitor.say({"type": "run", "order": "start"})
+    wait(lambda: workers(server))
+    visitor.leave()

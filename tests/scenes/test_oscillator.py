@@ -1,0 +1,185 @@
+"""Scene oscillator through its callbacks: the turning arrow, the solution written both ways, and its limits."""
+
+from __future__ import annotations
+
+import math
+
+import mpmath as mp
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from components.scenes import SCENES
+from components.scenes.oscillator import OscillatorScene
+from components.url import read_query, write_query
+from tests.page.playing import played, value_of
+from tests.page.told import apply_message, take_preset
+from tests.scenes.checks import check_picture, corners, typed
+
+starts = pytest.mark.parametrize(
+    "x_0, v_0", [(0.1, -0.8), (0.1, 0.8), (-0.1, -0.8), (-0.2, 0.3), (0.15, 0.0), (0.0, 0.8)]
+)
+
+
+def columns(scene: OscillatorScene, source: str = "time") -> dict[str, np.ndarray]:
+    return {name: np.asarray(column) for name, column in scene.sources[source].data.items()}
+
+
+def signal(scene: OscillatorScene, name: str, t: np.ndarray) -> np.ndarray:
+    """A signal at times in s, in SI units, as the browser evaluates it."""
+    wire, axes = scene.shown.signals[name], scene.shown.axes
+    size = 10.0 ** axes[name].exponent if name in axes else 1.0
+    return size * value_of(wire, t / 10.0 ** axes["t"].exponent, {})
+
+
+def test_first_scene_of_the_lecture() -> None:
+    assert next(iter(SCENES)) == "oscillator"
+    assert read_query({}, SCENES).slug == "oscillator"
+
+
+def test_book_value_a_period_of_one_second() -> None:
+    scene = OscillatorScene(k=4 * math.pi**2)
+    assert scene.shown.values["tau"] == "1.00"
+    assert scene.sources["time"].data["t"][-1] == pytest.approx(2.0, rel=1e-15)
+
+
+@starts
+def test_curves_are_the_motion(x_0: float, v_0: float) -> None:
+    scene = OscillatorScene(m=0.7, k=11.0, x_0=x_0, v_0=v_0)
+    data = columns(scene)
+    found = solve_ivp(
+        lambda _, y: [y[1], -11.0 / 0.7 * y[0]],
+        (0, data["t"][-1]),
+        [x_0, v_0],
+        t_eval=data["t"],
+        rtol=1e-11,
+        atol=1e-13,
+    )
+    for name, column in (("x", found.y[0]), ("v", found.y[1]), ("a", -11.0 / 0.7 * found.y[0])):
+        np.testing.assert_allclose(data[name], column, atol=1e-9 * np.abs(column).max())
+        np.testing.assert_allclose(signal(scene, name, data["t"]), column, atol=1e-9 * np.abs(column).max())
+
+
+@starts
+def test_the_tip_of_the_arrow_stands_on_the_level_of_x(x_0: float, v_0: float) -> None:
+    scene = OscillatorScene(x_0=x_0, v_0=v_0)
+    t = columns(scene)["t"]
+    C = scene.shown.scalars["C"]
+    np.testing.assert_allclose(C * signal(scene, "sine", t), columns(scene)["x"], atol=1e-12)
+    omega = math.sqrt(scene.k / scene.m)
+    np.testing.assert_allclose(C * signal(scene, "cosine", t), columns(scene)["v"] / omega, atol=1e-12)
+
+
+@starts
+def test_constants_with_atan2(x_0: float, v_0: float) -> None:
+    scene = OscillatorScene(m=2.0, k=18.0, x_0=x_0, v_0=v_0)
+    with mp.workdps(30):
+        C, phi = mp.hypot(x_0, mp.mpf(v_0) / 3), mp.atan2(x_0, mp.mpf(v_0) / 3)
+    scalars = scene.shown.scalars
+    assert (scalars["C"], scalars["phi"]) == pytest.approx((float(C), float(phi)), rel=1e-15)
+    assert scene.shown.forms["why"] == {-1: "wrong", 0: "zero", 1: "right"}[int(np.sign(v_0))]
+
+
+def test_atan_points_the_other_way_where_the_start_is_backwards() -> None:
+    values = OscillatorScene(k=4 * math.pi**2, x_0=0.1, v_0=-0.8).shown.values
+    assert (values["phi"], values["atan"]) == ("2.48", "−0.666")
+    assert (values["A"], values["B"], values["C"]) == ("+0.100", "−0.127", "0.162")
+
+
+def test_marks_of_the_lead_stand_on_peaks_a_quarter_period_apart() -> None:
+    scene = OscillatorScene(m=0.3, k=5.0, x_0=-0.1, v_0=0.4)
+    scalars, data = scene.shown.scalars, columns(scene)
+    quarter = math.pi / 2 / math.sqrt(5.0 / 0.3)
+    for name, before in (("x", None), ("v", "x"), ("a", "v")):
+        peak = scalars[f"peak_{name}"]
+        assert np.interp(peak, data["t"], data[name]) == pytest.approx(scalars[f"top_{name}"], rel=2e-3)
+        if before:
+            assert scalars[f"peak_{before}"] - peak == pytest.approx(quarter, rel=1e-12)
+
+
+def test_ticks_are_the_amplitudes_and_the_planes_share_them() -> None:
+    scene = OscillatorScene(m=1.0, k=4.0, x_0=0.3, v_0=0.8)
+    axes, loop = scene.shown.axes, columns(scene, "loop")
+    for name, amplitude in (("x", 0.5), ("v", 1.0), ("a", 2.0)):
+        np.testing.assert_allclose(axes[name].ticks, [-amplitude, 0, amplitude], rtol=1e-14)
+        assert np.abs(loop[name]).max() == pytest.approx(amplitude, rel=1e-3)
+    np.testing.assert_allclose(loop["a"], -4.0 * loop["x"], atol=1e-14)
+    np.testing.assert_allclose((loop["x"] / 0.5) ** 2 + loop["v"] ** 2, 1.0, rtol=1e-13)
+
+
+def test_without_a_spring_the_mass_drifts() -> None:
+    scene = OscillatorScene(k=0.0, x_0=0.1, v_0=0.02)
+    data = columns(scene)
+    np.testing.assert_allclose(data["x"], 0.1 + 0.02 * data["t"], rtol=1e-15)
+    assert not np.any(data["a"])
+    assert "turns" not in scene.shown.scalars
+    assert scene.shown.forms["kind"] == "drift"
+    check_picture(scene)
+
+
+def test_too_fast_to_draw_is_the_band_of_the_amplitude() -> None:
+    scene = OscillatorScene(window=1000.0)
+    band = columns(scene, "band")
+    assert set(columns(scene)) == {"t"}
+    for name in "xva":
+        top = scene.shown.axes[name].ticks[-1]
+        np.testing.assert_allclose(band[f"{name}_hi"], top, rtol=1e-12)
+        np.testing.assert_allclose(band[f"{name}_lo"], -top, rtol=1e-12)
+    assert "leads" not in scene.shown.scalars
+
+
+def test_presets_solve_once_and_are_recognised() -> None:
+    scene = OscillatorScene()
+    solved: list[str | None] = []
+    scene.on_picture(lambda _: solved.append(scene.preset()))
+    others = [label for label in scene.presets if label != scene.preset()]
+    for label in others:
+        assert not take_preset(scene, label)
+        check_picture(scene)
+    assert solved == others
+
+
+@pytest.mark.parametrize(
+    "name, text", [("m", "0"), ("m", "-1"), ("k", "-2"), ("x_0", "far"), ("v_0", "1e999"), ("window", "0")]
+)
+def test_bad_input_is_told_and_changes_nothing(name: str, text: str) -> None:
+    scene = OscillatorScene()
+    before, state = scene.shown, dict(scene.param.values())
+    assert name in apply_message(scene, {"type": "typed", "name": name, "text": text})
+    assert scene.shown is before
+    assert dict(scene.param.values()) == state
+
+
+def test_what_leaves_the_doubles_is_refused() -> None:
+    scene = OscillatorScene()
+    before = scene.shown
+    with pytest.raises(ValueError, match="range of doubles"):
+        scene.set({"m": 1e-300, "k": 1e300})
+    assert scene.shown is before
+    assert scene.m == 1.0
+
+
+def test_link_brings_the_scene_back() -> None:
+    scene = OscillatorScene(m=0.25, v_0=1e-3, window=3.0)
+    query = dict(pair.split("=") for pair in write_query(scene).split("&"))
+    link = read_query({key: [value.encode()] for key, value in query.items()}, SCENES)
+    assert (link.slug, link.values, link.problems) == ("oscillator", {"m": 0.25, "v_0": 1e-3, "window": 3.0}, [])
+
+
+def test_pictures_at_the_ends_of_all_sliders_and_far_beyond() -> None:
+    for values in (*corners(OscillatorScene), *typed(OscillatorScene)):
+        scene = OscillatorScene()
+        try:
+            scene.set(values)
+        except ValueError as reason:
+            assert len(str(reason)) > 10
+        check_picture(scene)
+
+
+def test_the_force_on_demand_is_minus_k_x() -> None:
+    assert "F" not in OscillatorScene().shown.signals and not OscillatorScene().shown.scalars["forced"]
+    scene = OscillatorScene(view="force", k=1e5, x_0=0.2, v_0=0.0)
+    now = played(scene.shown, 0.0)
+    assert now["F"] == pytest.approx(-20.0)  # kN
+    assert (scene.shown.values["F_unit"], scene.shown.scalars["forced"]) == ("·10³ N", 1)
+    assert OscillatorScene(view="force", k=0.0).shown.scalars["forced"] == 0

@@ -1,0 +1,262 @@
+"""Scene phugoid through its callbacks, against book values and an independent solver."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from components.scenes.phugoid import AIRCRAFT, SPEEDS, Phugoid
+from physics.phugoid import CUSP_EXCESS
+from tests.page.playing import hermite, played
+from tests.page.told import apply_message, picture_wire
+
+EXCESSES = (0.1, 0.6, 1.0, 2.5, -0.5)
+
+
+def flown(scene: Phugoid, times: np.ndarray) -> dict[str, np.ndarray]:
+    """The flight in SI units by Newton's law: lift m g (V/v_0)^2 square to the path, and weight."""
+
+    def rates(_: float, state: np.ndarray) -> list[float]:
+        _, _, u, w = state
+        lift = scene.g * math.hypot(u, w) / scene.v_0**2
+        return [u, w, -lift * w, lift * u - scene.g]
+
+    speed = scene.v_0 * (1 + scene.excess)
+    height = (scene.v_0**2 - speed**2) / (2 * scene.g)
+    out = solve_ivp(rates, (0, times[-1]), [0, height, speed, 0], "DOP853", times, rtol=1e-12, atol=1e-9).y
+    return {"x": out[0], "h": out[1], "u": out[2], "w": out[3], "v": np.hypot(out[2], out[3]) - scene.v_0}
+
+
+def test_book_values() -> None:
+    """Slide 10: a light aircraft at 150 ft/s takes about 20 s; with 32.174 ft/s² 20.71 s."""
+    scene = Phugoid()
+    assert scene.shown.values["tau"] == "20.7"
+    assert scene.shown.values["omega"] == "0.303"
+    assert {name: scene.shown.values[f"tau_{name}"] for name in AIRCRAFT} == {
+        "model": "4.83 s", "glider": "12.4 s", "light": "20.7 s", "airliner": "113 s",
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("excess", EXCESSES)
+def test_exact_curves_are_the_flight(excess: float) -> None:
+    scene = Phugoid(excess=excess)
+    data = scene.sources["time"].data
+    flight = flown(scene, data["t"])
+    np.testing.assert_allclose(data["h"], flight["h"], atol=1e-5)
+    np.testing.assert_allclose(data["v"], flight["v"], atol=1e-6)
+
+
+@pytest.mark.parametrize("excess", EXCESSES)
+def test_path_is_the_flight_over_distance(excess: float) -> None:
+    scene = Phugoid(excess=excess)
+    path, end = scene.sources["path"].data, scene.shown.axes["along"].end
+    times = np.linspace(0, 400, 40001)
+    flight = flown(scene, times)
+    # Loops turn back, so compare as sets of points: each of the path lies on the flight.
+    for x, y in zip(path["x"][::40], path["y"][::40], strict=True):
+        gap = np.hypot(flight["x"] - x, flight["h"] - y).min()
+        assert gap < 0.03 * scene.v_0 * (1 + abs(excess))
+    assert path["x"][-1] >= end or excess > 1  # tight loops creep: 28 of them do not fill the frame
+
+
+def test_linear_curves_are_the_slides() -> None:
+    """Slide 10: h' and v' are sines of one frequency, v' = -(g/v_0) h'."""
+    scene = Phugoid()
+    data = scene.sources["time"].data
+    omega = math.sqrt(2) * scene.g / scene.v_0
+    size = 0.6 * scene.v_0**2 / scene.g
+    np.testing.assert_allclose(data["h_lin"], -size * np.cos(omega * data["t"]), atol=1e-9)
+    np.testing.assert_allclose(data["v_lin"], -scene.g / scene.v_0 * data["h_lin"], atol=1e-9)
+
+
+def test_frames_of_height_and_speed_are_mirror_images() -> None:
+    axes, scene = Phugoid().shown.axes, Phugoid()
+    assert axes["v"].end == pytest.approx(axes["h"].end * scene.g / scene.v_0)
+    assert axes["h"].start == -axes["h"].end
+
+
+def test_a_small_disturbance_is_linear() -> None:
+    data = Phugoid(excess=1e-6).sources["time"].data
+    np.testing.assert_allclose(data["h"], data["h_lin"], atol=5e-6 * np.max(np.abs(data["h"])))
+
+
+def test_no_property_of_the_aircraft_but_its_speed_enters() -> None:
+    scene = Phugoid()
+    before = picture_wire(scene)
+    scene.m = 70000.0
+    after = picture_wire(scene)
+    for source, columns in before["columns"].items():
+        for name, column in columns.items():
+            assert np.array_equal(column, after["columns"][source][name])
+    assert {**before, "columns": None} == {**after, "columns": None}
+    scene.v_0 *= 2
+    assert scene.shown.values["tau"] == "41.4"
+
+
+@pytest.mark.parametrize("show", ["period", "exchange", "limits"])
+def test_units_change_labels_and_never_the_drawing(show: str) -> None:
+    def places(unit: str) -> dict[str, np.ndarray]:
+        scene = Phugoid(unit=unit, show=show)
+        wire, axes = picture_wire(scene), scene.shown.axes
+        shares = {}
+        for name, axis in (("h", "h"), ("v", "v"), ("t", "t")):
+            start, end = (axes[axis].place(value) for value in (axes[axis].start, axes[axis].end))
+            shares[name] = (wire["columns"]["time"][name] - start) / (end - start)
+        for name, axis in (("x", "along"), ("y", "up")):
+            start, end = (axes[axis].place(value) for value in (axes[axis].start, axes[axis].end))
+            shares[name] = (wire["columns"]["path"][name] - start) / (end - start)
+        return shares
+
+    foot = places("ft/s")
+    for unit in SPEEDS:
+        for name, share in places(unit).items():
+            np.testing.assert_allclose(share, foot[name], atol=2e-6)
+    labels = {unit: Phugoid(unit=unit).shown.axes["v"].ruler().labels[-1].split()[-1] for unit in SPEEDS}
+    assert labels == {unit: unit for unit in SPEEDS}
+
+
+@pytest.mark.parametrize("excess", [*EXCESSES, CUSP_EXCESS])
+def test_what_the_clock_plays_is_the_flight(excess: float) -> None:
+    scene = Phugoid(excess=excess, unit="m/s")
+    signals, axes = scene.shown.signals, scene.shown.axes
+    times = np.linspace(0, axes["t"].end, 301)
+    # At the cusp the speed turns in a corner, which a smooth curve can only cut.
+    tolerance = 0.02 if excess == CUSP_EXCESS else 2e-5
+    flight = flown(scene, times)
+    for name, size, unit in (
+        ("x", flight["x"], scene.v_0**2 / scene.g),
+        ("h", flight["h"], scene.v_0**2 / scene.g),
+        ("v", flight["v"], scene.v_0),
+        ("u", flight["u"] / scene.v_0, 1.0),
+        ("w", flight["w"] / scene.v_0, 1.0),
+    ):
+        signal = signals[name]
+        scale = 10.0 ** axes[{"x": "along"}.get(name, name)].exponent if name in "xhv" else 1.0
+        played = hermite(signal, times / 10.0 ** axes["t"].exponent) * scale
+        np.testing.assert_allclose(played, size, atol=tolerance * unit)
+
+
+@pytest.mark.parametrize("excess", [0.1, 0.6, CUSP_EXCESS, 1.0])
+def test_aircraft_trades_once_a_swing_and_the_spring_twice(excess: float) -> None:
+    scene = Phugoid(excess=excess, show="exchange")
+    data = scene.sources["time"].data
+    turns = {name: np.count_nonzero(np.diff(np.sign(np.diff(data[name]))) < 0) for name in ("v", "share", "twin")}
+    assert turns["share"] == turns["v"]
+    assert turns["twin"] in (4, 5)
+    if excess == CUSP_EXCESS:
+        assert data["share"].min() == pytest.approx(0.0, abs=1e-3)
+    np.testing.assert_allclose(data["share"], ((1 + data["v"] / scene.v_0) / (1 + excess)) ** 2, atol=1e-12)
+
+
+def test_invariant_is_constant_along_each_curve() -> None:
+    scene = Phugoid(show="limits")
+    own, family = scene.sources["velocity"].data, scene.sources["family"].data
+    curves = {"own": (own["u"], own["w"])} | {
+        name: (family[f"u_{name}"], family[f"w_{name}"]) for name in ("a", "cusp", "loop")
+    }
+    for name, expected in {
+        "own": 0.23467,
+        "a": 2 / 3 - 0.04 * (1 + 0.2 / 3),
+        "cusp": 0.0,
+        "loop": -2 / 3,
+    }.items():
+        u, w = curves[name][0] + 1, curves[name][1]
+        np.testing.assert_allclose(u - np.hypot(u, w) ** 3 / 3, expected, atol=1e-5)
+    assert scene.shown.values["C"] == "0.235"
+    assert np.hypot(family["u_cusp"] + 1, family["w_cusp"]).min() < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("excess", "says"),
+    [
+        (0.1, "right to 0.1 %"), (0.151, "right to 0.1 %"), (-0.1, "right to 0.1 %"),
+        (0.152, "0.101 % off"), (0.45, "more in the shape"), (0.47, "fails in the shape"),
+        (CUSP_EXCESS, "cusp"), (-1.0, "cusp"), (0.74, "loops"),
+    ],
+)  # fmt: skip
+def test_the_text_says_where_the_linear_theory_stops(excess: float, says: str) -> None:
+    assert says in Phugoid(excess=excess).shown.values["verdict"]
+
+
+def test_lateness_of_the_slides_numbers() -> None:
+    assert Phugoid().shown.values["late"] == "1.71 % longer"
+    assert Phugoid(excess=CUSP_EXCESS).shown.values["late"] == "2.22 % longer"
+    assert Phugoid(excess=1.0).shown.values["late"] == "6.30 % shorter"
+
+
+def test_period_is_one_line_for_every_aircraft() -> None:
+    scene = Phugoid()
+    line = scene.sources["periods"].data
+    for name, (_, speed, weight) in AIRCRAFT.items():
+        assert apply_message(scene, {"type": "act", "name": name}) == {}
+        assert (scene.v_0, scene.m) == (speed, weight)
+        assert np.interp(speed, line["v_0"], line["tau"]) == pytest.approx(math.sqrt(2) * math.pi * speed / scene.g)
+
+
+def test_too_many_swings_become_a_band() -> None:
+    scene = Phugoid(window=5000.0)
+    assert "h" not in scene.sources["time"].data
+    band = scene.sources["band"].data
+    assert band["h_lo"].min() == pytest.approx(-0.78 * scene.v_0**2 / scene.g, rel=1e-2)
+    assert scene.sources["path"].data == {}
+    assert scene.sources["path_band"].data["y_hi"].max() > 0
+
+
+def test_a_window_that_no_clock_can_play_is_refused() -> None:
+    scene = Phugoid()
+    shown = scene.shown
+    errors = apply_message(scene, {"type": "typed", "name": "window", "text": "1e-150"})
+    assert "too far apart" in errors["window"]
+    assert scene.shown is shown
+    errors = apply_message(scene, {"type": "typed", "name": "v_0", "text": "1e200"})
+    assert "beyond what numbers can hold" in errors["v_0"]
+    assert scene.shown is shown
+
+
+def test_cusp_and_loop_are_drawn_without_a_break() -> None:
+    for excess in (np.nextafter(CUSP_EXCESS, 0), CUSP_EXCESS, np.nextafter(CUSP_EXCESS, 1), 0.74):
+        scene = Phugoid(excess=float(excess))
+        path = scene.sources["path"].data
+        step = np.hypot(np.diff(path["x"]), np.diff(path["y"]))
+        assert step.max() < 0.1 * scene.v_0**2 / scene.g
+        assert path["y"].max() == pytest.approx(0.5 * scene.v_0**2 / scene.g, rel=0.05)
+
+
+def test_at_the_cusp_the_invariant_is_shown_as_zero() -> None:
+    scene = Phugoid(show="limits")
+    for excess, shown in ((CUSP_EXCESS, "0.000"), (0.0, "0.667"), (1.0, "−0.667")):
+        scene.excess = excess
+        assert scene.shown.values["C"] == shown
+
+
+def test_lines_of_other_flights_are_named_unless_a_loop_makes_them_small() -> None:
+    scene = Phugoid(show="limits")
+    assert scene.shown.scalars["family_named"] == 1
+    scene.excess = 3.0
+    assert scene.shown.scalars["family_named"] == 0
+    assert len(scene.shown.axes["forward"].ticks) <= 6
+
+
+def test_formulas_are_in_the_unit_that_is_named_also_where_the_axis_counts_thousands() -> None:
+    scene = Phugoid(v_0=250.0, unit="ft/s")
+    assert scene.shown.axes["h"].exponent == 3
+    climb = 0.6 * 250.0**2 / scene.g / 0.3048
+    assert float(scene.shown.values["h_size"].replace("−", "-")) == pytest.approx(-climb, rel=5e-3)
+
+
+def test_lift_is_upright_to_the_path_and_grows_with_the_square_of_the_speed() -> None:
+    """du/dt = -V w, dw/dt = V u - 1: over the weight the lift is V (-w, u), to first order 1 + 2 v'/v_0 long."""
+    scene = Phugoid(show="lift", excess=0.3)
+    time, shown = scene.sources["time"].data, scene.shown
+    V = 1 + time["v"] / scene.v_0
+    np.testing.assert_allclose(time["lift"], V**2, rtol=1e-12)
+    np.testing.assert_allclose(time["lift_linear"], 1 + 2 * time["v"] / scene.v_0, rtol=1e-12)
+    for share in (0.0, 0.3, 0.7):
+        now = played(shown, share * shown.axes["t"].place(shown.axes["t"].end))
+        assert now["lift_forward"] * now["u"] + now["lift_up"] * now["w"] == pytest.approx(0, abs=1e-12)
+        assert math.hypot(now["lift_forward"], now["lift_up"]) == pytest.approx(now["lift"], rel=1e-4)
+        assert now["lift_linear"] == pytest.approx(2 * math.sqrt(now["lift"]) - 1)
+    assert shown.axes["lift"].end > time["lift"].max() and "lift" not in Phugoid().shown.signals

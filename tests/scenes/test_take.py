@@ -1,0 +1,126 @@
+"""What a visitor takes away can be read by a spreadsheet and by pandas, to the last digit, and says what it is of."""
+
+from __future__ import annotations
+
+import base64
+import csv
+import io
+import zipfile
+from collections.abc import Iterator
+from typing import Any
+from urllib.parse import parse_qs, urlsplit
+
+import numpy as np
+import pandas as pd
+import param
+import pytest
+
+from components.description import plots
+from components.scene import Scene
+from components.scenes import SCENES
+from components.states import state_of
+from components.url import read_query
+from tests.page.told import Page
+from tests.scenes.checks import as_arguments
+
+HERE = "http://lectures.example/oscillations/"
+scenes = pytest.mark.parametrize("slug", SCENES)
+
+
+def views(slug: str) -> Iterator[Scene]:
+    """A scene in each word of each of its choices."""
+    for name, parameter in SCENES[slug].linked().items():
+        if isinstance(parameter, param.Selector) and not isinstance(parameter, param.ListSelector):
+            for value in parameter.get_range().values():
+                yield SCENES[slug](**{name: value})
+
+
+def taken(scene: Scene, page: str = HERE, **state: Any) -> dict[str, bytes]:
+    """The files that the button CSV gives, by name."""
+    visit = Page(scene)
+    if state:
+        visit.say({"type": "open", "number": 1, "state": {"scene": scene.slug, **state}})
+    file = visit.say({"type": "csv", "page": page, "number": 2})
+    content = base64.b64decode(file["content"])
+    if file["kind"] == "text/csv":
+        return {file["name"]: content}
+    assert (file["name"], file["kind"]) == (f"{scene.slug}.zip", "application/zip")
+    with zipfile.ZipFile(io.BytesIO(content)) as packed:
+        return {name: packed.read(name) for name in packed.namelist()}
+
+
+def body(content: bytes) -> bytes:
+    """What is no comment."""
+    return b"".join(line for line in content.splitlines(keepends=True) if not line.startswith(b"#"))
+
+
+def comments(content: bytes) -> list[str]:
+    return [line.removeprefix("# ") for line in content.decode("ascii").splitlines() if line.startswith("#")]
+
+
+@scenes
+def test_pandas_reads_every_column_of_every_plot_to_the_last_digit(slug: str) -> None:
+    for scene in [SCENES[slug](), *views(slug)]:
+        drawn = [plot for plot in plots(SCENES[slug]) if plot.x in scene.shown.axes and plot.y in scene.shown.axes]
+        files = [content for content in taken(scene).values() if body(content)]
+        assert bool(files) == bool(drawn)
+        for content in files:
+            table = pd.read_csv(io.BytesIO(content), comment="#")
+            for rows in [rows for _, rows in table.groupby("curve")] if "curve" in table else [table]:
+                columns = {name.split(" [")[0]: rows[name].to_numpy() for name in rows if name != "curve"}
+                sources = [source.data for source in scene.sources.values() if columns.keys() <= source.data.keys()]
+                assert any(all(np.array_equal(columns[name], data[name]) for name in columns) for data in sources)
+
+
+@scenes
+def test_a_spreadsheet_shows_each_comment_in_one_cell_over_a_table(slug: str) -> None:
+    for content in taken(SCENES[slug]()).values():
+        rows = list(csv.reader(io.StringIO(content.decode("ascii"), newline="")))
+        notes = [row for row in rows if row[0].startswith("#")]
+        assert all(len(row) == 1 for row in notes) and rows[: len(notes)] == notes
+        head, *body = rows[len(notes) :]
+        assert body and {len(row) for row in body} == {len(head)}
+        assert len(set(head)) == len(head)
+
+
+@scenes
+def test_the_comments_bring_the_picture_back_and_say_what_it_obeys(slug: str) -> None:
+    scene = SCENES[slug](window=12.5, hidden=["x1", "x2"])
+    for content in taken(scene).values():
+        _, address, *notes = comments(content)
+        assert address.startswith(HERE) and "," not in address
+        link = read_query(as_arguments(urlsplit(address).query), SCENES)
+        assert (link.problems, state_of(SCENES[link.slug](**link.values))) == ([], state_of(scene))
+        assert all(line in notes for line in scene.equations) and scene.equations
+        assert "window = 12.5 s" in notes
+
+
+def test_units_are_si_whatever_the_axes_count_in() -> None:
+    flight = taken(SCENES["phugoid"](unit="knots"))["phugoid-time.csv"]
+    assert list(pd.read_csv(io.BytesIO(flight), comment="#"))[:3] == ["t [s]", "h_lin [m]", "v_lin [m/s]"]
+    sweep = taken(SCENES["absorber"]())["absorber-sweep.csv"]
+    assert list(pd.read_csv(io.BytesIO(sweep), comment="#"))[:2] == ["w [rad/s]", "swing [m]"]
+    pendulum = taken(SCENES["analogues"]())["analogues-time.csv"]
+    assert list(pd.read_csv(io.BytesIO(pendulum), comment="#"))[2] == "q [rad]"
+    rows = taken(SCENES["modes"]())["modes-det.csv"]
+    assert list(pd.read_csv(io.BytesIO(rows), comment="#")) == ["w [rad/s]", "D [N^2/m^2]"]
+
+
+def test_what_is_covered_is_not_in_the_files() -> None:
+    files = taken(SCENES["coupled"](), covered=["plot:x2", "plot:plane"])
+    assert not any(
+        "x2" in column for content in files.values() for column in pd.read_csv(io.BytesIO(content), comment="#")
+    )
+
+
+def test_where_no_plot_is_seen_there_is_what_the_numbers_would_be_of() -> None:
+    (content,) = taken(SCENES["modes"](task="solve")).values()
+    assert content and not body(content)
+
+
+def test_an_address_cannot_add_lines() -> None:
+    address = "http://a.example/\r\nx,y\n=1+1,2"
+    for content in taken(SCENES["oscillator"](), address).values():
+        _, line, *_ = comments(content)
+        assert line.startswith("http://a.example/%0D%0Ax%2Cy%0A=1+1%2C2?scene=oscillator")
+        assert parse_qs(urlsplit(line).query)["scene"] == ["oscillator"]

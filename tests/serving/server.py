@@ -1,0 +1,87 @@
+"""The app served by a process of its own on a free loopback port, by the command that README names."""
+
+from __future__ import annotations
+
+import os
+import socket
+import subprocess
+import sys
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+START = ("-m", "components.serving")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Server:
+    port: int
+    process: subprocess.Popen[bytes]
+    log: Path
+
+    @property
+    def url(self) -> str:
+        return f"http://127.0.0.1:{self.port}/"
+
+    def complaints(self) -> list[str]:
+        """The lines of the log that speak of something gone wrong."""
+        signs = ("Traceback", "ERROR", "CRITICAL")
+        lines = self.log.read_text().splitlines()
+        # Bokeh only warns of a callback that fails at a session's end.
+        return [line for line in lines if line.startswith(signs) or "failed with following error" in line]
+
+
+def free_port() -> int:
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
+        return port
+
+
+@contextmanager
+def serving(
+    log: Path,
+    *,
+    port: int | None = None,
+    options: Sequence[str] = (),
+    command: Sequence[str] | None = None,
+    folder: Path = ROOT,
+    environment: Mapping[str, str] | None = None,
+    user: int | None = None,
+) -> Iterator[Server]:
+    """A server that listens; ended on leaving. `command` in place of the usual one must listen on `port`."""
+    port = port or free_port()
+    at = ("--address", "127.0.0.1", "--port", str(port))
+    with log.open("wb") as stream:
+        process = subprocess.Popen(
+            command or (sys.executable, *START, *at, *options),
+            cwd=folder,
+            env={**os.environ, **(environment or {})},
+            stdout=stream,
+            stderr=subprocess.STDOUT,
+            **({} if user is None else {"user": user, "group": user, "extra_groups": []}),
+        )
+    try:
+        _wait_until_listening(process, port, log)
+        yield Server(port=port, process=process, log=log)
+    finally:
+        process.terminate()
+        try:
+            process.wait(10)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+
+
+def _wait_until_listening(process: subprocess.Popen[bytes], port: int, log: Path, limit: float = 180) -> None:
+    end = time.monotonic() + limit
+    while time.monotonic() < end and process.poll() is None:
+        try:
+            socket.create_connection(("127.0.0.1", port), timeout=1).close()
+            return
+        except OSError:
+            time.sleep(0.05)
+    raise RuntimeError(f"The server does not listen on port {port}:\n{log.read_text()}")

@@ -1,0 +1,85 @@
+"""What proxies and people who run the server are told, and how a server ends."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import re
+import signal
+from pathlib import Path
+
+import pytest
+from prometheus_client.parser import text_string_to_metric_families
+
+from tests.attack.caller import Caller, ask, said
+from tests.bench.visitor import Visitor
+from tests.serving.server import Server, serving
+
+
+@pytest.mark.parametrize("name", ["liveness", "readiness"])
+def test_a_server_that_serves_says_so(server: Server, name: str) -> None:
+    reply = ask(server.url, f"/{name}", Host="whatever.example")
+    assert (reply.status, json.loads(reply.text)) == (200, {f"/{name}": True})
+
+
+def figures(server: Server) -> dict[str, float]:
+    families = text_string_to_metric_families(ask(server.url, "/metrics").text)
+    return {sample.name: sample.value for family in families for sample in family.samples if "le" not in sample.labels}
+
+
+def test_figures_count_what_happens(tmp_path: Path) -> None:
+    async def go(server: Server) -> None:
+        before = figures(server)
+        visitor, caller = await Visitor.arrive(server.url), await Caller.arrive(server.url)
+        await visitor.move("x_0", 0.5)
+        await caller.say(*said([[[[[[]]]]]]))
+        await caller.closed()
+        ask(server.url, "/nowhere")
+        now = figures(server)
+        assert now["oscillations_arrivals_total"] - before["oscillations_arrivals_total"] == 2
+        assert now["oscillations_change_seconds_count"] == 2  # that the page is ready is the other
+        assert (now["oscillations_sessions"], now["oscillations_sockets"]) == (2, 1)
+        assert now["oscillations_measurements"] == 0
+        assert now["process_resident_memory_bytes"] > 1e7
+        text = ask(server.url, "/metrics").text
+        assert 'oscillations_refused_total{what="socket 1008"} 1.0' in text
+        assert 'oscillations_refused_total{what="request 404"} 1.0' in text
+        await visitor.depart()
+
+    with serving(tmp_path / "log") as server:
+        asyncio.run(go(server))
+
+
+def test_the_end_is_announced_then_visitors_are_sent_away_then_all_is_over(tmp_path: Path) -> None:
+    async def go(server: Server) -> None:
+        caller = await Caller.arrive(server.url)
+        server.process.send_signal(signal.SIGTERM)
+        while ask(server.url, "/readiness").status == 200:
+            await asyncio.sleep(0.01)
+        assert ask(server.url, "/liveness").status == 200
+        assert await caller.closed() == (1001, "The server goes away.")
+
+    with serving(tmp_path / "log", options=("--notice-seconds", "1")) as server:
+        asyncio.run(go(server))
+        assert server.process.wait(10) == 0
+        assert not server.complaints()
+        assert "The lecture has ended" in server.log.read_text()
+
+
+def test_the_log_has_no_visitor_in_it(tmp_path: Path) -> None:
+    with serving(tmp_path / "log", options=("--log-format", "json")) as server:
+        ask(server.url, "/?k2=31337")
+        ask(server.url, "/?bokeh-session-id=31337")
+        ask(server.url, "/%00", "PUT")
+        ask(server.url, "/liveness")
+    lines = [json.loads(line) for line in server.log.read_text().splitlines()]
+    asked = [(line["status"], line["path"]) for line in lines if "status" in line]
+    assert asked == [(200, "/"), (403, "/"), (404, "/%00")]
+    text = server.log.read_text().replace(f"http://127.0.0.1:{server.port}/", "")
+    assert not re.search(r"127\.0\.0\.1|31337", text)
+
+
+def test_the_log_has_visitors_where_that_is_asked_for(tmp_path: Path) -> None:
+    with serving(tmp_path / "log", options=("--log-visitors",)) as server:
+        ask(server.url, "/?k2=3")
+    assert re.search(r"200 GET /\?k2=3 [\d.]+ 127\.0\.0\.1", server.log.read_text())

@@ -1,0 +1,12 @@
+"""The server against those who do not use our page."""
+
+from __future__ import annotations
+
+from tests.attack.protocol import attack
+from tests.serving.server import Server
+
+
+def test_no_abuse_of_the_protocol_gets_through(server: Server) -> None:
+    found = attack(server.url, short=True)
+    assert [finding for finding in found if not finding.held] == []
+    assert len(found) > 90

@@ -1,0 +1,249 @@
+"""Sessions: who opens one, who does not, and that none is left behind. In one process, on a port of this machine."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+from socket import IPPROTO_TCP, TCP_NODELAY
+from typing import Any
+
+import pytest
+from bokeh.document import Document
+from bokeh.io.doc import _PATCHED_CURDOCS
+from bokeh.server.contexts import ApplicationContext
+from bokeh.server.session import ServerSession
+from bokeh.util.token import generate_jwt_token, generate_session_id
+
+from app import SHEETS, open_page
+from components.serving.server import Server
+from components.serving.settings import Settings
+from components.serving.sockets import MOST_MISSED
+from components.serving.tokens import opens_session
+from tests.attack.caller import Caller, Reply, ask, connect, contents, event, header, patch, refused, said, token_of
+from tests.bench.visitor import Visitor
+
+SECRET = "a secret of sixteen letters"
+
+
+@asynccontextmanager
+async def served(page: Callable[[Document], None] = open_page, **settings: Any) -> AsyncIterator[Server]:
+    server = Server(page, Settings(**{"address": "127.0.0.1", "port": 0, **settings}), sheets=SHEETS)
+    try:
+        yield server
+    finally:
+        await server.end()
+
+
+def url(server: Server) -> str:
+    return f"http://127.0.0.1:{server.port}/"
+
+
+async def page_of(server: Server, path: str = "/", **headers: str) -> Reply:
+    return await asyncio.to_thread(ask, url(server), path, **headers)
+
+
+async def until(condition: Callable[[], bool]) -> None:
+    async with asyncio.timeout(10):
+        while not condition():
+            await asyncio.sleep(0.01)
+
+
+def sessions(server: Server) -> list[ServerSession]:
+    return server.lecture.get_sessions("/")
+
+
+def broken(document: Document) -> None:
+    raise ArithmeticError("the word that is for the log")
+
+
+def test_a_token_opens_its_session_on_every_server_with_the_secret() -> None:
+    async def go() -> None:
+        async with (
+            served(bokeh_secret_key=SECRET) as first,
+            served(bokeh_secret_key=SECRET) as second,
+            served() as other,
+        ):
+            token = token_of((await page_of(first, "/?scene=coupled&k2=7")).text)
+            socket = await connect(url(second), token)
+            await until(lambda: len(sessions(second)) == 1)
+            assert sessions(second)[0].document.title == sessions(first)[0].document.title
+            assert await refused(url(other), token) == 403
+            socket.close()
+
+    asyncio.run(go())
+
+
+def test_a_token_holds_the_host_and_the_query() -> None:
+    async def go() -> None:
+        async with served() as server:
+            page = await page_of(server, "/?k2=3", Cookie="a=b", Authorization="Basic eDp5", User_Agent="me")
+            told = contents(token_of(page.text))
+            host = f"127.0.0.1:{server.port}"
+            assert (told["headers"], told["cookies"], set(told["arguments"])) == ({"Host": host}, {}, {"k2"})
+
+    asyncio.run(go())
+
+
+def test_tokens_expire_and_only_tokens_open() -> None:
+    secret = SECRET.encode()
+
+    def token(expiration: int, key: bytes = secret) -> str:
+        name = generate_session_id(secret_key=key, signed=True)
+        made: str = generate_jwt_token(name, secret_key=key, signed=True, expiration=expiration)
+        return made
+
+    assert opens_session(token(60), secret)
+    assert not opens_session(token(-1), secret)
+    assert not opens_session(token(60, b"another"), secret)
+    assert not opens_session(generate_session_id(secret_key=secret, signed=True), secret)
+
+
+@pytest.mark.parametrize("path", ["/?bokeh-session-id=klass", "/?bokeh-token=a.b", "/?k2=3&bokeh-session-id=klass"])
+def test_a_link_names_no_session(path: str) -> None:
+    async def go() -> None:
+        async with served() as server:
+            page = await page_of(server, path)
+            assert page.status == 403
+            assert "A link cannot name a session" in page.text
+            assert not sessions(server)
+
+    asyncio.run(go())
+
+
+def test_looking_whether_there_is_a_page_opens_no_session() -> None:
+    async def go() -> None:
+        async with served() as server:
+            reply = await asyncio.to_thread(ask, url(server), "/", "HEAD")
+            assert (reply.status, reply.text) == (200, "")
+            assert not sessions(server)
+
+    asyncio.run(go())
+
+
+def test_a_page_that_fails_says_so_in_a_sentence_and_the_log_says_why(caplog: pytest.LogCaptureFixture) -> None:
+    async def go() -> None:
+        async with served(broken, bokeh_secret_key=SECRET) as server, served(bokeh_secret_key=SECRET) as sound:
+            page = await page_of(server)
+            assert page.status == 500
+            assert "Something went wrong here" in page.text
+            assert page.quiet
+            assert "the word" not in page.text
+            caller = Caller(await connect(url(server), token_of((await page_of(sound)).text)))
+            assert (await caller.closed())[0] == 1011
+
+    asyncio.run(go())
+    assert "the word that is for the log" in caplog.text
+
+
+def test_what_fails_for_one_visitor_leaves_no_document_to_the_others() -> None:
+    def fail(_: object) -> None:
+        raise ArithmeticError("the word that is for the log")
+
+    def page(document: Document) -> None:
+        open_page(document)
+        document.on_event("document_ready", fail)
+
+    async def go() -> None:
+        before = len(_PATCHED_CURDOCS)
+        async with served(broken) as server:
+            await page_of(server)
+        async with served(page) as server:
+            for message in (patch(event("document_ready")), said(None, model="p0")):
+                caller = await Caller.arrive(url(server))
+                await caller.say(*message)
+                assert (await caller.closed())[0] in (1008, 1011)
+        assert len(_PATCHED_CURDOCS) == before
+
+    asyncio.run(go())
+
+
+def test_a_message_that_fails_closes_the_socket_and_the_log_says_why_once(
+    caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def fail(*_: object) -> None:
+        raise ArithmeticError("the word that is for the log")
+
+    async def go() -> None:
+        async with served() as server:
+            caller = await Caller.arrive(url(server))
+            monkeypatch.setattr(ServerSession, "pull", fail)
+            await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
+            code, reason = await caller.closed()
+            assert code == 1011
+            assert "Something went wrong here" in reason
+
+    asyncio.run(go())
+    assert [record.levelno for record in caplog.records if record.exc_info] == [logging.ERROR]
+
+
+def test_who_leaves_at_the_door_leaves_nothing_behind(monkeypatch: pytest.MonkeyPatch) -> None:
+    create = ApplicationContext.create_session_if_needed
+
+    async def go() -> None:
+        async with served(unused_seconds=0.05) as server:
+            token = token_of((await page_of(server)).text)
+
+            async def slowly(*arguments: Any) -> ServerSession:
+                session = await create(*arguments)
+                await until(lambda: not server.lecture.sockets)
+                return session
+
+            monkeypatch.setattr(ApplicationContext, "create_session_if_needed", slowly)
+            (await connect(url(server), token)).close()
+            await until(lambda: not sessions(server))
+
+    asyncio.run(go())
+
+
+def test_a_session_waits_for_its_visitor_and_ends_without() -> None:
+    async def go() -> None:
+        async with served(unused_seconds=0.05) as server:
+            visitor = await Visitor.arrive(url(server), "scene=coupled")
+            await page_of(server)
+            await until(lambda: len(sessions(server)) == 1)
+            await visitor.move("k2", 3)
+            visitor.leave()
+            await until(lambda: not sessions(server))
+
+    asyncio.run(go())
+
+
+def test_a_socket_that_misses_two_pings_is_dropped() -> None:
+    async def go() -> None:
+        async with served() as server:
+            caller, silent = await Caller.arrive(url(server)), await Caller.arrive(url(server))
+            silent.socket.protocol._send_pong = lambda _: None  # type: ignore[union-attr]
+            for _ in range(MOST_MISSED + 1):
+                for socket in list(server.lecture.sockets):
+                    socket.pulse()
+                await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
+                for _ in range(3):  # the answer comes after the pong
+                    await caller.hear()
+            assert await silent.closed() == (1001, "No answer to two pings.")
+            assert len(server.lecture.sockets) == 1
+            caller.socket.close()
+
+    asyncio.run(go())
+
+
+def test_answers_are_not_held_back() -> None:
+    async def go() -> None:
+        async with served() as server:
+            caller = await Caller.arrive(url(server))
+            (socket,) = server.lecture.sockets
+            assert socket.ws_connection.stream.socket.getsockopt(IPPROTO_TCP, TCP_NODELAY)
+            await caller.depart()
+
+    asyncio.run(go())
+
+
+def test_the_end_of_the_server_closes_its_sockets_as_going_away() -> None:
+    async def go() -> None:
+        async with served() as server:
+            caller = await Caller.arrive(url(server))
+            await server.end()
+            assert (await caller.closed())[0] == 1001
+
+    asyncio.run(go())

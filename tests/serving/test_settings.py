@@ -1,0 +1,88 @@
+"""The settings: from options and the environment, each value checked before anything starts."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from components.serving.settings import HINTS, SECRET_FILE, describe, read_settings, table
+from tests.serving.server import ROOT, START
+
+
+def test_defaults_are_for_ones_own_machine() -> None:
+    settings = read_settings([], {})
+    assert (settings.address, settings.port, settings.show) == ("localhost", 5006, False)
+    assert settings.hosts(5006) == ["localhost:5006", "127.0.0.1:5006"]
+
+
+def test_an_option_wins_over_the_environment_and_an_empty_variable_is_not_given() -> None:
+    environment = {"PORT": "8000", "ADDRESS": "", "UNUSED_SECONDS": "7"}
+    settings = read_settings(["--port", "9000", "--show"], environment)
+    assert (settings.port, settings.address, settings.unused_seconds, settings.show) == (9000, "localhost", 7.0, True)
+
+
+def test_origins_are_a_list() -> None:
+    settings = read_settings([], {"ALLOWED_ORIGIN": "lecture.example, second.example:8000"})
+    assert settings.hosts(5006) == ["lecture.example:80", "second.example:8000"]
+
+
+@pytest.mark.parametrize("text", ["'self'", "*", "https://course.example https://*.example:8443", "'none'"])
+def test_frames_are_named_as_in_the_header(text: str) -> None:
+    assert read_settings([], {"FRAME_ANCESTORS": text}).frame_ancestors == text
+
+
+def test_a_secret_is_made_for_each_start() -> None:
+    assert read_settings([], {}).bokeh_secret_key != read_settings([], {}).bokeh_secret_key
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("PORT", "70000"),
+        ("PORT", "http"),
+        ("UNUSED_SECONDS", "0"),
+        ("UNUSED_SECONDS", "nan"),
+        ("SHOW", "perhaps"),
+        ("FRAME_ANCESTORS", "*; script-src *"),
+        ("FRAME_ANCESTORS", "course.example"),
+        ("ALLOWED_ORIGIN", "a:b:c"),
+        ("ALLOWED_ORIGIN", "lecture.example,"),
+        ("TRUSTED_PROXIES", "proxy.example"),
+        ("TRUSTED_PROXIES", "10.0.0.1/24"),
+        ("ARRIVALS", "0"),
+    ],
+)
+def test_a_value_that_is_not_allowed_is_refused_with_what_is(name: str, text: str) -> None:
+    with pytest.raises(ValueError) as refusal:
+        read_settings([], {name: text})
+    assert str(refusal.value) == f"{name} is “{text}”. Allowed: {describe(name.lower())}."
+
+
+def test_a_refused_secret_is_not_repeated() -> None:
+    with pytest.raises(ValueError, match="BOKEH_SECRET_KEY is not what") as refusal:
+        read_settings([], {"BOKEH_SECRET_KEY": "too short"})
+    assert "too short" not in str(refusal.value)
+
+
+def test_a_wrong_value_stops_the_start_with_a_sentence() -> None:
+    command = [sys.executable, *START, "--port", "none"]
+    ended = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=60)
+    assert ended.returncode != 0
+    assert ended.stderr.startswith("PORT is “none”.")
+    assert "Traceback" not in ended.stderr
+
+
+def test_the_secret_may_stand_in_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "secret"
+    path.write_text("a secret of sixteen letters\n")
+    assert read_settings([], {SECRET_FILE: str(path)}).bokeh_secret_key == "a secret of sixteen letters"
+    with pytest.raises(ValueError, match="BOKEH_SECRET_KEY_FILE names “/nowhere/secret”"):
+        read_settings([], {SECRET_FILE: "/nowhere/secret"})
+
+
+def test_the_table_of_settings_is_current() -> None:
+    assert table() in (ROOT / "docs" / "deployment.md").read_text(encoding="utf-8"), "run make readme"
+    assert all(f"| `{name.upper()}` | " in table() for name in HINTS)

@@ -1,0 +1,81 @@
+"""Whom the server believes to be asking, and how many pages one network may open."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+
+from app import SHEETS, open_page
+from components.serving.server import Server
+from components.serving.settings import Settings
+from components.serving.visitors import MOST_NETWORKS, Arrivals, networks, visitor
+from tests.attack.caller import Reply, ask
+
+TRUSTED = networks(["10.0.0.0/24", "fd00::1"])
+
+
+@pytest.mark.parametrize(
+    ("peer", "forwarded", "found"),
+    [
+        ("203.0.113.9", "", "203.0.113.9"),
+        ("203.0.113.9", "198.51.100.1", "203.0.113.9"),
+        ("10.0.0.2", "198.51.100.1", "198.51.100.1"),
+        ("10.0.0.2", "192.0.2.66, 198.51.100.1", "198.51.100.1"),
+        ("10.0.0.2", "192.0.2.66, 198.51.100.1, 10.0.0.3", "198.51.100.1"),
+        ("fd00::1", "2001:db8::7", "2001:db8::7"),
+        ("10.0.0.2", "", "10.0.0.2"),
+        ("10.0.0.2", "unknown", "10.0.0.2"),
+        ("10.0.0.2", "10.0.0.4, 10.0.0.3", "10.0.0.4"),
+    ],
+)
+def test_forwarded_addresses_are_believed_from_named_proxies_only(peer: str, forwarded: str, found: str) -> None:
+    assert visitor(peer, forwarded, TRUSTED) == found
+
+
+def test_a_class_arrives_at_once_and_a_flood_does_not() -> None:
+    now = 0.0
+    arrivals = Arrivals(300, lambda: now)
+    assert [arrivals.admit(f"192.0.2.{i % 200}") for i in range(300)] == [0.0] * 300
+    assert arrivals.admit("192.0.2.7") == pytest.approx(0.2)
+    assert arrivals.admit("198.51.100.7") == 0.0
+    now = 0.2
+    assert arrivals.admit("192.0.2.7") == 0.0
+    assert arrivals.admit("192.0.2.7") > 0.0
+    now = 1000.0
+    assert [arrivals.admit("192.0.2.7") for _ in range(301)][299:] == [0.0, pytest.approx(0.2)]
+
+
+def test_the_prefix_of_a_network_is_what_counts() -> None:
+    arrivals = Arrivals(1, lambda: 0.0)
+    assert arrivals.admit("2001:db8:0:1::1") == 0.0
+    assert arrivals.admit("2001:db8:0:2::1") > 0.0
+    assert arrivals.admit("2001:db8:0:100::1") == 0.0
+
+
+def test_networks_that_came_long_ago_are_forgotten() -> None:
+    now = 0.0
+    arrivals = Arrivals(5, lambda: now)
+    for i in range(MOST_NETWORKS):
+        arrivals.admit(f"10.{i // 256}.{i % 256}.1")
+    now = 100.0
+    arrivals.admit("192.0.2.1")
+    assert len(arrivals._left) == 1
+
+
+def test_one_page_too_many_is_refused_in_a_sentence_and_other_networks_come_in() -> None:
+    async def page_for(server: Server, address: str) -> Reply:
+        url = f"http://127.0.0.1:{server.port}/"
+        return await asyncio.to_thread(ask, url, "/", **{"X-Forwarded-For": address})
+
+    async def go() -> None:
+        settings = Settings(address="127.0.0.1", port=0, arrivals=2, trusted_proxies=("127.0.0.1",))
+        server = Server(open_page, settings, sheets=SHEETS)
+        replies = [await page_for(server, "198.51.100.1") for _ in range(3)]
+        assert [reply.status for reply in replies] == [200, 200, 429]
+        assert "Too many pages were opened from this network" in replies[2].text
+        assert 0 < int(replies[2].headers["Retry-After"]) <= 30
+        assert (await page_for(server, "203.0.113.5")).status == 200
+        await server.end()
+
+    asyncio.run(go())

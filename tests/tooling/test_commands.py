@@ -1,0 +1,297 @@
+"""What surrounds the code: locked requirements, README's commands, the container's recipe."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from http.client import HTTPConnection
+from pathlib import Path
+from urllib.request import urlopen
+
+import pytest
+import yaml
+
+from components.serving.assets import BOKEH
+from components.serving.settings import HINTS, SECRET_FILE
+from tests.serving.server import ROOT, START, Server, free_port, serving
+from tools.audit import findings
+from tools.cut import CUTS, KEPT, cut
+from tools.readme import table
+
+LOCKS = ("requirements.txt", "requirements-test.txt")
+STRANGER = 65534
+"""A user of this machine who owns nothing."""
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+DOCKERFILE = (ROOT / "Dockerfile").read_text(encoding="utf-8")
+PIN = re.compile(r"^([a-z0-9-]+)==([\w.]+)((?: ; [^\\]+)?) \\\n((?:    --hash=sha256:[0-9a-f]{64}(?: \\)?\n)+)", re.M)
+
+
+def make(*arguments: str, folder: Path = ROOT) -> str:
+    """What make would do."""
+    command = ["make", "--dry-run", *arguments]
+    # What the make that runs these tests was given is not meant for this one.
+    given = {"MAKEFLAGS", "MAKEOVERRIDES", "MAKELEVEL", "ARGS", "PORT", "PYTHON", "VENV"}
+    plain = {name: value for name, value in os.environ.items() if name not in given}
+    return subprocess.run(command, cwd=folder, env=plain, check=True, capture_output=True, text=True).stdout
+
+
+def tool(name: str) -> str:
+    """A command of the environment that runs the tests."""
+    return str(Path(sys.executable).parent / name)
+
+
+def instructions(name: str) -> list[str]:
+    """The arguments of each instruction `name` of the Dockerfile, joined lines as one."""
+    return re.findall(rf"^{name} (.*)$", DOCKERFILE.replace("\\\n", " "), re.M)
+
+
+def copied(recipe: str = DOCKERFILE) -> list[str]:
+    """What of the project stages of the Dockerfile copy."""
+    lines = re.findall(r"^COPY (?!--from)(.*)$", recipe, re.M)
+    return [source for line in lines for source in line.split()[:-1]]
+
+
+def test_no_test_imports_from_a_test() -> None:
+    imports = re.compile(r"^(?:from|import) tests\.(?:\w+\.)*test_", re.M)
+    modules = list((ROOT / "tests").rglob("*.py"))
+    assert len(modules) > 50
+    assert [path.name for path in modules if imports.search(path.read_text(encoding="utf-8"))] == []
+
+
+# Requirements
+
+
+@pytest.mark.parametrize("name", LOCKS)
+def test_every_requirement_is_pinned_and_hashed_and_no_host_is_named(name: str) -> None:
+    text = (ROOT / name).read_text()
+    rest = [line for line in PIN.sub("", text).splitlines() if not re.match(r" *#", line)]
+    assert PIN.findall(text)
+    assert rest == []
+    assert not re.search(r"://|--(extra-)?index|--find-links|--trusted-host|@ ", text)
+
+
+@pytest.mark.parametrize("name", LOCKS)
+def test_the_lock_holds_what_is_asked_for(name: str) -> None:
+    asked = re.findall(r"^([a-z][\w-]*)", (ROOT / name).with_suffix(".in").read_text(), re.M)
+    pinned = {package for package, *_ in PIN.findall((ROOT / name).read_text())}
+    assert asked
+    assert set(asked) <= pinned
+
+
+def test_both_locks_agree() -> None:
+    app, test = ({p: v for p, v, *_ in PIN.findall((ROOT / name).read_text())} for name in LOCKS)
+    assert {p: test[p] for p in app.keys() & test.keys()} == {p: app[p] for p in app.keys() & test.keys()}
+
+
+# Commands
+
+
+def test_the_commands_of_the_readme_exist() -> None:
+    targets = set(re.findall(r"make ([a-z-]+)", README))
+    assert {"run", "test", "load", "accuracy", "bench"} <= targets
+    for target in targets:
+        assert make(target)
+
+
+def test_the_table_of_scenes_in_the_readme_is_current() -> None:
+    assert table() in README, "run make readme"
+
+
+def test_every_way_to_start_is_the_same_command() -> None:
+    command = "python " + " ".join(START)
+    for text in (make("run"), README, " ".join(json.loads(instructions("CMD")[-1]))):
+        assert command in text
+
+
+def test_run_takes_a_port() -> None:
+    command = make("run", "PORT=8000")
+    assert "--port 8000" in command
+    assert "5006" not in command
+
+
+def test_run_installs_once_and_again_when_the_lock_changes(tmp_path: Path) -> None:
+    for name in ("Makefile", *LOCKS):
+        shutil.copy(ROOT / name, tmp_path)
+    assert "pip install" in make("run", folder=tmp_path)
+    stamp = tmp_path / ".venv" / "run.stamp"
+    stamp.parent.mkdir()
+    stamp.touch()
+    assert "pip install" not in make("run", folder=tmp_path)
+    os.utime(stamp, (0, 0))
+    assert "pip install" in make("run", folder=tmp_path)
+
+
+def test_ci_runs_the_tests_of_the_readme() -> None:
+    assert "\nmake test\n" in (ROOT / ".ci" / "run").read_text()
+    assert os.access(ROOT / ".ci" / "run", os.X_OK)
+
+
+# The container: there may be no engine, so its recipe is linted and its steps are walked in a clean folder.
+
+
+def test_the_dockerfile_is_clean() -> None:
+    result = subprocess.run([tool("hadolint"), "Dockerfile"], cwd=ROOT, capture_output=True, text=True)
+    assert result.returncode == 0, result.stdout + result.stderr
+
+
+def test_the_container_installs_by_hash_and_runs_as_a_user() -> None:
+    assert any("--require-hashes" in line and "requirements.txt" in line for line in instructions("RUN"))
+    (user,) = instructions("USER")
+    assert any(f"useradd --create-home --uid {user} " in line for line in instructions("RUN"))
+
+
+def test_the_base_is_named_by_its_digest_and_every_stage_stands_on_it() -> None:
+    (base,) = instructions("ARG")
+    assert re.fullmatch(r"BASE=python:[\w.-]+@sha256:[0-9a-f]{64}", base)
+    assert [line.split()[0] for line in instructions("FROM")] == ["${BASE}"] * len(instructions("FROM"))
+
+
+def test_the_image_has_no_pip_and_what_is_cut_is_not_read(tmp_path: Path) -> None:
+    assert any("pip uninstall --yes" in line for line in instructions("RUN"))
+    packages = Path(sysconfig.get_path("purelib"))
+    for name in (*KEPT, "panel/dist/panel.min.js", "bokeh/server/static/js/bokeh.js", "numpy/tests/x"):
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(b"0" * 500_000)
+    saved = dict(cut(tmp_path))
+    assert {path.name for path in tmp_path.rglob("*") if path.is_file()} == {"bokeh.min.js"}
+    assert sorted(saved) == sorted(CUTS) and sum(saved.values()) == pytest.approx(1.5)
+    assert {packages / name for name in KEPT} == {BOKEH}
+
+
+def test_compose_confines_every_container_and_names_settings_that_there_are() -> None:
+    compose = yaml.safe_load((ROOT / "compose.yaml").read_text())
+    for service in compose["services"].values():
+        assert service["read_only"] and service["cap_drop"] == ["ALL"] and service["tmpfs"]
+        assert {"cpus", "memory", "pids"} == set(service["deploy"]["resources"]["limits"])
+        assert service["security_opt"] == ["no-new-privileges:true"]
+    lecture, proxy = compose["services"]["lecture"], compose["services"]["proxy"]
+    known = {name.upper() for name in HINTS} | {SECRET_FILE}
+    assert set(lecture["environment"]) <= known
+    assert lecture["environment"]["TRUSTED_PROXIES"] == proxy["networks"]["inner"]["ipv4_address"]
+    assert lecture["deploy"]["replicas"] == proxy["environment"]["REPLICAS"] == "${REPLICAS:-2}"
+    used = set(re.findall(r"\{\$([A-Z_]+)", (ROOT / "Caddyfile").read_text()))
+    assert used <= {*proxy["environment"], "UPSTREAMS", "COOKIE_SECRET"}
+
+
+def test_an_audit_that_could_look_nothing_up_says_so() -> None:
+    skipped = [{"name": name, "skip_reason": "not found"} for name in ("a", "b")]
+    fault = {"name": "c", "version": "1", "vulns": [{"id": "CVE-1", "fix_versions": ["2"]}]}
+    assert list(findings({"dependencies": skipped})) == [
+        "The data of the audit cannot be reached: nothing is known of any package."
+    ]
+    assert list(findings({"dependencies": [*skipped, fault]})) == ["Not looked up: a, b.", "c 1: CVE-1; mended in 2."]
+    assert list(findings({"dependencies": [{"name": "d", "version": "1", "vulns": []}]})) == []
+
+
+def test_the_builder_is_sent_what_is_copied_and_nothing_else() -> None:
+    lines = (ROOT / ".dockerignore").read_text().splitlines()
+    assert [line for line in lines if not line.startswith(("#", "!", "**/__pycache__"))] == ["*"]
+    assert {line[1:] for line in lines if line.startswith("!")} == set(copied())
+
+
+@contextmanager
+def walked(**settings: str) -> Iterator[Server]:
+    """The Dockerfile's CMD, with its ENV and what `docker run -e` adds, on a read-only copy of what it copies; as root
+    can, by another user."""
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as name:
+        top, folder = Path(name), Path(name) / "app"
+        folder.mkdir()
+        for source in copied(DOCKERFILE.rpartition("\nFROM ")[2]):
+            copy = shutil.copytree if (ROOT / source).is_dir() else shutil.copy
+            copy(ROOT / source, folder / source)
+        top.chmod(0o755)
+        for path in (folder, *folder.rglob("*")):
+            path.chmod(path.stat().st_mode & 0o555 | 0o444)
+        port = free_port()
+        environment = {
+            **dict(pair.split("=", 1) for line in instructions("ENV") for pair in line.split()),
+            "PORT": str(port),
+            "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
+            "PYTHONPATH": sysconfig.get_path("purelib"),
+            **settings,
+        }
+        python, user = _strangers_python()
+        command, log = [python, *json.loads(instructions("CMD")[-1])[1:]], top / "log"
+        with serving(log, port=port, command=command, folder=folder, environment=environment, user=user) as running:
+            yield running
+            assert "Traceback" not in log.read_text()
+        for path in (folder, *folder.rglob("*")):
+            path.chmod(0o755)
+
+
+def _strangers_python() -> tuple[str, int | None]:
+    """A Python of this version that another user may run, and that user; this one where there is none."""
+    if hasattr(os, "geteuid") and os.geteuid() == 0:
+        name = f"python{sys.version_info.major}.{sys.version_info.minor}"
+        for python in (sys.executable, shutil.which(name, path="/usr/bin:/usr/local/bin")):
+            with suppress(OSError, subprocess.CalledProcessError):
+                subprocess.run([python or "", "-c", ""], check=True, user=STRANGER, group=STRANGER, extra_groups=[])
+                return str(python), STRANGER
+    return sys.executable, None
+
+
+@pytest.fixture(scope="module")
+def container() -> Iterator[Server]:
+    with walked() as running:
+        yield running
+
+
+def test_the_container_is_healthy(container: Server) -> None:
+    (line,) = instructions("HEALTHCHECK")
+    check = json.loads(line[line.index("CMD") + 3 :])
+    command = [sys.executable, *check[1:]]
+    environment = {**os.environ, "PORT": str(container.port)}
+    assert check[0] == "python"
+    assert subprocess.run(command, env=environment).returncode == 0
+    environment["PORT"] = str(free_port())
+    assert subprocess.run(command, env=environment, stderr=subprocess.DEVNULL).returncode != 0
+
+
+def test_the_container_serves_page_and_static_files(container: Server) -> None:
+    page = urlopen(container.url, timeout=30).read().decode()
+    assets = set(re.findall(r'(?:href|src)="(assets/[^"]+)"', page))
+    assert assets
+    for asset in assets:
+        assert urlopen(container.url + asset, timeout=30).status == 200
+
+
+def test_the_container_takes_no_visitors_from_elsewhere(container: Server) -> None:
+    assert handshake(container, f"127.0.0.1:{container.port}") == 101
+    assert handshake(container, f"localhost:{container.port}") == 101
+    assert handshake(container, f"elsewhere.example:{container.port}") == 403
+
+
+def test_the_container_takes_visitors_from_the_allowed_origins() -> None:
+    with walked(ALLOWED_ORIGIN="lecture.example,second.example:8000") as running:
+        assert handshake(running, "lecture.example") == 101
+        assert handshake(running, "second.example:8000") == 101
+        assert handshake(running, f"localhost:{running.port}") == 403
+
+
+def handshake(server: Server, host: str) -> int:
+    """The answer to a page's WebSocket, where `host` is what stands in the browser's address."""
+    page = urlopen(server.url, timeout=30).read().decode()
+    token = re.search(r'"token":"([^"]+)"', page)[1]
+    headers = {
+        "Connection": "Upgrade",
+        "Upgrade": "websocket",
+        "Origin": f"http://{host}",
+        "Sec-WebSocket-Key": "MDEyMzQ1Njc4OWFiY2RlZg==",
+        "Sec-WebSocket-Protocol": f"bokeh, {token}",
+        "Sec-WebSocket-Version": "13",
+    }
+    connection = HTTPConnection("127.0.0.1", server.port, timeout=30)
+    connection.request("GET", "/ws", headers=headers)
+    try:
+        return connection.getresponse().status
+    finally:
+        connection.close()

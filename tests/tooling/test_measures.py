@@ -1,0 +1,81 @@
+"""What CONTRIBUTING.md bounds: functions of 40 lines, modules of 300, lines of 120 columns, one name for one type."""
+
+from __future__ import annotations
+
+import ast
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+
+from tests.serving.server import ROOT
+
+LONGEST_FUNCTION, LONGEST_MODULE, WIDEST_LINE = 40, 300, 120
+
+
+def sources(*endings: str) -> list[Path]:
+    found = [ROOT / "app.py"]
+    for folder in ("components", "physics", "static", "tests", "tools"):
+        found += [path for path in sorted((ROOT / folder).rglob("*")) if path.suffix in endings]
+    return [path for path in found if path.suffix in endings]
+
+
+def named(paths: list[Path]) -> dict[str, Path]:
+    return {path.relative_to(ROOT).as_posix(): path for path in paths}
+
+
+CODE = named(sources(".py", ".js", ".css"))
+PYTHON = {name: path for name, path in CODE.items() if path.suffix == ".py"}
+PRODUCT = {name: path for name, path in CODE.items() if not name.startswith("tests/")}
+
+
+def lines(name: str) -> list[str]:
+    return CODE[name].read_text(encoding="utf-8").splitlines()
+
+
+def parsed(name: str) -> ast.Module:
+    return ast.parse(PYTHON[name].read_text(encoding="utf-8"))
+
+
+def functions(name: str) -> Iterator[ast.FunctionDef | ast.AsyncFunctionDef]:
+    for node in ast.walk(parsed(name)):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            yield node
+
+
+def length(node: ast.stmt) -> int:
+    return (node.end_lineno or node.lineno) - node.lineno + 1
+
+
+def test_modules_are_short() -> None:
+    lengths = {name: len(lines(name)) for name in CODE}
+    assert {name: length for name, length in lengths.items() if length > LONGEST_MODULE} == {}
+
+
+def test_lines_are_short() -> None:
+    assert [(name, i) for name in CODE for i, line in enumerate(lines(name), start=1) if len(line) > WIDEST_LINE] == []
+
+
+def test_functions_are_short() -> None:
+    lengths = {(name, node.name): length(node) for name in PYTHON for node in functions(name)}
+    assert len(lengths) > 1000
+    assert {place: length for place, length in lengths.items() if length > LONGEST_FUNCTION} == {}
+
+
+def types_of(name: str) -> Iterator[tuple[str, str]]:
+    """Classes and aliases of types at the top of a module, names in CapWords, with what makes two of them different."""
+    for node in parsed(name).body:
+        match node:
+            case ast.ClassDef(name=found):
+                yield found, name
+            case (
+                ast.Assign(targets=[ast.Name(id=found)], value=value)
+                | ast.AnnAssign(target=ast.Name(id=found), value=ast.expr() as value)
+            ):
+                if found[:1].isupper() and not found.isupper():
+                    yield found, ast.unparse(value)
+
+
+def test_no_two_types_share_a_name() -> None:
+    counted = Counter(found for found, _ in {each for name in PRODUCT.keys() & PYTHON for each in types_of(name)})
+    assert len(counted) > 100
+    assert {name for name, count in counted.items() if count > 1} == set()

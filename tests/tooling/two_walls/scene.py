@@ -1,0 +1,113 @@
+"""A mass between two walls: its springs stand side by side, so their stiffnesses add."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+from components.axes import nice_axis, time_axis
+from components.controls import Group
+from components.frames import FITTED, framed
+from components.motion import pace, sines
+from components.numbers import three
+from components.page.blocks import Block
+from components.page.numbers import var
+from components.page.state import Frame
+from components.parameters import displacement, mass, positive
+from components.plots import curve, plot
+from components.scene import Picture, Scene
+from components.sheet import column, stage, term, words
+from components.stage import H, Shape, W, box, line, spring, text, wall, wire
+from physics.oscillator import Oscillator
+
+TASK = "Exchange the two springs: what does the mass feel of it?"
+LEFT, REST, FOOT = 0.03 * W, 0.5 * W, 0.8 * H
+
+
+class Walls(Scene):
+    slug = "walls"
+    title = "Two walls"
+    lecture = "Beyond the slides"
+    points = "springs side by side"
+    headline = "Between two walls the stiffnesses of both springs add"
+    equations = ("m x'' + (k1 + k2) x = 0",)
+    groups = (Group("Mass between two springs", ("m", "k1", "k2")), Group("Start, from rest", ("x_0",)))
+    presets = {"Equal": {}, "One does nearly all": {"k1": 40.0, "k2": 0.4}, "Soft": {"k1": 0.5, "k2": 0.5}}
+
+    m = mass(1.0, symbol="m", tint="m1")
+    k1 = positive(
+        2.0, symbol="k_1", unit="N/m", label="stiffness", tint="k", scale="log", softbounds=(0.1, 100.0),
+        says="is the stiffness of the left spring. Any value above 0.",
+    )  # fmt: skip
+    k2 = positive(
+        2.0, symbol="k_2", unit="N/m", label="stiffness", tint="k", scale="log", softbounds=(0.1, 100.0),
+        says="is the stiffness of the right spring. Any value above 0.",
+    )  # fmt: skip
+    x_0 = displacement(1.0, symbol="x_0", tint="m1", says="is where the mass is let go. Any number.")
+
+    @classmethod
+    @cache
+    def sheet(cls) -> Block:
+        return walls_sheet()
+
+    def picture(self, frame: Frame = FITTED) -> Picture:
+        system = Oscillator(m=self.m, k=self.k1 + self.k2)
+        swing = system.constants(self.x_0, 0.0)
+        end = frame.window or self.window or float(f"{4 * system.period:.2g}")
+        t = np.linspace(0.0, end, 601)
+        axes = framed(frame, {"t": time_axis(end), "x": nice_axis(-swing.C, swing.C, "m", 3)})
+        size = axes["x"]
+        return Picture(
+            columns={"time": {"t": t, "x": system.motion(self.x_0, 0.0, t).x}},
+            axes=axes,
+            signals={"x": sines(size, axes["t"], (swing.C, system.omega_n, swing.phi))},
+            scalars={
+                "reach": 0.2 / max(abs(size.place(size.start)), abs(size.place(size.end))),
+                "wire1": wire(self.k1),
+                "wire2": wire(self.k2),
+            },
+            pace=pace(system.omega_n, system.omega_n),
+            values={"k": three(system.k), "omega_n": three(system.omega_n), "x_unit": size.full_unit},
+            live={"x": size.digits(signed=True)},
+        )
+
+
+def walls_sheet() -> Block:
+    return column(
+        words(TASK, style="task", phone=0),
+        stage(*_shapes(), label="A mass between two springs, each on a wall of its own", grow=200, height=190),
+        words(
+            r"Moved by $x$, it feels $-k_1 x$ and $-k_2 x$: $k = k_1 + k_2 = \val{k}$ N/m, "
+            r"$\omega_n = \sqrt{k / m} = \val{omega_n}$ rad/s.",
+            phone=5,
+        ),
+        plot(
+            "x",
+            x="t",
+            y="x",
+            title="Displacement against time",
+            curves=(curve("x", tint="m1", width="sum", label="*x*", signal="x"),),
+            heading=(term("x", "sum", "m1", formula="x(t)"),),
+            cursor="time",
+            grow=300,
+            phone=10,
+            height=260,
+        ),
+    )
+
+
+def _shapes() -> list[Shape]:
+    """The mass between its springs; the largest displacement takes 0.2 of the width."""
+    x, side = REST + var("reach") * W * var("x"), 0.1 * W
+    middle = FOOT - 0.5 * side
+    return [
+        wall(LEFT, 0.2 * H, 0.6 * H, side="left"),
+        wall(W - LEFT, 0.2 * H, 0.6 * H, side="right"),
+        line(LEFT, FOOT, W - LEFT, FOOT, style="floor"),
+        line(REST, 0.15 * H, REST, FOOT, tint="mute", style="eq"),
+        spring(LEFT, middle, x - 0.5 * side, middle, var("wire1")),
+        spring(x + 0.5 * side, middle, W - LEFT, middle, var("wire2")),
+        box(x, FOOT, side, "*m*", tint="m1"),
+        text(REST, 0.1 * H, "*x* = {x} {x_unit}", tint="m1", style="t2 b"),
+    ]

@@ -1,0 +1,142 @@
+"""What the walks' answers and the numbers in their texts must be, worked out from the physics."""
+
+from __future__ import annotations
+
+import math
+
+from scipy.optimize import brentq
+
+from components.scene import Scene
+from components.scenes import SCENES
+from components.walks.links import scene_at
+from physics.coupled import TwoMassChain, free_modes
+from physics.hanging import HangingMass
+from physics.lanchester import period_excess
+from physics.modes import trial_forces
+from physics.oscillator import Oscillator
+from physics.pendulum import amplitude_at_excess, excess
+from physics.phugoid import flight, linear_phugoid
+
+FT = 0.3048
+spring, heavy = Oscillator(m=1, k=39.4), Oscillator(m=4, k=39.4)
+start = spring.constants(0.1, -0.8)
+hanging = HangingMass(m=1, k=39.4, g=9.81)
+light = linear_phugoid(150 * FT, 9.80665)
+plain = TwoMassChain(m1=2, m2=1, k1=4, k2=2)
+equal = TwoMassChain(m1=1, m2=1, k1=1, k2=1)
+beats = TwoMassChain(m1=1, m2=0.04, k1=0.96, k2=0.04)
+ONE_PERCENT = math.degrees(amplitude_at_excess(0.01))
+
+
+def at(link: str) -> Scene:
+    return scene_at(link, SCENES)
+
+
+def end_of(link: str) -> float:
+    return math.floor(at(link).shown.axes["t"].end)
+
+
+def force_on_mass_1(ratio: float) -> float:
+    return float(trial_forces(plain, 1.7, ratio).springs[0])
+
+
+def late(degrees: float) -> float:
+    return 100 * excess(math.radians(degrees))
+
+
+first_low = (3 * math.pi / 2 - start.phi) % (2 * math.pi) / spring.omega_n
+half_a_period = math.pi / math.sqrt(2) * (1 + period_excess(0.1))
+speed_at_the_top = float(flight(1, 1, 0.1, [half_a_period]).V[0])
+force_off = math.degrees(brentq(lambda a: (a - math.sin(a)) / a - 0.01, 0.01, 1))
+growth = 1 / (2 * (2 + 1 * 2.0**2) * 1.0)
+
+# The answer of each number and point, and what each of its misses is.
+ANSWERS: dict[str, tuple[list[float], list[float]]] = {
+    "d31-02": ([heavy.period], [4 * spring.period, spring.period, spring.period / 2]),
+    "d31-08": ([0.0], [-hanging.delta_st, 0.3]),
+    "d31-10": (
+        [hanging.total_energy(0.1, 0)],
+        [
+            hanging.total_energy(0.1, 0) + 9.81 * 0.1,
+            9.81 * 0.1,
+            float(hanging.energies([0.1], [0.0]).spring[0]),
+        ],
+    ),
+    "d31-12": ([ONE_PERCENT], [force_off, 5, 45]),
+    "d31-13": ([100 * 2 * 0.05], [5, 0, 2.5]),
+    "d34-01": ([force_on_mass_1(1.0)], [force_on_mass_1(0.0), 4, -4 + 2 * (2 - 1)]),
+    "d34-04": ((plain.modes().omega ** 2).tolist(), [plain.k2 / plain.m2, (plain.k1 + plain.k2) / plain.m1]),
+    "d34-07": ([float(plain.modes().ratio[1])], [-2, -1 / 2.0, 1]),
+    "d34-08": (equal.modes().ratio.tolist(), [1, -1, 0]),
+    "d34-16": ([48.0], [math.sqrt(250e3 / 100), 60, 24]),
+}
+ANSWERS["tour-03"], ANSWERS["tour-05"] = ANSWERS["d34-08"], ANSWERS["d34-16"]
+
+# Numbers in the texts that are no parameter and no live value of the step's scene.
+STATED: dict[str, dict[str, float]] = {
+    "d31-02": {"1.00": spring.period, "157.6": 4 * 39.4},
+    "d31-03": {"0.3": SCENES["oscillator"].param["x_0"].softbounds[1]},
+    "d31-04": {"1.00": spring.period, "0.356": first_low, "2": end_of("?scene=oscillator"), "0.8": 0.8, "−0.1": -0.1},
+    "d31-05": {"−0.665": math.atan(0.1 * spring.omega_n / -0.8)},
+    "d31-06": {"0.94": 0.15 * spring.omega_n, "−0.15": -0.15},
+    "d31-07": {"2.5": 24.8 / 9.81, "0.249": hanging.delta_st},
+    "d31-09": {"1": spring.period, "0.1": 0.2 / 2},
+    "d31-10": {
+        "0.981": 9.81 * 0.1,
+        "1.42": hanging.total_energy(0.1, 0) + hanging.datum_shift,
+        "0.197": hanging.total_energy(0.1, 0),
+    },
+    "d31-12": {
+        "1": 100 * excess(amplitude_at_excess(0.01)),
+        "5": 5,
+        "0.048": late(5),
+        "45": 45,
+        "4.0": late(45),
+        "22.8": ONE_PERCENT,
+        "7.32": late(60),
+        "60": 60,
+        "2.6": 100 * (1 - math.sin(math.radians(22.8138)) / math.radians(22.8138)),
+    },
+    "d31-13": {
+        "5": 100 * 0.05,
+        "1.05": 1 + 0.05,
+        "1.1025": 1.05**2,
+        "0.6": 0.6,
+        "2.56": 1.6**2,
+        "2.2": 1 + 2 * 0.6,
+        "2.5": 100 * (math.sqrt(1.05) - 1),
+    },
+    "d31-14": {"0.8": speed_at_the_top**2, "1.21": 1.1**2},
+    "d31-15": {
+        "15": 0.1 * 150,
+        "46": end_of("?scene=phugoid&excess=0.1"),
+        "1.71": 100 * period_excess(0.6),
+        "0.6": 0.6,
+    },
+    "d31-16": {"20.7": light.tau, "150": 150},
+    "d34-01": {"−6": force_on_mass_1(0.0), "1": 1, "2": 2},
+    "d34-02": {"2": plain.modes().omega[1], "1": plain.modes().omega[0], "1.7": 1.7},
+    "d34-07": {
+        "4": 2.0 * 2,
+        "25": beats.m1 / beats.m2,
+        "5": beats.modes().ratio[0],
+        "−2": -plain.m1 / plain.m2,
+        "2": plain.modes().ratio[0],
+    },
+    "d34-08": {"1.618": equal.modes().ratio[0], "−0.618": equal.modes().ratio[1]},
+    "d34-09": {"1.57": free_modes(plain, (1, 0), (0, 0)).phase[1]},
+    "d34-10": {
+        "62": end_of("?scene=coupled&m1=1&k1=0.96&m2=0.04&k2=0.04&x1_0=0.2"),
+        "0.08": 2 * 0.04,
+        "25": beats.m1 / beats.m2,
+    },
+    "d34-11": {"1": 0.2 * beats.modes().ratio[0]},
+    "d34-12": {"200": 200},
+    "d34-13": {"1": 1.0, "0.8": 0.8, "0.618": equal.modes().omega[0]},
+    "d34-14": {"0.618": equal.modes().omega[0], "1.618": equal.modes().omega[1], "2.5": 2.5, "5": 5, "−5": -5},
+    "d34-15": {"25": end_of("?scene=forced&m1=2&k1=4&k2=2&omega=1"), "12": 1 / growth, "0.95": 0.95, "1": 1},
+    "d34-16": {"50": math.sqrt(250e3 / 100)},
+}
+BASE = {"tour-01": "d31-03", "tour-02": "d31-16", "tour-03": "d34-08", "tour-04": "d34-10", "tour-05": "d34-16"}
+for tour, step in BASE.items():
+    STATED[tour] = STATED[step]

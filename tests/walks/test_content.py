@@ -1,0 +1,153 @@
+"""Every step of the lecture's walks against its scene and the physics: links, names, answers, numbers, sketches."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+from components.scenes import SCENES
+from components.walks.checking import problems
+from components.walks.curves import axes_of, true_curves
+from components.walks.links import scene_at
+from components.walks.loading import load_walks, steps_of
+from components.walks.sketch import Sketch, seen, sketch
+from components.walks.texts import FORMULA
+from components.walks.types import ChoiceStep, NumericStep, SketchStep, Step, minutes_of
+from tests.walks.drawings import WRONG
+from tests.walks.facts import ANSWERS, STATED
+
+WALKS = load_walks(())
+STEPS = steps_of(WALKS.values())
+SLIDES = {*(f"D31-{i}" for i in range(1, 11)), *(f"D34-{i}" for i in range(1, 9)), "D34-N1", "D34-N2"}
+MOST_WORDS = {"title": 8, "question": 30, "explain": 45}
+NUMBER = re.compile(r"(?<![\w.{_^])[−-]?\d+(?:\.\d+)?(?![\w.]*[}])")
+NAME = re.compile(r"(?:(?:[Ss]lides?|[Mm]ass|[Ss]pring|[Rr]ows?) |√)$")
+INDEX = re.compile(r"_(?:\{[^}]*\}|\w)|\{\w+\}|\*")
+every_step = pytest.mark.parametrize("step", STEPS.values(), ids=STEPS)
+every_sketch = pytest.mark.parametrize(
+    "step", [step for step in STEPS.values() if isinstance(step, SketchStep)], ids=lambda step: step.id
+)
+
+
+@pytest.mark.parametrize("name", WALKS)
+def test_a_walk_opens_and_everything_it_names_is_there(name: str) -> None:
+    assert list(problems(WALKS[name], SCENES)) == []
+
+
+def test_every_slide_has_its_step() -> None:
+    assert {slide for step in STEPS.values() for slide in step.slides} == SLIDES
+    assert [len(WALKS[name].steps) for name in ("d31", "d34", "tour")] == [16, 16, 5]
+    assert [step.id for step in WALKS["d34"].steps] == [f"d34-{i:02}" for i in range(1, 17)]
+    assert sum(map(minutes_of, WALKS["tour"].steps)) == 10
+
+
+def words(text: str) -> int:
+    return sum(any(sign.isalnum() or sign in "{}½²" for sign in word) for word in text.split())
+
+
+@every_step
+def test_a_step_is_short(step: Step) -> None:
+    assert all(words(getattr(step, field)) <= most for field, most in MOST_WORDS.items())
+    if not step.id.startswith("tour"):
+        assert 3 <= len(step.equations) <= 6
+    if isinstance(step, ChoiceStep):
+        assert all(words(option.text) <= 12 for option in step.options)
+
+
+@every_step
+def test_a_state_keeps_the_values_of_its_link(step: Step) -> None:
+    for link in (step.state, step.shown):
+        scene = scene_at(link, SCENES)
+        for name, value in re.findall(r"[?&](\w+)=([-\d.e]+)(?=&|$)", link):
+            assert getattr(scene, name) == float(value)
+
+
+@pytest.mark.parametrize(
+    "step", [step for step in STEPS.values() if isinstance(step, NumericStep)], ids=lambda step: step.id
+)
+def test_answers_and_misses_are_what_the_physics_says(step: NumericStep) -> None:
+    right, misses = ANSWERS[step.id]
+    tolerance = step.answer.tol
+    assert step.answer.value == pytest.approx(right, abs=0.1 * tolerance)
+    assert [miss.value for miss in step.misses] == pytest.approx(misses, abs=0.15 * tolerance)
+
+
+def known_numbers(step: Step) -> tuple[set[float], set[str]]:
+    """Those of the scene: parameters, to be repeated exactly, and live values, digit for digit."""
+    parameters: set[float] = set()
+    live: set[str] = set()
+    for link in (step.state, step.shown):
+        scene = scene_at(link, SCENES)
+        parameters |= {v for name in scene.linked() if isinstance(v := getattr(scene, name), float)}
+        for text in scene.shown.values.values():
+            live.update(re.findall(r"−?\d+(?:\.\d+)?(?!\d|·)", text))
+    return parameters, live
+
+
+def numbers_of(step: Step) -> Iterator[str]:
+    """The numbers in the sentences of a step: not those that name a slide or a mass, nor a formula's coefficients."""
+    for _, sentence in step.sentences():
+        text = INDEX.sub("", FORMULA.sub("", sentence))
+        for match in NUMBER.finditer(text):
+            after = text[match.end() : match.end() + 1]
+            coefficient = after.isalpha() and match[0] in ("2", "3", "4")
+            if not (NAME.search(text[: match.start()]) or coefficient or match[0] == "0"):
+                yield match[0]
+
+
+@every_step
+def test_every_number_in_a_text_is_the_scenes_or_the_physics(step: Step) -> None:
+    parameters, live = known_numbers(step)
+    stated = STATED.get(step.id, {})
+    for text in numbers_of(step):
+        assert text in stated or text in live or float(text.replace("−", "-")) in parameters, text
+
+
+@pytest.mark.parametrize("name", STATED)
+def test_what_is_stated_is_so(name: str) -> None:
+    for text, value in STATED[name].items():
+        decimals = len(text.partition(".")[2])
+        assert abs(float(text.replace("−", "-")) - value) <= 0.5000001 * 10.0**-decimals, text
+
+
+def missed(step: SketchStep, curves: dict[str, Sketch]) -> set[str]:
+    return {
+        str(feature.__struct_config__.tag)
+        for feature in step.must
+        if not seen(feature, curves[feature.on or step.curve]).has
+    }
+
+
+@every_sketch
+def test_a_feature_states_what_the_true_curve_has(step: SketchStep) -> None:
+    curves = true_curves(step, scene_at(step.state, SCENES))
+    for feature in step.must:
+        found = seen(feature, curves[feature.on or step.curve])
+        assert found.has
+        for stated, true in ((getattr(feature, "value", None), found.number), (getattr(feature, "at", None), found.x)):
+            if stated is not None and true is not None and hasattr(feature, "tol"):
+                unit = (
+                    getattr(feature, "tol_y", feature.tol) if stated is getattr(feature, "value", None) else feature.tol
+                )
+                assert abs(true - stated) <= 0.25 * unit, feature
+
+
+@every_sketch
+def test_a_wrong_sketch_fails_what_it_is_said_to_fail(step: SketchStep) -> None:
+    scene = scene_at(step.state, SCENES)
+    frame = axes_of(scene, step.plot).frame
+    x = np.linspace(*frame.x, 401)
+    assert len(WRONG[step.id]) == len(step.wrong)
+    for described, draw in zip(step.wrong, WRONG[step.id], strict=True):
+        drawn: Any = draw(x)
+        heights = drawn if isinstance(drawn, dict) else {step.curve: drawn}
+        plain = {name: sketch(np.column_stack((x, y)), frame) for name, y in heights.items()}
+        curves = {
+            name: sketch(np.column_stack((one.x, one.y)), frame, *(plain[other] for other in plain if other != name))
+            for name, one in plain.items()
+        }
+        assert missed(step, curves) >= set(described.fails), described.draws

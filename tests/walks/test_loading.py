@@ -1,0 +1,167 @@
+"""A walk's file: what is right is read, what is wrong is named with its file, step and field."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from components.scenes import SCENES
+from components.walks.cards import parted, walk_sheet
+from components.walks.checking import problems
+from components.walks.loading import LARGEST, WalkError, load_walks, read_walk, steps_of
+from components.walks.registry import all_walks, asked_step, read_own
+from components.walks.texts import check_formula
+from components.walks.types import ChoiceStep, Walk
+
+OWN = load_walks(())
+GOOD = """
+title = "A walk of one's own"
+
+[[step]]
+id = "first"
+kind = "choice"
+title = "Stiffer is faster"
+state = "?scene=coupled&k2=3"
+question = "One spring gets stiffer. Do both frequencies rise?"
+cover = ["value:omega_minus"]
+controls = ["k2"]
+explain = "Both do: {omega_minus} rad/s. And $\\\\omega_-^2 = \\\\val{omega_minus}$."
+options = [{ text = "Both", right = true }, { text = "One", reply = "It is right for a **single** mass." }]
+"""
+
+
+def changed(old: str, new: str) -> Walk:
+    assert old in GOOD
+    return read_walk(GOOD.replace(old, new), "mine")
+
+
+def found(old: str, new: str) -> list[str]:
+    return list(problems(changed(old, new), SCENES))
+
+
+def test_a_good_walk_is_read_and_has_no_problems() -> None:
+    walk = read_walk(GOOD, "mine")
+    assert isinstance(walk.steps[0], ChoiceStep) and not list(problems(walk, SCENES))
+    (card,) = walk_sheet(walk, SCENES).steps
+    assert card.opens.parameters == {"k2": 3.0} and card.opens.covered == ("value:omega_minus",)
+    assert card.opens.step == card.reveals.step == "mine/first" and card.reveals.covered == ()
+    assert card.given == "One spring gets stiffer." and "Both" in card.options[0]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ('id = "first"', "id = 3", "mine, step 1, id: expected `str`, got `int`."),
+        ('kind = "choice"', 'kind = "guess"', "mine, step 1 (first), kind: invalid value 'guess'."),
+        ('explain = "Both', 'explian = "Both', "mine, step 1 (first), its fields: object"),
+        ("right = true", "right = 1", "mine, step 1 (first), options[0].right: expected `bool`, got `int`."),
+        ('"k2"]', '"a", "b", "c", "k2"]', "mine, step 1 (first), controls: expected `array` of length <= 3."),
+        ("[[step]]", "[[stepp]]", "mine: “stepp” is no field of a walk; title and step are."),
+        ('title = "A walk of one\'s own"', "", "mine: the title is missing"),
+        ("id =", "id ==", "mine: this is not TOML: "),
+        ('id = "first"', 'from = "d31-99"', "mine, step 1, from: “d31-99” is no step that is known."),
+    ],
+)
+def test_a_complaint_names_file_step_and_field(old: str, new: str, says: str) -> None:
+    with pytest.raises(WalkError, match="mine") as caught:
+        changed(old, new)
+    assert str(caught.value).startswith(says)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("k2=3", "k2=-3", "state: k2: "),
+        ("scene=coupled", "scene=moon", "state: scene: “moon” is not a scene"),
+        ("?scene=coupled&", "?", "state: a link names its scene"),
+        ("value:omega_minus", "plot:x9", "cover: “plot:x9” is nothing that can be covered here."),
+        ('controls = ["k2"]', 'controls = ["k9"]', "controls: “k9” is not a parameter."),
+        ("{omega_minus}", "{omega_9}", "explain: there is no live number “omega_9”."),
+        ("right = true", "right = false", "options: one of them, and only one, is right."),
+        (', reply = "It is right for a **single** mass."', "", "options[1].reply: a wrong answer has a sentence"),
+        ("rise?", "rise, $\\\\left($?", "question: “\\left(” cannot be set as a formula."),
+        ("Stiffer is", "{tau} is", "title: live numbers can stand in explain only."),
+    ],
+)
+def test_a_check_names_the_field(old: str, new: str, says: str) -> None:
+    assert any(problem.startswith(f"mine, step 1 (first), {says}") for problem in found(old, new)), found(old, new)
+
+
+def test_no_text_becomes_html() -> None:
+    walk = changed("rise?", "rise <b>or</b> <img src=x onerror=alert(1)> fall?")
+    (card,) = walk_sheet(walk, SCENES).steps
+    assert "<b>" not in card.question and "&lt;img" in card.question
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\text{<img src=x onerror=alert(1)>}",
+        r"\text{</mtext><script>1</script>}",
+        r"\href{javascript:alert(1)}{x}",
+        r"\style{position:fixed}{x}",
+    ],
+)
+def test_a_formula_brings_nothing_but_mathml(latex: str) -> None:
+    with pytest.raises(ValueError, match="“"):
+        check_formula(latex)
+
+
+def test_a_step_may_stand_on_one_that_is_known() -> None:
+    (step,) = read_walk(
+        'title = "t"\n[[step]]\nid = "again"\nfrom = "d31-03"\nquestion = "How long?"', "mine", steps_of(OWN.values())
+    ).steps
+    assert (step.id, step.question, step.title) == ("again", "How long?", "Twice as far takes just as long")
+
+
+def test_two_steps_of_one_id_and_too_large_a_file_are_refused() -> None:
+    with pytest.raises(WalkError, match=r"mine, step 2: the id “first” was given"):
+        read_walk(GOOD + GOOD[GOOD.index("[[step]]") :], "mine")
+    with pytest.raises(WalkError, match=f"{LARGEST} are the most"):
+        read_walk(GOOD + "#" * LARGEST, "mine")
+    with pytest.raises(WalkError, match="small letters"):
+        read_walk(GOOD, "../mine")
+
+
+def test_a_folder_brings_walks_and_is_checked(tmp_path: Path) -> None:
+    (tmp_path / "mine.toml").write_text(GOOD, encoding="utf-8")
+    assert list(all_walks([tmp_path], SCENES)) == ["d31", "d34", "tour", "mine"]
+    (tmp_path / "mine.toml").write_text(GOOD.replace("k2=3", "k2=-3"), encoding="utf-8")
+    with pytest.raises(WalkError, match=r"mine, step 1 \(first\), state"):
+        all_walks([tmp_path], SCENES)
+    (tmp_path / "mine.toml").rename(tmp_path / "d31.toml")
+    with pytest.raises(WalkError, match="there is a walk “d31” already"):
+        all_walks([tmp_path], SCENES)
+    with pytest.raises(WalkError, match="no folder of walks"):
+        all_walks([tmp_path / "nowhere"], SCENES)
+
+
+def test_ones_own_walk_is_checked() -> None:
+    assert read_own(GOOD, "mine", OWN, SCENES).name == "mine"
+    with pytest.raises(WalkError, match="controls"):
+        read_own(GOOD.replace('controls = ["k2"]', 'controls = ["k9"]'), "mine", OWN, SCENES)
+
+
+def test_a_link_names_a_step_by_id_or_number() -> None:
+    assert asked_step({"scene": [b"coupled"]}, OWN) is None
+    for query, step in (({"walk": [b"d34"]}, "d34-01"), ({"walk": [b"d34"], "step": [b"7"]}, "d34-07")):
+        found = asked_step(query, OWN)
+        assert found and found[1].id == step
+    with pytest.raises(ValueError, match="walk: “d99” is not a walk"):
+        asked_step({"walk": [b"d99"]}, OWN)
+    with pytest.raises(ValueError, match="no step “17”; it has 16"):
+        asked_step({"walk": [b"d34"], "step": [b"17"]}, OWN)
+
+
+def test_what_is_asked_is_told_from_what_is_given() -> None:
+    assert parted("It is 4 N/m. Both rest. Force on mass 1?") == ("It is 4 N/m. Both rest.", "Force on mass 1?")
+    assert parted("Look. Sketch it. It reaches 1 m.") == ("Look.", "Sketch it. It reaches 1 m.")
+    assert parted("No question at all.") == ("", "No question at all.")
+
+
+def test_the_walk_in_the_docs_is_right() -> None:
+    """The example of docs/writing-a-walk.md, as it stands there."""
+    docs = (Path(__file__).parents[2] / "docs" / "writing-a-walk.md").read_text(encoding="utf-8")
+    example = docs.split("```toml\n")[1].split("```")[0]
+    assert list(problems(read_walk(example, "docs"), SCENES)) == []

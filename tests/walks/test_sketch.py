@@ -1,0 +1,130 @@
+"""Drawn curves, right, nearly right, wrong and absurd, and what they are found to have."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+from components.walks.sketch import Ranges, Sketch, seen, sketch
+from components.walks.types import Feature
+
+FRAME = Ranges((0.0, 2.0), (-0.2, 0.2))
+T = np.linspace(0, 2, 101)
+SWING = -0.16 * np.sin(2 * np.pi * T)
+"""Down at first, a trough at 0.25, a zero at 0.5, a peak at 0.75; period 1."""
+
+
+def feature(**fields: Any) -> Feature:
+    found: Feature = msgspec.convert(fields, Feature)
+    return found
+
+
+def drawn(y: Any, x: Any = T, frame: Ranges = FRAME) -> Sketch:
+    return sketch(np.column_stack((x, y)), frame)
+
+
+TROUGH = feature(f="trough", at=0.25, tol=0.06, **{"is": -0.16}, tol_y=0.03)
+PEAK = feature(f="peak", at=0.75, tol=0.06, **{"is": 0.16}, tol_y=0.03)
+ZERO = feature(f="zero", at=0.5, tol=0.06)
+DOWN = feature(f="slope", at=0.0, **{"is": "down"})
+PERIOD = feature(f="period", **{"is": 1.0}, tol=0.1)
+ALL = (TROUGH, PEAK, ZERO, DOWN, PERIOD)
+
+
+def has(y: Any, x: Any = T) -> list[bool]:
+    return [seen(one, drawn(y, x)).has for one in ALL]
+
+
+def test_the_right_curve_has_every_feature() -> None:
+    assert all(has(SWING))
+    found = seen(TROUGH, drawn(SWING))
+    assert (found.x, found.y) == pytest.approx((0.25, -0.16), abs=0.02)
+    assert seen(PERIOD, drawn(SWING)).number == pytest.approx(1.0, abs=1e-3)
+    assert seen(ZERO, drawn(SWING)).number == pytest.approx(0.5, abs=1e-3)
+
+
+def test_style_does_not_count() -> None:
+    """A trembling, rather angular hand that is a little late and a little low."""
+    hand = np.random.default_rng(1)
+    angular = -0.15 * np.interp((T - 0.02) % 1, [0, 0.25, 0.75, 1], [0, 1, -1, 0])
+    assert all(has(angular + hand.uniform(-0.004, 0.004, len(T))))
+
+
+@pytest.mark.parametrize(
+    ("y", "expected"),
+    [
+        (0.16 * np.sin(2 * np.pi * T), [False, False, True, False, True]),  # upside down
+        (-0.16 * np.sin(np.pi * T), [False, False, False, True, False]),  # half as fast
+        (-0.08 * np.sin(2 * np.pi * T), [False, False, True, True, True]),  # half as high
+        (np.abs(SWING), [False, True, False, False, False]),  # never below zero
+        (0 * T, [False, False, False, False, False]),  # a line
+        (-0.1 * T, [False, False, False, False, False]),  # downhill for ever, too flat for a slope
+        (0.19 * np.sin(2 * np.pi * 14 * T), [False, False, True, False, False]),  # a scribble
+    ],
+)
+def test_what_is_wrong_is_missed(y: Any, expected: list[bool]) -> None:
+    assert has(y) == expected
+
+
+def test_a_dot_or_nothing_has_no_feature() -> None:
+    for points in (np.empty((0, 2)), [[0.25, -0.16]], [[np.nan, 1.0]]):
+        assert not any(seen(one, sketch(points, FRAME)).has for one in ALL)
+
+
+def test_a_part_that_was_not_drawn_is_missed_and_not_made_up() -> None:
+    first = T <= 0.6
+    assert has(SWING[first], T[first]) == [True, False, True, True, False]
+    gap = (T < 0.3) | (T > 0.9)
+    across = drawn(SWING[gap], T[gap])
+    assert across.at(0.6) is None and across.at(0.2) is not None
+    assert across.at(2.04) == pytest.approx(SWING[-1])  # a hand that stops at the edge
+
+
+def test_the_order_of_drawing_does_not_count() -> None:
+    assert all(has(SWING[::-1], T[::-1]))
+
+
+def test_an_edge_is_no_turning_point() -> None:
+    edge = feature(f="peak", at=0.0, tol=0.1, **{"is": 0.16}, tol_y=0.03)
+    assert not seen(edge, drawn(0.16 - 0.1 * T)).has
+
+
+RESPONSE = Ranges((0.0, 2.5), (0.0, 5.0))
+W = np.linspace(0.01, 2.5, 250)
+POLE = feature(f="pole", at=0.618, tol=0.07)
+FAST = feature(f="pole", at=1.618, tol=0.09)
+
+
+def response(w: Any) -> Any:
+    return np.abs((1 - w**2) / (w**4 - 3 * w**2 + 1))
+
+
+@pytest.mark.parametrize(
+    ("y", "expected"),
+    [
+        (response(W), [True, True]),
+        (np.minimum(response(W - 0.04), 5), [True, True]),  # nearly right, cut at the frame
+        (np.minimum(response(W), 3.0), [False, False]),  # humps that stay within
+        (1 / np.abs(1 - (W / 1.118) ** 2 + 1e-9), [False, False]),  # one resonance, between
+        (np.full_like(W, 6.0), [False, False]),  # a line over the top
+    ],
+)
+def test_a_pole_leaves_the_frame_there_and_comes_back(y: Any, expected: list[bool]) -> None:
+    assert [seen(one, drawn(y, W, RESPONSE)).has for one in (POLE, FAST)] == expected
+
+
+def test_reach_least_and_sum() -> None:
+    reach = feature(f="reach", **{"from": 0.5, "to": 1.0, "is": 0.16}, tol=0.02)
+    assert seen(reach, drawn(SWING)).has and not seen(reach, drawn(0.5 * SWING)).has
+    least = feature(f="least", **{"is": 0.0}, tol=0.01)
+    assert seen(least, drawn(SWING**2)).has and not seen(least, drawn(SWING)).has
+    both = feature(f="sum", **{"with": "V", "is": 0.16}, tol=0.02)
+    V = 0.08 * (1 + np.cos(4 * np.pi * T))
+    T_ = 0.08 * (1 - np.cos(4 * np.pi * T))
+    alone = drawn(T_)
+    assert seen(both, Sketch(alone.x, alone.y, FRAME, drawn(V))).has
+    assert not seen(both, Sketch(alone.x, alone.y, FRAME, drawn(T_))).has
+    assert not seen(both, alone).has

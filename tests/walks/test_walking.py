@@ -1,0 +1,171 @@
+"""A session in a walk: what it opens, what it keeps to itself, and what it says of answers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from app import visited
+from components.description import plots
+from components.scenes import SCENES
+from components.walks.cards import walk_sheet
+from components.walks.links import scene_at
+from components.walks.loading import load_walks
+from components.walks.types import SketchStep
+from tests.page.told import Page, unpacked
+
+WALKS = load_walks(())
+SHEETS = {name: walk_sheet(walk, SCENES) for name, walk in WALKS.items()}
+STEPS = [(name, i) for name, walk in WALKS.items() for i in range(len(walk.steps))]
+
+
+@pytest.fixture
+def page() -> Page:
+    page = Page(SCENES["oscillator"]())
+    page.session.walks = WALKS
+    return page
+
+
+def opened(page: Page, state: Any) -> dict[str, Any]:
+    plain = {"scene": state.scene, "parameters": state.parameters, "covered": list(state.covered), "step": state.step}
+    return page.say({"type": "open", "state": plain, "number": len(page.packets) + 1})
+
+
+def given(page: Page, step: str, **answer: Any) -> dict[str, Any]:
+    told = page.say(
+        {"type": "given", "walk": step.split("-")[0], "step": step, "number": 1000 + len(page.packets), **answer}
+    )
+    assert told["type"] == "taught", told.get("errors")
+    return told
+
+
+@pytest.mark.parametrize(("name", "place"), STEPS)
+def test_every_step_opens_covered_and_opens_up(page: Page, name: str, place: int) -> None:
+    step, card = WALKS[name].steps[place], SHEETS[name].steps[place]
+    told = opened(page, card.opens)
+    assert told["errors"] == {} and told["state"]["covered"] == list(step.cover)
+    assert told["query"] == f"walk={name}&step={step.id}"
+    view, whole = told["view"], page.scene.shown
+    for cover in step.cover:
+        kind, _, what = cover.partition(":")
+        if kind == "value":
+            assert what not in view["values"] and what not in view["live"]
+        elif kind == "plot":
+            (plot,) = (plot for plot in plots(type(page.scene)) if plot.name == what)
+            drawn = [(curve.source, curve.y) for curve in plot.curves]
+            assert not any(column in view["columns"].get(source, {}) for source, column in drawn) or not drawn
+        elif kind == "ticks":
+            ruler, axis = view["axes"][what], whole.axes[what].ruler()
+            assert ruler["end"] - ruler["start"] > 1.2 * (axis.end - axis.start)
+    told = opened(page, card.reveals)
+    assert told["errors"] == {} and told["view"]["left_out"] == []
+    lesson = given(page, step.id)["lesson"]
+    assert lesson["right"] is None and lesson["title"] and lesson["explain"]
+    assert len(lesson["follows"]) == len(step.equations)
+
+
+def test_the_browser_is_not_told_answers_before(page: Page) -> None:
+    for sheet in SHEETS.values():
+        for card in sheet.steps:
+            assert not {"title", "explain", "right", "answer", "must"} & set(card.__struct_fields__)
+
+
+def test_a_choice_gets_the_sentence_that_is_its_own(page: Page) -> None:
+    lesson = given(page, "d31-03", option=1)["lesson"]
+    assert lesson["right"] is False
+    assert [verdict["right"] for verdict in lesson["verdicts"]] == [True, False, False]
+    assert "same speed" in lesson["verdicts"][1]["reply"]
+    assert given(page, "d31-03", option=0)["lesson"]["right"] is True
+    assert given(page, "d31-03", option=7)["refused"] == "This question has 3 answers."
+
+
+@pytest.mark.parametrize(
+    ("text", "right", "reply"),
+    [
+        ("2", True, ""),
+        ("1,96", True, ""),
+        ("4.0", False, "root of m"),
+        ("0.5", False, "trade places"),
+        ("9", False, ""),
+    ],
+)
+def test_a_number_is_right_within_its_tolerance(page: Page, text: str, right: bool, reply: str) -> None:
+    lesson = given(page, "d31-02", text=text)["lesson"]
+    assert (lesson["right"], lesson["truth"]) == (right, "2.00 s")
+    assert reply in lesson["reply"] and bool(lesson["reply"]) == bool(reply)
+
+
+def test_what_is_no_number_is_refused_in_words(page: Page) -> None:
+    told = given(page, "d31-02", text="two")
+    assert told["lesson"] is None and "two" in told["refused"]
+
+
+@pytest.mark.parametrize(
+    ("step", "place", "right"), [("d34-04", 4.1, True), ("d34-04", 3.0, False), ("d34-08", 1.6, True)]
+)
+def test_a_point_is_a_place_on_the_axis(page: Page, step: str, place: float, right: bool) -> None:
+    lesson = given(page, step, value=place)["lesson"]
+    assert lesson["right"] is right and len(lesson["places"]) == 2
+
+
+def strokes(step: SketchStep) -> dict[str, list[tuple[float, float]]]:
+    """The true curves, as a hand would draw them: some hundred places on the axes."""
+    scene = scene_at(step.state, SCENES)
+    (plot,) = (plot for plot in plots(type(scene)) if plot.name == step.plot)
+    axes, found = scene.shown.axes, {}
+    for name in step.curves:
+        points: list[tuple[float, float]] = []
+        for curve in plot.curves:
+            columns = scene.shown.columns.get(curve.source, {})
+            if curve.y == name and name in columns:
+                x, y = axes[plot.x].places(columns[curve.x]), axes[plot.y].places(columns[name])
+                points += zip(x.tolist(), y.tolist(), strict=True)
+        found[name] = points[:: len(points) // 200]
+    return found
+
+
+@pytest.mark.parametrize(
+    "step", [s for w in WALKS.values() for s in w.steps if isinstance(s, SketchStep)], ids=lambda s: s.id
+)
+def test_a_sketch_is_told_which_features_it_has(page: Page, step: SketchStep) -> None:
+    lesson = given(page, step.id, curves=strokes(step))["lesson"]
+    assert lesson["right"] is True and all(found["has"] for found in lesson["findings"]), lesson["findings"]
+    nothing = given(page, step.id, curves={step.curve: [[0.0, 1e9], [1e-3, 1e9]]})["lesson"]
+    assert nothing["right"] is False and not all(found["has"] for found in nothing["findings"])
+    assert all("missed" in found["words"] for found in nothing["findings"] if not found["has"])
+    assert given(page, step.id)["lesson"]["right"] is None
+
+
+def test_the_zero_between_two_resonances_is_missed(page: Page) -> None:
+    (step,) = (step for step in WALKS["d34"].steps if step.id == "d34-14")
+    assert isinstance(step, SketchStep)
+    saddle = [(x, max(y, 0.8 if x < 1.6 else 0.0)) for x, y in strokes(step)["Xp1"]]
+    lesson = given(page, "d34-14", curves={"Xp1": saddle})["lesson"]
+    assert [found["name"] for found in lesson["findings"] if not found["has"]] == ["The zero between them"]
+    assert "with friction" in lesson["reply"]
+
+
+def test_an_answer_to_no_step_is_refused(page: Page) -> None:
+    assert "no step" in given(page, "d31-99")["refused"]
+    assert (
+        "no step"
+        in Page(SCENES["coupled"]()).say({"type": "given", "walk": "d31", "step": "d31-01", "number": 1})["refused"]
+    )
+
+
+def test_a_session_runs_a_walk_of_its_own(page: Page) -> None:
+    text = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
+    told = page.say({"type": "walk", "name": "mine", "text": text, "number": 1})
+    assert told["refused"] == "" and told["sheet"]["steps"][0]["opens"]["step"] == "mine/one"
+    assert page.say({"type": "given", "walk": "mine", "step": "one", "option": 0, "number": 2})["lesson"]["right"]
+    told = page.say({"type": "walk", "name": "mine2", "text": "title = 1", "number": 3})
+    assert told["sheet"] is None and told["refused"].startswith("mine2: ")
+    assert "mine" not in WALKS
+
+
+def test_a_page_can_open_at_a_step() -> None:
+    session = visited({"walk": [b"d34"], "step": [b"7"]}, WALKS)
+    assert (session.state.step, session.state.covered) == ("d34/d34-07", SHEETS["d34"].steps[6].opens.covered)
+    (problem,) = unpacked(visited({"walk": [b"d34"], "step": [b"99"]}, WALKS).opening())["problems"]
+    assert problem.startswith("step: the walk d34 has no step “99”")

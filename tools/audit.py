@@ -1,0 +1,47 @@
+"""`make audit` asks whether anything is known against the pinned packages, and says so where it cannot be told."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).parents[1]
+LOCK = "requirements.txt"
+COMMAND = ("-m", "pip_audit", "--requirement", LOCK, "--require-hashes", "--disable-pip")
+SILENT = ("--format", "json", "--progress-spinner", "off", "--timeout", "20")
+
+
+def findings(report: dict[str, Any]) -> Iterator[str]:
+    """What a report of pip-audit's says, a sentence a line; nothing where every package is known to be sound.
+
+    pip-audit calls a run in which it could look nothing up a success.
+    """
+    packages = report["dependencies"]
+    unknown = [package["name"] for package in packages if "skip_reason" in package]
+    if len(unknown) == len(packages):
+        yield "The data of the audit cannot be reached: nothing is known of any package."
+    elif unknown:
+        yield f"Not looked up: {', '.join(unknown)}."
+    for package in packages:
+        for fault in package.get("vulns", ()):
+            mended = ", ".join(fault["fix_versions"]) or "none"
+            yield f"{package['name']} {package['version']}: {fault['id']}; mended in {mended}."
+
+
+def main() -> None:
+    ran = subprocess.run([sys.executable, *COMMAND, *SILENT], cwd=ROOT, capture_output=True, text=True)
+    try:
+        said = list(findings(json.loads(ran.stdout)))
+    except ValueError:
+        reason = (ran.stderr.strip().splitlines() or ["pip-audit says nothing"])[-1]
+        said = [f"The data of the audit cannot be reached: {reason}"]
+    print("\n".join(said) or f"Nothing is known against the packages of {LOCK}.")
+    sys.exit(bool(said))
+
+
+if __name__ == "__main__":
+    main()

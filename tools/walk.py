@@ -1,0 +1,33 @@
+"""`python -m tools.walk FILE ...` checks walks: every link, name, formula and answer, against the scenes."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from components.scenes import SCENES
+from components.walks.checking import problems
+from components.walks.loading import WalkError, load_walk, load_walks, steps_of
+
+
+def main(paths: list[str]) -> int:
+    if not paths:
+        print("Which file? make walk FILE=my-walk.toml")
+        return 2
+    known = steps_of(load_walks(()).values())
+    wrong = 0
+    for path in map(Path, paths):
+        try:
+            walk = load_walk(path, known)
+        except WalkError as error:
+            print(error)
+            wrong += 1
+            continue
+        found = list(problems(walk, SCENES))
+        print(*found, f"{walk.name}: {len(walk.steps)} steps, {len(found) or 'nothing'} to mend.", sep="\n")
+        wrong += len(found)
+    return int(wrong > 0)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,40 @@
+// What the scripts share and find in the page.
+
+/** BokehJS, which is typed by none of its files. */
+declare const Bokeh: any
+
+declare var oscillations: any
+
+/** Columns of numbers by source and name. */
+type Columns = Record<string, Record<string, Float32Array>>
+
+/** A view whose columns have come out of the array that was sent with it, and the page around it. */
+type Drawn = Omit<page.Shown, "view"> & {view: Omit<page.View, "columns"> & {columns: Columns}}
+
+/** Numbers by name: signals at an instant, scalars, places of plots. */
+type Named = Record<string, number>
+
+/** Takes a message to the server. */
+type Send = (message: page.Said) => void
+
+/** A rectangle in pixels. */
+interface Frame {
+  left: number
+  top: number
+  width: number
+  height: number
+}
+
+interface Span {
+  start: number
+  end: number
+}
+
+/** A message as it comes: packed over the usual text of a sheet, whose address is "" where there is none. */
+interface Packet {
+  sheet: string
+  data: ArrayBuffer
+}
+
+/** What is told, unpacked. */
+type Told = Drawn | page.File | page.AboutNumbers | page.Taught | page.Walking

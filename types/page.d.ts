@@ -1,0 +1,874 @@
+// Written by `make protocol` from components/page; a change there is a change here.
+
+declare namespace page {
+  type Name = string
+
+  type Text = string
+
+  /** A sketched curve: points as places on the axes of its plot. */
+  type Stroke = [number, number][]
+
+  /** Anything that the browser says. */
+  interface FromBrowser {
+    number?: number
+  }
+
+  /** Quantities by name, in SI: from sliders and handles. While a hand is `holding` on to what is drawn, its frame
+   * stands as it is. */
+  interface SetValues extends FromBrowser {
+    type: "set"
+    values: Record<Name, number | null>
+    holding?: boolean
+  }
+
+  /** The text of a field, in the unit that it shows. */
+  interface Typed extends FromBrowser {
+    type: "typed"
+    name: Name
+    text: Text
+  }
+
+  /** The action of a button. */
+  interface Act extends FromBrowser {
+    type: "act"
+    name: Name
+  }
+
+  /** The word of a choice, or a list of words. */
+  interface Choose extends FromBrowser {
+    type: "choose"
+    name: Name
+    value: Text | Name[]
+  }
+
+  /** To a scene that measures. */
+  interface RunOrder extends FromBrowser {
+    type: "run"
+    order: "start" | "cancel" | "skip"
+  }
+
+  /** Put the session into this state. */
+  interface Open extends FromBrowser {
+    type: "open"
+    state: State
+  }
+
+  /** The answer to a step of a walk: an option by its place, the text of a number, a place on the axis, or curves. */
+  interface Given extends FromBrowser {
+    type: "given"
+    walk: Name
+    step: Name
+    option?: number | null
+    text?: Text
+    value?: number | null
+    curves?: Record<Name, Stroke>
+  }
+
+  /** The text of a walk's file, to be run by this session alone. */
+  interface RunWalk extends FromBrowser {
+    type: "walk"
+    name: Name
+    text: string
+  }
+
+  /** The numbers of all plots, please; `page` is the address that their link begins with. */
+  interface AskCsv extends FromBrowser {
+    type: "csv"
+    page?: Text
+  }
+
+  /** What is known of the errors of what is drawn, please. */
+  interface AskAbout extends FromBrowser {
+    type: "about"
+  }
+
+  type Said = SetValues | Typed | Act | Choose | RunOrder | Open | Given | RunWalk | AskCsv | AskAbout
+
+  /** Anything that the browser is told; `answer` is the number of the message that it answers. */
+  interface Told {
+    answer: number | null
+  }
+
+  /** The page as it now is.
+   *
+   * `sheet` is the address of the scene's sheet, `settings` what the controls show by parameter, `preset` the one in
+   * force, `here` the places where the scene is, `errors` what was refused
+   * of the last message by parameter, `problems` what was refused of a link, `query` the link of this state. */
+  interface Shown extends Told {
+    type: "shown"
+    scene: string
+    sheet: string
+    view: View
+    settings: Record<string, Setting>
+    state: State
+    preset: string | null
+    here: string[]
+    errors: Record<string, string>
+    problems: string[]
+    query: string
+    progress: Progress | null
+  }
+
+  /** A file to keep, and its media type. */
+  interface File extends Told {
+    type: "file"
+    name: string
+    kind: string
+    content: bytes
+  }
+
+  /** One number in twenty digits: as drawn, as it truly is, and how far off in ulp. */
+  interface AboutPoint {
+    name: Html
+    place: Html
+    drawn: string
+    true: string
+    off: string
+  }
+
+  /** Points under the sentence that bounds their errors. */
+  interface AboutTable {
+    bound: Html
+    rows: AboutPoint[]
+  }
+
+  /** What is known of the errors of what is drawn. */
+  interface AboutNumbers extends Told {
+    type: "about"
+    reading: Html
+    tables: AboutTable[]
+    notes: Html[]
+  }
+
+  /** What a step teaches, in answer to what was given; `refused` says why there is nothing. */
+  interface Taught extends Told {
+    type: "taught"
+    walk: string
+    step: string
+    lesson: Lesson | null
+    refused: string
+  }
+
+  /** A walk that this session runs; `refused` says what is wrong with its file. */
+  interface Walking extends Told {
+    type: "walking"
+    sheet: WalkSheet | null
+    refused: string
+  }
+
+  type ToldAny = Shown | File | AboutNumbers | Taught | Walking
+
+  /** A link to another scene: what is `given`, and the parameters of this scene that are taken along. */
+  interface Onward {
+    label: string
+    scene: string
+    given: Record<string, string>
+    taken: string[]
+  }
+
+  /** All that the browser must know of a scene once, the same for every visitor: an immutable file.
+   *
+   * Messages about the scene are deflated with `usual` before them, which they refer to. `spoken` are the numbers that
+   * are read aloud after a change: by what they are called, texts with {live numbers}. */
+  interface SceneSheet {
+    slug: string
+    title: string
+    headline: string
+    runs: boolean
+    about: boolean
+    onward: Onward[]
+    usual: string
+    spoken: Record<string, string>
+    paper: Block
+    panel: Panel
+  }
+
+  /** A quantity in SI (None: the scene's own choice), the word of a choice, or a list of words. */
+  type Value = number | string | string[] | null
+
+  /** What a picture is drawn in: the ranges of its axes by name, its time window in s, the scale of its stage, and
+   * its speed, simulated over real seconds. */
+  interface Frame {
+    ranges: Record<string, [number, number]>
+    window: number | null
+    scale: number | null
+    speed: number | null
+  }
+
+  /** A scene, what of its parameters is not at its default, its frame where it is not the fitted one, the parameters
+   * held for comparison, the plots and values covered, the curves switched off, and the step of a walk. */
+  interface State {
+    scene: string
+    parameters: Record<string, Value>
+    frame: Frame | null
+    held: Record<string, Value> | null
+    covered: string[]
+    hidden: string[]
+    step: string
+  }
+
+  /** A step before its answer.
+   *
+   * `place` says where in the lecture it is, `given` stands over the question, `options` are the answers of a choice,
+   * `unit` that of a number; `plot` is where a point is marked or a sketch drawn, `axis` the one of the point, `curves`
+   * what is drawn, by name. `opens` is the state that the question is asked of, `reveals` the one of the answer, where
+   * the parameters in `controls` may be moved. */
+  interface StepCard {
+    id: string
+    kind: "choice" | "number" | "point" | "sketch"
+    place: string
+    scene: string
+    given: Html
+    question: Html
+    minutes: number
+    opens: State
+    reveals: State
+    controls: string[]
+    options: Html[]
+    unit: string
+    plot: string
+    axis: "" | "x" | "y"
+    curves: string[]
+  }
+
+  /** A walk from its first step to its last. */
+  interface WalkSheet {
+    name: string
+    title: string
+    steps: StepCard[]
+  }
+
+  /** What is said of one of the answers of a choice. */
+  interface Verdict {
+    right: boolean
+    reply: Html
+  }
+
+  /** A feature that a sketch has or misses: its name, what is said of it, and where in the plot it is, in places of
+   * its axes. */
+  interface Finding {
+    has: boolean
+    name: Html
+    words: Html
+    at: [number, number] | null
+  }
+
+  /** What a step teaches once it has been answered.
+   *
+   * `right` is None where nothing was answered; `reply` is the sentence of the answer given; `verdicts` are those of the
+   * options, `findings` those of a sketch, `truth` the right number or places with `places` on the axis of the point. */
+  interface Lesson {
+    title: Html
+    explain: Html
+    follows: Html[]
+    next: Html
+    right: boolean | null
+    reply: Html
+    verdicts: Verdict[]
+    findings: Finding[]
+    truth: string
+    places: number[]
+  }
+
+  /** An axis as it is drawn: places are numbers in units of `factor` (SI) times 10**exponent, raised to `power`, or
+   * their logarithms to base ten. */
+  interface Ruler {
+    start: number
+    end: number
+    ticks: number[]
+    labels: string[]
+    unit: string
+    exponent: number
+    factor: number
+    power: number
+    log: boolean
+  }
+
+  /** Simulated over real seconds: what the speed Auto plays at, and the fastest at which the motion can be seen. */
+  interface Pace {
+    auto: number
+    limit: number | null
+  }
+
+  /** How a number that moves is shown: decimals, and whether its sign always stands. */
+  type Digits = [decimals: number, signed: boolean]
+
+  /** How far a measurement has come: so many of a total, counted in `unit`. */
+  interface Progress {
+    state: "idle" | "waiting" | "running" | "done"
+    done: number
+    total: number
+    unit: string
+    text: string
+  }
+
+  /** A column: the name of the axis that it is drawn on, and how many numbers it has. */
+  type Drawn = [axis: string, count: number]
+
+  /** What the browser shows of a picture.
+   *
+   * `columns`   the columns by source and name; their numbers follow the message, then those of the runs of `signals`
+   * `axes`      the axes by name; `time` is the name of the one that the clock runs through, "" where nothing moves
+   * `signals`   what moves, by name, in the order in which they build on each other
+   * `scalars`   numbers that shapes and marks use
+   * `values`    texts of live numbers, by name; `live` is how those that move are shown, by signal
+   * `forms`     which variant of a formula or sentence stands, by name; "" hides it
+   * `notes`     what the visitor must know about this picture
+   * `left_out`  the quantities that are not sent because they are covered; a shape that needs one is not drawn */
+  interface View {
+    columns: Record<string, Record<string, Drawn>>
+    axes: Record<string, Ruler>
+    time: string
+    pace: Pace
+    signals: Record<string, AnySignal>
+    scalars: Record<string, number>
+    values: Record<string, string>
+    live: Record<string, Digits>
+    forms: Record<string, string>
+    notes: string[]
+    left_out: string[]
+  }
+
+  /** A value with a name under its slider. */
+  interface NamedValue {
+    value: number
+    text: string
+  }
+
+  /** A slider with its field: `soft` is what it spans, `says` continues the symbol to a sentence. */
+  interface SliderRow {
+    kind: "slider"
+    name: string
+    symbol: string
+    label: string
+    unit: string
+    tint: string
+    scale: "linear" | "log" | "near0" | "count"
+    soft: [number, number]
+    says: string
+    marks: NamedValue[]
+  }
+
+  /** Joined buttons, or small pictures: the shapes of a stage by value. */
+  interface ChoiceRow {
+    kind: "choice"
+    name: string
+    label: string
+    options: Option[]
+    pictures: Record<string, AnyShape[]>
+  }
+
+  type ControlRow = SliderRow | ChoiceRow
+
+  /** A button that has the server set several parameters; a place shows whether the scene is there. */
+  interface ActionButton {
+    name: string
+    label: string
+    place: boolean
+  }
+
+  /** Controls that belong together; without a title they go on with those before. `facts` are rows of cells.
+   *
+   * A folded one opens when asked for and when one of its values is not the default; it stands by the form `form`. */
+  interface GroupSection {
+    title: string
+    hint: string
+    rows: ControlRow[]
+    actions: ActionButton[]
+    folded: boolean
+    form: string
+    dense: boolean
+    facts: Html[][]
+  }
+
+  /** A preset, the parameters that it sets, and its outline: SVG path data in a box of 128 by 46, or none.
+   *
+   * It sets all that any preset of the scene speaks of; the others stay. */
+  interface PresetButton {
+    label: string
+    sets: Record<string, Value>
+    outline: string
+  }
+
+  /** All controls of a scene; `start` is the title over the presets, which a folded one hides until asked for. */
+  interface Panel {
+    start: string
+    folded: boolean
+    presets: PresetButton[]
+    groups: GroupSection[]
+  }
+
+  /** What the control of a parameter shows: its value (in its own unit) and the text of its field.
+   *
+   * `unit` is the one that is shown and typed, of which one is `size`; `changed` says that it is not the default. */
+  interface Setting {
+    value: number | string | null
+    text: string
+    unit: string | null
+    size: number
+    soft: [number, number] | null
+    changed: boolean
+  }
+
+  /** What all blocks have.
+   *
+   * `grow` and `basis` say how a block shares the height (in a column) or the width (in a row), `phone` its place from
+   * top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form `form`. */
+  interface Part {
+    grow: number
+    basis: number
+    phone: number | null
+    height: number | null
+    form: string
+    style: string
+  }
+
+  /** Blocks side by side. */
+  interface Row extends Part {
+    kind: "row"
+    blocks: Block[]
+    gap: number
+  }
+
+  /** Blocks one under the other. */
+  interface Column extends Part {
+    kind: "column"
+    blocks: Block[]
+    gap: number
+  }
+
+  /** The picture; `label` describes it to those who do not see it. Where it stands alone it is at most `widest` times
+   * as wide as high. */
+  interface StageBlock extends Part {
+    kind: "stage"
+    shapes: AnyShape[]
+    label: string
+    widest: number
+  }
+
+  /** Sentences and formulas. */
+  interface WordsBlock extends Part {
+    kind: "words"
+    items: Forms[]
+  }
+
+  /** Rows of cells under their heads; the first cell of a row is its name. */
+  interface TableBlock extends Part {
+    kind: "table"
+    head: Html[]
+    rows: Forms[][]
+  }
+
+  /** One of the values of a choice, by its word, and what it is called. */
+  interface Option {
+    value: string
+    label: string
+  }
+
+  /** A joined segment of options that sets the parameter `name`. */
+  interface ChoiceBlock extends Part {
+    kind: "choice"
+    name: string
+    label: string
+    options: Option[]
+  }
+
+  /** A plot: `x` and `y` name axes of the picture, `title` is its text alternative.
+   *
+   * `time` says whether its abscissa is the instant shown, which then can be dragged; `square` draws both axes to one
+   * scale; `plain` leaves out numbers at the axes; `shapes` are drawn over it as on a stage; a press near a point of a
+   * curve sets the list `pick` to its source and its place in the column. The frame leaves free the room around it, so
+   * that what stands over the figure has its place before the figure is there. */
+  interface PlotBlock extends Part {
+    kind: "plot"
+    name: string
+    title: string
+    x: string
+    y: string
+    curves: Curve[]
+    regions: Region[]
+    heading: Term[]
+    handles: Handle[]
+    marks: Mark[]
+    shapes: AnyShape[]
+    room: Room
+    x_labels: boolean
+    cursor: boolean
+    time: boolean
+    square: boolean
+    plain: boolean
+    pick: string
+    figure: Record<string, unknown>
+  }
+
+  type Block = Row | Column | StageBlock | WordsBlock | TableBlock | ChoiceBlock | PlotBlock
+
+  /** The room around the frame of a plot, in pixels: for numbers at the left and below, labels at the right, flags
+   * over it. */
+  interface Room {
+    left: number
+    right: number
+    top: number
+    bottom: number
+  }
+
+  /** A line: column `y` of `source` over its column `x`, coloured as the quantity `tint`.
+   *
+   * `signal` moves a dot along it (with `signal_x` as its abscissa where that is not the time); `label` stands at its
+   * right end and in the read-out at the pointer, `read` there alone; `group` is the name by which it is switched off.
+   * With a `marker` its points are marked; with width "none" only they are drawn. Of a group drawn as a band its name
+   * stands at the band's middle. */
+  interface Curve {
+    source: string
+    x: string
+    y: string
+    group: string
+    tint: string
+    width: "sum" | "line" | "dash" | "dots" | "thin" | "none"
+    label: Runs
+    read: string
+    signal: string
+    signal_x: string
+    marker: "" | "disc" | "ring"
+  }
+
+  /** A filled band between the columns `low` and `high`: the envelope of the curve `of`, or a layer of a stack. */
+  interface Region {
+    source: string
+    x: string
+    low: string
+    high: string
+    tint: string
+    alpha: number
+    group: string
+    of: string
+    label: Runs
+    read: string
+  }
+
+  /** A pill on an axis that sets a parameter, no lower than `least`.
+   *
+   * It shows `symbol` and the parameter's number, or the value called `text`, then `unit`; where it stands over the unit
+   * of the axis it says `covering`. A `bare` one is moved by a press on the plot alone. It stands by the form `form`. */
+  interface Handle {
+    parameter: string
+    label: string
+    symbol: string
+    tint: string
+    axis: "x" | "y"
+    least: number | null
+    text: string
+    unit: string
+    covering: string
+    form: string
+    bare: boolean
+  }
+
+  /** A line with a flag across the plot at the scalar `at`, a place on the axis.
+   *
+   * The flag is the button for the action `act`, or sets the parameter `set` to the scalar `exactly` where given, else
+   * to what the place stands for. `lift` is its height over the frame, `shift` its way to the right, in pixels. */
+  interface Mark {
+    at: string
+    tint: string
+    html: Html
+    label: string
+    set: string
+    exactly: string
+    act: string
+    axis: "x" | "y"
+    style: string
+    flag: string
+    lift: number | null
+    shift: number
+  }
+
+  /** One term of the heading: a formula or words by form, a sample of the line, and the switch of the group `curve`.
+   *
+   * `form` names the picture's form that says which variant stands; the variant "formula" where the picture has none. */
+  interface Term {
+    variants: Record<string, Html>
+    curve: string
+    form: string
+    key: "sum" | "line" | "dash" | "band" | "none"
+    tint: string
+  }
+
+  type Anchor = "start" | "middle" | "end"
+
+  type Side = "left" | "right" | "top" | "bottom"
+
+  /** How the place of a hand becomes a value of `parameter`, of which one is `size` in SI; "" sets nothing.
+   *
+   * `moves` is the signal or scalar, counted on `axis` ("" for one without), that is drawn where the hand is, at once.
+   * A flick gives its velocity to the parameter `rate`. */
+  interface Way {
+    parameter: string
+    moves: string
+    axis: string
+    size: number
+    rate: string
+  }
+
+  /** In proportion: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or downwards. */
+  interface Along extends Way {
+    kind: "along"
+    across: "x" | "y"
+    zero: Number
+    unit: Number
+  }
+
+  /** The angle about (x, y) in rad, from straight down, counted to the right (anticlockwise). */
+  interface Turn extends Way {
+    kind: "turn"
+    x: Number
+    y: Number
+  }
+
+  /** Height for speed without loss: the excess of speed in level flight at a height, by the height `head` (v_0^2/g);
+   * no higher than where the speed is used up. */
+  interface Trade extends Way {
+    kind: "trade"
+    zero: Number
+    unit: Number
+    head: string
+  }
+
+  type AnyWay = Along | Turn | Trade
+
+  /** The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0. */
+  interface Begin {
+    parameter: string
+    of: string
+    axis: string
+    size: number
+  }
+
+  /** What a hand does with a shape; `label` names it for a screen reader.
+   *
+   * Where it `begins` a motion, time stops, what is seen becomes the new `start`, and letting go plays it. */
+  interface Grab {
+    label: string
+    ways: AnyWay[]
+    begins: boolean
+    start: Begin[]
+  }
+
+  /** What all shapes have: `tint`, the class of a colour, and `style`, more classes; drawn while the picture has all
+   * the scalars `show`, none of them 0; `inside` names the plot whose frame cuts it, `grab` what a hand does with it. */
+  interface Look {
+    tint: string
+    style: string
+    show: string[]
+    inside: string
+    grab: Grab | null
+  }
+
+  /** A zigzag of nine teeth between two points: stretch is pitch, stiffness is the width of the wire. */
+  interface Spring extends Look {
+    kind: "spring"
+    x1: Number
+    y1: Number
+    x2: Number
+    y2: Number
+    wire: Number
+    height: Number
+  }
+
+  /** A square mass, given by the middle of its foot; `corner` puts its label over it, to the left. */
+  interface Box extends Look {
+    kind: "box"
+    x: Number
+    y: Number
+    side: Number
+    label: Runs
+    corner: boolean
+  }
+
+  /** A straight line. */
+  interface Line extends Look {
+    kind: "line"
+    x1: Number
+    y1: Number
+    x2: Number
+    y2: Number
+  }
+
+  /** An arrow with a head of so many pixels, moved ahead along itself by `gap`. */
+  interface Arrow extends Look {
+    kind: "arrow"
+    x1: Number
+    y1: Number
+    x2: Number
+    y2: Number
+    head: Number
+    gap: Number
+  }
+
+  /** A disc or, by its style, a ring. */
+  interface Circle extends Look {
+    kind: "circle"
+    x: Number
+    y: Number
+    r: Number
+  }
+
+  /** A fixed outline (SVG path data), moved to (x, y), scaled by (sx, sy) and turned by `turn` rad, clockwise on the
+   * screen, or so that its right end points along (dx, dy). */
+  interface Path extends Look {
+    kind: "path"
+    d: string
+    x: Number
+    y: Number
+    turn: Number
+    dx: Number
+    dy: Number
+    sx: Number
+    sy: Number
+  }
+
+  /** Part of a circle, between two angles in rad from straight down, counted to the right (anticlockwise). */
+  interface Arc extends Look {
+    kind: "arc"
+    x: Number
+    y: Number
+    r: Number
+    start: Number
+    end: Number
+  }
+
+  /** size sin(2 pi turns s + phase) upwards over a length from (x, y); with a `depth` filled down to there. */
+  interface Wave extends Look {
+    kind: "wave"
+    x: Number
+    y: Number
+    length: Number
+    size: Number
+    turns: Number
+    phase: Number
+    depth: Number
+  }
+
+  /** `count` slices of a medium from (x, y) to the right, their edges displaced along it by size sin(2 pi turns s). */
+  interface Layers extends Look {
+    kind: "layers"
+    x: Number
+    y: Number
+    length: Number
+    height: Number
+    count: number
+    size: Number
+    turns: Number
+  }
+
+  /** Words. */
+  interface Label extends Look {
+    kind: "text"
+    x: Number
+    y: Number
+    words: Runs
+    anchor: Anchor
+  }
+
+  /** A hatched wall; (x, y) is its upper or left end, `side` where the solid is, `depth` the size of its hatching. */
+  interface Wall extends Look {
+    kind: "wall"
+    x: Number
+    y: Number
+    length: Number
+    side: Side
+    depth: Number
+  }
+
+  type AnyShape = Spring | Box | Line | Arrow | Circle | Path | Arc | Wave | Layers | Label | Wall
+
+  /** Anything that has a number at every instant. */
+  interface Signal {
+  }
+
+  /** (size + slope t) exp(-decay t) sin(omega t + phase); a plain exponential has omega = 0 and phase = pi/2. */
+  type Sine = [size: number, omega: number, phase: number, decay: number, slope: number]
+
+  /** a + b t and a sum of sines; line = (a, b). */
+  interface Sines extends Signal {
+    kind: "sines"
+    sines: Sine[]
+    line: [number, number]
+  }
+
+  /** size g(t), from rest, with g'' + omega_n^2 g = sin(omega t); regular at resonance and at omega_n = 0. */
+  type Response = [size: number, omega: number, omega_n: number]
+
+  /** A sum of responses to a drive. */
+  interface Responses extends Signal {
+    kind: "responses"
+    responses: Response[]
+  }
+
+  /** A polynomial in the signals before it. */
+  interface Derived extends Signal {
+    kind: "derived"
+    value: Expression
+  }
+
+  /** The sine of an angle in rad, a signal before it. */
+  interface SineOf extends Signal {
+    kind: "sine"
+    of: string
+  }
+
+  /** The cosine of an angle in rad, a signal before it. */
+  interface CosineOf extends Signal {
+    kind: "cosine"
+    of: string
+  }
+
+  /** Numbers that follow their message: how many, the least and the greatest. */
+  interface Samples {
+    count: number
+    low: number
+    high: number
+  }
+
+  /** A periodic motion in equally spaced values and slopes over one period, joined by Hermite pieces; `drift` is
+   * gained each period. */
+  interface Sampled extends Signal {
+    kind: "sampled"
+    period: number
+    y: number[] | Samples
+    dy: number[] | Samples
+    drift: number
+  }
+
+  type AnySignal = Sines | Responses | Derived | SineOf | CosineOf | Sampled
+
+  /** A coefficient times named quantities. */
+  type Product = [factor: number, names: string[]]
+
+  /** A sum of products of named quantities: signals, scalars, W and H, the frames of plots. */
+  interface Expression {
+    terms: Product[]
+  }
+
+  /** A number of a shape: fixed, or worked out at every frame. */
+  type Number = number | Expression
+
+  /** HTML that components.text made of our own source; live numbers in it are elements with `data-value`. */
+  type Html = string
+
+  /** A piece of a text in a drawing: plain, the symbol of a quantity, its index, or the live number of that name. */
+  interface TextRun {
+    kind: "plain" | "symbol" | "index" | "value"
+    text: string
+  }
+
+  type Runs = TextRun[]
+
+  /** A sentence in several forms: the picture's form called `name` says which stands, "" that none does.
+   *
+   * Without a name the only form, "", always stands. */
+  interface Forms {
+    variants: Record<string, Html>
+    name: string
+  }
+}
