@@ -73,7 +73,7 @@ async def connect(url: str, token: str) -> WebSocketClientConnection:
 async def refused(url: str, token: str) -> int:
     """The status of a refused handshake; 101 where it was not refused."""
     try:
-        (await connect(url, token)).close()
+        await Caller(await connect(url, token)).depart()
     except HTTPClientError as error:
         return error.code
     return 101

@@ -82,7 +82,7 @@ async def measure_sessions(server: Server, query: str, batches: int, size: int, 
         cpu.append(1000 * (busy(process) - before) / size)
         memory.append((process.memory_info().rss - held) / size / 1e6)
     for visitor in visitors:
-        visitor.leave()
+        await visitor.depart()
     page = "a session" if aims else "an empty page of Panel's"
     return [
         Row(f"open {page}: server CPU", cpu, "{:.0f} ms", "40 ms" if aims else ""),
@@ -104,7 +104,7 @@ async def measure_changes(server: Server, query: str, batches: int, size: int) -
         cpu.append(1000 * (busy(process) - before) / size)
         kilobytes.append((visitor.traffic.bytes - sent) / size / 1000)
         patches.append((visitor.traffic.patches - messages) / size)
-    visitor.leave()
+    await visitor.depart()
     return [  # the first batch warms up
         Row("one slider change: server CPU", cpu[1:], "{:.1f} ms", "5 ms"),
         Row("one slider change: bytes to the browser", kilobytes[1:], "{:.1f} kB", "20 kB"),

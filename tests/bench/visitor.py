@@ -72,10 +72,11 @@ class Visitor:
         if socket.protocol:
             socket.protocol.set_nodelay(True)  # as browsers do
         visitor = cls(socket, url)
-        welcome = visitor._expect("ACK")
-        visitor._reader = asyncio.create_task(visitor._read())
-        await asyncio.wait_for(welcome, PATIENCE)
-        await visitor._start()
+        try:
+            await visitor._start()
+        except (ConnectionError, TimeoutError):
+            await visitor.depart()
+            raise
         return visitor
 
     async def move(self, parameter: str, value: float) -> None:
@@ -91,18 +92,16 @@ class Visitor:
         told: dict[str, Any] = await asyncio.wait_for(answered, PATIENCE)
         return told
 
-    def leave(self) -> None:
-        if self._reader:
-            self._reader.cancel()
-        self._socket.close()
-
     async def depart(self) -> None:
-        """Leave, and wait until the connection has come to its end."""
-        self.leave()
-        while await asyncio.wait_for(self._socket.read_message(), PATIENCE) is not None:
-            pass
+        """Leave, and wait until the connection has come to its end: a socket left to itself outlives the event loop."""
+        self._socket.close()
+        if self._reader:
+            await asyncio.wait_for(self._reader, PATIENCE)
 
     async def _start(self) -> None:
+        welcome = self._expect("ACK")
+        self._reader = asyncio.create_task(self._read())
+        await asyncio.wait_for(welcome, PATIENCE)
         document = (await self._send("PULL-DOC-REQ"))["doc"]
         models = {model["name"]: model["id"] for model in _models(document["roots"])}
         self._view = models.get("components.view.Wire", "")

@@ -43,14 +43,14 @@ class Guest:
                 self.longest = max(self.longest, monotonic() - begun)
                 return
             except (ConnectionError, TimeoutError):
-                self.leave()
+                await self.leave()
                 await asyncio.sleep(AGAIN)
         raise TimeoutError("nobody answers any more")
 
-    def leave(self) -> None:
+    async def leave(self) -> None:
         """The page goes, or has lost its server."""
         if self._visitor:
-            self._visitor.leave()
+            await self._visitor.depart()
         self._visitor = None
 
     async def _back(self) -> Visitor:

@@ -48,8 +48,7 @@ async def trial(site: Site, guests: int, happening: Callable[[], None], after: f
     await asyncio.sleep(after)
     over.set()
     lost = [finding for finding in await asyncio.gather(*changing) if finding]
-    for visitor in visitors:
-        visitor.leave()
+    await asyncio.gather(*(visitor.leave() for visitor in visitors))
     return Trial(max(visitor.longest for visitor in visitors), sum(visitor.returns for visitor in visitors), lost)
 
 

@@ -251,4 +251,4 @@ async def _measure_and_leave(server: Server) -> None:
     visitor = await Visitor.arrive(server.url, "scene=accuracy&limit=60")
     await visitor.say({"type": "run", "order": "start"})
     wait(lambda: workers(server))
-    visitor.leave()
+    await visitor.depart()

@@ -66,11 +66,11 @@ def test_a_token_opens_its_session_on_every_server_with_the_secret() -> None:
             served() as other,
         ):
             token = token_of((await page_of(first, "/?scene=coupled&k2=7")).text)
-            socket = await connect(url(second), token)
+            caller = Caller(await connect(url(second), token))
             await until(lambda: len(sessions(second)) == 1)
             assert sessions(second)[0].document.title == sessions(first)[0].document.title
             assert await refused(url(other), token) == 403
-            socket.close()
+            await caller.depart()
 
     asyncio.run(go())
 
@@ -191,7 +191,7 @@ def test_who_leaves_at_the_door_leaves_nothing_behind(monkeypatch: pytest.Monkey
                 return session
 
             monkeypatch.setattr(ApplicationContext, "create_session_if_needed", slowly)
-            (await connect(url(server), token)).close()
+            await Caller(await connect(url(server), token)).depart()
             await until(lambda: not sessions(server))
 
     asyncio.run(go())
@@ -204,7 +204,7 @@ def test_a_session_waits_for_its_visitor_and_ends_without() -> None:
             await page_of(server)
             await until(lambda: len(sessions(server)) == 1)
             await visitor.move("k2", 3)
-            visitor.leave()
+            await visitor.depart()
             await until(lambda: not sessions(server))
 
     asyncio.run(go())
@@ -223,7 +223,7 @@ def test_a_socket_that_misses_two_pings_is_dropped() -> None:
                     await caller.hear()
             assert await silent.closed() == (1001, "No answer to two pings.")
             assert len(server.lecture.sockets) == 1
-            caller.socket.close()
+            await caller.depart()
 
     asyncio.run(go())
 
