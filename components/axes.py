@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field, replace
 from decimal import Decimal
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,6 +82,7 @@ class Axis:
         """A value in this axis' unit, to three digits."""
         return three(self.place(value))
 
+    @cached_property
     def ruler(self) -> Ruler:
         """The axis as it is sent."""
         labels = [ten(round(tick)) if self.log else at_tick(tick) for tick in self.ticks]

@@ -51,19 +51,21 @@ def in_words() -> Iterator[None]:
 
 def check_sendable(value: Any) -> None:
     """ArithmeticError where a number in nested lists, dicts and structs is not finite: it cannot be sent."""
-    if isinstance(value, float):
-        if not math.isfinite(value):
-            raise OverflowError(f"a number to be sent is {value}")
-    elif isinstance(value, dict):
-        for part in value.values():
-            check_sendable(part)
-    elif isinstance(value, msgspec.Struct):
-        check_sendable(msgspec.structs.astuple(value))
-    elif isinstance(value, (list, tuple)):
-        for part in value:
-            check_sendable(part)
-    elif isinstance(value, np.ndarray) and not np.isfinite(value).all():
-        raise OverflowError("a column has numbers that are not finite")
+    left, numbers = [value], []
+    while left:
+        part = left.pop()
+        if isinstance(part, float):
+            numbers.append(part)
+        elif isinstance(part, (list, tuple)):
+            left.extend(part)
+        elif isinstance(part, dict):
+            left.extend(part.values())
+        elif isinstance(part, msgspec.Struct):
+            left.extend(msgspec.structs.astuple(part))
+        elif isinstance(part, np.ndarray) and not np.isfinite(part).all():
+            raise OverflowError("a column has numbers that are not finite")
+    if not all(map(math.isfinite, numbers)):
+        raise OverflowError("a number to be sent is not finite")
 
 
 def report(error: Exception) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABCMeta, abstractmethod
 from collections.abc import Callable, Mapping
-from functools import cached_property
+from functools import cache, cached_property
 from typing import Any, ClassVar
 
 import param
@@ -198,6 +198,7 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
         self._listeners.append(listener)
 
     @classmethod
+    @cache
     def linked(cls) -> dict[str, AnyParameter]:
         """The parameters that a link and a state carry: quantities, choices and lists, unless constant or private."""
         kinds = (Quantity, param.Selector, param.Boolean, param.List)
@@ -291,6 +292,6 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
 def _sendable(drawn: Framed) -> Framed:
     """What is drawn; ValueError where a number of it leaves what can be sent."""
     picture = drawn.picture
-    axes = [axis.ruler() for axis in picture.axes.values()]
+    axes = [axis.ruler for axis in picture.axes.values()]
     check_sendable([picture.columns, axes, picture.pace, picture.signals, picture.scalars, picture.spans])
     return drawn

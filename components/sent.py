@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from components.axes import TIME_AXIS
 from components.page.picture import Drawn, View
 from components.page.signals import AnySignal, Sampled, Samples
-from components.places import COARSE, FINE, Steps, span, steps
+from components.places import COARSE, FINE, Floats, Steps, span, steps
 from components.scene import Picture
 
 ColumnAxes = Mapping[str, Mapping[str, str]]
@@ -19,7 +19,7 @@ ColumnAxes = Mapping[str, Mapping[str, str]]
 
 def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) -> tuple[View, list[Steps]]:
     """The view of a picture, and the numbers that follow it: its columns, then the runs of its signals."""
-    rulers = {name: axis.ruler() for name, axis in picture.axes.items()}
+    rulers = {name: axis.ruler for name, axis in picture.axes.items()}
     columns, numbers = _columns(picture, axes, {name: span(ruler) for name, ruler in rulers.items()})
     signals: dict[str, AnySignal] = {}
     for name, signal in picture.signals.items():
@@ -48,14 +48,21 @@ def _columns(
 ) -> tuple[dict[str, dict[str, Drawn]], list[Steps]]:
     """What is said of each column, and its numbers: where they stand on the axis that they are drawn on."""
     columns: dict[str, dict[str, Drawn]] = {}
-    numbers: list[Steps] = []
+    given: list[Floats] = []
+    on: dict[str, list[int]] = {}
     for source, drawn in axes.items():
-        given = picture.columns.get(source, {})
+        known = picture.columns.get(source, {})
         for column, axis in drawn.items():
-            if column in given:
-                columns.setdefault(source, {})[column] = Drawn(axis, len(given[column]))
-                numbers.append(steps(picture.axes[axis].places(given[column]), *spans[axis], COARSE))
-    return columns, numbers
+            if column in known:
+                columns.setdefault(source, {})[column] = Drawn(axis, len(known[column]))
+                on.setdefault(axis, []).append(len(given))
+                given.append(known[column])
+    numbers: dict[int, Steps] = {}
+    for axis, places in on.items():  # all that are drawn on one at once: a scene may have a hundred
+        ends = np.cumsum([len(given[i]) for i in places])
+        values = picture.axes[axis].places(np.concatenate([given[i] for i in places]))
+        numbers |= zip(places, np.split(steps(values, *spans[axis], COARSE), ends[:-1]), strict=True)
+    return columns, [numbers[i] for i in range(len(given))]
 
 
 def _run_of(signal: Sampled) -> tuple[Sampled, list[Steps]]:

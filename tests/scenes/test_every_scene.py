@@ -122,7 +122,7 @@ def test_what_is_sent_is_the_picture(scene_class: type[Scene]) -> None:
     for source, columns in told["view"]["columns"].items():
         for column, places in columns.items():
             axis = picture.axes[column_axes(scene_class)[source][column]]
-            low, high = span(axis.ruler())
+            low, high = span(axis.ruler)
             true = np.clip(axis.places(picture.columns[source][column]), low, high)
             assert np.allclose(places, true, rtol=1e-6, atol=0.51 * (high - low) / COARSE)
             sent += 1

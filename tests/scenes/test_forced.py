@@ -56,10 +56,10 @@ def test_the_lectures_figure() -> None:
     """Slide 8: poles at 0.618 and 1.618, zero of Xp1 at 1, axes 0 to 2.5 and -5 to 5, signs change at each pole."""
     scene = Forced(curve="signed", axes="lecture")
     axes, scalars = scene.shown.axes, scene.shown.scalars
-    assert (axes["omega"].ruler().start, axes["omega"].ruler().end) == (0.0, 2.6) or axes[
+    assert (axes["omega"].ruler.start, axes["omega"].ruler.end) == (0.0, 2.6) or axes[
         "omega"
-    ].ruler().end == pytest.approx(2.5, rel=0.01)
-    assert (axes["X"].ruler().start, axes["X"].ruler().end) == (-5.0, 5.0)
+    ].ruler.end == pytest.approx(2.5, rel=0.01)
+    assert (axes["X"].ruler.start, axes["X"].ruler.end) == (-5.0, 5.0)
     assert scalars["mark_minus"] == pytest.approx(1 / GOLDEN)
     assert scalars["mark_plus"] == pytest.approx(GOLDEN)
     assert scalars["mark_still"] == 1.0

@@ -114,7 +114,7 @@ def test_units_change_labels_and_never_the_drawing(show: str) -> None:
     for unit in SPEEDS:
         for name, share in places(unit).items():
             np.testing.assert_allclose(share, foot[name], atol=2e-6)
-    labels = {unit: Phugoid(unit=unit).shown.axes["v"].ruler().labels[-1].split()[-1] for unit in SPEEDS}
+    labels = {unit: Phugoid(unit=unit).shown.axes["v"].ruler.labels[-1].split()[-1] for unit in SPEEDS}
     assert labels == {unit: unit for unit in SPEEDS}
 
 

@@ -56,7 +56,7 @@ def test_every_step_opens_covered_and_opens_up(page: Page, name: str, place: int
             drawn = [(curve.source, curve.y) for curve in plot.curves]
             assert not any(column in view["columns"].get(source, {}) for source, column in drawn) or not drawn
         elif kind == "ticks":
-            ruler, axis = view["axes"][what], whole.axes[what].ruler()
+            ruler, axis = view["axes"][what], whole.axes[what].ruler
             assert ruler["end"] - ruler["start"] > 1.2 * (axis.end - axis.start)
     told = opened(page, card.reveals)
     assert told["errors"] == {} and told["view"]["left_out"] == []

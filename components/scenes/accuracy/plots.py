@@ -5,8 +5,11 @@ A method has no hue: solid chooses its steps, dashed has fixed steps. Dots are m
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from components.axes import Axis
 from components.page.blocks import Block
@@ -124,7 +127,7 @@ def name_places(curves: dict[str, Columns], time: Axis, error: Axis, limit: floa
         slug: [(time.place(t) * across, -error.place(e) * down) for t, e in zip(c["time"], c["error"], strict=True)]
         for slug, c in curves.items()
     }
-    taken: list[Rectangle] = [(x - 4, y - 4, x + 4, y + 4) for points in ends.values() for x, y in points]
+    taken = [(x - 4, y - 4, x + 4, y + 4) for points in ends.values() for x, y in points]
     end, line = time.place(limit) * across, -error.place(2.0**-53) * down
     taken.append((end - WORDS, line - 18, end, line + 2))
     left, right = time.place(time.start) * across, time.place(time.end) * across
@@ -134,8 +137,8 @@ def name_places(curves: dict[str, Columns], time: Axis, error: Axis, limit: floa
             continue
         x, y = points[-1]
         boxes = {place: _box(x, y, *place, METHODS[slug].mark) for place in PLACES}
-        inside = [place for place, box in boxes.items() if left < box[0] and box[2] < right]
-        side, dy = min(inside or PLACES, key=lambda place: sum(map(box_meets(boxes[place]), taken)))
+        inside = [place for place, box in boxes.items() if left < box[0] and box[2] < right] or PLACES
+        side, dy = inside[int(np.argmin(overlaps([boxes[place] for place in inside], taken)))]
         taken.append(boxes[side, dy])
         scalars |= {f"{slug}_at": x / across, f"{slug}_error": -y / down, f"{slug}_{side}": 1.0, f"{slug}_shift": dy}
     return scalars
@@ -146,9 +149,11 @@ def _box(x: float, y: float, side: str, dy: float, name: str) -> Rectangle:
     return start, y + dy - 12, start + LETTER * len(name), y + dy + 3
 
 
-def box_meets(one: Rectangle) -> Callable[[Rectangle], bool]:
-    """Whether a box overlaps `one`."""
-    return lambda other: one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+def overlaps(boxes: Sequence[Rectangle], taken: Sequence[Rectangle]) -> NDArray[np.intp]:
+    """How many of those taken each box overlaps."""
+    one, other = np.array(boxes)[:, None], np.array(taken)
+    meet: NDArray[np.bool_] = np.all((one[..., :2] < other[:, 2:]) & (other[:, :2] < one[..., 2:]), axis=-1)
+    return meet.sum(axis=1)
 
 
 def growth_plot(of: str, title: str, form: str) -> Block:
