@@ -152,8 +152,9 @@ def _box(x: float, y: float, side: str, dy: float, name: str) -> Rectangle:
 def overlaps(boxes: Sequence[Rectangle], taken: Sequence[Rectangle]) -> NDArray[np.intp]:
     """How many of those taken each box overlaps."""
     one, other = np.array(boxes)[:, None], np.array(taken)
-    meet: NDArray[np.bool_] = np.all((one[..., :2] < other[:, 2:]) & (other[:, :2] < one[..., 2:]), axis=-1)
-    return meet.sum(axis=1)
+    meet = np.all((one[..., :2] < other[:, 2:]) & (other[:, :2] < one[..., 2:]), axis=-1)
+    counts: NDArray[np.intp] = meet.sum(axis=1)
+    return counts
 
 
 def growth_plot(of: str, title: str, form: str) -> Block:
