@@ -41,17 +41,10 @@ def test_a_link_beyond_doubles_opens_a_page_that_works(page: Page, open_scene: O
     page.wait_for_function("oscillations.shown.settings.m2.value === 3")
 
 
-def test_a_message_lost_on_the_way_is_sent_anew(page: Page, open_scene: Open) -> None:
+@pytest.mark.parametrize("lose", [LOSE_A_MESSAGE, LOSE_AN_ANSWER], ids=["message", "answer"])
+def test_what_is_lost_on_the_way_is_said_anew(page: Page, open_scene: Open, lose: str) -> None:
     open_scene(page, scene="coupled")
-    page.evaluate(f"() => {{ {PATIENCE}; {LOSE_A_MESSAGE} }}")
-    type_in(page, "k2", "7")
-    page.wait_for_function("oscillations.shown.settings.k2.value === 7")
-    assert page.evaluate("oscillations.shown.answer === lost")
-
-
-def test_an_answer_lost_on_the_way_is_given_anew(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
-    page.evaluate(f"() => {{ {PATIENCE}; {LOSE_AN_ANSWER} }}")
+    page.evaluate(f"() => {{ {PATIENCE}; {lose} }}")
     type_in(page, "k2", "7")
     page.wait_for_function("oscillations.shown.settings.k2.value === 7")
     assert page.evaluate("oscillations.shown.answer === lost")
