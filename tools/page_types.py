@@ -17,6 +17,7 @@ MODULES = (
     "messages",
     "state",
     "walk",
+    "room",
     "picture",
     "controls",
     "blocks",

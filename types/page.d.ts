@@ -270,6 +270,137 @@ declare namespace page {
     places: number[]
   }
 
+  /** In thousandths of the frame, from its foot. */
+  type Height = number
+
+  /** A sketch as it is sent: its heights, null where there is a gap. */
+  type Sketched = (Height | null)[]
+
+  /** What a follower answers: an option by its place, the text of a number, a place on the axis, or curves by name.
+   *
+   * `vote` counts how often the question has been put, from 1 on. */
+  interface Vote {
+    walk: Name
+    step: Name
+    vote: number
+    option: number | null
+    text: string
+    value: number | null
+    curves: Record<Name, Sketched>
+  }
+
+  /** Anything that the instructor's page asks of the room. */
+  interface Ordered {
+  }
+
+  /** The lecture's clock stood at `t` at the server's time `at`, in ms, and goes on by `rate` a second, up to `end`:
+   * in the unit of the time axis. */
+  interface RunClock extends Ordered {
+    type: "clock"
+    t: number
+    rate: number
+    end: number
+    at: number
+  }
+
+  /** The question of a step, to all; once more, as another vote, where `again` says so. */
+  interface PutQuestion extends Ordered {
+    type: "put"
+    walk: Name
+    step: Name
+    again: boolean
+  }
+
+  /** What the step teaches, to all; no answer is taken any more. */
+  interface ShowAnswer extends Ordered {
+    type: "show"
+  }
+
+  /** No question is open. */
+  interface Withdraw extends Ordered {
+    type: "withdraw"
+  }
+
+  /** The class is over: the room and all that was answered are forgotten. */
+  interface EndRoom extends Ordered {
+    type: "end"
+  }
+
+  type Order = RunClock | PutQuestion | ShowAnswer | Withdraw | EndRoom
+
+  /** The question that is put: a step of the walk in the sheet at an address, its place in the lecture, the vote from
+   * 1 on, and what it teaches once the answer is shown. Without a step none is. */
+  interface PutTo {
+    walk: string
+    step: string
+    sheet: string
+    place: string
+    vote: number
+    lesson: Lesson | null
+  }
+
+  /** The picture of the instructor's page: a packed `Shown` and the sheet whose usual text it refers to. */
+  interface SentPicture {
+    sheet: string
+    data: bytes
+  }
+
+  /** A remote control that asks to be let in: the two digits that it shows. */
+  interface Pairing {
+    digits: string
+  }
+
+  /** What has changed of a room; the first that a follower hears has all of it.
+   *
+   * `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
+   * answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
+   * remote control, and of one that asks to be let in. */
+  interface News {
+    number: string
+    picture: SentPicture | null
+    clock: RunClock | null
+    question: PutTo | null
+    here: number | null
+    lost: boolean | null
+    ended: boolean
+    answers: boolean
+    deed: "" | "next" | "back" | "show" | "close"
+    remote: Pairing | null
+  }
+
+  /** A room: its code, its key, which its instructor's browser keeps, and the address to join at. */
+  interface Opened {
+    code: string
+    key: string
+    address: string
+  }
+
+  /** One sketch and which of the features asked for it has. */
+  interface SketchOf {
+    curves: Record<string, Sketched>
+    has: boolean[]
+  }
+
+  /** The answers to one vote: how many, of each option, as numbers or places on the axis of a point, as sketches. */
+  interface Counted {
+    answered: number
+    options: number[]
+    numbers: number[]
+    sketches: SketchOf[]
+  }
+
+  /** The answers to the question that is put, for the instructor; `before` is the first vote where this is another,
+   * `features` what a right sketch has, by name, `right` how many answers are. */
+  interface Tally {
+    walk: string
+    step: string
+    vote: number
+    now: Counted
+    before: Counted | null
+    features: Html[]
+    right: number
+  }
+
   /** An axis as it is drawn: places are numbers in units of `factor` (SI) times 10**exponent, raised to `power`, or
    * their logarithms to base ten. */
   interface Ruler {

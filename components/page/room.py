@@ -1,0 +1,153 @@
+"""The live class: what the instructor's page asks of a room, what followers answer, and what all are told."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, TypeAlias
+
+from msgspec import Meta, Struct
+
+from components.page.messages import Name
+from components.page.text import Html
+from components.page.walk import Lesson
+
+HEIGHTS = 101
+"""Of a sketch, evenly from the left end of its frame to the right."""
+
+Height: TypeAlias = Annotated[int, Meta(ge=-100, le=1100)]
+"""In thousandths of the frame, from its foot."""
+Sketched: TypeAlias = Annotated[list[Height | None], Meta(max_length=101)]
+"""A sketch as it is sent: its heights, null where there is a gap."""
+
+
+class Vote(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What a follower answers: an option by its place, the text of a number, a place on the axis, or curves by name.
+
+    `vote` counts how often the question has been put, from 1 on.
+    """
+
+    walk: Name
+    step: Name
+    vote: Annotated[int, Meta(ge=1, le=9)] = 1
+    option: Annotated[int, Meta(ge=0, le=9)] | None = None
+    text: Annotated[str, Meta(max_length=40)] = ""
+    value: float | None = None
+    curves: Annotated[dict[Name, Sketched], Meta(max_length=2)] = {}
+
+
+class Ordered(Struct, frozen=True, kw_only=True, tag_field="type", forbid_unknown_fields=True):
+    """Anything that the instructor's page asks of the room."""
+
+
+class RunClock(Ordered, frozen=True, kw_only=True, tag="clock"):
+    """The lecture's clock stood at `t` at the server's time `at`, in ms, and goes on by `rate` a second, up to `end`:
+    in the unit of the time axis."""
+
+    t: float
+    rate: float
+    end: float
+    at: float
+
+
+class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
+    """The question of a step, to all; once more, as another vote, where `again` says so."""
+
+    walk: Name
+    step: Name
+    again: bool = False
+
+
+class ShowAnswer(Ordered, frozen=True, kw_only=True, tag="show"):
+    """What the step teaches, to all; no answer is taken any more."""
+
+
+class Withdraw(Ordered, frozen=True, kw_only=True, tag="withdraw"):
+    """No question is open."""
+
+
+class EndRoom(Ordered, frozen=True, kw_only=True, tag="end"):
+    """The class is over: the room and all that was answered are forgotten."""
+
+
+Order: TypeAlias = RunClock | PutQuestion | ShowAnswer | Withdraw | EndRoom
+
+
+class PutTo(Struct, frozen=True, kw_only=True):
+    """The question that is put: a step of the walk in the sheet at an address, its place in the lecture, the vote from
+    1 on, and what it teaches once the answer is shown. Without a step none is."""
+
+    walk: str = ""
+    step: str = ""
+    sheet: str = ""
+    place: str = ""
+    vote: int = 1
+    lesson: Lesson | None = None
+
+
+class SentPicture(Struct, frozen=True, kw_only=True):
+    """The picture of the instructor's page: a packed `Shown` and the sheet whose usual text it refers to."""
+
+    sheet: str
+    data: bytes
+
+
+class Pairing(Struct, frozen=True, kw_only=True):
+    """A remote control that asks to be let in: the two digits that it shows."""
+
+    digits: str
+
+
+class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """What has changed of a room; the first that a follower hears has all of it.
+
+    `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
+    answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
+    remote control, and of one that asks to be let in.
+    """
+
+    number: str
+    picture: SentPicture | None = None
+    clock: RunClock | None = None
+    question: PutTo | None = None
+    here: int | None = None
+    lost: bool | None = None
+    ended: bool = False
+    answers: bool = False
+    deed: Literal["", "next", "back", "show", "close"] = ""
+    remote: Pairing | None = None
+
+
+class Opened(Struct, frozen=True, kw_only=True):
+    """A room: its code, its key, which its instructor's browser keeps, and the address to join at."""
+
+    code: str
+    key: str
+    address: str
+
+
+class SketchOf(Struct, frozen=True, kw_only=True):
+    """One sketch and which of the features asked for it has."""
+
+    curves: dict[str, Sketched]
+    has: tuple[bool, ...]
+
+
+class Counted(Struct, frozen=True, kw_only=True):
+    """The answers to one vote: how many, of each option, as numbers or places on the axis of a point, as sketches."""
+
+    answered: int
+    options: tuple[int, ...] = ()
+    numbers: tuple[float, ...] = ()
+    sketches: tuple[SketchOf, ...] = ()
+
+
+class Tally(Struct, frozen=True, kw_only=True):
+    """The answers to the question that is put, for the instructor; `before` is the first vote where this is another,
+    `features` what a right sketch has, by name, `right` how many answers are."""
+
+    walk: str
+    step: str
+    vote: int
+    now: Counted
+    before: Counted | None
+    features: tuple[Html, ...]
+    right: int

@@ -1,0 +1,164 @@
+"""The rooms of one replica: who follows, what was told last, and what the instructor asks for."""
+
+from __future__ import annotations
+
+from secrets import token_hex
+from time import time
+
+import msgspec
+
+from components.page.room import (
+    EndRoom,
+    Order,
+    PutQuestion,
+    PutTo,
+    RunClock,
+    SentPicture,
+    ShowAnswer,
+    Tally,
+    Vote,
+    Withdraw,
+)
+from components.rooms.codes import digest, is_key, new_code, new_key
+from components.rooms.lessons import Judged, Lessons
+from components.rooms.room import NOTHING_PUT, ClassRoom
+from components.rooms.store import AwayError, Parts, Store
+
+MOST_AHEAD, MOST_BEHIND = 200.0, 5000.0
+"""Milliseconds by which an instructor's clock may be ahead of its message's arrival, and behind."""
+FIRST, LAST = 1, 9
+"""Votes on one question."""
+
+
+class ClosedError(ValueError):
+    """There is no such room, or not for who asks; the sentence says so."""
+
+
+class Hall:
+    """All rooms that somebody of this replica is in."""
+
+    def __init__(self, store: Store, lessons: Lessons) -> None:
+        self.store = store
+        self.lessons = lessons
+        self.rooms: dict[str, ClassRoom] = {}
+        self._name = token_hex(6).encode()
+
+    @property
+    def followers(self) -> int:
+        return sum(room.followers for room in self.rooms.values())
+
+    async def open(self) -> tuple[str, str]:
+        """A new room: its code and its key. ClosedError where there is no place for one."""
+        key = new_key()
+        for _ in range(20):
+            code = new_code()
+            if await self.store.open(code, {"key": digest(key)}):
+                return code, key
+        raise ClosedError("There are as many classes as this server has room for. Try again later.")
+
+    async def room(self, code: str) -> ClassRoom:
+        """ClosedError where there is none."""
+        if code in self.rooms:
+            return self.rooms[code]
+        parts = await self.store.parts(code) if code else {}
+        if not parts:
+            raise ClosedError("There is no class with this code now. Codes are four letters and digits.")
+        return self.rooms.setdefault(code, ClassRoom(code, parts))
+
+    async def led(self, code: str, key: str) -> ClassRoom:
+        """The room of an instructor; ClosedError for who is none."""
+        room = await self.room(code)
+        if not is_key(key, room.parts.get("key", b"")):
+            raise ClosedError("This class is led from another page.")
+        return room
+
+    async def obey(self, room: ClassRoom, order: Order) -> None:
+        """Do what the instructor's page asks; ValueError, in words, for what cannot be."""
+        match order:
+            case RunClock():
+                now = 1000 * time()
+                at = min(max(order.at, now - MOST_BEHIND), now + MOST_AHEAD)
+                await self._keep(room, clock=msgspec.structs.replace(order, at=at))
+            case PutQuestion(walk=walk, step=step, again=again):
+                put = room.question
+                same = (put.walk, put.step) == (walk, step)
+                vote = min(put.vote + 1, LAST) if again and same else put.vote if same and put.lesson is None else FIRST
+                await self._keep(room, question=self.lessons.put(walk, step, vote))
+            case ShowAnswer():
+                put = room.question
+                if not put.step:
+                    raise ValueError("No question is open.")
+                lesson = self.lessons.lesson(put.walk, put.step)
+                await self._keep(room, question=msgspec.structs.replace(put, lesson=lesson))
+            case Withdraw():
+                await self._keep(room, question=NOTHING_PUT)
+            case EndRoom():
+                await self.store.end(room.code)
+
+    async def show(self, room: ClassRoom, picture: SentPicture) -> None:
+        await self._keep(room, picture=picture)
+
+    async def _keep(self, room: ClassRoom, **parts: msgspec.Struct) -> None:
+        """Those who are here hear it at once, also where the store is away; the others by the store."""
+        encoded = {name: msgspec.json.encode(part) for name, part in parts.items()}
+        room.tell(encoded)
+        await self.write(room, encoded)
+
+    async def write(self, room: ClassRoom, parts: Parts) -> None:
+        """Keep parts of a room that its followers here know already, and tell the other replicas."""
+        if not await self.store.keep(room.code, {**parts, "by": self._name}):
+            raise ClosedError("This class is over.")
+
+    async def vote(self, room: ClassRoom, voter: str, vote: Vote) -> None:
+        """Keep an answer; ValueError, in words, for one that comes too late or is none."""
+        put = room.question
+        if (put.walk, put.step, put.vote) != (vote.walk, vote.step, vote.vote) or put.lesson:
+            raise ValueError("This question is closed.")
+        self.lessons.check(vote)
+        if not await self.store.vote(room.code, _question(put), voter, msgspec.json.encode(vote)):
+            raise ValueError("This vote is full.")
+        await self.store.tell(room.code, {"answers": b"true"})
+
+    async def given(self, room: ClassRoom, question: str) -> list[Judged]:
+        """The answers to a vote; those known last where the store is away."""
+        try:
+            room.votes[question] = await self.store.votes(room.code, question)
+        except AwayError:
+            if question not in room.votes:
+                raise
+        return [self.lessons.read(vote) for vote in room.votes[question].values()]
+
+    async def tally(self, room: ClassRoom) -> Tally | None:
+        put = room.question
+        if not put.step:
+            return None
+        votes = await self.given(room, _question(put))
+        first = await self.given(room, _question(msgspec.structs.replace(put, vote=FIRST))) if put.vote > 1 else None
+        counted = self.lessons.counted
+        return Tally(
+            walk=put.walk,
+            step=put.step,
+            vote=put.vote,
+            now=counted(put.walk, put.step, votes),
+            before=None if first is None else counted(put.walk, put.step, first),
+            features=self.lessons.features(put.walk, put.step),
+            right=sum(one.right for one in votes),
+        )
+
+    def leave(self, room: ClassRoom) -> None:
+        """Somebody has gone: a room that nobody is in is not kept here."""
+        if not room.ears and not room.polls and self.rooms.get(room.code) is room:
+            del self.rooms[room.code]
+
+    def hear(self, code: str, parts: Parts) -> None:
+        """What the store tells of a room: no parts where it has ended."""
+        room = self.rooms.get(code)
+        if room and not parts:
+            self.rooms.pop(code, None)
+            room.end()
+        elif room and parts.get("by") != self._name:
+            room.tell(parts)
+
+
+def _question(put: PutTo) -> str:
+    return f"{put.walk}/{put.step}/{put.vote}"

@@ -1,0 +1,105 @@
+"""A room as one replica knows it, and who of those here hears of it."""
+
+from __future__ import annotations
+
+from secrets import token_hex
+from time import monotonic
+from typing import Any, Protocol, TypeVar
+
+import msgspec
+
+from components.page.room import News, PutTo, RunClock, SentPicture
+from components.rooms.store import Parts
+
+SILENCE = 15.0
+"""Seconds after which those who follow hear something, whatever happens."""
+NOTHING_PUT = PutTo()
+KINDS: dict[str, type] = {"picture": SentPicture, "clock": RunClock, "question": PutTo}
+"""The parts that followers hear of."""
+LEADERS = ("deed", "remote", "answers")
+"""What the instructor's page alone hears of, as it comes; nothing of it is kept."""
+
+Kind = TypeVar("Kind")
+
+
+class Ear(Protocol):
+    """Who hears what is told of a room."""
+
+    @property
+    def leads(self) -> bool: ...
+
+    def hear(self, event: bytes) -> bool:
+        """Take an event; False where earlier ones are still on their way, so that this one is left out."""
+
+    def end(self) -> None: ...
+
+
+class ClassRoom:
+    """A room as this replica knows it."""
+
+    def __init__(self, code: str, parts: Parts) -> None:
+        self.code = code
+        self.parts: dict[str, bytes] = dict(parts)
+        self.ears: set[Ear] = set()
+        self.polls: dict[str, float] = {}
+        """When each of those who have no stream has asked last."""
+        self.here = 0
+        self.lost = False
+        self.missed = 0
+        """How often in a row it was not found in the store."""
+        self.votes: dict[str, Parts] = {}
+        self._replica = token_hex(3)
+        self._count = 0
+
+    @property
+    def number(self) -> str:
+        return f"{self._replica}.{self._count}"
+
+    @property
+    def followers(self) -> int:
+        now = monotonic()
+        self.polls = {one: seen for one, seen in self.polls.items() if now - seen < 2 * SILENCE}
+        return sum(not ear.leads for ear in self.ears) + len(self.polls)
+
+    @property
+    def leaders(self) -> int:
+        """Pages of the instructor's that are here: they keep it alive, and a store that forgot it hears it anew."""
+        return sum(ear.leads for ear in self.ears)
+
+    def part(self, name: str, kind: type[Kind]) -> Kind | None:
+        return msgspec.json.decode(self.parts[name], type=kind) if name in self.parts else None
+
+    @property
+    def question(self) -> PutTo:
+        return self.part("question", PutTo) or NOTHING_PUT
+
+    def whole(self) -> News:
+        known: dict[str, Any] = {name: self.part(name, kind) for name, kind in KINDS.items()}
+        return News(number=self.number, here=self.here, lost=self.lost, **known)
+
+    def tell(self, parts: Parts) -> None:
+        """Take new parts in, and tell all who are here: one encoded event, the same for all."""
+        self._count += 1
+        self.parts |= {name: part for name, part in parts.items() if name not in (*LEADERS, "by")}
+        known: dict[str, Any] = {name: self.part(name, kind) for name, kind in KINDS.items() if name in parts}
+        if known:
+            self.say(News(number=self.number, **known))
+        if own := {name: parts[name] for name in LEADERS if name in parts}:
+            told = {name: msgspec.json.decode(part) for name, part in own.items()}
+            self.say(msgspec.convert({"number": self.number, **told}, News), leaders=True)
+
+    def say(self, news: News, leaders: bool = False) -> None:
+        event = as_event(news)
+        for ear in list(self.ears):
+            if ear.leads or not leaders:
+                ear.hear(event)
+
+    def end(self) -> None:
+        """The class is over."""
+        self.say(News(number=self.number, ended=True))
+        for ear in list(self.ears):
+            ear.end()
+
+
+def as_event(news: News) -> bytes:
+    return b"data: " + msgspec.json.encode(news) + b"\n\n"

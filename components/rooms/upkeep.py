@@ -1,0 +1,109 @@
+"""What goes on beside what is asked: listening to the store, looking after rooms, and coming back when it was away."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from contextlib import suppress
+from secrets import token_hex
+
+from components.page.room import News
+from components.rooms.hall import ClosedError, Hall
+from components.rooms.room import SILENCE, ClassRoom
+from components.rooms.store import AwayError
+
+log = logging.getLogger(__name__)
+
+AGAIN = 0.5
+"""Seconds until a store that was away is asked again."""
+PATIENCE = 3
+"""Looks at a store in which a room is not found until it has ended: its instructor's replica may write it back."""
+COUNTING = 1.0
+"""Seconds between counts of who is here."""
+
+
+class Upkeep:
+    """Of the rooms of one hall; to be started in a running event loop."""
+
+    def __init__(self, hall: Hall) -> None:
+        self.hall = hall
+        self._replica = token_hex(6)
+        self._tasks: list[asyncio.Task[None]] = []
+        self._round = 0
+        self.listening = False
+
+    def start(self) -> None:
+        self._tasks = [asyncio.create_task(self._listen()), asyncio.create_task(self._look())]
+
+    async def end(self) -> None:
+        for task in self._tasks:
+            task.cancel()
+        await asyncio.gather(*self._tasks, return_exceptions=True)
+        for room in list(self.hall.rooms.values()):
+            for ear in list(room.ears):
+                ear.end()
+        await self.hall.store.close()
+
+    async def _listen(self) -> None:
+        back = asyncio.Event()
+        while True:
+            task = asyncio.create_task(self._return(back))
+            with suppress(AwayError):
+                await self.hall.store.listen(self.hall.hear, back.set)
+            task.cancel()
+            back.clear()
+            self.listening = False
+            log.warning("The store that replicas share is away")
+            self._say(lost=True)
+            await asyncio.sleep(AGAIN)
+
+    async def _return(self, back: asyncio.Event) -> None:
+        """What was said meanwhile is looked up; what the store has forgotten it is told by who leads the room."""
+        await back.wait()
+        self.listening = True
+        for room in list(self.hall.rooms.values()):
+            with suppress(AwayError, ClosedError):
+                await self._restore(room)
+        self._say(lost=False)
+
+    def _say(self, lost: bool) -> None:
+        for room in list(self.hall.rooms.values()):
+            if room.lost != lost:
+                room.lost = lost
+                room.say(News(number=room.number, lost=lost))
+
+    async def _restore(self, room: ClassRoom) -> None:
+        store = self.hall.store
+        if room.leaders and await store.open(room.code, room.parts):
+            for question, votes in room.votes.items():
+                for voter, vote in votes.items():
+                    await store.vote(room.code, question, voter, vote)
+            await self.hall.write(room, room.parts)
+        parts = await store.parts(room.code)
+        changed = {name: part for name, part in parts.items() if name != "by" and room.parts.get(name) != part}
+        room.missed = 0 if parts else room.missed + 1
+        if room.missed == PATIENCE:
+            self.hall.hear(room.code, {})
+        elif changed:
+            room.tell(changed)
+
+    async def _look(self) -> None:
+        while True:
+            await asyncio.sleep(COUNTING)
+            self._round += 1
+            for room in list(self.hall.rooms.values()):
+                with suppress(AwayError, ClosedError):
+                    await self._look_at(room)
+
+    async def _look_at(self, room: ClassRoom) -> None:
+        """Who is here, told where it has changed, and to all who might wonder whether anybody speaks at all."""
+        turn = self._round % int(SILENCE / COUNTING) == 0
+        if turn and not room.lost:
+            await self._restore(room)
+        if turn and room.leaders:
+            await self.hall.store.keep(room.code, {})
+        here = await self.hall.store.present(room.code, self._replica, room.followers)
+        if here != room.here or turn:
+            room.here = here
+            room.say(News(number=room.number, here=here))
+        self.hall.leave(room)

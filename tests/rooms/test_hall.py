@@ -1,0 +1,245 @@
+"""A class without a browser: what the instructor asks, what followers hear and answer, and a store that goes away."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable, Coroutine
+from time import time
+from typing import Any
+
+import msgspec
+import pytest
+
+from components.page.room import (
+    EndRoom,
+    News,
+    PutQuestion,
+    RunClock,
+    SentPicture,
+    ShowAnswer,
+    Tally,
+    Vote,
+    Withdraw,
+)
+from components.rooms.codes import SIGNS, Tokens, as_code, new_code
+from components.rooms.hall import ClosedError, Hall
+from components.rooms.lessons import Lessons
+from components.rooms.room import ClassRoom
+from components.rooms.store import AwayError
+from components.rooms.table import answers_csv
+from components.rooms.upkeep import Upkeep
+from components.scenes import SCENES
+from components.walks.registry import all_walks
+from tests.rooms.stores import KINDS, Valkey, made, valkey_running
+
+LESSONS = Lessons(all_walks((), SCENES), SCENES, {"d31": "walks/d31.json", "d34": "walks/d34.json"})
+CHOICE, NUMBER, POINT, SKETCH = ("d31", "d31-03"), ("d31", "d31-02"), ("d34", "d34-04"), ("d34", "d34-14")
+Test = Callable[[Hall, ClassRoom], Coroutine[None, None, None]]
+
+
+class Listener:
+    """Somebody who hears a room."""
+
+    def __init__(self, leads: bool = False) -> None:
+        self.leads = leads
+        self.news: list[News] = []
+        self.ended = False
+
+    def hear(self, event: bytes) -> bool:
+        self.news.append(msgspec.json.decode(event.removeprefix(b"data: "), type=News))
+        return True
+
+    def end(self) -> None:
+        self.ended = True
+
+
+@pytest.fixture(params=KINDS)
+def in_class(request: pytest.FixtureRequest) -> Callable[[Test], None]:
+    """Runs a test in an open room, on a store of each kind."""
+    kind = request.param
+    url = request.getfixturevalue("valkey").url if kind == "valkey" else ""
+
+    def run(test: Test) -> None:
+        async def whole() -> None:
+            async with made(kind, url) as store:
+                hall = Hall(store, LESSONS)
+                upkeep = Upkeep(hall)
+                upkeep.start()
+                try:
+                    code, key = await hall.open()
+                    room = await hall.led(code, key)
+                    await until(lambda: upkeep.listening)
+                    await test(hall, room)
+                finally:
+                    await upkeep.end()
+
+        asyncio.run(whole())
+
+    return run
+
+
+async def until(happens: Callable[[], Any], seconds: float = 10.0) -> None:
+    async with asyncio.timeout(seconds):
+        while not happens():
+            await asyncio.sleep(0.01)
+
+
+def test_codes_have_no_signs_that_look_alike_and_are_read_as_they_are_typed() -> None:
+    assert not set("0OQ1IL") & set(SIGNS) and len(SIGNS) == 30
+    assert all(as_code(code) == code for code in (new_code() for _ in range(100)))
+    assert as_code(" k7h-m ") == "K7HM"
+    assert [as_code(text) for text in ("K7H", "K7HMM", "K7H0", "<b>x", "ÄÖÜß")] == [""] * 5
+
+
+def test_a_token_is_good_for_one_room_and_cannot_be_made_up() -> None:
+    tokens = Tokens("a secret")
+    token = tokens.new("K7HM")
+    assert tokens.voter("K7HM", token) and tokens.voter("K7HN", token) == ""
+    assert Tokens("another").voter("K7HM", token) == ""
+    assert [tokens.voter("K7HM", text) for text in ("", ".", "a.b", "ä.b")] == [""] * 4
+
+
+def test_who_lacks_the_key_cannot_lead(in_class: Callable[[Test], None]) -> None:
+    async def test(hall: Hall, room: ClassRoom) -> None:
+        for key in ("", "x" * 32):
+            with pytest.raises(ClosedError):
+                await hall.led(room.code, key)
+        with pytest.raises(ClosedError):
+            await hall.room("ZZZZ")
+
+    in_class(test)
+
+
+def test_followers_hear_what_is_new_and_late_ones_all_of_it(in_class: Callable[[Test], None]) -> None:
+    async def test(hall: Hall, room: ClassRoom) -> None:
+        follower = Listener()
+        room.ears.add(follower)
+        await hall.show(room, SentPicture(sheet="s", data=b"\x01\x02"))
+        await hall.obey(room, RunClock(t=2.0, rate=1.0, end=20.0, at=0.0))
+        await hall.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
+        await until(lambda: any(news.question for news in follower.news))
+        assert follower.news[0].picture == SentPicture(sheet="s", data=b"\x01\x02")
+        told = room.whole()
+        assert told.picture and told.clock and told.question and told.question.place == "D31, slide 1 · 3 of 16"
+        assert 1000 * time() - 6000 < told.clock.at < 1000 * time()  # no clock runs since 1970
+        await hall.obey(room, Withdraw())
+        await hall.obey(room, EndRoom())
+        await until(lambda: follower.ended)
+        assert follower.news[-1].ended
+        with pytest.raises(ClosedError):
+            await hall.obey(room, Withdraw())
+
+    in_class(test)
+
+
+def test_the_instructor_alone_hears_of_answers(in_class: Callable[[Test], None]) -> None:
+    async def test(hall: Hall, room: ClassRoom) -> None:
+        follower, leader = Listener(), Listener(leads=True)
+        room.ears |= {follower, leader}
+        await hall.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
+        await hall.vote(room, "one", Vote(walk=CHOICE[0], step=CHOICE[1], option=1))
+        await until(lambda: any(news.answers for news in leader.news))
+        assert not any(news.answers for news in follower.news)
+        assert room.followers == 1 and room.leaders == 1
+
+    in_class(test)
+
+
+def test_asked_again_the_first_vote_is_kept(in_class: Callable[[Test], None]) -> None:
+    async def test(hall: Hall, room: ClassRoom) -> None:
+        walk, step = CHOICE
+        assert await hall.tally(room) is None
+        await hall.obey(room, PutQuestion(walk=walk, step=step))
+        for voter, option in (("one", 0), ("two", 0), ("three", 1), ("one", 1)):
+            await hall.vote(room, voter, Vote(walk=walk, step=step, option=option))
+        await hall.obey(room, PutQuestion(walk=walk, step=step))  # a page that comes back asks the same vote
+        tally = await hall.tally(room)
+        assert tally and tally.now.options == (1, 2, 0) and tally.before is None and tally.now.answered == 3
+        await hall.obey(room, PutQuestion(walk=walk, step=step, again=True))
+        with pytest.raises(ValueError, match="closed"):
+            await hall.vote(room, "one", Vote(walk=walk, step=step, option=0))
+        await hall.vote(room, "one", Vote(walk=walk, step=step, option=2, vote=2))
+        tally = await hall.tally(room)
+        assert tally and tally.before and (tally.before.options, tally.now.options) == ((1, 2, 0), (0, 0, 1))
+        await hall.obey(room, ShowAnswer())
+        with pytest.raises(ValueError, match="closed"):
+            await hall.vote(room, "two", Vote(walk=walk, step=step, option=0, vote=2))
+        assert room.question.lesson and room.question.lesson.right is None
+        assert [verdict.right for verdict in room.question.lesson.verdicts] == [True, False, False]
+        lines = (await answers_csv(hall, room)).splitlines()
+        assert lines[0] == "walk,step,vote,answer,right"
+        assert sorted(lines[1:]) == sorted(f"{walk},{step},{row}" for row in ("1,1,yes", "1,2,no", "1,2,no", "2,3,no"))
+
+    in_class(test)
+
+
+def test_numbers_points_and_sketches(in_class: Callable[[Test], None]) -> None:
+    async def test(hall: Hall, room: ClassRoom) -> None:
+        drawn: list[int | None] = [round(10 * i) for i in range(101)]
+        for (walk, step), good, bad in (
+            (NUMBER, {"text": "2"}, {"text": "two"}),
+            (POINT, {"value": 1.5}, {"option": 1}),
+            (SKETCH, {"curves": {"Xp1": drawn}}, {"curves": {"Xp1": drawn[:50]}}),
+        ):
+            await hall.obey(room, PutQuestion(walk=walk, step=step))
+            await hall.vote(room, "one", msgspec.convert({"walk": walk, "step": step, **good}, Vote))
+            with pytest.raises(ValueError):
+                await hall.vote(room, "two", msgspec.convert({"walk": walk, "step": step, **bad}, Vote))
+            tally = await hall.tally(room)
+            assert isinstance(tally, Tally) and tally.now.answered == 1
+            if step == SKETCH[1]:
+                assert tally.now.sketches[0].curves == {"Xp1": drawn}
+                assert len(tally.features) == len(tally.now.sketches[0].has) == 5
+            else:
+                assert tally.now.numbers == (2.0 if step == NUMBER[1] else 1.5,)
+
+    in_class(test)
+
+
+def test_a_walk_that_the_server_does_not_know_is_refused(in_class: Callable[[Test], None]) -> None:
+    async def test(hall: Hall, room: ClassRoom) -> None:
+        with pytest.raises(ValueError, match="does not know its walk"):
+            await hall.obey(room, PutQuestion(walk="mine", step="one"))
+        with pytest.raises(ValueError, match="No question"):
+            await hall.obey(room, ShowAnswer())
+
+    in_class(test)
+
+
+def test_without_the_store_a_class_goes_on_and_is_written_back() -> None:
+    async def test(valkey: Valkey, hall: Hall, second: Hall) -> None:
+        code, key = await hall.open()
+        room, there = await hall.led(code, key), await second.room(code)
+        leader, follower = Listener(leads=True), Listener()
+        room.ears.add(leader)
+        there.ears.add(follower)
+        await hall.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
+        await until(lambda: there.question.step)
+        await second.vote(there, "one", Vote(walk=CHOICE[0], step=CHOICE[1], option=1))
+        assert await hall.tally(room)
+        valkey.kill()
+        await until(lambda: any(news.lost for news in follower.news) and room.lost)
+        with pytest.raises(AwayError):
+            await hall.show(room, SentPicture(sheet="s", data=b"meanwhile"))
+        assert leader.news[-1].picture and not any(news.picture for news in follower.news)
+        valkey.start()
+        await until(lambda: any(news.picture for news in follower.news) and not there.lost)
+        tally = await second.tally(there)
+        assert tally and tally.now.options == (0, 1, 0)
+        assert await second.led(code, key) is there
+
+    async def whole(valkey: Valkey) -> None:
+        async with made("valkey", valkey.url) as store, made("valkey", valkey.url) as other:
+            halls = Hall(store, LESSONS), Hall(other, LESSONS)
+            upkeeps = [Upkeep(hall) for hall in halls]
+            for upkeep in upkeeps:
+                upkeep.start()
+            try:
+                await until(lambda: all(upkeep.listening for upkeep in upkeeps))
+                await test(valkey, *halls)
+            finally:
+                for upkeep in upkeeps:
+                    await upkeep.end()
+
+    with valkey_running() as valkey:
+        asyncio.run(whole(valkey))

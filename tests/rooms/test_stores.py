@@ -1,0 +1,167 @@
+"""What every store of rooms keeps to: the same tests for memory and for Valkey."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable, Coroutine
+
+import pytest
+import redis
+
+from components.rooms import shared, store
+from components.rooms.codes import new_code
+from components.rooms.store import Parts, Store
+from tests.rooms.stores import KINDS, Valkey, made
+
+Test = Callable[[Store], Coroutine[None, None, None]]
+
+
+@pytest.fixture(params=KINDS)
+def on(request: pytest.FixtureRequest) -> Callable[..., None]:
+    """Runs a test on a store of each kind."""
+    kind = request.param
+    url = request.getfixturevalue("valkey").url if kind == "valkey" else ""
+
+    if url:
+        with redis.Redis.from_url(url) as client:
+            client.flushall()
+
+    def run(test: Test, **options: float) -> None:
+        async def whole() -> None:
+            async with made(kind, url, **options) as kept:
+                await test(kept)
+
+        asyncio.run(whole())
+
+    return run
+
+
+async def until(happens: Callable[[], Awaitable[bool]], seconds: float = 5.0) -> None:
+    async with asyncio.timeout(seconds):
+        while not await happens():
+            await asyncio.sleep(0.01)
+
+
+def test_a_room_is_opened_once_and_keeps_its_parts(on: Callable[..., None]) -> None:
+    async def test(kept: Store) -> None:
+        code = new_code()
+        assert await kept.parts(code) == {}
+        assert await kept.open(code, {"key": b"1"})
+        assert not await kept.open(code, {"key": b"2"})
+        assert await kept.keep(code, {"clock": b"3", "picture": b"\x00\xff"})
+        assert await kept.keep(code, {"clock": b"4"})
+        assert await kept.parts(code) == {"key": b"1", "clock": b"4", "picture": b"\x00\xff"}
+        await kept.end(code)
+        assert await kept.parts(code) == {}
+        assert not await kept.keep(code, {"clock": b"5"})
+        assert await kept.parts(code) == {}
+
+    on(test)
+
+
+def test_a_room_ends_some_time_after_the_last_sign_of_its_instructor(on: Callable[..., None]) -> None:
+    async def test(kept: Store) -> None:
+        code = new_code()
+        await kept.open(code, {"key": b"1"})
+        await kept.vote(code, "d31/a/1", "one", b"1")
+        for _ in range(4):
+            await asyncio.sleep(0.3)
+            assert await kept.keep(code, {})
+
+        async def over() -> bool:
+            await kept.present(code, "here", 3)  # followers are no sign of the instructor
+            return await kept.parts(code) == {}
+
+        await until(over)
+        assert await kept.votes(code, "d31/a/1") == {}
+        assert not await kept.vote(code, "d31/a/1", "two", b"1")
+
+    on(test, life=0.8)
+
+
+def test_one_answer_for_a_voter_and_no_more_than_there_is_place_for(
+    on: Callable[..., None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in (store, shared):
+        monkeypatch.setattr(module, "MOST_VOTES", 2)
+
+    async def test(kept: Store) -> None:
+        code = new_code()
+        await kept.open(code, {"key": b"1"})
+        assert [await kept.vote(code, "b", voter, b"1") for voter in ("one", "two", "three")] == [True, True, False]
+        assert await kept.vote(code, "b", "one", b"2")
+        assert await kept.votes(code, "b") == {"one": b"2", "two": b"1"}
+        assert await kept.vote(code, "a", "three", b"1")
+        assert await kept.questions(code) == ["b", "a"]
+
+    on(test)
+
+
+def test_rooms_are_bounded(on: Callable[..., None]) -> None:
+    async def test(kept: Store) -> None:
+        assert await kept.open("AAAA", {"key": b"1"})
+        assert not await kept.open("BBBB", {"key": b"1"})
+        await kept.end("AAAA")
+        assert await kept.open("BBBB", {"key": b"1"})
+
+    on(test, rooms=1)
+
+
+def test_who_listens_hears_what_is_kept_told_and_ended(on: Callable[..., None]) -> None:
+    async def test(kept: Store) -> None:
+        heard: list[tuple[str, Parts]] = []
+        ready = asyncio.Event()
+        task = asyncio.create_task(kept.listen(lambda code, parts: heard.append((code, dict(parts))), ready.set))
+        await asyncio.wait_for(ready.wait(), 5)
+        code = new_code()
+        await kept.open(code, {"key": b"1"})
+        await kept.keep(code, {"clock": b"1"})
+        await kept.keep(code, {})
+        await kept.tell(code, {"deed": b'"next"'})
+        await kept.end(code)
+
+        async def whole() -> bool:
+            return len(heard) == 3
+
+        await until(whole)
+        assert heard == [(code, {"clock": b"1"}), (code, {"deed": b'"next"'}), (code, {})]
+        task.cancel()
+        await asyncio.gather(task, return_exceptions=True)
+
+    on(test)
+
+
+def test_those_present_are_counted_over_replicas(on: Callable[..., None]) -> None:
+    async def test(kept: Store) -> None:
+        code = new_code()
+        await kept.open(code, {"key": b"1"})
+        assert await kept.present(code, "a", 2) == 2
+        assert await kept.present(code, "b", 3) == 5
+        assert await kept.present(code, "a", 1) == 4
+
+    on(test)
+
+
+def test_what_is_counted_is_allowed_so_often_and_what_is_lent_is_taken_once(on: Callable[..., None]) -> None:
+    async def test(kept: Store) -> None:
+        name = new_code()
+        assert [await kept.allow(name, 2, 3600) for _ in range(3)] == [True, True, False]
+        assert await kept.allow(f"{name} too", 2, 3600)
+        await kept.lend(name, b"ticket", 60)
+        assert [await kept.take(name), await kept.take(name)] == [b"ticket", b""]
+        await kept.lend(name, b"short", 0.05)
+        await asyncio.sleep(0.1)
+        assert await kept.take(name) == b""
+
+    on(test)
+
+
+def test_a_store_that_goes_away_is_an_error_of_ours(valkey: Valkey) -> None:
+    async def test() -> None:
+        async with made("valkey", "redis://127.0.0.1:1/0") as kept:
+            with pytest.raises(store.AwayError):
+                await kept.parts("K7HM")
+            with pytest.raises(store.AwayError):
+                await kept.listen(lambda code, parts: None, lambda: None)
+
+    asyncio.run(test())
