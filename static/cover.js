@@ -1,6 +1,6 @@
 // Over a plot that waits for a prediction; what it shows has not been sent.
 
-import {element} from "./dom.js"
+import {element, long} from "./dom.js"
 
 export class Cover {
   /** @type {HTMLElement | undefined} */
@@ -29,7 +29,7 @@ export class Cover {
   place() {
     const {left, top, width, height} = this.plot.frame
     for (const [side, size] of Object.entries({left, top, width, height})) {
-      this.element?.style.setProperty(side, `${size}px`)
+      this.element?.style.setProperty(side, long(size))
     }
   }
 }

@@ -51,11 +51,29 @@ export function marked(tag, attributes, html) {
 const tokens = new Map()
 
 /** A token of the style sheet. Each is looked up once in a run: what is written meanwhile changes none of them. */
-export function colour(/** @type {string} */ name) {
+export const colour = (/** @type {string} */ name) =>
+  once(`--${name}`, style => style.getPropertyValue(`--${name}`).trim())
+
+/** A unit in pixels: a sixteenth of the size of text. Whatever is drawn counts in units, and so grows with the text. */
+export const unitSize = () => Number(once("unit", ({fontSize}) => String(parseFloat(fontSize) / 16)))
+
+/** The size of a text or a line in units: "t0", "w1". @param {string} name */
+export const units = name => Number(colour(name).match(/[\d.]+/)?.[0])
+
+/** A length in units, for a style. @param {number} length */
+export const long = length => `${length / 16}rem`
+
+/** @param {string} name @param {(style: CSSStyleDeclaration) => string} find */
+function once(name, find) {
   if (!tokens.size) queueMicrotask(() => tokens.clear())
-  const known = tokens.get(name) ?? getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim()
+  const known = tokens.get(name) ?? find(getComputedStyle(document.documentElement))
   tokens.set(name, known)
   return known
+}
+
+/** An SVG whose lengths are units. @param {SVGSVGElement} drawing @param {number} width @param {number} height */
+export function inUnits(drawing, width, height) {
+  if (width > 0 && height > 0) drawing.setAttribute("viewBox", `0 0 ${width} ${height}`)
 }
 
 /**
@@ -74,8 +92,8 @@ export const words = runs => runs.flatMap(({kind, text}) => RUNS[kind](text))
 
 const ruler = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"))
 
-/** Pixels that a small text takes. @param {string} text */
+/** Units that a small text takes. @param {string} text */
 export function textWidth(text) {
-  ruler.font = `${colour("t0")} ${colour("sans")}`
+  ruler.font = `${units("t0")}px ${colour("sans")}`
   return ruler.measureText(text).width
 }

@@ -1,6 +1,8 @@
 // A Bokeh figure: mounted in the page, filled with the columns of a message, coloured as the quantities now are.
 
-import {colour, element} from "./dom.js"
+import {colour, element, unitSize, units} from "./dom.js"
+
+const LENGTHS = ["line_width", "line_dash", "size", "grid_line_width"]
 
 export class Figure {
   /** @param {page.PlotBlock} block */
@@ -22,7 +24,15 @@ export class Figure {
     this.model = this.document.roots()[0]
     const names = new Set([...this.block.curves, ...this.block.regions].map(part => part.source))
     this.sources = [...names].map(name => ({name, source: this.document.get_model_by_name(name)}))
+    /** @type {{model: any, lengths: Record<string, number | number[]>}[]} as they are drawn at a unit of one pixel */
+    this.drawn = [...this.model.renderers.map((/** @type {any} */ {glyph}) => glyph), ...this.model.center].map(
+      model => ({
+        model,
+        lengths: Object.fromEntries(LENGTHS.filter(name => name in model).map(name => [name, bare(model[name])])),
+      }),
+    )
     this.theme()
+    this.fit()
   }
 
   /** To be called while the element is on the page. */
@@ -31,6 +41,28 @@ export class Figure {
     const [view] = this.manager
     view.canvas_view.events_el.removeAttribute("tabindex") // the keys have nothing to do on the figure itself
     if (this.left) this.leave()
+  }
+
+  /** The room around the frame, in whole pixels. */
+  get room() {
+    const {left, right, top, bottom} = this.block.room
+    const [l, r, t, b] = [left, right, top, bottom].map(size => Math.round(size * unitSize()))
+    return {left: l, right: r, top: t, bottom: b}
+  }
+
+  /** As large as its text. */
+  fit() {
+    if (!this.model) return
+    const {left, right, top, bottom} = this.room
+    this.model.setv({min_border_left: left, min_border_right: right, min_border_top: top, min_border_bottom: bottom})
+    for (const {model, lengths} of this.drawn ?? []) {
+      model.setv(Object.fromEntries(Object.entries(lengths).map(([name, length]) => [name, grown(length)])))
+    }
+    const label = {
+      major_label_text_font_size: `${units("t0") * unitSize()}px`,
+      major_label_standoff: Math.round(5 * unitSize()),
+    }
+    for (const axis of [...this.model.below, ...this.model.left]) axis.setv(label)
   }
 
   // Bokeh keeps every document that it has shown in a list of its own.
@@ -85,7 +117,6 @@ export class Figure {
     const label = {
       major_label_text_color: colour("mute"),
       major_label_text_font: colour("sans"),
-      major_label_text_font_size: colour("t0"),
     }
     for (const axis of [...this.model.below, ...this.model.left]) axis.setv(label)
   }
@@ -117,3 +148,9 @@ function fill(source, given) {
   const nothing = new Float32Array(Object.values(given)[0]?.length ?? 0)
   source.data = Object.fromEntries(Object.keys(source.data).map(key => [key, given[key] ?? nothing]))
 }
+
+/** What Bokeh keeps of a length, without its wrapping. @param {any} length */
+const bare = length => (length?.value !== undefined ? length.value : length)
+
+/** @param {number | number[]} length */
+const grown = length => (Array.isArray(length) ? length.map(one => one * unitSize()) : length * unitSize())

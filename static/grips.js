@@ -1,6 +1,6 @@
 // What can be grabbed on a stage: an element over each such shape, for mouse, finger, keys and screen readers.
 
-import {element} from "./dom.js"
+import {element, long, unitSize} from "./dom.js"
 import {brief} from "./handles.js"
 
 const FINGER = 44 // pixels, the least that a finger hits
@@ -60,10 +60,10 @@ export class Grips {
     if (!shown) return
     const [x, y, size] = HOLDS[s.kind](s)
     Object.assign(found, {x, y})
-    const wide = Math.max(size, FINGER)
+    const wide = Math.max(size, FINGER / Math.min(unitSize(), 1))
     const {style} = found.grip
-    style.width = style.height = `${wide}px`
-    style.transform = `translate(${x - wide / 2}px, ${y - wide / 2}px)`
+    style.width = style.height = long(wide)
+    style.transform = `translate(${long(x - wide / 2)}, ${long(y - wide / 2)})`
     if (this.page.hand.grab === found.grab) this.#say(found, wide)
   }
 
@@ -71,7 +71,7 @@ export class Grips {
   #say({x, y}, wide) {
     const {refusal} = this.page.hand
     if (this.why.textContent !== refusal) this.why.textContent = refusal
-    this.why.style.transform = `translate(${x + wide / 2}px, ${y - 12}px)`
+    this.why.style.transform = `translate(${long(x + wide / 2)}, ${long(y - 12)})`
   }
 
   /** The numbers of what is grabbed, for a screen reader. */
@@ -92,13 +92,14 @@ export class Grips {
     event.preventDefault()
     event.stopPropagation()
     const box = this.element.getBoundingClientRect()
-    const off = {x: event.clientX - box.left - grip.x, y: event.clientY - box.top - grip.y}
+    /** @param {PointerEvent} event */
+    const at = ({clientX, clientY}) => ({x: (clientX - box.left) / unitSize(), y: (clientY - box.top) / unitSize()})
+    const off = {x: at(event).x - grip.x, y: at(event).y - grip.y}
     grip.grip.focus({preventScroll: true})
     grip.grip.setPointerCapture(event.pointerId)
     grip.grip.classList.add("held")
     this.#take(grip)
-    const move = (/** @type {PointerEvent} */ moved) =>
-      this.#move({x: moved.clientX - box.left - off.x, y: moved.clientY - box.top - off.y})
+    const move = (/** @type {PointerEvent} */ moved) => this.#move({x: at(moved).x - off.x, y: at(moved).y - off.y})
     grip.grip.addEventListener("pointermove", move)
     const stop = () => {
       grip.grip.removeEventListener("pointermove", move)
@@ -121,8 +122,8 @@ export class Grips {
   #move({x, y}) {
     const own = this.element.getBoundingClientRect()
     const {left, right, top, bottom} = this.page.paper.getBoundingClientRect()
-    const across = Math.min(Math.max(x, left - own.left), right - own.left)
-    const down = Math.min(Math.max(y, top - own.top), bottom - own.top)
+    const across = Math.min(Math.max(x, (left - own.left) / unitSize()), (right - own.left) / unitSize())
+    const down = Math.min(Math.max(y, (top - own.top) / unitSize()), (bottom - own.top) / unitSize())
     this.page.hand.move({x: across, y: down}, this.all)
   }
 

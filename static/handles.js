@@ -1,6 +1,6 @@
 // Pills at the axes of a plot that set a parameter, and the one that moves the instant shown.
 
-import {element, textWidth} from "./dom.js"
+import {element, long, textWidth} from "./dom.js"
 import {MINUS, three} from "./numbers.js"
 import {toPlace, toSI} from "./ruler.js"
 
@@ -128,8 +128,8 @@ export class Handles {
     const axis = this.#axis(pill)
     const inside = clamp(value, axis)
     const {style, classList} = pill.element
-    style.left = `${axis === this.plot.y ? left - 6 : this.plot.px(inside)}px`
-    style.top = `${axis === this.plot.y ? this.plot.py(inside) - 12 : top + height + 3}px`
+    style.left = long(axis === this.plot.y ? left - 6 : this.plot.px(inside))
+    style.top = long(axis === this.plot.y ? this.plot.py(inside) - 12 : top + height + 3)
     classList.toggle("outside", inside !== value)
     const shown = this.#text(pill, text, inside)
     if (pill.element.textContent !== shown) pill.element.textContent = shown

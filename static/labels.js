@@ -1,6 +1,6 @@
 // What stands still over a plot between changes: numbers beside it, names of its curves and bands, flags at its marks.
 
-import {colour, marked, set, svg, textWidth, words} from "./dom.js"
+import {long, marked, set, svg, textWidth, units, unitSize, words} from "./dom.js"
 
 const OVERHANG = 6 // a number with its unit may stand out by so much to the left before the unit goes under it
 
@@ -44,7 +44,7 @@ export class Labels {
           svg("tspan", {x: left - 7}, value),
           ...(unit ? [svg("tspan", {x: left - 7, dy: "1.1em"}, unit)] : []),
         ]
-        return [svg("text", {"text-anchor": "end", y: Math.min(y + 4.5, top + height)}, ...lines)]
+        return [svg("text", {"text-anchor": "end", x: left - 7, y: Math.min(y + 4.5, top + height)}, ...lines)]
       }),
     )
   }
@@ -62,7 +62,7 @@ export class Labels {
       shown.push({text, y: Math.min(Math.max(y, top + 4), top + height - 2)})
     }
     shown.sort((a, b) => a.y - b.y)
-    const gap = parseFloat(colour("t1")) + 2
+    const gap = units("t1") + 2
     const places = apart(
       shown.map(one => one.y),
       gap,
@@ -141,7 +141,7 @@ export class Flags {
       flag.addEventListener("click", () => this.plot.page.send(this.#asked(mark)))
     }
     this.plot.controls.append(flag)
-    return {mark, line, flag}
+    return {mark, line, flag, at: 0}
   }
 
   // The message of a flag that is pressed.
@@ -152,8 +152,9 @@ export class Flags {
     return {type: "set", values: {[name]: exactly ? scalars[exactly] : this.plot.si(scalars[at], axis)}}
   }
 
-  /** @param {{mark: page.Mark, line: SVGLineElement, flag: HTMLElement}} one */
-  #place({mark, line, flag}) {
+  /** @param {{mark: page.Mark, line: SVGLineElement, flag: HTMLElement, at: number}} one */
+  #place(one) {
+    const {mark, line, flag} = one
     const at = this.plot.view.scalars[mark.at]
     const {left, top, width, height} = this.plot.frame
     const across = mark.axis === "y"
@@ -166,8 +167,9 @@ export class Flags {
       ? {x1: left, x2: left + width, y1: place, y2: place}
       : {x1: place, x2: place, y1: top, y2: top + height}
     set(line, ends)
-    flag.style.left = `${(across ? left + width : place) + mark.shift}px`
-    flag.style.top = `${(across ? place - 12 : top) - (mark.lift ?? (across ? 0 : 44))}px`
+    one.at = (across ? left + width : place) + mark.shift
+    flag.style.left = long(one.at)
+    flag.style.top = long((across ? place - 12 : top) - (mark.lift ?? (across ? 0 : 44)))
     flag.hidden = flag.innerHTML === ""
   }
 
@@ -175,12 +177,12 @@ export class Flags {
   #spread() {
     const flags = this.marks
       .filter(({mark, flag}) => mark.axis !== "y" && flag.style.display !== "none" && !flag.hidden)
-      .map(({flag, mark}) => ({flag, at: parseFloat(flag.style.left), half: flag.offsetWidth / 2 + 3, lift: mark.lift}))
+      .map(({flag, mark, at}) => ({flag, at, half: flag.offsetWidth / unitSize() / 2 + 3, lift: mark.lift}))
       .toSorted((a, b) => a.at - b.at)
     for (const row of new Set(flags.map(flag => flag.lift))) {
       const side = flags.filter(flag => flag.lift === row)
-      const places = sideBySide(side, this.plot.host.clientWidth)
-      for (const [i, {flag}] of side.entries()) flag.style.left = `${places[i]}px`
+      const places = sideBySide(side, this.plot.host.clientWidth / unitSize())
+      for (const [i, {flag}] of side.entries()) flag.style.left = long(places[i])
     }
   }
 }

@@ -2,14 +2,14 @@
 // dots and the handles.
 
 import {Cover} from "./cover.js"
-import {element, set, svg, textWidth} from "./dom.js"
+import {element, inUnits, set, svg, textWidth, unitSize} from "./dom.js"
 import {Figure} from "./figure.js"
 import {Handles} from "./handles.js"
 import {Flags, Labels} from "./labels.js"
 import {Reading, isOnControl} from "./reading.js"
 import {toOneScale, toSI} from "./ruler.js"
 
-const REACH = 16 // pixels from a press to the point that it picks
+const REACH = 16 // units from a press to the point that it picks
 const NOWHERE = {left: 0, top: 0, width: 1, height: 1}
 /** @type {page.Ruler} */
 const UNIT = {start: 0, end: 1, ticks: [], labels: [], unit: "", exponent: 0, factor: 1, power: 1, log: false}
@@ -73,7 +73,7 @@ export class Plot {
     this.box = undefined
   }
 
-  /** Position of a number of the axis, in pixels from the host's upper left corner. @param {number} value */
+  /** Position of a number of the axis, in units from the host's upper left corner. @param {number} value */
   px(value) {
     return this.frame.left + ((value - this.x.start) / (this.x.end - this.x.start)) * this.frame.width
   }
@@ -95,8 +95,8 @@ export class Plot {
   geometry(origin) {
     const box = this.host.getBoundingClientRect()
     const {name} = this.block
-    const dx = box.left - origin.left
-    const dy = box.top - origin.top
+    const dx = (box.left - origin.left) / unitSize()
+    const dy = (box.top - origin.top) / unitSize()
     return {
       [`${name}.left`]: this.frame.left + dx,
       [`${name}.right`]: this.frame.left + this.frame.width + dx,
@@ -116,9 +116,11 @@ export class Plot {
 
   /** The place that there is: Bokeh leaves the same room around its frame, in whole pixels. @returns {Frame} */
   place() {
-    const {left, right, top, bottom} = this.block.room
+    const {left, right, top, bottom} = this.figure.room
     const {width, height} = this.host.getBoundingClientRect()
-    return {left, top, width: Math.floor(width) - left - right, height: Math.floor(height) - top - bottom}
+    const [across, down] = [Math.floor(width) - left - right, Math.floor(height) - top - bottom]
+    const size = unitSize()
+    return {left: left / size, top: top / size, width: across / size, height: down / size}
   }
 
   /** Takes a place, if there is any room, and says whether it is another than before. */
@@ -126,6 +128,9 @@ export class Plot {
     if (box.width <= 0 || box.height <= 0) return false
     if (box.width === this.box?.width && box.height === this.box.height) return false
     this.box = box
+    const {width, height} = this.host.getBoundingClientRect()
+    inUnits(this.over, width / unitSize(), height / unitSize())
+    this.figure.fit()
     if (this.shown && !this.absent) {
       this.#widen()
       this.#axes()
@@ -214,7 +219,7 @@ export class Plot {
   /** @param {PointerEvent} event */
   #at(event) {
     const box = this.host.getBoundingClientRect()
-    return {x: event.clientX - box.left, y: event.clientY - box.top}
+    return {x: (event.clientX - box.left) / unitSize(), y: (event.clientY - box.top) / unitSize()}
   }
 
   // Over a plot: the numbers at the pointer; a press on a time plot moves the instant there.

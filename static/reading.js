@@ -1,6 +1,6 @@
 // The numbers at the pointer, over a plot.
 
-import {element, set, svg} from "./dom.js"
+import {element, long, set, svg, unitSize} from "./dom.js"
 import {short} from "./numbers.js"
 import {evaluate} from "./signals.js"
 
@@ -86,8 +86,8 @@ export class Reading {
   #stand(x) {
     const {left, top, width, height} = this.plot.frame
     this.box.hidden = false
-    this.box.style.left = `${x > left + width / 2 ? x - this.box.offsetWidth - 10 : x + 10}px`
-    this.box.style.top = `${top}px`
+    this.box.style.left = long(x > left + width / 2 ? x - this.box.offsetWidth / unitSize() - 10 : x + 10)
+    this.box.style.top = long(top)
     this.aim.style.display = ""
     set(this.aim, {x1: x, x2: x, y1: top, y2: top + height})
   }

@@ -2,7 +2,7 @@
 // which of their forms stands.
 
 import {buildChoice} from "./controls.js"
-import {element, marked, set} from "./dom.js"
+import {element, long, marked, set} from "./dom.js"
 import {Plot} from "./plots.js"
 import {Stage} from "./stage.js"
 
@@ -41,7 +41,7 @@ export class Sheet {
     const host = element("div", {class: `block ${block.kind} ${block.style}`})
     host.style.setProperty("--flex", flex(block))
     if (block.phone !== null) host.style.setProperty("--place", String(block.phone))
-    if (block.height) host.style.setProperty("--phone-height", `${block.height}px`)
+    if (block.height) host.style.setProperty("--phone-height", long(block.height))
     if (block.form && block.kind !== "plot") this.conditional.push({host, form: block.form})
     this.#fill(host, block)
     return host
@@ -52,7 +52,7 @@ export class Sheet {
     switch (block.kind) {
       case "row":
       case "column":
-        if (block.gap) host.style.gap = `${block.gap}px`
+        if (block.gap) host.style.gap = long(block.gap)
         return host.append(...block.blocks.map(child => this.#block(child)))
       case "stage":
         return this.#stage(host, block)
@@ -80,7 +80,10 @@ export class Sheet {
     const area = element("div", {class: "plot-area"})
     host.append(area)
     this.plots.push(new Plot(block, area, this.page))
-    if (block.shapes.length) this.stages.push(new Stage({shapes: block.shapes, label: ""}, area, this.page))
+    if (!block.shapes.length) return
+    const stage = new Stage({shapes: block.shapes, label: ""}, area, this.page)
+    stage.under = this.plots[this.plots.length - 1].over
+    this.stages.push(stage)
   }
 
   /** The formula is the legend and the switch: a click on a term takes its curve away. @param {page.PlotBlock} block */
@@ -170,7 +173,7 @@ export class Sheet {
     this.choices.forEach(choice => choice.update(settings))
     // On a phone the transport stays right under the stage that stays in sight, if the view has one.
     const stage = this.sticky.find(({host}) => !host.closest("[hidden]"))
-    this.page.root.style.setProperty("--stage-height", `${stage?.height ?? 0}px`)
+    this.page.root.style.setProperty("--stage-height", long(stage?.height ?? 0))
   }
 }
 
@@ -188,6 +191,6 @@ function curveName({title, curves, regions}, group) {
 /** @param {page.Block} block */
 function flex({kind, grow, basis}) {
   const shrink = kind === "row" || kind === "column" || grow ? 1 : 0
-  if (basis) return `${grow} ${shrink} calc(${basis}px * var(--scale))`
+  if (basis) return `${grow} ${shrink} ${long(basis)}`
   return `${grow} ${shrink} ${grow ? 0 : "auto"}`
 }

@@ -1,6 +1,7 @@
 // Draws a stage: shapes whose numbers are polynomials in the signals, evaluated at every frame.
 
-import {set, svg, words} from "./dom.js"
+import {Clear} from "./clear.js"
+import {inUnits, set, svg, unitSize, words} from "./dom.js"
 import {Grips} from "./grips.js"
 import {polynomial} from "./signals.js"
 
@@ -172,6 +173,12 @@ const KINDS = {
 }
 
 export class Stage {
+  /** @type {SVGSVGElement | undefined} a drawing of the same size, whose texts stand already */
+  under
+
+  /** @type {import("./clear.js").Box[]} where they stand */
+  around = []
+
   /** @type {(() => void) | undefined} called when there is more or less room */
   resized
 
@@ -208,6 +215,7 @@ export class Stage {
     })
     if (page && block.shapes.some(shape => shape.grab)) this.grips = new Grips(host, page)
     for (const shape of block.shapes) if (shape.grab) this.grips?.add(/** @type {any} */ (shape))
+    this.clear = new Clear(this.shapes)
     this.observer = new ResizeObserver(() => {
       const {W, H, narrow} = this.size
       this.fit()
@@ -218,10 +226,13 @@ export class Stage {
 
   /** Takes the place that there is. */
   fit() {
-    const {width, height} = this.svg.getBoundingClientRect()
+    const box = this.svg.getBoundingClientRect()
+    const [W, H] = [box.width / unitSize(), box.height / unitSize()]
+    inUnits(this.svg, W, H)
+    this.clear.forget()
     // Whether the blocks of the sheet stand one under the other is the style sheet's to say.
     const narrow = Number(getComputedStyle(this.svg).getPropertyValue("--stacked"))
-    this.size = {W: width, H: height, narrow, wide: 1 - narrow}
+    this.size = {W, H, narrow, wide: 1 - narrow}
   }
 
   leave() {
@@ -234,6 +245,7 @@ export class Stage {
    */
   measure(plots) {
     const origin = this.svg.getBoundingClientRect()
+    this.around = this.under ? this.clear.boxes(this.under) : []
     this.plots = Object.assign({}, ...plots.map(plot => plot.geometry(origin)))
     for (const [plot, {rect}] of this.frames) {
       const [left, right, top, bottom] = ["left", "right", "top", "bottom"].map(side => this.plots[`${plot}.${side}`])
@@ -279,5 +291,6 @@ export class Stage {
       kind.move(parts, s)
       this.grips?.place(spec, s, true, all)
     }
+    this.clear.place(this.around, this.size.W)
   }
 }

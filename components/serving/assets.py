@@ -6,6 +6,7 @@ A browser keeps such a file for good and never asks whether it has changed; a pa
 from __future__ import annotations
 
 import gzip
+import re
 from collections.abc import Mapping
 from functools import cache
 from hashlib import sha256
@@ -57,6 +58,7 @@ TYPES = {
 }
 """By suffix: what the machine has registered for them differs."""
 YEAR = 365 * 86400
+UNIT = re.compile(r"(?<![\w-])(?:stroke[\w-]*|--u|--least): [^;]*;|(?<![\w#.])(?<!\w-)(?P<px>\d*\.?\d+)px\b")
 
 
 class Asset(NamedTuple):
@@ -84,7 +86,13 @@ def static_files() -> dict[str, bytes]:
 def style_sheet() -> bytes:
     """The parts of the style sheet, then what single scenes add to it."""
     parts = [*(STYLES / f"{name}.css" for name in SHEETS), *sorted(SCENES.glob("*/*.css"))]
-    return b"\n".join(path.read_bytes() for path in parts)
+    return b"\n".join(in_text_sizes(path.read_text("utf-8")).encode() for path in parts)
+
+
+def in_text_sizes(sheet: str) -> str:
+    """A px of the sheets is a sixteenth of the size of text, so that all grows with it; lines are drawn in the units of
+    their SVG."""
+    return UNIT.sub(lambda found: f"{float(found['px']) / 16:.6g}rem" if found["px"] else found[0], sheet)
 
 
 @cache

@@ -1,6 +1,6 @@
 // A plot as an SVG of its own: what the figure shows, in a frame of any size, with its names, flags and shapes.
 
-import {set, svg} from "../dom.js"
+import {set, svg, unitSize} from "../dom.js"
 import {Flags, Labels} from "../labels.js"
 import {fixed} from "../numbers.js"
 import {Stage} from "../stage.js"
@@ -127,7 +127,7 @@ export class Drawing {
     this.host.append(layer)
     const stage = new Stage({shapes: this.block.shapes, label: ""}, layer)
     stage.leave()
-    const {offsetWidth: W, offsetHeight: H} = this.host
+    const [W, H] = [this.host.offsetWidth / unitSize(), this.host.offsetHeight / unitSize()]
     stage.size = {W, H, narrow: 0, wide: 1}
     const names = this.page.plots.map(plot => plot.block.name)
     stage.measure(names.map(name => /** @type {any} */ ({geometry: () => this.#geometry(name)})))
@@ -160,17 +160,20 @@ export class Drawing {
   #flag(flag) {
     if (flag.hidden || flag.style.display === "none") return []
     const origin = this.host.getBoundingClientRect()
-    const {left, top, width, height} = flag.getBoundingClientRect()
+    const place = flag.getBoundingClientRect()
+    const [x, y, width, height] = [place.left - origin.left, place.top - origin.top, place.width, place.height].map(
+      length => length / unitSize(),
+    )
     const lines = [...flag.children].length > 1 && !flag.classList.contains("one") ? [...flag.children] : [flag]
-    const middle = left - origin.left + width / 2
+    const middle = x + width / 2
     const texts = lines.map((line, i) =>
       svg(
         "text",
-        {x: middle, y: top - origin.top + (height / lines.length) * (i + 0.5) + 4.5, "text-anchor": "middle"},
+        {x: middle, y: y + (height / lines.length) * (i + 0.5) + 4.5, "text-anchor": "middle"},
         [...line.childNodes].map(plain).join(" "),
       ),
     )
-    const box = svg("rect", {class: "ring", x: left - origin.left, y: top - origin.top, width, height, rx: 4})
+    const box = svg("rect", {class: "ring", x, y, width, height, rx: 4})
     return [svg("g", {class: flag.className.replace("flag", "")}, box, ...texts)]
   }
 }

@@ -1,6 +1,6 @@
 // A place to mark on an axis of a plot: an open pill that is pressed, dragged, or moved by the arrow keys.
 
-import {element, set} from "../dom.js"
+import {element, long, set} from "../dom.js"
 
 const STEPS = 100 // arrow keys from end to end
 
@@ -94,9 +94,9 @@ export class Marker {
   #put(part, value) {
     const {left, top, width, height} = this.plot.frame
     const along = this.which === "x" ? this.plot.px(value) : this.plot.py(value)
-    part.style.setProperty("--at", `${along}px`)
-    part.style.setProperty("--low", `${this.which === "x" ? top + height : left}px`)
-    part.style.setProperty("--high", `${this.which === "x" ? top : left + width}px`)
+    part.style.setProperty("--at", long(along))
+    part.style.setProperty("--low", long(this.which === "x" ? top + height : left))
+    part.style.setProperty("--high", long(this.which === "x" ? top : left + width))
   }
 
   /** The right places stand beside the one marked. @param {number[]} places */

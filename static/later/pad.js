@@ -1,13 +1,13 @@
 // Empty axes to draw on, with mouse, pen, finger or keys: one height for each abscissa, so that drawing over a part
 // replaces it. What leaves the frame is kept; gaps stay gaps.
 
-import {element, set, svg} from "../dom.js"
+import {element, inUnits, long, set, svg, unitSize} from "../dom.js"
 import {mark} from "./questions.js"
 
 /** @typedef {Record<string, [number, number][]>} Strokes curves by name: places on both axes */
 
 const COLUMNS = 200 // across the frame
-const SLACK = 12 // pixels around the frame that a hand may go to
+const SLACK = 12 // units around the frame that a hand may go to
 const STEP = 0.02 // of the frame, by an arrow key with Shift
 
 export class Pad {
@@ -95,7 +95,7 @@ export class Pad {
     const box = this.plot.host.getBoundingClientRect()
     const share = (this.plot.valueAt(event) - this.span.start) / (this.span.end - this.span.start)
     const column = Math.round(Math.min(Math.max(share, 0), 1) * COLUMNS)
-    const y = Math.min(Math.max(event.clientY - box.top, top - SLACK), top + height + SLACK)
+    const y = Math.min(Math.max((event.clientY - box.top) / unitSize(), top - SLACK), top + height + SLACK)
     this.#reach(column, this.plot.y.end - ((y - top) / height) * (this.plot.y.end - this.plot.y.start))
   }
 
@@ -171,7 +171,8 @@ export class Pad {
     const pen = svg("circle", {class: "pen", r: 7, cx: this.plot.px(this.#abscissa(column)), cy: this.plot.py(height)})
     const marks = this.findings.flatMap(({has, at}) => (at ? [this.#mark(has, at)] : []))
     this.ink.replaceChildren(...old, ...lines.flat(), ...marks, ...(this.taught ? [] : [pen]))
-    for (const [key, value] of Object.entries(box)) this.layer.style.setProperty(`--${key}`, `${value}px`)
+    inUnits(this.ink, box.left + box.width + 2 * SLACK, box.top + box.height + 2 * SLACK)
+    for (const [key, value] of Object.entries(box)) this.layer.style.setProperty(`--${key}`, long(value))
   }
 
   /** @param {string} name @param {[number, number][]} points */

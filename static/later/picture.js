@@ -1,6 +1,6 @@
 // A plot or the stage as a picture for a report: light, with a title, its legend, the parameters and the link.
 
-import {element, set, svg, textWidth} from "../dom.js"
+import {element, long, set, svg, textWidth, unitSize} from "../dom.js"
 import {evaluate} from "../signals.js"
 import {Drawing} from "./drawing.js"
 import {instant, link, parameters} from "./given.js"
@@ -118,8 +118,8 @@ export function plotPicture(plot, captioned = true) {
   if (terms.length) easel.list(terms)
   const frame = frameFor(plot)
   const host = element("div", {class: "easel-part"})
-  host.style.width = `${WIDE}px`
-  host.style.height = `${frame.top + frame.height + 30}px`
+  host.style.width = long(WIDE)
+  host.style.height = long(frame.top + frame.height + 30)
   easel.host.append(host)
   const drawing = new Drawing(plot, host, frame)
   set(drawing.over, {transform: `translate(0 ${easel.y})`})
@@ -137,7 +137,7 @@ export function plotPicture(plot, captioned = true) {
 function frameFor({frame, host, block}) {
   const left = frame.left + 10
   const names = block.curves.map(({label}) => 1.15 * textWidth(label.map(({text}) => text).join("")) + 14)
-  const right = Math.max(host.clientWidth - frame.left - frame.width, 40, ...names)
+  const right = Math.max(host.clientWidth / unitSize() - frame.left - frame.width, 40, ...names)
   const most = WIDE - left - right
   const height = block.square ? Math.min((most * frame.height) / frame.width, most) : HIGH
   return {left, top: frame.top + 8, width: block.square ? (height * frame.width) / frame.height : most, height}
@@ -199,13 +199,14 @@ function around(hosts) {
   const left = Math.min(...boxes.map(box => box.left))
   const top = Math.min(...boxes.map(box => box.top))
   const width = Math.max(...boxes.map(box => box.right)) - left
-  return {left, top, width, height: Math.max(...boxes.map(box => box.bottom)) - top}
+  const height = Math.max(...boxes.map(box => box.bottom)) - top
+  return {left, top, width: width / unitSize(), height: height / unitSize()}
 }
 
 /** @param {SVGElement} part @param {HTMLElement} host @param {Frame} box */
 function shifted(part, host, box) {
   const {left, top} = host.getBoundingClientRect()
-  set(part, {transform: `translate(${left - box.left} ${top - box.top})`})
+  set(part, {transform: `translate(${(left - box.left) / unitSize()} ${(top - box.top) / unitSize()})`})
   return part
 }
 

@@ -40,7 +40,7 @@ FAULTS = r"""() => {
     piece.text += node.textContent
     piece.boxes.push(...[...range.getClientRects()].filter(hasSize))
     pieces.set(owner, piece)
-    const size = parseFloat(style(element).fontSize)
+    const size = parseFloat(style(element).fontSize) * (element.getScreenCTM?.().a ?? 1)
     const isIndex = element.closest("sub, sup, .sub, msub, msup, msubsup, mover, mfrac, tspan")
     if (size < (isIndex ? 10.99 : 11.99)) faults.push(`small, ${size.toFixed(1)} px: ${named(piece)}`)
   }

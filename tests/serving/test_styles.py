@@ -10,7 +10,7 @@ import pytest
 import tinycss2
 from tinycss2.ast import AtRule, Node, QualifiedRule
 
-from components.serving.assets import SCENES, SHEETS, STYLES, static_files, style_sheet
+from components.serving.assets import SCENES, SHEETS, STYLES, in_text_sizes, static_files, style_sheet
 
 PARTS = [*STYLES.glob("*.css"), *SCENES.glob("*/*.css")]
 LONGEST_FILE, LONGEST_LINE = 300, 120
@@ -36,8 +36,16 @@ def test_every_part_is_on_the_wire_once_and_alone() -> None:
     assert {path.stem for path in STYLES.glob("*.css")} == set(SHEETS)
     assert len(SHEETS) == len(set(SHEETS))
     sheet = style_sheet()
-    assert all(sheet.count(path.read_bytes()) == 1 for path in PARTS)
+    assert all(sheet.count(in_text_sizes(path.read_text("utf-8")).encode()) == 1 for path in PARTS)
     assert [name for name in static_files() if name.endswith(".css")] == ["style.css"]
+
+
+def test_lengths_grow_with_the_text_and_lines_with_their_drawing() -> None:
+    sheet = "@container screen (width < 1280px) { .a { margin: -4px 0.5px; --m1: #0a3f8a; stroke-width: 2px; } }"
+    grown = (
+        "@container screen (width < 80rem) { .a { margin: -0.25rem 0.03125rem; --m1: #0a3f8a; stroke-width: 2px; } }"
+    )
+    assert in_text_sizes(sheet) == grown
 
 
 def test_no_rule_is_defined_twice() -> None:

@@ -1,0 +1,94 @@
+// Texts of a picture keep clear of each other: of two that would overlap the later one moves up or down, or leaves.
+
+/**
+ * @typedef {{left: number, right: number, top: number, bottom: number}} Box in units
+ * @typedef {{spec: page.AnyShape, group: SVGElement, parts: SVGElement[]}} Drawn
+ */
+
+const AIR = 2 // units between texts that stand side by side
+const FAR = 2.5 // lines that a text may move
+const EDGE = 12 // units that it may stand out of the picture
+
+export class Clear {
+  /** @type {Map<string, {width: number, size: number}>} by style and words: all digits are of one width */
+  #sizes = new Map()
+
+  /** @param {Drawn[]} shapes in the order of what matters most */
+  constructor(shapes) {
+    this.labels = shapes.flatMap(({spec, group, parts}) =>
+      parts
+        .filter(part => part instanceof SVGTextElement)
+        .map(text => ({text: /** @type {SVGTextElement} */ (text), group, fixed: spec.kind !== "text"})),
+    )
+  }
+
+  /** Sizes of texts are taken anew: their type may be another one. */
+  forget() {
+    this.#sizes.clear()
+  }
+
+  /**
+   * Once a frame: between texts that stand already. That in a box stays there.
+   * @param {Box[]} standing @param {number} W the width of the picture
+   */
+  place(standing, W) {
+    const shown = this.labels.filter(({group}) => group.style.display === "")
+    const fixed = shown.filter(label => label.fixed && label.text.style.display === "")
+    const kept = [...standing, ...fixed.map(({text}) => this.box(text))]
+    for (const {text} of shown.filter(label => !label.fixed)) {
+      const box = this.#inside(text, this.box(text), W)
+      const down = box.right > box.left ? way(box, kept) : 0
+      text.style.display = down === null ? "none" : ""
+      if (down === null) continue
+      if (down) text.setAttribute("y", String(Number(text.getAttribute("y")) + down))
+      kept.push({...box, top: box.top + down, bottom: box.bottom + down})
+    }
+  }
+
+  /** Where the texts of a drawing stand. @param {SVGSVGElement} drawing */
+  boxes(drawing) {
+    return [...drawing.querySelectorAll("text")].filter(({style}) => style.display === "").map(text => this.box(text))
+  }
+
+  /** Where a text stands. @param {SVGTextElement} text @returns {Box} */
+  box(text) {
+    const {width, size} = this.#sizeOf(text)
+    const [x, y] = ["x", "y"].map(name => Number(text.getAttribute(name)))
+    const left = x - width * ({middle: 0.5, end: 1}[text.getAttribute("text-anchor") ?? ""] ?? 0)
+    return {left, right: left + width, top: y - 0.75 * size, bottom: y + 0.2 * size}
+  }
+
+  /** @param {SVGTextElement} text */
+  #sizeOf(text) {
+    const key = `${text.getAttribute("class")}: ${text.textContent?.replace(/\d/g, "0")}`
+    const known = this.#sizes.get(key)
+    if (known) return known
+    text.style.display = ""
+    const size = {width: text.getComputedTextLength(), size: parseFloat(getComputedStyle(text).fontSize)}
+    this.#sizes.set(key, size)
+    return size
+  }
+
+  /** No further out than the edge of the paper. @param {SVGTextElement} text @param {Box} box @param {number} W */
+  #inside(text, box, W) {
+    const across = Math.max(Math.min(0, W + EDGE - box.right), -EDGE - box.left)
+    if (!across || box.right - box.left > W) return box
+    text.setAttribute("x", String(Number(text.getAttribute("x")) + across))
+    return {...box, left: box.left + across, right: box.right + across}
+  }
+}
+
+/**
+ * How far down, or up, a box stands clear of all others; null where it does not.
+ * @param {Box} box @param {Box[]} others
+ */
+function way(box, others) {
+  const near = others.filter(({left, right}) => box.left < right + AIR && left < box.right + AIR)
+  const isClear = (/** @type {number} */ down) =>
+    !near.some(({top, bottom}) => box.top + down < bottom - 0.01 && top < box.bottom + down - 0.01)
+  if (isClear(0)) return 0
+  const most = FAR * (box.bottom - box.top)
+  const ways = near.flatMap(({top, bottom}) => [top - box.bottom, bottom - box.top])
+  const best = ways.filter(down => Math.abs(down) <= most && isClear(down))
+  return best.length ? best.reduce((one, other) => (Math.abs(other) < Math.abs(one) ? other : one)) : null
+}
