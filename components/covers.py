@@ -170,12 +170,13 @@ def _made_of(signals: Mapping[str, AnySignal], names: set[str]) -> set[str]:
     """The names, and the signals that speak of one of them, in the order in which they build on each other."""
     found = set(names)
     for name, signal in signals.items():
-        if found & _spoken_of(signal):
+        if found & spoken_of(signal):
             found.add(name)
     return found
 
 
-def _spoken_of(signal: AnySignal) -> frozenset[Any]:
+def spoken_of(signal: AnySignal) -> frozenset[Any]:
+    """The signals and scalars that a signal is made of."""
     if isinstance(signal, Derived):
         return names_in(signal.value)
     return frozenset((signal.of,)) if isinstance(signal, (SineOf, CosineOf)) else frozenset()

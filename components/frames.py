@@ -10,6 +10,8 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 
+from msgspec.structs import replace as changed
+
 from components.axes import TIME_AXIS, Axis, Range, log_axis, nice_ticks, ordered
 from components.motion import round_down, round_up
 from components.numbers import excerpt, power_unit
@@ -101,6 +103,13 @@ def grown(frame: Frame, axes: Mapping[str, Axis], scale: float | None = None) ->
     ranges = {name: _grown(_range_in(frame, name, axis), axis) for name, axis in axes.items()}
     scales = [one for one in (frame.scale, scale) if one is not None]
     return Frame(ranges=ranges, window=frame.window, scale=min(scales, default=None), speed=frame.speed)
+
+
+def together(frame: Frame, axes: Mapping[str, Axis], scale: float | None) -> Frame:
+    """The frame, wide enough for another picture as well; the time window stands."""
+    others = {name: axis for name, axis in axes.items() if name in frame.ranges and name != TIME_AXIS}
+    wide = grown(frame, others, scale)
+    return changed(wide, ranges={**frame.ranges, **wide.ranges})
 
 
 def _grown(span: Range, axis: Axis) -> Range:

@@ -49,7 +49,7 @@ def plus(value: float | Decimal) -> str:
     return f"{text[0]} {text[1:]}"
 
 
-def short(value: float) -> str:
+def short(value: float | Decimal) -> str:
     """At most three significant digits, no trailing zeros: 5, 0.2, 1.5, 2·10⁻⁷."""
     text = three(value)
     head, mark, power = text.partition("·")

@@ -6,10 +6,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
 from components.axes import TIME_AXIS, Axis
-from components.frames import grown, paced, refitted
+from components.frames import grown, paced, refitted, together
 from components.page.picture import Digits, Pace
 from components.page.signals import AnySignal
 from components.page.state import Frame
+from components.refusals import check_sendable
 from components.traces import Columns
 
 ROUNDS = 3
@@ -66,11 +67,12 @@ def _frame(ranges: dict[str, tuple[float, float]], scale: float | None, pace: Pa
 
 @dataclass(frozen=True)
 class Framed:
-    """A picture, its frame, and the frame that the scene would choose for it."""
+    """A picture, its frame, and the frame that the scene would choose for it; `beside` is the one held."""
 
     picture: Picture
     frame: Frame
     fitted: Frame
+    beside: Picture | None = None
 
 
 def drawn_in(picture_in: Callable[[Frame], Picture], frame: Frame) -> Framed:
@@ -94,3 +96,31 @@ def kept(picture_in: Callable[[Frame], Picture], frame: Frame, before: Frame | N
             break
         drawn = drawn_in(picture_in, frame)
     return drawn
+
+
+def beside(drawn: Framed, picture_in: Callable[[Frame], Picture], held_in: Callable[[Frame], Picture]) -> Framed:
+    """What is drawn, with the picture held in the same frame, which has room for both and is fitted to both.
+
+    Where what is held cannot be drawn in that frame there is none of it.
+    """
+    try:
+        held = held_in(drawn.frame)
+        wide = together(drawn.frame, held.axes, held.fits)
+        if wide != drawn.frame:
+            drawn = replace(drawn_in(picture_in, wide), fitted=drawn.fitted)
+            held = held_in(drawn.frame)
+        _check(held)
+    except (ValueError, ArithmeticError):
+        return drawn
+    return replace(drawn, fitted=together(drawn.fitted, held.axes, held.fits), beside=held)
+
+
+def sendable(drawn: Framed) -> Framed:
+    """What is drawn; ArithmeticError where a number of it leaves what can be sent."""
+    _check(drawn.picture)
+    return drawn
+
+
+def _check(picture: Picture) -> None:
+    axes = [axis.ruler for axis in picture.axes.values()]
+    check_sendable([picture.columns, axes, picture.pace, picture.signals, picture.scalars, picture.spans])

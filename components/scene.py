@@ -13,14 +13,16 @@ from msgspec.structs import replace
 from param.parameterized import ParameterizedMetaclass, discard_events
 
 from components.about import About
+from components.beside import Beside
 from components.controls import Group
+from components.figures import Figure
 from components.frames import FITTED, unfitted
 from components.page.blocks import Block
 from components.page.messages import Onward
 from components.page.state import Frame
 from components.parameters import AnyParameter, Quantity, Values
-from components.picture import Framed, Picture, drawn_in, frame_of, kept
-from components.refusals import check_sendable, in_words
+from components.picture import Framed, Picture, drawn_in, frame_of, kept, sendable
+from components.refusals import in_words
 from components.running import Running
 from components.units import Unit
 
@@ -44,13 +46,10 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     lecture: ClassVar[str]
     points: ClassVar[str]
     """What of the lecture it is about."""
-
     headline: ClassVar[str]
     """What it shows, in a sentence."""
-
     equations: ClassVar[tuple[str, ...]]
     """What the numbers obey, in ASCII with the names of the code: for those who take them away."""
-
     spoken: ClassVar[Mapping[str, str]] = {}
     """The numbers that are read aloud when a change moves them: what each is called, and its live numbers with unit."""
     groups: ClassVar[tuple[Group, ...]]
@@ -58,12 +57,12 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
     start: ClassVar[str] = "Start from"
     start_folded: ClassVar[bool] = False
     """The title over the presets, and whether they are folded under it."""
-
+    physical: ClassVar[tuple[str, ...]] = ()
+    """The choices that make another system; the others only show it in another way."""
     places: ClassVar[tuple[str, ...]] = ()
     """The actions that are places rather than deeds: their buttons show whether the scene is there."""
     work: ClassVar[type[Running] | None] = None
     """What the scene has done instead of playing: then its progress stands in the transport's place."""
-
     onward: ClassVar[tuple[Onward, ...]] = ()
     """The links to other scenes that take values along."""
 
@@ -82,10 +81,11 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
 
     def __init__(self, **values: Any) -> None:
         self._good: dict[str, object] = {}
-        self.held = False
+        self.in_hand = False
         """Whether a hand holds on to what is drawn: then its frame stands, though something leaves it."""
         self._keeps = self._given = False
         self._frame: Frame | None = None
+        self.beside: Beside[Scene] | None = None
         self.running = self.work(self) if self.work else None
         super().__init__(**values)  # type: ignore[no-untyped-call]  # param's own has no types
         self._follow(frozenset(values))
@@ -142,6 +142,11 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
         """The picture in force."""
         return self._drawn.picture
 
+    @property
+    def shown_beside(self) -> Picture | None:
+        """The picture held, in the same frame."""
+        return self._drawn.beside
+
     @cached_property
     def sources(self) -> dict[str, ColumnDataSource]:
         """The columns of the picture in force, in SI units; a visitor costs none of them until they are asked for."""
@@ -151,18 +156,19 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
         """Set parameters in one batch, with one solve; a ValueError leaves the scene as it was."""
         self.param.update(**values)
 
-    def open(self, values: Values, frame: Frame | None) -> None:
-        """The same, and a frame: with None the picture is fitted; another one stands, and grows where it must."""
-        before, standing, drawn = self._frame, self.frame, self._drawn
+    def open(self, values: Values, frame: Frame | None, held: Values | None = None) -> None:
+        """The same, in a frame that grows where it must, or fitted without one; with what is held beside it."""
+        before, standing, drawn, beside = self._frame, self.frame, self._drawn, self.beside
         self._frame, self._given = frame, True
         try:
+            self.beside = None if held is None else beside if beside and beside.values == held else Beside(self, held)
             self.set(values)
-            if self._drawn is drawn and frame == standing:
+            if self._drawn is drawn and frame == standing and self.beside is beside:
                 self._frame = before
             elif self._drawn is drawn:
                 self._solve()
         except Exception:
-            self._frame = before
+            self._frame, self.beside = before, beside
             raise
         finally:
             self._given = False
@@ -184,14 +190,18 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
 
     def way_back(self) -> Callable[[], None]:
         """What makes the scene again what it is now."""
-        good, drawn, frame = self._good, self._drawn, self._frame
+        good, drawn, frame, beside = self._good, self._drawn, self._frame, self.beside
 
         def go() -> None:
-            self._good, self._drawn, self._frame = good, drawn, frame
+            self._good, self._drawn, self._frame, self.beside = good, drawn, frame, beside
             self._restore()
             self._fill_sources()
 
         return go
+
+    def figures(self) -> tuple[Figure, ...]:
+        """The numbers that are compared with those of another picture."""
+        return ()
 
     def on_picture(self, listener: Callable[[Picture], None]) -> None:
         """Call `listener` after every change with the new picture."""
@@ -250,7 +260,8 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
 
     def _picture(self, changed: frozenset[str]) -> Framed:
         with in_words():
-            return self._in_frame(changed) if self._frame else _sendable(drawn_in(self.picture, FITTED))
+            drawn = self._in_frame(changed) if self._frame else sendable(drawn_in(self.picture, FITTED))
+            return self.beside.with_held(self, drawn) if self.beside else drawn
 
     def _in_frame(self, changed: frozenset[str]) -> Framed:
         """The picture in the frame that stands; fitted where nothing can be drawn in that one.
@@ -263,11 +274,11 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
             frame = replace(frame, window=None)
         ways = [] if self._given else [name for name in changed if not isinstance(self.param[name], Quantity)]
         try:
-            if self.held:
-                return _sendable(drawn_in(self.picture, frame))
-            return _sendable(kept(self.picture, frame, self._drawn.fitted if ways else None))
+            if self.in_hand:
+                return sendable(drawn_in(self.picture, frame))
+            return sendable(kept(self.picture, frame, self._drawn.fitted if ways else None))
         except (ValueError, ArithmeticError):
-            return _sendable(drawn_in(self.picture, FITTED))
+            return sendable(drawn_in(self.picture, FITTED))
 
     def _fill_sources(self) -> None:
         for name, source in vars(self).get("sources", {}).items():
@@ -287,11 +298,3 @@ class Scene(param.Parameterized, metaclass=_SceneMeta):
         self._fill_sources()
         for listener in self._listeners:
             listener(drawn.picture)
-
-
-def _sendable(drawn: Framed) -> Framed:
-    """What is drawn; ValueError where a number of it leaves what can be sent."""
-    picture = drawn.picture
-    axes = [axis.ruler for axis in picture.axes.values()]
-    check_sendable([picture.columns, axes, picture.pace, picture.signals, picture.scalars, picture.spans])
-    return drawn

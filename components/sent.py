@@ -7,11 +7,12 @@ from collections.abc import Mapping
 import numpy as np
 from msgspec.structs import replace
 
-from components.axes import TIME_AXIS
+from components.axes import TIME_AXIS, Axis
 from components.page.picture import Drawn, View
 from components.page.signals import AnySignal, Sampled, Samples
 from components.places import COARSE, FINE, Floats, Steps, span, steps
 from components.scene import Picture
+from components.traces import Columns
 
 ColumnAxes = Mapping[str, Mapping[str, str]]
 """The axis that each column of each source is drawn on."""
@@ -20,13 +21,9 @@ ColumnAxes = Mapping[str, Mapping[str, str]]
 def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) -> tuple[View, list[Steps]]:
     """The view of a picture, and the numbers that follow it: its columns, then the runs of its signals."""
     rulers = {name: axis.ruler for name, axis in picture.axes.items()}
-    columns, numbers = _columns(picture, axes, {name: span(ruler) for name, ruler in rulers.items()})
-    signals: dict[str, AnySignal] = {}
-    for name, signal in picture.signals.items():
-        if isinstance(signal, Sampled):
-            signal, runs = _run_of(signal)
-            numbers += runs
-        signals[name] = signal
+    columns, numbers = columns_of(picture.columns, axes, picture.axes)
+    signals, runs = signals_of(picture.signals)
+    numbers += runs
     view = View(
         columns=columns,
         axes=rulers,
@@ -43,26 +40,38 @@ def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) 
     return view, numbers
 
 
-def _columns(
-    picture: Picture, axes: ColumnAxes, spans: Mapping[str, tuple[float, float]]
+def columns_of(
+    given: Mapping[str, Columns], drawn_on: ColumnAxes, axes: Mapping[str, Axis]
 ) -> tuple[dict[str, dict[str, Drawn]], list[Steps]]:
     """What is said of each column, and its numbers: where they stand on the axis that they are drawn on."""
     columns: dict[str, dict[str, Drawn]] = {}
-    given: list[Floats] = []
+    values: list[Floats] = []
     on: dict[str, list[int]] = {}
-    for source, drawn in axes.items():
-        known = picture.columns.get(source, {})
+    for source, drawn in drawn_on.items():
+        known = given.get(source, {})
         for column, axis in drawn.items():
             if column in known:
                 columns.setdefault(source, {})[column] = Drawn(axis, len(known[column]))
-                on.setdefault(axis, []).append(len(given))
-                given.append(known[column])
+                on.setdefault(axis, []).append(len(values))
+                values.append(known[column])
     numbers: dict[int, Steps] = {}
     for axis, places in on.items():  # all that are drawn on one at once: a scene may have a hundred
-        ends = np.cumsum([len(given[i]) for i in places])
-        values = picture.axes[axis].places(np.concatenate([given[i] for i in places]))
-        numbers |= zip(places, np.split(steps(values, *spans[axis], COARSE), ends[:-1]), strict=True)
-    return columns, [numbers[i] for i in range(len(given))]
+        ends = np.cumsum([len(values[i]) for i in places])
+        stand = axes[axis].places(np.concatenate([values[i] for i in places]))
+        numbers |= zip(places, np.split(steps(stand, *span(axes[axis].ruler), COARSE), ends[:-1]), strict=True)
+    return columns, [numbers[i] for i in range(len(values))]
+
+
+def signals_of(given: Mapping[str, AnySignal]) -> tuple[dict[str, AnySignal], list[Steps]]:
+    """The signals as they are told, and the numbers of those that are sampled."""
+    signals: dict[str, AnySignal] = {}
+    numbers: list[Steps] = []
+    for name, signal in given.items():
+        if isinstance(signal, Sampled):
+            signal, runs = _run_of(signal)
+            numbers += runs
+        signals[name] = signal
+    return signals, numbers
 
 
 def _run_of(signal: Sampled) -> tuple[Sampled, list[Steps]]:

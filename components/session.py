@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from msgspec.structs import replace
 
 from components.about import About, about_numbers
+from components.comparison import told_beside
 from components.controls import settings
 from components.covers import checked_covers, coverable, refused_covers, without
 from components.deeds import Deed, Errors, apply, sentence
@@ -14,13 +15,13 @@ from components.description import column_axes, sheet_address, usual
 from components.frames import checked
 from components.numbers import excerpt
 from components.page.messages import AskAbout, AskCsv, Given, Open, RunWalk, Said, SetValues, Shown, Taught, Walking
-from components.page.picture import View
+from components.page.picture import Held, View
 from components.page.state import State
 from components.refusals import LINK_LOST, SORRY, report
 from components.running import Later
 from components.scene import Picture, Scene
 from components.sent import view_of
-from components.states import state_of, values_in
+from components.states import held_in, state_of, values_in
 from components.take import as_file
 from components.url import Link, step_query, write_query
 from components.walks import Walks
@@ -122,10 +123,10 @@ class Session:
 
     def _applied(self, deed: Deed) -> Errors:
         """What a deed does; when a hand lets go, the frame grows where it must."""
-        scene, held, shown = self.scene, self.scene.held, self.scene.shown
-        scene.held = isinstance(deed, SetValues) and deed.holding
+        scene, held, shown = self.scene, self.scene.in_hand, self.scene.shown
+        scene.in_hand = isinstance(deed, SetValues) and deed.holding
         errors = apply(scene, deed)
-        if held and not scene.held and scene.shown is shown:
+        if held and not scene.in_hand and scene.shown is shown:
             scene.redraw()
         return errors
 
@@ -162,25 +163,25 @@ class Session:
         scene = self.scene if state.scene == self.scene.slug else self.scenes[state.scene]()
         try:
             values, frame = values_in(type(scene), state), state.frame and checked(state.frame)
+            held = held_in(type(scene), state)
         except ValueError as refusal:
             return {"state": f"{refusal} Still drawn as before."}
         back = scene.way_back()
         try:
-            scene.open(values, frame)
+            scene.open(values, frame, held)
             covered = checked_covers(type(scene), scene.shown, state.covered)
         except ValueError as error:
             back()
             return {"state": f"{sentence(error)} Still drawn as before."}
         if scene is not self.scene:
             self._change_to(scene)
-        self._kept = State(scene=state.scene, held=state.held, covered=covered, step=state.step)
+        self._kept = State(scene=state.scene, covered=covered, step=state.step)
         return {}
 
     @property
     def state(self) -> State:
         """What the page stands for: the scene, and what the session keeps beside it."""
-        kept = self._kept
-        return replace(state_of(self.scene), held=kept.held, covered=kept.covered, step=kept.step)
+        return replace(state_of(self.scene), covered=self._kept.covered, step=self._kept.step)
 
     @property
     def picture(self) -> Picture:
@@ -208,10 +209,11 @@ class Session:
         shown, left_out = without(type(self.scene), self.scene.shown, self._kept.covered)
         scene = type(self.scene)
         view, numbers = view_of(shown, column_axes(scene), left_out)
-        told = self.shown(view, answer, problems)
-        return packed(told, numbers, sheet=told.sheet, usual=usual(scene))
+        held, more = told_beside(self.scene, shown, self._kept.covered)
+        told = self.shown(view, held, answer, problems)
+        return packed(told, [*numbers, *more], sheet=told.sheet, usual=usual(scene))
 
-    def shown(self, view: View, answer: int | None = None, problems: tuple[str, ...] = ()) -> Shown:
+    def shown(self, view: View, held: Held | None, answer: int | None, problems: tuple[str, ...]) -> Shown:
         """All that the browser needs to show the scene as it now is."""
         scene = self.scene
         return Shown(
@@ -219,6 +221,7 @@ class Session:
             scene=scene.slug,
             sheet=sheet_address(type(scene)),
             view=view,
+            held=held,
             settings=settings(scene, scene.units(), scene.shown.spans),
             state=self.state,
             preset=scene.preset(),
@@ -249,7 +252,7 @@ def opened(scenes: Mapping[str, type[Scene]], link: Link, walks: Walks | None = 
 def _refused(scene: Scene, link: Link) -> Iterator[str]:
     """Puts the scene where the link wants it; what of that cannot be, in words."""
     try:
-        scene.open(link.values, link.frame)
+        scene.open(link.values, link.frame, link.held)
     except ValueError as reason:
         yield f"{sentence(reason)} The link's parameters were not used."
     for name in link.frame.ranges if link.frame else ():

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from components.beside import holdable
 from components.choices import chosen, stated
 from components.numbers import excerpt
 from components.page.state import State, Value
@@ -11,7 +12,7 @@ from components.scene import Scene
 
 def state_of(scene: Scene) -> State:
     """What the scene stands for: the parameters that differ from their defaults, the frame where it is not the fitted
-    one, and the curves switched off."""
+    one, what is held, and the curves switched off."""
     changed = {
         name: getattr(scene, name)
         for name, parameter in scene.linked().items()
@@ -21,6 +22,7 @@ def state_of(scene: Scene) -> State:
         scene=scene.slug,
         parameters={name: stated(value) for name, value in changed.items()},
         frame=scene.frame,
+        held=None if scene.beside is None else {name: stated(value) for name, value in scene.beside.values.items()},
         hidden=tuple(scene.hidden),
     )
 
@@ -35,6 +37,18 @@ def values_in(scene: type[Scene], state: State) -> Values:
     defaults = {name: parameter.default for name, parameter in known.items()}
     hidden = chosen(known["hidden"], list(state.hidden))
     return {**defaults, **given, "hidden": hidden}
+
+
+def held_in(scene: type[Scene], state: State) -> Values | None:
+    """The values held beside the others, where they are not their defaults; how things were shown is not held.
+
+    ValueError as in `values_in`.
+    """
+    if state.held is None:
+        return None
+    known, linked = holdable(scene), scene.linked()
+    given = {name: _value(linked, name, value) for name, value in state.held.items()}
+    return {name: value for name, value in given.items() if name in known and value != known[name].default}
 
 
 def _value(known: dict[str, AnyParameter], name: str, value: Value) -> object:

@@ -1,7 +1,8 @@
 """A link carries the state of a page: into and out of the query of an address.
 
 It has the scene, the parameters that differ from their defaults, what of the frame is not fitted (frame.x=-2,2 is a
-range, frame.window a time window), the curves switched off, and what is covered: cover=plot:x2,value:tau.
+range, frame.window a time window), the curves switched off, what is covered: cover=plot:x2,value:tau, and what is held
+beside the picture: held.k=20, or held=default where that is how the scene opens.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from urllib.parse import urlencode
 
 from msgspec.structs import replace
 
+from components.beside import holdable
 from components.choices import MOST_ITEMS, chosen, word
 from components.frames import FITTED, checked
 from components.numbers import MINUS, excerpt, parse_number, shortest
@@ -24,6 +26,8 @@ PAGE_KEYS = frozenset({"theme", "projector", "walk", "step"})
 MOST_PROBLEMS = 8
 COVER = "cover"
 FRAME = "frame."
+HELD = "held"
+DEFAULT = "default"
 SIZES = ("window", "scale", "speed")
 """What a frame has beside the ranges of its axes."""
 AUTOMATIC = "auto"
@@ -42,6 +46,7 @@ class Link:
     problems: list[str] = field(default_factory=list)
     frame: Frame | None = None
     covered: tuple[str, ...] = ()
+    held: Values | None = None
 
 
 def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Scene]]) -> Link:
@@ -49,6 +54,7 @@ def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Sc
     slug, problems = _read_slug(args.get("scene", ()), scenes)
     known = scenes[slug].linked()
     values: dict[str, object] = {}
+    held: dict[str, object] | None = None
     frame: Frame | None = None
     covered: tuple[str, ...] = ()
     for key, given in args.items():
@@ -59,11 +65,13 @@ def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Sc
                 covered = _read_covers(_only(key, given))
             elif key.startswith(FRAME):
                 frame = _with_part(frame or FITTED, key.removeprefix(FRAME), _only(key, given))
+            elif key == HELD or key.startswith(HELD + "."):
+                held = (held or {}) | _read_held(scenes[slug], key, given)
             else:
                 values[key] = _read(known, key, given)
         except ValueError as error:
             problems.append(str(error))
-    return Link(slug, values, _shortened(problems), frame, covered)
+    return Link(slug, values, _shortened(problems), frame, covered, held)
 
 
 def write_query(scene: Scene, covered: Sequence[str] = ()) -> str:
@@ -75,6 +83,7 @@ def write_query(scene: Scene, covered: Sequence[str] = ()) -> str:
     values = {name: getattr(scene, name) for name in scene.linked()}
     changed = {name: value for name, value in values.items() if value != type(scene).param[name].default}
     parts = {"scene": scene.slug} | {name: _written(value) for name, value in changed.items()} | _frame_parts(scene)
+    parts |= _held_parts(scene)
     return urlencode(parts | ({COVER: ",".join(covered)} if covered else {}), safe=",:")
 
 
@@ -89,6 +98,22 @@ def _frame_parts(scene: Scene) -> dict[str, str]:
     ranges = {FRAME + name: ",".join(map(shortest, span)) for name, span in frame.ranges.items()}
     sizes = {name: getattr(frame, name) for name in SIZES}
     return ranges | {FRAME + name: shortest(size) for name, size in sizes.items() if size is not None}
+
+
+def _held_parts(scene: Scene) -> dict[str, str]:
+    if scene.beside is None:
+        return {}
+    return {f"{HELD}.{name}": _written(value) for name, value in scene.beside.values.items()} or {HELD: DEFAULT}
+
+
+def _read_held(scene: type[Scene], key: str, given: Sequence[bytes]) -> dict[str, object]:
+    """What one key says of the values held."""
+    if key != HELD:
+        name = key.removeprefix(HELD + ".")
+        return {name: _read(holdable(scene), name, given)}
+    if _only(key, given) != DEFAULT:
+        raise ValueError(f"{HELD}: write {HELD}={DEFAULT}, or {HELD}. before a parameter.")
+    return {}
 
 
 def _with_part(frame: Frame, name: str, text: str) -> Frame:

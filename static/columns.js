@@ -10,7 +10,7 @@ export async function unpacked(data, usual) {
   const bytes = await inflated(new Uint8Array(data), new TextEncoder().encode(usual))
   const end = bytes.indexOf(LINE_FEED)
   const told = JSON.parse(new TextDecoder().decode(bytes.subarray(0, end)))
-  if (told.view) fill(told.view, bytes.subarray(end + 1))
+  if (told.view) fill(told, bytes.subarray(end + 1))
   return told
 }
 
@@ -30,12 +30,28 @@ async function inflated(data, before) {
   return new Uint8Array(whole, length)
 }
 
-/** Puts numbers in place of what a view says of its columns and samples. @param {any} view @param {Uint8Array} data */
-function fill({columns, axes, signals}, data) {
-  const sources = Object.values(columns)
-  const sampled = Object.values(signals).filter(({kind}) => kind === "sampled")
-  const numbers = new Numbers(data, sources.flatMap(Object.keys).length + 2 * sampled.length)
-  for (const source of sources) {
+/**
+ * Puts numbers in place of what is said of columns and samples: of the view, then of what is held beside it.
+ * @param {any} told @param {Uint8Array} data
+ */
+function fill({view, held}, data) {
+  const parts = held ? [view, held] : [view]
+  const numbers = new Numbers(
+    data,
+    parts.reduce((count, part) => count + runsIn(part), 0),
+  )
+  for (const part of parts) fillPart(part, view.axes, numbers)
+}
+
+/** @param {any} part */
+const sampledIn = ({signals}) => Object.values(signals).filter(({kind}) => kind === "sampled")
+
+/** @param {any} part @returns {number} */
+const runsIn = part => Object.values(part.columns).flatMap(Object.keys).length + 2 * sampledIn(part).length
+
+/** @param {any} part @param {Record<string, page.Ruler>} axes @param {Numbers} numbers */
+function fillPart(part, axes, numbers) {
+  for (const source of Object.values(part.columns)) {
     for (const [name, [axis, count]] of Object.entries(source)) {
       const {start, end} = axes[axis]
       const [low, high] = start < end ? [start, end] : [end, start]
@@ -43,10 +59,10 @@ function fill({columns, axes, signals}, data) {
       source[name] = Float32Array.from(numbers.take(count, low - height, high + height, COARSE))
     }
   }
-  for (const signal of sampled) {
-    for (const part of ["y", "dy"]) {
-      const {count, low, high} = signal[part]
-      signal[part] = numbers.take(count, low, high, FINE)
+  for (const signal of sampledIn(part)) {
+    for (const run of ["y", "dy"]) {
+      const {count, low, high} = signal[run]
+      signal[run] = numbers.take(count, low, high, FINE)
     }
   }
 }

@@ -17,7 +17,7 @@ export class Cover {
     const isCovered = covered.includes(`plot:${block.name}`)
     if (isCovered && !this.element) {
       const reveal = element("button", {type: "button", class: "chip"}, "Reveal")
-      reveal.addEventListener("click", () => this.plot.page.lecture.reveal(`plot:${block.name}`))
+      reveal.addEventListener("click", () => this.plot.page.compare.reveal(`plot:${block.name}`))
       this.element = element("div", {class: "cover"}, element("span", {}, "Covered. What do you expect?"), reveal)
       host.append(this.element)
     }

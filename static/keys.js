@@ -35,6 +35,7 @@ export const KEYS = [
   {keys: ["PageDown"], shown: "Page Down", does: "In a walk: Show, then Next", act: l => l.walks.walk?.forward(true)},
   {keys: ["PageUp"], shown: "Page Up", does: "In a walk: Back", act: l => l.walks.walk?.back()},
   ...[1, 2, 3, 4].map(n => ({keys: [`${n}`], shown: `${n}`, does: `Answer ${n}, or preset ${n}`, act: numbered(n)})),
+  {keys: ["h", "H"], shown: "H", does: "Hold this picture, or release it", act: l => l.page.compare.toggle()},
   {keys: ["w", "W"], shown: "W", does: "Walk: choose one, or leave it", act: l => l.walks.toggle()},
   {keys: ["r", "R"], shown: "R", does: "Reveal what is covered", act: l => l.walks.reveal()},
   {keys: ["f", "F"], shown: "F", does: "Full screen", act: () => fullScreen()},

@@ -61,6 +61,10 @@ export class Labels {
       const y = this.plot.py(column[column.length - 1])
       shown.push({text, y: Math.min(Math.max(y, top + 4), top + height - 2)})
     }
+    const {ghost} = this.plot
+    if (ghost && ghost.end !== null) {
+      shown.push({text: ghost.name, y: Math.min(Math.max(ghost.end, top + 4), top + height - 2)})
+    }
     shown.sort((a, b) => a.y - b.y)
     const gap = units("t1") + 2
     const places = apart(

@@ -88,6 +88,7 @@ export class Lecture {
 
   /** @param {page.Said} message */
   send(message) {
+    if (message.type === "set") this.page.compare.set(this.undo.press)
     this.line.send(message, {deed: this.undo.deed(message)})
     this.#wait()
   }
@@ -148,14 +149,14 @@ export class Lecture {
     this.#go(open, {turn: true, start: true})
   }
 
-  /** The frame that suits what is drawn now. */
-  fit() {
-    this.line.send(this.#changed(() => ({frame: null})))
+  /** Another state, of the same values. @param {(state: page.State) => Partial<page.State>} to */
+  change(to) {
+    this.line.send(this.#changed(to))
   }
 
-  /** What is covered comes back, and nothing else changes. @param {string} cover */
-  reveal(cover) {
-    this.line.send(this.#changed(({covered}) => ({covered: covered.filter(name => name !== cover)})))
+  /** The frame that suits what is drawn now. */
+  fit() {
+    this.change(() => ({frame: null}))
   }
 
   /** @param {Packet} packet */

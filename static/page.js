@@ -4,6 +4,7 @@
 import {bokeh} from "./bokeh.js"
 import {buildControls} from "./controls.js"
 import {Clock} from "./clock.js"
+import {Compare} from "./compare.js"
 import {copy} from "./copy.js"
 import {element} from "./dom.js"
 import {Hand} from "./hand.js"
@@ -80,6 +81,7 @@ export class Page {
     this.stages = [...this.sheet.stages, ...this.controls.stages]
     for (const stage of this.stages) stage.resized = () => this.redraw()
     for (const plot of this.plots) plot.handles.help(this.controls)
+    this.compare = new Compare(this)
     if (this.spec.about) this.panel.append(this.#aboutNumbers())
     this.panel.append(this.#tools())
     this.root.append(this.paper, this.panel)
@@ -110,7 +112,16 @@ export class Page {
     pictures.addEventListener("click", () => this.#take())
     for (const stage of this.sheet.stages.filter(({svg}) => svg.role === "img")) this.#takeable(stage.host, stage)
     for (const plot of this.plots) this.#takeable(plot.host.parentElement, plot)
-    return element("div", {class: "tools"}, link, csv, pictures, ...this.spec.onward.map(way => this.#onward(way)))
+    const chips = element(
+      "div",
+      {class: "chips"},
+      link,
+      csv,
+      pictures,
+      ...this.spec.onward.map(way => this.#onward(way)),
+    )
+    const away = element("details", {class: "fold away"}, element("summary", {}, "Take away"), chips)
+    return element("div", {class: "tools"}, ...this.compare.buttons, away)
   }
 
   /**
@@ -166,6 +177,7 @@ export class Page {
     for (const plot of this.plots) plot.update(shown)
     if (this.plots.some(plot => plot.waits)) this.join()
     this.controls.update(shown)
+    this.compare.update(shown)
     this.measured = false
     this.clock.update(view.axes[view.time], view.pace)
     this.transport.update(shown)
@@ -210,6 +222,7 @@ export class Page {
     this.measured = true
     this.stages.forEach(stage => stage.frame(named))
     this.plots.forEach(plot => plot.draw(named, t, timeText))
+    this.compare.frame(t)
   }
 
   /** Shows the first picture: all but the figures, which join when they are ready. @param {Drawn} shown */
@@ -268,6 +281,7 @@ export class Page {
   leave() {
     this.left = true
     this.clock.stop()
+    this.compare.leave()
     this.about?.leave()
     this.voice?.leave()
     this.print?.leave()

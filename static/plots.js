@@ -24,6 +24,9 @@ export class Plot {
   /** @type {Frame | undefined} where the frame stands, once it is laid out */
   box
 
+  /** @type {import("./later/ghosts.js").PlotGhost | undefined} other curves under those of the figure */
+  ghost
+
   /** @param {page.PlotBlock} block @param {HTMLElement} host @param {import("./page.js").Page} page */
   constructor(block, host, page) {
     this.block = block
@@ -198,6 +201,7 @@ export class Plot {
   // What stands still between changes: end labels, band labels, marks.
   still() {
     if (!this.box || !this.shown || this.absent) return
+    this.ghost?.place()
     this.labels.place()
     this.flags.place()
     this.handles.place()

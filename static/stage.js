@@ -35,7 +35,7 @@ function ahead({x1, y1, x2, y2, ...rest}, gap) {
  * Each kind: make() builds the elements once, move() places them with the numbers of an instant.
  * @type {Record<page.AnyShape["kind"], {make: (s: any) => SVGElement[], move: (parts: any[], s: any) => void}>}
  */
-const KINDS = {
+export const KINDS = {
   spring: {
     make: () => [svg("path", {class: "spring"})],
     move([path], s) {

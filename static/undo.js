@@ -19,14 +19,20 @@ export class Undo {
   story
 
   gesture = 0
+  press = "" // of what, and which
 
   /** @param {SendBack} send */
   constructor(send) {
     this.send = send
     this.buttons = {past: this.#button("Undo", "past"), future: this.#button("Redo", "future")}
     this.element = element("div", {class: "undo"}, this.buttons.past, this.buttons.future)
-    addEventListener("pointerdown", () => this.gesture++, true)
+    addEventListener("pointerdown", () => this.#press("pointer"), true)
     addEventListener("keydown", event => this.#key(event), true)
+  }
+
+  #press(/** @type {"pointer" | "key"} */ kind) {
+    this.gesture++
+    this.press = `${kind} ${this.gesture}`
   }
 
   /** @param {string} name @param {Way} way */
@@ -49,7 +55,7 @@ export class Undo {
 
   /** A field that is typed in has an undo of its own. @param {KeyboardEvent} event */
   #key(event) {
-    if (!event.repeat) this.gesture++
+    if (!event.repeat) this.#press("key")
     const isOurs = (event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === "z"
     if (!isOurs || isTyping(event.target)) return
     event.preventDefault()

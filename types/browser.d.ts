@@ -9,7 +9,13 @@ declare var oscillations: any
 type Columns = Record<string, Record<string, Float32Array>>
 
 /** A view whose columns have come out of the array that was sent with it, and the page around it. */
-type Drawn = Omit<page.Shown, "view"> & {view: Omit<page.View, "columns"> & {columns: Columns}}
+type Drawn = Omit<page.Shown, "view" | "held"> & {
+  view: Omit<page.View, "columns"> & {columns: Columns}
+  held: Kept | null
+}
+
+/** What is held, whose columns have come out as those of a view. */
+type Kept = Omit<page.Held, "columns"> & {columns: Columns}
 
 /** Numbers by name: signals at an instant, scalars, places of plots. */
 type Named = Record<string, number>

@@ -91,14 +91,15 @@ declare namespace page {
 
   /** The page as it now is.
    *
-   * `sheet` is the address of the scene's sheet, `settings` what the controls show by parameter, `preset` the one in
-   * force, `here` the places where the scene is, `errors` what was refused
-   * of the last message by parameter, `problems` what was refused of a link, `query` the link of this state. */
+   * `sheet` is the address of the scene's sheet, `held` the picture held beside it, `settings` what the controls show by
+   * parameter, `preset` the one in force, `here` the places where the scene is, `errors` what was refused of the last
+   * message by parameter, `problems` what was refused of a link, `query` the link of this state. */
   interface Shown extends Told {
     type: "shown"
     scene: string
     sheet: string
     view: View
+    held: Held | null
     settings: Record<string, Setting>
     state: State
     preset: string | null
@@ -460,6 +461,29 @@ declare namespace page {
     left_out: string[]
   }
 
+  /** A number of the picture held and of the one that stands, in `unit`, and what became of it; "?" is covered. */
+  interface LedgerRow {
+    symbol: Html
+    tint: string
+    held: string
+    now: string
+    unit: string
+    ratio: string
+    same: boolean
+  }
+
+  /** The picture held beside the one that stands, on its axes, as far as it differs and is drawn.
+   *
+   * Its numbers follow those of the view. `signals` and `scalars` are those of what a hand can take on the stage,
+   * `values` the numbers of the sliders that have been moved since, `ledger` what is compared. */
+  interface Held {
+    columns: Record<string, Record<string, Drawn>>
+    signals: Record<string, AnySignal>
+    scalars: Record<string, number>
+    values: Record<string, number | null>
+    ledger: LedgerRow[]
+  }
+
   /** A value with a name under its slider. */
   interface NamedValue {
     value: number
@@ -786,13 +810,15 @@ declare namespace page {
   }
 
   /** What all shapes have: `tint`, the class of a colour, and `style`, more classes; drawn while the picture has all
-   * the scalars `show`, none of them 0; `inside` names the plot whose frame cuts it, `grab` what a hand does with it. */
+   * the scalars `show`, none of them 0; `inside` names the plot whose frame cuts it, `grab` what a hand does with it;
+   * what begins a motion in a hand, and what says `held`, is drawn of a picture held too. */
   interface Look {
     tint: string
     style: string
     show: string[]
     inside: string
     grab: Grab | null
+    held: boolean
   }
 
   /** A zigzag of nine teeth between two points: stretch is pitch, stiffness is the width of the wire. */

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from components.figures import Figure
 from components.traces import Columns
 from physics.coupled import TwoMassChain
 
@@ -23,3 +24,17 @@ def direction_lines(system: TwoMassChain, far: float) -> Columns:
     ends = far * np.array([-1.0, 1.0])
     pairs = zip(MODES, directions(system), strict=True)
     return {f"{mode}{i}": part * ends for mode, parts in pairs for i, part in enumerate(parts, start=1)}
+
+
+def mode_figures(system: TwoMassChain, *names: str) -> tuple[Figure, ...]:
+    """The natural frequencies, whose live numbers have these names, and the shapes."""
+    modes = system.modes()
+    rows = zip(names, MODES, "−+", modes.omega.tolist(), modes.ratio.tolist(), strict=True)
+    return tuple(
+        figure
+        for name, mode, sign, omega, ratio in rows
+        for figure in (
+            Figure(name, f"ω_{{{sign}}}", omega, "rad/s", mode),
+            Figure(f"ratio of {name}", f"X₂/X₁_{{{sign}}}", ratio, "", mode),
+        )
+    )

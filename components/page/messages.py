@@ -8,7 +8,7 @@ from msgspec import Meta, Struct
 
 from components.page.blocks import Block
 from components.page.controls import Panel, Setting
-from components.page.picture import Progress, View
+from components.page.picture import Held, Progress, View
 from components.page.state import State
 from components.page.text import Html
 from components.page.walk import Lesson, WalkSheet
@@ -106,14 +106,15 @@ class Told(Struct, frozen=True, kw_only=True, tag_field="type"):
 class Shown(Told, frozen=True, kw_only=True, tag="shown"):
     """The page as it now is.
 
-    `sheet` is the address of the scene's sheet, `settings` what the controls show by parameter, `preset` the one in
-    force, `here` the places where the scene is, `errors` what was refused
-    of the last message by parameter, `problems` what was refused of a link, `query` the link of this state.
+    `sheet` is the address of the scene's sheet, `held` the picture held beside it, `settings` what the controls show by
+    parameter, `preset` the one in force, `here` the places where the scene is, `errors` what was refused of the last
+    message by parameter, `problems` what was refused of a link, `query` the link of this state.
     """
 
     scene: str
     sheet: str
     view: View
+    held: Held | None = None
     settings: dict[str, Setting]
     state: State
     preset: str | None

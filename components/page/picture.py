@@ -7,6 +7,7 @@ from typing import Literal
 from msgspec import Struct
 
 from components.page.signals import AnySignal
+from components.page.text import Html
 
 
 class Ruler(Struct, frozen=True, kw_only=True):
@@ -79,3 +80,29 @@ class View(Struct, frozen=True, kw_only=True):
     forms: dict[str, str]
     notes: tuple[str, ...]
     left_out: tuple[str, ...] = ()
+
+
+class LedgerRow(Struct, frozen=True, kw_only=True):
+    """A number of the picture held and of the one that stands, in `unit`, and what became of it; "?" is covered."""
+
+    symbol: Html
+    tint: str
+    held: str
+    now: str
+    unit: str
+    ratio: str
+    same: bool
+
+
+class Held(Struct, frozen=True, kw_only=True):
+    """The picture held beside the one that stands, on its axes, as far as it differs and is drawn.
+
+    Its numbers follow those of the view. `signals` and `scalars` are those of what a hand can take on the stage,
+    `values` the numbers of the sliders that have been moved since, `ledger` what is compared.
+    """
+
+    columns: dict[str, dict[str, Drawn]]
+    signals: dict[str, AnySignal]
+    scalars: dict[str, float]
+    values: dict[str, float | None]
+    ledger: tuple[LedgerRow, ...]

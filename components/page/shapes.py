@@ -77,13 +77,15 @@ class Grab(Struct, frozen=True, kw_only=True):
 
 class Look(Struct, frozen=True, kw_only=True, tag_field="kind"):
     """What all shapes have: `tint`, the class of a colour, and `style`, more classes; drawn while the picture has all
-    the scalars `show`, none of them 0; `inside` names the plot whose frame cuts it, `grab` what a hand does with it."""
+    the scalars `show`, none of them 0; `inside` names the plot whose frame cuts it, `grab` what a hand does with it;
+    what begins a motion in a hand, and what says `held`, is drawn of a picture held too."""
 
     tint: str = "ink"
     style: str = ""
     show: tuple[str, ...] = ()
     inside: str = ""
     grab: Grab | None = None
+    held: bool = False
 
 
 class Spring(Look, frozen=True, kw_only=True, tag="spring"):

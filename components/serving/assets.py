@@ -32,6 +32,7 @@ SHEETS = (
     "plots",
     "buttons",
     "sliders",
+    "compare",
     "transport",
     "notices",
     "about",

@@ -5,6 +5,7 @@ import {Flags, Labels} from "../labels.js"
 import {fixed} from "../numbers.js"
 import {Stage} from "../stage.js"
 import {axes} from "./describe.js"
+import {linesOf} from "./ghosts.js"
 import {plain} from "./plain.js"
 
 const FAR = 1e4 // pixels beyond which no curve is followed
@@ -23,6 +24,7 @@ export class Drawing {
     this.block = plot.block
     this.view = plot.view
     this.hidden = plot.hidden
+    this.under = plot.ghost?.under
     this.page = plot.page
     this.host = host
     this.frame = frame
@@ -56,7 +58,12 @@ export class Drawing {
   /** Everything, to be called while `over` is in the page. @param {Named} named the quantities at the instant shown */
   draw(named) {
     this.over.append(...this.#grid(), this.inside)
+    const lines = this.under ? linesOf(this, this.under) : []
+    const held = (/** @type {boolean} */ over) =>
+      lines.filter(({above}) => above === over).map(({look, d}) => svg("path", {class: `held ${look}`, d}))
+    this.inside.append(...held(false))
     for (const region of this.block.regions) this.#region(region)
+    this.inside.append(...held(true))
     for (const curve of this.block.curves) this.#curve(curve)
     const flags = new Flags(/** @type {any} */ (this))
     const labels = new Labels(/** @type {any} */ (this))

@@ -73,6 +73,7 @@ def test_a_link_is_copied_in_a_frame_and_leads_into_a_tab(course: Callable[[int]
     frame = page.frames[1]
     frame.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
     frame.wait_for_function("oscillations.shown.state.parameters.k2 === 3")
+    frame.get_by_text("Take away").click()
     frame.get_by_role("button", name="Copy link").click()
     expect(frame.get_by_role("button", name="Copied")).to_be_visible()
     page.get_by_label("Name").press("ControlOrMeta+v")

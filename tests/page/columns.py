@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import zlib
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -23,21 +23,35 @@ def inflated(packet: Packet, usual: bytes) -> bytes:
 
 def with_numbers(view: Mapping[str, Any], data: bytes) -> dict[str, Any]:
     """The view with numbers in place of what it says of its columns and samples."""
-    columns = [drawn for source in view["columns"].values() for drawn in source.values()]
-    sampled = [signal for signal in view["signals"].values() if signal["kind"] == "sampled"]
-    counts = [count for _, count in columns]
-    counts += [signal[name]["count"] for signal in sampled for name in ("y", "dy")]
-    whole = iter(decoded(data, counts))
-    rulers = {name: Ruler(**ruler) for name, ruler in view["axes"].items()}
+    return whole([view], view["axes"], data)[0]
+
+
+def whole(parts: Sequence[Mapping[str, Any]], axes: Mapping[str, Any], data: bytes) -> list[dict[str, Any]]:
+    """The same of parts whose numbers follow one another, on the same axes: a view, and what is held beside it."""
+    runs = iter(decoded(data, [count for part in parts for count in _counts(part)]))
+    rulers = {name: Ruler(**ruler) for name, ruler in axes.items()}
+    return [_filled(part, rulers, runs) for part in parts]
+
+
+def _counts(part: Mapping[str, Any]) -> Iterator[int]:
+    yield from (count for source in part["columns"].values() for _, count in source.values())
+    yield from (signal[name]["count"] for signal in _sampled(part) for name in ("y", "dy"))
+
+
+def _sampled(part: Mapping[str, Any]) -> list[dict[str, Any]]:
+    return [signal for signal in part["signals"].values() if signal["kind"] == "sampled"]
+
+
+def _filled(part: Mapping[str, Any], rulers: Mapping[str, Ruler], runs: Iterator[Whole]) -> dict[str, Any]:
     drawn = {
-        source: {name: _placed(next(whole), rulers[axis]) for name, (axis, _) in given.items()}
-        for source, given in view["columns"].items()
+        source: {name: _placed(next(runs), rulers[axis]) for name, (axis, _) in given.items()}
+        for source, given in part["columns"].items()
     }
-    signals = dict(view["signals"])
+    signals = dict(part["signals"])
     for name, signal in signals.items():
         if signal["kind"] == "sampled":
-            signals[name] = {**signal, **{part: _samples(next(whole), signal[part]) for part in ("y", "dy")}}
-    return {**view, "columns": drawn, "signals": signals}
+            signals[name] = {**signal, **{run: _samples(next(runs), signal[run]) for run in ("y", "dy")}}
+    return {**part, "columns": drawn, "signals": signals}
 
 
 def decoded(data: bytes, counts: list[int]) -> list[Whole]:

@@ -18,7 +18,7 @@ from components.scenes import SCENES
 from components.sent import view_of
 from components.session import Session
 from components.wire import Packet, as_json, decoded
-from tests.page.columns import inflated, with_numbers
+from tests.page.columns import inflated, whole, with_numbers
 
 
 def apply_message(scene: Scene, data: object) -> Errors:
@@ -78,7 +78,8 @@ def unpacked(packet: Packet) -> dict[str, Any]:
     msgspec.json.decode(text, type=ToldAny)
     told = json.loads(text)
     if "view" in told:
-        told["view"] = with_numbers(told["view"], numbers)
+        parts = [told[part] for part in ("view", "held") if told.get(part)]
+        told.update(zip(("view", "held"), whole(parts, told["view"]["axes"], numbers), strict=False))
     return dict(told)
 
 

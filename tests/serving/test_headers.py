@@ -55,6 +55,7 @@ def test_a_scene_needs_nothing_that_its_page_does_not_allow(
         about.click()
         expect(page.locator("details.about table").first).to_be_visible()
     page.locator("#theme").click()
+    page.get_by_text("Take away").click()
     with page.expect_download():
         page.get_by_role("button", name="CSV").click()
 

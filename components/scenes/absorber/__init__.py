@@ -12,6 +12,7 @@ from components import chain
 from components.about import About
 from components.axes import nice_axis, time_axis
 from components.controls import Group
+from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import pace
 from components.page.blocks import Block
@@ -57,6 +58,7 @@ class Absorber(Scene):
         "Above": {"omega": 60.0},
         "Own": {"own": True},
     }
+    physical = ("tuning", "damping")
     groups = (
         Group(
             "The machine",
@@ -235,6 +237,16 @@ class Absorber(Scene):
             },
             forms=data.forms(duty, own=self.own, damped=self.damping == "added"),
             spans=self._spans(duty.own),
+        )
+
+    def figures(self) -> tuple[Figure, ...]:
+        duty = self._shown_duty
+        (swing, stroke, _), (slow, fast) = duty.swings, duty.driven.free.omega.tolist()
+        return (
+            Figure("swing", "X_1", swing, "m", "m1"),
+            Figure("stroke", "X_2 − X_1", stroke, "m", "m2"),
+            Figure("slow", "ω_{−}", slow, "rad/s", "slow"),
+            Figure("fast", "ω_{+}", fast, "rad/s", "fast"),
         )
 
     def about(self) -> About:

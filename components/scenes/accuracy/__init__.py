@@ -59,6 +59,7 @@ class Accuracy(Scene):
     headline = "Stepping pays for every digit; the formula does not"
     equations = chain.DRIVEN
     work = Measurement
+    physical = ("system",)
     start = "System"
     presets = {
         **{system.name: {"system": slug} for slug, system in SYSTEMS.items()},

@@ -11,6 +11,7 @@ import numpy as np
 from components.about import About
 from components.axes import ONE, Axis, time_axis
 from components.controls import Group
+from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import cosine_of, derived, pace, sampled, sine_of, sines
 from components.numbers import short, three
@@ -101,6 +102,10 @@ class Analogues(Scene):
         p = {parameter.name: getattr(self, f"{self.system}_{parameter.name}") for parameter in system.parameters}
         start = math.radians(self.theta_0) if self.system in SWINGING else getattr(self, f"{self.system}_start")
         return AnalogueCase(system, p, start, self.window, standing)
+
+    def figures(self) -> tuple[Figure, ...]:
+        case = self._case()
+        return Figure("omega", "ω_n", case.omega, "rad/s"), Figure("period", "τ", case.period, "s")
 
     def about(self) -> About:
         return analogue_about(self.shown, self._case())

@@ -12,6 +12,7 @@ from components.about import About
 from components.axes import Axis, nice_axis, time_axis, whole_axis, widest
 from components.chain.forces import Forces, forces
 from components.controls import Group
+from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import derived, pace, scaled, total
 from components.page.blocks import Block
@@ -109,6 +110,15 @@ class Coupled(Scene):
             },
             forms={**forms(free), self.energy: "shown", f"view_{self.view}": "shown"},
             notes=(*drawn.notes, *_notes(fast, t)),
+        )
+
+    def figures(self) -> tuple[Figure, ...]:
+        system = chain.of_scene(self)
+        energy = free_modes(system, *chain.start_of(self)).energy.tolist()
+        return (
+            *chain.mode_figures(system, "omega_minus", "omega_plus"),
+            Figure("E_minus", "E_{−}", energy[0], "J", "slow"),
+            Figure("E_plus", "E_{+}", energy[1], "J", "fast"),
         )
 
     def about(self) -> About:

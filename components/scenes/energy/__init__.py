@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from components.about import About
 from components.axes import ONE, Axis
 from components.controls import Group
+from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import QUARTER, derived, pace, scaled, sines
 from components.numbers import three
@@ -131,6 +132,15 @@ class Energy(Scene):
                 **{name: axes["E"].digits(signed=True) for name in ("gravity", "constant")},
             },
             forms={"datum": case.datum},
+        )
+
+    def figures(self) -> tuple[Figure, ...]:
+        system = HangingMass(m=self.m, k=self.k, g=self.g)
+        return (
+            Figure("omega", "ω_n", system.omega_n, "rad/s"),
+            Figure("tau", "τ", system.oscillator.period, "s"),
+            Figure("E_total", "E", system.total_energy(self.x_0, self.v_0), "J"),
+            Figure("delta_st", "δ_{st}", system.delta_st, "m"),
         )
 
     def about(self) -> About:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
 
 import numpy as np
@@ -11,6 +12,7 @@ from components.about import About
 from components.axes import Axis, nice_axis, time_axis, widest
 from components.chain.forces import Forces, forces
 from components.controls import Group
+from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import pace
 from components.page.blocks import Block
@@ -130,6 +132,12 @@ class Forced(Scene):
             notes=(*drawn.notes, *notes(driven, self.axes, lecture, self.view == "work" and not work)),
             spans={"omega": (0.0, 2.5 * float(fast) if fast else 5.0)},
         )
+
+    def figures(self) -> tuple[Figure, ...]:
+        driven = self._driven()
+        sizes = [math.inf, math.inf] if driven.at_resonance else driven.particular.tolist()
+        amplitudes = [Figure(f"Xp{i}", f"X_{{p{i}}}", X, "m", f"m{i}") for i, X in enumerate(sizes, start=1)]
+        return (*amplitudes, *chain.mode_figures(driven.chain, "omega_minus", "omega_plus"))
 
     def about(self) -> About:
         return forced_about(self.shown, self._driven(), *chain.start_of(self))

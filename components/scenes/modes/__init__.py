@@ -8,6 +8,7 @@ from functools import cache
 from components import chain
 from components.about import About
 from components.controls import Group
+from components.figures import Figure
 from components.frames import FITTED
 from components.page.blocks import Block
 from components.page.state import Frame
@@ -129,6 +130,9 @@ class ModesScene(Scene):
         if not wanted.is_finite():
             raise ValueError(f"row {row} asks for X₁ = 0 here: no ratio X₂/X₁ says that")
         return {"ratio": float(wanted)}
+
+    def figures(self) -> tuple[Figure, ...]:
+        return chain.mode_figures(chain.of_scene(self), "omega_slow", "omega_fast")
 
     def about(self) -> About:
         system = chain.of_scene(self)

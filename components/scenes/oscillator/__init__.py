@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from components.about import About
 from components.axes import ONE, Axis, nice_axis, time_axis
 from components.controls import Group
+from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import QUARTER, pace, scaled, sines
 from components.numbers import MINUS, plus, power_unit, signed, three
@@ -122,13 +123,7 @@ class OscillatorScene(Scene):
         return oscillator_sheet()
 
     def picture(self, frame: Frame = FITTED) -> Picture:
-        swing = Oscillation(
-            oscillator=Oscillator(m=self.m, k=self.k),
-            x_0=self.x_0,
-            v_0=self.v_0,
-            window=self.window,
-            standing=frame.window,
-        )
+        swing = self._swing(frame)
         t = np.linspace(0.0, swing.end, samples(swing.end, swing.omega))
         curves, bands = _motion_columns(swing, t)
         axes = framed(frame, _axes(swing, curves))
@@ -148,6 +143,19 @@ class OscillatorScene(Scene):
             live={"x": axes["x"].digits(signed=True), **pull.live},
             forms=_forms(swing, values) | {"force": "shown" if self.view == "force" else ""},
         )
+
+    def _swing(self, frame: Frame = FITTED) -> Oscillation:
+        oscillator = Oscillator(m=self.m, k=self.k)
+        return Oscillation(oscillator=oscillator, x_0=self.x_0, v_0=self.v_0, window=self.window, standing=frame.window)
+
+    def figures(self) -> tuple[Figure, ...]:
+        swing = self._swing()
+        found = [Figure("omega", "ω_n", swing.omega, "rad/s")]
+        if swing.omega:
+            found.append(Figure("tau", "τ", swing.oscillator.period, "s"))
+            found.append(Figure("C", "C", swing.constants.C, "m", "m1"))
+            found.append(Figure("phi", "φ", swing.constants.phi, "rad", angle=True))
+        return tuple(found)
 
     def about(self) -> About:
         return oscillator_about(self.shown, Oscillator(m=self.m, k=self.k), self.x_0, self.v_0)

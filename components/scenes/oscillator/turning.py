@@ -128,7 +128,7 @@ def turning(centre: StageVector) -> list[Shape]:
     found = [*cross(centre, RADIUS), *right_angles(centre)]
     for name, tint, style in reversed(WAYS):
         tip = at(centre, unit(name), RADIUS)
-        found.append(arrow(*centre, *tip, tint=tint, style=style, head=13 if name == "x" else 11))
+        found.append(arrow(*centre, *tip, tint=tint, style=style, head=13 if name == "x" else 11, held=name == "x"))
     found.append(circle(*centre, 4, tint="ink"))
     start = (var("start_cosine"), var("start_sine"))
     found += [
@@ -146,7 +146,7 @@ def cross(centre: StageVector, radius: Number) -> list[Shape]:
     x, y = centre
     reach = radius + 8
     return [
-        circle(x, y, radius, style="orbit", tint="mute"),
+        circle(x, y, radius, style="orbit", tint="mute", held=True),
         line(x - reach, y, x + reach, y, style="hair"),
         line(x, y - reach, x, y + reach, style="hair"),
     ]

@@ -10,6 +10,7 @@ import numpy as np
 from components.about import About
 from components.axes import Axis, nice_axis, time_axis
 from components.controls import Group
+from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import pace
 from components.numbers import MINUS, signed, three
@@ -266,6 +267,13 @@ class Phugoid(Scene):
                 for name, (_, speed, _) in AIRCRAFT.items()
             },
         }
+
+    def figures(self) -> tuple[Figure, ...]:
+        swing = Swing(self.v_0, self.g, self.excess)
+        return (
+            Figure("tau", "τ", swing.linear.tau, "s"),
+            Figure("late", "τ_{exact}", swing.period, "s"),
+        )
 
     def about(self) -> About:
         return flight_about(self.shown, Swing(self.v_0, self.g, self.excess))

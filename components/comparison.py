@@ -1,0 +1,155 @@
+"""What is told of a picture held: its curves, what of it moves on the stage, and the ledger of numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from components.beside import changed
+from components.covers import VALUE, spoken_of, without
+from components.description import blocks, column_axes
+from components.figures import Figure, became, is_same
+from components.numbers import three
+from components.page.blocks import PlotBlock, StageBlock
+from components.page.numbers import Expression, names_in
+from components.page.picture import Drawn, Held, LedgerRow
+from components.page.shapes import AnyShape
+from components.page.signals import AnySignal
+from components.parameters import Quantity
+from components.places import Steps
+from components.scene import Picture, Scene
+from components.sent import columns_of, signals_of
+from components.text import rich
+from components.traces import Columns
+
+MOST_ROWS = 10
+COVERED = "?"
+
+
+def told_beside(scene: Scene, shown: Picture, covered: tuple[str, ...]) -> tuple[Held | None, list[Steps]]:
+    """What is told of the picture held, without what is covered, and the numbers that follow; `shown` is the picture
+    that stands, as it is told."""
+    if scene.beside is None:
+        return None, []
+    kind, other = type(scene), scene.beside.scene
+    moved = changed(scene, other)
+    columns: dict[str, dict[str, Drawn]] = {}
+    numbers: list[Steps] = []
+    signals: dict[str, AnySignal] = {}
+    scalars: dict[str, float] = {}
+    if scene.shown_beside and moved:
+        held, _ = without(kind, scene.shown_beside, covered)
+        columns, numbers = columns_of(_differing(held, shown), column_axes(kind), shown.axes)
+        if _units(held) == _units(shown):
+            needed, scalars = _needed(held, on_stage(kind))
+            signals, runs = signals_of(needed)
+            numbers += runs
+    told = Held(
+        columns=columns,
+        signals=signals,
+        scalars=scalars,
+        values={name: getattr(other, name) for name in moved if isinstance(scene.param[name], Quantity)},
+        ledger=ledger(scene, other, covered),
+    )
+    return told, numbers
+
+
+def _differing(held: Picture, shown: Picture) -> dict[str, Columns]:
+    """The sources of which some column is another than that of the picture that stands."""
+    return {
+        source: columns
+        for source, columns in held.columns.items()
+        if any(
+            not np.array_equal(column, shown.columns.get(source, {}).get(name, ())) for name, column in columns.items()
+        )
+    }
+
+
+def _units(picture: Picture) -> dict[str, tuple[int, float, int, bool]]:
+    """How numbers count on each axis: scalars and signals are told in these units."""
+    return {name: (axis.exponent, axis.factor, axis.power, axis.log) for name, axis in picture.axes.items()}
+
+
+@cache
+def on_stage(scene: type[Scene]) -> frozenset[str]:
+    """The quantities that place what is drawn of a picture held."""
+    return frozenset(name for shape in _kept(scene) for name in (*_quantities(shape), *shape.show))
+
+
+def _kept(scene: type[Scene]) -> Iterator[AnyShape]:
+    """What a hand takes to begin a motion, and what says so."""
+    for block in blocks(scene.sheet()):
+        if isinstance(block, (StageBlock, PlotBlock)):
+            yield from (shape for shape in block.shapes if shape.held or (shape.grab and shape.grab.begins))
+
+
+def _quantities(shape: AnyShape) -> Iterator[str]:
+    for field in shape.__struct_fields__:
+        value = getattr(shape, field)
+        if isinstance(value, Expression):
+            yield from names_in(value)
+
+
+def _needed(picture: Picture, names: frozenset[str]) -> tuple[dict[str, AnySignal], dict[str, float]]:
+    """The signals and scalars of these names, and those that they are made of."""
+    wanted = set(names)
+    for name, signal in reversed(list(picture.signals.items())):
+        if name in wanted:
+            wanted |= spoken_of(signal)
+    signals = {name: signal for name, signal in picture.signals.items() if name in wanted}
+    return signals, {name: value for name, value in picture.scalars.items() if name in wanted}
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """One row: a figure held and the one that stands, written in a unit of so many of its own."""
+
+    held: Figure
+    now: Figure
+    size: float
+    hidden: bool
+
+    @property
+    def same(self) -> bool:
+        return not self.hidden and is_same(self.held.value, self.now.value)
+
+    def row(self) -> LedgerRow:
+        now = self.now
+        became_ = became(self.held.value / self.size, now.value / self.size, now.angle)
+        return LedgerRow(
+            symbol=rich(f"*{now.symbol.replace('_', '*_', 1)}" + ("" if "_" in now.symbol else "*")),
+            tint=now.tint,
+            held=three(self.held.value / self.size),
+            now=COVERED if self.hidden else three(now.value / self.size),
+            unit=now.unit,
+            ratio=COVERED if self.hidden else "same" if self.same else became_,
+            same=self.same,
+        )
+
+
+def ledger(scene: Scene, other: Scene, covered: tuple[str, ...]) -> tuple[LedgerRow, ...]:
+    """At most ten rows: what has been moved, what follows from it, and then what is the same."""
+    _, left_out = without(type(scene), scene.shown, covered)
+    hidden = {*left_out, *(name.removeprefix(VALUE) for name in covered)}
+    followed = dict(zip((one.name for one in other.figures()), other.figures(), strict=True))
+    pairs = [
+        *_moved(scene, other),
+        *(_Pair(followed[one.name], one, 1.0, one.name in hidden) for one in scene.figures() if one.name in followed),
+    ]
+    return tuple(pair.row() for pair in sorted(pairs, key=lambda pair: pair.same)[:MOST_ROWS])
+
+
+def _moved(scene: Scene, other: Scene) -> Iterator[_Pair]:
+    """The quantities that the panel now shows."""
+    standing = [group for group in scene.groups if not group.form or scene.shown.forms.get(group.form)]
+    for name in dict.fromkeys(name for group in standing for name in group.names):
+        quantity, held, now = scene.param[name], getattr(other, name), getattr(scene, name)
+        if not isinstance(quantity, Quantity) or held is None or now is None:
+            continue
+        unit = scene.units().get(name)
+        text, size = (unit.text, unit.size) if unit else (quantity.unit, 1.0)
+        before, after = (Figure(name, quantity.symbol, value, text, quantity.tint) for value in (held, now))
+        yield _Pair(before, after, size, hidden=False)

@@ -1,0 +1,42 @@
+"""Numbers that are compared: of the picture held and of the one that stands, and what became of each."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from decimal import Decimal
+
+from components.numbers import short, signed
+
+SAME = 1e-12
+"""Relative difference of numbers worked out from the same ones: less is that of roundings."""
+PARTS = {0.5: "½", 0.25: "¼", 0.75: "¾"}
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A number of a picture: `name` is that of its live number, for the covers; an angle is compared by difference."""
+
+    name: str
+    symbol: str
+    value: float
+    unit: str
+    tint: str = "ink"
+    angle: bool = False
+
+
+def is_same(held: float, now: float) -> bool:
+    """Whether two numbers differ by roundings at most."""
+    return held == now or (math.isfinite(held) and math.isfinite(now) and math.isclose(held, now, rel_tol=SAME))
+
+
+def became(held: float, now: float, angle: bool = False) -> str:
+    """What became of a number: "× 4", or its difference where no factor says it."""
+    if not (math.isfinite(held) and math.isfinite(now)):
+        return ""
+    if not angle and held and now:
+        ratio = Decimal(now) / Decimal(held)
+        text = PARTS.get(float(ratio), short(ratio))
+        if text != "1":
+            return f"× {text}"
+    return signed(Decimal(now) - Decimal(held))

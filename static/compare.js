@@ -1,0 +1,124 @@
+// What a change does: the picture held beside the one that stands, the curves from before a drag, and what is covered
+// until a prediction has been made. What draws them is fetched when there is something to draw.
+
+import {element} from "./dom.js"
+
+const LINGER = 1500 // ms for which the curves from before a drag lie there after letting go
+
+/**
+ * Columns that are drawn under the live ones, on axes that may have been others, and what they are called.
+ * @typedef {{columns: Columns, axes: Record<string, page.Ruler>, name: string}} Under
+ */
+
+export class Compare {
+  /** @type {import("./later/ghosts.js").Ghosts | undefined} */
+  ghosts
+
+  /** @type {Promise<void> | undefined} */
+  coming
+
+  /** @type {Drawn | null} the picture from before a drag */
+  before = null
+
+  /** @type {string} the press that changes it */
+  press = ""
+
+  pressed = false
+
+  /** @type {number | undefined} */
+  ending
+
+  /** @param {import("./page.js").Page} page */
+  constructor(page) {
+    this.page = page
+    this.hold = chip("Hold", "Keep this picture under the next ones (H)", () => this.toggle())
+    this.gone = new AbortController()
+    for (const event of ["pointerdown", "keydown"]) this.#on(event, () => (this.pressed = true))
+    for (const event of ["pointerup", "pointercancel", "keyup"]) this.#on(event, () => this.#released())
+  }
+
+  /** @param {string} event @param {() => void} act */
+  #on(event, act) {
+    addEventListener(event, act, {capture: true, signal: this.gone.signal})
+  }
+
+  /** What is drawn now is kept under what follows, or no longer. */
+  toggle() {
+    this.page.lecture.change(({held, parameters}) => ({held: held ? null : parameters}))
+  }
+
+  /** What is covered comes back, and nothing else changes. @param {string} cover */
+  reveal(cover) {
+    this.page.lecture.change(({covered}) => ({covered: covered.filter(name => name !== cover)}))
+  }
+
+  get buttons() {
+    return [this.hold]
+  }
+
+  /** A value is set by a press of a pointer or a key: what was drawn before it is remembered. @param {string} press */
+  set(press) {
+    const goesOn = press === this.press || (this.before && press.startsWith("key") && this.press.startsWith("key"))
+    if (!goesOn || !this.before) this.before = this.page.shown
+    this.press = press
+    clearTimeout(this.ending)
+    if (!this.pressed) this.#released()
+  }
+
+  #released() {
+    this.pressed = false
+    if (!this.before) return
+    clearTimeout(this.ending)
+    this.ending = setTimeout(() => this.#forget(), LINGER)
+  }
+
+  #forget() {
+    this.before = null
+    this.#draw()
+  }
+
+  /** @param {Drawn} shown */
+  update({held, state}) {
+    const isHeld = Boolean(state.held)
+    this.hold.textContent = isHeld ? "Release" : "Hold"
+    this.hold.setAttribute("aria-pressed", String(isHeld))
+    if (held || this.before) this.coming ??= this.#come()
+    this.#draw()
+  }
+
+  async #come() {
+    const {Ghosts} = await import("./later/ghosts.js")
+    this.ghosts = new Ghosts(this.page)
+    this.#draw()
+  }
+
+  /** What is held goes before what was there before a drag. */
+  #draw() {
+    const {shown} = this.page
+    const {held, view} = shown
+    /** @type {Under | null} */
+    let under = null
+    if (held) under = {columns: held.columns, axes: view.axes, name: "held"}
+    else if (this.before && this.before !== shown) {
+      under = {columns: this.before.view.columns, axes: this.before.view.axes, name: ""}
+    }
+    this.ghosts?.update(under, held)
+  }
+
+  /** Once a frame. @param {number} t */
+  frame(t) {
+    this.ghosts?.frame(t)
+  }
+
+  leave() {
+    this.gone.abort()
+    clearTimeout(this.ending)
+  }
+}
+
+/** @param {string} name @param {string} title @param {() => void} act */
+function chip(name, title, act) {
+  const button = element("button", {type: "button", class: "chip", title}, name)
+  button.addEventListener("click", act)
+  return button
+}

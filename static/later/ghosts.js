@@ -1,0 +1,228 @@
+// Curves of another picture under the live ones, dotted; of one that is held also what moves on the stage, as outlines,
+// where the sliders stood, and the ledger of numbers.
+
+import {element, marked, set, svg} from "../dom.js"
+import {toPlace, toSI} from "../ruler.js"
+import {sliderPlace} from "../scales.js"
+import {evaluate, polynomial} from "../signals.js"
+import {KINDS} from "../stage.js"
+
+const FAR = 1e4 // pixels beyond which no curve is followed
+
+/**
+ * @typedef {import("../compare.js").Under} Under
+ * @typedef {Pick<import("../plots.js").Plot, "block" | "hidden" | "x" | "y" | "px" | "py" | "frame">} Canvas
+ * @typedef {{look: string, d: string, end: number, named: boolean, above: boolean}} Line a path and its end
+ */
+
+export class Ghosts {
+  /** @type {Kept | null} */
+  held = null
+
+  /** @param {import("../page.js").Page} page */
+  constructor(page) {
+    this.page = page
+    this.plots = page.plots.map(plot => new PlotGhost(plot))
+    this.stages = page.sheet.stages.map(stage => new StageGhost(stage))
+    this.thumbs = [...page.controls.sliders.values()].map(slider => new Thumb(slider))
+    this.ledger = element("section", {class: "group ledger", "aria-label": "Held, and now", hidden: ""})
+    const {sections, says} = page.controls
+    const last = sections[sections.length - 1] ?? says
+    last.after(this.ledger)
+  }
+
+  /** @param {Under | null} under @param {Kept | null} held */
+  update(under, held) {
+    this.held = held
+    for (const plot of this.plots) plot.update(under)
+    for (const stage of this.stages) stage.show(Boolean(held))
+    for (const thumb of this.thumbs) thumb.update(held)
+    this.ledger.hidden = !held
+    if (held) this.ledger.replaceChildren(element("h2", {}, "Held, and now"), table(held.ledger))
+    this.page.redraw()
+  }
+
+  /** Once a frame. @param {number} t */
+  frame(t) {
+    if (!this.held) return
+    const named = evaluate(this.held.signals, this.held.scalars, t)
+    for (const stage of this.stages) stage.frame(named)
+  }
+}
+
+/** @param {page.LedgerRow[]} rows */
+function table(rows) {
+  const head = element(
+    "tr",
+    {},
+    element("td"),
+    ...["held", "", "now", ""].map(name => element("th", {scope: "col"}, name)),
+  )
+  const lines = rows.map(({symbol, tint, held, now, unit, ratio, same}, i) => {
+    const name = marked("th", {scope: "row", class: `tint ${tint}`}, symbol)
+    const value = element("td", {}, now, " ", element("span", {class: "unit"}, unit))
+    const became = element("td", {class: "became"}, ratio)
+    const line = element("tr", {}, name, element("td", {}, held), element("td", {}, same ? "=" : "→"), value, became)
+    line.classList.toggle("first-same", same && !rows[i - 1]?.same && i > 0)
+    return line
+  })
+  return element("table", {}, head, ...lines)
+}
+
+/** Where a slider stood. */
+class Thumb {
+  /** @param {import("../slider.js").Slider} slider */
+  constructor(slider) {
+    this.slider = slider
+    this.mark = element("i", {class: "was", hidden: ""})
+    slider.slider.before(this.mark)
+  }
+
+  /** @param {Kept | null} held */
+  update(held) {
+    const {spec, size, soft} = this.slider
+    const value = held?.values[spec.name]
+    this.mark.hidden = typeof value !== "number"
+    if (typeof value !== "number") return
+    const place = sliderPlace(spec.scale, value / size, [soft[0] / size, soft[1] / size])
+    this.mark.style.setProperty("--at", String(Math.min(Math.max(place, 0), 1)))
+  }
+}
+
+/** Over a plot as it is, and in a picture of it. */
+export class PlotGhost {
+  /** @type {Under | null} */
+  under = null
+
+  /** @param {import("../plots.js").Plot} plot */
+  constructor(plot) {
+    this.plot = plot
+    this.lines = svg("svg", {class: "ghosts", "aria-hidden": "true"})
+    this.edges = svg("svg", {class: "ghosts", "aria-hidden": "true"}) // of what is filled, which hides what is under it
+    this.name = svg("text", {class: "curve-label held-name"})
+    plot.host.prepend(this.lines)
+    plot.figure.element.after(this.edges)
+    plot.over.append(this.name)
+    plot.ghost = this
+  }
+
+  /** @param {Under | null} under */
+  update(under) {
+    if (!under && !this.under) return
+    this.under = under
+    this.plot.still()
+  }
+
+  /** With the names of curves that they stand beside. */
+  place() {
+    const {left, top, width, height} = this.plot.frame
+    const lines = this.under ? linesOf(this.plot, this.under) : []
+    for (const [host, above] of /** @type {[SVGSVGElement, boolean][]} */ ([
+      [this.lines, false],
+      [this.edges, true],
+    ])) {
+      set(host, {width, height, viewBox: `${left} ${top} ${width} ${height}`, style: `left:${left}px;top:${top}px`})
+      const drawn = lines.filter(line => line.above === above)
+      host.replaceChildren(...drawn.map(({look, d}) => svg("path", {class: `held ${look}`, d})))
+    }
+    const named = lines.find(line => line.named)
+    this.end = this.under?.name && named ? named.end : null
+    this.name.textContent = this.end === null ? "" : (this.under?.name ?? "")
+    this.name.setAttribute("class", `curve-label held-name ${named?.look ?? ""}`)
+  }
+
+  /** @type {number | null} where the name wants to stand */
+  end = null
+}
+
+/**
+ * The paths of all curves of a plot that columns hold, and of the edges of its bands.
+ * @param {Canvas} plot @param {Under} under @returns {Line[]}
+ */
+export function linesOf(plot, {columns, axes}) {
+  const {block, hidden} = plot
+  const right = translated(axes[block.x], plot.x)
+  const up = translated(axes[block.y], plot.y)
+  /** @type {Map<string, Line>} */
+  const lines = new Map()
+  /** @param {page.Curve | page.Region} part @param {string} name @param {Omit<Line, "d" | "end">} line */
+  const add = ({source, x, group}, name, line) => {
+    const {[x]: xs, [name]: ys} = columns[source] ?? {}
+    const key = `${source} ${name}`
+    if (hidden.has(group) || !xs?.length || xs.length !== ys?.length || lines.has(key)) return
+    const points = Array.from(xs, (_, i) => [plot.px(right(xs[i])), plot.py(up(ys[i]))])
+    lines.set(key, {...line, d: path(points), end: points[points.length - 1][1]})
+  }
+  const sums = block.curves.some(({width}) => width === "sum")
+  for (const curve of block.curves) {
+    const look = `${curve.tint} ${sums && curve.width !== "sum" ? "part" : ""}`
+    if (curve.width !== "none") add(curve, curve.y, {look, named: curve.label.length > 0, above: false})
+  }
+  for (const region of block.regions) {
+    const above = region.alpha === 1 && !region.of
+    const look = above ? "ink" : region.tint
+    for (const edge of [region.low, region.high]) add(region, edge, {look, named: false, above})
+  }
+  return [...lines.values()]
+}
+
+/** From the places of one axis to those of another. @param {page.Ruler | undefined} from @param {page.Ruler} to */
+function translated(from, to) {
+  const isSame =
+    !from ||
+    ["exponent", "factor", "power", "log"].every(
+      key => from[/** @type {"log"} */ (key)] === to[/** @type {"log"} */ (key)],
+    )
+  return isSame
+    ? (/** @type {number} */ place) => place
+    : (/** @type {number} */ place) => toPlace(to, toSI(from, place))
+}
+
+/** @param {number[][]} points */
+function path(points) {
+  let d = ""
+  let joined = false
+  for (const [x, y] of points) {
+    const isNear = Math.abs(x) < FAR && Math.abs(y) < FAR
+    if (isNear) d += `${joined ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`
+    joined = isNear
+  }
+  return d
+}
+
+/** What moves on a stage: what a hand can take to begin a motion, and what else says so. */
+class StageGhost {
+  /** @param {import("../stage.js").Stage} stage */
+  constructor(stage) {
+    this.stage = stage
+    this.shapes = stage.shapes
+      .filter(({spec}) => spec.held || spec.grab?.begins)
+      .map(({spec, moving, needs}) => {
+        const parts = KINDS[spec.kind].make(spec)
+        const group = svg("g", {class: `held-shape ${spec.tint}`}, ...parts)
+        group.style.display = "none"
+        stage.svg.prepend(group)
+        return {spec, moving, needs, parts, group}
+      })
+  }
+
+  /** @param {boolean} isHeld */
+  show(isHeld) {
+    if (!isHeld) for (const {group} of this.shapes) group.style.display = "none"
+  }
+
+  /** @param {Named} named */
+  frame(named) {
+    const {stage} = this
+    const all = {...named, ...stage.plots, ...stage.size}
+    for (const {spec, moving, needs, parts, group} of this.shapes) {
+      const isShown = spec.show.every(name => all[name]) && [...needs].every(name => name in all)
+      group.style.display = isShown ? "" : "none"
+      if (!isShown) continue
+      /** @type {Record<string, any>} */
+      const s = {...spec}
+      for (const [key, value] of moving) s[key] = polynomial(value, all)
+      KINDS[spec.kind].move(parts, s)
+    }
+  }
+}

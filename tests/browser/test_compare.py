@@ -1,0 +1,70 @@
+"""What a change does: Hold and its ledger, the curves from before a drag, and what a prediction covers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+DRAWN = """name => [...oscillations.plots.find(plot => plot.block.name === name).host
+  .querySelectorAll('.ghosts path')].map(path => path.getAttribute('d').split('L').length)"""
+OUTLINES = "document.querySelectorAll('.held-shape:not([style*=none])').length"
+
+
+def type_in(page: Page, name: str, text: str) -> None:
+    field = page.locator(f"input[name={name}]").last
+    field.fill(text)
+    field.press("Enter")
+    field.blur()
+
+
+def test_what_is_held_stays_until_it_is_released(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="oscillator")
+    page.keyboard.press("h")
+    page.wait_for_function("oscillations.shown.state.held")
+    type_in(page, "m", "4")
+    ledger = page.get_by_role("region", name="Held, and now")
+    expect(ledger.get_by_role("row", name="m 1.00 → 4.00 kg × 4")).to_be_visible()
+    expect(ledger.get_by_role("row", name="k 39.4 = 39.4 N/m same")).to_be_visible()
+    assert page.evaluate(DRAWN, "x") == [301]
+    page.wait_for_function(f"{OUTLINES} > 2")
+    expect(page.locator(".control:has(input[name=m]) .was")).to_be_visible()
+    expect(page.locator(".control:has(input[name=k]) .was")).to_be_hidden()
+    page.get_by_role("button", name="Light or dark").click()
+    page.keyboard.press("Control+z")
+    page.wait_for_function("oscillations.shown.settings.m.value === 1")
+    assert page.evaluate(DRAWN, "x") == [], "the same picture again"
+    page.keyboard.press("Control+Shift+z")
+    page.wait_for_function("oscillations.shown.settings.m.value === 4")
+    page.reload()
+    page.wait_for_function("document.documentElement.dataset.ready === 'true'")
+    expect(ledger).to_be_visible()
+    page.get_by_role("button", name="Release").click()
+    expect(ledger).to_be_hidden()
+    assert page.evaluate(DRAWN, "x") == []
+    assert page.evaluate(OUTLINES) == 0
+
+
+def test_the_curves_from_before_a_drag_lie_under_the_live_ones_for_a_while(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    box = page.locator("input[name=k2-slider]").bounding_box()
+    assert box
+    y = box["y"] + box["height"] / 2
+    page.mouse.move(box["x"] + 0.3 * box["width"], y)
+    page.mouse.down()
+    page.mouse.move(box["x"] + 0.6 * box["width"], y, steps=3)
+    page.wait_for_function(f"({DRAWN})('x1').length === 3")
+    before = page.evaluate("oscillations.page.compare.before.settings.k2.value")
+    page.mouse.move(box["x"] + 0.8 * box["width"], y, steps=3)
+    page.wait_for_function("oscillations.shown.settings.k2.value > 40")
+    assert page.evaluate("oscillations.page.compare.before.settings.k2.value") == before == 2
+    page.mouse.up()
+    page.wait_for_function(f"({DRAWN})('x1').length === 0")
+    page.locator("input[name=k2-slider]").focus()
+    page.keyboard.down("ArrowRight")
+    page.wait_for_function(f"({DRAWN})('x1').length === 3")
+    page.keyboard.up("ArrowRight")
+    page.wait_for_function(f"({DRAWN})('x1').length === 0")

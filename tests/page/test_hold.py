@@ -1,0 +1,148 @@
+"""Hold: another picture beside the one that stands, in its frame, with the ledger of what became of each number."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import msgspec
+import numpy as np
+import pytest
+
+from components.description import column_axes
+from components.page.state import State
+from components.places import COARSE, span
+from components.scene import Scene, frame_of
+from components.scenes import SCENES
+from components.session import opened
+from components.url import read_query
+from tests.page.told import Page, unpacked
+from tests.scenes.checks import as_arguments, quantities
+
+scenes = pytest.mark.parametrize("slug", SCENES)
+
+
+def change(page: Page, **to: Any) -> dict[str, Any]:
+    """Another state of the scene that stands, as the page asks for it."""
+    state = msgspec.to_builtins(page.session.state) | to
+    return page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
+
+
+def hold(page: Page) -> dict[str, Any]:
+    return change(page, held=msgspec.to_builtins(page.session.state)["parameters"])
+
+
+def put(page: Page, **values: float) -> dict[str, Any]:
+    return page.say({"type": "set", "values": values, "number": len(page.packets) + 1})
+
+
+def moved(scene: type[Scene]) -> dict[str, float]:
+    """One quantity of the first group that stands at another value."""
+    forms = scene().shown.forms
+    shown = [name for group in scene.groups if not group.form or forms.get(group.form) for name in group.names]
+    name = next(name for name in shown if name in quantities(scene))
+    return {name: 0.5 * (scene.param[name].default + scene.param[name].softbounds[1])}
+
+
+def ledger(told: dict[str, Any]) -> dict[str, tuple[str, str, str]]:
+    return {row["symbol"]: (row["held"], row["now"], row["ratio"]) for row in told["held"]["ledger"]}
+
+
+@scenes
+def test_what_is_held_is_the_picture_from_before_in_the_frame_that_stands(slug: str) -> None:
+    page = Page(SCENES[slug]())
+    told = hold(page)
+    assert told["errors"] == {} and told["state"]["held"] == {}
+    assert (told["held"]["columns"], told["held"]["values"]) == ({}, {}), "nothing has changed yet"
+    value = moved(SCENES[slug])
+    told = put(page, **value)
+    assert told["errors"] == {} and set(told["held"]["values"]) >= set(value)
+    assert page.scene.shown_beside
+    wanted = SCENES[slug]().picture(frame_of(page.scene.shown_beside))
+    axes = column_axes(SCENES[slug])
+    for source, columns in told["held"]["columns"].items():
+        for name, column in columns.items():
+            axis = page.scene.shown.axes[axes[source][name]]
+            low, high = span(axis.ruler)
+            true = np.clip(axis.places(wanted.columns[source][name]), low, high)
+            assert np.allclose(column, true, rtol=1e-6, atol=0.51 * (high - low) / COARSE)
+
+
+@scenes
+def test_the_state_and_the_link_bring_it_back(slug: str) -> None:
+    page = Page(SCENES[slug]())
+    put(page, **moved(SCENES[slug]))
+    hold(page)
+    told = change(page, parameters={})
+    assert told["errors"] == {} and told["state"]["held"]
+    link = read_query(as_arguments(told["query"]), SCENES)
+    assert link.problems == [] and opened(SCENES, link).state == page.session.state
+    again = Page(SCENES["coupled"]()).say({"type": "open", "state": told["state"], "number": 1})
+    assert (again["state"], again["held"]["ledger"]) == (told["state"], told["held"]["ledger"])
+    assert change(page, held=None)["held"] is None
+
+
+def test_the_ledger_says_what_became_of_each_number_and_what_is_the_same() -> None:
+    page = Page(SCENES["oscillator"]())
+    hold(page)
+    told = put(page, m=4.0)
+    rows = [(row["held"], row["now"], row["unit"], row["ratio"]) for row in told["held"]["ledger"]]
+    assert rows[:3] == [
+        ("1.00", "4.00", "kg", "× 4"),
+        ("6.28", "3.14", "rad/s", "× ½"),
+        ("1.00", "2.00", "s", "× 2"),
+    ]
+    assert rows[4] == ("2.48", "2.77", "rad", "+0.291")
+    assert [row[3] for row in rows[5:]] == ["same", "same", "same"]
+
+
+def test_what_is_held_outlasts_every_view_preset_and_undo() -> None:
+    page = Page(SCENES["coupled"]())
+    hold(page)
+    put(page, k2=3.0)
+    for name, word in (("energy", "modes"), ("view", "forces"), ("view", "constants"), ("energy", "parts")):
+        told = page.say({"type": "choose", "name": name, "value": word, "number": len(page.packets) + 1})
+        assert told["errors"] == {} and told["state"]["held"] == {} and told["held"]["columns"]
+    told = change(page, frame=None, parameters={"m1": 1.0})
+    assert told["state"]["held"] == {} and told["preset"] is None
+    assert told["held"]["values"] == {"m1": 2.0}
+
+
+def test_the_frame_has_room_for_both_and_fits_both() -> None:
+    page = Page(SCENES["oscillator"](v_0=-3.0))
+    hold(page)
+    told = change(page, frame=None, parameters={"x_0": 0.01, "v_0": 0.0})
+    high = page.scene.shown.axes["x"].end
+    assert np.abs(told["held"]["columns"]["time"]["x"]).max() < high
+    assert told["state"]["frame"] is None, "nothing more would fit"
+    put(page, x_0=0.02)
+    assert page.scene.shown.axes["x"].end == high
+    change(page, held=None, frame=None)
+    assert page.scene.shown.axes["x"].end < 0.1 * high
+
+
+def test_what_is_covered_is_not_told_of_what_is_held() -> None:
+    page = Page(SCENES["coupled"]())
+    hold(page)
+    put(page, k2=3.0)
+    told = change(page, covered=["plot:x2", "value:omega_minus"])
+    assert "x1" in told["held"]["columns"]["time"] and "x2_slow" not in told["held"]["columns"]["time"]
+    assert "x2" not in told["held"]["signals"]
+    assert ledger(told)['<span class="v">ω</span><sub>−</sub>'] == ("1.00", "?", "?")
+
+
+def test_what_cannot_be_held_is_refused() -> None:
+    page = Page(SCENES["coupled"]())
+    told = change(page, held={"m1": -1.0})
+    assert told["errors"]["state"].startswith("m1: −1 kg is not possible") and told["state"]["held"] is None
+    link = read_query(as_arguments("scene=coupled&held.view=forces&held.k2=x&held=here"), SCENES)
+    assert [problem.partition(":")[0] for problem in link.problems] == [
+        "“view” is not a parameter of this scene.", "k2", "held",
+    ]  # fmt: skip
+    assert link.held is None
+    told = unpacked(opened(SCENES, read_query(as_arguments("scene=coupled&held.k2=5"), SCENES)).opening())
+    assert told["held"]["values"] == {"k2": 5.0}
+
+
+def test_a_state_without_anything_held_is_told_nothing_of_it() -> None:
+    assert Page(SCENES["coupled"]()).opening()["held"] is None
+    assert msgspec.convert({"scene": "coupled"}, State).held is None
