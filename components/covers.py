@@ -4,8 +4,11 @@ A cover is named by its kind and its name in the sheet or the picture:
 
     plot:x2, curve:energy.T, band:energy.T_lo, mark:det.w_slow    a plot, or one curve, band, flag in it
     value:tau, form:why                                           a live number, a sentence
-    ticks:x                                                       the numbers at an axis, which round ones replace
+    ticks:x                                                       the numbers at an axis, which round ones replace,
+                                                                  over a wider range that is no hint
+    numbers:x                                                     the same over the range that stands
     stage, table                                                  the numbers of the apparatus, which rests; a table
+    next                                                          all that each change from now on changes
 """
 
 from __future__ import annotations
@@ -27,7 +30,7 @@ from components.scene import Picture, Scene
 
 Kept = TypeVar("Kept")
 PLOT, VALUE = "plot:", "value:"
-STAGE, TABLE = "stage", "table"
+STAGE, TABLE, NEXT = "stage", "table", "next"
 ROOM = 0.5
 """By how much the range of an axis without its own numbers is wider, so that it is no hint."""
 _LIVE = re.compile(r'data-value="(\w+)"')
@@ -36,7 +39,8 @@ _LIVE = re.compile(r'data-value="(\w+)"')
 def coverable(scene: type[Scene], picture: Picture) -> set[str]:
     """What can be covered: all parts of the sheet, the numbers that it speaks of, and those of the picture."""
     found = {VALUE + name for name in (*live_names(scene), *picture.values, *picture.live)}
-    found |= {f"form:{name}" for name in picture.forms} | {f"ticks:{name}" for name in picture.axes}
+    found |= {f"form:{name}" for name in picture.forms} | {NEXT}
+    found |= {f"{kind}:{name}" for name in picture.axes for kind in ("ticks", "numbers")}
     for block in blocks(scene.sheet()):
         if isinstance(block, PlotBlock):
             found |= {PLOT + block.name} | {name for drawn in _drawn(block) for name in drawn.covers}
@@ -82,7 +86,7 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
     left = replace(
         picture,
         columns=_columns_less(picture.columns, gone),
-        axes={name: _rounded(axis) if f"ticks:{name}" in covered else axis for name, axis in picture.axes.items()},
+        axes={name: _covered(name, axis, covered) for name, axis in picture.axes.items()},
         signals=_less(picture.signals, names) if STAGE not in covered else _at_rest(picture.signals, names),
         values=_less(picture.values, texts),
         live=_less(picture.live, texts),
@@ -94,7 +98,7 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
 
 @dataclass(frozen=True)
 class _Drawn:
-    """A curve or a band of a plot: the names that cover it, its columns and its motions; abscissae tell nothing."""
+    """A curve or a band of a plot: the names that cover it, its columns and its motions."""
 
     plot: str
     covers: frozenset[str]
@@ -109,13 +113,13 @@ def _drawn(plot: PlotBlock) -> list[_Drawn]:
 def _curve(plot: str, curve: Curve) -> _Drawn:
     covers = frozenset(f"curve:{plot}.{name}" for name in (curve.y, curve.group) if name)
     signals = frozenset(name for name in (curve.signal, curve.signal_x) if name)
-    return _Drawn(plot, covers, frozenset({(curve.source, curve.y)}), signals)
+    return _Drawn(plot, covers, frozenset({(curve.source, curve.x), (curve.source, curve.y)}), signals)
 
 
 def _band(plot: str, band: Region) -> _Drawn:
     """An envelope goes with its curve."""
     covers = {f"band:{plot}.{band.low}", *(f"curve:{plot}.{name}" for name in (band.of, band.group) if name)}
-    return _Drawn(plot, frozenset(covers), frozenset({(band.source, band.low), (band.source, band.high)}))
+    return _Drawn(plot, frozenset(covers), frozenset((band.source, name) for name in (band.x, band.low, band.high)))
 
 
 def _named(covered: Iterable[str], kind: str) -> list[str]:
@@ -156,9 +160,15 @@ def _at_rest(signals: Mapping[str, AnySignal], names: set[str]) -> dict[str, Any
     }
 
 
-def _rounded(axis: Axis) -> Axis:
+def _covered(name: str, axis: Axis, covered: tuple[str, ...]) -> Axis:
+    if f"ticks:{name}" in covered:
+        return _rounded(axis, ROOM)
+    return _rounded(axis, 0.0) if f"numbers:{name}" in covered else axis
+
+
+def _rounded(axis: Axis, wider: float) -> Axis:
     """The axis over a wider range, with round numbers in place of its own."""
-    room = ROOM * abs(axis.end - axis.start)
+    room = wider * abs(axis.end - axis.start)
     way = 1 if axis.end > axis.start else -1
     start = axis.start if axis.start == 0 else axis.start - way * room / 2
     wide = replace(axis, start=start, end=axis.end + way * room / 2, ticks=(), labels=())

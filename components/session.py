@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from msgspec.structs import replace
 
 from components.about import About, about_numbers
+from components.beside import holdable
 from components.comparison import told_beside
 from components.controls import settings
 from components.covers import checked_covers, coverable, refused_covers, without
@@ -14,9 +15,22 @@ from components.deeds import Deed, Errors, apply, sentence
 from components.description import column_axes, sheet_address, usual
 from components.frames import checked
 from components.numbers import excerpt
-from components.page.messages import AskAbout, AskCsv, Given, Open, RunWalk, Said, SetValues, Shown, Taught, Walking
+from components.page.messages import (
+    AskAbout,
+    AskCsv,
+    Choose,
+    Given,
+    Open,
+    RunWalk,
+    Said,
+    SetValues,
+    Shown,
+    Taught,
+    Walking,
+)
 from components.page.picture import Held, View
 from components.page.state import State
+from components.predicting import covers_after
 from components.refusals import LINK_LOST, SORRY, report
 from components.running import Later
 from components.scene import Picture, Scene
@@ -126,9 +140,16 @@ class Session:
         scene, held, shown = self.scene, self.scene.in_hand, self.scene.shown
         scene.in_hand = isinstance(deed, SetValues) and deed.holding
         errors = apply(scene, deed)
+        if not isinstance(deed, Choose) or deed.name in holdable(type(scene)):
+            self._predict(shown, self._kept.covered)
         if held and not scene.in_hand and scene.shown is shown:
             scene.redraw()
         return errors
+
+    def _predict(self, before: Picture, covered: tuple[str, ...]) -> None:
+        """What a change of values has changed is covered, where that is to be predicted."""
+        after = covers_after(type(self.scene), before, self.scene.shown, covered)
+        self._kept = replace(self._kept, covered=after)
 
     def _judged(self, given: Given, answer: int | None) -> Taught:
         """What a step teaches and what is said of its answer, which is forgotten here."""
@@ -166,16 +187,18 @@ class Session:
             held = held_in(type(scene), state)
         except ValueError as refusal:
             return {"state": f"{refusal} Still drawn as before."}
-        back = scene.way_back()
+        back, shown = scene.way_back(), scene.shown
         try:
             scene.open(values, frame, held)
             covered = checked_covers(type(scene), scene.shown, state.covered)
         except ValueError as error:
             back()
             return {"state": f"{sentence(error)} Still drawn as before."}
+        self._kept = State(scene=state.scene, covered=covered, step=state.step)
         if scene is not self.scene:
             self._change_to(scene)
-        self._kept = State(scene=state.scene, covered=covered, step=state.step)
+        else:
+            self._predict(shown, covered)
         return {}
 
     @property

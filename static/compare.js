@@ -32,6 +32,7 @@ export class Compare {
   constructor(page) {
     this.page = page
     this.hold = chip("Hold", "Keep this picture under the next ones (H)", () => this.toggle())
+    this.predict = chip("Predict", "Cover something, and say what you expect", () => this.#predict())
     this.gone = new AbortController()
     for (const event of ["pointerdown", "keydown"]) this.#on(event, () => (this.pressed = true))
     for (const event of ["pointerup", "pointercancel", "keyup"]) this.#on(event, () => this.#released())
@@ -47,13 +48,26 @@ export class Compare {
     this.page.lecture.change(({held, parameters}) => ({held: held ? null : parameters}))
   }
 
+  /** The choice of what to cover; where something is covered, all of it comes back. */
+  async #predict() {
+    const {lecture, shown} = this.page
+    if (shown.state.covered.length) return lecture.change(() => ({covered: []}))
+    const {choose} = await import("./later/predict.js")
+    choose(this.page, this.predict)
+  }
+
+  /** One more part of the page waits for a prediction. @param {string} cover */
+  cover(cover) {
+    this.page.lecture.change(({covered}) => ({covered: [...covered, cover]}))
+  }
+
   /** What is covered comes back, and nothing else changes. @param {string} cover */
   reveal(cover) {
-    this.page.lecture.change(({covered}) => ({covered: covered.filter(name => name !== cover)}))
+    this.page.lecture.change(({covered}) => ({covered: covered.filter(name => name !== cover && name !== "next")}))
   }
 
   get buttons() {
-    return [this.hold]
+    return [this.hold, this.predict]
   }
 
   /** A value is set by a press of a pointer or a key: what was drawn before it is remembered. @param {string} press */
@@ -82,6 +96,10 @@ export class Compare {
     const isHeld = Boolean(state.held)
     this.hold.textContent = isHeld ? "Release" : "Hold"
     this.hold.setAttribute("aria-pressed", String(isHeld))
+    const isCovered = state.covered.length > 0
+    this.predict.textContent = isCovered ? "Reveal" : "Predict"
+    this.predict.setAttribute("aria-pressed", String(isCovered))
+    this.predict.hidden = Boolean(state.step)
     if (held || this.before) this.coming ??= this.#come()
     this.#draw()
   }

@@ -1,6 +1,14 @@
-// Over a plot that waits for a prediction; what it shows has not been sent.
+// What waits for a prediction, a plot or a number; what it shows has not been sent.
 
 import {element, long} from "./dom.js"
+
+const FIGURE_SPACE = "\u2007"
+
+/** A number that is covered keeps its width. @param {Element} number */
+export function coverNumber(number) {
+  const side = FIGURE_SPACE.repeat(Math.floor(Math.max((number.textContent?.length ?? 0) - 1, 0) / 2))
+  number.textContent = `${side}?${side}`
+}
 
 export class Cover {
   /** @type {HTMLElement | undefined} */

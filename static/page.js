@@ -6,6 +6,7 @@ import {buildControls} from "./controls.js"
 import {Clock} from "./clock.js"
 import {Compare} from "./compare.js"
 import {copy} from "./copy.js"
+import {coverNumber} from "./cover.js"
 import {element} from "./dom.js"
 import {Hand} from "./hand.js"
 import {fixed} from "./numbers.js"
@@ -168,7 +169,7 @@ export class Page {
     for (const [name, elements] of this.named) {
       if (name in view.values) for (const one of elements) one.textContent = view.values[name]
     }
-    for (const name of view.left_out) for (const one of this.named.get(name) ?? []) one.textContent = "?"
+    for (const name of view.left_out) for (const one of this.named.get(name) ?? []) coverNumber(one)
     this.hand.heard(shown)
     const absent = view.left_out.filter(name => !(name in view.signals || name in view.scalars))
     for (const stage of this.stages) stage.update(absent)

@@ -151,7 +151,7 @@ export class Sheet {
   }
 
   /** @param {Drawn} shown */
-  update({view: {forms}, settings, state: {hidden}}) {
+  update({view: {forms}, settings, state: {hidden, covered}}) {
     for (const {term, part, variants} of this.headings) {
       const wanted = forms[term.form] ?? "formula"
       let shown = false
@@ -167,6 +167,9 @@ export class Sheet {
     for (const {host, form} of this.conditional) host.hidden = !forms[form]
     for (const {name, variants, holder} of this.items) {
       const wanted = forms[name] ?? ""
+      const waits = !holder.hidden && covered.includes(`form:${name}`)
+      holder.classList.toggle("waits", waits)
+      if (waits) continue // its place is kept
       holder.hidden = wanted === ""
       for (const {name: variant, text} of variants) text.hidden = variant !== wanted
     }

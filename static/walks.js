@@ -87,11 +87,10 @@ export class Walks {
     if (this.menu?.hasAttribute("open")) this.links[0]?.focus()
   }
 
-  /** What is covered: by the question of a step, or plot by plot. */
+  /** What is covered: by the question of a step, or by a choice of one's own. */
   reveal() {
     if (this.walk && !this.walk.lesson) this.walk.show(false)
-    const covers = this.lecture.page.root.querySelectorAll(".cover:not([hidden]) .chip")
-    if (!this.walk && covers.length) this.lecture.line.send({type: "open", state: {...this.lecture.kept, covered: []}})
+    if (!this.walk && this.lecture.kept.covered.length) this.lecture.change(() => ({covered: []}))
   }
 
   /** @param {page.Taught | page.Walking} told */

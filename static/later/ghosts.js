@@ -1,7 +1,7 @@
 // Curves of another picture under the live ones, dotted; of one that is held also what moves on the stage, as outlines,
 // where the sliders stood, and the ledger of numbers.
 
-import {element, marked, set, svg} from "../dom.js"
+import {element, long, marked, set, svg} from "../dom.js"
 import {toPlace, toSI} from "../ruler.js"
 import {sliderPlace} from "../scales.js"
 import {evaluate, polynomial} from "../signals.js"
@@ -121,7 +121,9 @@ export class PlotGhost {
       [this.lines, false],
       [this.edges, true],
     ])) {
-      set(host, {width, height, viewBox: `${left} ${top} ${width} ${height}`, style: `left:${left}px;top:${top}px`})
+      set(host, {viewBox: `${left} ${top} ${width} ${height}`})
+      for (const [side, length] of Object.entries({left, top, width, height}))
+        host.style.setProperty(side, long(length))
       const drawn = lines.filter(line => line.above === above)
       host.replaceChildren(...drawn.map(({look, d}) => svg("path", {class: `held ${look}`, d})))
     }

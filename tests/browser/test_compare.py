@@ -68,3 +68,27 @@ def test_the_curves_from_before_a_drag_lie_under_the_live_ones_for_a_while(page:
     page.wait_for_function(f"({DRAWN})('x1').length === 3")
     page.keyboard.up("ArrowRight")
     page.wait_for_function(f"({DRAWN})('x1').length === 0")
+
+
+PLACES = "[...document.querySelectorAll('.paper .block')].map(b => JSON.stringify(b.getBoundingClientRect()))"
+
+
+def test_what_the_next_change_shows_waits_for_a_prediction_in_its_place(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    button = page.get_by_role("button", name="Predict")
+    button.click()
+    page.get_by_role("menuitem", name="All that the next change changes").click()
+    page.wait_for_function("oscillations.shown.state.covered.length === 1")
+    places = page.evaluate(PLACES)
+    type_in(page, "k2", "5")
+    expect(page.get_by_text("Covered. What do you expect?")).to_have_count(4)
+    expect(page.locator("[data-value=omega_minus]:visible").first).to_contain_text("?")
+    assert page.evaluate(PLACES) == places
+    page.evaluate("document.activeElement.blur()")
+    page.keyboard.press("r")
+    expect(page.locator("[data-value=omega_minus]:visible").first).to_have_text("1.10")
+    button.click()
+    page.get_by_role("menuitem", name="Displacement of mass 2 against time").click()
+    expect(page.get_by_text("Covered. What do you expect?")).to_have_count(1)
+    page.get_by_label("Controls").get_by_role("button", name="Reveal").click()
+    expect(page.get_by_text("Covered. What do you expect?")).to_be_hidden()

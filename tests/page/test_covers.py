@@ -73,7 +73,7 @@ def test_a_covered_plot_waits_for_its_reveal(page: BrowserPage, open_scene: Call
     page.wait_for_function("oscillations.shown.state.covered.length === 2")
     expect(page.get_by_text("Covered. What do you expect?")).to_be_visible()
     expect(page.locator("[data-value=omega_minus]").first).to_have_text("?")
-    page.get_by_role("button", name="Reveal").click()
+    page.get_by_role("main").get_by_role("button", name="Reveal").click()
     page.wait_for_function("oscillations.shown.state.covered.length === 1")
     expect(page.get_by_text("Covered. What do you expect?")).to_be_hidden()
     page.wait_for_function("oscillations.shown.view.columns.time.x2 !== undefined")

@@ -1,0 +1,65 @@
+"""What a change would show: the covers of all that follows from it, for those who want to predict it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+
+from components.covers import NEXT, PLOT, STAGE, VALUE
+from components.description import blocks, plots
+from components.page.blocks import PlotBlock, StageBlock, TableBlock, WordsBlock
+from components.page.text import Forms
+from components.scene import Picture, Scene
+
+
+def covers_after(scene: type[Scene], before: Picture, after: Picture, covered: tuple[str, ...]) -> tuple[str, ...]:
+    """The covers, and where the next change is to be predicted those of all that it has changed."""
+    if NEXT not in covered or before is after:
+        return covered
+    return tuple(dict.fromkeys((*covered, *_followed(scene, before, after))))
+
+
+def _followed(scene: type[Scene], before: Picture, after: Picture) -> Iterator[str]:
+    yield from (VALUE + name for name in _differing(before.values, after.values))
+    moved = set(_differing(before.signals, after.signals))
+    yield from (VALUE + name for name in after.live if name in moved)
+    marks = {mark.at for plot in plots(scene) for mark in plot.marks}
+    moved_marks = marks.intersection(_differing(before.scalars, after.scalars))
+    for block in blocks(scene.sheet()):
+        if isinstance(block, PlotBlock):
+            if any(_is_other(before, after, *column) for column in _columns(block)):
+                yield PLOT + block.name
+            yield from (f"mark:{block.name}.{mark.at}" for mark in block.marks if mark.at in moved_marks)
+        elif isinstance(block, StageBlock) and moved:
+            yield STAGE
+        elif isinstance(block, (WordsBlock, TableBlock)):
+            chosen = {item.name for item in _items(block) if item.name}
+            yield from (f"form:{name}" for name in chosen.intersection(_differing(before.forms, after.forms)))
+    for name, axis in after.axes.items():
+        old = before.axes.get(name)
+        if old and (old.ticks, old.labels) != (axis.ticks, axis.labels):
+            yield f"numbers:{name}"
+
+
+def _items(block: WordsBlock | TableBlock) -> Iterator[Forms]:
+    if isinstance(block, WordsBlock):
+        yield from block.items
+    else:
+        yield from (cell for row in block.rows for cell in row)
+
+
+def _differing(before: Mapping[str, Any], after: Mapping[str, Any]) -> list[str]:
+    return [name for name, value in after.items() if name not in before or before[name] != value]
+
+
+def _columns(plot: PlotBlock) -> Iterator[tuple[str, str]]:
+    yield from ((curve.source, name) for curve in plot.curves for name in (curve.x, curve.y))
+    yield from ((region.source, name) for region in plot.regions for name in (region.low, region.high))
+
+
+def _is_other(before: Picture, after: Picture, source: str, name: str) -> bool:
+    """Where the picture has no such column another one may have taken its place."""
+    now, old = (picture.columns.get(source, {}).get(name) for picture in (after, before))
+    return now is not None and (old is None or not np.array_equal(old, now))
