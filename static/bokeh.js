@@ -12,6 +12,7 @@ export function bokeh() {
     script.addEventListener("load", done)
     script.addEventListener("error", () => {
       fetched = undefined
+      script.remove()
       failed(new Error("BokehJS could not be fetched."))
     })
     document.head.append(script)

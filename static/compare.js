@@ -2,6 +2,7 @@
 // until a prediction has been made. What draws them is fetched when there is something to draw.
 
 import {element} from "./dom.js"
+import {later, using} from "./later.js"
 
 const LINGER = 1500 // ms for which the curves from before a drag lie there after letting go
 
@@ -49,11 +50,10 @@ export class Compare {
   }
 
   /** The choice of what to cover; where something is covered, all of it comes back. */
-  async #predict() {
+  #predict() {
     const {lecture, shown} = this.page
     if (shown.state.covered.length) return lecture.change(() => ({covered: []}))
-    const {choose} = await import("./later/predict.js")
-    choose(this.page, this.predict)
+    using("predict", ({choose}) => choose(this.page, this.predict))
   }
 
   /** One more part of the page waits for a prediction. @param {string} cover */
@@ -105,7 +105,7 @@ export class Compare {
   }
 
   async #come() {
-    const {Ghosts} = await import("./later/ghosts.js")
+    const {Ghosts} = await later("ghosts")
     this.ghosts = new Ghosts(this.page)
     this.#draw()
   }

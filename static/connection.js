@@ -10,8 +10,8 @@ const STEADY = 10000 // ms after which a connection that is lost is taken up aga
 const PATIENCE = 15000 // ms for a try
 
 /**
- * `link` is the page's own address; `changed` is called when the connection comes or goes, `outdated` where the server
- * has another version of the page.
+ * `link` is where the page is fetched anew, the state that stands being told then; `changed` is called when the
+ * connection comes or goes, `outdated` where the server has another version of the page.
  * @typedef {{link: () => string, changed: () => void, outdated: () => void}} Options
  */
 
@@ -68,6 +68,7 @@ export class Connection {
     this.line.attach(this.wire, anew)
     this.status.found()
     this.#tell()
+    document.dispatchEvent(new CustomEvent("oscillations:connected"))
   }
 
   lose() {

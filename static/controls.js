@@ -138,9 +138,9 @@ class Controls {
     return span
   }
 
-  /** The values that have been set and wait for an answer stay as they are. @param {Set<string>} waiting */
+  /** The values that have been set and wait for an answer stay as they are. @param {Waits} waiting */
   wait(waiting) {
-    for (const [name, slider] of this.sliders) slider.wait(waiting.has(name))
+    for (const [name, slider] of this.sliders) slider.wait(waiting.get(name))
     for (const {span, hint, names} of this.hints) {
       const count = names.filter(name => waiting.has(name)).length
       span.textContent = count ? `${count} change${count > 1 ? "s wait" : " waits"}` : hint

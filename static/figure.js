@@ -4,7 +4,12 @@ import {colour, element, unitSize, units} from "./dom.js"
 
 const LENGTHS = ["line_width", "line_dash", "size", "grid_line_width"]
 
+const LACK = "What draws the curves could not be fetched. It is asked for again."
+
 export class Figure {
+  /** @type {HTMLElement | undefined} */
+  lack
+
   /** @param {page.PlotBlock} block */
   constructor(block) {
     this.block = block
@@ -35,8 +40,15 @@ export class Figure {
     this.fit()
   }
 
+  /** BokehJS could not be fetched: so it is said in the place of the figure. */
+  lacks() {
+    this.lack ??= element("p", {class: "lack"}, LACK)
+    this.element.after(this.lack)
+  }
+
   /** To be called while the element is on the page. */
   async mount() {
+    this.lack?.remove()
     this.manager = await Bokeh.embed.add_document_standalone(this.document, this.element)
     const [view] = this.manager
     view.canvas_view.events_el.removeAttribute("tabindex") // the keys have nothing to do on the figure itself

@@ -1,7 +1,7 @@
 // Pills at the axes of a plot that set a parameter, and the one that moves the instant shown.
 
 import {element, long, textWidth} from "./dom.js"
-import {MINUS, three} from "./numbers.js"
+import {MINUS, three, tidy} from "./numbers.js"
 import {toPlace, toSI} from "./ruler.js"
 
 const LONGEST = 7 // characters of a number that a handle shows as typed
@@ -49,8 +49,10 @@ export class Handles {
       const {parameter, text, form, bare} = pill.handle
       pill.off = Boolean(form) && !this.plot.view.forms[form]
       pill.element.hidden = pill.off || bare
-      const shown = text ? this.plot.view.values[text] : brief(this.plot.shown.settings[parameter].text)
-      this.#place(pill, this.#value(pill), shown)
+      const {text: told, size} = this.plot.shown.settings[parameter]
+      const waits = this.plot.page.waiting.get(parameter)
+      const own = typeof waits === "number" ? tidy(waits / size) : told
+      this.#place(pill, this.#value(pill), text ? this.plot.view.values[text] : brief(own))
     }
   }
 
@@ -95,6 +97,7 @@ export class Handles {
       role: "slider",
       tabindex: 0,
       "aria-label": label,
+      "data-grab": handle?.parameter,
       "aria-orientation": isUpright ? "vertical" : "horizontal",
     })
     const pill = {element: made, handle, off: false}
@@ -159,7 +162,10 @@ export class Handles {
 
   /** @param {Setter} pill */
   #value(pill) {
-    return toPlace(this.#axis(pill), Number(this.plot.shown.settings[pill.handle.parameter].value))
+    const {parameter} = pill.handle
+    const waits = this.plot.page.waiting.get(parameter)
+    const {value} = this.plot.shown.settings[parameter]
+    return toPlace(this.#axis(pill), Number(typeof waits === "number" ? waits : value))
   }
 
   /** @param {Pill} pill @param {number} place */

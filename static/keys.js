@@ -1,6 +1,9 @@
 // Keys that act wherever the focus is, but while something is typed. Each stands in the list that `?` opens, where it
 // is a button too; those of a single letter can be switched off.
 
+import {kept, keep} from "./kept.js"
+import {using} from "./later.js"
+
 /**
  * A key by what the event calls it, as it is shown, what it does in words, and the deed; what matches `own` and has the
  * focus keeps it for itself.
@@ -40,7 +43,7 @@ export const KEYS = [
   {keys: ["r", "R"], shown: "R", does: "Reveal what is covered", act: l => l.walks.reveal()},
   {keys: ["f", "F"], shown: "F", does: "Full screen", act: () => fullScreen()},
   {keys: [".", "b", "B"], shown: "B", does: "Blank the screen; any key brings it back", act: () => blank()},
-  {keys: ["?"], shown: "?", does: "This list", act: l => list(l)},
+  {keys: ["?"], shown: "?", does: "This list", act: list},
 ]
 
 const isLetter = (/** @type {string} */ key) => /^[a-z.]$/i.test(key)
@@ -49,20 +52,12 @@ const isLetter = (/** @type {string} */ key) => /^[a-z.]$/i.test(key)
 export const singles = {
   off: false,
   read() {
-    try {
-      this.off = localStorage.getItem(OFF) === "off"
-    } catch {
-      // A browser that keeps nothing keeps them on.
-    }
+    this.off = kept(OFF) === "off"
   },
   /** @param {boolean} off */
   set(off) {
     this.off = off
-    try {
-      localStorage.setItem(OFF, off ? "off" : "on")
-    } catch {
-      // The same.
-    }
+    keep(OFF, off ? "off" : "on")
   },
 }
 
@@ -120,7 +115,6 @@ function blank() {
 }
 
 /** @param {Lecture} lecture */
-async function list(lecture) {
-  const {toggleList} = await import("./later/keylist.js")
-  toggleList(lecture)
+function list(lecture) {
+  using("keylist", ({toggleList}) => toggleList(lecture))
 }

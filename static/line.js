@@ -102,9 +102,9 @@ export class Line {
     }
   }
 
-  /** The parameters of which a value waits for a wire. */
+  /** What waits for a wire, by parameter: the newest value, or what was typed. @returns {Waits} */
   get waiting() {
-    return new Set(this.behind ? this.#queue.flatMap(({message}) => namesIn(message)) : [])
+    return new Map(this.behind ? this.#queue.flatMap(({message}) => Object.entries(givenIn(message))) : [])
   }
 
   /** What waits, as plain messages: for a page that takes the place of this one. @returns {page.Said[]} */
@@ -176,12 +176,16 @@ export class Line {
   }
 }
 
-/** The parameters that a message gives values to. @param {Waiting["message"]} message @returns {string[]} */
-function namesIn(message) {
-  if (typeof message === "function") return []
-  if (message.type === "set") return Object.keys(message.values)
-  return message.type === "typed" || message.type === "choose" ? [message.name] : []
+/** What a message gives to parameters. @param {Waiting["message"]} message @returns {Record<string, page.Value>} */
+function givenIn(message) {
+  if (typeof message === "function") return {}
+  if (message.type === "set") return message.values
+  if (message.type === "typed") return {[message.name]: message.text}
+  return message.type === "choose" ? {[message.name]: message.value} : {}
 }
+
+/** @param {Waiting["message"]} message */
+const namesIn = message => Object.keys(givenIn(message))
 
 /** What a slider or handle sets. @param {Waiting["message"]} message */
 const valuesOf = message => (typeof message !== "function" && message.type === "set" ? message.values : null)

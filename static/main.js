@@ -1,15 +1,18 @@
 // The lecture in the browser: one conversation with the server, one page after the other, without loading anew.
 
+import {plainLink, written} from "./address.js"
 import {unpacked} from "./columns.js"
 import {Busy} from "./busy.js"
 import {Connection} from "./connection.js"
 import {isPicker} from "./controls.js"
 import {element} from "./dom.js"
 import {listen} from "./keys.js"
+import {later} from "./later.js"
 import {Line} from "./line.js"
 import {Page, frame} from "./page.js"
 import {Shell} from "./shell.js"
 import {Undo} from "./undo.js"
+import {showWaiting} from "./waiting.js"
 import {Walks} from "./walks.js"
 
 const MOMENT = 200 // ms without a further change until the address is written: browsers ration that
@@ -53,14 +56,15 @@ export class Lecture {
     listen(this)
     this.walks = new Walks(this)
     this.connection = new Connection(this.line, {
-      link: () => this.page.link,
+      link: () => plainLink(this.page.spec.slug),
       changed: () => this.#connected(),
       outdated: () => this.busy.whenFree(() => this.#reload()),
     })
     this.host = /** @type {HTMLElement} */ (document.getElementById("app"))
-    addEventListener("popstate", ({state}) => {
+    addEventListener("popstate", ({state: entry}) => {
       this.late = null // it was for the entry that has been left
-      if (state) this.#go({type: "open", state})
+      const {waiting: _, ...state} = entry ?? {}
+      if (entry) this.#go({type: "open", state})
     })
   }
 
@@ -102,7 +106,7 @@ export class Lecture {
 
   /** What waits for the server is shown as it was set. */
   #wait() {
-    this.page.controls.wait(this.line.waiting)
+    showWaiting(this.page, this.line.waiting)
   }
 
   #connected() {
@@ -110,20 +114,17 @@ export class Lecture {
     if (this.connection.wire) this.#complete(this.page)
   }
 
-  /** What could not be fetched comes with the next connection. @param {Page} page */
+  /** Plots that could not be drawn join with the next connection. @param {Page} page */
   async #complete(page) {
-    try {
-      await page.join()
-      await page.speak()
-    } catch (error) {
-      console.warn(error)
-    }
+    await page.join()
+    page.speak()
   }
 
   /** The server has another version of the page: it takes the place of this one, with all that stands and waits. */
   #reload() {
     this.late = null
-    history.replaceState({...this.line.state, waiting: this.line.left}, "", this.page.link)
+    const {address} = written(this.page.shown)
+    history.replaceState({...this.line.state, waiting: this.line.left}, "", address)
     location.reload()
   }
 
@@ -185,13 +186,14 @@ export class Lecture {
   /** @param {Drawn} shown @param {Asked | null} asked */
   async #show(shown, asked) {
     if (shown.scene === this.page?.spec.slug) {
-      this.#wait()
+      this.#wait() // before, so that it is not overwritten, and after for what has been
       this.page.apply(shown)
+      this.#wait()
     } else if (!(await this.#turn(shown))) return
     const refused = Object.keys(shown.errors).length > 0
     if (asked?.start && !refused) this.page.clock.restart()
     this.#write(shown, Boolean(asked?.turn) && !refused)
-    await this.walks.shown(shown)
+    this.walks.shown(shown)
   }
 
   /** The page of another scene takes the place of the one that stands; its figures join it. @param {Drawn} shown */
@@ -203,8 +205,8 @@ export class Lecture {
       const before = this.page
       this.host.querySelector(".page")?.remove()
       this.host.append(page.root)
-      page.controls.wait(this.line.waiting)
       page.start(shown)
+      showWaiting(page, this.line.waiting)
       this.page = page
       this.shell.turned(sheet, Boolean(before))
       this.#whole(page, before)
@@ -221,7 +223,7 @@ export class Lecture {
     await frame()
     before?.leave()
     this.connected ??= this.connection.begin(this.token)
-    await Promise.all([this.connected, page.join().catch(() => {})])
+    await Promise.all([this.connected, page.join()])
     if (page === this.page) document.documentElement.dataset.ready = "true"
     await this.#complete(page)
   }
@@ -243,14 +245,14 @@ export class Lecture {
    * A turn is a new entry of the history; a value is written into the one that stands, a moment after the last change.
    * @param {Drawn} shown @param {boolean} turn
    */
-  #write({query, state}, turn) {
-    const address = `?${query}`
+  #write(shown, turn) {
+    const {address, entry} = written(shown)
     if (turn) this.#settle()
     if (turn && address !== location.search) {
-      history.pushState(state, "", address)
+      history.pushState(entry, "", address)
     } else {
       clearTimeout(this.writing)
-      this.late = () => history.replaceState(state, "", address)
+      this.late = () => history.replaceState(entry, "", address)
       this.writing = setTimeout(() => this.#settle(), MOMENT)
     }
   }
@@ -274,8 +276,8 @@ function download({name, kind, content}) {
 async function extrasFor({runs, panel}) {
   /** @type {Promise<Extras>[]} */
   const wanted = []
-  if (runs) wanted.push(import("./later/runbar.js"))
-  if (panel.groups.some(group => group.rows.some(isPicker))) wanted.push(import("./later/picker.js"))
+  if (runs) wanted.push(later("runbar"))
+  if (panel.groups.some(group => group.rows.some(isPicker))) wanted.push(later("picker"))
   return Object.assign({}, ...(await Promise.all(wanted)))
 }
 

@@ -5,10 +5,11 @@ import {bokeh} from "./bokeh.js"
 import {buildControls} from "./controls.js"
 import {Clock} from "./clock.js"
 import {Compare} from "./compare.js"
-import {copy} from "./copy.js"
 import {coverNumber} from "./cover.js"
+import {copyButton} from "./copy.js"
 import {element} from "./dom.js"
 import {Hand} from "./hand.js"
+import {using} from "./later.js"
 import {fixed} from "./numbers.js"
 import {Sheet} from "./sheet.js"
 import {evaluate} from "./signals.js"
@@ -43,6 +44,9 @@ export class Page {
 
   /** @type {Map<string, Element[]>} the elements of each live number */
   named = new Map()
+
+  /** @type {Waits} what has been set and waits for the server */
+  waiting = new Map()
 
   timePlaces = 2
 
@@ -90,23 +94,16 @@ export class Page {
 
   #aboutNumbers() {
     const fold = element("details", {class: "about"}, element("summary", {}, "About these numbers"))
-    const open = async () => {
-      const {About} = await import("./later/about.js")
-      this.about = new About(fold, message => this.send(message))
-    }
+    const open = () =>
+      using("about", ({About}) => {
+        if (!this.left) this.about = new About(fold, message => this.send(message))
+      })
     fold.addEventListener("toggle", open, {once: true})
     return fold
   }
 
   #tools() {
-    const link = element("button", {type: "button", class: "chip"}, "Copy link")
-    link.addEventListener("click", async () => {
-      const copied = await copy(new URL(this.link, location.href).href)
-      link.textContent = copied ? "Copied" : "See the address bar"
-      setTimeout(() => {
-        link.textContent = "Copy link"
-      }, 1500)
-    })
+    const link = copyButton(() => this.link)
     const csv = element("button", {type: "button", class: "chip"}, "CSV")
     csv.addEventListener("click", () => this.send({type: "csv", page: location.origin + location.pathname}))
     const pictures = element("button", {type: "button", class: "chip"}, "Pictures")
@@ -138,9 +135,8 @@ export class Page {
   }
 
   /** @param {Subject} [subject] */
-  async #take(subject) {
-    const {take} = await import("./later/take.js")
-    take(this, subject)
+  #take(subject) {
+    using("take", ({take}) => this.left || take(this, subject))
   }
 
   /** A link that takes values of this scene along to another. @param {page.Onward} way */
@@ -261,19 +257,21 @@ export class Page {
     return this.joining
   }
 
-  async speak() {
-    const {Voice} = await import("./later/voice.js")
-    const {Print} = await import("./later/print.js")
-    if (this.left) return
-    this.voice ??= new Voice(this)
-    this.print ??= new Print(this)
+  speak() {
+    using("voice", ({Voice}) => this.left || (this.voice ??= new Voice(this)))
+    using("print", ({Print}) => this.left || (this.print ??= new Print(this)))
   }
 
   async #joinNext() {
     await frame()
     const plot = this.left ? undefined : this.plots.find(one => one.waits)
     if (!plot) return
-    await bokeh()
+    try {
+      await bokeh()
+    } catch {
+      plot.figure.lacks() // until the connection is tried again, which needs it too
+      return
+    }
     if (this.left) return
     await plot.mount()
     await this.#joinNext()

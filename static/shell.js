@@ -1,5 +1,8 @@
 // What stands around a scene: the navigation, the title of the document, light and dark.
 
+import {keep} from "./kept.js"
+import {using} from "./later.js"
+
 export class Shell {
   /** @param {import("./main.js").Lecture} lecture */
   constructor(lecture) {
@@ -14,7 +17,7 @@ export class Shell {
     for (const link of document.querySelectorAll("[data-skip]"))
       link.addEventListener("click", event => this.#skip(event))
     one("#theme", HTMLElement).addEventListener("click", () => this.#theme())
-    if (parent !== window) import("./later/framed.js").then(({framed}) => framed(lecture))
+    if (parent !== window) using("framed", ({framed}) => framed(lecture))
   }
 
   /** A click changes the scene within the session; other clicks are the browser's own. @param {HTMLElement} link */
@@ -63,11 +66,7 @@ export class Shell {
   #theme() {
     const root = document.documentElement
     root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark"
-    try {
-      localStorage.setItem("theme", root.dataset.theme)
-    } catch {
-      // A browser that keeps nothing keeps no theme.
-    }
+    keep("theme", root.dataset.theme)
     this.lecture.page.theme()
   }
 }

@@ -193,10 +193,14 @@ export class Slider {
     this.asked = TYPED
   }
 
-  /** What was set waits for the server, or no longer does. @param {boolean} waits */
-  wait(waits) {
-    this.element.classList.toggle("waits", waits)
-    this.waits = waits
+  /** What was set here or elsewhere waits for the server, or no longer does. @param {page.Value | undefined} value */
+  wait(value) {
+    this.waits = value !== undefined
+    this.element.classList.toggle("waits", this.waits)
+    if (typeof value !== "number" || value === this.asked?.value) return
+    this.asked = {value, since: performance.now()}
+    this.write(withTrueMinus(tidy(this.#shown(value))))
+    this.#place(value)
   }
 
   /** @param {page.Setting} state @param {string | undefined} error */

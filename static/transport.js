@@ -83,7 +83,7 @@ export class Transport {
       ),
       this.note,
       this.fit.element,
-      element("label", {class: "window"}, "Window, s ", this.window),
+      element("label", {class: "window", "data-name": "window"}, "Window, s ", this.window),
     )
     clock.listeners.push(() => this.refresh())
   }
@@ -102,7 +102,7 @@ export class Transport {
     this.window.title = error ?? "Empty: the scene chooses"
     this.problem = error
     if (document.activeElement !== this.window || !error) {
-      if (!error) this.window.value = settings.window.text
+      if (!error && !this.page.waiting.has("window")) this.window.value = settings.window.text
       this.window.placeholder = axis ? short(axis.end * 10 ** axis.exponent) : "auto"
     }
     this.page.timePlaces = axis ? Math.min(Math.max(Math.ceil(2 - Math.log10(axis.end)), 0) + 1, 6) : 2

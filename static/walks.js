@@ -1,5 +1,7 @@
 // The guided walks: which there are, and when one begins and ends. What a walk is made of is fetched when one begins.
 
+import {insisting, later} from "./later.js"
+
 /** @typedef {import("./later/walk.js").Walk} Walk */
 
 export class Walks {
@@ -55,18 +57,20 @@ export class Walks {
   /** @param {string} name */
   async #take(name) {
     if (this.walk?.sheet.name === name) return
-    const [{Walk: Kind}, sheet] = await Promise.all([import("./later/walk.js"), this.sheet(name)])
+    const [{Walk: Kind}, sheet] = await Promise.all([later("walk"), insisting(() => this.sheet(name))])
+    if (this.walk?.sheet.name === name) return
     this.walk?.leave()
     this.walk = new Kind(this, sheet)
   }
 
   /** After every picture: the step that it stands for, if it does. @param {Drawn} shown */
   async shown(shown) {
+    this.latest = shown
     const [name, step] = shown.state.step.split("/")
     this.menu?.classList.toggle("walked", Boolean(name))
     if (name) {
       await this.#take(name)
-      this.walk?.arrive(step, shown)
+      if (shown === this.latest) this.walk?.arrive(step, shown)
     } else {
       this.walk?.leave()
       this.walk = null

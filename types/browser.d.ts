@@ -17,6 +17,9 @@ type Drawn = Omit<page.Shown, "view" | "held"> & {
 /** What is held, whose columns have come out as those of a view. */
 type Kept = Omit<page.Held, "columns"> & {columns: Columns}
 
+/** What has been set and waits for the server, by parameter. */
+type Waits = Map<string, page.Value>
+
 /** Numbers by name: signals at an instant, scalars, places of plots. */
 type Named = Record<string, number>
 

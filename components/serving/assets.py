@@ -17,6 +17,7 @@ import bokeh.server
 import brotli
 
 from components.serving.answers import Answer, RefusedError
+from components.serving.scripts import FIRST, joined, later
 
 STATIC = Path(__file__).parents[2] / "static"
 STYLES = STATIC / "styles"
@@ -77,11 +78,20 @@ def folder_of(files: Mapping[str, bytes]) -> str:
 
 
 @cache
-def static_files() -> dict[str, bytes]:
-    """Our own files by their path, the style sheet in one."""
+def written_files() -> dict[str, bytes]:
+    """Our own files by their path, as they were written, but for the style sheet."""
     paths = sorted(path for path in STATIC.rglob("*") if path.is_file() and path.parent != STYLES)
-    files = {path.relative_to(STATIC).as_posix(): path.read_bytes() for path in paths}
-    return {**files, "style.css": style_sheet()}
+    return {path.relative_to(STATIC).as_posix(): path.read_bytes() for path in paths}
+
+
+@cache
+def static_files() -> dict[str, bytes]:
+    """Our own files as they are sent: the style sheet in one, and the scripts that every page needs."""
+    scripts = {name: content.decode() for name, content in written_files().items() if name.endswith(".js")}
+    others = {name: content for name, content in written_files().items() if name not in scripts}
+    first = {name.removesuffix(".js"): text for name, text in scripts.items() if "/" not in name}
+    parts = {name: later(text).encode() for name, text in scripts.items() if "/" in name}
+    return {**others, **parts, f"{FIRST}.js": joined(first).encode(), "style.css": style_sheet()}
 
 
 def style_sheet() -> bytes:

@@ -23,12 +23,6 @@ def version() -> str:
     return folder_of(static_files())
 
 
-def preloaded() -> list[str]:
-    """The modules that every scene needs; what lies in static/later/ is fetched when it is asked for."""
-    names = (name for name in static_files() if name.endswith(".js") and not name.startswith("later/"))
-    return [f"assets/{version()}/{name}" for name in names]
-
-
 def library() -> str:
     """The address of BokehJS."""
     files = library_files()
@@ -39,7 +33,7 @@ def library() -> str:
 @cache
 def page_template() -> Template:
     """page.html, to which everything that is the same for every visitor is already known."""
-    files = {"version": version(), "preloaded": preloaded(), "library": library()}
+    files = {"version": version(), "library": library()}
     return templates().get_template("page.html", globals=files)
 
 

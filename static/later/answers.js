@@ -1,5 +1,7 @@
 // What was answered: kept by this browser alone, for as long as it keeps anything.
 
+import {keep, kept} from "../kept.js"
+
 /** @typedef {{said: string, right: boolean, title: page.Html}} Kept of a step: the answer in words */
 
 const KEY = "walk-answers"
@@ -9,9 +11,9 @@ export class Answers {
     /** @type {Record<string, Kept>} by the id of the step */
     this.kept = {}
     try {
-      this.kept = JSON.parse(localStorage.getItem(KEY) ?? "{}")
+      this.kept = JSON.parse(kept(KEY) ?? "{}")
     } catch {
-      // A browser that keeps nothing: they last as long as the page.
+      // Another page at this address has kept something else under the name.
     }
   }
 
@@ -32,11 +34,7 @@ export class Answers {
   }
 
   #store() {
-    try {
-      localStorage.setItem(KEY, JSON.stringify(this.kept))
-    } catch {
-      // The same.
-    }
+    keep(KEY, JSON.stringify(this.kept))
   }
 
   /** A page of text to keep. @param {page.WalkSheet[]} sheets */

@@ -21,7 +21,9 @@ export function buildPicker(host, spec, send) {
     button.addEventListener("click", () => send({type: "choose", name: spec.name, value}))
     return button
   })
-  host.append(element("div", {class: "tiles", role: "group", "aria-label": spec.label}, ...buttons))
+  host.append(
+    element("div", {class: "tiles", role: "group", "aria-label": spec.label, "data-name": spec.name}, ...buttons),
+  )
   return {
     stages,
     /** @param {Record<string, page.Setting>} settings */

@@ -15,7 +15,7 @@ from components.page.blocks import Block
 from components.page.state import Frame
 from components.parameters import displacement, mass, stiffness
 from components.scene import Picture, Scene
-from components.serving.assets import TYPES, static_files
+from components.serving.assets import TYPES, static_files, written_files
 from components.sheet import column
 from tests.page.told import Page as Told
 
@@ -78,7 +78,7 @@ class Panel:
         name = route.request.url.rsplit("/", 1)[-1]
         if name:
             suffix = Path(name).suffix
-            route.fulfill(body=static_files()[name], content_type=TYPES[suffix])
+            route.fulfill(body={**static_files(), **written_files()}[name], content_type=TYPES[suffix])
         else:
             route.fulfill(body=HTML, content_type="text/html")
 

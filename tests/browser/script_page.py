@@ -8,7 +8,7 @@ from typing import Any
 
 from playwright.sync_api import Browser, Page, Route
 
-from components.serving.assets import TYPES, static_files
+from components.serving.assets import TYPES, written_files
 
 HOME = "http://scripts.test/"
 
@@ -17,7 +17,7 @@ def serve(route: Route, html: str) -> None:
     """Our static files by their path, and the page itself."""
     name = route.request.url.removeprefix(HOME)
     if name:
-        route.fulfill(body=static_files()[name], content_type=TYPES[Path(name).suffix])
+        route.fulfill(body=written_files()[name], content_type=TYPES[Path(name).suffix])
     else:
         route.fulfill(body=html, content_type="text/html")
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator
 from urllib.parse import urlsplit
 
@@ -141,3 +142,54 @@ def opened(page: Page, server: Server) -> None:
 def another_version(route: Route) -> None:
     answer = route.fetch()
     route.fulfill(response=answer, body=answer.text().replace('data-version="', 'data-version="x'))
+
+
+def test_handles_choices_and_the_window_wait_as_they_were_set(page: Page, server: Server) -> None:
+    page.goto(f"{server.url}?scene=forced")
+    page.wait_for_function(READY)
+    page.wait_for_function(CONNECTED.format("true"))
+    page.context.set_offline(True)
+    page.wait_for_function(CONNECTED.format("false"))
+    pill = page.locator(".pill[data-grab=omega]:visible").first
+    pill.focus()
+    for _ in range(2):
+        pill.press("ArrowRight")
+    moved = pill.get_attribute("aria-valuenow")
+    choice = page.locator(".seg[data-name]:visible").first
+    option = choice.locator("[aria-pressed=false]").first.get_attribute("data-option")
+    other = choice.locator(f"[data-option={option}]")
+    other.click()
+    page.get_by_label("Time window").fill("17.3")
+    page.get_by_label("Time window").press("Enter")
+    expect(other).to_have_attribute("aria-pressed", "true")
+    expect(page.locator(".seg.waits")).to_have_count(1)
+    expect(page.locator(".window.waits")).to_have_count(1)
+    expect(pill).to_have_class(re.compile("waits"))
+    page.context.set_offline(False)
+    page.wait_for_function(SETTLED)
+    expect(page.locator(".waits:not(h1)")).to_have_count(0)
+    expect(page.get_by_label("Time window")).to_have_value("17.3")
+    expect(other).to_have_attribute("aria-pressed", "true")
+    assert pill.get_attribute("aria-valuenow") == moved
+
+
+def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) -> None:
+    opened(page, server)
+    page.evaluate(
+        """() => {
+          const {line} = oscillations, {hear} = line
+          line.hear = (told, asked) => hear({...told, query: `${told.query}&hidden=${"x".repeat(8000)}`}, asked)
+        }"""
+    )
+    page.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
+    page.wait_for_function("oscillations.shown.settings.k2.value === 3 && !oscillations.late")
+    assert page.evaluate("location.search") == "?scene=coupled"
+    page.get_by_role("button", name="Copy link").click()
+    expect(page.get_by_role("button", name="Too long")).to_be_visible()
+    page.context.set_offline(True)
+    page.wait_for_function(CONNECTED.format("false"))
+    page.context.set_offline(False)
+    page.wait_for_function(SETTLED)
+    page.reload()
+    page.wait_for_function("globalThis.oscillations?.shown?.settings.k2.value === 3")
+    assert page.evaluate("oscillations.line.state.hidden") == ["x1_slow"]

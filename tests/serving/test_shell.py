@@ -4,42 +4,50 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, Request
 
-from components.serving.assets import STATIC, assets
-from components.serving.shell import library, preloaded, version
+from components.serving import shell
+from components.serving.assets import assets
+from components.serving.shell import library, version
+from tests.serving.server import ROOT
+
+MOST = 20
+"""Requests until a scene is drawn, spoken of and ready to be printed."""
 
 
 def test_every_address_of_the_page_is_served() -> None:
-    for address in (*preloaded(), library()):
+    for address in (f"assets/{version()}/start.js", f"assets/{version()}/style.css", library()):
         assert address.removeprefix("assets/") in assets()
 
 
-def test_every_import_of_a_module_is_served() -> None:
-    names = {
-        (path.parent / imported).resolve().relative_to(STATIC).as_posix()
-        for path in STATIC.rglob("*.js")
-        for imported in re.findall(r'(?:from |import\()"(.*)"', path.read_text(encoding="utf-8"))
-    }
-    assert len(names) > 15
-    assert {f"{version()}/{name}" for name in names} <= assets().keys()
+def test_the_table_of_browsers_is_true_of_what_the_page_asks_them() -> None:
+    page = (Path(shell.__file__).parent / "page.html").read_text(encoding="utf-8")
+    table = re.findall(
+        r"^\| (.+?) \|.*\| (\d+) \| (\d+) \| ([\d.]+) \|$", (ROOT / "docs/browsers.md").read_text(), re.M
+    )
+    *features, (all_of_it, *newest) = table
+    assert [name for name, *_ in features] == re.findall(r'^        "(.+)": ', page, re.M)
+    versions = [
+        max((row[i] for row in features), key=lambda text: [int(n) for n in text.split(".")]) for i in (1, 2, 3)
+    ]
+    assert (all_of_it, newest) == ("all of it", versions)
+    assert "Chrome or Edge {}, Firefox {}, Safari {} and".format(*versions) in page
 
 
 @pytest.mark.browser
 def test_scripts_and_styles_are_asked_for_once_and_by_names_that_change_with_their_content(
     page: Page, open_scene: Callable[..., Page]
 ) -> None:
-    asked: list[str] = []
-
-    def note(request: Request) -> None:
-        if request.resource_type in ("script", "stylesheet") and request.url.startswith("http"):
-            asked.append(request.url)
-
-    page.on("request", note)
+    asked: list[Request] = []
+    page.on("request", lambda request: asked.append(request))
     open_scene(page, scene="coupled")
-    assert len(asked) == len(set(asked)) > len(preloaded())
-    assert [url for url in asked if not re.search(r"/assets/[0-9a-f]{12}/", url)] == []
+    page.wait_for_function("oscillations.page.print")
+    scripts = [one.url for one in asked if one.resource_type in ("script", "stylesheet")]
+    assert len(scripts) == len(set(scripts)) > 2
+    assert [url for url in scripts if not re.search(r"/assets/[0-9a-f]{12}/", url)] == []
+    assert len(asked) < MOST
     # What is there for those who hear or print the page comes when all is drawn; the rest when it is asked for.
-    assert not any(f"/later/{name}.js" in url for name in ("about", "picker", "runbar", "take") for url in asked)
+    assert not any(f"/later/{name}.js" in url for name in ("about", "picker", "runbar", "take") for url in scripts)

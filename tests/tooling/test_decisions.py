@@ -30,4 +30,8 @@ def test_the_commands_of_the_records_are_those_that_are_there() -> None:
 
 def test_a_question_is_answered_by_figures() -> None:
     apart, together = modules()
-    assert float(re.findall(r"([\d.]+) kB with brotli", apart)[0]) > float(re.findall(r"([\d.]+) kB", together)[0]) > 10
+    assert (
+        float(re.findall(r"([\d.]+) kB with brotli", apart)[0])
+        > float(re.findall(r"([\d.]+) kB with brotli", together)[0])
+        > 10
+    )

@@ -1,0 +1,83 @@
+// What only some pages need, fetched when it is asked for. What cannot be fetched is said, and comes when it can be.
+
+import {note} from "./notes.js"
+
+const PAUSE = 10000 // ms until it is asked for anew; sooner where the network or the server is back
+
+const MISSING = "A part of this page could not be fetched; it comes as soon as the server can be reached."
+
+const PARTS = {
+  about: () => import("./later/about.js"),
+  framed: () => import("./later/framed.js"),
+  ghosts: () => import("./later/ghosts.js"),
+  keylist: () => import("./later/keylist.js"),
+  picker: () => import("./later/picker.js"),
+  predict: () => import("./later/predict.js"),
+  print: () => import("./later/print.js"),
+  runbar: () => import("./later/runbar.js"),
+  take: () => import("./later/take.js"),
+  voice: () => import("./later/voice.js"),
+  walk: () => import("./later/walk.js"),
+}
+
+/**
+ * @typedef {typeof PARTS} Parts
+ * @typedef {keyof Parts} Name
+ */
+
+/** @type {Partial<Record<Name, Promise<any>>>} */
+const fetched = {}
+
+/** @type {Partial<Record<Name, unknown>>} the last that asked for a part */
+const last = {}
+
+/** @type {() => void} takes back what has been said */
+let found = () => {}
+let missing = 0
+
+/** A part, when it is there. @template {Name} Key @param {Key} name @returns {ReturnType<Parts[Key]>} */
+export function later(name) {
+  /** @type {() => Promise<any>} */
+  const fetching = PARTS[name]
+  return /** @type {ReturnType<Parts[Key]>} */ (fetched[name] ??= insisting(fetching))
+}
+
+/**
+ * Does something with a part when it is there; who asks for a part several times meanwhile wants it once.
+ * @template {Name} Key @param {Key} name @param {(part: Awaited<ReturnType<Parts[Key]>>) => void} act
+ */
+export async function using(name, act) {
+  last[name] = act
+  const part = await later(name)
+  if (last[name] === act) act(part)
+}
+
+/** What is fetched, when it is there: tried until it is. @template Part @param {() => Promise<Part>} fetching */
+export async function insisting(fetching) {
+  try {
+    return await fetching()
+  } catch {
+    if (missing++ === 0) found = note(MISSING)
+    const part = await again(fetching)
+    if (--missing === 0) found()
+    return part
+  }
+}
+
+/** @template Part @param {() => Promise<Part>} fetching @returns {Promise<Part>} */
+async function again(fetching) {
+  await chance()
+  try {
+    return await fetching()
+  } catch {
+    return again(fetching)
+  }
+}
+
+/** Until it is worth another try. */
+const chance = () =>
+  new Promise(done => {
+    setTimeout(done, PAUSE)
+    addEventListener("online", done, {once: true})
+    document.addEventListener("oscillations:connected", done, {once: true})
+  })

@@ -1,0 +1,21 @@
+// What has been set and waits for the server: it is shown as it was set, with a dotted line.
+
+/** @param {import("./page.js").Page} page @param {Waits} waiting */
+export function showWaiting(page, waiting) {
+  if (!waiting.size && !page.waiting.size) return
+  page.waiting = waiting
+  page.controls.wait(waiting)
+  for (const part of page.root.querySelectorAll("[data-grab], [data-name]")) mark(part, waiting)
+  for (const plot of page.plots) if (plot.shown) plot.handles.place()
+}
+
+/** A handle, a choice or a field, by the parameters that it sets. @param {Element} part @param {Waits} waiting */
+function mark(part, waiting) {
+  const names = (part.getAttribute("data-grab") ?? part.getAttribute("data-name") ?? "").split(" ")
+  const name = names.find(one => waiting.has(one))
+  part.classList.toggle("waits", name !== undefined)
+  if (name === undefined) return
+  for (const option of part.querySelectorAll("[data-option]")) {
+    option.setAttribute("aria-pressed", String(option.getAttribute("data-option") === waiting.get(name)))
+  }
+}

@@ -1,0 +1,134 @@
+"""What a browser lacks or cannot fetch is said in one sentence; all else goes on, and it comes when it can."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from tests.browser.fixtures import READY
+from tests.browser.waiting import played, unfold
+from tests.serving.server import Server
+
+pytestmark = pytest.mark.browser
+Quiet = Callable[..., Page]
+NO_STORAGE = """Object.defineProperty(globalThis, "localStorage", {
+  get() { throw new DOMException("Access is denied for this document.", "SecurityError") }
+})"""
+LACKS = {
+    "modules": "delete HTMLScriptElement.prototype.noModule",
+    "DecompressionStream": "delete globalThis.DecompressionStream",
+    "the selector :has()": "CSS.supports = rule => !rule.includes(':has')",
+}
+"""What makes a browser lack a feature, or say so."""
+BY_ANYTHING = 30_000
+
+
+@pytest.fixture
+def quiet(browser: Browser) -> Iterator[Quiet]:
+    """Makes pages that may say in the console what they miss; none may throw."""
+    contexts, faults = [], []
+
+    def make(script: str = "", **options: Any) -> Page:
+        context = browser.new_context(viewport={"width": 1280, "height": 720}, bypass_csp=True, **options)
+        contexts.append(context)
+        page = context.new_page()
+        page.on("pageerror", lambda error: faults.append(str(error)))
+        if script:
+            page.add_init_script(script)
+        return page
+
+    yield make
+    for context in contexts:
+        context.close()
+    assert not faults
+
+
+def test_scripts_that_are_switched_off_are_named(quiet: Quiet, server: Server) -> None:
+    page = quiet(java_script_enabled=False)
+    page.goto(f"{server.url}?scene=coupled")
+    expect(page.locator("noscript p")).to_be_in_viewport()
+    expect(page.locator("noscript p")).to_contain_text("JavaScript, which is switched off")
+
+
+@pytest.mark.parametrize("feature", LACKS)
+def test_what_an_old_browser_lacks_is_named(browser: Browser, server: Server, feature: str) -> None:
+    page = browser.new_page()
+    page.add_init_script(LACKS[feature])
+    page.goto(f"{server.url}?scene=coupled")
+    alert = page.get_by_role("alert").filter(has_text=f"This browser lacks {feature},")
+    expect(alert).to_contain_text("Firefox 121")
+    expect(alert).to_be_in_viewport()
+    page.close()
+
+
+def test_scripts_that_cannot_be_fetched_are_missed_in_a_sentence(quiet: Quiet, server: Server) -> None:
+    page = quiet()
+    page.route("**/start.js", lambda route: route.abort())
+    page.goto(server.url)
+    expect(page.get_by_role("alert").filter(has_text="Not all of this lecture could be fetched")).to_be_in_viewport()
+
+
+def test_a_browser_that_keeps_nothing_says_so_once(quiet: Quiet, server: Server) -> None:
+    page = quiet(NO_STORAGE)
+    page.goto(f"{server.url}?scene=coupled")
+    page.wait_for_function(READY)
+    remark = page.get_by_text("This browser keeps nothing for this page")
+    expect(remark).to_have_count(0)
+    before = page.evaluate("document.documentElement.dataset.theme")
+    page.locator("#theme").click()
+    expect(remark).to_be_visible()
+    page.get_by_role("status").filter(has=remark).get_by_role("button", name="Close").click()
+    page.locator("#theme").click()
+    assert page.evaluate("document.documentElement.dataset.theme") == before
+    expect(remark).to_have_count(0)
+
+
+def test_without_bokeh_all_but_the_curves_goes_on(quiet: Quiet, server: Server) -> None:
+    page = quiet()
+    page.route("**/bokeh.min.js", lambda route: route.abort())
+    page.goto(f"{server.url}?scene=coupled")
+    page.wait_for_function(READY)
+    lacks = page.get_by_text("What draws the curves could not be fetched. It is asked for again.")
+    expect(lacks).to_be_visible()
+    played(page, 3)
+    expect(page.get_by_role("alert").filter(has_text="Not connected.")).to_be_visible()
+    page.unroute("**/bokeh.min.js")
+    page.get_by_role("button", name="Try now").click()
+    page.wait_for_function("oscillations.plots.filter(plot => plot.box && !plot.absent).every(plot => plot.mounted)")
+    expect(lacks).to_have_count(0)
+
+
+def test_parts_asked_for_without_a_network_come_with_it(quiet: Quiet, server: Server) -> None:
+    page = quiet()
+    page.goto(f"{server.url}?scene=coupled")
+    page.wait_for_function(f"{READY} && oscillations.page.print")
+    unfold(page)
+    page.context.set_offline(True)
+    page.locator("details.about summary").click()
+    for _ in range(2):
+        page.get_by_role("button", name="Keys").click()
+        page.get_by_role("button", name="Pictures", exact=True).click()
+    remark = page.get_by_text("A part of this page could not be fetched")
+    expect(remark).to_have_count(1)
+    page.context.set_offline(False)
+    expect(page.get_by_role("dialog", name="Take a picture")).to_be_visible(timeout=BY_ANYTHING)
+    expect(remark).to_have_count(0)
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("dialog", name="Keys")).to_be_visible()
+    expect(page.locator("details.about table").first).to_be_visible()
+
+
+def test_a_walk_asked_for_without_a_network_begins_with_it(quiet: Quiet, server: Server) -> None:
+    page = quiet()
+    page.goto(f"{server.url}?scene=coupled")
+    page.wait_for_function(f"{READY} && oscillations.page.print")
+    page.context.set_offline(True)
+    page.locator(".walks summary").click()
+    page.locator("[data-walk=d34]").click()
+    expect(page.get_by_text("A part of this page could not be fetched")).to_be_visible()
+    page.context.set_offline(False)
+    page.wait_for_function("oscillations.walks.walk?.card", timeout=BY_ANYTHING)
+    expect(page.get_by_role("button", name="Show", exact=True)).to_be_visible()
