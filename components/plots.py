@@ -27,6 +27,8 @@ WIDTHS = {"sum": 3.0, "line": 1.75, "dash": 1.75, "dots": 1.0, "thin": 1.0}
 USUAL_ROOM = Room()
 NUMBERS = 30
 """The room of the numbers under a plot, in pixels: a plot beside it has the same frame if it leaves as much free."""
+HEADING = 24
+"""The height of the heading over a plot; likewise."""
 DASHES = {"dash": [7, 5], "dots": [1, 3]}
 
 
@@ -102,7 +104,7 @@ def plot(
     given: Details = {**USUAL, **details}
     given["x_labels"] = x_labels = given["x_labels"] and not given["plain"]
     room = replace(room, bottom=NUMBERS if x_labels else room.bottom)
-    given["basis"] += (NUMBERS if room.bottom == NUMBERS else 0) + (22 if heading else 0)
+    given["basis"] += (NUMBERS if room.bottom == NUMBERS else 0) + (HEADING if heading else 0)
     drawn = tuple(replace(one, x=one.x or x_column) for one in curves)
     filled = tuple(replace(one, x=one.x or x_column) for one in bands)
     return PlotBlock(

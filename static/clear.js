@@ -1,5 +1,7 @@
 // Texts of a picture keep clear of each other: of two that would overlap the later one moves up or down, or leaves.
 
+import {unitSize} from "./dom.js"
+
 /**
  * @typedef {{left: number, right: number, top: number, bottom: number}} Box in units
  * @typedef {{spec: page.AnyShape, group: SVGElement, parts: SVGElement[]}} Drawn
@@ -7,11 +9,16 @@
 
 const AIR = 2 // units between texts that stand side by side
 const FAR = 2.5 // lines that a text may move
-const EDGE = 12 // units that it may stand out of the picture
+const EDGE = 4 // units that it keeps from the edge of the paper, and may stand out of the picture
 
 export class Clear {
   /** @type {Map<string, {width: number, size: number}>} by style and words: all digits are of one width */
   #sizes = new Map()
+
+  room = {left: -Infinity, right: Infinity, top: -Infinity, bottom: Infinity}
+
+  /** @type {Box[]} */
+  standing = []
 
   /** @param {Drawn[]} shapes in the order of what matters most */
   constructor(shapes) {
@@ -28,16 +35,26 @@ export class Clear {
   }
 
   /**
-   * Once a frame: between texts that stand already. That in a box stays there.
-   * @param {Box[]} standing @param {number} W the width of the picture
+   * Where texts may stand, when the page has changed: on the paper sideways, within the picture up and down, and clear
+   * of those of `under`, a drawing of the same size.
+   * @param {Element} host @param {DOMRect} picture @param {SVGSVGElement} [under]
    */
-  place(standing, W) {
+  measure(host, picture, under) {
+    this.standing = under ? this.#boxes(under) : []
+    const paper = host.closest(".paper, .panel")?.getBoundingClientRect()
+    if (!paper) return
+    const [left, right] = [paper.left, paper.right].map(x => (x - picture.left) / unitSize())
+    this.room = {left, right, top: 0, bottom: picture.height / unitSize()}
+  }
+
+  /** Once a frame. What stands in a box stays there. */
+  place() {
     const shown = this.labels.filter(({group}) => group.style.display === "")
     const fixed = shown.filter(label => label.fixed && label.text.style.display === "")
-    const kept = [...standing, ...fixed.map(({text}) => this.box(text))]
+    const kept = [...this.standing, ...fixed.map(({text}) => this.box(text))]
     for (const {text} of shown.filter(label => !label.fixed)) {
-      const box = this.#inside(text, this.box(text), W)
-      const down = box.right > box.left ? way(box, kept) : 0
+      const box = this.#inside(text, this.box(text))
+      const down = box.right > box.left ? way(box, kept, this.room) : 0
       text.style.display = down === null ? "none" : ""
       if (down === null) continue
       if (down) text.setAttribute("y", String(Number(text.getAttribute("y")) + down))
@@ -46,7 +63,7 @@ export class Clear {
   }
 
   /** Where the texts of a drawing stand. @param {SVGSVGElement} drawing */
-  boxes(drawing) {
+  #boxes(drawing) {
     return [...drawing.querySelectorAll("text")].filter(({style}) => style.display === "").map(text => this.box(text))
   }
 
@@ -69,10 +86,11 @@ export class Clear {
     return size
   }
 
-  /** No further out than the edge of the paper. @param {SVGTextElement} text @param {Box} box @param {number} W */
-  #inside(text, box, W) {
-    const across = Math.max(Math.min(0, W + EDGE - box.right), -EDGE - box.left)
-    if (!across || box.right - box.left > W) return box
+  /** @param {SVGTextElement} text @param {Box} box */
+  #inside(text, box) {
+    const {left, right} = this.room
+    const across = Math.max(Math.min(0, right - EDGE - box.right), left + EDGE - box.left)
+    if (!across || box.right - box.left > right - left) return box
     text.setAttribute("x", String(Number(text.getAttribute("x")) + across))
     return {...box, left: box.left + across, right: box.right + across}
   }
@@ -80,15 +98,17 @@ export class Clear {
 
 /**
  * How far down, or up, a box stands clear of all others; null where it does not.
- * @param {Box} box @param {Box[]} others
+ * @param {Box} box @param {Box[]} others @param {Box} room
  */
-function way(box, others) {
+function way(box, others, room) {
   const near = others.filter(({left, right}) => box.left < right + AIR && left < box.right + AIR)
   const isClear = (/** @type {number} */ down) =>
     !near.some(({top, bottom}) => box.top + down < bottom - 0.01 && top < box.bottom + down - 0.01)
   if (isClear(0)) return 0
   const most = FAR * (box.bottom - box.top)
   const ways = near.flatMap(({top, bottom}) => [top - box.bottom, bottom - box.top])
-  const best = ways.filter(down => Math.abs(down) <= most && isClear(down))
+  const isIn = (/** @type {number} */ down) =>
+    down < 0 ? box.top + down > room.top - EDGE : box.bottom + down < room.bottom + EDGE
+  const best = ways.filter(down => Math.abs(down) <= most && isIn(down) && isClear(down))
   return best.length ? best.reduce((one, other) => (Math.abs(other) < Math.abs(one) ? other : one)) : null
 }

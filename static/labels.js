@@ -4,6 +4,8 @@ import {long, marked, set, svg, textWidth, units, unitSize, words} from "./dom.j
 
 const OVERHANG = 6 // a number with its unit may stand out by so much to the left before the unit goes under it
 
+const LIFT = 44 // units that a flag stands over the frame; one over another stands higher
+
 /** @typedef {{x: number, y: number}} Place */
 
 export class Labels {
@@ -34,10 +36,12 @@ export class Labels {
   #numbers() {
     const {left, top, height} = this.plot.frame
     const {ticks, labels} = this.plot.y
+    const last = ticks.length - 1
+    const step = everyWhich(ticks.map(tick => this.plot.py(tick)))
     this.scale.replaceChildren(
       ...(this.plot.block.plain ? [] : ticks).flatMap((tick, i) => {
         const y = this.plot.py(tick)
-        if (y < top - 1 || y > top + height + 1) return []
+        if (y < top - 1 || y > top + height + 1 || (last - i) % step) return []
         const [value, ...rest] = textWidth(labels[i]) > left + OVERHANG ? labels[i].split(" ") : [labels[i]]
         const unit = rest.join(" ")
         const lines = [
@@ -107,6 +111,12 @@ export class Labels {
   }
 }
 
+/** Where numbers would touch, every second one stands, or fewer. @param {number[]} heights */
+function everyWhich(heights) {
+  const gap = Math.min(...heights.slice(1).map((height, i) => Math.abs(height - heights[i])))
+  return Math.max(Math.ceil(units("t0") / gap), 1)
+}
+
 /** @param {Place} place @param {Place[]} taken */
 const isTaken = ({x, y}, taken) => taken.some(other => Math.abs(other.x - x) < 56 && Math.abs(other.y - y) < 14)
 
@@ -137,7 +147,7 @@ export class Flags {
   #mark(mark) {
     const line = svg("line", {class: `mark ${mark.tint} ${mark.style}`})
     this.plot.over.append(line)
-    const look = {class: `flag ${mark.tint} ${mark.flag}`}
+    const look = {class: `flag ${mark.tint} ${mark.flag} ${(mark.lift ?? LIFT) > LIFT ? "upper" : ""}`}
     const isPressed = Boolean(mark.set || mark.act)
     const flag = isPressed ? marked("button", {...look, type: "button"}, mark.html) : marked("span", look, mark.html)
     if (isPressed) {
@@ -173,7 +183,7 @@ export class Flags {
     set(line, ends)
     one.at = (across ? left + width : place) + mark.shift
     flag.style.left = long(one.at)
-    flag.style.top = long((across ? place - 12 : top) - (mark.lift ?? (across ? 0 : 44)))
+    flag.style.top = long((across ? place - 12 : top) - (mark.lift ?? (across ? 0 : LIFT)))
     flag.hidden = flag.innerHTML === ""
   }
 

@@ -176,9 +176,6 @@ export class Stage {
   /** @type {SVGSVGElement | undefined} a drawing of the same size, whose texts stand already */
   under
 
-  /** @type {import("./clear.js").Box[]} where they stand */
-  around = []
-
   /** @type {(() => void) | undefined} called when there is more or less room */
   resized
 
@@ -245,7 +242,7 @@ export class Stage {
    */
   measure(plots) {
     const origin = this.svg.getBoundingClientRect()
-    this.around = this.under ? this.clear.boxes(this.under) : []
+    this.clear.measure(this.host, origin, this.under)
     this.plots = Object.assign({}, ...plots.map(plot => plot.geometry(origin)))
     for (const [plot, {rect}] of this.frames) {
       const [left, right, top, bottom] = ["left", "right", "top", "bottom"].map(side => this.plots[`${plot}.${side}`])
@@ -291,6 +288,6 @@ export class Stage {
       kind.move(parts, s)
       this.grips?.place(spec, s, true, all)
     }
-    this.clear.place(this.around, this.size.W)
+    this.clear.place()
   }
 }

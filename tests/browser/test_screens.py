@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from urllib.parse import parse_qs
 
 import pytest
@@ -11,6 +12,7 @@ from components.scenes import SCENES
 from components.url import write_query
 from tests.browser.boxes import faults
 from tests.browser.fixtures import READY
+from tests.browser.targets import small_targets
 from tests.browser.views import LINKS
 from tests.browser.waiting import passed, seek
 from tests.scenes.checks import WHOLE
@@ -21,9 +23,8 @@ SAMPLE = ((1280, 590), (1024, 768), (844, 390), (360, 640))
 GRID = (
     *SAMPLE,
     *((1280, 720), (1279, 1000), (1920, 1080), (2560, 1440), (3840, 2160), (1600, 480)),
-    *((853, 480), (768, 1024), (640, 360), (600, 800), (390, 844), (320, 640), (320, 320)),
+    *((1280, 560), (853, 480), (768, 1024), (640, 360), (600, 800), (390, 844), (320, 640), (320, 320)),
 )
-SIZES = GRID if WHOLE else SAMPLE
 MEANT: dict[str, tuple[str, ...]] = {
     # Rows of stability whose limits nearly coincide are named on one line.
     "accuracy": ("Explicit Euler", "Newmark"),
@@ -41,21 +42,51 @@ STAYING = """() => {
 }"""
 
 
+SCROLLED = "(paper => paper.scrollHeight - paper.clientHeight)(document.querySelector('.paper'))"
 PRESETS = [write_query(scene(**values)) for scene in SCENES.values() for values in scene.presets.values() if values]
+CASES = [(link, GRID if WHOLE else SAMPLE) for link in LINKS] + [
+    (link, (*SAMPLE, (390, 844), (3840, 2160))) for link in PRESETS if WHOLE and link not in LINKS
+]
+"""Links and the sizes that each is looked at in."""
+DESK = (1280, 560)
 
 
-@pytest.mark.parametrize("link", LINKS + PRESETS * WHOLE)
-def test_nothing_overlaps_is_cut_or_too_small(link: str, page: Page, server: Server) -> None:
+@pytest.mark.parametrize(("link", "sizes"), CASES, ids=[link for link, _ in CASES])
+def test_nothing_overlaps_is_cut_or_too_small(
+    link: str, sizes: Iterable[tuple[int, int]], page: Page, server: Server
+) -> None:
     page.goto(f"{server.url}?{link}")
     page.wait_for_function(READY)
-    meant = MEANT.get(parse_qs(link)["scene"][0], ())
-    found = []
-    for width, height in SIZES:
-        page.set_viewport_size({"width": width, "height": height})
-        passed(page)
-        seek(page, 0.0)
-        told = [fault for fault in faults(page) if not any(words in fault for words in meant)]
-        found += [f"{width} x {height}: {fault}" for fault in told]
-        if page.evaluate(STAYING) > 0.45:
-            found.append(f"{width} x {height}: what stays in sight covers {page.evaluate(STAYING):.0%}")
+    found = [fault for width, height in sizes for fault in seen(page, link, width, height)]
+    # What the browser is told of the size of text is followed by all that is drawn.
+    page.evaluate("document.documentElement.style.fontSize = '200%'")
+    for width, height in ((1280, 720), (390, 844)) if WHOLE else ((1280, 720),):
+        found += [f"text of 200 %, {fault}" for fault in seen(page, link, width, height)]
     assert not found, "\n".join(found)
+
+
+def seen(page: Page, link: str, width: int, height: int) -> list[str]:
+    """What is wrong in a window of that size."""
+    page.set_viewport_size({"width": width, "height": height})
+    passed(page)
+    seek(page, 0.0)
+    meant = MEANT.get(parse_qs(link)["scene"][0], ())
+    found = [fault for fault in faults(page) if not any(words in fault for words in meant)]
+    if (covered := page.evaluate(STAYING)) > 0.45:
+        found.append(f"what stays in sight covers {covered:.1%}")
+    # On a desk the whole sheet is in sight, with its handles.
+    if width >= DESK[0] and height >= DESK[1] and (scrolled := page.evaluate(SCROLLED)) > 1:
+        found.append(f"{scrolled} px of the sheet are out of sight")
+    return [f"{width} x {height}: {fault}" for fault in found]
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_a_finger_hits_what_it_aims_at(
+    slug: str, new_page: Callable[..., Page], open_scene: Callable[..., Page]
+) -> None:
+    finger = open_scene(new_page(390, 844, has_touch=True, is_mobile=True), scene=slug)
+    assert small_targets(finger, 44) == []
+    finger.set_viewport_size({"width": 1280, "height": 720})
+    passed(finger)
+    assert small_targets(finger, 44) == []
+    assert small_targets(open_scene(new_page(1280, 590), scene=slug), 24) == []

@@ -103,7 +103,9 @@ def _meanings() -> Iterable[AnyShape]:
     return (
         text(limit, rounding - 6, "one rounding of a double, 1.1·10⁻¹⁶", **told),
         text(limit, var("work.top") + 14, "a run is stopped at {limit}", **told),
-        text(x, y, "Press Run: eight methods on this motion, within a minute.", style="halo", show="empty"),
+        text(x, y, "Press Run: eight methods on this motion, within a minute.", style="halo", show="empty wide"),
+        text(x, y - 9, "Press Run: eight methods", style="halo", show="empty narrow"),
+        text(x, y + 9, "on this motion, within a minute.", style="halo", show="empty narrow"),
     )
 
 

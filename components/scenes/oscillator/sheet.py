@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from components.page.blocks import Block
-from components.plots import NUMBERS, Room, curve, plot
+from components.plots import HEADING, NUMBERS, Room, curve, plot
 from components.scenes.oscillator.turning import FIRST, first, hero, lead, planes
 from components.sheet import column, either, phrase, row, stage, term, words
 from components.stage import Shape
@@ -107,7 +107,7 @@ def _law_words() -> Block:
         either("kind", turn=r"$\tau = 2 \pi / \omega_n = \val{tau}$ s", drift="no period"),
         style="facts proof",
         grow=212,
-        basis=22,
+        basis=HEADING,
         phone=42,
     )
 
