@@ -29,6 +29,7 @@ SHEETS = (
     "text",
     "tables",
     "layout",
+    "stacked",
     "stage",
     "plots",
     "buttons",
