@@ -41,7 +41,9 @@ export class Clear {
    */
   measure(host, picture, under) {
     this.standing = under ? this.#boxes(under) : []
-    const paper = host.closest(".paper, .panel")?.getBoundingClientRect()
+    // On a phone paper and panel are one column: they have no boxes of their own.
+    const surfaces = [host.closest(".paper, .panel"), host.closest(".page")]
+    const paper = surfaces.map(one => one?.getBoundingClientRect()).find(box => box?.width)
     if (!paper) return
     const [left, right] = [paper.left, paper.right].map(x => (x - picture.left) / unitSize())
     this.room = {left, right, top: 0, bottom: picture.height / unitSize()}
@@ -88,11 +90,13 @@ export class Clear {
 
   /** @param {SVGTextElement} text @param {Box} box */
   #inside(text, box) {
-    const {left, right} = this.room
-    const across = Math.max(Math.min(0, right - EDGE - box.right), left + EDGE - box.left)
-    if (!across || box.right - box.left > right - left) return box
-    text.setAttribute("x", String(Number(text.getAttribute("x")) + across))
-    return {...box, left: box.left + across, right: box.right + across}
+    const {left, right, bottom} = this.room
+    const isWide = box.right - box.left > right - left
+    const across = isWide ? 0 : Math.max(Math.min(0, right - EDGE - box.right), left + EDGE - box.left)
+    const down = Math.min(0, bottom + EDGE - box.bottom)
+    if (across) text.setAttribute("x", String(Number(text.getAttribute("x")) + across))
+    if (down) text.setAttribute("y", String(Number(text.getAttribute("y")) + down))
+    return {left: box.left + across, right: box.right + across, top: box.top + down, bottom: box.bottom + down}
   }
 }
 
