@@ -9,13 +9,13 @@ import {unitSize} from "./dom.js"
 
 const AIR = 2 // units between texts that stand side by side
 const FAR = 2.5 // lines that a text may move
-const EDGE = 4 // units that it keeps from the edge of the paper, and may stand out of the picture
+const EDGE = 4 // units that it keeps from the edges of the paper, and may stand out of the picture
 
 export class Clear {
   /** @type {Map<string, {width: number, size: number}>} by style and words: all digits are of one width */
   #sizes = new Map()
 
-  room = {left: -Infinity, right: Infinity, top: -Infinity, bottom: Infinity}
+  room = {left: -Infinity, right: Infinity}
 
   /** @type {Box[]} */
   standing = []
@@ -35,8 +35,8 @@ export class Clear {
   }
 
   /**
-   * Where texts may stand, when the page has changed: on the paper sideways, within the picture up and down, and clear
-   * of those of `under`, a drawing of the same size.
+   * Where texts may stand, when the page has changed: on the paper, and clear of those of `under`, a drawing of the
+   * same size.
    * @param {Element} host @param {DOMRect} picture @param {SVGSVGElement} [under]
    */
   measure(host, picture, under) {
@@ -46,7 +46,7 @@ export class Clear {
     const paper = surfaces.map(one => one?.getBoundingClientRect()).find(box => box?.width)
     if (!paper) return
     const [left, right] = [paper.left, paper.right].map(x => (x - picture.left) / unitSize())
-    this.room = {left, right, top: 0, bottom: picture.height / unitSize()}
+    this.room = {left, right}
   }
 
   /** Once a frame. What stands in a box stays there. */
@@ -56,7 +56,7 @@ export class Clear {
     const kept = [...this.standing, ...fixed.map(({text}) => this.box(text))]
     for (const {text} of shown.filter(label => !label.fixed)) {
       const box = this.#inside(text, this.box(text))
-      const down = box.right > box.left ? way(box, kept, this.room) : 0
+      const down = box.right > box.left ? way(box, kept) : 0
       text.style.display = down === null ? "none" : ""
       if (down === null) continue
       if (down) text.setAttribute("y", String(Number(text.getAttribute("y")) + down))
@@ -90,29 +90,26 @@ export class Clear {
 
   /** @param {SVGTextElement} text @param {Box} box */
   #inside(text, box) {
-    const {left, right, bottom} = this.room
-    const isWide = box.right - box.left > right - left
-    const across = isWide ? 0 : Math.max(Math.min(0, right - EDGE - box.right), left + EDGE - box.left)
-    const down = Math.min(0, bottom + EDGE - box.bottom)
-    if (across) text.setAttribute("x", String(Number(text.getAttribute("x")) + across))
-    if (down) text.setAttribute("y", String(Number(text.getAttribute("y")) + down))
-    return {left: box.left + across, right: box.right + across, top: box.top + down, bottom: box.bottom + down}
+    const {left, right} = this.room
+    const across = Math.max(Math.min(0, right - EDGE - box.right), left + EDGE - box.left)
+    if (!across || box.right - box.left > right - left) return box
+    text.setAttribute("x", String(Number(text.getAttribute("x")) + across))
+    return {...box, left: box.left + across, right: box.right + across}
   }
 }
 
 /**
  * How far down, or up, a box stands clear of all others; null where it does not.
- * @param {Box} box @param {Box[]} others @param {Box} room
+ * @param {Box} box @param {Box[]} others
  */
-function way(box, others, room) {
+function way(box, others) {
   const near = others.filter(({left, right}) => box.left < right + AIR && left < box.right + AIR)
   const isClear = (/** @type {number} */ down) =>
     !near.some(({top, bottom}) => box.top + down < bottom - 0.01 && top < box.bottom + down - 0.01)
   if (isClear(0)) return 0
   const most = FAR * (box.bottom - box.top)
   const ways = near.flatMap(({top, bottom}) => [top - box.bottom, bottom - box.top])
-  const isIn = (/** @type {number} */ down) =>
-    down < 0 ? box.top + down > room.top - EDGE : box.bottom + down < room.bottom + EDGE
-  const best = ways.filter(down => Math.abs(down) <= most && isIn(down) && isClear(down))
+  // What stands in the picture is not moved out of it at the top, where a heading is.
+  const best = ways.filter(down => Math.abs(down) <= most && (down > 0 || box.top + down > -EDGE) && isClear(down))
   return best.length ? best.reduce((one, other) => (Math.abs(other) < Math.abs(one) ? other : one)) : null
 }
