@@ -9,9 +9,9 @@ from components.page.numbers import Number, as_expression, var
 from components.page.shapes import Along, AnyWay, Begin, Grab
 
 
-def grab(label: str, *ways: AnyWay) -> Grab:
-    """What sets values and leaves the clock alone."""
-    return Grab(label=label, ways=ways)
+def grab(label: str, *ways: AnyWay, inside: str = "") -> Grab:
+    """What sets values and leaves the clock alone, in the frame of the plot `inside` if there is one."""
+    return Grab(label=label, ways=ways, inside=inside)
 
 
 def begin(label: str, *ways: AnyWay, start: tuple[Begin, ...] = ()) -> Grab:

@@ -2,12 +2,24 @@
 
 import {element, long, unitSize} from "./dom.js"
 import {brief} from "./handles.js"
+import {polynomial} from "./signals.js"
 
 const FINGER = 44 // pixels, the least that a finger hits
-const STEP = 4 // pixels that an arrow key moves
-/** @type {Record<string, [number, number]>} */
-const KEYS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]}
+const STEP = 4 // pixels that an arrow key moves; with Shift it is one
+const LEAP = 40 // pixels that Page Up and Page Down move
 const GRABBED = "grabbed"
+
+/** Where keys lead on the screen, to the right and up. @type {Record<string, [number, number]>} */
+const KEYS = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+  PageUp: [0, LEAP / STEP],
+  PageDown: [0, -LEAP / STEP],
+}
+/** Which end of its slider. @type {Record<string, 0 | 1>} */
+const ENDS = {Home: 0, End: 1}
 
 /**
  * Where a hand takes hold of a shape, and how large that is.
@@ -40,15 +52,18 @@ export class Grips {
   /** @param {page.AnyShape & {grab: page.Grab}} shape */
   add(shape) {
     const {grab} = shape
-    const names = grab.ways.map(way => way.parameter).filter(Boolean)
-    const look = {class: "grip", role: "slider", tabindex: 0, "aria-label": grab.label, "data-grab": names.join(" ")}
-    const grip = {grip: element("div", look), grab, x: 0, y: 0}
+    const look = {class: `grip ${grab.begins ? "begins" : ""}`, role: "slider", tabindex: 0, "aria-label": grab.label}
+    const grip = {grip: element("div", {...look, "data-grab": set(grab).join(" ")}), grab, x: 0, y: 0}
+    const [only, ...more] = grab.ways.filter(way => way.parameter)
+    if (!more.length && only.kind !== "turn") {
+      const upright = only.kind === "trade" || only.across === "y"
+      grip.grip.setAttribute("aria-orientation", upright ? "vertical" : "horizontal")
+    }
     grip.grip.addEventListener("pointerdown", event => this.#drag(event, grip))
     grip.grip.addEventListener("keydown", event => this.#key(event, grip))
     grip.grip.addEventListener("blur", () => this.#let(grip))
     this.element.append(grip.grip, this.why)
     this.grips.set(shape, grip)
-    if (grab.begins && !hasGrabbed()) this.page.hand.hint = "Drag what moves, and let it go."
   }
 
   /** Once a frame. @param {object} shape @param {any} s its numbers @param {boolean} shown @param {Named} all */
@@ -56,7 +71,8 @@ export class Grips {
     const found = this.grips.get(shape)
     if (!found) return
     this.all = all
-    found.grip.hidden = !shown
+    const isHeld = this.page.hand.grab === found.grab
+    found.grip.hidden = !shown && !isHeld // what a hand holds does not vanish under it
     if (!shown) return
     const [x, y, size] = HOLDS[s.kind](s)
     Object.assign(found, {x, y})
@@ -64,7 +80,7 @@ export class Grips {
     const {style} = found.grip
     style.width = style.height = long(wide)
     style.transform = `translate(${long(x - wide / 2)}, ${long(y - wide / 2)})`
-    if (this.page.hand.grab === found.grab) this.#say(found, wide)
+    if (isHeld) this.#say(found, wide)
   }
 
   /** Why a value cannot be, beside the hand. @param {Grip} grip @param {number} wide */
@@ -78,12 +94,32 @@ export class Grips {
   update() {
     const {settings} = this.page.shown
     for (const {grip, grab} of this.grips.values()) {
-      const names = grab.ways.map(way => way.parameter).filter(Boolean)
-      const spoken = names.map(name => `${name} ${brief(settings[name].text)} ${settings[name].unit ?? ""}`)
+      const names = set(grab)
+      const [low, high] = this.#ends(names[0])
       grip.setAttribute("aria-valuenow", String(settings[names[0]].value))
-      grip.setAttribute("aria-valuetext", spoken.join(", "))
+      grip.setAttribute("aria-valuemin", String(low))
+      grip.setAttribute("aria-valuemax", String(high))
+      grip.setAttribute("aria-valuetext", names.map(name => this.#spoken(name)).join("; "))
     }
     if (!this.page.hand.grab) this.why.textContent = ""
+  }
+
+  /** A parameter as its slider calls it, and its value: x1, displacement: 0.40 m. @param {string} name */
+  #spoken(name) {
+    const {text, unit} = this.page.shown.settings[name]
+    const spec = this.page.controls.sliders.get(name)?.spec
+    const label = spec
+      ? spec.label
+          .split(", ")
+          .slice(0, spec.unit ? -1 : undefined)
+          .join(", ")
+      : name
+    return `${label}: ${brief(text)} ${unit ?? spec?.unit ?? ""}`.trim()
+  }
+
+  /** What the slider of a parameter spans. @param {string} name @returns {[number, number]} */
+  #ends(name) {
+    return this.page.shown.settings[name].soft ?? this.page.controls.sliders.get(name)?.spec.soft ?? [0, 1]
   }
 
   /** @param {PointerEvent} event @param {Grip} grip */
@@ -112,38 +148,51 @@ export class Grips {
   /** @param {Grip} grip */
   #take(grip) {
     const {hand} = this.page
-    hand.hint = ""
     remember()
+    this.page.hint?.leave()
     hand.take(grip.grab)
     if (grip.grab.begins && !grip.grab.start.length) hand.move({x: grip.x, y: grip.y}, this.all)
   }
 
-  /** Where the hand is, no further than the paper. @param {{x: number, y: number}} at */
+  /** Where the hand is, no further than the paper or the frame of a plot. @param {{x: number, y: number}} at */
   #move({x, y}) {
+    const {hand} = this.page
+    const {left, right, top, bottom} = hand.grab?.inside ? this.#frame(hand.grab.inside) : this.#paper()
+    hand.move({x: Math.min(Math.max(x, left), right), y: Math.min(Math.max(y, top), bottom)}, this.all)
+  }
+
+  #paper() {
     const own = this.element.getBoundingClientRect()
     const {left, right, top, bottom} = this.page.paper.getBoundingClientRect()
-    const across = Math.min(Math.max(x, (left - own.left) / unitSize()), (right - own.left) / unitSize())
-    const down = Math.min(Math.max(y, (top - own.top) / unitSize()), (bottom - own.top) / unitSize())
-    this.page.hand.move({x: across, y: down}, this.all)
+    const unit = unitSize()
+    const [across, down] = [own.left / unit, own.top / unit]
+    return {left: left / unit - across, right: right / unit - across, top: top / unit - down, bottom: bottom / unit - down}
+  }
+
+  /** @param {string} plot */
+  #frame(plot) {
+    const [left, right, top, bottom] = ["left", "right", "top", "bottom"].map(side => this.all[`${plot}.${side}`])
+    return {left, right, top, bottom}
   }
 
   /**
-   * Arrows move what has the focus, and hold it still; Enter and Space let it go.
+   * Arrows and Page keys move what has the focus, Home and End take its first value to an end of the slider; all hold
+   * it still until Enter or Space lets it go.
    * @param {KeyboardEvent} event @param {Grip} grip
    */
   #key(event, grip) {
     const {hand} = this.page
     const way = KEYS[event.key]
-    if (way) {
-      event.preventDefault()
-      if (hand.grab !== grip.grab) this.#take(grip)
-      const far = event.shiftKey ? 1 : STEP
-      this.#move({x: grip.x + far * way[0], y: grip.y + far * way[1]})
-      hand.rest()
-    } else if ((event.key === "Enter" || event.key === " ") && hand.grab === grip.grab) {
-      event.preventDefault()
-      this.#let(grip)
-    }
+    const end = ENDS[event.key]
+    const held = hand.grab === grip.grab
+    const lets = held && (event.key === "Enter" || event.key === " ")
+    if (!way && end === undefined && !lets) return
+    event.preventDefault()
+    if (lets) return this.#let(grip)
+    if (!held) this.#take(grip)
+    if (way) this.#move(stepped(grip, way, event.shiftKey ? 1 : STEP, this.all))
+    else hand.put(this.#ends(set(grip.grab)[0])[end])
+    hand.rest()
   }
 
   /** @param {Grip} grip */
@@ -152,7 +201,31 @@ export class Grips {
   }
 }
 
-function hasGrabbed() {
+/** The parameters that a hand sets. @param {page.Grab} grab */
+const set = grab => grab.ways.map(way => way.parameter).filter(Boolean)
+
+/**
+ * Where a key leads: what has but one way goes along that with each of them, up and to the right alike.
+ * @param {Grip} grip @param {[number, number]} way @param {number} far @param {Named} all
+ */
+function stepped({grab, x, y}, [across, up], far, all) {
+  const ways = grab.ways.filter(one => one.parameter)
+  const both = (across + up) * far
+  const [{kind}] = ways
+  if (kind === "turn") {
+    const {x: cx, y: cy, tall} = /** @type {page.Turn} */ (ways[0])
+    const [dx, dy] = [x - polynomial(cx, all), (y - polynomial(cy, all)) / tall]
+    const radius = Math.hypot(dx, dy)
+    const angle = Math.atan2(dx, dy) + both / radius
+    return {x: x - dx + radius * Math.sin(angle), y: y + (radius * Math.cos(angle) - dy) * tall}
+  }
+  if (new Set(ways.map(one => ("across" in one ? one.across : "y"))).size > 1)
+    return {x: x + across * far, y: y - up * far}
+  return "across" in ways[0] && ways[0].across === "x" ? {x: x + both, y} : {x, y: y - both}
+}
+
+/** Whether something has been grabbed in this browser. */
+export function hasGrabbed() {
   try {
     return localStorage.getItem(GRABBED) !== null
   } catch {

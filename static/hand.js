@@ -26,8 +26,6 @@ export class Hand {
   /** @type {{at: Point, when: number}[]} */
   trail = []
 
-  hint = "" // said once, until something has been grabbed
-
   refusal = ""
   from = 0
   leaving = false
@@ -98,6 +96,14 @@ export class Hand {
     this.page.clock.dirty = true
   }
 
+  /** The first value is to be this one; the others stay. @param {number} value */
+  put(value) {
+    const way = this.grab?.ways.find(one => one.parameter)
+    if (!way) return
+    this.moved = {}
+    this.#send({[way.parameter]: value})
+  }
+
   /** The hand stands still: letting go is no flick. */
   rest() {
     this.trail = []
@@ -160,21 +166,37 @@ export class Hand {
  */
 function placed(way, at, all, ruler) {
   if (way.kind === "turn") {
-    const [across, down] = [at.x - polynomial(way.x, all), at.y - polynomial(way.y, all)]
-    const angle = Math.atan2(across, down)
-    return {si: angle, value: angle, pixel: 1 / Math.hypot(across, down)}
+    const [across, down] = [at.x - polynomial(way.x, all), (at.y - polynomial(way.y, all)) / way.tall]
+    const si = (Math.atan2(across, down) - way.zero) / way.unit
+    return {si, value: si, pixel: 1 / Math.hypot(across, down) / Math.abs(way.unit)}
   }
   const unit = polynomial(way.unit, all)
-  const place = ((way.kind === "along" ? at[way.across] : at.y) - polynomial(way.zero, all)) / unit
-  const si = toSI(ruler, place)
-  if (way.kind === "along") return {si, value: si, pixel: Math.abs(toSI(ruler, place + 1 / unit) - si)}
+  const place = ((way.kind === "trade" ? at.y : at[way.across]) - polynomial(way.zero, all)) / unit
+  if (way.kind !== "trade") return onLine(way, place, Math.abs(1 / unit), all, ruler)
   const head = toSI(ruler, all[way.head])
-  const high = Math.min(si, head / 2)
+  const high = Math.min(toSI(ruler, place), head / 2)
   return {si: high, value: Math.sqrt(1 - (2 * high) / head) - 1, pixel: 0.01}
+}
+
+/**
+ * @param {page.Along | page.Share | page.Quotient} way @param {number} place @param {number} pixel of the axis
+ * @param {Named} all @param {page.Ruler} ruler
+ */
+function onLine(way, place, pixel, all, ruler) {
+  const inside = Math.min(Math.max(place, way.least ?? -Infinity), way.most ?? Infinity)
+  const [si, beside] = [inside, inside + pixel].map(one => toSI(ruler, one))
+  if (way.kind === "along") return {si, value: si, pixel: Math.abs(beside - si)}
+  if (way.kind === "quotient") {
+    const value = all[way.over] / inside
+    return {si, value, pixel: Math.abs(value - all[way.over] / (inside + pixel))}
+  }
+  const share = polynomial(way.share, all)
+  return {si: share * si, value: share * si + toSI(ruler, all[way.rest]), pixel: Math.abs(share * (beside - si))}
 }
 
 /** A value to the digits that a hand can tell apart. @param {number} value @param {number} pixel */
 function rounded(value, pixel) {
+  if (!pixel) return digits(value)
   const step = 10 ** Math.floor(Math.log10(pixel))
   return Number((Math.round(value / step) * step).toPrecision(12)) + 0
 }

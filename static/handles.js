@@ -99,6 +99,7 @@ export class Handles {
       "aria-label": label,
       "data-grab": handle?.parameter,
       "aria-orientation": isUpright ? "vertical" : "horizontal",
+      "data-grab": handle?.parameter,
     })
     const pill = {element: made, handle, off: false}
     made.addEventListener("keydown", event => this.#key(event, pill))

@@ -765,19 +765,43 @@ declare namespace page {
     rate: string
   }
 
-  /** In proportion: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or downwards. */
-  interface Along extends Way {
-    kind: "along"
+  /** A place on a line: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or down; a
+   * hand takes it no lower than `least` and no higher than `most`. */
+  interface Stretch extends Way {
     across: "x" | "y"
     zero: Number
     unit: Number
+    least: number | null
+    most: number | null
   }
 
-  /** The angle about (x, y) in rad, from straight down, counted to the right (anticlockwise). */
+  /** What stands at the hand is the value. */
+  interface Along extends Stretch {
+    kind: "along"
+  }
+
+  /** One of two parts of the value: `share` times what stands at the hand, and the signal `rest`, which stays. */
+  interface Share extends Stretch {
+    kind: "share"
+    share: Number
+    rest: string
+  }
+
+  /** The value is that of `over`, divided by what stands at the hand. */
+  interface Quotient extends Stretch {
+    kind: "quotient"
+    over: string
+  }
+
+  /** The angle about (x, y) in rad, from straight down, counted to the right (anticlockwise): 0 stands at `zero`, one
+   * is `unit` rad. Of a circle seen from the side `tall` is the height over the width. */
   interface Turn extends Way {
     kind: "turn"
     x: Number
     y: Number
+    zero: number
+    unit: number
+    tall: number
   }
 
   /** Height for speed without loss: the excess of speed in level flight at a height, by the height `head` (v_0^2/g);
@@ -789,7 +813,7 @@ declare namespace page {
     head: string
   }
 
-  type AnyWay = Along | Turn | Trade
+  type AnyWay = Along | Share | Quotient | Turn | Trade
 
   /** The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0. */
   interface Begin {
@@ -801,12 +825,14 @@ declare namespace page {
 
   /** What a hand does with a shape; `label` names it for a screen reader.
    *
-   * Where it `begins` a motion, time stops, what is seen becomes the new `start`, and letting go plays it. */
+   * Where it `begins` a motion, time stops, what is seen becomes the new `start`, and letting go plays it. The hand does
+   * not leave the frame of the plot `inside`. */
   interface Grab {
     label: string
     ways: AnyWay[]
     begins: boolean
     start: Begin[]
+    inside: string
   }
 
   /** What all shapes have: `tint`, the class of a colour, and `style`, more classes; drawn while the picture has all

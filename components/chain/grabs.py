@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from components.chain.modes import MODES, directions
 from components.chain.stage import rest
 from components.grabs import at_rest, begin, on_plot
 from components.page.numbers import var
-from components.page.shapes import Along, Begin, Grab
+from components.page.shapes import Along, Begin, Grab, Share
 from components.stage import W
+from physics.coupled import TwoMassChain
 
 PLACES = (Begin("x1_0", "x1", "x"), Begin("x2_0", "x2", "x"))
 VELOCITIES = at_rest("v1_0", "v2_0")
@@ -30,3 +32,32 @@ def plane_grab(plot: str) -> Grab:
     """Of the point in the plane (x1, x2)."""
     ways = (on_plot(plot, "x", "x1_0", "x1", "x"), on_plot(plot, "y", "x2_0", "x2", "x"))
     return begin("Both masses, start", *ways, start=PLACES + VELOCITIES)
+
+
+def mode_grab(mode: str, mass: int) -> Grab:
+    """Of mass 1 or 2 in one mode alone: its amplitude; the other mode stays as it is."""
+    other = MODES[1 - MODES.index(mode)]
+    ways = (
+        Share(
+            parameter=f"x{i}_0",
+            moves=f"x{i}_{mode}",
+            axis="x",
+            rate=f"v{i}_0",
+            across="x",
+            zero=rest(mass),
+            unit=var("metre") * W,
+            share=1.0 if i == mass else var(f"{mode}_{i}_by_{mass}"),
+            rest=f"x{i}_{other}",
+        )
+        for i in (1, 2)
+    )
+    return begin(f"{mode.capitalize()} mode, start, by mass {mass}", *ways, start=PLACES + VELOCITIES)
+
+
+def shares(system: TwoMassChain) -> dict[str, float]:
+    """How far each mass goes in each mode, by the other one: where that one moves, and so can be taken."""
+    found: dict[str, float] = {}
+    for mode, (one, two) in zip(MODES, directions(system), strict=True):
+        found |= {f"{mode}_2_by_1": two / one if one else 0.0, f"{mode}_1_by_2": one / two if two else 0.0}
+        found |= {f"{mode}_by_1": float(one != 0), f"{mode}_by_2": float(two != 0)}
+    return found

@@ -27,19 +27,43 @@ class Way(Struct, frozen=True, kw_only=True, tag_field="kind"):
     rate: str = ""
 
 
-class Along(Way, frozen=True, kw_only=True, tag="along"):
-    """In proportion: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or downwards."""
+class Stretch(Way, frozen=True, kw_only=True):
+    """A place on a line: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or down; a
+    hand takes it no lower than `least` and no higher than `most`."""
 
     across: Literal["x", "y"]
     zero: Number
     unit: Number
+    least: float | None = None
+    most: float | None = None
+
+
+class Along(Stretch, frozen=True, kw_only=True, tag="along"):
+    """What stands at the hand is the value."""
+
+
+class Share(Stretch, frozen=True, kw_only=True, tag="share"):
+    """One of two parts of the value: `share` times what stands at the hand, and the signal `rest`, which stays."""
+
+    share: Number
+    rest: str
+
+
+class Quotient(Stretch, frozen=True, kw_only=True, tag="quotient"):
+    """The value is that of `over`, divided by what stands at the hand."""
+
+    over: str
 
 
 class Turn(Way, frozen=True, kw_only=True, tag="turn"):
-    """The angle about (x, y) in rad, from straight down, counted to the right (anticlockwise)."""
+    """The angle about (x, y) in rad, from straight down, counted to the right (anticlockwise): 0 stands at `zero`, one
+    is `unit` rad. Of a circle seen from the side `tall` is the height over the width."""
 
     x: Number
     y: Number
+    zero: float = 0.0
+    unit: float = 1.0
+    tall: float = 1.0
 
 
 class Trade(Way, frozen=True, kw_only=True, tag="trade"):
@@ -51,7 +75,7 @@ class Trade(Way, frozen=True, kw_only=True, tag="trade"):
     head: str
 
 
-AnyWay: TypeAlias = Along | Turn | Trade
+AnyWay: TypeAlias = Along | Share | Quotient | Turn | Trade
 
 
 class Begin(Struct, frozen=True):
@@ -66,13 +90,15 @@ class Begin(Struct, frozen=True):
 class Grab(Struct, frozen=True, kw_only=True):
     """What a hand does with a shape; `label` names it for a screen reader.
 
-    Where it `begins` a motion, time stops, what is seen becomes the new `start`, and letting go plays it.
+    Where it `begins` a motion, time stops, what is seen becomes the new `start`, and letting go plays it. The hand does
+    not leave the frame of the plot `inside`.
     """
 
     label: str
     ways: tuple[AnyWay, ...]
     begins: bool = False
     start: tuple[Begin, ...] = ()
+    inside: str = ""
 
 
 class Look(Struct, frozen=True, kw_only=True, tag_field="kind"):

@@ -74,6 +74,7 @@ export class Card {
   teach(lesson) {
     const {page} = this
     this.#release()
+    this.#confine()
     page.headline(lesson.title)
     this.question.teach(lesson)
     this.after.replaceChildren(...this.#meaning(lesson))
@@ -127,7 +128,20 @@ export class Card {
   #release() {
     const {page} = this
     page.root.classList.remove("asked")
-    for (const part of page.root.querySelectorAll(HELD)) part.removeAttribute("inert")
+    for (const part of page.root.querySelectorAll(`${HELD}, .grip`)) part.removeAttribute("inert")
+  }
+
+  /** After the answer a hand takes what sets a value that the step names. */
+  #confine() {
+    const names = new Set(this.walk.step.controls)
+    for (const grip of this.page.root.querySelectorAll(".grip"))
+      if (
+        !grip
+          .getAttribute("data-grab")
+          ?.split(" ")
+          .some(name => names.has(name))
+      )
+        grip.setAttribute("inert", "")
   }
 
   leave() {

@@ -172,7 +172,7 @@ def _scalars(case: AnalogueCase, axes: dict[str, Axis]) -> dict[str, float]:
     scalars = {
         case.system.slug: 1.0,
         "amplitude": axes["q"].place(abs(case.q_0)),
-        "drawn_sign": math.copysign(1.0, case.q_0),
+        "per_q": 1.3 / axes["q"].place(axes["q"].end),
     }
     scalars["size"] = math.copysign(min(abs(case.q_0) / (LARGEST * case.system.swing), 1.0), case.q_0)
     scalars |= {"half_waves": min(case.p.get("n", 1.0), MOST_HALF_WAVES)}

@@ -9,16 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
 
-from components.grabs import begin, linear
-from components.page.numbers import Expression, Number, var
-from components.page.shapes import Begin
+from components.page.numbers import Expression, Number, as_expression, var
 from components.stage import H, Shape, W, arrow, box, circle, layers, line, path, shown_by, spring, text, wall, wave
 
 WIDTH, HEIGHT = 84, 54
 TWIST = 0.9
 """The twist of the rotor as drawn, in rad: its share of the largest is true, its size is not."""
+MARK, MARKED = (25, 7.7), 0.5
+"""The mark on the rotor: half of its width and height, and where it rests, in rad from the right."""
 
 
 @dataclass(frozen=True)
@@ -101,10 +100,15 @@ def _spring(c: Canvas, s: Pose) -> list[Shape]:
     ]
 
 
+def rotor_mark(q: Expression | float) -> tuple[Number, Number]:
+    """The end of the mark on the rotor, in the picture's units."""
+    sine, cosine = small_angle(as_expression(TWIST * q))
+    rest = (math.cos(MARKED), math.sin(MARKED))
+    ahead, up = rest[0] * cosine - rest[1] * sine, rest[1] * cosine + rest[0] * sine
+    return 42 + MARK[0] * ahead, 38 + MARK[1] * up
+
+
 def _shaft(c: Canvas, s: Pose) -> list[Shape]:
-    sine, cosine = small_angle(TWIST * s.q)
-    rest = (math.cos(0.5), math.sin(0.5))
-    mark = (rest[0] * cosine - rest[1] * sine, rest[1] * cosine + rest[0] * sine)
     hoops = [c.line(39, y, 45, y - 5 * s.q * (y - 8) / 26, "fine", "k") for y in range(13, 34, 5)]
     return [
         c.wall(26, 8, 32, "top"),
@@ -112,8 +116,8 @@ def _shaft(c: Canvas, s: Pose) -> list[Shape]:
         *hoops,
         c.path("M-26 0a26 8 0 0 1 52 0v5a26 8 0 0 1 -52 0z", 42, 38, style="body", tint="m1"),
         c.path("M-26 0a26 8 0 1 0 52 0a26 8 0 1 0 -52 0z", 42, 38, style="ghost scaled", tint="m1"),
-        c.line(42, 38, 42 + 25 * rest[0], 38 + 7.7 * rest[1], "eq", "mute"),
-        c.line(42, 38, 42 + 25 * mark[0], 38 + 7.7 * mark[1], "sum" if c.large else "", "m1"),
+        c.line(42, 38, *rotor_mark(0.0), "eq", "mute"),
+        c.line(42, 38, *rotor_mark(s.q), "sum" if c.large else "", "m1"),
         *c.name(51, 22, "*k*_t", "k"),
         *c.name(74, 46, "*J*", "m1"),
     ]
@@ -130,8 +134,12 @@ def _pendulum(c: Canvas, s: Pose) -> list[Shape]:
     ]
 
 
+ROCKS_ABOUT = 24
+"""Where the rocking body hangs, large, down the area."""
+
+
 def _rocking(c: Canvas, s: Pose) -> list[Shape]:
-    top, arm = (24, 12) if c.large else (12, 13)
+    top, arm = (ROCKS_ABOUT, 12) if c.large else (12, 13)
     x, y = 42 + arm * s.sine, top + arm * s.cosine
     return [
         c.line(42, top - 9, 42, 54, "eq", "mute"),
@@ -258,30 +266,6 @@ def tiles() -> dict[str, list[Shape]]:
     angle = 0.5 * var("cosine")
     swing = Pose(1, var("cosine"), var("sine"), angle, *small_angle(angle), 1, 0.5, 10)
     return {slug: draw(canvas, swing) for slug, draw in PICTURES.items()}
-
-
-HELD: dict[str, tuple[Number, Number, Number, Number]] = {
-    "spring": (46, 31.5, 11, 0),
-    "floating": (42, 30.5, 0, -7),
-    "circuit": (66, 30, 0, 5),
-    "string": (9 + 66 * var("belly"), 27, 0, -17),
-    "wave": (42, 17, 0, -8),
-    "pipe": (10 + 64 * var("belly"), 47, var("along"), 0),
-    "shaft": (42 + 25 * math.cos(0.5), 38 + 7.7 * math.sin(0.5), -25 * math.sin(0.5) * TWIST, 0),
-}
-"""Where a hand holds what moves: at rest, and how far from there at the largest displacement."""
-
-
-def held(slug: str, c: Canvas, largest: float) -> Shape:
-    """Unseen, over what moves: where it is held is where the system is let go from rest."""
-    x, y, dx, dy = HELD[slug]
-    across: Literal["x", "y"] = "y" if dy else "x"
-    place = (lambda pose: c.y(y + dy * pose)) if dy else (lambda pose: c.x(x + dx * pose))
-    name = f"{slug}_start"
-    way = linear(place, across, name, moves="pose", size=1 / largest)
-    pose = var("pose")
-    start = (Begin(name, "level", "q"),)
-    return circle(c.x(x + dx * pose), c.y(y + dy * pose), 0, show=slug, grab=begin("Start", way, start=start))
 
 
 def large(slug: str, canvas: Canvas) -> list[Shape]:

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from components.grabs import begin
-from components.page.numbers import Number, var
-from components.page.shapes import Begin, Turn
+from components.page.numbers import Expression, Number, var
+from components.page.shapes import Turn
 from components.scenes.analogues.case import DEGREE
-from components.scenes.analogues.controls import LARGEST
-from components.scenes.analogues.pictures import HEIGHT, HELD, PICTURES, WIDTH, Canvas, held, large
+from components.scenes.analogues.held import ANGLE, HELD, held, held_spring, rocked, turned
+from components.scenes.analogues.pictures import HEIGHT, PICTURES, WIDTH, Canvas, large
 from components.stage import (
     NARROW,
     WIDE,
@@ -53,8 +53,8 @@ def shapes() -> list[Shape]:
     """All of the stage: the nine systems, of which one is shown, and the spring."""
     canvas = Canvas(CENTRE - UNIT * (WIDTH / 2), 0.55 * H - UNIT * (HEIGHT / 2), UNIT, large=True)
     found = [one for slug in PICTURES if slug != "pendulum" for one in large(slug, canvas)]
-    found += [held(slug, canvas, LARGEST * ANALOGUES[slug].swing) for slug in HELD]
-    return [*found, *pendulum(), *coordinates(), *twin()]
+    found += [held(slug, canvas) for slug in HELD]
+    return [*found, turned(canvas), rocked(canvas), *pendulum(), *coordinates(), *twin()]
 
 
 def coordinates() -> list[Shape]:
@@ -80,7 +80,7 @@ def pendulum() -> list[Shape]:
     rule = (x + rod * var("rule_sine"), y + rod * var("rule_cosine"))
     end, near, ends = var("theta_0"), rod - 7, []
     turn = Turn(parameter="theta_0", moves="angle", size=DEGREE, x=x, y=y)
-    swing = begin("Bob, start", turn, start=(Begin("theta_0", "angle", size=DEGREE),))
+    swing = begin("Bob, start", turn, start=ANGLE)
     found = [wall(x - 42, y, 84, side="top"), line(x, y, x, y + rod + 34, style="eq", tint="mute")]
     found.append(arc(x, y, rod, -1 * end, end, style="eq", tint="mute"))
     for side in (-1, 1):
@@ -106,22 +106,23 @@ def pendulum() -> list[Shape]:
     return shown_by("pendulum", *found)
 
 
-def height(signal: str, share: Number) -> Number:
-    """Where the spring's mass is: on the axis of the plot beside it; on a phone to a scale of its own."""
-    return WIDE * on_y(PLOT, var(signal)) + NARROW * (0.45 * H - 0.24 * H * share)
+def height(q: Number) -> Expression:
+    """Where a coordinate stands: on the axis of the plot beside it; on a phone, on one like it."""
+    return WIDE * on_y(PLOT, q) + NARROW * (0.45 * H - 0.24 * H * var("per_q") * q)
 
 
 def twin() -> list[Shape]:
     """The spring and mass of equal omega: it stands at the plot's axis and runs along it."""
-    level = WIDE * on_y(PLOT, 0) + NARROW * 0.45 * H
+    level = height(0)
     foot = WIDE * (var(f"{PLOT}.bottom") + 16) + NARROW * (H - 10)
-    y = height("rule", var("cosine") * var("drawn_sign"))
+    y = height(var("rule"))
     return [
         wall(TWIN - 36, foot, 72, side="bottom"),
         line(TWIN - 36, level, WIDE * var(f"{PLOT}.left") + NARROW * W, level, style="eq", tint="mute"),
         spring(TWIN, y + SIDE / 2, TWIN, foot, 2.4, height=0.036 * H),
         line(TWIN + SIDE / 2, y, on_x(PLOT, var("t")), y, style="level", tint="m1", show="wide"),
         box(TWIN, y + SIDE / 2, SIDE, "*m*", tint="m1"),
+        *(held_spring(slug, TWIN, height) for slug in ANALOGUES),
     ]
 
 

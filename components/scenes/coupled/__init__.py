@@ -11,6 +11,7 @@ from components import chain
 from components.about import About
 from components.axes import Axis, nice_axis, time_axis, whole_axis, widest
 from components.chain.forces import Forces, forces
+from components.chain.grabs import shares
 from components.controls import Group
 from components.figures import Figure
 from components.frames import FITTED, framed
@@ -98,7 +99,12 @@ class Coupled(Scene):
             },
             axes=axes,
             signals=_signals(self, free, size, time, energy) | pulled.signals,
-            scalars={**drawn.scalars, **_name_places(free, size), **pulled.scalars},
+            scalars={
+                **drawn.scalars,
+                **_name_places(free, size),
+                **pulled.scalars,
+                **(shares(system) if fast else {}),
+            },
             pace=pace(slow or fast, fast),
             scale=drawn.scale,
             fits=drawn.fits,

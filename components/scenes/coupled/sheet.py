@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from components import chain
 from components.chain.forces import arrows
-from components.chain.grabs import mass_grab, plane_grab
+from components.chain.grabs import mass_grab, mode_grab, plane_grab
 from components.page.blocks import Block
 from components.page.numbers import var
 from components.plots import Room, curve, plot, region
 from components.scenes.coupled.words import CONSTANTS, CONSTANTS_TABLE, FORCES, TASK, captions
 from components.sheet import choice, column, either, row, stage, table, term, when, words
-from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
+from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, shown_by, text
 from components.traces import traced
 
 FEET = (0.56, 0.815, 1.0)
@@ -80,7 +80,12 @@ def _shapes() -> list[Shape]:
         shapes.append(line(chain.WALL * W, base, W, base, tint="rule", style="hair"))
         places = [chain.place(i, f"x{i}_{mode}") for i in (1, 2)]
         shapes += chain.masses(base, *places, small=True)
-        shapes += [arrow(chain.rest(i), base - 0.026 * W, places[i - 1], base - 0.026 * W, tint=mode) for i in (1, 2)]
+        for i, place in zip((1, 2), places, strict=True):
+            held = circle(place, base - var(f"side{i}") * (0.21 * W), 0, grab=mode_grab(mode, i))
+            shapes += [
+                arrow(chain.rest(i), base - 0.026 * W, place, base - 0.026 * W, tint=mode),
+                *shown_by(f"{mode}_by_{i}", held),
+            ]
     return shapes + arrows(foot)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from components.axes import Axis, log_axis, nice_axis
 from components.frames import FITTED, framed
+from components.grabs import grab, on_plot
 from components.numbers import three
 from components.page.blocks import PlotBlock
 from components.page.numbers import var
@@ -17,7 +18,7 @@ from components.page.plots import Curve, Handle, Mark
 from components.page.state import Frame
 from components.plots import Room, curve, plot
 from components.sheet import phrase
-from components.stage import Shape, arrow, on_x, on_y, text
+from components.stage import Shape, arrow, circle, on_x, on_y, text
 from components.text import rich
 from components.traces import Columns, Floats
 from physics.coupled import TwoMassChain
@@ -168,7 +169,8 @@ def _outside(scalars: dict[str, float], up: Axis) -> dict[str, float]:
     low, high = up.place(up.start), up.place(up.end)
     dots = {name: scalars[f"{name}_at"] for name in ("Xp1", "Xp2")}
     over = {f"{name}_over": float(at > high) for name, at in dots.items()}
-    return over | {f"{name}_under": float(at < low) for name, at in dots.items()}
+    under = {f"{name}_under": float(at < low) for name, at in dots.items()}
+    return over | under | {f"{name}_in": float(low <= at <= high) for name, at in dots.items()}
 
 
 def _names(branches: list[Columns], across: Axis, up: Axis) -> dict[str, float]:
@@ -225,7 +227,7 @@ def response_plot() -> PlotBlock:
         heading=(phrase("", "sum", "ink", words="with the push"), phrase("", "dash", "ink", words="against it")),
         marks=marks,
         handles=(Handle(parameter="omega", symbol="ω", label="Drive frequency", tint="F", axis="x", covering="rad/s"),),
-        shapes=(*_named(), *_gone()),
+        shapes=(*_named(), *_gone(), *_drive()),
         room=Room(40, 12, top=48),
         phone=10,
         height=300,
@@ -271,3 +273,11 @@ def _gone() -> list[Shape]:
         shapes.append(arrow(x, top + 20, x, top + 1, show=f"Xp{i}_over", **look))
         shapes.append(arrow(x, floor - 20, x, floor - 1, show=f"Xp{i}_under", **look))
     return shapes
+
+
+def _drive() -> list[Shape]:
+    """Where the drive stands on each curve: unseen, over the dots; it is taken along the axis."""
+    x = on_x("response", var("drive_at"))
+    way = on_plot("response", "x", "omega", "drive_at", "omega", least=0.0)
+    held = [grab(f"Drive frequency, on the curve of mass {i}", way, inside="response") for i in (1, 2)]
+    return [circle(x, on_y("response", var(f"Xp{i}_at")), 0, show=f"Xp{i}_in", grab=held[i - 1]) for i in (1, 2)]

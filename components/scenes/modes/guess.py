@@ -7,13 +7,11 @@ from components.page.blocks import Block
 from components.page.numbers import Number, var
 from components.page.plots import Handle, Mark
 from components.plots import Room, curve, plot
+from components.scenes.modes.guess_hand import METRE, full_swing, guess_point
 from components.scenes.modes.guess_picture import REACH, ROWS
 from components.sheet import Paragraph, column, either, row, stage, term, words
 from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
 from components.text import rich
-
-METRE = 0.112
-"""What an amplitude of 1 m takes of the stage's width."""
 
 
 def sheet() -> Block:
@@ -176,7 +174,7 @@ def _shapes() -> list[Shape]:
             arrow(rest, lift, place, lift, tint=f"m{i}"),
             text(rest, lift - 12, f"*X*_{i} = {{X{i}}} m", tint=f"m{i}", style="t2 b halo"),
         ]
-    shapes += chain.masses(foot, *places)
+    shapes += [*full_swing(foot), *chain.masses(foot, *places)]
     for n, name in enumerate(ROWS):
         y = foot + (n + 1) * gap - 4
         for i in (1, 2):
@@ -230,8 +228,7 @@ def _over_shapes() -> tuple[Shape, ...]:
     for i in (1, 2):
         at = var(f"row{i}")
         shapes += _point("shape", var("w"), at, 6, f"m{i}", show=f"row{i}_in")
-    shapes += _point("shape", var("w"), var("r"), 8, "F", show="guess_in")
-    return tuple(shapes)
+    return (*shapes, guess_point(w, r))
 
 
 def _over_determinant() -> tuple[Shape, ...]:

@@ -95,7 +95,7 @@ def picture(system: TwoMassChain, omega: float, ratio: float, window: float | No
         columns=columns,
         axes=axes,
         signals=_signals(push, omega, axes["t"]),
-        scalars=_force_scalars(push) | _known(guess) | _tried(guess),
+        scalars=_swing_scalars(push) | _force_scalars(push) | _known(guess) | _tried(guess),
         pace=pace(omega, omega),
         values=_values(guess) | _force_values(push),
         forms=_forms(guess),
@@ -154,6 +154,12 @@ def _columns(system: TwoMassChain, end: float, largest: float) -> tuple[dict[str
     size = max(1.2 * at_zero, -2.1 * low, 0.0) or 1.0
     det = nice_axis(min(1.33 * low, -0.1 * size), size, unit, 2, exact=True)
     return columns, replace(det, drawn=(low, at_zero)), exponent
+
+
+def _swing_scalars(push: TrialForces) -> dict[str, float]:
+    """Both amplitudes, and which of them is not the larger one."""
+    X1, X2 = (float(amplitude) for amplitude in push.amplitude)
+    return {"X1": X1, "X2": X2, "less1": float(abs(X1) <= abs(X2)), "less2": float(abs(X2) <= abs(X1))}
 
 
 def _force_scalars(push: TrialForces) -> dict[str, float]:

@@ -1,0 +1,36 @@
+"""The guess in the hand: the point of its frequency and shape, and the shape where the masses turn."""
+
+from __future__ import annotations
+
+from components import chain
+from components.grabs import grab, on_plot
+from components.page.numbers import Number, var
+from components.page.shapes import Along, Quotient
+from components.stage import Shape, W, box, circle, shown_by
+
+METRE = 0.112
+"""What an amplitude of 1 m takes of the stage's width."""
+LEAST = 0.02
+"""m; as small as a hand makes an amplitude: the other one is 1 m."""
+UNIT = METRE * W
+
+
+def guess_point(x: Number, y: Number) -> Shape:
+    """The point in the plane of omega^2 and X2/X1."""
+    ways = on_plot("shape", "x", "omega", "w", "w", least=0.0), on_plot("shape", "y", "ratio", "r", "r")
+    held = grab("Guess: frequency and shape", *ways, inside="shape")
+    return circle(x, y, 8, tint="F", show="guess_in", grab=held)
+
+
+def full_swing(foot: Number) -> list[Shape]:
+    """Where both masses turn, in outline: the one that swings less is taken in hand, the other keeps its 1 m."""
+    one, two = chain.rest(1), chain.rest(2)
+    first = Quotient(parameter="ratio", moves="X1", across="x", zero=one, unit=UNIT, over="X2", least=LEAST, most=1.0)
+    second = Along(parameter="ratio", moves="X2", across="x", zero=two, unit=UNIT, least=-1.0, most=1.0)
+    shapes: list[Shape] = []
+    for i, way in ((1, first), (2, second)):
+        full = chain.rest(i) + UNIT * var(f"X{i}")
+        held = grab(f"Shape: where mass {i} turns", way)
+        shapes.append(box(full, foot, var(f"side{i}") * W, "", tint=f"m{i}", style="ghost full"))
+        shapes += shown_by(f"less{i}", circle(full, foot - var(f"side{i}") * (0.5 * W), 0, grab=held))
+    return shapes
