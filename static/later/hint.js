@@ -88,21 +88,21 @@ export class Hint {
     const {page} = this
     const {view} = page.shown
     const taken = new Taken(own.width, own.height, over)
-    const take = (/** @type {DOMRect} */ {left, right, top, bottom, width, height}) => {
+    const take = (/** @type {DOMRect} */ {left, right, top, bottom, width, height}, /** @type {number} */ air) => {
       if (!width && !height) return
       const [x, y] = [own.left, own.top]
-      taken.take({left: left - x - AIR, right: right - x + AIR, top: top - y - AIR, bottom: bottom - y + AIR})
+      taken.take({left: left - x - air, right: right - x + air, top: top - y - air, bottom: bottom - y + air})
     }
     taken.take({left: own.width - CORNER, right: own.width, top: 0, bottom: CORNER})
     const range = document.createRange()
     for (const part of page.paper.querySelectorAll(WRITTEN)) {
       range.selectNodeContents(part)
-      take(range.getBoundingClientRect())
+      take(range.getBoundingClientRect(), 1) // a line has air of its own
     }
     for (let i = 0; i < INSTANTS; i++) {
       const named = evaluate(view.signals, view.scalars, (page.clock.end * i) / INSTANTS)
       for (const stage of page.stages) stage.frame(named)
-      for (const part of page.paper.querySelectorAll("svg.stage > g")) take(part.getBoundingClientRect())
+      for (const part of page.paper.querySelectorAll("svg.stage > g")) take(part.getBoundingClientRect(), AIR)
     }
     page.redraw()
     return taken

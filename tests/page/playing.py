@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from functools import singledispatch
+from functools import cache, singledispatch
 
 import numpy as np
 from numpy.typing import NDArray
@@ -69,7 +69,7 @@ def _(signal: Responses, t: Floats, named: Named) -> Floats:
     """From rest, by the integral of the drive: independent of how the browser does it."""
     times = np.atleast_1d(t)
     total = np.zeros_like(times)
-    nodes, weights = np.polynomial.legendre.leggauss(400)
+    nodes, weights = _nodes()
     for response in signal.responses:
         for i, end in enumerate(times):
             s = end * (nodes + 1) / 2
@@ -77,6 +77,11 @@ def _(signal: Responses, t: Floats, named: Named) -> Floats:
             kernel = np.sin(response.omega_n * lag) / response.omega_n if response.omega_n else lag
             total[i] += response.size * end / 2 * np.sum(weights * np.sin(response.omega * s) * kernel)
     return total.reshape(np.shape(t))
+
+
+@cache
+def _nodes() -> tuple[Floats, Floats]:
+    return np.polynomial.legendre.leggauss(400)
 
 
 def hermite(signal: Sampled, t: Floats | float) -> Floats:

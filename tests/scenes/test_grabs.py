@@ -2,31 +2,37 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator
 from typing import Any
 
+import param
 import pytest
 
-from components.description import blocks
-from components.page.blocks import PlotBlock, StageBlock
 from components.page.shapes import AnyShape, Grab
 from components.scene import Scene, frame_of
 from components.scenes import SCENES
 from physics.analogues import ANALOGUES
+from tests.page.hand import Hand, grabs, holding, sets
 from tests.page.told import Page
 
-
-def grabs(scene: type[Scene]) -> Iterator[tuple[AnyShape, Grab]]:
-    for block in blocks(scene.sheet()):
-        for shape in block.shapes if isinstance(block, (StageBlock, PlotBlock)) else ():
-            if shape.grab:
-                yield shape, shape.grab
+AT = 0.37
+"""The instant at which a hand takes hold, in the unit of the time axis."""
+NEAR = 0.1
+"""Pixels."""
+ALSO: dict[str, tuple[dict[str, Any], ...]] = {
+    "modes": ({"ratio": 2.0},),
+    "absorber": ({"played": "rest", "x1_0": 0.002},),
+}
+"""States in which something else is in hand."""
+FOLLOWS = {"absorber": ("played", "k2")}
+"""What follows from a value that is set: a start is played, a tuned spring follows the speed."""
 
 
 def shown_with(slug: str, shape: AnyShape, grab: Grab) -> Scene:
     """The scene in a form in which the shape is drawn."""
     ways: list[dict[str, Any]] = [{}, {"show": "limits"}, {"task": "hunt"}]
-    ways += [{"system": name} for name in shape.show]
+    ways += [{"system": name} for name in shape.show] + [{"ratio": 2.0}]
     known = SCENES[slug].linked()
     for values in ways:
         if not values.keys() <= known.keys() or ("system" in values and values["system"] not in ANALOGUES):
@@ -52,11 +58,71 @@ def test_what_a_hand_sets_and_moves_is_there(slug: str) -> None:
             assert not begin.of or begin.of in picture.signals, begin
 
 
+@pytest.mark.parametrize("slug", SCENES)
+def test_each_grab_sets_what_it_names_and_its_handle_is_where_the_hand_was(slug: str) -> None:
+    """In each preset and each way of showing things, on a wide page and on a phone."""
+    taken = set()
+    for values, wide in itertools.chain([({}, False)], ((values, True) for values in shown_ways(slug))):
+        for i, (shape, grab) in enumerate(grabs(SCENES[slug])):
+            hand = Hand(holding(SCENES[slug](**values)), wide)
+            if dragged(hand, shape, grab):
+                taken.add(i)
+    assert taken == set(range(len(list(grabs(SCENES[slug]))))), f"not taken in hand: {slug}"
+
+
+def shown_ways(slug: str) -> Iterator[dict[str, Any]]:
+    """The presets of a scene, and each word of each of its choices."""
+    scene = SCENES[slug]
+    yield from (*scene.presets.values(), *ALSO.get(slug, ()))
+    for name, parameter in scene.linked().items():
+        if isinstance(parameter, param.Selector) and not isinstance(parameter, param.ListSelector):
+            yield from ({name: value} for value in parameter.get_range().values())
+
+
+def dragged(hand: Hand, shape: AnyShape, grab: Grab) -> bool:
+    """Takes a shape in hand, drags it, and says whether it is drawn at all."""
+    scene, named = hand.scene, hand.all(AT)
+    if any(way.axis and way.axis not in scene.shown.axes for way in grab.ways) or not hand.grip(shape, named):
+        return False
+    before = parameters(scene)
+    t = AT
+    if grab.begins:
+        grip = hand.grip(shape, named)
+        scene.set(hand.begin(grab, named))
+        t, named = 0.0, hand.all(0.0)
+        if grab.start:
+            assert hand.grip(shape, named) == pytest.approx(grip, abs=NEAR), grab.label
+    x, y = hand.grip(shape, named) or pytest.fail(f"{grab.label} vanishes when it is taken")
+    for far in ((7.0, -5.0), (-9.0, 6.0)):
+        at = (x + far[0], y + far[1])
+        wanted = [(way, *hand.placed(way, at, named)) for way in grab.ways if way.parameter]
+        values = {way.parameter: value for way, _, value in wanted}
+        problems = [scene.param[name].refusal(value) for name, value in values.items()]
+        if any(problems):
+            continue
+        scene.set(values)
+        changed = {name for name, value in parameters(scene).items() if value != before[name]}
+        assert changed <= {*sets(grab), *(one.parameter for one in grab.start), *FOLLOWS.get(scene.slug, ())}
+        now = hand.all(t)
+        after = hand.grip(shape, now)
+        assert after, grab.label
+        for way, si, value in wanted:
+            assert getattr(scene, way.parameter) == value
+            pixel = abs(hand.placed(way, (after[0] + 1, after[1] + 1), now)[0] - hand.placed(way, after, now)[0])
+            assert hand.placed(way, after, now)[0] == pytest.approx(si, rel=1e-12, abs=NEAR * pixel), way
+    return True
+
+
+def parameters(scene: Scene) -> dict[str, Any]:
+    return {name: getattr(scene, name) for name in scene.linked()}
+
+
 def test_most_scenes_can_be_taken_in_hand() -> None:
     held = {slug: {way.parameter for _, grab in grabs(SCENES[slug]) for way in grab.ways} for slug in SCENES}
     assert {"x_0", "v_0"} <= held["oscillator"]
     assert "x_0" in held["energy"]
-    assert {"x1_0", "x2_0"} <= held["coupled"] & held["forced"] & held["modes"]
+    assert {"x1_0", "x2_0"} <= held["coupled"] & held["forced"] & held["modes"] & held["absorber"]
+    assert {"omega", "ratio"} <= held["modes"] and "omega" in held["forced"] & held["absorber"]
     assert "excess" in held["phugoid"]
     assert {"theta_0", "floating_start", "string_start", "spring_start"} <= held["analogues"]
 

@@ -38,6 +38,8 @@ TOP = (15.0, 20.0)
 TURNS = 8
 """Periods of the drive that the clock plays."""
 PLAYED = {"particular": "Particular solution", "rest": "From rest"}
+MOST_START = 20.0
+"""How far the sliders of the start reach, over the static deflection."""
 
 
 class Absorber(Scene):
@@ -77,6 +79,7 @@ class Absorber(Scene):
         ),
         Group("", ("damping",), "Beyond the lecture: damping", folded=True),
         Group("", ("c",), actions=(("optimum", "Den Hartog's optimum"),), form="damped"),
+        Group("", chain.START.names, "Start", folded=True, form="rest"),
     )
 
     m1 = mass(100.0, symbol="m_1", tint="m1", softbounds=(10, 1000), says="is the machine. Type any value above 0.")
@@ -139,6 +142,8 @@ class Absorber(Scene):
         scale="near0",
         says="damps the motion of the masses against each other. Type any value from 0 up.",
     )
+    x1_0, x2_0 = chain.start_positions()
+    v1_0, v2_0 = chain.start_velocities()
     played = one_of(default="particular", objects=list(PLAYED), label="What is played")
     _valley = angular_frequency(48.0, symbol="ω₂", label="tuned frequency")
     _lightest = mass(None, symbol="m_2", allow_None=True)  # type: ignore[arg-type]
@@ -164,8 +169,8 @@ class Absorber(Scene):
         )
 
     def units(self) -> dict[str, Unit]:
-        kilo = Unit("kN/m", 1e3)
-        return {"k1": kilo, "k2": kilo}
+        kilo, milli = Unit("kN/m", 1e3), Unit("mm", 1e-3)
+        return {"k1": kilo, "k2": kilo, "x1_0": milli, "x2_0": milli}
 
     def action(self, name: str) -> Values:
         best = den_hartog(self.m1, self.k1, self.m2)
@@ -185,24 +190,37 @@ class Absorber(Scene):
         best = None if changed & set(MACHINE) else self._lightest
         if tuning != "detached" and not self._damping and all(self._duty(k2).met) and self.m2 < (best or math.inf):
             best = self.m2
-        return {"k2": k2, "tuning": tuning, "_valley": valley, "_lightest": best}
+        return {"k2": k2, "tuning": tuning, "_valley": valley, "_lightest": best, **self._started(changed)}
+
+    def _started(self, changed: frozenset[str]) -> Values:
+        """A start is played; the particular solution has none."""
+        if self.played == "rest" or not changed & {"played", *chain.START.names}:
+            return {}
+        return dict.fromkeys(chain.START.names, 0.0) if "played" in changed else {"played": "rest"}
 
     @property
     def _damping(self) -> float:
         return self.c if self.damping == "added" else 0.0
 
-    def _spans(self, own: float) -> dict[str, tuple[float, float]]:
+    def _spans(self, duty: Duty) -> dict[str, tuple[float, float]]:
         """Sliders span what is of interest on a machine of this size."""
+        own, reach = duty.own, min(duty.deflections(MOST_START), 1e308)
+        speed = min(own * reach, 1e308)
         return {
             "m2": (max(0.01 * self.m1, 5e-324), self.m1),
             "k2": (0.0, 0.8 * self.k1),
             "c": (0.0, 0.4 * math.sqrt(self.k1) * math.sqrt(self.m1)),
             "omega": (0.2 * own, min(2.0 * own, 1e308)),
+            **dict.fromkeys(("x1_0", "x2_0"), (-reach, reach)),
+            **dict.fromkeys(("v1_0", "v2_0"), (-speed, speed)),
         }
 
     def _duty(self, k2: float, c: float = 0.0) -> Duty:
         values = {"m1": self.m1, "k1": self.k1, "F_0": self.F_0, "omega": self.omega, "m2": self.m2}
-        return Duty(**values, k2=k2, c=c, from_rest=self.played == "rest")
+        if self.played != "rest":
+            return Duty(**values, k2=k2, c=c)
+        x_0, v_0 = chain.start_of(self)
+        return Duty(**values, k2=k2, c=c, from_rest=True, x_0=x_0, v_0=v_0)
 
     @property
     def _shown_duty(self) -> Duty:
@@ -220,23 +238,25 @@ class Absorber(Scene):
         swing = axes["X1"]
         push = nice_axis(0.0, self.F_0, "N")
         columns, seen = data.columns(duty, axes)
-        rest, own = rest_columns(duty, end, swing) if duty.from_rest else ({}, swing)
+        rest, own = rest_columns(duty, end, swing) if duty.from_rest else ({}, replace(swing, start=-swing.end))
         axes |= framed(frame, {"rest": own})
-        drawn, tick = data.drawn(duty, end, swing)
+        drawn = data.drawn(duty, end, swing, frame.scale)
         fastest = max(self.omega, float(duty.driven.free.omega[1])) if not duty.plays else self.omega
         return Picture(
             columns=columns | {"rest": rest},
             axes=axes,
             signals=signals(duty, end, swing, axes["t"], push),
-            scalars={**drawn, **data.marks(duty, axes), **seen},
+            scalars={**drawn.scalars, **data.marks(duty, axes), **seen},
             pace=pace(self.omega, fastest),
-            values={**data.values(duty, axes, push, self.m2, self._lightest), "tick": tick},
+            scale=drawn.scale,
+            fits=drawn.fits,
+            values={**data.values(duty, axes, push, self.m2, self._lightest), "tick": drawn.tick},
             live={
                 **{name: swing.digits(signed=True) for name in ("x_alone", "x1", "x2")},
                 **{name: push.digits(signed=True) for name in ("drive_now", "pull_now")},
             },
             forms=data.forms(duty, own=self.own, damped=self.damping == "added"),
-            spans=self._spans(duty.own),
+            spans=self._spans(duty),
         )
 
     def figures(self) -> tuple[Figure, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -80,15 +81,23 @@ def _reach(duty: Duty, end: float) -> tuple[float, float, float]:
     return duty.over_deflection(ways[0]), duty.over_deflection(ways[1]), duty.over_deflection(ways[2])
 
 
-def drawn(duty: Duty, end: float, size: Axis) -> tuple[dict[str, float], str]:
-    """Sizes on the stage, and what the ruler's tick stands for.
+@dataclass(frozen=True)
+class Drawing:
+    """Sizes on the stage, what the ruler's tick stands for, the scale that it is drawn to and the one that fits."""
 
-    Displacements are drawn at one scale as long as they fit; the ruler tells which.
-    """
+    scalars: dict[str, float]
+    tick: str
+    scale: float
+    fits: float
+
+
+def drawn(duty: Duty, end: float, size: Axis, wanted: float | None) -> Drawing:
+    """Displacements are drawn at one scale, `wanted` or 1, as long as they fit; the ruler tells which."""
     whole = max(duty.m1, duty.m2)
     reach = _reach(duty, end)
     fits = min(room / (DEFLECTION * way) if way > TINY else 1.0 for room, way in zip(ROOM, reach, strict=True))
-    scale = DEFLECTION * (1.0 if fits >= 1 else round_down(fits))
+    fits = 1.0 if fits >= 1 else round_down(fits)
+    scale = DEFLECTION * (wanted or fits)
     metre = scale / size.place(duty.deflections(1.0))
     tick = round_down(DEFLECTION * 10 / metre)
     way = scale * (duty.over_deflection(duty.swings[0]) if duty.plays else reach[0])
@@ -110,7 +119,7 @@ def drawn(duty: Duty, end: float, size: Axis) -> tuple[dict[str, float], str]:
         "tick": tick * metre,
         **_seen(duty),
     }
-    return scalars, f"{short(tick)} {size.full_unit}"
+    return Drawing(scalars, f"{short(tick)} {size.full_unit}", wanted or fits, fits)
 
 
 def _seen(duty: Duty) -> dict[str, float]:
@@ -192,9 +201,10 @@ def values(duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: f
     told = not duty.c or duty.from_rest
     within = duty.bounds if told else (0.0, 0.0)
     texts["found1"], texts["found2"] = (
-        _found(axis, way, bound, told) for axis, way, bound in zip((X1, X2), (swing, stroke), within, strict=True)
+        _found(axis, way, f"{duty.whence} within {length(axis, bound)}" if told else "")
+        for axis, way, bound in zip((X1, X2), (swing, stroke), within, strict=True)
     )
-    played = "particular solution", "from rest"
+    played = "particular solution", duty.whence
     texts |= {"judged": played[not duty.plays], "judged_alone": played[not duty.plays_alone]}
     return texts | rest_texts(duty, X1)
 
@@ -214,14 +224,12 @@ def _score(mass: float) -> str:
     return f"{mass:.4g}" if 0.1 <= mass < 1e4 else three(mass)
 
 
-def _found(axis: Axis, swing: float, within: float, told: bool) -> str:
-    """What a goal finds: in the particular solution, by which it is judged, and from rest."""
+def _found(axis: Axis, swing: float, within: str) -> str:
+    """What a goal finds: in the particular solution, by which it is judged, and from the start."""
     if not math.isfinite(swing):
         return "no xₚ here: it grows without limit"
     found = f"xₚ: {length(axis, swing)} {axis.full_unit}"
-    if not told:
-        return found
-    return f"{found}; from rest within {length(axis, within)} {axis.full_unit}"
+    return f"{found}; {within} {axis.full_unit}" if within else found
 
 
 def _percent(share: float) -> str:

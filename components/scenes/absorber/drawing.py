@@ -7,14 +7,17 @@ import dataclasses
 from msgspec.structs import replace
 
 from components.axes import Axis, nice_axis, nice_ticks
+from components.chain.grabs import VELOCITIES
+from components.grabs import begin, grab, linear, on_plot
 from components.page.blocks import Block
 from components.page.numbers import Number, var
 from components.page.plots import Handle, Mark
+from components.page.shapes import Begin, Grab
 from components.plots import Room, curve, plot, region
 from components.scenes.absorber.goals import frequencies
 from components.scenes.absorber.words import HELPED, VERDICTS
 from components.sheet import phrase, stage
-from components.stage import H, Shape, W, arrow, box, circle, line, spring, text, wall
+from components.stage import H, Shape, W, arrow, box, circle, line, on_x, on_y, spring, text, wall
 
 WALL, REST = 0.024, (0.36, 0.687)
 """Where the wall and the masses at rest stand, as fractions of the stage's width."""
@@ -119,11 +122,32 @@ def _both() -> list[Shape]:
             height=TEETH,
             show="wire2",
         ),
-        box(x1, foot, side(1), "*m*_1", tint="m1", corner=True),
-        box(x2, foot, side(2), "*m*_2", tint="m2"),
+        box(x1, foot, side(1), "*m*_1", tint="m1", corner=True, grab=_held(1, "Machine")),
+        box(x2, foot, side(2), "*m*_2", tint="m2", grab=_held(2, "Absorber")),
         *_displacement(1, "x1", lift, foot - side(1)),
         *_displacement(2, "x2", lift, foot - side(2)),
     ]
+
+
+def _held(i: int, name: str) -> Grab:
+    """A mass in the hand: from there the motion starts, with its complementary part."""
+    return begin(
+        f"{name}, start",
+        linear(
+            lambda x: REST[i - 1] * W + var("metre") * W * x, "x", f"x{i}_0", moves=f"x{i}", axis="X1", rate=f"v{i}_0"
+        ),
+        start=(Begin("x1_0", "x1", "X1"), Begin("x2_0", "x2", "X1"), *VELOCITIES),
+    )
+
+
+def _driven(plot_: str, *readings: str) -> tuple[Shape, ...]:
+    """The machine's speed, taken by its points on the curves of a plot."""
+    way = on_plot(plot_, "x", "omega", "omega", "w")
+    x = on_x(plot_, var("omega"))
+    return tuple(
+        circle(x, on_y(plot_, var(name)), 0, show="omega_seen", grab=grab("Running speed", way, inside=plot_))
+        for name in readings
+    )
 
 
 def _forces() -> list[Shape]:
@@ -205,6 +229,7 @@ def swing_plot() -> Block:
         room=Room(52, 8, top=42),
         handles=(replace(KNOB, bare=True),),
         marks=tuple(Mark(at=at, tint=tint, html=html, lift=35, flag="one") for at, tint, html in frequencies()),
+        shapes=_driven("swing", "swing", "alone"),
         grow=160,
         phone=10,
         height=200,
@@ -227,6 +252,7 @@ def stroke_plot() -> Block:
         room=Room(52, 8),
         marks=tuple(Mark(at=at, tint=tint) for at, tint, _ in frequencies()),
         handles=(KNOB,),
+        shapes=_driven("stroke", "stroke"),
         grow=92,
         phone=11,
         height=150,

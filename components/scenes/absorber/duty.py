@@ -10,11 +10,12 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from components.chain.parameters import Pair
 from components.traces import Floats
 from physics.absorber import Band, alone, damped_solution, helped_band, swing_and_stroke
 from physics.coupled import Motion, TwoMassChain
 from physics.exact import exact, precise, rounded
-from physics.forced import DrivenModes, antiresonance, driven_modes, particular_solution
+from physics.forced import REST, DrivenModes, antiresonance, driven_modes, particular_solution
 from physics.oscillator import Oscillator
 from physics.transient import DampedModes
 
@@ -30,7 +31,7 @@ LARGEST, SMALLEST = 1e200, 1e-300
 class Duty:
     """Machine m1, k1 under F_0 sin(omega t), absorber m2, k2 with damping c; SI.
 
-    What is played is the particular solution, or with `from_rest` the motion from rest.
+    What is played is the particular solution, or with `from_rest` the motion from its start: at rest, or x_0 and v_0.
     """
 
     m1: float
@@ -41,6 +42,13 @@ class Duty:
     k2: float
     c: float = 0.0
     from_rest: bool = False
+    x_0: Pair = REST
+    v_0: Pair = REST
+
+    @property
+    def whence(self) -> str:
+        """Where the motion that is no particular solution begins."""
+        return "from its start" if any((*self.x_0, *self.v_0)) else "from rest"
 
     @cached_property
     def chain(self) -> TwoMassChain:
@@ -48,12 +56,12 @@ class Duty:
 
     @cached_property
     def driven(self) -> DrivenModes:
-        return driven_modes(self.chain, self.F_0, self.omega)
+        return driven_modes(self.chain, self.F_0, self.omega, self.x_0, self.v_0)
 
     @cached_property
     def bare(self) -> DrivenModes:
-        """The machine alone."""
-        return driven_modes(alone(self.chain), self.F_0, self.omega)
+        """The machine alone, from the same start."""
+        return driven_modes(alone(self.chain), self.F_0, self.omega, (self.x_0[0], 0.0), (self.v_0[0], 0.0))
 
     @cached_property
     def own(self) -> float:
@@ -96,20 +104,22 @@ class Duty:
 
     @cached_property
     def damped(self) -> DampedModes:
-        return DampedModes(chain=self.chain, c=self.c, F_0=self.F_0, omega=self.omega)
+        return DampedModes(
+            chain=self.chain, c=self.c, F_0=self.F_0, omega=self.omega, x_0=self.x_0, v_0=self.v_0
+        )  # fmt: skip
 
     @property
     def played(self) -> DrivenModes | DampedModes:
-        """The motion from rest: its parts too, where it is solved."""
+        """The motion from its start: its parts too, where it is solved."""
         return self.damped if self.c else self.driven
 
     def from_rest_at(self, t: Floats) -> Motion:
-        """The motion from rest; ValueError where it takes more time than a picture has."""
+        """The motion from its start; ValueError where it takes more time than a picture has."""
         return self.damped.motion(t, quick=True) if self.c else self.driven.motion(t)
 
     @cached_property
     def bounds(self) -> tuple[float, float]:
-        """What swing and stroke stay within from rest, in m; inf where they grow."""
+        """What swing and stroke stay within from the start, in m; inf where they grow."""
         if self.c:
             with_it = _damped_bounds(self.damped)
         else:

@@ -1,4 +1,4 @@
-"""What the clock plays of the absorber: the particular solution, or the motion from rest."""
+"""What the clock plays of the absorber: the particular solution, or the motion from its start."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from components.axes import Axis
-from components.motion import derived, responses, sampled, sines
+from components.motion import derived, responses, sampled, sines, total
 from components.page.numbers import var
 from components.page.signals import AnySignal
 from components.scenes.absorber.duty import Duty
@@ -20,7 +20,7 @@ NODES = 401
 
 
 def signals(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> dict[str, AnySignal]:
-    """The machine alone and with the absorber: the particular solution, or the motion from rest."""
+    """The machine alone and with the absorber: the particular solution, or the motion from its start."""
     drive = (1.0, duty.omega, 0.0)
     unit = Axis(0.0, 1.0)
     moving: dict[str, AnySignal] = {
@@ -30,7 +30,7 @@ def signals(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> dict[
     if duty.plays_alone:
         moving["x_alone"] = sines(size, time, (float(duty.bare.particular[0]), duty.omega, 0.0))
     else:
-        moving["x_alone"] = _from_rest(duty.bare, 0, size, time)
+        moving |= _from_start(duty.bare, 0, "x_alone", size, time)
     if duty.plays:
         for i, X in enumerate(duty.X):
             moving[f"x{i + 1}"] = sines(size, time, (abs(X), duty.omega, float(np.angle(X))))
@@ -40,7 +40,7 @@ def signals(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> dict[
         moving |= _damped(duty, end, size, time, push)
     else:
         for i in (0, 1):
-            moving[f"x{i + 1}"] = _from_rest(duty.driven, i, size, time)
+            moving |= _from_start(duty.driven, i, f"x{i + 1}", size, time)
         with precise():
             k2 = rounded("the pull of spring 2", exact(duty.k2).scaleb(size.exponent - push.exponent))
         moving["pull_now"] = derived(k2 * (var("x2") - var("x1")))
@@ -48,9 +48,16 @@ def signals(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> dict[
     return moving
 
 
-def _from_rest(driven: DrivenModes, i: int, size: Axis, time: Axis) -> AnySignal:
+def _from_start(driven: DrivenModes, i: int, name: str, size: Axis, time: Axis) -> dict[str, AnySignal]:
+    """The motion of mass i (0, 1) under `name`: the response to the drive, and the free motion of a start."""
     terms = zip(driven.coupling[:, i].tolist(), driven.free.omega.tolist(), strict=True)
-    return responses(size, time, *((driven.F_0, c, driven.omega, omega_n) for c, omega_n in terms if c))
+    response = responses(size, time, *((driven.F_0, c, driven.omega, omega_n) for c, omega_n in terms if c))
+    if not any((*driven.x_0, *driven.v_0)):
+        return {name: response}
+    free = driven.free
+    swings = [(free.amplitude[j, i], free.omega[j], free.phase[j]) for j in (0, 1) if free.amplitude[j, i]]
+    moving = sines(size, time, *swings, line=(float(free.drift_a[i]), float(free.drift_b[i])))
+    return {f"{name}_driven": response, f"{name}_free": moving, name: total(f"{name}_driven", f"{name}_free")}
 
 
 def pull(duty: Duty) -> float:

@@ -1,4 +1,4 @@
-"""The machine's motion from rest: the particular solution and the complementary part, which only damping lets die."""
+"""The machine's motion from its start: particular solution and complementary part, which only damping lets die."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ SENTENCES: list[Paragraph] = [
 
 
 def rest_block() -> Block:
-    """x1 from rest and its two parts, on the clock that moves the stage."""
+    """x1 from its start and its two parts, on the clock that moves the stage."""
     curves = (
         curve("x1_c", source="rest", tint="xc", width="dash", label="*x*_c"),
         curve("x1_p", source="rest", tint="xp", label="*x*_p"),
@@ -49,7 +49,7 @@ def rest_block() -> Block:
             "rest",
             x="t",
             y="rest",
-            title="Displacement of the machine against time, from rest, with its particular and complementary part",
+            title="Displacement of the machine against time, from its start, with its two parts",
             curves=curves,
             heading=heading,
             cursor="time",

@@ -99,12 +99,7 @@ class Coupled(Scene):
             },
             axes=axes,
             signals=_signals(self, free, size, time, energy) | pulled.signals,
-            scalars={
-                **drawn.scalars,
-                **_name_places(free, size),
-                **pulled.scalars,
-                **(shares(system) if fast else {}),
-            },
+            scalars={**drawn.scalars, **_mode_places(free, size), **pulled.scalars},
             pace=pace(slow or fast, fast),
             scale=drawn.scale,
             fits=drawn.fits,
@@ -181,13 +176,14 @@ def _mode_lines(free: FreeModes, size: Axis) -> Columns:
     return chain.direction_lines(free.chain, 4 * max(abs(size.start), abs(size.end)))
 
 
-def _name_places(free: FreeModes, size: Axis) -> dict[str, float]:
-    """Where the names of the directions stand: the slow one's at its upper end, the fast one's at its lower end."""
+def _mode_places(free: FreeModes, size: Axis) -> dict[str, float]:
+    """Where the names of the directions stand, the slow one's at its upper end, the fast one's at its lower end; and
+    how a mode is taken in hand, where there is a fast one."""
     end = NAMED * size.place(min(-size.start, size.end))
     scalars: dict[str, float] = {}
     for mode, (one, two) in zip(chain.MODES, chain.directions(free.chain), strict=True):
         scalars |= {f"{mode}_name1": end * one, f"{mode}_name2": end * two}
-    return scalars
+    return scalars | shares(free.chain) if free.omega[1] else scalars
 
 
 def _signals(scene: Coupled, free: FreeModes, size: Axis, time: Axis, energy: Axis) -> dict[str, AnySignal]:

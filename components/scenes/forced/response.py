@@ -165,12 +165,12 @@ def _marks(
 
 
 def _outside(scalars: dict[str, float], up: Axis) -> dict[str, float]:
-    """Whether a dot has left the frame, at the top or at the bottom."""
+    """Whether a dot has left the frame, at the top or at the bottom, and how far it goes to be held."""
     low, high = up.place(up.start), up.place(up.end)
     dots = {name: scalars[f"{name}_at"] for name in ("Xp1", "Xp2")}
     over = {f"{name}_over": float(at > high) for name, at in dots.items()}
     under = {f"{name}_under": float(at < low) for name, at in dots.items()}
-    return over | under | {f"{name}_in": float(low <= at <= high) for name, at in dots.items()}
+    return over | under | {f"{name}_held": min(max(at, low), high) for name, at in dots.items()} | {"driven": 1.0}
 
 
 def _names(branches: list[Columns], across: Axis, up: Axis) -> dict[str, float]:
@@ -276,8 +276,8 @@ def _gone() -> list[Shape]:
 
 
 def _drive() -> list[Shape]:
-    """Where the drive stands on each curve: unseen, over the dots; it is taken along the axis."""
+    """Where the drive stands on each curve: unseen, over the dots; it is taken along the axis, past a pole too."""
     x = on_x("response", var("drive_at"))
     way = on_plot("response", "x", "omega", "drive_at", "omega", least=0.0)
     held = [grab(f"Drive frequency, on the curve of mass {i}", way, inside="response") for i in (1, 2)]
-    return [circle(x, on_y("response", var(f"Xp{i}_at")), 0, show=f"Xp{i}_in", grab=held[i - 1]) for i in (1, 2)]
+    return [circle(x, on_y("response", var(f"Xp{i}_held")), 0, show="driven", grab=held[i - 1]) for i in (1, 2)]
