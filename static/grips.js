@@ -7,7 +7,6 @@ import {polynomial} from "./signals.js"
 const FINGER = 44 // pixels, the least that a finger hits
 const STEP = 4 // pixels that an arrow key moves; with Shift it is one
 const LEAP = 40 // pixels that Page Up and Page Down move
-const GRABBED = "grabbed"
 
 /** Where keys lead on the screen, to the right and up. @type {Record<string, [number, number]>} */
 const KEYS = {
@@ -148,8 +147,6 @@ export class Grips {
   /** @param {Grip} grip */
   #take(grip) {
     const {hand} = this.page
-    remember()
-    this.page.hint?.leave()
     hand.take(grip.grab)
     if (grip.grab.begins && !grip.grab.start.length) hand.move({x: grip.x, y: grip.y}, this.all)
   }
@@ -164,9 +161,9 @@ export class Grips {
   #paper() {
     const own = this.element.getBoundingClientRect()
     const {left, right, top, bottom} = this.page.paper.getBoundingClientRect()
-    const unit = unitSize()
-    const [across, down] = [own.left / unit, own.top / unit]
-    return {left: left / unit - across, right: right / unit - across, top: top / unit - down, bottom: bottom / unit - down}
+    const [x, y] = [own.left, own.top]
+    const [start, end, first, last] = [left - x, right - x, top - y, bottom - y].map(far => far / unitSize())
+    return {left: start, right: end, top: first, bottom: last}
   }
 
   /** @param {string} plot */
@@ -222,21 +219,4 @@ function stepped({grab, x, y}, [across, up], far, all) {
   if (new Set(ways.map(one => ("across" in one ? one.across : "y"))).size > 1)
     return {x: x + across * far, y: y - up * far}
   return "across" in ways[0] && ways[0].across === "x" ? {x: x + both, y} : {x, y: y - both}
-}
-
-/** Whether something has been grabbed in this browser. */
-export function hasGrabbed() {
-  try {
-    return localStorage.getItem(GRABBED) !== null
-  } catch {
-    return true
-  }
-}
-
-function remember() {
-  try {
-    localStorage.setItem(GRABBED, "yes")
-  } catch {
-    // A browser that keeps nothing is told again.
-  }
 }

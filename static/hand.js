@@ -1,9 +1,11 @@
 // The hand on a page: what it holds is drawn where it is, at once; the server hears of it and answers when it can.
 
+import {using} from "./later.js"
 import {evaluate, polynomial} from "./signals.js"
 import {toPlace, toSI} from "./ruler.js"
 
 const FLICK = 120 // ms before letting go over which its velocity is taken
+const GRABBED = "grabbed"
 const STILL = 40 // pixels a second, below which a hand rests
 /** @typedef {{x: number, y: number}} Point */
 
@@ -25,6 +27,9 @@ export class Hand {
 
   /** @type {{at: Point, when: number}[]} */
   trail = []
+
+  /** @type {import("./later/hint.js").Hint | undefined} until something has been grabbed */
+  hint
 
   refusal = ""
   from = 0
@@ -52,8 +57,15 @@ export class Hand {
     return this.page.shown.view.axes[axis] ?? PLAIN
   }
 
+  /** Says once what a hand can do. */
+  introduce() {
+    if (!hasGrabbed()) using("hint", ({Hint}) => this.page.left || (this.hint ??= new Hint(this.page)))
+  }
+
   /** @param {page.Grab} grab */
   take(grab) {
+    remember()
+    this.hint?.leave()
     const {clock, shown} = this.page
     const now = evaluate(shown.view.signals, shown.view.scalars, clock.t, this.named)
     const again = this.grab === grab
@@ -146,6 +158,7 @@ export class Hand {
 
   /** An answer has come. @param {Drawn} shown */
   heard({answer, errors}) {
+    this.hint?.changed()
     if (!this.grab || answer === null || answer < this.from) return
     const refused = this.grab.ways.map(way => errors[way.parameter]).find(Boolean) ?? ""
     this.refusal = refused
@@ -203,3 +216,20 @@ function rounded(value, pixel) {
 
 /** @param {number} value */
 const digits = value => Number(value.toPrecision(4)) + 0
+
+/** Whether something has been grabbed in this browser. */
+function hasGrabbed() {
+  try {
+    return localStorage.getItem(GRABBED) !== null
+  } catch {
+    return true
+  }
+}
+
+function remember() {
+  try {
+    localStorage.setItem(GRABBED, "yes")
+  } catch {
+    // A browser that keeps nothing is told again.
+  }
+}

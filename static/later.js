@@ -10,6 +10,7 @@ const PARTS = {
   about: () => import("./later/about.js"),
   framed: () => import("./later/framed.js"),
   ghosts: () => import("./later/ghosts.js"),
+  hint: () => import("./later/hint.js"),
   keylist: () => import("./later/keylist.js"),
   picker: () => import("./later/picker.js"),
   predict: () => import("./later/predict.js"),

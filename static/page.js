@@ -8,7 +8,6 @@ import {Compare} from "./compare.js"
 import {coverNumber} from "./cover.js"
 import {copyButton} from "./copy.js"
 import {element} from "./dom.js"
-import {hasGrabbed} from "./grips.js"
 import {Hand} from "./hand.js"
 import {using} from "./later.js"
 import {fixed} from "./numbers.js"
@@ -42,9 +41,6 @@ export class Page {
 
   /** @type {import("./later/print.js").Print | undefined} */
   print
-
-  /** @type {import("./later/hint.js").Hint | undefined} until something has been grabbed */
-  hint
 
   /** @type {Map<string, Element[]>} the elements of each live number */
   named = new Map()
@@ -165,7 +161,6 @@ export class Page {
     const {view, state} = shown
     this.about?.changed()
     this.voice?.changed()
-    this.hint?.changed()
     this.sheet.update(shown)
     for (const [name, elements] of this.named) {
       if (name in view.values) for (const one of elements) one.textContent = view.values[name]
@@ -265,7 +260,7 @@ export class Page {
   speak() {
     using("voice", ({Voice}) => this.left || (this.voice ??= new Voice(this)))
     using("print", ({Print}) => this.left || (this.print ??= new Print(this)))
-    if (!hasGrabbed()) using("hint", ({Hint}) => this.left || (this.hint ??= new Hint(this)))
+    this.hand.introduce()
   }
 
   async #joinNext() {
@@ -290,7 +285,6 @@ export class Page {
     this.about?.leave()
     this.voice?.leave()
     this.print?.leave()
-    this.hint?.leave()
     for (const part of [...this.plots, ...this.stages]) part.leave()
     this.root.remove()
   }

@@ -125,7 +125,7 @@ export class Transport {
     const lines = [
       this.problem,
       clock.slowed ? `Slowed to ${factor}, so that the fast motion can be seen.` : "",
-      this.page.hint?.aside,
+      this.page.hand.hint?.aside,
       ...this.notes,
     ]
     const text = lines.filter(Boolean).join(" ")

@@ -39,10 +39,11 @@ export class Hint {
     clearTimeout(this.timer)
     this.observer.disconnect()
     this.element.remove()
-    this.page.hint = undefined
+    this.page.hand.hint = undefined
   }
 
   #place() {
+    if (this.page.left) return this.leave()
     const grip = this.page.root.querySelector(".block.stage > .grips > .grip.begins:not([hidden])")
     const host = grip?.parentElement?.parentElement
     if (!grip || !host || grip.closest("[inert], [hidden]")) return

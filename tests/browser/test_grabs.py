@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
+from tests.browser.touch import swipe
 from tests.browser.waiting import passed
 
 pytestmark = pytest.mark.browser
@@ -39,40 +40,78 @@ def stopped(page: Page) -> None:
 
 
 @pytest.mark.parametrize(
-    ("query", "names", "ways"),
+    ("query", "names", "along", "ways"),
     [
-        ({"scene": "coupled"}, "x1_0", ((20, 0), (35, 3), (-15, -2))),
-        ({"scene": "oscillator"}, "x_0", ((0, 15), (2, -30), (0, -20))),
-        ({"scene": "oscillator"}, "x_0 v_0", ((10, 5), (-20, 10), (-30, -15))),
-        ({"scene": "energy"}, "x_0", ((0, 10), (0, 25))),
-        ({"scene": "phugoid"}, "excess", ((0, 10), (4, 18))),
-        ({"scene": "analogues"}, "theta_0", ((5, 2), (9, 4))),
-        ({"scene": "analogues", "system": "floating"}, "floating_start", ((0, -8), (0, -14))),
+        ({"scene": "coupled"}, "x1_0", "x", ((20, 0), (35, 3), (-15, -2))),
+        ({"scene": "coupled"}, "x1_0 x2_0", "x", ((12, 0), (25, 3), (-15, -2))),
+        ({"scene": "oscillator"}, "x_0", "y", ((0, 15), (2, -30), (0, -20))),
+        ({"scene": "oscillator"}, "x_0 v_0", "xy", ((10, 5), (-20, 10), (-30, -15))),
+        ({"scene": "energy"}, "x_0", "y", ((0, 10), (0, 25))),
+        ({"scene": "phugoid"}, "excess", "xy", ((0, 10), (4, 18))),
+        ({"scene": "analogues"}, "theta_0", "", ((5, 2), (9, 4))),
+        ({"scene": "analogues", "system": "floating"}, "floating_start", "y", ((0, -8), (0, -14))),
+        ({"scene": "absorber"}, "x2_0", "x", ((15, 0), (-20, 3))),
     ],
 )
 def test_the_handle_is_where_the_hand_is_though_answers_are_late(
-    query: dict[str, str], names: str, ways: tuple[tuple[int, int], ...], page: Page, open_scene: Open
+    query: dict[str, str], names: str, along: str, ways: tuple[tuple[int, int], ...], page: Page, open_scene: Open
 ) -> None:
     open_scene(page, **query)
     stopped(page)
     page.evaluate(LATE)
-    grip = page.locator(f".grip[data-grab='{names}']").first
+    drag(page, page.locator(f".grip[data-grab='{names}']").first, along, ways)
+    assert page.evaluate("[oscillations.clock.playing, oscillations.clock.t]") == [False, 0]
+    page.mouse.up()
+    page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
+
+
+def drag(page: Page, grip: Locator, along: str, ways: tuple[tuple[int, int], ...]) -> None:
+    """Takes a grip and leads it some ways, `along` which it follows within a frame; the hand still holds it."""
     x, y = middle(grip)
     page.mouse.move(x, y)
     page.mouse.down()
-    moves_both = " " in names or names in ("excess", "theta_0")
-    upright = names in ("x_0", "floating_start")
     for dx, dy in ways:
         page.mouse.move(x + dx, y + dy)
         passed(page, 1)
         at = middle(grip)
-        if not upright and names != "theta_0":
-            assert at[0] == pytest.approx(x + dx, abs=NEAR)
-        if (moves_both or upright) and names != "theta_0":
-            assert at[1] == pytest.approx(y + dy, abs=NEAR)
-    assert page.evaluate("[oscillations.clock.playing, oscillations.clock.t]") == [False, 0]
+        assert "x" not in along or at[0] == pytest.approx(x + dx, abs=NEAR)
+        assert "y" not in along or at[1] == pytest.approx(y + dy, abs=NEAR)
+
+
+def test_the_guess_is_dragged_while_it_plays_by_its_point_and_by_its_shape(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="modes")
+    drag(page, page.get_by_role("slider", name="Guess: frequency and shape"), "xy", ((20, -15), (30, 20)))
+    page.mouse.up()
+    page.wait_for_function("oscillations.shown.settings.omega.value > 1.7 && !oscillations.page.hand.grab")
+    drag(page, page.get_by_role("slider", name="Shape: where mass 2 turns"), "x", ((20, 0), (30, 5)))
     page.mouse.up()
     page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
+    # Beyond its 1 m the other mass takes over.
+    x, y = middle(page.get_by_role("slider", name="Shape: where mass 2 turns"))
+    page.mouse.move(x, y)
+    page.mouse.down()
+    page.mouse.move(x + 300, y)
+    page.mouse.up()
+    page.wait_for_function("oscillations.shown.settings.ratio.value === 1")
+    drag(page, page.get_by_role("slider", name="Shape: where mass 1 turns"), "x", ((-20, 0),))
+    page.mouse.up()
+    page.wait_for_function("oscillations.shown.settings.ratio.value > 1.2")
+
+
+def test_a_finger_takes_the_drive_over_a_resonance_and_a_mass_along(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = new_page(390, 844, has_touch=True, is_mobile=True)
+    open_scene(page, scene="forced")
+    grip = page.get_by_role("slider", name="Drive frequency, on the curve of mass 1")
+    grip.evaluate("grip => grip.scrollIntoView({block: 'center'})")
+    swipe(page, middle(grip), (100, 5))
+    page.wait_for_function("oscillations.shown.settings.omega.value > 1 && !oscillations.page.hand.grab")
+    open_scene(page, scene="analogues")
+    before = page.evaluate("scrollY")
+    swipe(page, middle(page.get_by_role("slider", name="Spring's mass, start")), (0, 12))
+    page.wait_for_function("oscillations.shown.settings.theta_0.value !== 60 && !oscillations.page.hand.grab")
+    assert page.evaluate("[scrollY, oscillations.clock.playing]") == [before, True]
 
 
 def test_a_grabbed_mass_is_the_new_start_and_a_flick_gives_its_velocity(page: Page, open_scene: Open) -> None:
@@ -98,6 +137,14 @@ def test_keys_move_what_has_the_focus_and_enter_lets_it_go(page: Page, open_scen
     page.wait_for_function("oscillations.page.hand.grab && !oscillations.clock.playing")
     page.keyboard.press("ArrowDown")
     expect(grip).not_to_have_attribute("aria-valuenow", "0.2")
+    page.keyboard.press("Home")
+    low, high = (float(grip.get_attribute(f"aria-value{end}") or "") for end in ("min", "max"))
+    expect(grip).to_have_attribute("aria-valuenow", f"{low:g}")
+    page.keyboard.press("PageUp")
+    expect(grip).not_to_have_attribute("aria-valuenow", f"{low:g}")
+    page.keyboard.press("End")
+    expect(grip).to_have_attribute("aria-valuenow", f"{high:g}")
+    expect(grip).to_have_attribute("aria-valuetext", f"x0, displacement: {high:.3g} m")
     page.keyboard.press("Enter")
     page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
     assert page.evaluate("oscillations.shown.settings.v_0.value") == 0
@@ -118,12 +165,23 @@ def test_a_value_that_cannot_be_stays_at_the_last_good_one_and_says_why(page: Pa
     page.mouse.up()
 
 
-def test_the_hint_goes_with_the_first_grab(page: Page, open_scene: Open) -> None:
+def test_the_hint_stands_on_the_stage_until_something_is_grabbed(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="energy")
-    hint = page.get_by_text("Drag what moves")
+    hint = page.locator(".block.stage > .hint")
     expect(hint).to_be_visible()
     page.get_by_role("slider", name="Mass, start").focus()
     page.keyboard.press("ArrowDown")
     expect(hint).to_have_count(0)
     open_scene(page, scene="coupled")
-    expect(hint).to_have_count(0)
+    expect(page.get_by_text("Drag what moves")).to_have_count(0)
+
+
+def test_a_step_lets_the_hand_set_what_it_names_alone(page: Page, open_scene: Open) -> None:
+    for step, free in (("d31-02", False), ("d31-03", True)):
+        open_scene(page, walk="d31", step=step)
+        mass = page.locator(".grip[data-grab=x_0]")
+        assert mass.evaluate("grip => Boolean(grip.closest('[inert]'))")
+        page.keyboard.press("PageDown")
+        page.wait_for_function("oscillations.walks.walk.lesson")
+        assert mass.evaluate("grip => !grip.closest('[inert]')") is free
+        page.wait_for_function(f"Boolean(document.querySelector('.hint:not([hidden])')) === {str(free).lower()}")

@@ -7,6 +7,8 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
+from tests.browser.touch import swipe
+
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 
@@ -16,14 +18,6 @@ def middle(handle: Locator) -> tuple[float, float]:
     box = handle.bounding_box()
     assert box
     return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-
-
-def swipe(page: Page, start: tuple[float, float], way: tuple[int, int]) -> None:
-    """A finger put down, moved and lifted."""
-    browser = page.context.new_cdp_session(page)
-    for kind, share in (("touchStart", 0.0), ("touchMove", 0.5), ("touchMove", 1.0), ("touchEnd", None)):
-        points = [] if share is None else [{"x": start[0] + share * way[0], "y": start[1] + share * way[1]}]
-        browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
 
 
 @pytest.mark.parametrize(

@@ -103,7 +103,7 @@ class Hand:
 def holding(scene: Scene) -> Scene:
     """A page's scene, with a hand that holds on."""
     scene.keep_frame()
-    scene.held = True
+    scene.in_hand = True
     assert scene.frame in (None, FITTED)
     return scene
 
