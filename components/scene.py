@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from abc import ABCMeta, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from functools import cache, cached_property
-from typing import Any, ClassVar
+from typing import Any
 
 import param
 from bokeh.models import ColumnDataSource
@@ -14,16 +14,14 @@ from param.parameterized import ParameterizedMetaclass, discard_events
 
 from components.about import About
 from components.beside import Beside
-from components.controls import Group
+from components.facts import Facts
 from components.figures import Figure
 from components.frames import FITTED, unfitted
 from components.page.blocks import Block
-from components.page.messages import Onward
 from components.page.state import Frame
 from components.parameters import AnyParameter, Quantity, Values
 from components.picture import Framed, Picture, drawn_in, frame_of, kept, sendable
 from components.refusals import in_words
-from components.running import Running
 from components.units import Unit
 
 __all__ = ["Picture", "Scene", "frame_of"]
@@ -33,38 +31,13 @@ class _SceneMeta(ParameterizedMetaclass, ABCMeta):
     pass
 
 
-class Scene(param.Parameterized, metaclass=_SceneMeta):
+class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
     """One idea of the lecture. Subclasses are final: they declare parameters, a sheet, and `picture`.
 
     Setting parameters (one, or a batch with `param.update`) leads to exactly one `picture`. A ValueError, from a
     parameter's own limits, from the physics or in place of an ArithmeticError, leaves every parameter and every
     source as it was; so does any other exception.
     """
-
-    slug: ClassVar[str]
-    title: ClassVar[str]
-    lecture: ClassVar[str]
-    points: ClassVar[str]
-    """What of the lecture it is about."""
-    headline: ClassVar[str]
-    """What it shows, in a sentence."""
-    equations: ClassVar[tuple[str, ...]]
-    """What the numbers obey, in ASCII with the names of the code: for those who take them away."""
-    spoken: ClassVar[Mapping[str, str]] = {}
-    """The numbers that are read aloud when a change moves them: what each is called, and its live numbers with unit."""
-    groups: ClassVar[tuple[Group, ...]]
-    presets: ClassVar[Mapping[str, Values]] = {}
-    start: ClassVar[str] = "Start from"
-    start_folded: ClassVar[bool] = False
-    """The title over the presets, and whether they are folded under it."""
-    physical: ClassVar[tuple[str, ...]] = ()
-    """The choices that make another system; the others only show it in another way."""
-    places: ClassVar[tuple[str, ...]] = ()
-    """The actions that are places rather than deeds: their buttons show whether the scene is there."""
-    work: ClassVar[type[Running] | None] = None
-    """What the scene has done instead of playing: then its progress stands in the transport's place."""
-    onward: ClassVar[tuple[Onward, ...]] = ()
-    """The links to other scenes that take values along."""
 
     window = Quantity(
         default=None,

@@ -8,6 +8,8 @@ from msgspec.structs import replace
 
 from components.about import About, about_numbers
 from components.beside import holdable
+from components.carrying import Shared, brought, taken_along
+from components.choices import stated
 from components.comparison import told_beside
 from components.controls import settings
 from components.covers import checked_covers, coverable, refused_covers, without
@@ -75,6 +77,7 @@ class Session:
         self._problems = problems
         self._answering = False
         self._last: int | None = None
+        self._shared: Shared = {}
         self._kept = State(scene=scene.slug, covered=covered, step=step)
         self.later: Later = lambda act: act()
         self._take_up(scene)
@@ -130,7 +133,7 @@ class Session:
         self._last = answer
         self._answering = True
         try:
-            self._errors = self._open(said.state) if isinstance(said, Open) else self._applied(said)
+            self._errors = self._turned(said) if isinstance(said, Open) else self._applied(said)
         finally:
             self._answering = False
         return self._packed(answer)
@@ -176,6 +179,16 @@ class Session:
         if self._kept.covered:
             raise ValueError("they would give away what is covered")
         return self.scene.about()
+
+    def _turned(self, said: Open) -> Errors:
+        """What goes along is left behind where the scene cannot be shown with it."""
+        self._shared = taken_along(self.scene, self._shared)
+        if said.carried and said.state.scene in self.scenes and said.state.scene != self.scene.slug:
+            values = brought(self.scenes[said.state.scene], self._shared)
+            given = {name: stated(value) for name, value in values.items()}
+            if given and not self._open(replace(said.state, parameters={**given, **said.state.parameters})):
+                return {}
+        return self._open(said.state)
 
     def _open(self, state: State) -> Errors:
         """Put the session into a state, in one batch, whole or not at all."""

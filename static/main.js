@@ -51,7 +51,10 @@ export class Lecture {
       (told, asked) => this.#hear(told, asked),
       error => this.#fail(error),
     )
-    this.undo = new Undo((open, about) => this.#go(open, about))
+    this.undo = new Undo(
+      (open, about) => this.#go(open, about),
+      () => this.open({scene: this.kept.scene}),
+    )
     this.shell = new Shell(this)
     listen(this)
     this.walks = new Walks(this)
@@ -130,10 +133,11 @@ export class Lecture {
 
   /**
    * Another scene, or another state of this one, within the session; what it leaves out is at its default.
+   * What scenes share comes along where that is `carried`.
    * @param {Pick<page.State, "scene"> & Partial<page.State>} state
    */
-  open(state) {
-    this.#go({type: "open", state: /** @type {page.State} */ (state)}, {turn: true})
+  open(state, carried = false) {
+    this.#go({type: "open", state: /** @type {page.State} */ (state), carried}, {turn: true})
   }
 
   /** The state that stands, but for what changes. @param {(state: page.State) => Partial<page.State>} change */

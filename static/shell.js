@@ -30,7 +30,7 @@ export class Shell {
       if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey || event.button) return
       event.preventDefault()
       this.menu.open = false
-      this.lecture.open({scene})
+      this.lecture.open({scene}, true)
     })
   }
 

@@ -1,8 +1,9 @@
 // Undo and redo: the states that a scene has been in, each put back by opening it.
 
-import {element, svg} from "./dom.js"
+import {element, set, svg} from "./dom.js"
 
 const ARROWS = {past: "M9 14l-5-5 5-5M4 9h10a5 5 0 0 1 0 10h-4", future: "M15 14l5-5-5-5M20 9H10a5 5 0 0 0 0 10h4"}
+const RESET = "M5 5v14M19 6l-9 6 9 6z"
 const MOST = 200 // states kept of a scene
 
 /**
@@ -21,11 +22,13 @@ export class Undo {
   gesture = 0
   press = "" // of what, and which
 
-  /** @param {SendBack} send */
-  constructor(send) {
+  /** `reset` brings the scene back as it opens. @param {SendBack} send @param {() => void} reset */
+  constructor(send, reset) {
     this.send = send
     this.buttons = {past: this.#button("Undo", "past"), future: this.#button("Redo", "future")}
-    this.element = element("div", {class: "undo"}, this.buttons.past, this.buttons.future)
+    this.reset = drawn("Reset", "Reset: the scene as it opens", RESET)
+    this.reset.addEventListener("click", reset)
+    this.element = element("div", {class: "undo"}, this.reset, this.buttons.past, this.buttons.future)
     addEventListener("pointerdown", () => this.#press("pointer"), true)
     addEventListener("keydown", event => this.#key(event), true)
   }
@@ -38,17 +41,8 @@ export class Undo {
   /** @param {string} name @param {Way} way */
   #button(name, way) {
     const keys = way === "past" ? "Control+Z" : "Control+Shift+Z"
-    const button = element(
-      "button",
-      {
-        type: "button",
-        "aria-label": name,
-        "aria-keyshortcuts": keys,
-        title: `${name} (${keys.replace("Control", "Ctrl")})`,
-        disabled: "",
-      },
-      svg("svg", {viewBox: "0 0 24 24", width: 20, height: 20, "aria-hidden": "true"}, svg("path", {d: ARROWS[way]})),
-    )
+    const button = drawn(name, `${name} (${keys.replace("Control", "Ctrl")})`, ARROWS[way])
+    set(button, {"aria-keyshortcuts": keys, disabled: ""})
     button.addEventListener("click", () => this.go(way))
     return button
   }
@@ -96,8 +90,15 @@ export class Undo {
       story.deed = ""
     } else advance(story, state, deed)
     story.now = state
+    this.reset.disabled = Boolean(state.step) || isSame(state, {...state, parameters: {}, frame: null, hidden: []})
     for (const one of /** @type {Way[]} */ (["past", "future"])) this.buttons[one].disabled = !story[one].length
   }
+}
+
+/** A button with a drawing. @param {string} name @param {string} title @param {string} d */
+function drawn(name, title, d) {
+  const look = {viewBox: "0 0 24 24", width: 20, height: 20, "aria-hidden": "true"}
+  return element("button", {type: "button", "aria-label": name, title}, svg("svg", look, svg("path", {d})))
 }
 
 /**

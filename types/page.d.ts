@@ -47,10 +47,12 @@ declare namespace page {
     order: "start" | "cancel" | "skip"
   }
 
-  /** Put the session into this state. */
+  /** Put the session into this state; another scene then has what it shares with those before, where that is asked to
+   * be `carried`. */
   interface Open extends FromBrowser {
     type: "open"
     state: State
+    carried?: boolean
   }
 
   /** The answer to a step of a walk: an option by its place, the text of a number, a place on the axis, or curves. */

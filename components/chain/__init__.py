@@ -3,6 +3,7 @@
 from components.chain.modes import MODES, direction_lines, directions, mode_figures
 from components.chain.parameters import (
     CHAIN,
+    SHARES,
     START,
     masses_and_springs,
     measured_by,
@@ -41,6 +42,7 @@ __all__ = [
     "EQUILIBRIUM",
     "FREE",
     "MODES",
+    "SHARES",
     "START",
     "WALL",
     "DrawnChain",

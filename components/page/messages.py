@@ -61,9 +61,11 @@ class RunOrder(FromBrowser, frozen=True, kw_only=True, tag="run"):
 
 
 class Open(FromBrowser, frozen=True, kw_only=True, tag="open"):
-    """Put the session into this state."""
+    """Put the session into this state; another scene then has what it shares with those before, where that is asked to
+    be `carried`."""
 
     state: State
+    carried: bool = False
 
 
 class Given(FromBrowser, frozen=True, kw_only=True, tag="given"):

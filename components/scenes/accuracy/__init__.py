@@ -60,6 +60,8 @@ class Accuracy(Scene):
     equations = chain.DRIVEN
     work = Measurement
     physical = ("system",)
+    shares = chain.SHARES
+    sharing = {"system": OWN}
     start = "System"
     presets = {
         **{system.name: {"system": slug} for slug, system in SYSTEMS.items()},

@@ -50,6 +50,8 @@ class Analogues(Scene):
         "omega_n = sqrt(stiffness/inertia); x is the spring and mass of equal numbers",
     )
     groups = (Group("System", ("system",), pictures=tiles()), *groups())
+    shares = {"mass": "spring_m", "stiffness": "spring_k"}
+    sharing = {"system": "spring"}
     start = "Examples"
     start_folded = True
     presets = {

@@ -49,6 +49,7 @@ class Coupled(Scene):
         Group("Shown", ("view",)),
     )
     onward = (chain.measured_by(),)
+    shares = chain.SHARES
     presets = {
         "Both": {},
         "Slow": {"x1_0": 0.4, "x2_0": 0.8},

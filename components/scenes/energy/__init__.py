@@ -56,6 +56,7 @@ class Energy(Scene):
         Group("V counted from", ("datum",)),
     )
     places = tuple(PLANETS)
+    shares = {"mass": "m", "stiffness": "k"}
     presets = {
         "Pulled down": {},
         "Pushed up": {"x_0": -0.2},

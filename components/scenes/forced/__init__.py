@@ -58,6 +58,7 @@ class Forced(Scene):
         Group("Shown", ("view",)),
     )
     onward = (chain.measured_by("F_0", "omega"),)
+    shares = chain.SHARES
     presets = {
         "Equal (slide 8)": {},
         "At slow": {"omega": SLOW},

@@ -62,6 +62,7 @@ class ModesScene(Scene):
         Group("Start, from rest", ("x1_0", "x2_0"), "or drag the ring", form="hunt"),
         chain.CHAIN,
     )
+    shares = chain.SHARES
     presets = {
         "Default": {},
         "Equal (slide 8)": {"m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0},

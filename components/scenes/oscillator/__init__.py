@@ -92,6 +92,7 @@ class OscillatorScene(Scene):
         "omega_n = sqrt(k/m); v = x'; a = x''; x = x_0 and v = v_0 at t = 0",
     )
     groups = (Group("Mass and spring", ("m", "k")), Group("Start", ("x_0", "v_0")), Group("Shown", ("view",)))
+    shares = {"mass": "m", "stiffness": "k"}
     presets = {
         "Pulled": {"x_0": 0.15, "v_0": 0.0},
         "Kicked": {"x_0": 0.0, "v_0": 0.8},
@@ -150,12 +151,11 @@ class OscillatorScene(Scene):
 
     def figures(self) -> tuple[Figure, ...]:
         swing = self._swing()
-        found = [Figure("omega", "ω_n", swing.omega, "rad/s")]
-        if swing.omega:
-            found.append(Figure("tau", "τ", swing.oscillator.period, "s"))
-            found.append(Figure("C", "C", swing.constants.C, "m", "m1"))
-            found.append(Figure("phi", "φ", swing.constants.phi, "rad", angle=True))
-        return tuple(found)
+        omega, C = Figure("omega", "ω_n", swing.omega, "rad/s"), Figure("C", "C", swing.constants.C, "m", "m1")
+        if not swing.omega:
+            return (omega,)
+        tau = Figure("tau", "τ", swing.oscillator.period, "s")
+        return omega, tau, C, Figure("phi", "φ", swing.constants.phi, "rad", angle=True)
 
     def about(self) -> About:
         return oscillator_about(self.shown, Oscillator(m=self.m, k=self.k), self.x_0, self.v_0)

@@ -1,0 +1,44 @@
+"""What a scene says of itself, once for all visitors."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import ClassVar
+
+from components.controls import Group
+from components.page.messages import Onward
+from components.parameters import Values
+from components.running import Running
+
+
+class Facts:
+    """The facts of a scene, which each declares; see components.scene."""
+
+    slug: ClassVar[str]
+    title: ClassVar[str]
+    lecture: ClassVar[str]
+    points: ClassVar[str]
+    """What of the lecture it is about."""
+    headline: ClassVar[str]
+    """What it shows, in a sentence."""
+    equations: ClassVar[tuple[str, ...]]
+    """What the numbers obey, in ASCII with the names of the code: for those who take them away."""
+    spoken: ClassVar[Mapping[str, str]] = {}
+    """The numbers that are read aloud when a change moves them: what each is called, and its live numbers with unit."""
+    groups: ClassVar[tuple[Group, ...]]
+    presets: ClassVar[Mapping[str, Values]] = {}
+    start: ClassVar[str] = "Start from"
+    start_folded: ClassVar[bool] = False
+    """The title over the presets, and whether they are folded under it."""
+    physical: ClassVar[tuple[str, ...]] = ()
+    """The choices that make another system; the others only show it in another way."""
+    places: ClassVar[tuple[str, ...]] = ()
+    """The actions that are places rather than deeds: their buttons show whether the scene is there."""
+    work: ClassVar[type[Running] | None] = None
+    """What the scene has done instead of playing: then its progress stands in the transport's place."""
+    onward: ClassVar[tuple[Onward, ...]] = ()
+    """The links to other scenes that take values along."""
+    shares: ClassVar[Mapping[str, str]] = {}
+    """Its parameters by what they are in other scenes too: components.carrying takes them along."""
+    sharing: ClassVar[Values] = {}
+    """What else must be so for them to be what is shown."""
