@@ -97,7 +97,6 @@ export class Handles {
       role: "slider",
       tabindex: 0,
       "aria-label": label,
-      "data-grab": handle?.parameter,
       "aria-orientation": isUpright ? "vertical" : "horizontal",
       "data-grab": handle?.parameter,
     })
