@@ -16,6 +16,8 @@ from components.sheet import Paragraph, column, either, term, words
 from components.traces import Columns, samples
 from physics.exact import exact, precise
 
+TALLEST = 1e30
+"""What is drawn from a start, over the static deflection: a number in its unit is a float32."""
 _NEVER = "never dies: nothing damps."
 SENTENCES: list[Paragraph] = [
     either(
@@ -72,6 +74,8 @@ def rest_columns(duty: Duty, end: float, unit: Axis) -> tuple[Columns, Axis]:
     if duty.solved:
         columns |= {"x1_p": duty.played.particular_motion(t)[0], "x1_c": duty.played.complementary(t)[0]}
     low, high = widest(*((float(c.min()), float(c.max())) for name, c in columns.items() if name != "t"))
+    if duty.over_deflection(max(-low, high)) > TALLEST:
+        raise ValueError("the motion is too large to be drawn beside the static deflection F_0/k1")
     room = 0.08 * (high - low)
     ticks = nice_ticks(unit.place(low), unit.place(high), 3) if high > low else (0.0,)
     return columns, replace(unit, start=low - room, end=high + room or unit.end, ticks=ticks)
