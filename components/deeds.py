@@ -78,7 +78,7 @@ def _choose(scene: Scene, name: str, value: object) -> Errors:
     try:
         scene.set({name: chosen(parameter, value)})
     except ValueError as error:
-        return {name: str(error)}
+        return {name: sentence(error)}
     return {}
 
 

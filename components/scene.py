@@ -146,6 +146,15 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
         finally:
             self._given = False
 
+    @property
+    def opening(self) -> bool:
+        """Whether the values that are being set are all that is known: of a state, or of a new scene."""
+        return self._given or not self._good
+
+    def before(self, name: str) -> Any:
+        """The value of a parameter before the change that is being made."""
+        return self._good[name]
+
     def redraw(self) -> None:
         """The picture once more, for the same parameters."""
         self._solve()

@@ -25,7 +25,7 @@ ALSO: dict[str, tuple[dict[str, Any], ...]] = {
     "absorber": ({"played": "rest", "x1_0": 0.002},),
 }
 """States in which something else is in hand."""
-FOLLOWS = {"absorber": ("played", "k2")}
+FOLLOWS = {"absorber": ("played", "k2"), "coupled": ("given_by",)}
 """What follows from a value that is set: a start is played, a tuned spring follows the speed."""
 
 

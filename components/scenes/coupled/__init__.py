@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import cache
 
 import numpy as np
@@ -20,13 +21,14 @@ from components.page.blocks import Block
 from components.page.numbers import var
 from components.page.signals import AnySignal
 from components.page.state import Frame
-from components.parameters import one_of
+from components.parameters import Values, one_of
 from components.scene import Picture, Scene
+from components.scenes.coupled import starting
 from components.scenes.coupled.about import coupled_about
 from components.scenes.coupled.sheet import coupled_sheet
 from components.scenes.coupled.words import forms, values
 from components.traces import Columns, samples, sources_over_time, trace
-from physics.coupled import FreeModes, Motion, free_modes
+from physics.coupled import FreeModes, Motion
 from physics.energy import chain_energy, mean_energy
 from physics.sampling import drawable, time_window
 
@@ -45,13 +47,14 @@ class Coupled(Scene):
     groups = (
         chain.CHAIN,
         Group("Start", ("x1_0", "x2_0")),
-        Group("", ("v1_0", "v2_0"), "Start velocities", folded=True),
+        Group("", starting.BY_MODES, form="start_modes"),
+        Group("", ("v1_0", "v2_0", "given_by"), "Start velocities, or modes", folded=True),
         Group("Shown", ("view",)),
     )
     onward = (chain.measured_by(),)
     shares = chain.SHARES
     presets = {
-        "Both": {},
+        "Both": {"given_by": "values"},
         "Slow": {"x1_0": 0.4, "x2_0": 0.8},
         "Fast": {"x1_0": 0.7, "x2_0": -0.7},
         "Beats": {"m1": 1.0, "k1": 0.96, "m2": 0.04, "k2": 0.04, "x1_0": 0.2},
@@ -63,6 +66,13 @@ class Coupled(Scene):
     m1, m2, k1, k2 = chain.masses_and_springs(2.0, 1.0, 4.0, 2.0)
     x1_0, x2_0 = chain.start_positions(1.0)
     v1_0, v2_0 = chain.start_velocities()
+    given_by = one_of(
+        default="values", objects={"Starting values": "values", "Modes": "modes"}, label="The motion is given by"
+    )
+    X_slow = starting.amplitude("slow", "−", 1 / 3)
+    phi_slow = starting.phase("slow", "−", math.pi / 2)
+    X_fast = starting.amplitude("fast", "+", 2 / 3)
+    phi_fast = starting.phase("fast", "+", math.pi / 2)
     energy = one_of(default="parts", objects=["parts", "modes"], label="Energy of")
     view = one_of(
         default="modes",
@@ -77,7 +87,7 @@ class Coupled(Scene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         system = chain.of_scene(self)
-        free = free_modes(system, *chain.start_of(self))
+        free = starting.motion(self)
         slow, fast = system.modes().omega
         own_window = self.window or time_window(slow, fast)
         end = frame.window or own_window
@@ -91,6 +101,7 @@ class Coupled(Scene):
         axes = framed(frame, {"t": time_axis(own_window), "x": own, "E": whole_axis(float(free.energy.sum()), "J")})
         time, size, energy = axes["t"], axes["x"], axes["E"]
         drawn = chain.to_scale(system, extremes, size, frame.scale)
+        standing = (self.energy, f"view_{self.view}", f"start_{self.given_by}")
         pulled = forces(system, whole, size) if self.view == "forces" else Forces()
         return Picture(
             columns={
@@ -110,20 +121,27 @@ class Coupled(Scene):
                 **{name: size.digits(signed=True) for name in ("x1", "x2")},
                 **{name: energy.digits() for name in ("T1", "V1", "V2", "T2")},
             },
-            forms={**forms(free), self.energy: "shown", f"view_{self.view}": "shown"},
+            forms={**forms(free), **dict.fromkeys(standing, "shown")},
             notes=(*drawn.notes, *_notes(fast, t)),
         )
 
     def figures(self) -> tuple[Figure, ...]:
         system = chain.of_scene(self)
-        energy = free_modes(system, *chain.start_of(self)).energy.tolist()
+        energy = starting.motion(self).energy.tolist()
         return (
             *chain.mode_figures(system, "omega_minus", "omega_plus"),
             Figure("E_minus", "E_{−}", energy[0], "J", "slow"),
             Figure("E_plus", "E_{+}", energy[1], "J", "fast"),
         )
 
+    def following(self, changed: frozenset[str]) -> Values:
+        if self.opening:
+            return starting.opened(self)
+        return starting.followed(self, changed, self.before("given_by"))
+
     def about(self) -> About:
+        if self.given_by == "modes":
+            raise ValueError("they are of a motion that is given by its starting values")
         return coupled_about(self.shown, chain.of_scene(self), *chain.start_of(self))
 
 

@@ -1,0 +1,78 @@
+"""How a motion is begun: by starting values, or by amplitude and phase of each mode. One follows from the other."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from components import chain
+from components.parameters import Quantity, Values, finite, not_negative
+from physics.coupled import FreeModes, free_modes
+from physics.modal_start import amplitudes_and_phases, modes_given, start_given
+
+if TYPE_CHECKING:
+    from components.scenes.coupled import Coupled
+
+SIZES, PHASES = ("X_slow", "X_fast"), ("phi_slow", "phi_fast")
+BY_MODES = ("X_slow", "phi_slow", "X_fast", "phi_fast")
+MOST = 100.0
+"""rad; a phase is no further from 0."""
+SAME = 16 * 2.0**-53
+"""Starting values as near as this to those of the modes, over the amplitudes, are theirs but for roundings."""
+
+
+def amplitude(mode: str, sign: str, default: float) -> Quantity:
+    says = f"is how far mass 1 swings in the {mode} mode. Type any value from 0 up."
+    return not_negative(
+        default, symbol=f"X_{sign}", unit="m", label=f"amplitude of the {mode} mode", tint=mode,
+        allowed="an amplitude is a finite number, 0 or more", softbounds=(0.0, 1.0), says=says,
+    )  # fmt: skip
+
+
+def phase(mode: str, sign: str, default: float) -> Quantity:
+    return finite(
+        default, symbol=f"φ_{sign}", unit="rad", label=f"phase of the {mode} mode", tint=mode,
+        bounds=(-MOST, MOST), softbounds=(-math.pi, math.pi),
+        allowed=f"a phase is from −{MOST:g} to {MOST:g} rad",
+        says=f"is the phase of the {mode} mode at the start. At π/2 it starts from its turning point.",
+    )  # fmt: skip
+
+
+def motion(scene: Coupled) -> FreeModes:
+    """The motion that the parameters stand for."""
+    system = chain.of_scene(scene)
+    if scene.given_by == "values":
+        return free_modes(system, *chain.start_of(scene))
+    sizes, phases = ((getattr(scene, slow), getattr(scene, fast)) for slow, fast in (SIZES, PHASES))
+    return modes_given(system, sizes, phases)
+
+
+def followed(scene: Coupled, changed: frozenset[str], before: str) -> Values:
+    """What follows from a change, before which the motion was given by `before`."""
+    if changed.intersection(chain.START.names) and not changed.intersection((*BY_MODES, "given_by")):
+        return {"given_by": "values"}
+    if scene.given_by == "values" and not changed.intersection(BY_MODES):
+        return {}
+    taken: dict[str, float] = {}
+    if before == "values":
+        found = amplitudes_and_phases(free_modes(chain.of_scene(scene), *chain.start_of(scene)))
+        named = zip((*SIZES, *PHASES), (*found[0], *found[1]), strict=True)
+        taken = {name: value for name, value in named if name not in changed}
+    values = {name: getattr(scene, name) for name in BY_MODES} | taken
+    return {"given_by": "modes", **taken, **_start(scene, values)}
+
+
+def opened(scene: Coupled) -> Values:
+    """The same of a state, which says how the motion is given."""
+    return {} if scene.given_by == "values" else _start(scene, {name: getattr(scene, name) for name in BY_MODES})
+
+
+def _start(scene: Coupled, values: dict[str, float]) -> dict[str, float]:
+    """The starting values of modes, where they are others than those that stand, but for roundings."""
+    sizes, phases = ((values[slow], values[fast]) for slow, fast in (SIZES, PHASES))
+    free = modes_given(chain.of_scene(scene), sizes, phases)
+    x_0, v_0 = start_given(free)
+    reach = [float(sum(abs(free.amplitude[:, i]))) + abs(x_0[i]) for i in (0, 1)]
+    rates = [float(sum(abs(free.amplitude[:, i] * free.omega))) for i in (0, 1)]
+    rows = zip(chain.START.names, (*x_0, *v_0), (*reach, *rates), strict=True)
+    return {name: value for name, value, size in rows if abs(getattr(scene, name) - value) > SAME * size}
