@@ -23,7 +23,6 @@ from components.page.shapes import AnyShape
 from components.text import plain as plain_text
 from components.text import runs
 
-WIDTHS = {"sum": 3.0, "line": 1.75, "dash": 1.75, "dots": 1.0, "thin": 1.0}
 USUAL_ROOM = Room()
 NUMBERS = 30
 """The room of the numbers under a plot, in pixels: a plot beside it has the same frame if it leaves as much free."""
@@ -150,7 +149,7 @@ def _figure(
 
 def _glyphs(figure_: BokehPlot, curves: tuple[Curve, ...], regions: tuple[Region, ...]) -> None:
     """Regions under curves. The name of a renderer is its place in the block, "regions.0": the browser asks there for
-    its colour and group."""
+    its colour, its width and its group."""
     sources = _sources(curves, regions)
     for n, one in enumerate(regions):
         place = {"x": one.x, "y1": one.low, "y2": one.high, "source": sources[one.source]}
@@ -158,10 +157,9 @@ def _glyphs(figure_: BokehPlot, curves: tuple[Curve, ...], regions: tuple[Region
     for n, line in enumerate(curves):
         place = {"x": line.x, "y": line.y, "source": sources[line.source], "name": f"curves.{n}"}
         if line.width != "none":
-            look = {"line_width": WIDTHS[line.width], "line_dash": DASHES.get(line.width, []), "line_join": "round"}
-            figure_.line(**place, **look)
+            figure_.line(**place, line_dash=DASHES.get(line.width, []), line_join="round")
         if line.marker:
-            figure_.scatter(**place, size=9, line_width=1.75)
+            figure_.scatter(**place, size=9)
 
 
 def _sources(curves: tuple[Curve, ...], regions: tuple[Region, ...]) -> dict[str, ColumnDataSource]:

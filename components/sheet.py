@@ -82,6 +82,11 @@ def when(form: str, block: Block) -> Block:
     return replace(block, form=form)
 
 
+def desk(block: Block) -> Block:
+    """The block, for a reader at a desk alone: in a hall, with type for the last row, fewer parts stand."""
+    return replace(block, hall=False)
+
+
 def choice(
     name: str,
     options: Mapping[str, str],

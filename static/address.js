@@ -11,9 +11,10 @@ export const plainLink = scene => `?scene=${scene}`
 /**
  * The address of a state, and what the entry of the browser's history keeps of it: where the address cannot say it all,
  * the page that is loaded from it opens the state (`begin` in main.js).
- * @param {{query: string, state: page.State}} shown
+ * `ending` says how it is shown.
+ * @param {{query: string, state: page.State}} shown @param {string} ending
  */
-export const written = ({query, state}) =>
+export const written = ({query, state}, ending) =>
   isTooLong(query)
-    ? {address: plainLink(state.scene), entry: {...state, waiting: []}}
-    : {address: `?${query}`, entry: state}
+    ? {address: plainLink(state.scene) + ending, entry: {...state, waiting: []}}
+    : {address: `?${query}${ending}`, entry: state}

@@ -2,7 +2,9 @@
 
 import {colour, element, unitSize, units} from "./dom.js"
 
-const LENGTHS = ["line_width", "line_dash", "size", "grid_line_width"]
+/** The token that says how wide a line is. @type {Partial<Record<page.Curve["width"], string>>} */
+const LINES = {sum: "w2", line: "w1", dash: "w1", dots: "w0", thin: "w0"}
+const LENGTHS = ["line_dash", "size"]
 
 const LACK = "What draws the curves could not be fetched. It is asked for again."
 
@@ -70,11 +72,23 @@ export class Figure {
     for (const {model, lengths} of this.drawn ?? []) {
       model.setv(Object.fromEntries(Object.entries(lengths).map(([name, length]) => [name, grown(length)])))
     }
+    for (const renderer of this.model.renderers) this.#widen(renderer)
+    for (const model of this.model.center) {
+      if (model.type === "Span") model.setv({line_width: grown(units("w0"))})
+      if (model.type === "Grid") model.setv({grid_line_width: grown(units("w0"))})
+    }
     const label = {
       major_label_text_font_size: `${units("t0") * unitSize()}px`,
       major_label_standoff: Math.round(5 * unitSize()),
     }
     for (const axis of [...this.model.below, ...this.model.left]) axis.setv(label)
+  }
+
+  /** @param {any} renderer */
+  #widen(renderer) {
+    const drawn = this.#drawn(renderer)
+    const token = renderer.glyph.type === "Scatter" ? "w1" : "width" in drawn && LINES[drawn.width]
+    if (token) renderer.glyph.setv({line_width: grown(units(token))})
   }
 
   // Bokeh keeps every document that it has shown in a list of its own.

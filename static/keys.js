@@ -41,7 +41,9 @@ export const KEYS = [
   {keys: ["h", "H"], shown: "H", does: "Hold this picture, or release it", act: l => l.page.compare.toggle()},
   {keys: ["w", "W"], shown: "W", does: "Walk: choose one, or leave it", act: l => l.walks.toggle()},
   {keys: ["r", "R"], shown: "R", does: "Reveal what is covered", act: l => l.walks.reveal()},
-  {keys: ["f", "F"], shown: "F", does: "Full screen", act: () => fullScreen()},
+  {keys: ["c", "C"], shown: "C", does: "Controls: fold them away, or bring them back", act: l => l.hall.fold()},
+  {keys: ["p", "P"], shown: "P", does: "Projector: large type for a hall", act: l => l.hall.toggle()},
+  {keys: ["f", "F"], shown: "F", does: "Full screen", act: l => l.hall.full()},
   {keys: [".", "b", "B"], shown: "B", does: "Blank the screen; any key brings it back", act: () => blank()},
   {keys: ["?"], shown: "?", does: "This list", act: list},
 ]
@@ -94,12 +96,6 @@ function acts(event, {own}) {
 /** @param {HTMLElement} target */
 const isTyping = target =>
   target.isContentEditable || target.matches("input:not([type=range], [type=checkbox]), textarea, select")
-
-/** It stays through scenes and steps, which are one page. */
-async function fullScreen() {
-  if (document.fullscreenElement) await document.exitFullscreen()
-  else await document.documentElement.requestFullscreen?.().catch(() => {})
-}
 
 function blank() {
   const black = document.createElement("div")

@@ -8,15 +8,20 @@ const MISSING = "A part of this page could not be fetched; it comes as soon as t
 
 const PARTS = {
   about: () => import("./later/about.js"),
+  ask: () => import("./later/ask.js"),
   framed: () => import("./later/framed.js"),
   ghosts: () => import("./later/ghosts.js"),
+  handout: () => import("./later/handout.js"),
   hint: () => import("./later/hint.js"),
   keylist: () => import("./later/keylist.js"),
+  ownwalk: () => import("./later/ownwalk.js"),
   picker: () => import("./later/picker.js"),
+  pointer: () => import("./later/pointer.js"),
   predict: () => import("./later/predict.js"),
   print: () => import("./later/print.js"),
   runbar: () => import("./later/runbar.js"),
   take: () => import("./later/take.js"),
+  values: () => import("./later/values.js"),
   voice: () => import("./later/voice.js"),
   walk: () => import("./later/walk.js"),
 }

@@ -6,6 +6,7 @@ import {Busy} from "./busy.js"
 import {Connection} from "./connection.js"
 import {isPicker} from "./controls.js"
 import {element} from "./dom.js"
+import {Hall} from "./hall.js"
 import {listen} from "./keys.js"
 import {later} from "./later.js"
 import {Line} from "./line.js"
@@ -56,6 +57,7 @@ export class Lecture {
       () => this.open({scene: this.kept.scene}),
     )
     this.shell = new Shell(this)
+    this.hall = new Hall(this)
     listen(this)
     this.walks = new Walks(this)
     this.connection = new Connection(this.line, {
@@ -126,7 +128,7 @@ export class Lecture {
   /** The server has another version of the page: it takes the place of this one, with all that stands and waits. */
   #reload() {
     this.late = null
-    const {address} = written(this.page.shown)
+    const {address} = written(this.page.shown, this.hall.ending)
     history.replaceState({...this.line.state, waiting: this.line.left}, "", address)
     location.reload()
   }
@@ -250,7 +252,7 @@ export class Lecture {
    * @param {Drawn} shown @param {boolean} turn
    */
   #write(shown, turn) {
-    const {address, entry} = written(shown)
+    const {address, entry} = written(shown, this.hall.ending)
     if (turn) this.#settle()
     if (turn && address !== location.search) {
       history.pushState(entry, "", address)
@@ -259,6 +261,12 @@ export class Lecture {
       this.late = () => history.replaceState(entry, "", address)
       this.writing = setTimeout(() => this.#settle(), MOMENT)
     }
+  }
+
+  /** The way in which the page is shown is another: the address says so. */
+  readdress() {
+    this.#write(this.page.shown, false)
+    this.#settle()
   }
 
   #settle() {

@@ -89,6 +89,7 @@ export class Page {
     this.compare = new Compare(this)
     if (this.spec.about) this.panel.append(this.#aboutNumbers())
     this.panel.append(this.#tools())
+    this.panel.append(lecture.hall.tab())
     this.root.append(this.paper, this.panel)
   }
 
@@ -178,6 +179,7 @@ export class Page {
     this.measured = false
     this.clock.update(view.axes[view.time], view.pace)
     this.transport.update(shown)
+    this.lecture.hall.shown(this)
     const {errors} = shown
     const problems = [...shown.problems, errors.message, errors.state].filter(Boolean)
     if (problems.length) this.notify(problems)
@@ -187,7 +189,7 @@ export class Page {
   }
 
   get link() {
-    return `?${this.shown.query}`
+    return `?${this.shown.query}${this.lecture.hall.ending}`
   }
 
   /** @param {string[]} problems */
@@ -240,13 +242,6 @@ export class Page {
       one.textContent = this.shown?.view.values[name] ?? ""
     }
     this.redraw()
-  }
-
-  /** Its own headline, another, or null while it would give an answer away. @param {page.Html | null} [html] */
-  headline(html) {
-    this.heading.classList.toggle("waits", html === null)
-    if (html) this.heading.innerHTML = html
-    else this.heading.textContent = html === null ? "Hidden until Show" : this.spec.headline
   }
 
   /** Each plot that is seen gets its figure, one a frame, so that what moves goes on moving. */

@@ -129,8 +129,10 @@ export class Plot {
   /** Takes a place, if there is any room, and says whether it is another than before. */
   layout(box = this.place()) {
     if (box.width <= 0 || box.height <= 0) return false
-    if (box.width === this.box?.width && box.height === this.box.height) return false
+    const isSame = box.width === this.box?.width && box.height === this.box.height && this.unit === unitSize()
+    if (isSame) return false
     this.box = box
+    this.unit = unitSize()
     const {width, height} = this.host.getBoundingClientRect()
     inUnits(this.over, width / unitSize(), height / unitSize())
     this.figure.fit()

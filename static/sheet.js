@@ -43,6 +43,7 @@ export class Sheet {
     if (block.phone !== null) host.style.setProperty("--place", String(block.phone))
     if (block.height) host.style.setProperty("--phone-height", long(block.height))
     if (block.form && block.kind !== "plot") this.conditional.push({host, form: block.form})
+    if (!block.hall) host.classList.add("at-desk")
     this.#fill(host, block)
     return host
   }

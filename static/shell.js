@@ -1,5 +1,6 @@
 // What stands around a scene: the navigation, the title of the document, light and dark.
 
+import {element} from "./dom.js"
 import {keep} from "./kept.js"
 import {using} from "./later.js"
 
@@ -10,6 +11,8 @@ export class Shell {
     this.nav = one(".nav nav", HTMLElement)
     this.menu = one(".scene-menu", HTMLDetailsElement)
     this.heading = one(".scene-menu summary", HTMLElement)
+    this.where = element("span", {class: "where"})
+    this.menu.after(this.where)
     this.menu.addEventListener("toggle", () => this.nav.classList.toggle("open", this.menu.open))
     /** @type {HTMLElement[]} */
     this.links = [...document.querySelectorAll(".nav [data-scene]")].filter(link => link instanceof HTMLElement)
@@ -34,11 +37,22 @@ export class Shell {
     })
   }
 
+  /** Where in the lecture a scene is. @param {string} slug */
+  #place(slug) {
+    const scenes = this.links.filter(link => !link.classList.contains("brand"))
+    const place = scenes.findIndex(link => link.dataset.scene === slug)
+    const labels = [...this.nav.querySelectorAll(".lecture")].filter(
+      label => label.compareDocumentPosition(scenes[place]) & Node.DOCUMENT_POSITION_FOLLOWING,
+    )
+    return `${labels.at(-1)?.textContent ?? ""}, scene ${place + 1} of ${scenes.length}`
+  }
+
   /**
    * `moved` where the visitor came from another scene: the screen reader is told by the focus.
    * @param {page.SceneSheet} sheet @param {boolean} moved
    */
   turned({slug, title, headline}, moved) {
+    this.where.textContent = this.#place(slug)
     document.title = `${headline} – Oscillations`
     this.heading.textContent = title
     for (const link of this.links) {

@@ -1,8 +1,11 @@
 // The guided walks: which there are, and when one begins and ends. What a walk is made of is fetched when one begins.
 
 import {insisting, later} from "./later.js"
+import {Menu} from "./menu.js"
 
 /** @typedef {import("./later/walk.js").Walk} Walk */
+
+const OWN = "own-walks"
 
 export class Walks {
   /** @type {Walk | null} the one that is walked */
@@ -11,38 +14,27 @@ export class Walks {
   /** @type {Map<string, page.WalkSheet>} walks that only this session knows */
   own = new Map()
 
+  /** @type {((told: page.Walking) => void)[]} who waits for what is said of a walk's file */
+  waiting = []
+
   /** @param {import("./main.js").Lecture} lecture */
   constructor(lecture) {
     this.lecture = lecture
-    this.menu = document.querySelector(".walks")
-    /** @type {HTMLElement[]} */
-    this.links = [...document.querySelectorAll("[data-walk]")].filter(link => link instanceof HTMLElement)
-    for (const link of this.links) this.#lead(link)
-    document.querySelector("#leave-walk")?.addEventListener("click", () => this.leave())
-  }
-
-  /** @param {HTMLElement} link */
-  #lead(link) {
-    link.addEventListener("click", event => {
-      if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey || event.button) return
-      event.preventDefault()
-      this.#close()
-      this.enter(link.dataset.walk ?? "")
-    })
-  }
-
-  #close() {
-    this.menu?.removeAttribute("open")
+    this.texts = kept()
+    this.menu = new Menu(this)
+    document.addEventListener("oscillations:connected", () => lecture.line.wires && this.#anew())
+    const {walk, step} = Object.fromEntries(new URLSearchParams(location.search))
+    if (walk in this.texts) this.#rejoin(walk, step)
   }
 
   get names() {
-    return [...this.links.map(link => link.dataset.walk ?? ""), ...this.own.keys()]
+    return [...this.menu.names, ...this.own.keys()]
   }
 
   /** @param {string} name @returns {Promise<page.WalkSheet>} */
   async sheet(name) {
     const own = this.own.get(name)
-    const address = this.links.find(link => link.dataset.walk === name)?.dataset.sheet
+    const address = this.menu.sheets.get(name)
     if (own) return own
     if (!address) throw new Error(`There is no walk ${name}.`)
     return /** @type {any} */ (await this.lecture.sheet(address))
@@ -54,11 +46,16 @@ export class Walks {
     this.walk?.go(place)
   }
 
+  /** Whether it is the one: a file that is taken anew is another. @param {string} name */
+  #isWalked(name) {
+    return this.walk?.sheet.name === name && this.walk.sheet === (this.own.get(name) ?? this.walk.sheet)
+  }
+
   /** @param {string} name */
   async #take(name) {
-    if (this.walk?.sheet.name === name) return
+    if (this.#isWalked(name)) return
     const [{Walk: Kind}, sheet] = await Promise.all([later("walk"), insisting(() => this.sheet(name))])
-    if (this.walk?.sheet.name === name) return
+    if (this.#isWalked(name)) return
     this.walk?.leave()
     this.walk = new Kind(this, sheet)
   }
@@ -67,7 +64,7 @@ export class Walks {
   async shown(shown) {
     this.latest = shown
     const [name, step] = shown.state.step.split("/")
-    this.menu?.classList.toggle("walked", Boolean(name))
+    this.menu.walked(Boolean(name))
     if (name) {
       await this.#take(name)
       if (shown === this.latest) this.walk?.arrive(step, shown)
@@ -79,16 +76,15 @@ export class Walks {
 
   /** The scene keeps the state that was reached. */
   leave() {
-    this.#close()
-    const {kept} = this.lecture
-    if (kept.step) this.lecture.open({...kept, covered: [], step: ""})
+    this.menu.close()
+    const {kept: state} = this.lecture
+    if (state.step) this.lecture.open({...state, covered: [], step: ""})
   }
 
   /** Out of the walk, or the menu of all of them. */
   toggle() {
-    if (this.lecture.kept.step) return this.leave()
-    this.menu?.toggleAttribute("open")
-    if (this.menu?.hasAttribute("open")) this.links[0]?.focus()
+    if (this.lecture.kept.step) this.leave()
+    else this.menu.toggle()
   }
 
   /** What is covered: by the question of a step, or by a choice of one's own. */
@@ -97,12 +93,62 @@ export class Walks {
     if (!this.walk && this.lecture.kept.covered.length) this.lecture.change(() => ({covered: []}))
   }
 
+  /**
+   * A walk's file, for this session alone: why it cannot be run, or "".
+   * @param {string} name @param {string} text @returns {Promise<string>}
+   */
+  async check(name, text) {
+    const told = new Promise(done => this.waiting.push(done))
+    this.lecture.line.send({type: "walk", name, text})
+    const {sheet, refused} = /** @type {page.Walking} */ (await told)
+    if (!sheet) return refused
+    this.own.set(name, sheet)
+    this.texts[name] = text
+    keep(this.texts)
+    return ""
+  }
+
+  /** The same, and its first step. @param {string} name @param {string} text @param {number} [place] */
+  async run(name, text, place = 0) {
+    const refused = await this.check(name, text)
+    if (!refused) await this.enter(name, place)
+    return refused
+  }
+
+  /** A page that is loaded anew has a session that knows no walk of its own. @param {string} name @param {string} id */
+  async #rejoin(name, id) {
+    await this.check(name, this.texts[name])
+    const place = this.own.get(name)?.steps.findIndex(step => step.id === id) ?? 0
+    this.lecture.page.notice.hidden = true
+    await this.enter(name, Math.max(place, 0))
+  }
+
+  /** A new session takes the place of one that knew these. */
+  #anew() {
+    for (const [name, text] of Object.entries(this.texts)) this.lecture.line.send({type: "walk", name, text})
+  }
+
   /** @param {page.Taught | page.Walking} told */
   told(told) {
     if (told.type === "taught") this.walk?.taught(told)
-    else if (told.sheet) {
-      this.own.set(told.sheet.name, told.sheet)
-      this.enter(told.sheet.name)
-    } else this.lecture.page.notify([told.refused])
+    else this.waiting.shift()?.(told)
+  }
+}
+
+/** Their files by name, for as long as the tab stands. @returns {Record<string, string>} */
+function kept() {
+  try {
+    return JSON.parse(sessionStorage.getItem(OWN) ?? "{}")
+  } catch {
+    return {}
+  }
+}
+
+/** @param {Record<string, string>} texts */
+function keep(texts) {
+  try {
+    sessionStorage.setItem(OWN, JSON.stringify(texts))
+  } catch {
+    // A browser that keeps nothing asks for the file again.
   }
 }

@@ -241,10 +241,11 @@ declare namespace page {
     steps: StepCard[]
   }
 
-  /** What is said of one of the answers of a choice. */
+  /** What is said of one of the answers of a choice, and the state in which it would be right, if there is one. */
   interface Verdict {
     right: boolean
     reply: Html
+    where: State | null
   }
 
   /** A feature that a sketch has or misses: its name, what is said of it, and where in the plot it is, in places of
@@ -570,13 +571,15 @@ declare namespace page {
   /** What all blocks have.
    *
    * `grow` and `basis` say how a block shares the height (in a column) or the width (in a row), `phone` its place from
-   * top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form `form`. */
+   * top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form `form`, and
+   * with the large type of a `hall` or not there. */
   interface Part {
     grow: number
     basis: number
     phone: number | null
     height: number | null
     form: string
+    hall: boolean
     style: string
   }
 

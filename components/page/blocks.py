@@ -15,7 +15,8 @@ class Part(Struct, frozen=True, kw_only=True, tag_field="kind"):
     """What all blocks have.
 
     `grow` and `basis` say how a block shares the height (in a column) or the width (in a row), `phone` its place from
-    top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form `form`.
+    top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form `form`, and
+    with the large type of a `hall` or not there.
     """
 
     grow: float = 0.0
@@ -23,6 +24,7 @@ class Part(Struct, frozen=True, kw_only=True, tag_field="kind"):
     phone: int | None = None
     height: int | None = None
     form: str = ""
+    hall: bool = True
     style: str = ""
 
 

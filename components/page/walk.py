@@ -45,10 +45,11 @@ class WalkSheet(Struct, frozen=True, kw_only=True):
 
 
 class Verdict(Struct, frozen=True, kw_only=True):
-    """What is said of one of the answers of a choice."""
+    """What is said of one of the answers of a choice, and the state in which it would be right, if there is one."""
 
     right: bool
     reply: Html
+    where: State | None = None
 
 
 class Finding(Struct, frozen=True, kw_only=True):

@@ -39,12 +39,14 @@ SHEETS = (
     "notices",
     "about",
     "take",
+    "ask",
     "walk",
     "answers",
     "sketch",
     "contents",
     "forced",
     "keys",
+    "hall",
     "print",
 )
 """The style sheet's parts in the order in which they stand: of two rules of one weight the later holds."""

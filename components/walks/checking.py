@@ -41,7 +41,7 @@ def _of_step(step: BaseStep, scenes: Scenes) -> Iterator[str]:
         f"explain: there is no live number “{excerpt(name)}”."
         for name in sorted(spoken - {*after.shown.values, *after.shown.live})
     )
-    yield from _of_question(step, before)
+    yield from _of_question(step, before, scenes)
 
 
 def _of_texts(step: BaseStep) -> Iterator[str]:
@@ -60,12 +60,15 @@ def _refused(field: str, act: Callable[[], object]) -> Iterator[str]:
         yield f"{field}: {reason}."
 
 
-def _of_question(step: BaseStep, scene: Scene) -> Iterator[str]:
+def _of_question(step: BaseStep, scene: Scene, scenes: Scenes) -> Iterator[str]:
     if isinstance(step, ChoiceStep):
         if sum(option.right for option in step.options) != 1:
             yield "options: one of them, and only one, is right."
         lost = (i for i, option in enumerate(step.options) if not option.right and not option.reply)
         yield from (f"options[{i}].reply: a wrong answer has a sentence of its own." for i in lost)
+        for i, option in enumerate(step.options):
+            if option.where:
+                yield from _refused(f"options[{i}].where", lambda link=option.where: scene_at(link, scenes))  # type: ignore[misc]
     if isinstance(step, NumericStep):
         yield from _of_number(step)
     if isinstance(step, PointStep):

@@ -8,11 +8,12 @@ from msgspec.structs import replace
 
 from components.numbers import parse_number, three
 from components.page.messages import Given
+from components.page.state import State
 from components.page.walk import Lesson, Verdict
 from components.text import mathml, rich
 from components.walks.curves import axes_of, number_at, place_of, true_curves
 from components.walks.findings import findings
-from components.walks.links import Scenes, scene_at
+from components.walks.links import Scenes, scene_at, state_of_link
 from components.walks.types import ChoiceStep, NumberStep, NumericStep, PointStep, SketchStep, Step
 
 
@@ -34,7 +35,7 @@ def lesson_of(step: Step, given: Given, scenes: Scenes) -> Lesson:
     )
     match step:
         case ChoiceStep():
-            return _chosen(step, given.option, lesson)
+            return _chosen(step, given, lesson, scenes)
         case NumberStep():
             return replace(lesson, **_numeric(step, parse_number(given.text) if given.text.strip() else None))
         case PointStep():
@@ -42,11 +43,20 @@ def lesson_of(step: Step, given: Given, scenes: Scenes) -> Lesson:
     return _sketched(step, given, lesson, scenes)
 
 
-def _chosen(step: ChoiceStep, option: int | None, lesson: Lesson) -> Lesson:
+def _chosen(step: ChoiceStep, given: Given, lesson: Lesson, scenes: Scenes) -> Lesson:
+    option = given.option
     if option is not None and not 0 <= option < len(step.options):
         raise ValueError(f"This question has {len(step.options)} answers.")
-    verdicts = tuple(Verdict(right=one.right, reply=rich(one.reply)) for one in step.options)
+    verdicts = tuple(
+        Verdict(right=one.right, reply=rich(one.reply), where=_elsewhere(one.where, given, scenes))
+        for one in step.options
+    )
     return replace(lesson, verdicts=verdicts, right=None if option is None else step.options[option].right)
+
+
+def _elsewhere(link: str, given: Given, scenes: Scenes) -> State | None:
+    """Where an answer would be right; the page stays at the step."""
+    return replace(state_of_link(link, scenes), step=f"{given.walk}/{given.step}") if link else None
 
 
 def _numeric(step: NumericStep, value: float | None) -> Judgement:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from itertools import islice
 from pathlib import Path
 
 from components.numbers import excerpt
@@ -11,6 +12,9 @@ from components.walks.checking import problems
 from components.walks.links import Scenes
 from components.walks.loading import WalkError, load_walks, read_walk, steps_of
 from components.walks.types import Step, Walk
+
+MOST_PROBLEMS = 8
+"""What is said at once of a visitor's file."""
 
 
 def all_walks(folders: Iterable[Path], scenes: Scenes) -> dict[str, Walk]:
@@ -32,8 +36,11 @@ def check(walk: Walk, scenes: Scenes) -> Walk:
 
 
 def read_own(text: str, name: str, walks: Walks, scenes: Scenes) -> Walk:
-    """A visitor's own walk from a file's text."""
-    return check(read_walk(text, name, steps_of(walks.values())), scenes)
+    """A visitor's own walk from a file's text; WalkError with the first few things that are wrong with it."""
+    walk = read_walk(text, name, steps_of(walks.values()))
+    if found := list(islice(problems(walk, scenes), MOST_PROBLEMS)):
+        raise WalkError(" ".join(found))
+    return walk
 
 
 def asked_step(query: Query, walks: Walks) -> tuple[Walk, Step] | None:

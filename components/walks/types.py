@@ -22,12 +22,14 @@ class Entry(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class OptionEntry(Entry, frozen=True, kw_only=True):
-    """An answer to choose: the right one, or one with its own sentence, `reply`, and the misconception behind it."""
+    """An answer to choose: the right one, or one with its own sentence, `reply`, the misconception behind it, and
+    `where` it would be right: a link."""
 
     text: Sentence
     right: bool = False
     idea: str = ""
     reply: str = ""
+    where: str = ""
 
 
 class AnswerEntry(Entry, frozen=True, kw_only=True):

@@ -1,6 +1,7 @@
 // The card of a step, in the panel's place: what is given and asked, the answer, what it means, what to try.
 
 import {element, marked} from "../dom.js"
+import {claim, withhold} from "./claim.js"
 import {questionOf} from "./questions.js"
 
 const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // what waits for the answer
@@ -34,6 +35,8 @@ export class Card {
     page.panel.prepend(this.element)
     this.question.host?.scrollIntoView({block: "nearest"})
     page.root.classList.add("walked")
+    this.line = element("p", {class: "asked-line"}, ...asked(step))
+    page.heading.after(this.line)
     this.#ask()
     asks.focus({preventScroll: true})
   }
@@ -53,7 +56,7 @@ export class Card {
   #ask() {
     const {page} = this
     page.root.classList.add("asked")
-    page.headline(null)
+    withhold(page, this.walk.step.question)
     for (const part of page.root.querySelectorAll(HELD)) part.setAttribute("inert", "")
     this.#ready()
   }
@@ -75,7 +78,7 @@ export class Card {
     const {page} = this
     this.#release()
     this.#confine()
-    page.headline(lesson.title)
+    claim(page, lesson.title)
     this.question.teach(lesson)
     this.after.replaceChildren(...this.#meaning(lesson))
     page.name(this.after)
@@ -149,10 +152,17 @@ export class Card {
     this.#release()
     this.question.leave()
     this.element.remove()
+    this.line.remove()
     this.page.root.classList.remove("walked")
-    this.page.headline()
+    claim(this.page)
   }
 }
+
+/** Under a hall's headline: what is given, and once the claim stands there the question. @param {page.StepCard} step */
+const asked = step => [
+  ...(step.given ? [marked("span", {}, `${step.given} `)] : []),
+  marked("span", {class: "asks-again"}, step.question),
+]
 
 /** @param {page.StepCard} step */
 const given = step => (step.given ? [marked("p", {class: "given"}, step.given)] : [])

@@ -3,6 +3,7 @@
 import {insisting} from "../later.js"
 import {element, marked} from "../dom.js"
 import {mark} from "./questions.js"
+import {save} from "./save.js"
 
 export class Contents {
   /** @type {page.WalkSheet[]} */
@@ -78,9 +79,6 @@ export class Contents {
 
   /** @param {page.WalkSheet[]} sheets */
   #export(sheets) {
-    const text = new Blob([this.walk.answers.text(sheets)], {type: "text/plain"})
-    const link = element("a", {href: URL.createObjectURL(text), download: "answers.txt"})
-    link.click()
-    URL.revokeObjectURL(link.href)
+    save("answers.txt", this.walk.answers.text(sheets), "text/plain")
   }
 }

@@ -23,6 +23,7 @@ export class Print {
 
   #lay() {
     this.sheet?.remove()
+    if (document.querySelector(".handout")) return
     const {page} = this
     const {stages, plots} = things(page)
     const drawn = plots.filter(plot => !stages.some(stage => isUnder(plot, stage)))

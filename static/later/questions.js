@@ -58,9 +58,10 @@ class Choice extends Question {
   chosen = -1
   taught = false
 
-  /** @param {page.StepCard} step */
-  constructor({options}) {
+  /** @param {page.StepCard} step @param {Walk} walk */
+  constructor({options}, walk) {
     super()
+    this.walk = walk
     this.rows = options.map((html, i) => this.#row(html, i))
     this.element.classList.add("answers")
     this.element.setAttribute("role", "group")
@@ -76,15 +77,23 @@ class Choice extends Question {
     const key = element("span", {class: "key"}, String(i + 1))
     const row = element("button", {type: "button", "aria-pressed": "false"}, key, name, yours, line)
     row.addEventListener("click", () => this.choose(i))
-    return {row, line, yours, name}
+    return {row, line, yours, name, where: /** @type {page.State | null} */ (null)}
   }
 
   /** @param {number} i */
   choose(i) {
-    if (this.taught || !this.rows[i]) return
+    if (!this.rows[i]) return
+    if (this.taught) return this.#taught(i)
     this.chosen = i
     for (const [j, {row}] of this.rows.entries()) row.setAttribute("aria-pressed", String(i === j))
     this.changed()
+  }
+
+  /** What is said of an answer, and the state where it would be right. @param {number} i */
+  #taught(i) {
+    const {row, where} = this.rows[i]
+    const isTold = row.classList.toggle("told")
+    if (where && (isTold || !this.walk.lecture.hall.on)) this.walk.lecture.open(where)
   }
 
   said() {
@@ -98,9 +107,12 @@ class Choice extends Question {
   /** @param {page.Lesson} lesson */
   teach({verdicts}) {
     this.taught = true
-    for (const [i, {right, reply}] of verdicts.entries()) {
+    this.element.classList.add("taught")
+    for (const [i, {right, reply, where}] of verdicts.entries()) {
       const {row, line, yours} = this.rows[i]
-      line.innerHTML = reply
+      row.classList.toggle("told", i === this.chosen)
+      line.innerHTML = where ? `${reply} <u>Show where</u>` : reply
+      this.rows[i].where = where
       yours.textContent = i === this.chosen ? "yours" : ""
       if (right || i === this.chosen) row.append(mark(right))
     }

@@ -6,7 +6,7 @@ from typing import cast
 
 from playwright.sync_api import Page
 
-FAULTS = r"""() => {
+FAULTS = r"""([least, leastIndex]) => {
   const faults = []
   const style = element => getComputedStyle(element)
   const hasSize = ({width, height}) => width > 1 && height > 1
@@ -42,7 +42,7 @@ FAULTS = r"""() => {
     pieces.set(owner, piece)
     const size = parseFloat(style(element).fontSize) * (element.getScreenCTM?.().a ?? 1)
     const isIndex = element.closest("sub, sup, .sub, msub, msup, msubsup, mover, mfrac, tspan")
-    if (size < (isIndex ? 10.99 : 11.99)) faults.push(`small, ${size.toFixed(1)} px: ${named(piece)}`)
+    if (size < (isIndex ? leastIndex : least) - 0.01) faults.push(`small, ${size.toFixed(1)} px: ${named(piece)}`)
   }
   const texts = [...pieces.values()]
   const controls = [...document.querySelectorAll("button, input, summary, .pill, .flag, nav a")].filter(stands)
@@ -94,6 +94,7 @@ FAULTS = r"""() => {
 }"""
 
 
-def faults(page: Page) -> list[str]:
-    """What overlaps, is cut off, leaves its frame or is too small to read, on the page as it stands."""
-    return cast(list[str], page.evaluate(FAULTS))
+def faults(page: Page, least: float = 12, index: float = 11) -> list[str]:
+    """What overlaps, is cut off, leaves its frame or is too small to read, on the page as it stands: below `least`
+    pixels of the page, an index below `index`."""
+    return cast(list[str], page.evaluate(FAULTS, [least, index]))

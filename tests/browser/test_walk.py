@@ -41,7 +41,7 @@ def arrived(page: Page, step: str) -> None:
 
 def test_a_choice_is_asked_answered_and_explained(walk: Callable[..., Page]) -> None:
     page = walk("d31-03")
-    expect(page.locator("h1")).to_have_text("Hidden until Show")
+    expect(page.locator("h1")).to_contain_text("Hidden until Show")
     expect(page.locator(".card .asks")).to_have_text("How long does one swing take?")
     assert page.evaluate("[oscillations.clock.playing, oscillations.clock.t]") == [False, 0]
     expect(page.locator(".transport")).to_have_attribute("inert", "")
@@ -154,6 +154,27 @@ def test_a_sketch_is_judged_by_its_features(walk: Callable[..., Page]) -> None:
     page.get_by_role("button", name="Draw again").click()
     page.wait_for_function("oscillations.shown.state.covered.length")
     expect(page.locator(".strokes .old")).to_have_count(1)
+
+
+def test_a_finger_draws_and_nothing_scrolls(server: Server, new_page: Callable[..., Page]) -> None:
+    page = new_page(width=390, height=844, has_touch=True, is_mobile=True)
+    page.goto(f"{server.url}?walk=d34&step=d34-14")
+    page.wait_for_function(CARD)
+    page.evaluate("oscillations.walks.walk.card.question.host.scrollIntoView({block: 'center'})")
+    scrolled = page.evaluate("scrollY")
+    left, top, wide, high = page.evaluate(
+        "(() => { const {layer} = oscillations.walks.walk.card.question.pad;"
+        " const b = layer.getBoundingClientRect(); return [b.left, b.top, b.width, b.height] })()"
+    )
+    finger = page.context.new_cdp_session(page)
+    for i in range(21):
+        point = {"x": left + wide * (0.1 + 0.04 * i), "y": top + high * (0.9 - 0.035 * i)}
+        kind = "touchMove" if i else "touchStart"
+        finger.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [point]})
+    finger.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    drawn = page.evaluate("oscillations.walks.walk.card.question.given().curves.Xp1")
+    assert len(drawn) > 140 and drawn[-1][1] > drawn[0][1]
+    assert page.evaluate("scrollY") == scrolled
 
 
 def test_a_sketch_can_be_drawn_by_keys(walk: Callable[..., Page]) -> None:

@@ -146,6 +146,15 @@ def test_the_zero_between_two_resonances_is_missed(page: Page) -> None:
     assert "with friction" in lesson["reply"]
 
 
+def test_a_wrong_answer_says_where_it_would_be_right(page: Page) -> None:
+    verdicts = given(page, "d34-12", option=1)["lesson"]["verdicts"]
+    assert [bool(verdict["where"]) for verdict in verdicts] == [False, False, False, True]
+    there = verdicts[3]["where"]
+    assert (there["scene"], there["parameters"], there["step"]) == ("forced", {"omega": 0.62}, "d34/d34-12")
+    shown = page.say({"type": "open", "state": there, "number": 99})
+    assert shown["settings"]["omega"]["value"] == 0.62 and shown["errors"] == {}
+
+
 def test_an_answer_to_no_step_is_refused(page: Page) -> None:
     assert "no step" in given(page, "d31-99")["refused"]
     assert (
@@ -161,6 +170,16 @@ def test_a_session_runs_a_walk_of_its_own(page: Page) -> None:
     assert page.say({"type": "given", "walk": "mine", "step": "one", "option": 0, "number": 2})["lesson"]["right"]
     told = page.say({"type": "walk", "name": "mine2", "text": "title = 1", "number": 3})
     assert told["sheet"] is None and told["refused"].startswith("mine2: ")
+    wrong = """title = "Mine"
+[[step]]
+id = "one"
+from = "d34-12"
+cover = ["plot:z"]
+options = [{ text = "a", right = true, where = "?scene=no" }, { text = "b", reply = "c" }]
+"""
+    refused = page.say({"type": "walk", "name": "mine3", "text": wrong, "number": 4})["refused"]
+    assert "mine3, step 1 (one), cover: “plot:z” is nothing" in refused
+    assert "mine3, step 1 (one), options[0].where: " in refused
     assert "mine" not in WALKS
 
 

@@ -26,7 +26,7 @@ from components.scenes.absorber.goals import goals
 from components.scenes.absorber.played import signals
 from components.scenes.absorber.rest import rest_block, rest_columns
 from components.scenes.absorber.words import TASK, sentences
-from components.sheet import choice, column, row, when, words
+from components.sheet import choice, column, desk, row, when, words
 from components.units import Unit
 from physics.absorber import den_hartog, tuned_stiffness
 from physics.forced import antiresonance
@@ -152,7 +152,7 @@ class Absorber(Scene):
     @cache
     def sheet(cls) -> Block:
         return column(
-            words(TASK, style="task", phone=0),
+            desk(words(TASK, style="task", phone=0)),
             row(
                 drawing.picture(),
                 column(

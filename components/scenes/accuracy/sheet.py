@@ -7,7 +7,7 @@ from components.page.blocks import Block
 from components.scenes.accuracy.plots import growth_plot, picked_plot, work_plot
 from components.scenes.accuracy.prices import power, price_rows, time_text
 from components.scenes.accuracy.studies import digits_view, length_view, stability_view
-from components.sheet import choice, column, either, row, when, words
+from components.sheet import choice, column, desk, either, row, when, words
 from physics.accuracy import System
 
 VIEWS = {"time": "Run time", "growth": "Growth", "length": "Length", "digits": "Digits", "stability": "Stability"}
@@ -17,7 +17,7 @@ def paper() -> Block:
     """The five views, of which one stands."""
     return column(
         choice("view", VIEWS, "View", basis=0, style="views"),
-        when("time", row(column(_system_words(), work_plot()), _price_column())),
+        when("time", row(column(desk(_system_words()), work_plot()), _price_column())),
         when("growth", words("{compared} [mute|{missing}]", style="plain", phone=9)),
         growth_plot("error_growth", "Error of the motion, worst so far", "growth"),
         growth_plot("energy_growth", "Error of the energy, worst so far: it does not certify the phase", "growth"),
@@ -52,13 +52,15 @@ def _price_column() -> Block:
         ),
         price_rows(phone=11),
         words(either("unsteady", shown="[mute|± does not repeat within 20 %]"), style="plain", phone=12),
-        words(
-            either(
-                "kept",
-                shown="**Energy kept, phase lost?** {picked}; worst so far. Click a line to pick a run.",
-            ),
-            style="plain",
-            phone=13,
+        desk(
+            words(
+                either(
+                    "kept",
+                    shown="**Energy kept, phase lost?** {picked}; worst so far. Click a line to pick a run.",
+                ),
+                style="plain",
+                phone=13,
+            )
         ),
         picked_plot(),
         basis=330,

@@ -12,7 +12,7 @@ from components.scenes.analogues.case import LIMITS
 from components.scenes.analogues.controls import SWINGING
 from components.scenes.analogues.reach import REMARKS
 from components.scenes.analogues.stage import over_lateness, over_motion, shapes
-from components.sheet import Paragraph, column, either, row, stage, table, term, when, words
+from components.sheet import Paragraph, column, desk, either, row, stage, table, term, when, words
 from components.traces import traced
 from physics.analogues import ANALOGUES
 from physics.pendulum import amplitude_at_excess
@@ -40,7 +40,7 @@ _STARTS = {slug: rf"{system.coordinate.replace('_n', '')}_0" for slug, system in
 
 def analogue_sheet() -> Block:
     return column(
-        words(TASK, style="task", phone=0),
+        desk(words(TASK, style="task", phone=0)),
         row(
             stage(
                 *shapes(),
@@ -53,7 +53,7 @@ def analogue_sheet() -> Block:
             grow=288,
             gap=0,
         ),
-        row(column(_roles(), _equation(), grow=436), column(_lateness(), _formula(), grow=452), grow=285),
+        row(column(_roles(), desk(_equation()), grow=436), column(_lateness(), _formula(), grow=452), grow=285),
     )
 
 

@@ -9,7 +9,7 @@ from components.page.blocks import Block
 from components.page.numbers import var
 from components.plots import Room, curve, plot, region
 from components.scenes.coupled.words import CONSTANTS, CONSTANTS_TABLE, FORCES, TASK, captions
-from components.sheet import choice, column, either, row, stage, table, term, when, words
+from components.sheet import choice, column, desk, either, row, stage, table, term, when, words
 from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, shown_by, text
 from components.traces import traced
 
@@ -26,7 +26,7 @@ BEAT = either(
 def coupled_sheet() -> Block:
     """The paper of the scene."""
     return column(
-        words(TASK, style="task", phone=0),
+        desk(words(TASK, style="task", phone=0)),
         row(
             stage(*_shapes(), label="Two masses and two springs in motion; below, its two modes", height=215),
             _facts(),
@@ -39,7 +39,7 @@ def coupled_sheet() -> Block:
                 words("**Mass 2 against mass 1**", style="plain", phone=15),
                 _plane(),
                 words(BEAT, style="numbers", phone=17),
-                choice("energy", {"parts": "Masses, springs", "modes": "Modes"}, "Energy of", phone=14),
+                desk(choice("energy", {"parts": "Masses, springs", "modes": "Modes"}, "Energy of", phone=14)),
                 basis=254,
                 grow=0,
             ),

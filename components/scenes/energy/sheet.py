@@ -6,7 +6,7 @@ from components.page.blocks import Block
 from components.page.plots import Term
 from components.plots import Room, curve, plot
 from components.scenes.energy.hanging import natural_length, shapes, well
-from components.sheet import column, either, phrase, row, stage, term, words
+from components.sheet import column, desk, either, phrase, row, stage, term, words
 from components.traces import traced
 
 UPPER, LOWER, BETWEEN, ABOVE = 300, 190, 44, 78
@@ -24,7 +24,7 @@ def hanging_sheet() -> Block:
         column(_gravity(), _law(), grow=190),
         gap=0,
     )
-    return column(words(TASK, style="task", phone=0), paper)
+    return column(desk(words(TASK, style="task", phone=0)), paper)
 
 
 def _displacement() -> Block:

@@ -10,7 +10,7 @@ from components.page.numbers import var
 from components.plots import Room, curve, plot, region
 from components.scenes.forced.response import response_plot
 from components.scenes.forced.words import MOTION, SOLUTION, TASK
-from components.sheet import choice, column, phrase, row, stage, term, when, words
+from components.sheet import choice, column, desk, phrase, row, stage, term, when, words
 from components.stage import H, Shape, W, arrow, circle, text
 from components.traces import traced
 
@@ -25,7 +25,7 @@ def forced_sheet() -> Block:
         gap=10,
     )
     return column(
-        words(TASK, style="task", phone=0),
+        desk(words(TASK, style="task", phone=0)),
         row(
             stage(*_shapes(), label="Two masses and two springs, the first one driven by a force", height=150),
             when("solution", words(*SOLUTION, style="facts", basis=318, phone=4)),
@@ -33,7 +33,7 @@ def forced_sheet() -> Block:
             grow=165,
         ),
         row(
-            column(options, response_plot(), basis=430, grow=430),
+            column(desk(options), response_plot(), basis=430, grow=430),
             column(_motion(1), _motion(2), _energy(), basis=456, grow=456),
             grow=420,
             gap=18,

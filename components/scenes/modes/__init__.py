@@ -16,7 +16,7 @@ from components.parameters import Values, angular_frequency, finite, one_of
 from components.scene import Picture, Scene
 from components.scenes.modes import guess, guess_picture, hunt, solve, sweep
 from components.scenes.modes.about import guess_about, hunt_about, solve_about, sweep_about
-from components.sheet import choice, column, when, words
+from components.sheet import choice, column, desk, when, words
 from physics.coupled import TwoMassChain
 from physics.sweeps import PARAMETERS
 
@@ -96,7 +96,7 @@ class ModesScene(Scene):
     def sheet(cls) -> Block:
         return column(
             choice("task", VIEWS, "View", style="views", phone=-1),
-            *(when(view, words(task, style="task", phone=0)) for view, task in TASKS.items()),
+            *(desk(when(view, words(task, style="task", phone=0))) for view, task in TASKS.items()),
             when("guess", guess.sheet()),
             when("solve", solve.sheet()),
             when("sweep", sweep.sheet()),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from components.page.blocks import Block
 from components.plots import HEADING, NUMBERS, Room, curve, plot
 from components.scenes.oscillator.turning import FIRST, first, hero, lead, planes
-from components.sheet import column, either, phrase, row, stage, term, words
+from components.sheet import column, desk, either, phrase, row, stage, term, words
 from components.stage import Shape
 from components.traces import traced
 
@@ -44,7 +44,7 @@ def oscillator_sheet() -> Block:
         column(_law_words(), _plane(over_plane), _law(over_law), grow=168),
         gap=0,
     )
-    return column(words(TASK, style="task", phone=0), paper)
+    return column(desk(words(TASK, style="task", phone=0)), paper)
 
 
 def _why() -> Block:

@@ -47,7 +47,7 @@ from components.scenes.phugoid.swing import (
     velocities,
     verdict,
 )
-from components.sheet import choice, column, row, stage, when, words
+from components.sheet import choice, column, desk, row, stage, when, words
 from components.stage import Shape, W, text
 from components.traces import samples, sources_over_time
 from components.units import Unit
@@ -152,12 +152,12 @@ class Phugoid(Scene):
         ]
         label = "The flight path with the aircraft, beside the spring and mass it mimics"
         return column(
-            words(TASK, style="task", phone=0),
+            desk(words(TASK, style="task", phone=0)),
             column(stage(*shapes, label=label, grow=0, basis=26, phone=0, height=28), path_plot(), grow=262),
             words("{verdict}", style="narrow", phone=6),
             row(
                 column(
-                    choice("show", VIEWS, "View", phone=5),
+                    desk(choice("show", VIEWS, "View", phone=5)),
                     when("period", period_plot(NAMES)),
                     *(when("lift", block) for block in lift_plot()),
                     *(when("exchange", block) for block in exchange_plots()),

@@ -1,0 +1,113 @@
+// The hall: type and lines that the last row reads, the panel folded away. It is part of the link, not of the state.
+
+import {element} from "./dom.js"
+import {later} from "./later.js"
+
+const FULL = "full-screen"
+const root = document.documentElement
+
+export class Hall {
+  /** @type {HTMLElement | undefined} says what the next key does */
+  offer
+
+  /** @param {import("./main.js").Lecture} lecture */
+  constructor(lecture) {
+    this.lecture = lecture
+    addEventListener("pagehide", () => keep(document.fullscreenElement ? "was" : ""))
+    if (kept() === "was" && !document.fullscreenElement) this.#offer()
+    if (this.on) this.#point()
+  }
+
+  get on() {
+    return root.dataset.mode === "projector"
+  }
+
+  /** What the address says of it. */
+  get ending() {
+    return this.on ? "&projector" : ""
+  }
+
+  toggle() {
+    if (this.on) delete root.dataset.mode
+    else root.dataset.mode = "projector"
+    delete root.dataset.panel
+    this.#changed()
+    this.lecture.readdress()
+    this.#point()
+    this.shown(this.lecture.page)
+  }
+
+  /** What is drawn in pixels is drawn anew. */
+  #changed() {
+    const {page} = this.lecture
+    for (const stage of page.stages) stage.fit()
+    for (const plot of page.plots) plot.layout()
+    page.redraw()
+  }
+
+  /** Its values stand in one line while the panel is folded away. @param {import("./page.js").Page} page */
+  async shown(page) {
+    if (!this.on) return
+    const {values} = await later("values")
+    values(page)
+  }
+
+  /** What stands for the panel while it is folded away. */
+  tab() {
+    const tab = element("button", {type: "button", class: "tab"}, "Controls, key C")
+    tab.addEventListener("click", () => this.fold())
+    return tab
+  }
+
+  /** The panel, behind its tab or beside the paper. */
+  fold() {
+    const {panel} = this.lecture.page
+    root.dataset.panel = panel.classList.contains("folded") || isFolded(panel) ? "open" : "folded"
+    this.#changed()
+  }
+
+  /** It stays through scenes and steps, which are one page. */
+  async full() {
+    if (document.fullscreenElement) await document.exitFullscreen()
+    else await root.requestFullscreen?.().catch(() => {})
+  }
+
+  /** Only a key or a press may fill the screen: after a page is loaded anew, as some clickers have it, the next one. */
+  #offer() {
+    this.offer = element("p", {class: "offer", role: "status"}, "The next key brings back the full screen.")
+    document.body.append(this.offer)
+    const end = (/** @type {KeyboardEvent | PointerEvent} */ event) => {
+      for (const kind of ["keydown", "pointerdown"]) removeEventListener(kind, /** @type {any} */ (end), true)
+      this.offer?.remove()
+      const leaves = event instanceof KeyboardEvent && (event.key === "Escape" || event.key.toLowerCase() === "f")
+      if (!leaves && event instanceof KeyboardEvent) this.full()
+    }
+    for (const kind of ["keydown", "pointerdown"]) addEventListener(kind, /** @type {any} */ (end), true)
+  }
+
+  async #point() {
+    if (!this.on) return
+    const {pointer} = await later("pointer")
+    pointer()
+  }
+}
+
+/** @param {HTMLElement} panel */
+const isFolded = panel => getComputedStyle(panel).getPropertyValue("--folded").trim() === "1"
+
+function kept() {
+  try {
+    return sessionStorage.getItem(FULL)
+  } catch {
+    return null
+  }
+}
+
+/** @param {string} what */
+function keep(what) {
+  try {
+    sessionStorage.setItem(FULL, what)
+  } catch {
+    // A browser that keeps nothing does not offer it.
+  }
+}

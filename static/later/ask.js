@@ -1,0 +1,252 @@
+// Ask: a question about what is shown becomes a step of a walk, and several steps a file to keep. Each is checked by
+// the session as any walk's file is, so that what is made here runs.
+
+import {element} from "../dom.js"
+import {Asked} from "./asked.js"
+import {features} from "./features.js"
+import {save} from "./save.js"
+
+const NAME = "asked"
+
+/**
+ * What a kind of question asks the instructor for.
+ * @typedef {import("./asked.js").Fields} Fields
+ * @type {Record<string, {label: string, fields: (ask: Ask) => HTMLElement[], read: (ask: Ask) => Fields}>}
+ */
+const KINDS = {
+  choice: {
+    label: "Choice",
+    fields: () => [1, 2, 3, 4].map(optionRow),
+    read: ({form}) => ({options: [1, 2, 3, 4].flatMap(n => optionOf(form, n))}),
+  },
+  number: {
+    label: "Number",
+    fields: () => [labelled("Right answer", "is"), labelled("Unit", "unit"), labelled("Off by at most", "tol")],
+    read: ({form}) => ({answer: {is: number(form, "is"), unit: text(form, "unit"), tol: number(form, "tol")}}),
+  },
+  point: {
+    label: "Point on an axis",
+    fields: ({plots}) => [
+      chooser("Axis", "axis", plots.flatMap(axesOf)),
+      labelled("Right place", "is"),
+      labelled("Off by at most", "tol"),
+    ],
+    read: ({form}) => ({axis: text(form, "axis"), answer: {is: number(form, "is"), tol: number(form, "tol")}}),
+  },
+  sketch: {
+    label: "Sketch",
+    fields: ({plots}) => [chooser("Curve", "curve", plots.flatMap(curvesOf))],
+    read: ({form, plots}) => {
+      const [name, y] = text(form, "curve").split(".")
+      const plot = /** @type {Plot} */ (plots.find(({block}) => block.name === name))
+      const curve = /** @type {page.Curve} */ (plot.block.curves.find(one => one.y === y))
+      return {plot: name, curve: y, must: features(plot, curve)}
+    },
+  },
+}
+
+/** @typedef {import("../plots.js").Plot} Plot */
+
+/** @param {import("../walks.js").Walks} walks */
+export const ask = walks => new Ask(walks).open()
+
+class Ask {
+  asked = new Asked()
+
+  /** @param {import("../walks.js").Walks} walks */
+  constructor(walks) {
+    this.walks = walks
+    this.page = walks.lecture.page
+    this.plots = this.page.plots.filter(plot => !plot.absent && plot.host.offsetParent !== null)
+    this.kind = chooser(
+      "Kind",
+      "kind",
+      Object.entries(KINDS).map(([value, {label}]) => ({value, label})),
+    )
+    this.kind.addEventListener("change", () => this.#fields())
+    this.answers = element("div", {class: "ask-answers"})
+    this.problem = element("p", {class: "problem", role: "alert"})
+    this.list = element("ol", {})
+    const title = labelled("Title of the walk", "walk", this.asked.title)
+    const add = element("button", {class: "act filled"}, "Add this step")
+    this.form = element("form", {class: "ask-form"}, ...this.#parts(), this.problem, add)
+    this.form.addEventListener("submit", event => this.#add(event))
+    title.addEventListener("input", () => {
+      this.asked.title = field(title).value || "My walk"
+      this.asked.keep()
+      this.#show()
+    })
+    this.tools = element("div", {class: "tools"}, ...this.#tools())
+    this.element = element("dialog", {class: "asking", "aria-label": "Ask"})
+    this.element.append(element("h1", {}, "Ask about what is shown"), this.form, title, this.list, this.tools)
+    this.element.addEventListener("close", () => this.element.remove())
+    document.body.append(this.element)
+  }
+
+  open() {
+    this.#fields()
+    this.#show()
+    this.element.showModal()
+  }
+
+  #parts() {
+    const covers = this.plots.map(({block}) => box("cover", `plot:${block.name}`, block.title.split(/[,:]/)[0]))
+    const others = [box("cover", "stage", "Numbers and arrows of the apparatus")]
+    return [
+      labelled("Question, ending with ? or beginning with Sketch or Mark", "question", "", true),
+      this.kind,
+      this.answers,
+      element("fieldset", {}, element("legend", {}, "Covered until the answer"), ...covers, ...others),
+      labelled("More that is covered: value:tau, form:why, ...", "covers"),
+      labelled("The claim, shown with the answer", "title", "", true),
+      labelled("What it means", "explain", "", true),
+    ]
+  }
+
+  #tools() {
+    const entries = /** @type {[string, () => void][]} */ ([
+      ["Download the walk", () => save("my-walk.toml", this.asked.file(), "application/toml")],
+      ["Try it", () => this.#try()],
+      ["Remove all", () => this.#remove()],
+      ["Close", () => this.element.close()],
+    ])
+    return entries.map(([name, act]) => {
+      const button = element("button", {type: "button", class: "chip"}, name)
+      button.addEventListener("click", act)
+      return button
+    })
+  }
+
+  #fields() {
+    this.answers.replaceChildren(...KINDS[field(this.kind).value].fields(this))
+  }
+
+  /** The steps that there are. */
+  #show() {
+    this.list.replaceChildren(...this.asked.steps.map((step, i) => this.#row(step, i)))
+    for (const tool of this.tools.children)
+      if (tool.textContent !== "Close") tool.toggleAttribute("disabled", !this.asked.steps.length)
+  }
+
+  /** @param {Fields} step @param {number} i */
+  #row(step, i) {
+    const remove = element("button", {type: "button", class: "chip"}, "Remove")
+    remove.addEventListener("click", () => this.#remove(i))
+    return element("li", {}, element("span", {}, String(step.question)), remove)
+  }
+
+  /** @param {number} [i] one of them, or all */
+  #remove(i) {
+    if (i === undefined) this.asked.steps = []
+    else this.asked.steps.splice(i, 1)
+    this.asked.keep()
+    this.#show()
+  }
+
+  /** @param {Event} event */
+  async #add(event) {
+    event.preventDefault()
+    const step = this.#read()
+    if (JSON.stringify(step).includes(":null")) return void (this.problem.textContent = "An answer is a number.")
+    const refused = await this.walks.check(NAME, this.asked.file([step]))
+    this.problem.textContent = refused.replaceAll(`${NAME}, step 1 (${step.id}), `, "")
+    if (refused) return
+    this.asked.steps.push(step)
+    this.asked.keep()
+    this.form.reset()
+    this.#fields()
+    this.#show()
+  }
+
+  /** @returns {Fields} */
+  #read() {
+    const {form} = this
+    const boxes = [...form.querySelectorAll("input[name=cover]:checked")].map(one => one.getAttribute("value") ?? "")
+    const more = text(form, "covers")
+      .split(/[\s,]+/)
+      .filter(Boolean)
+    const parts = this.page.shown.query.split("&").filter(part => !part.startsWith("cover="))
+    const kind = text(form, "kind")
+    return {
+      id: this.asked.nextId,
+      kind,
+      title: text(form, "title"),
+      state: `?${parts.join("&")}`,
+      cover: [...boxes, ...more],
+      question: text(form, "question"),
+      ...KINDS[kind].read(this),
+      explain: text(form, "explain"),
+    }
+  }
+
+  async #try() {
+    this.problem.textContent = await this.walks.run(NAME, this.asked.file())
+    if (!this.problem.textContent) this.element.close()
+  }
+}
+
+/** @param {string} label @param {string} name @param {string} [value] @param {boolean} [required] */
+function labelled(label, name, value = "", required = false) {
+  const input = element("input", {name, value, autocomplete: "off", required: required ? "" : undefined})
+  return element("label", {class: `ask-${name}`}, element("span", {}, label), input)
+}
+
+/** @param {string} label @param {string} name @param {{value: string, label: string}[]} options */
+function chooser(label, name, options) {
+  const select = element("select", {name}, ...options.map(one => element("option", {value: one.value}, one.label)))
+  return element("label", {}, element("span", {}, label), select)
+}
+
+/** @param {string} name @param {string} value @param {string} label */
+const box = (name, value, label) =>
+  element("label", {class: "ask-box"}, element("input", {type: "checkbox", name, value}), ` ${label}`)
+
+/** The right one needs no reply. @param {number} n */
+const optionRow = n =>
+  element(
+    "div",
+    {class: "ask-option"},
+    element("input", {
+      type: "radio",
+      name: "right",
+      value: n,
+      checked: n === 1 ? "" : undefined,
+      "aria-label": `Answer ${n} is right`,
+    }),
+    element("input", {name: `text-${n}`, placeholder: `Answer ${n}`, "aria-label": `Answer ${n}`, autocomplete: "off"}),
+    element("input", {
+      name: `reply-${n}`,
+      placeholder: "What is said of it",
+      "aria-label": `What is said of answer ${n}`,
+    }),
+  )
+
+/** @param {HTMLFormElement} form @param {number} n */
+function optionOf(form, n) {
+  const right = text(form, "right") === String(n)
+  const [words, reply] = [text(form, `text-${n}`), text(form, `reply-${n}`)]
+  if (!words) return []
+  return [{text: words, ...(right ? {right} : {reply})}]
+}
+
+/** @param {Plot} plot */
+const axesOf = ({block}) =>
+  ["x", "y"].map(which => ({
+    value: `${block.name}.${which}`,
+    label: `${block.title.split(/[,:]/)[0]}, ${which === "x" ? "horizontal" : "vertical"}`,
+  }))
+
+/** @param {Plot} plot */
+const curvesOf = ({block, view}) =>
+  block.curves
+    .filter(curve => view.columns[curve.source]?.[curve.y]?.length)
+    .map(({y, read}) => ({value: `${block.name}.${y}`, label: `${block.title.split(/[,:]/)[0]}: ${read || y}`}))
+
+/** @param {HTMLElement} label */
+const field = label => /** @type {HTMLInputElement} */ (label.querySelector("input, select"))
+
+/** @param {HTMLFormElement} form @param {string} name */
+const text = (form, name) => String(new FormData(form).get(name) ?? "").trim()
+
+/** As it is typed, with a comma or a true minus, too. @param {HTMLFormElement} form @param {string} name */
+const number = (form, name) => Number(text(form, name).replace(",", ".").replace("−", "-") || NaN)

@@ -1,0 +1,128 @@
+// A walk on paper: its steps with their pictures and space for the answers, then what each of them means. The walk is
+// gone through once, as a visitor would; the pages are made of what it shows.
+
+import {element, marked} from "../dom.js"
+import {frame} from "../page.js"
+import {plotPicture, stagePicture} from "./picture.js"
+import {things} from "./things.js"
+
+/** @typedef {import("./walk.js").Walk} Walk */
+
+const LONGEST = 20_000 // ms that a step may take to be shown
+
+/** From the step that stands, and back to it. @param {Walk} walk */
+export async function handout(walk) {
+  const {place, sheet} = walk
+  const progress = element("p", {class: "offer", role: "status"})
+  document.body.append(progress)
+  const questions = element("section", {}, element("h1", {}, sheet.title))
+  const answers = element("section", {class: "handout-answers"}, element("h1", {}, "Answers"))
+  try {
+    await go(walk, 0, i => {
+      progress.textContent = `The handout is made: ${i + 1} of ${sheet.steps.length}.`
+      return [questions, answers]
+    })
+  } finally {
+    progress.remove()
+    walk.go(place)
+  }
+  const paper = element("div", {class: "printed handout", "data-theme": "light"}, questions, answers)
+  document.body.append(paper)
+  addEventListener("afterprint", () => paper.remove(), {once: true})
+  print()
+}
+
+/**
+ * From a step to the last: its question, then its answer.
+ * @param {Walk} walk @param {number} i @param {(i: number) => HTMLElement[]} sections
+ * @returns {Promise<void>}
+ */
+async function go(walk, i, sections) {
+  const {lecture} = walk
+  const step = walk.sheet.steps[i]
+  if (!step) return
+  const [questions, answers] = sections(i)
+  walk.go(i)
+  const isAsked = () => walk.place === i && !walk.lesson && walk.card?.page === lecture.page
+  await until(() => isAsked() && stands(lecture, step.opens))
+  questions.append(question(walk, i + 1))
+  walk.show(true)
+  await until(() => walk.lesson && stands(lecture, step.reveals))
+  answers.append(answer(walk, i + 1))
+  await go(walk, i + 1, sections)
+}
+
+/** @param {() => unknown} isSo @param {number} [end] @returns {Promise<void>} */
+async function until(isSo, end = performance.now() + LONGEST) {
+  await frame()
+  if (isSo()) return
+  if (performance.now() > end) throw new Error("A step is not shown.")
+  await until(isSo, end)
+}
+
+/** @param {import("../main.js").Lecture} lecture @param {page.State} state */
+const stands = ({kept, page}, {scene, step, covered}) =>
+  kept.step === step && page.spec.slug === scene && page.shown.state.covered.length === covered.length
+
+/** @param {Walk} walk @param {number} n */
+function question({step, lecture: {page}}, n) {
+  const head = element("h2", {}, `${n}. `, element("small", {}, step.place))
+  const given = step.given ? [marked("p", {}, step.given)] : []
+  return element(
+    "article",
+    {},
+    head,
+    ...given,
+    marked("p", {class: "asks"}, step.question),
+    ...pictures(page, step),
+    room(step),
+  )
+}
+
+/**
+ * The stage, and where something is to be drawn or marked the plot for it.
+ * @param {import("../page.js").Page} page @param {page.StepCard} step
+ */
+function pictures(page, step) {
+  const {stages, plots} = things(page)
+  const asked = page.plots.filter(({block}) => block.name === step.plot)
+  const others = asked.length ? asked : plots.slice(0, 1)
+  const drawn = [
+    ...stages.slice(0, 1).map(stage => stagePicture(stage, page, false)),
+    ...others.filter(plot => plot.box && !plot.absent).map(plot => plotPicture(plot, false)),
+  ]
+  return [element("div", {class: "printed-pictures"}, ...drawn.map(seen))]
+}
+
+/** @param {import("./picture.js").Picture} picture */
+function seen({svg}) {
+  const host = element("div", {})
+  host.innerHTML = svg
+  for (const attribute of ["width", "height"]) host.firstElementChild?.removeAttribute(attribute)
+  return host
+}
+
+/** Space for the answer. @param {page.StepCard} step */
+function room({kind, options, unit}) {
+  if (kind === "choice") return element("ul", {class: "boxes"}, ...options.map(option => marked("li", {}, option)))
+  if (kind === "number") return element("p", {class: "to-fill"}, unit)
+  return element("p", {class: "small"}, kind === "sketch" ? "Draw into the picture." : "Mark it in the picture.")
+}
+
+/** @param {Walk} walk @param {number} n */
+function answer({step, lesson, card, lecture: {page}}, n) {
+  const {title, verdicts, truth, findings} = /** @type {page.Lesson} */ (lesson)
+  const right = step.options.filter((_, i) => verdicts[i]?.right).map(option => marked("p", {}, `<b>${option}.</b>`))
+  const number = truth ? [element("p", {}, element("b", {}, `${truth}.`))] : []
+  const drawn = page.plots.filter(({block, box}) => findings.length && block.name === step.plot && box)
+  const why = card?.element.querySelector(".why")?.cloneNode(true) ?? ""
+  return element(
+    "article",
+    {},
+    marked("h2", {}, `${n}. ${title}`),
+    ...right,
+    ...number,
+    ...drawn.map(plot => element("div", {class: "printed-pictures"}, seen(plotPicture(plot, false)))),
+    why,
+  )
+}

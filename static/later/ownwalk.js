@@ -1,0 +1,45 @@
+// A walk of one's own: a file that is dropped onto the page or chosen, checked and run by one's own session alone.
+
+const LARGEST = 48_000 // bytes of a file: components/walks/loading.py
+const SENT = 60_000 // bytes of a message that carries it
+
+/** What cannot be run is refused in a sentence. @param {import("../walks.js").Walks} walks @param {File} file */
+export async function run(walks, file) {
+  const refusal = await read(file).then(
+    text => walks.run(nameOf(file.name), text),
+    (/** @type {Error} */ error) => error.message,
+  )
+  if (refusal) walks.lecture.page.notify([`${file.name}: ${refusal}`])
+}
+
+/** @param {File} file */
+async function read(file) {
+  if (file.size > LARGEST) throw new Error(`the file has ${file.size} bytes; ${LARGEST} are the most.`)
+  const bytes = await file.arrayBuffer()
+  let text = ""
+  try {
+    text = new TextDecoder("utf-8", {fatal: true}).decode(bytes)
+  } catch {
+    throw new Error("this is no UTF-8 text. A walk is a TOML file: see docs/writing-a-walk.md.")
+  }
+  if (new Blob([JSON.stringify(text)]).size > SENT) throw new Error("the file has too many lines or quotes to be sent.")
+  return text
+}
+
+/** "My walk.toml" is the walk "my-walk". @param {string} file */
+function nameOf(file) {
+  const words = file
+    .replace(/\.[^.]*$/, "")
+    .toLowerCase()
+    .match(/[a-z0-9]+/g) ?? ["walk"]
+  return words.join("-").slice(0, 40).replace(/-$/, "")
+}
+
+/** A file button that is nowhere seen. @param {import("../walks.js").Walks} walks */
+export function choose(walks) {
+  const field = document.createElement("input")
+  field.type = "file"
+  field.accept = ".toml,text/plain"
+  field.addEventListener("change", () => field.files?.[0] && run(walks, field.files[0]))
+  field.click()
+}

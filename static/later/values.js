@@ -1,0 +1,19 @@
+// The values that the panel shows, in one line: for a hall, where the panel is folded away.
+
+import {element} from "../dom.js"
+import {brief} from "../handles.js"
+import {symbol} from "../slider.js"
+
+/** @param {import("../page.js").Page} page */
+export function values({spec, shown: {settings, view}, transport}) {
+  const groups = spec.panel.groups.filter(({form, folded}) => !folded && (!form || view.forms[form]))
+  const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")
+  const parts = rows.map(row => {
+    const {text, unit} = settings[row.name]
+    const number = `${brief(text)} ${unit ?? row.unit}`.trim()
+    return element("span", {}, element("span", {class: `tint ${row.tint}`}, symbol(row.symbol)), ` ${number}`)
+  })
+  const line = transport.element.querySelector(".in-force") ?? element("div", {class: "in-force"})
+  line.replaceChildren(...parts)
+  transport.element.append(line)
+}

@@ -1,0 +1,139 @@
+"""The hall: large type in every scene and in the walk, full screen, and the pointer that is seen from the last row."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from components.scenes import SCENES
+from tests.browser.boxes import faults
+from tests.browser.fixtures import READY
+from tests.browser.waiting import passed, seek
+from tests.serving.server import Server
+
+pytestmark = pytest.mark.browser
+DRAWN = 22 / 13
+"""How much larger than drawn the page is shown on 1080 lines."""
+SIZES = ((1920, 1080), (1280, 720))
+LINES = """oscillations.plots.flatMap(({figure: {model}}) => (model?.renderers ?? [])
+  .filter(({glyph}) => glyph.type === "Line").map(({glyph}) => glyph.line_width.value ?? glyph.line_width))"""
+UNDER = "oscillations.plots.map(p => p.figure.model?.below[0].major_label_text_font_size).filter(Boolean)"
+SIZE_OF = "part => parseFloat(getComputedStyle(part).fontSize)"
+UNIT = "parseFloat(getComputedStyle(document.documentElement).fontSize) / 16"
+
+
+def looked_at(page: Page, width: int, height: int) -> list[str]:
+    """What is wrong with the page on such a screen."""
+    page.set_viewport_size({"width": width, "height": height})
+    passed(page)
+    seek(page, 0.0)
+    assert page.evaluate(UNIT) == pytest.approx(DRAWN * height / 1080, rel=1e-5)
+    return [f"{width} x {height}: {fault}" for fault in faults(page, 22 * height / 1080, 19 * height / 1080)]
+
+
+def test_every_scene_has_the_halls_type_and_nothing_overlaps(server: Server, page: Page) -> None:
+    page.goto(f"{server.url}?projector")
+    found = []
+    for slug in SCENES:
+        page.evaluate("scene => oscillations.open({scene})", slug)
+        page.wait_for_function(f"slug => oscillations.page.spec.slug === slug && {READY}", arg=slug)
+        for width, height in SIZES:
+            found += [f"{slug}, {fault}" for fault in looked_at(page, width, height)]
+            under = {round(float(size[:-2]), 3) for size in page.evaluate(UNDER)}
+            assert under == {round(22 * height / 1080, 3)}
+            expected = [share * height / 1080 for share in (6, 3.5, 1.5)]
+            for line in page.evaluate(LINES):
+                assert any(abs(line - one) < 0.01 for one in expected), (slug, line)
+            low = page.evaluate("oscillations.page.paper.scrollHeight - oscillations.page.paper.clientHeight")
+            assert low <= 1, (slug, height, low)
+    assert not found, "\n".join(found)
+
+
+def test_a_walk_in_the_hall(server: Server, page: Page) -> None:
+    page.goto(f"{server.url}?walk=d34&step=12&projector")
+    page.wait_for_function(f"{READY} && document.querySelector('.card')")
+    found = looked_at(page, 1280, 720)
+    asked = page.locator("h1 .in-hall")
+    expect(asked).to_have_text("After a very long time, which frequencies are left in its motion?")
+    page.keyboard.press("2")
+    page.keyboard.press("PageDown")
+    page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
+    expect(page.locator("h1")).to_have_text("Undamped motion never becomes steady")
+    found += looked_at(page, 1920, 1080)
+    for part, least in ((".answers .name", 27), (".asked-line", 27), (".card .why", 27), ("h1", 46), (".act", 27)):
+        assert page.locator(part).first.evaluate(SIZE_OF) > least - 0.01, part
+    lines = page.locator(".answers .line")
+    assert [line.is_visible() for line in lines.all()] == [False, True, False, False]
+    page.keyboard.press("4")
+    expect(lines.nth(3)).to_be_visible()
+    page.wait_for_function("oscillations.shown.settings.omega.value === 0.62")  # where that would be right
+    assert page.locator("h1").inner_text() == "Undamped motion never becomes steady"
+    assert page.evaluate("location.search") == "?walk=d34&step=d34-12&projector"
+    assert not found, "\n".join(found)
+
+
+def test_the_hall_is_a_key_and_part_of_the_link(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="forced", omega=0.5)
+    page.keyboard.press("p")
+    assert "&projector" in page.evaluate("location.search")
+    expect(page.locator(".in-force")).to_contain_text("1.00 kg")
+    panel = page.locator(".panel > .tools")
+    expect(panel).to_be_hidden()
+    page.get_by_role("button", name="Controls, key C").click()
+    expect(panel).to_be_visible()
+    page.keyboard.press("c")
+    expect(panel).to_be_hidden()
+    box = page.locator(".grip").first.bounding_box()
+    assert box
+    before = page.evaluate("oscillations.shown.settings.x1_0.value")
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    page.mouse.move(box["x"] + box["width"] / 2 + 60, box["y"] + box["height"] / 2, steps=4)
+    expect(page.locator(".pointer")).to_be_visible()
+    held = page.locator(".grip.held").bounding_box()
+    assert held and abs(held["x"] - box["x"] - 60) < 2  # the hand is where the mouse is
+    page.mouse.up()
+    expect(page.locator(".pointer")).to_be_hidden()
+    page.wait_for_function("before => oscillations.shown.settings.x1_0.value > before", arg=before)
+    page.keyboard.press("p")
+    assert "projector" not in page.evaluate("location.search")
+    expect(panel).to_be_visible()
+
+
+def test_full_screen_comes_back_with_the_next_key(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="energy")
+    page.keyboard.press("f")
+    page.wait_for_function("document.fullscreenElement")
+    page.evaluate("oscillations.open({scene: 'forced'})")
+    page.wait_for_function(f"oscillations.page.spec.slug === 'forced' && {READY}")
+    assert page.evaluate("Boolean(document.fullscreenElement)")
+    page.reload()
+    page.wait_for_function(READY)
+    if page.evaluate("Boolean(document.fullscreenElement)"):
+        return  # this browser keeps it
+    expect(page.get_by_text("The next key brings back the full screen.")).to_be_visible()
+    page.keyboard.press("PageDown")
+    page.wait_for_function("document.fullscreenElement")
+    expect(page.locator(".offer")).to_have_count(0)
+
+
+def test_a_walk_is_printed_with_space_for_answers_and_then_the_answers(server: Server, page: Page) -> None:
+    page.add_init_script("print = () => { globalThis.printed = true }")
+    page.goto(f"{server.url}?walk=tour")
+    page.wait_for_function(f"{READY} && document.querySelector('.card')")
+    page.locator(".walks summary").click()
+    page.get_by_role("button", name="Print a handout of this walk").click()
+    page.wait_for_function("globalThis.printed && oscillations.walks.walk.place === 0")
+    page.emulate_media(media="print")
+    steps, answers = page.locator(".handout > section").all()
+    assert steps.locator("article").count() == answers.locator("article").count() == 5
+    expect(steps.locator(".boxes li").first).to_be_visible()
+    assert steps.locator(".printed-pictures svg").count() >= 5
+    expect(answers).to_contain_text("the same 1.00 s")
+    assert "?" not in "".join(answers.locator(".why").all_inner_texts())
+    (count,) = re.findall(rb"/Count (\d+)", page.pdf(format="A4"))
+    assert 2 <= int(count) <= 6
+    assert page.evaluate("oscillations.walks.walk.answers.of('tour-01')") is None  # nothing was answered

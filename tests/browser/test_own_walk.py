@@ -1,0 +1,100 @@
+"""A walk of one's own: from a file that is chosen or dropped, and from questions that are asked on the page."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import FilePayload, Page, expect
+
+from components.scenes import SCENES
+from components.walks.checking import problems
+from components.walks.loading import load_walk
+from tests.browser.fixtures import READY
+
+pytestmark = pytest.mark.browser
+MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
+DROP = """([name, text]) => {
+  const data = new DataTransfer()
+  data.items.add(new File([text], name))
+  for (const kind of ["dragover", "drop"])
+    document.querySelector(".paper").dispatchEvent(
+      new DragEvent(kind, {dataTransfer: data, bubbles: true, cancelable: true}))
+}"""
+
+
+def chosen(page: Page, name: str, content: bytes) -> None:
+    """The file, chosen from the menu."""
+    page.locator(".walks summary").click()
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("button", name="A walk from a file").click()
+    chooser.value.set_files(FilePayload(name=name, mimeType="text/plain", buffer=content))
+
+
+def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="energy")
+    notice = page.locator(".notice span")
+    for name, content, said in (
+        ("big.toml", b"#" * 48_001, "big.toml: the file has 48001 bytes; 48000 are the most."),
+        ("latin.toml", b'title = "\xe9"', "latin.toml: this is no UTF-8 text."),
+        ("My notes.toml", b"hello", "My notes.toml: my-notes: this is not TOML"),
+        ("cover.toml", MINE.encode() + b'cover = ["plot:z"]', "step 1 (one), cover: “plot:z” is nothing that"),
+    ):
+        chosen(page, name, content)
+        expect(notice).to_contain_text(said)
+    page.evaluate(DROP, ["My walk.toml", MINE])
+    page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'my-walk' && {READY}")
+    expect(page.locator(".card .asks")).to_contain_text("How long does one swing take?")
+    assert "walk=my-walk&step=one" in page.evaluate("location.search")
+    page.reload()  # a clicker's start key
+    page.wait_for_function(f"oscillations.walks.walk?.card && {READY}")
+    expect(page.locator(".notice")).to_be_hidden()
+    page.keyboard.press("1")
+    page.keyboard.press("PageDown")
+    expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
+
+
+def asked(page: Page, question: str, kind: str, **fields: str) -> None:
+    """A step, asked of what is shown."""
+    dialog = page.get_by_role("dialog", name="Ask")
+    dialog.locator("[name=question]").fill(question)
+    dialog.locator("[name=kind]").select_option(kind)
+    for name, value in {**fields, "title": "A claim", "explain": 'What it "means".'}.items():
+        field = dialog.locator(f"[name={name}]")
+        if name in ("curve", "axis"):
+            field.select_option(value)
+        else:
+            field.fill(value)
+    dialog.get_by_role("button", name="Add this step").click()
+
+
+def test_what_is_asked_is_a_walk_that_passes_its_checks(
+    page: Page, open_scene: Callable[..., Page], tmp_path: Path
+) -> None:
+    open_scene(page, scene="coupled", k2=3)
+    page.locator(".walks summary").click()
+    page.get_by_role("button", name="Ask about what is shown").click()
+    dialog = page.get_by_role("dialog", name="Ask")
+    dialog.get_by_label("Displacement of mass 2 against time").check()
+    choice = {"text-1": "Both", "text-2": "Neither"}
+    asked(page, "Which one swings?", "choice", **choice)
+    expect(dialog.locator(".problem")).to_contain_text("a wrong answer has a sentence of its own")
+    asked(page, "Which one swings?", "choice", **choice, **{"reply-2": "It is right at rest."})
+    expect(dialog.locator("li")).to_have_count(1)
+    asked(page, "How long does a beat take?", "number", **{"is": "2,5", "unit": "s", "tol": "0.1"})
+    expect(dialog.locator("li")).to_have_count(2)
+    asked(page, "Sketch mass 1.", "sketch", curve="x1.x1")
+    expect(dialog.locator("li")).to_have_count(3)
+    with page.expect_download() as download:
+        dialog.get_by_role("button", name="Download the walk").click()
+    file = tmp_path / download.value.suggested_filename
+    download.value.save_as(file)
+    walk = load_walk(file, {})
+    assert not list(problems(walk, SCENES))
+    assert [step.cover for step in walk.steps] == [("plot:x2",), (), ()]
+    assert walk.steps[0].state == "?scene=coupled&k2=3"
+    dialog.get_by_role("button", name="Close").click()
+    page.evaluate(DROP, [file.name, file.read_text(encoding="utf-8")])
+    page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'my-walk' && {READY}")
+    expect(page.locator(".card .asks")).to_have_text("Which one swings?")
