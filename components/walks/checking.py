@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 
 from components.covers import coverable
 from components.numbers import excerpt
@@ -68,7 +69,7 @@ def _of_question(step: BaseStep, scene: Scene, scenes: Scenes) -> Iterator[str]:
         yield from (f"options[{i}].reply: a wrong answer has a sentence of its own." for i in lost)
         for i, option in enumerate(step.options):
             if option.where:
-                yield from _refused(f"options[{i}].where", lambda link=option.where: scene_at(link, scenes))  # type: ignore[misc]
+                yield from _refused(f"options[{i}].where", partial(scene_at, option.where, scenes))
     if isinstance(step, NumericStep):
         yield from _of_number(step)
     if isinstance(step, PointStep):
