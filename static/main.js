@@ -5,12 +5,12 @@ import {unpacked} from "./columns.js"
 import {Busy} from "./busy.js"
 import {Connection} from "./connection.js"
 import {isPicker} from "./controls.js"
-import {element} from "./dom.js"
 import {Hall} from "./hall.js"
 import {listen} from "./keys.js"
 import {later} from "./later.js"
 import {Line} from "./line.js"
 import {Page, frame} from "./page.js"
+import {download} from "./save.js"
 import {Shell} from "./shell.js"
 import {Undo} from "./undo.js"
 import {showWaiting} from "./waiting.js"
@@ -274,14 +274,6 @@ export class Lecture {
     this.late?.()
     this.late = null
   }
-}
-
-/** @param {page.File} file */
-function download({name, kind, content}) {
-  const bytes = Uint8Array.from(atob(content), sign => sign.charCodeAt(0))
-  const link = element("a", {href: URL.createObjectURL(new Blob([bytes], {type: kind})), download: name})
-  link.click()
-  URL.revokeObjectURL(link.href)
 }
 
 /** What only some scenes need, asked for by them alone. @param {page.SceneSheet} sheet @returns {Promise<Extras>} */

@@ -4,7 +4,7 @@
 import {element} from "../dom.js"
 import {Asked} from "./asked.js"
 import {features} from "./features.js"
-import {save} from "./save.js"
+import {save} from "../save.js"
 
 const NAME = "asked"
 

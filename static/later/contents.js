@@ -3,7 +3,7 @@
 import {insisting} from "../later.js"
 import {element, marked} from "../dom.js"
 import {mark} from "./questions.js"
-import {save} from "./save.js"
+import {save} from "../save.js"
 
 export class Contents {
   /** @type {page.WalkSheet[]} */
