@@ -12,6 +12,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.fixtures import READY
+from tests.browser.waiting import UNFOLD
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
@@ -82,6 +83,18 @@ def test_a_link_is_copied_in_a_frame_and_leads_into_a_tab(course: Callable[[int]
     out.focus()
     expect(out).to_have_attribute("href", re.compile(r"^\?scene=coupled&k2=3(&|$)"))
     expect(out).to_have_attribute("target", "_blank")
+
+
+def test_where_nothing_may_be_copied_the_link_is_shown(course: Callable[[int], Page]) -> None:
+    page = course(1200)
+    frame = page.frames[1]
+    frame.evaluate("document.execCommand = () => false")
+    frame.evaluate(UNFOLD)
+    frame.get_by_role("button", name="Copy link").click()
+    field = frame.get_by_role("textbox", name="Link", exact=True)
+    expect(field).to_have_value(re.compile(r"\?scene=coupled$"))
+    expect(field).to_be_focused()
+    assert field.evaluate("one => one.selectionEnd - one.selectionStart === one.value.length")
 
 
 def test_a_page_that_is_no_frame_needs_no_way_out(page: Page, open_scene: Open) -> None:
