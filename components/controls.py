@@ -62,24 +62,29 @@ def panel(
     folded: bool = False,
     presets: Mapping[str, Values] | None = None,
     drawings: Mapping[str, str] | None = None,
+    watch: Mapping[str, str] | None = None,
     places: Iterable[str] = (),
 ) -> Panel:
-    """The panel of a scene: `drawings` are the outlines of presets by label, `places` the actions that are places."""
+    """The panel of a scene: `drawings` are outlines of presets by label, `watch` what to watch in each, `places` the
+    actions that are places."""
     return Panel(
         start=start,
         folded=folded,
-        presets=tuple(_preset_buttons(parameters, presets or {}, drawings or {})),
+        presets=tuple(_preset_buttons(parameters, presets or {}, drawings or {}, watch or {})),
         groups=tuple(_section(parameters, group, frozenset(places)) for group in groups),
     )
 
 
 def _preset_buttons(
-    parameters: Mapping[str, AnyParameter], presets: Mapping[str, Values], outlines: Mapping[str, str]
+    parameters: Mapping[str, AnyParameter],
+    presets: Mapping[str, Values],
+    outlines: Mapping[str, str],
+    watch: Mapping[str, str],
 ) -> Iterator[PresetButton]:
     defaults = {name: parameters[name].default for values in presets.values() for name in values}
     for label, values in presets.items():
         sets = {name: stated(value) for name, value in {**defaults, **values}.items()}
-        yield PresetButton(label, sets, outlines.get(label, ""))
+        yield PresetButton(label, sets, outlines.get(label, ""), watch.get(label, ""))
 
 
 def _section(parameters: Mapping[str, AnyParameter], group: Group, places: frozenset[str]) -> GroupSection:

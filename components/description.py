@@ -42,6 +42,7 @@ def scene_sheet(scene: type[Scene]) -> SceneSheet:
             folded=scene.start_folded,
             presets=scene.presets,
             drawings=scene.drawings(),
+            watch=scene.watch,
             places=scene.places,
         ),
     )

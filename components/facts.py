@@ -27,6 +27,8 @@ class Facts:
     """The numbers that are read aloud when a change moves them: what each is called, and its live numbers with unit."""
     groups: ClassVar[tuple[Group, ...]]
     presets: ClassVar[Mapping[str, Values]] = {}
+    watch: ClassVar[Mapping[str, str]] = {}
+    """What to watch in each preset, in a sentence that is said when it is taken."""
     start: ClassVar[str] = "Start from"
     start_folded: ClassVar[bool] = False
     """The title over the presets, and whether they are folded under it."""

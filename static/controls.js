@@ -17,9 +17,17 @@ function outline(d) {
 }
 
 class Presets {
+  /** @type {page.PresetButton | undefined} the last */
+  taken
+
   /** @param {page.Panel} panel @param {Take} take */
   constructor({start, folded, presets}, take) {
-    this.buttons = presets.map(preset => presetButton(preset, take))
+    this.buttons = presets.map(preset =>
+      presetButton(preset, () => {
+        this.taken = preset
+        take(preset.sets)
+      }),
+    )
     const look = presets.some(preset => preset.outline) ? "tiles pair" : "chips"
     const chips = element("div", {class: look, role: "group", "aria-label": start}, ...this.buttons)
     const parts = folded
@@ -34,11 +42,11 @@ class Presets {
   }
 }
 
-/** @param {page.PresetButton} preset @param {Take} take */
-function presetButton({label, sets, outline: drawing}, take) {
+/** @param {page.PresetButton} preset @param {() => void} take */
+function presetButton({label, outline: drawing}, take) {
   const look = {type: "button", class: drawing ? "tile" : "chip", "aria-pressed": "false"}
   const button = element("button", look, outline(drawing), element("span", {}, label))
-  button.addEventListener("click", () => take(sets))
+  button.addEventListener("click", take)
   return button
 }
 

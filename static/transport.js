@@ -96,7 +96,8 @@ export class Transport {
     const axis = axes[time]
     // Where nothing moves there is nothing to play.
     this.element.classList.toggle("idle", !axis)
-    this.notes = notes
+    const {taken} = this.page.controls.presets
+    this.notes = taken?.watch && taken.label === shown.preset ? [taken.watch, ...notes] : notes
     const error = errors.window
     this.window.classList.toggle("bad", Boolean(error))
     this.window.title = error ?? "Empty: the scene chooses"

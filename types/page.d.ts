@@ -539,13 +539,15 @@ declare namespace page {
     facts: Html[][]
   }
 
-  /** A preset, the parameters that it sets, and its outline: SVG path data in a box of 128 by 46, or none.
+  /** A preset, the parameters that it sets, its outline (SVG path data in a box of 128 by 46, or none), and what to
+   * watch in it.
    *
    * It sets all that any preset of the scene speaks of; the others stay. */
   interface PresetButton {
     label: string
     sets: Record<string, Value>
     outline: string
+    watch: string
   }
 
   /** All controls of a scene; `start` is the title over the presets, which a folded one hides until asked for. */

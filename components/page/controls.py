@@ -70,7 +70,8 @@ class GroupSection(Struct, frozen=True, kw_only=True):
 
 
 class PresetButton(Struct, frozen=True):
-    """A preset, the parameters that it sets, and its outline: SVG path data in a box of 128 by 46, or none.
+    """A preset, the parameters that it sets, its outline (SVG path data in a box of 128 by 46, or none), and what to
+    watch in it.
 
     It sets all that any preset of the scene speaks of; the others stay.
     """
@@ -78,6 +79,7 @@ class PresetButton(Struct, frozen=True):
     label: str
     sets: dict[str, Value]
     outline: str = ""
+    watch: str = ""
 
 
 class Panel(Struct, frozen=True, kw_only=True):

@@ -106,3 +106,13 @@ def test_the_navigation_takes_the_chain_along_and_reset_gives_it_up(page: Page, 
     page.wait_for_function("oscillations.shown.settings.k2.value === 3")
     page.go_back()
     page.wait_for_function("oscillations.shown.settings.k2.value === 3 && oscillations.shown.scene === 'forced'")
+
+
+def test_a_preset_says_what_to_watch_until_something_is_changed(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="oscillator")
+    note = page.locator(".transport .note")
+    expect(note).not_to_contain_text("half as fast")
+    page.get_by_role("button", name="Heavy").click()
+    expect(note).to_contain_text("Four times the mass of the others: it swings half as fast.")
+    type_in(page, "m", "3")
+    expect(note).not_to_contain_text("half as fast")

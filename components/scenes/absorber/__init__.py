@@ -25,6 +25,7 @@ from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.goals import goals
 from components.scenes.absorber.played import signals
 from components.scenes.absorber.rest import rest_block, rest_columns
+from components.scenes.absorber.watch import WATCH
 from components.scenes.absorber.words import TASK, sentences
 from components.sheet import choice, column, desk, row, when, words
 from components.units import Unit
@@ -54,6 +55,7 @@ class Absorber(Scene):
         "m2 x2'' = k2 (x1 - x2) + c (x1' - x2'); c = 0 with damping = none",
     )
     start = "Machine"
+    watch = WATCH
     presets = {
         "Below": {},
         "Resonant": {"omega": 50.0},

@@ -28,6 +28,7 @@ from components.scenes.analogues.controls import LARGEST, SHORT, SWINGING, group
 from components.scenes.analogues.pictures import tiles
 from components.scenes.analogues.reach import REMARKS
 from components.scenes.analogues.sheet import analogue_sheet
+from components.scenes.analogues.watch import WATCH
 from components.traces import samples, sources_over_time
 from physics.analogues import ANALOGUES
 from physics.pendulum import amplitude_at_excess
@@ -54,6 +55,7 @@ class Analogues(Scene):
     sharing = {"system": "spring"}
     start = "Examples"
     start_folded = True
+    watch = WATCH
     presets = {
         "60°": {},
         "Clock": {"pendulum_l": 0.994, "theta_0": 3.0},

@@ -26,6 +26,7 @@ from components.scene import Picture, Scene
 from components.scenes.coupled import starting
 from components.scenes.coupled.about import coupled_about
 from components.scenes.coupled.sheet import coupled_sheet
+from components.scenes.coupled.watch import WATCH
 from components.scenes.coupled.words import forms, values
 from components.traces import Columns, samples, sources_over_time, trace
 from physics.coupled import FreeModes, Motion
@@ -53,6 +54,7 @@ class Coupled(Scene):
     )
     onward = (chain.measured_by(),)
     shares = chain.SHARES
+    watch = WATCH
     presets = {
         "Both": {"given_by": "values"},
         "Slow": {"x1_0": 0.4, "x2_0": 0.8},

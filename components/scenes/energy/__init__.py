@@ -25,6 +25,7 @@ from components.scenes.energy.about import energy_about
 from components.scenes.energy.case import HangingCase, case_axes
 from components.scenes.energy.hanging import PLANETS
 from components.scenes.energy.sheet import hanging_sheet
+from components.scenes.energy.watch import WATCH
 from components.stage import wire
 from components.traces import Columns, samples, sources_over_time, trace
 from physics.hanging import Datum, HangingMass
@@ -57,6 +58,7 @@ class Energy(Scene):
     )
     places = tuple(PLANETS)
     shares = {"mass": "m", "stiffness": "k"}
+    watch = WATCH
     presets = {
         "Pulled down": {},
         "Pushed up": {"x_0": -0.2},

@@ -24,6 +24,7 @@ from components.scenes.forced.about import forced_about
 from components.scenes.forced.driven import energy_columns, limit_columns, motion_columns, motion_signals
 from components.scenes.forced.response import response_curves
 from components.scenes.forced.sheet import forced_sheet
+from components.scenes.forced.watch import WATCH
 from components.scenes.forced.words import forms, notes, values
 from components.traces import Columns, samples, sources_over_time
 from physics.coupled import Motion
@@ -59,6 +60,7 @@ class Forced(Scene):
     )
     onward = (chain.measured_by("F_0", "omega"),)
     shares = chain.SHARES
+    watch = WATCH
     presets = {
         "Equal (slide 8)": {},
         "At slow": {"omega": SLOW},

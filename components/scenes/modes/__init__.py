@@ -16,6 +16,7 @@ from components.parameters import Values, angular_frequency, finite, one_of
 from components.scene import Picture, Scene
 from components.scenes.modes import guess, guess_picture, hunt, solve, sweep
 from components.scenes.modes.about import guess_about, hunt_about, solve_about, sweep_about
+from components.scenes.modes.watch import WATCH
 from components.sheet import choice, column, desk, when, words
 from physics.coupled import TwoMassChain
 from physics.sweeps import PARAMETERS
@@ -63,6 +64,7 @@ class ModesScene(Scene):
         chain.CHAIN,
     )
     shares = chain.SHARES
+    watch = WATCH
     presets = {
         "Default": {},
         "Equal (slide 8)": {"m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0},

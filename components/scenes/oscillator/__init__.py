@@ -23,7 +23,7 @@ from components.parameters import displacement, mass, one_of, stiffness, velocit
 from components.scene import Picture, Scene
 from components.scenes.oscillator.about import oscillator_about
 from components.scenes.oscillator.pull import Force, force
-from components.scenes.oscillator.sheet import oscillator_sheet
+from components.scenes.oscillator.sheet import WATCH, oscillator_sheet
 from components.stage import wire
 from components.traces import Columns, samples, sources_over_time, trace
 from physics.oscillator import Oscillator, OscillatorConstants
@@ -93,6 +93,7 @@ class OscillatorScene(Scene):
     )
     groups = (Group("Mass and spring", ("m", "k")), Group("Start", ("x_0", "v_0")), Group("Shown", ("view",)))
     shares = {"mass": "m", "stiffness": "k"}
+    watch = WATCH
     presets = {
         "Pulled": {"x_0": 0.15, "v_0": 0.0},
         "Kicked": {"x_0": 0.0, "v_0": 0.8},
@@ -115,7 +116,6 @@ class OscillatorScene(Scene):
         -0.8, symbol="v_0", tint="T", softbounds=(-2.0, 2.0),
         says="is the velocity at the start, positive away from the wall. Any number.",
     )  # fmt: skip
-
     view = one_of(default="motion", objects={"Motion": "motion", "Force": "force"}, label="What the stage shows")
 
     @classmethod

@@ -14,6 +14,17 @@ SHIFTS = {"x": "", "v": r"+ \tfrac{\pi}{2}", "a": r"+ \pi"}
 GAP = 16
 TASK = "Push the mass and let go: where is it fastest, and where is it pulled hardest?"
 
+WATCH = {
+    "Pulled": "Let go at rest, x starts at its peak; each peak of v is a quarter period before one of x.",
+    "Kicked": "It starts from the middle: all of its amplitude comes from v₀.",
+    "Pushed back": "It starts away from the middle and moves towards it: the arrow starts where x₀ and v₀ put it.",
+    "Heavy": "Four times the mass of the others: it swings half as fast.",
+    "Stiff": "About four times the stiffness of the others: it swings about twice as fast.",
+    "Rest": "With x₀ = 0 and v₀ = 0 there is no arrow to turn.",
+    "No spring": "Nothing pulls it back: it moves on at constant speed.",
+}
+"""What to watch in each preset, in a sentence."""
+
 CONSTANTS = (
     (r"[m1|$A = x_0 = \val{A}$ m]", either("C", turn=r"[m1|$C = \sqrt{A^2 + B^2} = \val{C}$ m]")),
     (

@@ -47,6 +47,7 @@ from components.scenes.phugoid.swing import (
     velocities,
     verdict,
 )
+from components.scenes.phugoid.watch import WATCH
 from components.sheet import choice, column, desk, row, stage, when, words
 from components.stage import Shape, W, text
 from components.traces import samples, sources_over_time
@@ -93,6 +94,7 @@ class Phugoid(Scene):
         ),
     )
     places = tuple(AIRCRAFT)
+    watch = WATCH
     presets = {
         "Ripple, 0.1": {"excess": 0.1},
         "Deep, 0.6": {"excess": 0.6},

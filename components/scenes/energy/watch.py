@@ -1,0 +1,10 @@
+"""What to watch in each preset, in a sentence."""
+
+WATCH = {
+    "Pulled down": "T is largest where x passes 0, V where the mass turns; the sum stands still.",
+    "Pushed up": "As far up as it was pulled down: the same energy.",
+    "Kicked at equilibrium": "It starts with its largest T; a quarter period later T is 0.",
+    "Heavy": "Twice the mass hangs twice as deep, and swings more slowly with the same T at its largest.",
+    "Soft": "On a softer spring it hangs deeper and swings more slowly.",
+    "Hanging still": "At rest in equilibrium nothing swings: x and T stay 0.",
+}
