@@ -1,6 +1,8 @@
 # make run    the app on http://localhost:5006/        make run PORT=8000   on another port
+# make run HOST=0.0.0.0   for the network too: a live class joins from its phones
 # make test   every check, in a real Chromium too      make load | accuracy | bench   the measurements
 PORT ?= 5006
+HOST ?= localhost
 export REPLICAS SITE
 VENV ?= .venv
 BIN := $(VENV)/bin
@@ -15,11 +17,11 @@ BOTH_CORES := -n 2 --dist loadscope --no-loadscope-reorder
 # A text browser must not take the terminal: a page is opened only where there is a screen.
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
-.PHONY: run test test-all lint types hooks fast coverage attack audit reconnect load course soak deploy-test up accuracy bench walk \
+.PHONY: run test test-all lint types hooks fast coverage attack audit reconnect load course soak deploy-test class up accuracy bench walk \
 	protocol readme lock docker clean
 
 run: $(VENV)/run.stamp
-	$(BIN)/python -m components.serving --port $(PORT) $(SHOW)
+	$(BIN)/python -m components.serving --address $(HOST) --port $(PORT) $(SHOW)
 
 # In two runs: Playwright leaves an event loop running in a process, which other tests must not meet.
 test: lint
@@ -76,6 +78,10 @@ soak: $(VENV)/test.stamp
 # Two replicas behind the real proxy, on this machine: one is killed, then all are upgraded.
 deploy-test: $(VENV)/test.stamp
 	$(BIN)/python -m tests.deploy $(ARGS)
+
+# The live class: 300 and 3,000 followers, answers, sketches, and two replicas of which one is killed.
+class: $(VENV)/test.stamp
+	$(BIN)/python -m tests.bench.classroom $(ARGS)
 
 audit: $(VENV)/test.stamp
 	$(BIN)/python -m tools.audit

@@ -7,14 +7,16 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from types import MappingProxyType
+from typing import NamedTuple
 
 import panel as pn
 from bokeh.document import Document
 
 from components.description import sheet_address, sheet_json
+from components.rooms.lessons import Lessons
 from components.scenes import SCENES
 from components.serving.shell import navigation, page_template, when_open
-from components.session import Session, opened
+from components.session import Publish, Session, opened
 from components.url import read_query
 from components.view import SceneView
 from components.walks import Query, Walks
@@ -58,16 +60,31 @@ def visited(query: Query, walks: Walks) -> Session:
     return opened(SCENES, replace(link, problems=[*problems, *link.problems]), walks)
 
 
-def walked(folders: Iterable[Path]) -> tuple[Callable[[Document], None], dict[str, bytes]]:
-    """What opens a page, with the lecture's walks and those of folders; and the files of all walks by their address."""
+class Lectured(NamedTuple):
+    """What the server is given: what opens a page, the files of all walks by their address, and their lessons for a
+    live class."""
+
+    open_page: Callable[..., None]
+    files: dict[str, bytes]
+    lessons: Lessons
+
+
+def walked(folders: Iterable[Path]) -> Lectured:
+    """With the lecture's walks and those of folders."""
     walks = all_walks(folders, SCENES)
     files = {walk: walk_file(walk, SCENES) for walk in walks.values()}
     listed = [{"name": walk.name, "title": walk.title, "sheet": address} for walk, (address, _) in files.items()]
-    return partial(open_page, walks=walks, listed=listed), dict(files.values())
+    lessons = Lessons(walks, SCENES, {walk.name: address for walk, (address, _) in files.items()})
+    return Lectured(partial(open_page, walks=walks, listed=listed), dict(files.values()), lessons)
 
 
-def open_page(document: Document, walks: Walks = NO_WALKS, listed: Sequence[dict[str, str]] = ()) -> None:
-    """Fill the document of a new session, which is the current one."""
+def open_page(
+    document: Document,
+    walks: Walks = NO_WALKS,
+    listed: Sequence[dict[str, str]] = (),
+    lead: Callable[[str, str], Publish] | None = None,
+) -> None:
+    """Fill the document of a new session, which is the current one; `lead` takes what it shows to a live class."""
     session = visited(pn.state.session_args, walks)
     scene, first = session.scene, next(iter(SCENES.values()))
     document.title = scene.headline
@@ -84,5 +101,6 @@ def open_page(document: Document, walks: Walks = NO_WALKS, listed: Sequence[dict
         walks=listed,
     )
     session.later = partial(when_open, document)
+    session.lead = lead or session.lead
     pn.state.on_session_destroyed(lambda _: session.close())
     SceneView(session).server_doc(document, location=False)

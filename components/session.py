@@ -22,12 +22,12 @@ from components.page.messages import (
     AskCsv,
     Choose,
     Given,
+    Lead,
     Open,
     RunWalk,
     Said,
     SetValues,
     Shown,
-    Taught,
     Walking,
 )
 from components.page.picture import Held, View
@@ -42,7 +42,7 @@ from components.take import as_file
 from components.url import Link, step_query, write_query
 from components.walks import Walks
 from components.walks.cards import walk_sheet
-from components.walks.judging import lesson_of
+from components.walks.judging import taught
 from components.walks.registry import read_own
 from components.wire import Packet, decoded, packed
 
@@ -50,6 +50,9 @@ MOST_MESSAGES = 2**53
 """Messages are numbered below this; beyond it a browser counts no further."""
 
 Send = Callable[[Packet], None]
+Problems = tuple[str, ...]
+Publish = Callable[[Callable[[], Packet]], None]
+"""Takes what makes a picture ready for a class, when it is needed."""
 
 
 class Session:
@@ -80,6 +83,8 @@ class Session:
         self._shared: Shared = {}
         self._kept = State(scene=scene.slug, covered=covered, step=step)
         self.later: Later = lambda act: act()
+        self.lead: Callable[[str, str], Publish | None] = lambda code, key: None
+        self._publish: Publish | None = None
         self._take_up(scene)
 
     def close(self) -> None:
@@ -92,13 +97,11 @@ class Session:
         return self._packed(problems=self._problems)
 
     def hear(self, data: object) -> None:
-        """Do what the visitor asks and answer, whatever happens: the browser waits for the answer.
-
-        What comes need not be what our page sends; its number goes back only where it is one.
-        """
+        """Do what the visitor asks and answer, whatever happens: the browser waits for it. What comes need not be what
+        our page sends; its number goes back only where it is one."""
         number = data.get("number") if isinstance(data, dict) else None
         answer = number if isinstance(number, int) and 0 <= number < MOST_MESSAGES else None
-        scene, kept, back = self.scene, self._kept, self.scene.way_back()
+        scene, kept, back, shown = self.scene, self._kept, self.scene.way_back(), self.scene.shown
         try:
             reply = self._heard(data, answer)
         except Exception as error:
@@ -108,6 +111,8 @@ class Session:
             self._errors = {}
             reply = self._packed(answer, (SORRY,))
         self.send(reply)
+        if self.scene.shown is not shown or self._kept is not kept:
+            self._tell_class()
 
     def _heard(self, data: object, answer: int | None) -> Packet:
         try:
@@ -125,10 +130,13 @@ class Session:
             case AskAbout():
                 return packed(about_numbers(self._about, answer))
             case Given():
-                return packed(self._judged(said, answer))
+                return packed(replace(taught(said, self.walks, self.scenes), answer=answer))
+            case Lead(code=code, key=key):
+                self._publish = self.lead(code, key) if code else None
+                self._tell_class()
             case RunWalk():
                 return packed(self._walking(said, answer))
-        if answer is not None and answer == self._last:
+        if isinstance(said, Lead) or (answer is not None and answer == self._last):
             return self._packed(answer)
         self._last = answer
         self._answering = True
@@ -154,20 +162,8 @@ class Session:
         after = covers_after(type(self.scene), before, self.scene.shown, covered)
         self._kept = replace(self._kept, covered=after)
 
-    def _judged(self, given: Given, answer: int | None) -> Taught:
-        """What a step teaches and what is said of its answer, which is forgotten here."""
-        steps = self.walks[given.walk].steps if given.walk in self.walks else ()
-        step = next((step for step in steps if step.id == given.step), None)
-        try:
-            if step is None:
-                raise ValueError(f"There is no step “{excerpt(given.step)}” in the walk “{excerpt(given.walk)}”.")
-            lesson, refused = lesson_of(step, given, self.scenes), ""
-        except ValueError as reason:
-            lesson, refused = None, str(reason)
-        return Taught(answer=answer, walk=given.walk, step=given.step, lesson=lesson, refused=refused)
-
     def _walking(self, said: RunWalk, answer: int | None) -> Walking:
-        """A walk of the visitor's own, which this session alone knows."""
+        """One of the visitor's own, which this session alone knows."""
         try:
             walk = read_own(said.text, said.name, self.walks, self.scenes)
         except ValueError as reason:
@@ -240,13 +236,19 @@ class Session:
         scene that the visitor has left says nothing."""
         if not self._answering and picture is self.scene.shown:
             self.send(self._packed())
+            self._tell_class()
 
-    def _packed(self, answer: int | None = None, problems: tuple[str, ...] = ()) -> Packet:
+    def _tell_class(self) -> None:
+        """The followers' picture: the same, without what was refused."""
+        if self._publish:
+            self._publish(lambda: self._packed(errors={}))
+
+    def _packed(self, answer: int | None = None, problems: Problems = (), errors: Errors | None = None) -> Packet:
         shown, left_out = without(type(self.scene), self.scene.shown, self._kept.covered)
         scene = type(self.scene)
         view, numbers = view_of(shown, column_axes(scene), left_out)
         held, more = told_beside(self.scene, shown, self._kept.covered)
-        told = self.shown(view, held, answer, problems)
+        told = replace(self.shown(view, held, answer, problems), errors=self._errors if errors is None else errors)
         return packed(told, [*numbers, *more], sheet=told.sheet, usual=usual(scene))
 
     def shown(self, view: View, held: Held | None, answer: int | None, problems: tuple[str, ...]) -> Shown:

@@ -21,6 +21,8 @@ export class Clock {
     this.frames = 0
     /** @type {(() => void)[]} */
     this.listeners = []
+    /** @type {(() => number) | null} the instant, where another clock leads */
+    this.lead = null
     requestAnimationFrame(now => this.tick(now))
   }
 
@@ -93,11 +95,22 @@ export class Clock {
     this.touch()
   }
 
+  /** Another clock leads, which plays or stands. @param {boolean} playing @param {() => number} lead */
+  follow(playing, lead) {
+    this.playing = playing
+    this.lead = lead
+    this.touch()
+  }
+
   /** @param {number} now in ms */
   tick(now) {
     if (!this.running) return
     requestAnimationFrame(later => this.tick(later))
-    if (this.playing && this.last !== null) {
+    if (this.lead) {
+      const t = Math.min(this.lead(), this.end)
+      this.dirty ||= t !== this.t
+      this.t = t
+    } else if (this.playing && this.last !== null) {
       // A tab that was hidden goes on from where it stood.
       const seconds = Math.min((now - this.last) / 1000, 0.1)
       this.t += (seconds * this.factor) / this.unit

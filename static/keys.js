@@ -44,6 +44,8 @@ export const KEYS = [
   {keys: ["c", "C"], shown: "C", does: "Controls: fold them away, or bring them back", act: l => l.hall.fold()},
   {keys: ["p", "P"], shown: "P", does: "Projector: large type for a hall", act: l => l.hall.toggle()},
   {keys: ["f", "F"], shown: "F", does: "Full screen", act: l => l.hall.full()},
+  {keys: ["t", "T"], shown: "T", does: "Teach: open a class", act: l => void (l.classes.led ?? l.classes.begin())},
+  {keys: ["j", "J"], shown: "J", does: "Join code of the class, large", act: l => l.classes.led?.large.toggle()},
   {keys: [".", "b", "B"], shown: "B", does: "Blank the screen; any key brings it back", act: () => blank()},
   {keys: ["?"], shown: "?", does: "This list", act: list},
 ]

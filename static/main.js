@@ -2,6 +2,7 @@
 
 import {plainLink, written} from "./address.js"
 import {unpacked} from "./columns.js"
+import {Classes} from "./classes.js"
 import {Busy} from "./busy.js"
 import {Connection} from "./connection.js"
 import {isPicker} from "./controls.js"
@@ -60,6 +61,7 @@ export class Lecture {
     this.hall = new Hall(this)
     listen(this)
     this.walks = new Walks(this)
+    this.classes = new Classes(this)
     this.connection = new Connection(this.line, {
       link: () => plainLink(this.page.spec.slug),
       changed: () => this.#connected(),
@@ -116,7 +118,9 @@ export class Lecture {
 
   #connected() {
     this.#wait()
-    if (this.connection.wire) this.#complete(this.page)
+    if (!this.connection.wire) return
+    this.classes.connected()
+    this.#complete(this.page)
   }
 
   /** Plots that could not be drawn join with the next connection. @param {Page} page */
@@ -277,7 +281,7 @@ export class Lecture {
 }
 
 /** What only some scenes need, asked for by them alone. @param {page.SceneSheet} sheet @returns {Promise<Extras>} */
-async function extrasFor({runs, panel}) {
+export async function extrasFor({runs, panel}) {
   /** @type {Promise<Extras>[]} */
   const wanted = []
   if (runs) wanted.push(later("runbar"))

@@ -16,6 +16,7 @@ export class Menu {
     this.#entry("walk-file", async () => (await later("ownwalk")).choose(walks))
     this.#entry("handout", async () => (await later("handout")).handout(/** @type {any} */ (walks.walk)))
     this.#entry("ask", () => this.#ask())
+    this.#entry("teach", () => walks.lecture.classes.begin())
     this.#entry("projector", () => hall.toggle())
     this.#entry("full-screen", () => hall.full())
     addEventListener("dragover", event => event.dataTransfer?.types.includes("Files") && event.preventDefault())

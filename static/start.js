@@ -2,4 +2,5 @@
 
 import {begin} from "./main.js"
 
-begin()
+// A page that follows a class has no picture of its own.
+if (document.getElementById("opening")) begin()

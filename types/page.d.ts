@@ -73,6 +73,13 @@ declare namespace page {
     text: string
   }
 
+  /** What is shown from now on goes to all who follow the class of this code; the room knows the key. */
+  interface Lead extends FromBrowser {
+    type: "lead"
+    code: string
+    key: Name
+  }
+
   /** The numbers of all plots, please; `page` is the address that their link begins with. */
   interface AskCsv extends FromBrowser {
     type: "csv"
@@ -84,7 +91,7 @@ declare namespace page {
     type: "about"
   }
 
-  type Said = SetValues | Typed | Act | Choose | RunOrder | Open | Given | RunWalk | AskCsv | AskAbout
+  type Said = SetValues | Typed | Act | Choose | RunOrder | Open | Given | RunWalk | Lead | AskCsv | AskAbout
 
   /** Anything that the browser is told; `answer` is the number of the message that it answers. */
   interface Told {
@@ -372,11 +379,13 @@ declare namespace page {
     remote: Pairing | null
   }
 
-  /** A room: its code, its key, which its instructor's browser keeps, and the address to join at. */
+  /** A room: its code, its key, which its instructor's browser keeps, and the address to join at, also as a QR code
+   * (SVG). */
   interface Opened {
     code: string
     key: string
     address: string
+    square: string
   }
 
   /** One sketch and which of the features asked for it has. */
@@ -403,6 +412,34 @@ declare namespace page {
     before: Counted | null
     features: Html[]
     right: number
+  }
+
+  /** A follower's way in: the code as it is written, and the token under which answers are kept. */
+  interface Entered {
+    code: string
+    token: string
+  }
+
+  /** What lets a remote control in once: its address, with a QR code of it (SVG); from the phone, the secret alone. */
+  interface Ticket {
+    address: string
+    square: string
+  }
+
+  /** A remote control that waits: the two digits that it shows, and the key that is good once it has been let in. */
+  interface Paired {
+    digits: string
+    key: string
+  }
+
+  /** The digits that the instructor has seen on the phone. */
+  interface Confirmed {
+    digits: string
+  }
+
+  /** What a remote control asks for. */
+  interface Done {
+    deed: "next" | "back" | "show" | "close"
   }
 
   /** An axis as it is drawn: places are numbers in units of `factor` (SI) times 10**exponent, raised to `power`, or

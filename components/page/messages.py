@@ -86,6 +86,13 @@ class RunWalk(FromBrowser, frozen=True, kw_only=True, tag="walk"):
     text: Annotated[str, Meta(max_length=48_000)]
 
 
+class Lead(FromBrowser, frozen=True, kw_only=True, tag="lead"):
+    """What is shown from now on goes to all who follow the class of this code; the room knows the key."""
+
+    code: Annotated[str, Meta(max_length=8)]
+    key: Name
+
+
 class AskCsv(FromBrowser, frozen=True, kw_only=True, tag="csv"):
     """The numbers of all plots, please; `page` is the address that their link begins with."""
 
@@ -96,7 +103,7 @@ class AskAbout(FromBrowser, frozen=True, kw_only=True, tag="about"):
     """What is known of the errors of what is drawn, please."""
 
 
-Said: TypeAlias = SetValues | Typed | Act | Choose | RunOrder | Open | Given | RunWalk | AskCsv | AskAbout
+Said: TypeAlias = SetValues | Typed | Act | Choose | RunOrder | Open | Given | RunWalk | Lead | AskCsv | AskAbout
 
 
 class Told(Struct, frozen=True, kw_only=True, tag_field="type"):

@@ -117,11 +117,13 @@ class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
 
 
 class Opened(Struct, frozen=True, kw_only=True):
-    """A room: its code, its key, which its instructor's browser keeps, and the address to join at."""
+    """A room: its code, its key, which its instructor's browser keeps, and the address to join at, also as a QR code
+    (SVG)."""
 
     code: str
     key: str
     address: str
+    square: str
 
 
 class SketchOf(Struct, frozen=True, kw_only=True):
@@ -151,3 +153,36 @@ class Tally(Struct, frozen=True, kw_only=True):
     before: Counted | None
     features: tuple[Html, ...]
     right: int
+
+
+class Entered(Struct, frozen=True, kw_only=True):
+    """A follower's way in: the code as it is written, and the token under which answers are kept."""
+
+    code: str
+    token: str
+
+
+class Ticket(Struct, frozen=True, kw_only=True):
+    """What lets a remote control in once: its address, with a QR code of it (SVG); from the phone, the secret alone."""
+
+    address: str
+    square: str = ""
+
+
+class Paired(Struct, frozen=True, kw_only=True):
+    """A remote control that waits: the two digits that it shows, and the key that is good once it has been let in."""
+
+    digits: str
+    key: str
+
+
+class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The digits that the instructor has seen on the phone."""
+
+    digits: Annotated[str, Meta(max_length=2)]
+
+
+class Done(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """What a remote control asks for."""
+
+    deed: Literal["next", "back", "show", "close"]

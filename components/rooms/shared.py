@@ -115,13 +115,13 @@ class SharedStore(Store):
             told = [each.split() for each in (await pipe.execute())[-1]]
         return sum(int(number) for number, until in told if float(until) > now)
 
-    async def allow(self, name: str, most: int, seconds: float) -> bool:
+    async def count(self, name: str, seconds: float, more: int = 1) -> int:
         key = f"class:count:{name}:{int(time() // seconds)}"
         async with _asked():
             pipe = self._redis.pipeline()
-            pipe.incr(key)
+            pipe.incrby(key, more)
             pipe.pexpire(key, int(1000 * seconds))
-            return bool((await pipe.execute())[0] <= most)
+            return int((await pipe.execute())[0])
 
     async def lend(self, name: str, value: bytes, seconds: float) -> None:
         async with _asked():

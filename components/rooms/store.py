@@ -66,8 +66,8 @@ class Store(ABC):
         """Note how many follow a replica, and how many follow in all."""
 
     @abstractmethod
-    async def allow(self, name: str, most: int, seconds: float) -> bool:
-        """Count something that may happen so often in each span of so many seconds, over all replicas."""
+    async def count(self, name: str, seconds: float, more: int = 1) -> int:
+        """How often something has happened in this span of so many seconds, at all replicas, with `more` of it now."""
 
     @abstractmethod
     async def lend(self, name: str, value: bytes, seconds: float) -> None:
@@ -159,13 +159,13 @@ class MemoryStore(Store):
         here[replica] = count, now + SEEN
         return sum(number for number, until in here.values() if until > now)
 
-    async def allow(self, name: str, most: int, seconds: float) -> bool:
+    async def count(self, name: str, seconds: float, more: int = 1) -> int:
         now = self._clock()
         span = name, int(now // seconds)
         if len(self._counts) > 10_000:
             self._counts.clear()  # lets a few more happen, and no more than that
-        self._counts[span] = self._counts.get(span, 0) + 1
-        return self._counts[span] <= most
+        self._counts[span] = self._counts.get(span, 0) + more
+        return self._counts[span]
 
     async def lend(self, name: str, value: bytes, seconds: float) -> None:
         self._lent = {other: kept for other, kept in self._lent.items() if kept.until > self._clock()}

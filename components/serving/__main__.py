@@ -9,10 +9,15 @@ import signal
 import sys
 import webbrowser
 from contextlib import suppress
+from functools import partial
 from pathlib import Path
 
 from app import FIGURES, SHEETS, walked
+from components.rooms.hall import Hall
+from components.rooms.shared import SharedStore
+from components.rooms.store import MemoryStore
 from components.serving.logs import set_up
+from components.serving.publisher import Publisher
 from components.serving.server import Server
 from components.serving.settings import Settings, read_settings
 from components.walks.loading import WalkError
@@ -22,8 +27,11 @@ log = logging.getLogger(__name__)
 
 async def serve(settings: Settings) -> None:
     """Serve until the process is asked to end."""
-    open_page, walks = walked([Path(settings.walks)] if settings.walks else [])
-    server = Server(open_page, settings, FIGURES, {**SHEETS, **walks})
+    lecture = walked([Path(settings.walks)] if settings.walks else [])
+    store = SharedStore(settings.redis_url) if settings.redis_url else MemoryStore()
+    hall = Hall(store, lecture.lessons)
+    open_page = partial(lecture.open_page, lead=partial(Publisher, hall))
+    server = Server(open_page, settings, FIGURES, {**SHEETS, **lecture.files}, hall)
     asked: asyncio.Queue[float] = asyncio.Queue()
     for name, notice in ((signal.SIGTERM, settings.notice_seconds), (signal.SIGINT, 0.0)):
         with suppress(NotImplementedError):  # on Windows Ctrl+C comes as an exception

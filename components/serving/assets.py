@@ -44,6 +44,7 @@ SHEETS = (
     "answers",
     "sketch",
     "contents",
+    "class",
     "forced",
     "keys",
     "hall",

@@ -17,6 +17,7 @@ from components.serving.answers import RefusedError, Visited, templates
 from components.serving.door import ASK_AGAIN, ordinal
 from components.serving.headers import policy, scripts_of
 from components.serving.mended import patch_curdoc
+from components.serving.shell import follow_template
 
 if TYPE_CHECKING:
     from components.serving.server import Lecture
@@ -66,6 +67,9 @@ class Page(Visited, SessionHandler):  # type: ignore[misc]  # Bokeh's are not lo
             raise RefusedError(403, "A link cannot name a session: each visitor has one of their own.")
 
     async def get(self) -> None:
+        if "class" in self.request.arguments:
+            self._follow()
+            return
         shown = self.request.arguments.pop("ticket", [b""])[0]  # is between door and visitor, no part of the link
         place, ticket = self.application.door.knock(shown.decode("latin-1"))
         if place:
@@ -82,6 +86,13 @@ class Page(Visited, SessionHandler):  # type: ignore[misc]  # Bokeh's are not lo
         self.set_header("Cache-Control", "no-store")
         self.set_header("Content-Security-Policy", policy(self.settings["frame_ancestors"], scripts))
         self.write(page_of(session))
+
+    def _follow(self) -> None:
+        """A page without a session: all that it shows comes from the class."""
+        page = follow_template()
+        self.set_header("Cache-Control", "no-cache")
+        self.set_header("Content-Security-Policy", policy(self.settings["frame_ancestors"], scripts_of(page)))
+        self.write(page.render())
 
     def _wait(self, place: int, ticket: str) -> None:
         """A page that needs no session, and asks again by itself."""

@@ -14,8 +14,14 @@ from panel.io.application import Application
 from tornado.httpserver import HTTPServer
 from tornado.ioloop import IOLoop, PeriodicCallback
 
+from components.rooms.codes import Tokens
+from components.rooms.hall import Hall
+from components.rooms.lessons import Lessons
+from components.rooms.store import MemoryStore
+from components.rooms.upkeep import Upkeep
 from components.serving.answers import Missing, Moved
 from components.serving.assets import AssetFiles, assets, packed_files
+from components.serving.classroutes import class_routes
 from components.serving.door import Door
 from components.serving.health import Figures, Liveness, Readiness
 from components.serving.hosts import is_named
@@ -26,12 +32,16 @@ from components.serving.metrics import Looked, Metrics
 from components.serving.pages import Filled, OpenPage, Page
 from components.serving.settings import Settings
 from components.serving.sockets import Socket
-from components.serving.visitors import Arrivals, networks
+from components.serving.visitors import Arrivals, Rate, networks
 
 PULSE = 15.0
 """Seconds between pings: proxies drop a socket after a minute of silence."""
 PATIENCE = 10.0
 """Seconds for the whole of a request, and for the next one on the same connection."""
+OF_A_CLASS = 1200
+"""Messages a minute of one instructor, follower or remote control."""
+OPENINGS = 60
+"""Classes that one network may open in a minute."""
 ENDING = 9.0
 """Seconds for the end of a server, of which container engines give ten."""
 
@@ -40,7 +50,13 @@ class Lecture(BokehTornado):  # type: ignore[misc]  # Bokeh's are not looked int
     """The lecture on one port."""
 
     def __init__(
-        self, open_page: OpenPage, settings: Settings, port: int, figures: Looked, sheets: Mapping[str, bytes]
+        self,
+        open_page: OpenPage,
+        settings: Settings,
+        port: int,
+        figures: Looked,
+        sheets: Mapping[str, bytes],
+        hall: Hall,
     ) -> None:
         self.sockets: set[Socket] = set()
         self.ending = False
@@ -64,11 +80,19 @@ class Lecture(BokehTornado):  # type: ignore[misc]  # Bokeh's are not looked int
             log_visitors=settings.log_visitors,
             trusted_proxies=networks(settings.trusted_proxies),
         )
+        self.asked = settings
+        self.hall = hall
+        self.upkeep = Upkeep(hall)
+        self.tokens = Tokens(settings.bokeh_secret_key)
+        self.class_rate = Rate(OF_A_CLASS)
+        self.openings = Arrivals(OPENINGS)
         self.arrivals = Arrivals(settings.arrivals)
         self.door = Door(settings.sessions, taken=self._taken)
         self.metrics = Metrics(
             sessions=("Sessions, with and without a visitor", self._taken),
             sockets=("Visitors who are connected", lambda: len(self.sockets)),
+            rooms=("Live classes that somebody here leads or follows", lambda: len(hall.rooms)),
+            followers=("Those who follow one", lambda: hall.followers),
             **figures,
         )
         # What Bokeh and Panel register (autoload.js, metadata, components, extensions, ...) lies behind the last of
@@ -84,6 +108,7 @@ class Lecture(BokehTornado):  # type: ignore[misc]  # Bokeh's are not looked int
             (r"/app", Moved, {"to": "./"}),
             (r"/app/", Moved, {"to": "../"}),
             (r"/assets/(.*)", AssetFiles, {"more": self._sheets}),
+            *class_routes(),
             (r"/liveness", Liveness),
             (r"/readiness", Readiness),
             (r"/metrics", Figures),
@@ -99,6 +124,7 @@ class Lecture(BokehTornado):  # type: ignore[misc]  # Bokeh's are not looked int
     def start(self) -> None:
         super().start()
         self._pulse.start()
+        self.upkeep.start()
 
     def stop(self, wait: bool = True) -> None:
         self._pulse.stop()
@@ -118,9 +144,11 @@ class Server:
         settings: Settings,
         figures: Looked | None = None,
         sheets: Mapping[str, bytes] | None = None,
+        hall: Hall | None = None,
     ) -> None:
         listening, self.port = bind_sockets(settings.address, settings.port)
-        self.lecture = Lecture(open_page, settings, self.port, figures or {}, sheets or {})
+        hall = hall or Hall(MemoryStore(), Lessons({}, {}, {}))
+        self.lecture = Lecture(open_page, settings, self.port, figures or {}, sheets or {}, hall)
         self.lecture.initialize(IOLoop.current())
         self._http = HTTPServer(
             self.lecture,
@@ -147,5 +175,6 @@ class Server:
         with suppress(TimeoutError):
             async with asyncio.timeout(ENDING - notice):
                 await asyncio.gather(*(socket.gone.wait() for socket in sockets))
+        await self.lecture.upkeep.end()
         self.lecture.stop()
         await self._http.close_all_connections()

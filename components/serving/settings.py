@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import socket
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from secrets import token_urlsafe
@@ -68,15 +69,46 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
     log_visitors: Annotated[
         bool, Meta(description="true writes visitors' addresses and links into the log, false does not")
     ] = False
+    public_url: Annotated[
+        str,
+        Meta(
+            pattern=r"^(https?://[^/?#\s]+(/[^?#\s]*)?)?$",
+            description="the address that a class joins at, as https://lecture.example/; where empty, the one that the "
+            "instructor's page was opened at, or this machine's in its network",
+        ),
+    ] = ""
+    redis_url: Annotated[
+        str,
+        Meta(
+            pattern=r"^((rediss?|unix)://\S+)?$",
+            description="the Valkey or Redis in which replicas share the rooms of live classes, as "
+            "redis://store:6379/0; where empty, this process keeps its own",
+        ),
+    ] = ""
     walks: Annotated[str, Meta(description="a folder of more guided walks, none where empty")] = ""
     show: Annotated[bool, Meta(description="true opens the page in a browser, false does not")] = False
 
     def hosts(self, port: int) -> list[str]:
         """The names that pages may come from, as host:port; by default this machine's own."""
-        known: list[str] = create_hosts_allowlist(
-            self.allowed_origin or (f"localhost:{port}", f"127.0.0.1:{port}"), port
-        )
+        own = ("localhost", "127.0.0.1", *([here] if self.everywhere and (here := own_address()) else []))
+        known: list[str] = create_hosts_allowlist(self.allowed_origin or [f"{name}:{port}" for name in own], port)
         return known
+
+    @property
+    def everywhere(self) -> bool:
+        """Whether the server listens at all addresses of its machine."""
+        return self.address in ("", "0.0.0.0", "::")
+
+
+def own_address() -> str:
+    """This machine's address in its network; "" where it has none. Nothing is sent to find it."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect(("192.0.2.1", 9))
+            name: str = probe.getsockname()[0]
+        except OSError:
+            return ""
+    return name
 
 
 PLAIN = Settings()

@@ -37,6 +37,13 @@ def page_template() -> Template:
     return templates().get_template("page.html", globals=files)
 
 
+@cache
+def follow_template() -> Template:
+    """follow.html, the page of who follows a class: the same for all."""
+    files = {"version": version(), "library": library()}
+    return templates().get_template("follow.html", globals=files)
+
+
 def navigation(scenes: Mapping[str, type[Scene]], here: str) -> list[dict[str, object]]:
     """The scenes in lecture order, grouped under the lecture they belong to."""
     groups: list[dict[str, object]] = []

@@ -34,30 +34,38 @@ def visitor(peer: str, forwarded: str, trusted: Sequence[Network]) -> str:
     return found
 
 
-class Arrivals:
-    """Lets each network open so many pages a minute, all at once if it likes: a class comes through one address."""
+class Rate:
+    """Lets each of those who have a name do something so many times a minute, all at once if they like."""
 
     def __init__(self, most: int, clock: Callable[[], float] = monotonic) -> None:
         self.most = most
         self._clock = clock
-        self._left: dict[Network, tuple[float, float]] = {}
-        """Of each network that has come lately, how many it may open yet, and when that was."""
+        self._left: dict[str, tuple[float, float]] = {}
+        """Of each who has come lately, how many times are left, and when that was."""
 
-    def admit(self, address: str) -> float:
-        """Count a page that is opened; where it is one too many, in how many seconds it may be."""
-        now, network = self._clock(), _network_of(address)
+    def admit(self, name: str) -> float:
+        """Count one time; where it is one too many, in how many seconds it may be."""
+        now = self._clock()
         if len(self._left) >= MOST_NETWORKS:
             self._left = {one: (left, seen) for one, (left, seen) in self._left.items() if now - seen < MINUTE}
-        left, seen = self._left.get(network, (float(self.most), now))
+        left, seen = self._left.get(name, (float(self.most), now))
         left = min(float(self.most), left + (now - seen) * self.most / MINUTE)
         if left < 1:
-            self._left[network] = left, now
+            self._left[name] = left, now
             return (1 - left) * MINUTE / self.most
-        self._left[network] = left - 1, now
+        self._left[name] = left - 1, now
         return 0.0
 
 
-def _network_of(address: str) -> Network:
+class Arrivals(Rate):
+    """Pages that a network opens: a class comes through one address."""
+
+    def admit(self, name: str) -> float:
+        """`name` is the address of a visitor."""
+        return super().admit(str(network_of(name)))
+
+
+def network_of(address: str) -> Network:
     """The network of a visitor; a socket of the machine's own has no address and is one of its own."""
     try:
         version = ip_address(address).version

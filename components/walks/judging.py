@@ -6,11 +6,12 @@ from typing import TypedDict
 
 from msgspec.structs import replace
 
-from components.numbers import parse_number, three
-from components.page.messages import Given
+from components.numbers import excerpt, parse_number, three
+from components.page.messages import Given, Taught
 from components.page.state import State
 from components.page.walk import Lesson, Verdict
 from components.text import mathml, rich
+from components.walks import Walks
 from components.walks.curves import axes_of, number_at, place_of, true_curves
 from components.walks.findings import findings
 from components.walks.links import Scenes, scene_at, state_of_link
@@ -41,6 +42,19 @@ def lesson_of(step: Step, given: Given, scenes: Scenes) -> Lesson:
         case PointStep():
             return _marked(step, given.value, lesson, scenes)
     return _sketched(step, given, lesson, scenes)
+
+
+def taught(given: Given, walks: Walks, scenes: Scenes) -> Taught:
+    """What a step teaches and what is said of its answer, which is forgotten here."""
+    steps = walks[given.walk].steps if given.walk in walks else ()
+    step = next((step for step in steps if step.id == given.step), None)
+    try:
+        if step is None:
+            raise ValueError(f"There is no step “{excerpt(given.step)}” in the walk “{excerpt(given.walk)}”.")
+        lesson, refused = lesson_of(step, given, scenes), ""
+    except ValueError as reason:
+        lesson, refused = None, str(reason)
+    return Taught(walk=given.walk, step=given.step, lesson=lesson, refused=refused)
 
 
 def _chosen(step: ChoiceStep, given: Given, lesson: Lesson, scenes: Scenes) -> Lesson:

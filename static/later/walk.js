@@ -65,6 +65,7 @@ export class Walk {
     const isAsked = shown.state.covered.length > 0
     if (place !== this.place || page !== this.card?.page || (this.lesson && isAsked)) this.#lay(place, isAsked)
     this.card?.update(shown)
+    this.lecture.classes.led?.walked(this)
   }
 
   /** @param {number} place @param {boolean} isAsked */
@@ -87,8 +88,10 @@ export class Walk {
 
   /** What the filled button does, and Page Down. @param {boolean} [always] without an answer, too */
   forward(always = false) {
+    const teach = this.lecture.classes.led
     if (this.lesson) this.next()
-    else this.show(always)
+    else if (teach?.votes.waits) teach.votes.open()
+    else this.show(always || Boolean(teach))
   }
 
   /** @param {number} option of a choice */
@@ -120,6 +123,7 @@ export class Walk {
       this.answers.keep(step, {said: this.card.question.said(), right: lesson.right, title: lesson.title})
     }
     this.card.teach(lesson)
+    this.lecture.classes.led?.walked(this)
     this.lecture.line.send({type: "open", state: this.step.reveals}, {start: true})
   }
 
@@ -133,5 +137,6 @@ export class Walk {
     this.contents?.close()
     this.#putAway()
     this.place = -1
+    this.lecture.classes.led?.walked(null)
   }
 }

@@ -18,8 +18,9 @@ COPIED = ("app.py", "components", "physics", "static")
 class Site:
     """The lecture at `url`; its replicas end and start one by one."""
 
-    def __init__(self, folder: Path, replicas: int) -> None:
+    def __init__(self, folder: Path, replicas: int, more: Mapping[str, str]) -> None:
         self.folder = folder
+        self._more = more
         self.ports = [free_port() for _ in range(replicas)]
         self.port = free_port()
         self._running: dict[int, tuple[Server, ExitStack]] = {}
@@ -37,6 +38,7 @@ class Site:
             "ALLOWED_ORIGIN": f"127.0.0.1:{self.port}",
             "TRUSTED_PROXIES": "127.0.0.1",
             "ARRIVALS": "100000",
+            **self._more,
         }
         running = serving(log, port=self.ports[number], folder=code, environment=environment)
         self._running[number] = stack.enter_context(running), stack
@@ -69,9 +71,9 @@ class Site:
 
 
 @contextmanager
-def deployed(folder: Path, codes: Sequence[Path] = (ROOT, ROOT)) -> Iterator[Site]:
-    """A site that serves, each replica the code of a folder."""
-    site = Site(folder, len(codes))
+def deployed(folder: Path, codes: Sequence[Path] = (ROOT, ROOT), **more: str) -> Iterator[Site]:
+    """A site that serves, each replica the code of a folder; `more` are settings of all of them."""
+    site = Site(folder, len(codes), more)
     command = (
         str(Path(sys.executable).with_name("caddy")),
         "run",

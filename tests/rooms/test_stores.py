@@ -142,11 +142,11 @@ def test_those_present_are_counted_over_replicas(on: Callable[..., None]) -> Non
     on(test)
 
 
-def test_what_is_counted_is_allowed_so_often_and_what_is_lent_is_taken_once(on: Callable[..., None]) -> None:
+def test_what_is_counted_adds_up_and_what_is_lent_is_taken_once(on: Callable[..., None]) -> None:
     async def test(kept: Store) -> None:
         name = new_code()
-        assert [await kept.allow(name, 2, 3600) for _ in range(3)] == [True, True, False]
-        assert await kept.allow(f"{name} too", 2, 3600)
+        assert [await kept.count(name, 3600, more) for more in (1, 1, 0, 3)] == [1, 2, 2, 5]
+        assert await kept.count(f"{name} too", 3600) == 1
         await kept.lend(name, b"ticket", 60)
         assert [await kept.take(name), await kept.take(name)] == [b"ticket", b""]
         await kept.lend(name, b"short", 0.05)

@@ -1,0 +1,235 @@
+"""The live class over HTTP, as its instructor's page uses it: a room is opened, led, counted, and ended."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Awaitable
+from typing import TYPE_CHECKING, Any, TypeVar
+
+import msgspec
+import segno
+from tornado.web import RequestHandler
+
+from components.page.room import Confirmed, Done, Opened, Order, Paired, Tally, Ticket
+from components.rooms.codes import as_code, digest, is_key, new_digits, new_key
+from components.rooms.hall import ClosedError
+from components.rooms.room import ClassRoom
+from components.rooms.store import AwayError
+from components.rooms.table import answers_csv
+from components.serving.answers import SENTENCES, RefusedError, Visited
+from components.serving.settings import own_address
+
+if TYPE_CHECKING:
+    from components.serving.server import Lecture
+
+LONGEST = 8000
+"""Bytes of a message to a room: two sketches are a quarter of it."""
+AWAY = "The store that replicas share does not answer now. What you see stays; try again in a moment."
+TICKET = 60.0
+"""Seconds for which a remote control may be let in."""
+
+Body = TypeVar("Body")
+Answered = TypeVar("Answered")
+
+
+class Waited(RequestHandler):
+    """What comes after the checks of a name."""
+
+    async def prepare(self) -> None:
+        """Nothing."""
+
+
+class ClassAnswer(Visited, Waited):
+    """Whatever is said to a room; refusals are sentences, as JSON."""
+
+    application: Lecture
+
+    async def prepare(self) -> None:
+        await super().prepare()
+        self.set_header("Cache-Control", "no-store")
+        origin = self.request.headers.get("Origin", "")
+        if (
+            origin
+            and origin != f"{self.request.protocol}://{self.request.host}"
+            and not self.application.goes_by(origin)
+        ):
+            raise RefusedError(403, "A class is led and followed from the lecture's own page.")
+
+    @property
+    def word(self) -> str:
+        """The key or token that is shown."""
+        return self.request.headers.get("Authorization", "").removeprefix("Bearer ")
+
+    def body(self, kind: type[Body]) -> Body:
+        if len(self.request.body) > LONGEST:
+            raise RefusedError(413, "This is more than a class is told at once.")
+        try:
+            return msgspec.json.decode(self.request.body, type=kind)
+        except (msgspec.DecodeError, RecursionError) as error:
+            raise RefusedError(400, "This is not what the lecture's page sends.") from error
+
+    def reply(self, value: object) -> None:
+        self.set_header("Content-Type", "application/json")
+        self.write(msgspec.json.encode(value))
+
+    async def asked(self, question: Awaitable[Answered]) -> Answered:
+        """What the hall says, or why it does not, in a sentence."""
+        try:
+            return await question
+        except ClosedError as reason:
+            raise RefusedError(404, str(reason)) from reason
+        except AwayError as reason:
+            raise RefusedError(503, AWAY, after=1) from reason
+        except ValueError as reason:
+            raise RefusedError(409, str(reason)) from reason
+
+    def often(self, name: str) -> None:
+        if seconds := self.application.class_rate.admit(name):
+            raise RefusedError(429, "This is more often than a class can be told. A moment later it will do.", seconds)
+
+    async def led(self, code: str) -> ClassRoom:
+        """The room, for its instructor alone."""
+        self.often(f"lead {code}")
+        return await self.asked(self.application.hall.led(as_code(code), self.word))
+
+    def address(self, query: str) -> str:
+        """Where the class, or a remote control, comes in."""
+        settings = self.application.asked
+        host = self.request.host
+        if settings.everywhere and self.request.host_name in ("localhost", "127.0.0.1") and (own := own_address()):
+            host = host.replace(self.request.host_name, own)
+        base = settings.public_url or f"{self._scheme()}://{host}{self._folder()}"
+        return f"{base.rstrip('/')}/?{query}"
+
+    def _scheme(self) -> str:
+        """As the visitor's browser has it, by the word of a proxy that is trusted."""
+        told = self.request.headers.get("X-Forwarded-Proto", "")
+        return told if self.settings["trusted_proxies"] and told in ("http", "https") else self.request.protocol
+
+    def _folder(self) -> str:
+        """The path that a proxy serves the lecture under, by the word of the page itself."""
+        path = self.request.headers.get("X-Page-Path", "/")
+        return path.rstrip("/") if path.startswith("/") and path.isascii() and len(path) < 200 else ""
+
+    def opened(self, code: str, key: str) -> Opened:
+        address = self.address(f"class={code}")
+        return Opened(code=code, key=key, address=address, square=square(address))
+
+    def write_error(self, status_code: int, **more: Any) -> None:
+        error = more.get("exc_info", (None, None, None))[1]
+        sentence = error.sentence if isinstance(error, RefusedError) else SENTENCES.get(status_code, SENTENCES[400])
+        if isinstance(error, RefusedError) and error.after:
+            self.set_header("Retry-After", str(max(1, round(error.after))))
+        self.application.metrics.refused.labels(f"class {status_code}").inc()
+        self.reply({"sentence": sentence})
+        self.finish()
+
+
+def square(text: str) -> str:
+    """A QR code as SVG, in the colour of the text around it."""
+    drawing = io.BytesIO()
+    segno.make(text, error="m", micro=False).save(
+        drawing, kind="svg", xmldecl=False, svgns=True, border=2, omitsize=True, svgclass="qr", lineclass=None
+    )
+    return drawing.getvalue().decode()
+
+
+class OpenClass(ClassAnswer):
+    """A new room."""
+
+    async def post(self) -> None:
+        if seconds := self.application.openings.admit(self.visitor):
+            raise RefusedError(
+                429, "This network has opened many classes lately. A moment later it may again.", seconds
+            )
+        self.reply(self.opened(*await self.asked(self.application.hall.open())))
+
+
+class LeadClass(ClassAnswer):
+    """To an instructor's page that comes back: its room; from it, what is to be done."""
+
+    async def get(self, code: str) -> None:
+        room = await self.led(code)
+        self.reply(self.opened(room.code, self.word))
+
+    async def post(self, code: str) -> None:
+        room = await self.led(code)
+        order: Order = self.body(Order)  # type: ignore[arg-type]  # a union of types
+        await self.asked(self.application.hall.obey(room, order))
+        self.set_status(204)
+
+
+class CountAnswers(ClassAnswer):
+    """What has been answered so far."""
+
+    async def get(self, code: str) -> None:
+        room = await self.led(code)
+        tally: Tally | None = await self.asked(self.application.hall.tally(room))
+        self.reply(tally)
+
+
+class TakeAnswers(ClassAnswer):
+    """All answers of the lecture, as CSV."""
+
+    async def get(self, code: str) -> None:
+        room = await self.led(code)
+        text = await self.asked(answers_csv(self.application.hall, room))
+        self.set_header("Content-Type", "text/csv; charset=utf-8")
+        self.write(text)
+
+
+class LetIn(ClassAnswer):
+    """A remote control: a ticket that is good once, for a minute; whether it is let in, by the two digits it shows."""
+
+    async def post(self, code: str) -> None:
+        room, ticket = await self.led(code), new_key()
+        await self.asked(self.application.hall.store.lend(f"ticket {digest(ticket).decode()}", code.encode(), TICKET))
+        address = self.address(f"class={room.code}&remote={ticket}")
+        self.reply(Ticket(address=address, square=square(address)))
+
+    async def put(self, code: str) -> None:
+        room, confirmed = await self.led(code), self.body(Confirmed)
+        hall = self.application.hall
+        kept = await self.asked(hall.store.take(f"pairing {room.code} {confirmed.digits}"))
+        if not kept:
+            raise RefusedError(409, "No remote control waits with these digits.")
+        room.tell({"control": kept})
+        await self.asked(hall.write(room, {"control": kept}))
+        self.set_status(204)
+
+
+class RemoteControl(ClassAnswer):
+    """A phone in the instructor's hand: shows its ticket, waits until it is let in, then says what is to be done."""
+
+    async def _there(self, code: str) -> ClassRoom:
+        self.often(f"remote {code}")
+        return await self.asked(self.application.hall.room(as_code(code)))
+
+    def _let_in(self, room: ClassRoom) -> bool:
+        return is_key(self.word, room.parts.get("control", b""))
+
+    async def put(self, code: str) -> None:
+        self.often(f"pair {code}")
+        hall, ticket = self.application.hall, self.body(Ticket)
+        kept = await self.asked(hall.store.take(f"ticket {digest(ticket.address).decode()}"))
+        if not kept or kept.decode() != code:
+            raise RefusedError(
+                403, "This code has been used, or is older than a minute. The first screen shows a new one."
+            )
+        paired = Paired(digits=new_digits(), key=new_key())
+        await self.asked(hall.store.lend(f"pairing {code} {paired.digits}", digest(paired.key), TICKET))
+        told = msgspec.json.encode({"digits": paired.digits})
+        await self.asked(hall.store.tell(as_code(code), {"remote": told}))
+        self.reply(paired)
+
+    async def get(self, code: str) -> None:
+        """The question that is put; null until it has been let in."""
+        room = await self._there(code)
+        self.reply(room.question if self._let_in(room) else None)
+
+    async def post(self, code: str) -> None:
+        room, deed = await self._there(code), self.body(Done)
+        if not self._let_in(room):
+            raise RefusedError(403, "The first screen has not let this remote control in.")
+        await self.asked(self.application.hall.store.tell(room.code, {"deed": msgspec.json.encode(deed.deed)}))
+        self.set_status(204)

@@ -1,0 +1,166 @@
+"""The live class over HTTP, as a phone uses it: come in, hear what is new, answer."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+from contextlib import suppress
+from functools import lru_cache
+from time import monotonic, time
+
+from tornado.iostream import IOStream, StreamClosedError
+
+from components.page.messages import Taught
+from components.page.room import Entered, Vote
+from components.rooms.codes import as_code
+from components.rooms.room import ClassRoom, as_event
+from components.serving.answers import RefusedError
+from components.serving.classes import ClassAnswer
+from components.serving.visitors import network_of
+
+MOST_FOLLOWERS = 5000
+"""Of one room, on one replica."""
+MISSES = 300
+"""Codes that are none, from one network in a minute: with 10 rooms among 30^4 codes, 0.9 hits are to be expected of
+all that may be guessed in 4 hours, while a class that mistypes comes in."""
+MINUTE = 60.0
+BUFFER = 2**14
+"""Bytes that the system may hold back for who reads slowly, some of which it doubles: a few updates."""
+GIVEN_UP = 60.0
+"""Seconds for which a follower may read nothing."""
+
+
+class Follower(ClassAnswer):
+    """Who has a token of the room, or its key."""
+
+    leads = False
+
+    async def entered(self, code: str) -> ClassRoom:
+        application = self.application
+        if application.tokens.voter(code, self.word):
+            return await self.asked(application.hall.room(as_code(code)))
+        self.leads = True
+        return await self.led(code)
+
+
+class Enter(ClassAnswer):
+    """A token for a code: given to whoever has one, but not to who tries many."""
+
+    async def post(self, code: str) -> None:
+        hall, name = self.application.hall, f"miss {network_of(self.visitor)}"
+        if await self.asked(hall.store.count(name, MINUTE, 0)) >= MISSES:
+            raise RefusedError(
+                429, "Many wrong codes came from this network. Within a minute the right one opens the class.", MINUTE
+            )
+        try:
+            room = await self.asked(hall.room(as_code(code)))
+        except RefusedError as refusal:
+            if refusal.status_code == 404:
+                await self.asked(hall.store.count(name, MINUTE))
+            raise
+        self.reply(Entered(code=room.code, token=self.application.tokens.new(room.code)))
+
+
+class Events(Follower):
+    """All that is new, as it comes: server-sent events. Who reads too slowly is left out, and then gets the latest."""
+
+    _pipe: IOStream
+    _behind = 0.0
+
+    def initialize(self) -> None:
+        self._gone = asyncio.Event()
+
+    async def get(self, code: str) -> None:
+        room = await self.entered(code)
+        if not self.leads and room.followers >= MOST_FOLLOWERS:
+            raise RefusedError(503, f"This class is full: {MOST_FOLLOWERS} follow it.", after=60)
+        self.set_header("Content-Type", "text/event-stream; charset=utf-8")
+        self.set_header("X-Accel-Buffering", "no")
+        self.set_header("Cache-Control", "no-store, no-transform")
+        self._room = room
+        self._pipe = self.request.connection.stream  # type: ignore[union-attr]  # it is one of HTTP/1
+        self._pipe.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
+        self._pipe.set_nodelay(True)
+        self.write(as_event(room.whole()))
+        await self.flush()
+        room.ears.add(self)
+        try:
+            await self._gone.wait()
+        finally:
+            room.ears.discard(self)
+
+    def hear(self, event: bytes) -> bool:
+        """Straight to the connection, as a chunk that is made once for all of them."""
+        if self._behind:
+            if monotonic() - self._behind > GIVEN_UP:
+                self._pipe.close()
+            return False
+        if self._pipe.writing():
+            self._behind = monotonic()
+            return False
+        with suppress(StreamClosedError):
+            written = self._pipe.write(event if self.request.version == "HTTP/1.0" else chunk(event))
+            if not written.done():
+                written.add_done_callback(lambda _: self._catch_up())
+        return True
+
+    def _catch_up(self) -> None:
+        if self._behind and not self._gone.is_set():
+            self._behind = 0.0
+            self.hear(as_event(self._room.whole()))
+
+    def end(self) -> None:
+        self._gone.set()
+
+    def on_connection_close(self) -> None:
+        self._gone.set()
+
+
+@lru_cache(maxsize=64)
+def chunk(event: bytes) -> bytes:
+    """Of an answer whose length is not known, as HTTP/1.1 has it."""
+    return b"%x\r\n%s\r\n" % (len(event), event)
+
+
+class Now(Follower):
+    """The same for who gets nothing through a stream: all there is, where something is new."""
+
+    async def get(self, code: str) -> None:
+        self.often(f"poll {self.word}")
+        room = await self.entered(code)
+        if not self.leads:
+            room.polls[self.word[:16]] = monotonic()
+        if self.get_query_argument("after", "") == room.number:
+            self.set_status(204)
+        else:
+            self.reply(room.whole())
+
+
+class Answers(Follower):
+    """One's own answer; and, once the answer is shown, what is said of it."""
+
+    async def put(self, code: str) -> None:
+        room = await self.entered(code)
+        voter = self.application.tokens.voter(room.code, self.word)
+        self.often(f"vote {voter}")
+        await self.asked(self.application.hall.vote(room, voter, self.body(Vote)))
+        self.set_status(204)
+
+    async def post(self, code: str) -> None:
+        self.often(f"vote {self.word}")
+        room, vote = await self.entered(code), self.body(Vote)
+        put = room.question
+        if put.lesson is None or (put.walk, put.step) != (vote.walk, vote.step):
+            raise RefusedError(409, "The answer has not been shown.")
+        try:
+            lesson = self.application.hall.lessons.judged(vote)
+        except ValueError as reason:
+            raise RefusedError(400, "This is no answer to that question.") from reason
+        self.reply(Taught(walk=vote.walk, step=vote.step, lesson=lesson))
+
+
+class TimeOfDay(ClassAnswer):
+    """The server's clock, in ms: a page finds by how much its own is off, from how long the answer takes."""
+
+    def get(self) -> None:
+        self.reply(1000 * time())

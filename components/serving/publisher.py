@@ -1,0 +1,51 @@
+"""From an instructor's session to the class: what is shown, made ready once for all who follow, and not too often."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Callable
+
+from components.page.room import SentPicture
+from components.rooms.hall import ClosedError, Hall
+from components.rooms.store import AwayError
+from components.wire import Packet
+
+log = logging.getLogger(__name__)
+
+SPAN = 0.2
+"""Seconds between pictures, of which the newest counts."""
+
+
+class Publisher:
+    """Of one session, for the room that it leads."""
+
+    def __init__(self, hall: Hall, code: str, key: str) -> None:
+        self._hall = hall
+        self._code = code
+        self._key = key
+        self._make: Callable[[], Packet] | None = None
+        self._task: asyncio.Task[None] | None = None
+
+    def __call__(self, make: Callable[[], Packet]) -> None:
+        self._make = make
+        if self._task is None:
+            self._task = asyncio.create_task(self._run())
+
+    async def _run(self) -> None:
+        try:
+            while make := self._make:
+                self._make = None
+                await self._show(make)
+                await asyncio.sleep(SPAN)
+        finally:
+            self._task = None
+
+    async def _show(self, make: Callable[[], Packet]) -> None:
+        try:
+            room = await self._hall.led(self._code, self._key)
+            await self._hall.show(room, SentPicture(**make()))
+        except (ClosedError, AwayError):
+            pass  # the instructor's page is told of both by the room's own news
+        except Exception:
+            log.exception("A picture could not be made ready for a class")

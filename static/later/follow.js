@@ -1,0 +1,214 @@
+// The page of who follows a class: the instructor's messages, drawn by the same modules, without a session.
+
+import {unpacked} from "../columns.js"
+import {element} from "../dom.js"
+import {Page, frame} from "../page.js"
+import {extrasFor} from "../main.js"
+import {AskedPut} from "./answering.js"
+import {Bar} from "./followbar.js"
+import {Refusal, Stream, ask} from "./room.js"
+import {Timing} from "./timing.js"
+
+export class Following {
+  /** @type {Page} */
+  page
+
+  /** @type {Drawn} */
+  shown
+
+  /** @type {Partial<page.News>} all that has been told, the newest of each */
+  news = {}
+
+  /** @type {Map<string, Promise<any>>} */
+  sheets = new Map()
+
+  /** @type {Promise<unknown>} */
+  turning = Promise.resolve()
+
+  // What a page asks of a lecture; here nothing is set.
+  undo = {element: element("div")}
+  classes = {led: null}
+  hall = {tab: () => element("span"), shown() {}, on: false, ending: ""}
+  line = {send() {}, asked: null, outbox: [], waiting: new Set()}
+  send() {}
+  take() {}
+  open() {}
+  fit() {}
+  change() {}
+  reveal() {}
+
+  /** @param {string} code @param {string} token */
+  constructor(code, token) {
+    this.code = code
+    this.token = token
+    this.host = /** @type {HTMLElement} */ (document.getElementById("app"))
+    this.timing = new Timing()
+    this.bar = new Bar(this)
+    this.asked = new AskedPut(this)
+    this.stream = new Stream(code, token, {
+      news: news => this.#hear(news),
+      refused: refusal => this.#over(refusal.message),
+      connected: is => this.bar.connected(is),
+    })
+  }
+
+  get clock() {
+    return this.page.clock
+  }
+  get plots() {
+    return this.page.plots
+  }
+
+  /** @param {Partial<page.News>} news */
+  #hear(news) {
+    if (news.ended) return this.#over("The class is over. Thank you for coming.")
+    Object.assign(this.news, news)
+    this.bar.update()
+    if (news.picture) this.#next(() => this.#show(/** @type {page.SentPicture} */ (news.picture)))
+    if (news.clock) this.#run()
+    if (news.question) this.#next(() => this.asked.put(/** @type {page.PutTo} */ (news.question)))
+  }
+
+  /** @param {() => Promise<void>} act */
+  #next(act) {
+    this.turning = this.turning.then(act).catch(error => console.warn(error))
+  }
+
+  /** What has been overtaken by a newer one is not drawn. @param {page.SentPicture} picture */
+  async #show(picture) {
+    if (picture !== this.news.picture) return
+    const {usual} = await this.sheet(picture.sheet)
+    const bytes = Uint8Array.from(atob(String(picture.data)), sign => sign.charCodeAt(0))
+    const told = await unpacked(bytes.buffer, usual)
+    if (told.type !== "shown") return
+    this.shown = told
+    if (told.scene === this.page?.spec.slug) this.page.apply(told)
+    else await this.#turn(told)
+    this.asked.shown(told)
+    this.bar.update()
+  }
+
+  /** @param {Drawn} shown */
+  async #turn(shown) {
+    document.documentElement.dataset.ready = "false"
+    const sheet = await this.sheet(shown.sheet)
+    const page = new Page(sheet, await extrasFor(sheet), /** @type {any} */ (this))
+    this.page?.leave()
+    this.host.replaceChildren(page.root)
+    this.page = page
+    page.start(shown)
+    for (const part of page.root.querySelectorAll(".transport, .handles, .grips, .seg")) part.setAttribute("inert", "")
+    document.title = `${sheet.headline} – Oscillations`
+    this.#run()
+    await frame()
+    await page.join().catch(error => console.warn(error))
+    document.documentElement.dataset.ready = "true"
+  }
+
+  /** The instructor's clock; who asked for less motion sees where it was set to. */
+  #run() {
+    const {clock} = this.news
+    if (!clock || !this.page) return
+    const {t, rate, end, at} = clock
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches
+    this.page.clock.follow(rate > 0, () => {
+      const now = t + (still ? 0 : (rate * (this.timing.now - at)) / 1000)
+      return now > end ? now % end : Math.max(now, 0)
+    })
+  }
+
+  /** A sheet never changes: it is fetched once. @param {string} address @returns {Promise<any>} */
+  sheet(address) {
+    const known = this.sheets.get(address)
+    if (known) return known
+    const fetched = fetch(new URL(`assets/${address}`, document.baseURI)).then(answer => {
+      if (!answer.ok) throw new Error(`${address}: ${answer.status}`)
+      return answer.json()
+    })
+    fetched.catch(() => this.sheets.delete(address))
+    this.sheets.set(address, fetched)
+    return fetched
+  }
+
+  /** @param {string} sentence */
+  #over(sentence) {
+    this.stream?.close()
+    this.bar.over()
+    this.page?.leave()
+    forget(this.code)
+    const again = element("a", {class: "chip", href: "./"}, "To the lecture")
+    this.host.replaceChildren(
+      element("main", {class: "class-wait", role: "status"}, element("h1", {}, sentence), again),
+    )
+  }
+}
+
+/** @param {string} code */
+const key = code => `class-${code}`
+
+/** @param {string} code */
+function forget(code) {
+  try {
+    localStorage.removeItem(key(code))
+  } catch {
+    // It has kept nothing.
+  }
+}
+
+/** The token that this browser keeps, or a new one. @param {string} typed */
+async function entered(typed) {
+  const code = typed.toUpperCase().replace(/[\s-]/g, "")
+  try {
+    const kept = localStorage.getItem(key(code))
+    if (kept) return {code, token: kept}
+  } catch {
+    // A browser that keeps nothing answers anew after each loading.
+  }
+  const found = await ask(`${encodeURIComponent(code)}/token`, {method: "POST"})
+  try {
+    localStorage.setItem(key(found.code), found.token)
+  } catch {
+    // The same.
+  }
+  return found
+}
+
+async function begin() {
+  const query = new URLSearchParams(location.search)
+  const typed = query.get("class") ?? ""
+  theme()
+  if (query.has("remote")) {
+    const {control} = await import("./remote.js")
+    return control(typed, query.get("remote") ?? "")
+  }
+  try {
+    if (!/^[\s-]*([0-9a-z][\s-]*){4}$/i.test(typed)) throw new Refusal("A code has four letters and digits.", 404)
+    const {code, token} = await entered(typed)
+    globalThis.oscillations = new Following(code, token)
+  } catch (reason) {
+    wait(reason instanceof Error ? reason.message : String(reason))
+  }
+}
+
+/** A field for another code. @param {string} sentence */
+function wait(sentence) {
+  const field = element("input", {name: "class", "aria-label": "Code of the class", autocapitalize: "characters",
+    autocomplete: "off", maxlength: 8, required: ""}) // prettier-ignore
+  const form = element("form", {}, field, element("button", {class: "act filled"}, "Join"))
+  form.addEventListener("submit", event => {
+    event.preventDefault()
+    location.assign(`./?class=${encodeURIComponent(field.value)}`)
+  })
+  document.querySelector(".class-wait")?.replaceChildren(element("h1", {}, sentence), form)
+  field.focus()
+}
+
+function theme() {
+  document.querySelector("#theme")?.addEventListener("click", () => {
+    const root = document.documentElement
+    root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark"
+    globalThis.oscillations?.page?.theme()
+  })
+}
+
+begin()

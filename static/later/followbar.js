@@ -1,0 +1,50 @@
+// What stands around a follower's picture: where the lecture is, whether it is heard, and the way to look around.
+
+import {element} from "../dom.js"
+
+export class Bar {
+  away = false
+
+  /** @param {import("./follow.js").Following} following */
+  constructor(following) {
+    this.following = following
+    this.element = /** @type {HTMLElement} */ (document.querySelector(".class-bar"))
+    this.here = /** @type {HTMLElement} */ (document.querySelector(".class-here"))
+    this.state = element("b", {}, "Following")
+    this.line = element("span", {})
+    this.own = element("a", {class: "act", href: "./"}, "Look around on your own")
+    this.own.addEventListener("click", () => this.#leave())
+    this.element.append(element("div", {role: "status"}, this.state, this.line), this.own)
+  }
+
+  /** @param {boolean} is */
+  connected(is) {
+    if (this.away === !is) return
+    this.away = !is
+    this.update()
+  }
+
+  update() {
+    const {news, shown, code} = this.following
+    this.state.textContent = this.away ? "Not connected" : "Following"
+    const behind = news.lost ? "The lecture's server is being looked for; this is its last state." : ""
+    const calm = news.question?.place || "the lecture"
+    this.line.textContent = this.away ? "What you see still plays; it comes back by itself." : behind || calm
+    this.here.textContent = [code, news.here ? `${news.here} here` : ""].filter(Boolean).join(", ")
+    if (shown) this.own.href = `./?${shown.query}`
+  }
+
+  /** The page that opens knows the way back. */
+  #leave() {
+    try {
+      sessionStorage.setItem("class-left", this.following.code)
+    } catch {
+      // The address bar leads back.
+    }
+  }
+
+  over() {
+    this.element.replaceChildren()
+    this.here.textContent = ""
+  }
+}

@@ -1,0 +1,123 @@
+// The code and its QR over the whole page, for the last row; and what else an instructor may want of the class.
+
+import {element, marked} from "../dom.js"
+import {ask, asked} from "./room.js"
+
+export class Large {
+  /** @type {HTMLDialogElement | null} */
+  dialog = null
+
+  /** @type {HTMLElement | null} how many are here */
+  here = null
+
+  /** @type {HTMLElement | null} of a remote control that is being let in */
+  pairing = null
+
+  /** @param {import("./teach.js").Teach} teach */
+  constructor(teach) {
+    this.teach = teach
+  }
+
+  toggle() {
+    if (this.dialog) this.close()
+    else this.open()
+  }
+
+  close() {
+    this.dialog?.remove()
+    this.dialog = null
+  }
+
+  open() {
+    const {room, news} = this.teach
+    this.here = element("b", {})
+    const square = marked("div", {class: "class-square", role: "img", "aria-label": "QR code"}, room.square)
+    const words = this.#words("Join at", new URL(room.address), element("b", {class: "code"}, room.code))
+    words.append(element("p", {}, this.here, " here"))
+    this.pairing = element("p", {class: "problem", role: "status"})
+    const tools = element("div", {class: "class-tools"}, this.pairing, ...this.#tools())
+    this.dialog = element("dialog", {class: "class-large", "aria-label": "Join the class"}, square, words, tools)
+    this.dialog.addEventListener("keydown", event => {
+      if (event.key === "Escape") this.close()
+    })
+    document.body.append(this.dialog)
+    this.dialog.show()
+    this.say(news.here ?? 0)
+    const [close] = [...tools.querySelectorAll("button")].slice(-1)
+    close?.focus()
+  }
+
+  /** @param {string} lead @param {URL} address @param {Element} code */
+  #words(lead, address, code) {
+    const where = element("b", {class: "where"}, `${address.host}${address.pathname}`.replace(/\/$/, ""))
+    return element(
+      "div",
+      {class: "class-words"},
+      element("span", {}, lead),
+      where,
+      element("span", {}, "with the code"),
+      code,
+    )
+  }
+
+  #tools() {
+    const deeds = /** @type {[string, () => void][]} */ ([
+      ["Remote control", () => this.#remote()],
+      ["Answers as CSV", () => this.#csv()],
+      ["End the class", () => this.#end()],
+    ])
+    const chips = deeds.map(([name, act]) => button(name, "chip", act))
+    return [...chips, button("Close, J", "act filled", () => this.close())]
+  }
+
+  /** @param {number} here */
+  say(here) {
+    if (this.here) this.here.textContent = String(here)
+  }
+
+  /** A second press ends it. */
+  #end() {
+    if (this.pairing?.textContent?.startsWith("Press again")) this.teach.end()
+    else if (this.pairing) this.pairing.textContent = "Press again to end the class: code and answers are forgotten."
+  }
+
+  async #csv() {
+    const {code, key} = this.teach.room
+    const answer = await asked(`${code}/answers.csv`, {word: key})
+    const link = element("a", {href: URL.createObjectURL(await answer.blob()), download: `class-${code}.csv`})
+    link.click()
+    URL.revokeObjectURL(link.href)
+  }
+
+  /** A code that lets one phone in, within a minute. */
+  async #remote() {
+    const {code, key} = this.teach.room
+    const ticket = await ask(`${code}/tickets`, {method: "POST", word: key})
+    const square = this.dialog?.querySelector(".class-square")
+    if (!square || !this.pairing) return
+    square.innerHTML = ticket.square
+    square.setAttribute("aria-label", "QR code of the remote control")
+    const words = element("div", {class: "class-words"}, element("b", {class: "where"}, "A remote control"))
+    words.append(element("span", {}, "One phone, within a minute. It shows two digits, which are asked for here."))
+    this.dialog?.querySelector(".class-words")?.replaceWith(words)
+  }
+
+  /** A phone waits that shows these digits. @param {string} digits */
+  confirm(digits) {
+    if (!this.dialog || !this.pairing) return
+    const {code, key} = this.teach.room
+    const yes = button("Yes, let it in", "chip", async () => {
+      await ask(`${code}/tickets`, {method: "PUT", body: {digits}, word: key})
+      this.pairing?.replaceChildren("The remote control is in.")
+    })
+    const no = button("No", "chip", () => this.pairing?.replaceChildren("It was not let in."))
+    this.pairing.replaceChildren(`Does the phone in your hand show ${digits}? `, yes, " ", no)
+  }
+}
+
+/** @param {string} name @param {string} style @param {() => void} act */
+function button(name, style, act) {
+  const made = element("button", {type: "button", class: style}, name)
+  made.addEventListener("click", act)
+  return made
+}

@@ -1,0 +1,88 @@
+// A phone as the instructor's remote control: let in by the first screen, then two large buttons.
+
+import {element} from "../dom.js"
+import {Refusal, ask} from "./room.js"
+
+const ASKING = 1000 // ms between looks whether it is in, and at which step the lecture is
+
+/** @param {string} code @param {string} ticket */
+export async function control(code, ticket) {
+  const host = /** @type {HTMLElement} */ (document.querySelector(".class-wait"))
+  host.classList.add("class-remote")
+  try {
+    const paired = await pairedWith(code, ticket)
+    history.replaceState(null, "", location.search)
+    const remote = new Remote(host, code, paired)
+    remote.begin()
+  } catch (reason) {
+    host.replaceChildren(element("h1", {}, reason instanceof Error ? reason.message : String(reason)))
+  }
+}
+
+/**
+ * A page that is loaded anew has its key still.
+ * @param {string} code @param {string} ticket @returns {Promise<page.Paired>}
+ */
+async function pairedWith(code, ticket) {
+  const name = `remote-${code}-${ticket}`
+  const kept = sessionStorage.getItem(name)
+  if (kept) return JSON.parse(kept)
+  const paired = await ask(`${code}/remote`, {method: "PUT", body: {address: ticket}})
+  sessionStorage.setItem(name, JSON.stringify(paired))
+  return paired
+}
+
+class Remote {
+  /** @param {HTMLElement} host @param {string} code @param {page.Paired} paired */
+  constructor(host, code, paired) {
+    this.host = host
+    this.code = code
+    this.paired = paired
+    this.state = element("p", {role: "status"})
+    this.host.replaceChildren(
+      element("h1", {}, paired.digits),
+      element("p", {}, "Let this phone in on the first screen, where the same two digits stand."),
+    )
+  }
+
+  isIn = false
+
+  begin() {
+    this.#look()
+  }
+
+  async #look() {
+    const {code, paired} = this
+    const question = await ask(`${code}/remote`, {word: paired.key}).catch(reason => this.#failed(reason))
+    if (question && !this.isIn) this.#enter()
+    if (question) this.state.textContent = question.place || "No question is open."
+    setTimeout(() => this.#look(), ASKING)
+  }
+
+  #enter() {
+    this.isIn = true
+    const deeds = /** @type {[string, page.Done["deed"]][]} */ ([
+      ["Next", "next"], ["Back", "back"], ["Show", "show"], ["Close", "close"],
+    ]) // prettier-ignore
+    const buttons = deeds.map(([name, deed]) => {
+      const button = element("button", {type: "button", class: deed === "next" ? "act filled" : "act"}, name)
+      button.addEventListener("click", () => this.#do(deed))
+      return button
+    })
+    this.host.replaceChildren(this.state, element("div", {class: "remote-deeds"}, ...buttons))
+  }
+
+  /** @param {page.Done["deed"]} deed */
+  async #do(deed) {
+    await ask(`${this.code}/remote`, {method: "POST", body: {deed}, word: this.paired.key}).catch(reason =>
+      this.#failed(reason),
+    )
+  }
+
+  /** @param {unknown} reason */
+  #failed(reason) {
+    this.state.textContent = reason instanceof Refusal ? reason.message : String(reason)
+    if (!this.isIn) this.host.append(this.state)
+    return null
+  }
+}

@@ -1,0 +1,194 @@
+// The instructor's side of a live class: what this page shows, how its clock runs and what it asks goes to the hall.
+
+import {element} from "../dom.js"
+import {Large} from "./large.js"
+import {Refusal, Stream, ask} from "./room.js"
+import {Timing} from "./timing.js"
+import {Votes} from "./votes.js"
+
+const LOOK = 50 // ms between looks at the clock
+const OFF = 0.04 // s by which followers may be off before they are told anew
+const KEPT = "class-room"
+
+/** @typedef {import("./walk.js").Walk} Walk */
+
+export class Teach {
+  /** @type {Partial<page.News>} */
+  news = {}
+
+  /** @type {page.RunClock | null} what followers were told of the clock */
+  told = null
+
+  /** @type {string} the question that followers have, as it is named here */
+  put = ""
+
+  away = false
+  looking = 0
+
+  /** What is asked of the room, one after the other. @type {Promise<unknown>} */
+  orders = Promise.resolve()
+
+  /** @param {import("../main.js").Lecture} lecture @param {page.Opened} room */
+  constructor(lecture, room) {
+    this.lecture = lecture
+    this.room = room
+    this.timing = new Timing()
+    this.votes = new Votes(this)
+    this.large = new Large(this)
+    this.sign = element("button", {type: "button", class: "class-code", title: "Join code, large (J)"})
+    this.sign.addEventListener("click", () => this.large.toggle())
+    document.querySelector("#keys")?.before(this.sign)
+    document.documentElement.dataset.class = room.code
+    this.stream = new Stream(room.code, room.key, {
+      news: news => this.#hear(news),
+      refused: refusal => this.#over(refusal.message),
+      connected: is => this.#connected(is),
+    })
+    this.looking = setInterval(() => this.#look(), LOOK)
+    this.lead()
+    this.say()
+    if (lecture.walks.walk) this.walked(lecture.walks.walk)
+  }
+
+  /** The session that is there now shows what it shows to all. */
+  lead() {
+    this.lecture.line.send({type: "lead", code: this.room.code, key: this.room.key})
+  }
+
+  /** @param {boolean} is */
+  #connected(is) {
+    this.away = !is
+    this.say()
+  }
+
+  say() {
+    const {here = 0, lost} = this.news
+    const state = this.away || lost ? "not connected" : `${here} here`
+    this.sign.replaceChildren(element("b", {}, this.room.code), element("span", {role: "status"}, state))
+    this.large.say(here ?? 0)
+  }
+
+  /** @param {Partial<page.News>} news */
+  #hear(news) {
+    if (news.ended) return this.#over("The class is over.")
+    Object.assign(this.news, news)
+    this.say()
+    if (news.answers || news.question) this.votes.count()
+    if (news.remote) this.large.confirm(news.remote.digits)
+    if (news.deed) this.#obey(news.deed)
+  }
+
+  /** What the remote control asks for. @param {page.News["deed"]} deed */
+  #obey(deed) {
+    const {walk} = this.lecture.walks
+    if (deed === "close") this.large.close()
+    else if (deed === "back") walk?.back()
+    else if (deed === "next") walk?.forward(true)
+    else if (deed === "show" && walk && !walk.lesson) walk.show(true)
+  }
+
+  /** @param {page.Order} order */
+  order(order) {
+    const {code, key} = this.room
+    const send = () => ask(`${code}/lead`, {method: "POST", body: order, word: key})
+    this.orders = this.orders.then(send).catch(reason => {
+      // What waits is overtaken: the clock is looked at anyway, and the question is put again.
+      if (order.type === "clock") this.told = null
+      else if (reason instanceof Refusal && reason.status) this.lecture.page.notify([reason.message])
+      else setTimeout(() => this.order(order), 1000)
+    })
+    return this.orders
+  }
+
+  /** Where followers would see another instant than this page, they are told. */
+  #look() {
+    if (this.timing.bound === Infinity) return
+    const {clock} = this.lecture
+    const now = this.timing.now
+    const rate = clock.playing && clock.running ? clock.factor / clock.unit : 0
+    const {told} = this
+    const expected = told ? (told.t + (told.rate * (now - told.at)) / 1000) % (told.end || 1) : NaN
+    const off = Math.abs(expected - clock.t)
+    const apart = Math.min(off, Math.abs(clock.end - off))
+    const slack = rate ? OFF * rate : 1e-9 * clock.end
+    if (told && told.rate === rate && told.end === clock.end && apart <= slack) return
+    this.told = {type: "clock", t: clock.t, rate, end: clock.end, at: now}
+    this.order(this.told)
+  }
+
+  /** After whatever happens in a walk; null when it is left. @param {Walk | null} walk */
+  walked(walk) {
+    const step = walk?.step
+    const name = walk && step ? `${walk.sheet.name}/${step.id}` : ""
+    if (name !== this.put) {
+      this.put = name
+      this.votes.begin(walk)
+      if (walk && step) this.order({type: "put", walk: walk.sheet.name, step: step.id, again: false})
+      else this.order({type: "withdraw"})
+    } else if (walk?.card && this.votes.card !== walk.card) this.votes.begin(walk)
+    if (walk?.lesson && !this.shown) {
+      this.shown = true
+      this.order({type: "show"})
+      this.votes.open()
+    } else if (!walk?.lesson) this.shown = false
+    this.votes.update()
+  }
+
+  shown = false
+
+  /** The same question once more, after talk. */
+  again() {
+    const {walk} = this.lecture.walks
+    if (!walk?.step) return
+    this.order({type: "put", walk: walk.sheet.name, step: walk.step.id, again: true}).then(() => this.votes.count())
+  }
+
+  end() {
+    this.order({type: "end"})
+  }
+
+  /** @param {string} sentence */
+  #over(sentence) {
+    this.stream.close()
+    clearInterval(this.looking)
+    this.large.close()
+    this.votes.leave()
+    this.sign.remove()
+    delete document.documentElement.dataset.class
+    forget()
+    this.lecture.classes.led = null
+    this.lecture.line.send({type: "lead", code: "", key: ""})
+    this.lecture.page.notify([sentence])
+  }
+}
+
+function forget() {
+  try {
+    localStorage.removeItem(KEPT)
+    sessionStorage.removeItem(KEPT)
+  } catch {
+    // A browser that keeps nothing has kept nothing.
+  }
+}
+
+/** The room that this browser has the key of, or a new one. @param {import("../main.js").Lecture} lecture */
+export async function teach(lecture) {
+  const room = (await kept()) ?? (await ask("", {method: "POST"}))
+  try {
+    localStorage.setItem(KEPT, JSON.stringify(room))
+    sessionStorage.setItem(KEPT, "open") // this tab comes back to it by itself
+  } catch {
+    // A browser that keeps nothing loses the room with the page.
+  }
+  return new Teach(lecture, room)
+}
+
+/** @returns {Promise<page.Opened | null>} */
+async function kept() {
+  try {
+    const {code, key} = JSON.parse(localStorage.getItem(KEPT) ?? "{}")
+    return code ? await ask(`${code}/lead`, {word: key}) : null
+  } catch {
+    return null
+  }
+}

@@ -1,0 +1,87 @@
+"""Many followers of a live class without a browser, each a connection that only listens: when each event came, and how
+many bytes it was."""
+
+from __future__ import annotations
+
+import asyncio
+import base64
+import json
+import time
+import zlib
+from collections.abc import Sequence
+from typing import Any
+from urllib.parse import urlsplit
+
+from tests.bench.visitor import USUAL
+from tests.rooms.caller import Class
+
+END = b"\n\n\r\n"
+"""Of an event that is a chunk of its own."""
+
+
+class Hearing(asyncio.Protocol):
+    """One follower. `heard` has the instant and the event's key in `EVENTS`, which all of a process share."""
+
+    EVENTS: dict[int, bytes] = {}
+
+    def __init__(self, head: bytes) -> None:
+        self._head = head
+        self._buffer = b""
+        self.heard: list[tuple[float, int]] = []
+        self.bytes = 0
+        self.lost = False
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        assert isinstance(transport, asyncio.Transport)
+        self.transport = transport
+        transport.write(self._head)
+
+    def data_received(self, data: bytes) -> None:
+        self.bytes += len(data)
+        self._buffer += data
+        while (end := self._buffer.find(END)) >= 0:
+            event, self._buffer = self._buffer[:end], self._buffer[end + len(END) :]
+            key = hash(event)
+            self.EVENTS.setdefault(key, event)
+            self.heard.append((time.time(), key))
+
+    def connection_lost(self, reason: Exception | None) -> None:
+        self.lost = True
+
+
+async def followed(room: Class, urls: Sequence[str], count: int) -> list[Hearing]:
+    """So many followers, spread over addresses; one token serves them all, since they do not answer."""
+    token = await room.token(urls[0])
+    gate = asyncio.Semaphore(50)
+
+    async def one(number: int) -> Hearing:
+        host = urlsplit(urls[number % len(urls)])
+        lines = [f"GET /class/{room.code}/events HTTP/1.1", f"Host: {host.netloc}", f"Authorization: Bearer {token}"]
+        head = "\r\n".join([*lines, "", ""]).encode()
+        async with gate:
+            _, hearing = await asyncio.get_running_loop().create_connection(
+                lambda: Hearing(head), host.hostname, host.port
+            )
+            async with asyncio.timeout(30):
+                while not hearing.heard:
+                    await asyncio.sleep(0.01)
+        return hearing
+
+    return list(await asyncio.gather(*(one(number) for number in range(count))))
+
+
+def values(name: str) -> dict[int, float]:
+    """What a parameter was in each picture that was heard, by the key of its event."""
+    found = {}
+    for key, event in Hearing.EVENTS.items():
+        told: dict[str, Any] = json.loads(event[event.index(b"{") :])
+        if picture := told.get("picture"):
+            usual = USUAL[picture["sheet"]]
+            text = zlib.decompressobj(-15, usual).decompress(base64.b64decode(picture["data"])).partition(b"\n")[0]
+            found[key] = json.loads(text)["settings"][name]["value"]
+    return found
+
+
+def sizes() -> list[int]:
+    """Bytes on the wire of each picture that was heard."""
+    return [len(event) + len(END) for event in Hearing.EVENTS.values() if b'"picture"' in event]

@@ -1,0 +1,23 @@
+"""The short form of `make class`: everybody has the last picture, and an update is small."""
+
+from __future__ import annotations
+
+import asyncio
+from pathlib import Path
+
+from tests.bench.classroom import CHOICE, SKETCH, answered, drawing, measured
+from tests.bench.crowd import SETTINGS
+from tests.serving.server import serving
+
+
+def test_a_class_has_what_its_instructor_shows(tmp_path: Path) -> None:
+    with serving(tmp_path / "log", environment=SETTINGS) as server:
+        figures = asyncio.run(measured(server, 20, 2.0))
+        assert figures.missed == 0
+        assert figures.updates >= 2
+        assert figures.bytes <= 5000
+        assert max(figures.reach) < float("inf")
+        assert "20 followers" in figures.lines()[0]
+        asyncio.run(answered(server, 20, CHOICE, {"option": 1}))
+        asyncio.run(answered(server, 20, SKETCH, drawing()))
+        assert server.complaints() == []

@@ -1,0 +1,133 @@
+"""A lecture with an instructor, a remote control and two phones, each a browser window."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.serving.server import Server
+
+pytestmark = pytest.mark.browser
+READY = "document.documentElement.dataset.ready === 'true'"
+CONNECTED = f"{READY} && document.documentElement.dataset.connected === 'true'"
+LED = "globalThis.oscillations?.classes?.led"
+PAD = """(() => { const {plot} = oscillations.asked.card.question.pad
+  const b = plot.host.getBoundingClientRect(), f = plot.frame
+  return [b.left + f.left, b.top + f.top, f.width, f.height] })()"""
+
+Open = Callable[[str, int, int], Page]
+
+
+@pytest.fixture
+def window(server: Server, new_page: Callable[..., Page]) -> Open:
+    def go(query: str, width: int, height: int) -> Page:
+        page = new_page(width=width, height=height)
+        page.goto(f"{server.url}?{query}")
+        return page
+
+    return go
+
+
+def taught(window: Open, query: str) -> tuple[Page, str]:
+    """An instructor's window with an open class, and its code."""
+    page = window(query, 1920, 1080)
+    page.wait_for_function(CONNECTED)
+    page.keyboard.press("t")
+    page.wait_for_function(LED)
+    code: str = page.evaluate(f"{LED}.room.code")
+    return page, code
+
+
+def joined(window: Open, code: str) -> Page:
+    page = window(f"class={code.lower()}", 390, 844)
+    page.wait_for_function(f"{READY} && Boolean(oscillations.clock.lead)")
+    return page
+
+
+def draw(page: Page, height: Callable[[float], float]) -> None:
+    page.locator(".drawing").scroll_into_view_if_needed()
+    left, top, width, tall = page.evaluate(PAD)
+    for i in range(41):
+        page.mouse.move(left + i / 40 * width, top + (1 - height(i / 40)) * tall)
+        if not i:
+            page.mouse.down()
+    page.mouse.up()
+
+
+def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: Callable[[Page, str], object]) -> None:
+    lecture, code = taught(window, "walk=d34&step=d34-12")
+    phones = [joined(window, code) for _ in range(2)]
+    for i, phone in enumerate(phones):
+        phone.locator(".answers button").nth(i).click()
+        expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
+    expect(lecture.locator(".votes")).to_contain_text("2 of 2 answered")
+    assert lecture.locator(".vote-bar").count() == 0  # first the class sees that it answers, then what
+    lecture.keyboard.press("PageDown")
+    expect(lecture.locator(".vote-count")).to_have_text(["1", "1", "0", "0"])
+    lecture.get_by_role("button", name="Ask again").click()
+    expect(lecture.locator(".votes")).to_contain_text("0 of 2 answered")
+    for phone in phones:
+        phone.wait_for_function("oscillations.asked.question.vote === 2 && oscillations.asked.card")
+        phone.locator(".answers button").nth(1).click()
+    expect(lecture.locator(".vote-count")).to_have_text(["1 → 0", "1 → 2", "0 → 0", "0 → 0"])
+    lecture.reload()
+    lecture.wait_for_function(LED)
+    assert lecture.evaluate(f"{LED}.room.code") == code
+    expect(lecture.locator(".votes")).to_contain_text("2 of 2 answered")
+    lecture.keyboard.press("PageDown")
+    lecture.keyboard.press("PageDown")
+    for phone in phones:
+        expect(phone.locator("h1")).to_have_text("Undamped motion never becomes steady")
+        expect(phone.locator(".answers button").nth(1)).to_contain_text("yours")
+    screenshot(lecture, "class-votes")
+    lecture.wait_for_function("oscillations.clock.playing")
+    phones[0].wait_for_function("oscillations.clock.playing")
+    lecture.keyboard.press("Space")
+    at = lecture.evaluate("oscillations.clock.t")
+    for phone in phones:
+        phone.wait_for_function("t => !oscillations.clock.playing && Math.abs(oscillations.clock.t - t) < 1e-6", arg=at)
+        assert phone.evaluate("oscillations.timing.bound") < 1000
+
+
+def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) -> None:
+    lecture, code = taught(window, "walk=d34&step=d34-14")
+    phones = [joined(window, code) for _ in range(2)]
+    draw(phones[0], lambda x: 0.2 + 0.6 * x)
+    draw(phones[1], lambda x: 0.9 - 0.6 * x)
+    expect(lecture.locator(".votes")).to_contain_text("2 of 2 answered")
+    lecture.keyboard.press("PageDown")
+    expect(lecture.get_by_role("img", name="2 sketches of the class")).to_be_visible()
+    lecture.get_by_role("button", name="Middle half").click()
+    lecture.keyboard.press("PageDown")
+    expect(lecture.get_by_role("button", name=re.compile("^The zero between them 0"))).to_be_visible()
+    expect(phones[0].locator(".findings li")).to_have_count(5)
+    own = phones[1]
+    own.get_by_text("Look around on your own").click()
+    own.wait_for_function(CONNECTED)
+    expect(own.locator(".class-bar")).to_contain_text("On your own")
+    own.get_by_text("Back to the lecture").click()
+    own.wait_for_function(f"{READY} && oscillations.asked?.card")
+    lecture.keyboard.press("j")
+    expect(lecture.get_by_role("dialog", name="Join the class")).to_contain_text(code)
+
+
+def test_a_remote_control_is_let_in_and_turns_the_pages(window: Open) -> None:
+    lecture, _ = taught(window, "walk=d31&step=d31-01")
+    lecture.keyboard.press("j")
+    with lecture.expect_response(re.compile("/tickets$")) as answer:
+        lecture.get_by_role("button", name="Remote control").click()
+    query = answer.value.json()["address"].partition("?")[2]
+    remote = window(query, 390, 844)
+    expect(remote.locator("h1")).to_have_text(re.compile(r"^\d\d$"))
+    expect(lecture.get_by_role("dialog")).to_contain_text(f"show {remote.locator('h1').inner_text()}?")
+    lecture.get_by_role("button", name="Yes, let it in").click()
+    remote.get_by_role("button", name="Close").click()
+    expect(lecture.get_by_role("dialog", name="Join the class")).to_have_count(0)
+    remote.get_by_role("button", name="Show").click()
+    lecture.wait_for_function("oscillations.walks.walk.lesson")
+    remote.get_by_role("button", name="Next").click()
+    lecture.wait_for_function("oscillations.shown.state.step === 'd31/d31-02'")
+    expect(remote.locator(".class-remote p")).to_contain_text("2 of 16")

@@ -1,0 +1,68 @@
+"""A live class on two replicas behind the real proxy, which share a real Valkey: one is killed, the class goes on."""
+
+from __future__ import annotations
+
+import asyncio
+import sys
+from http.client import HTTPException
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.deploy.site import Site, deployed
+from tests.rooms.caller import Answered, Class, Stream, called
+from tests.rooms.stores import valkey_running
+from tests.serving.server import ROOT
+
+CHOICE = {"walk": "d31", "step": "d31-03"}
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="no Valkey here")
+
+
+async def again(room: Class, type: str, **order: Any) -> Answered:
+    """As the instructor's page does it: until somebody answers."""
+    async with asyncio.timeout(20):
+        while True:
+            try:
+                answer = await room.order(type, **order)
+                if answer.status == 204:
+                    return answer
+            except (OSError, HTTPException):
+                pass
+            await asyncio.sleep(0.1)
+
+
+async def lesson(site: Site) -> None:
+    room = await Class.open(site.url)
+    direct = [f"http://127.0.0.1:{port}/" for port in site.ports]
+    streams = [await room.follow(url) for url in direct]
+    through = await room.follow()
+    await again(room, "put", **CHOICE)
+    tokens = [await room.token() for _ in range(4)]
+    for i, token in enumerate(tokens):
+        assert (await room.vote(token, direct[i % 2], **CHOICE, option=i % 2)).status == 204
+    for stream in (*streams, through):
+        await stream.until(lambda event: event.get("question"))
+        await stream.until(lambda event: event.get("here") == 3)
+    assert "X-Accel-Buffering: no" in through.headers
+    site.kill(0)
+    async with asyncio.timeout(10):
+        while not streams[0].ended:
+            await asyncio.sleep(0.02)
+    back = await Stream(site.url, room.code, streams[0].word).open()
+    whole = await back.until(lambda event: event.get("question"))
+    assert whole["question"]["step"] == CHOICE["step"]
+    await again(room, "show")
+    for stream in (streams[1], back):
+        await stream.until(lambda event: event.get("question", {}).get("lesson"))
+    tally = (await called(direct[1], f"/class/{room.code}/tally", word=room.key)).json
+    assert tally["now"]["options"] == [2, 2, 0]
+    for stream in (*streams, through, back):
+        await stream.close()
+
+
+@pytest.mark.timeout(240)
+def test_a_class_outlives_a_replica(tmp_path: Path) -> None:
+    with valkey_running() as valkey, deployed(tmp_path, (ROOT, ROOT), REDIS_URL=valkey.url) as site:
+        asyncio.run(lesson(site))
+        assert site.complaints() == []

@@ -1,0 +1,122 @@
+"""Clients of a live class without a browser: instructor, followers and their streams, byte by byte."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import time
+from collections.abc import Callable
+from http.client import HTTPConnection
+from typing import Any, NamedTuple
+from urllib.parse import urlsplit
+
+PATIENCE = 30.0
+
+
+class Answered(NamedTuple):
+    status: int
+    text: str
+    headers: dict[str, str]
+
+    @property
+    def json(self) -> Any:
+        return json.loads(self.text)
+
+
+def call(url: str, path: str, method: str = "GET", body: object = None, word: str = "", **headers: str) -> Answered:
+    """One request with a key or token; names of headers are written with underscores."""
+    connection = HTTPConnection(urlsplit(url).netloc, timeout=PATIENCE)
+    named = {name.replace("_", "-"): value for name, value in headers.items()}
+    if word:
+        named["Authorization"] = f"Bearer {word}"
+    try:
+        connection.request(method, path, None if body is None else json.dumps(body), named)
+        answer = connection.getresponse()
+        return Answered(answer.status, answer.read().decode(), dict(answer.headers))
+    finally:
+        connection.close()
+
+
+async def called(*given: Any, **more: Any) -> Answered:
+    return await asyncio.to_thread(call, *given, **more)
+
+
+class Stream:
+    """The events of a room, as they come; `heard` are those read so far with the instant at which each came."""
+
+    def __init__(self, url: str, code: str, word: str) -> None:
+        self.url, self.code, self.word = url, code, word
+        self.heard: list[tuple[float, dict[str, Any]]] = []
+        self.bytes = 0
+        self.headers = ""
+        self.ended = False
+        self._task: asyncio.Task[None] | None = None
+        self._writer: asyncio.StreamWriter | None = None
+
+    async def open(self, keep: Callable[[bytes], Any] = json.loads) -> Stream:
+        host = urlsplit(self.url)
+        self._reader, self._writer = await asyncio.open_connection(host.hostname, host.port, limit=2**20)
+        lines = [
+            f"GET /class/{self.code}/events HTTP/1.1", f"Host: {host.netloc}", f"Authorization: Bearer {self.word}"
+        ]  # fmt: skip
+        self._writer.write("\r\n".join([*lines, "", ""]).encode())
+        self.headers = (await asyncio.wait_for(self._reader.readuntil(b"\r\n\r\n"), PATIENCE)).decode()
+        self._task = asyncio.create_task(self._read(keep))
+        return self
+
+    async def _read(self, keep: Callable[[bytes], Any]) -> None:
+        try:
+            while size := int(await self._reader.readline() or b"0", 16):
+                chunk = await self._reader.readexactly(size + 2)
+                self.bytes += len(chunk)
+                for event in chunk.strip().split(b"\n\n"):
+                    self.heard.append((time.time(), keep(event.removeprefix(b"data: "))))
+        except (ConnectionError, asyncio.IncompleteReadError, ValueError):
+            pass
+        self.ended = True
+
+    async def until(self, holds: Callable[[dict[str, Any]], Any], seconds: float = 10.0) -> dict[str, Any]:
+        """The last event for which something holds, as soon as there is one."""
+        async with asyncio.timeout(seconds):
+            while True:
+                for _, event in reversed(self.heard):
+                    if holds(event):
+                        return event
+                await asyncio.sleep(0.005)
+
+    async def close(self) -> None:
+        if self._writer:
+            self._writer.close()
+        if self._task:
+            await self._task
+
+
+class Class:
+    """A room, and its instructor."""
+
+    def __init__(self, url: str, opened: dict[str, Any]) -> None:
+        self.url = url
+        self.code, self.key = opened["code"], opened["key"]
+        self.opened = opened
+
+    @classmethod
+    async def open(cls, url: str) -> Class:
+        answer = await called(url, "/class", "POST")
+        assert answer.status == 200, answer.text
+        return cls(url, answer.json)
+
+    async def order(self, type: str, **order: Any) -> Answered:
+        return await called(self.url, f"/class/{self.code}/lead", "POST", {"type": type, **order}, self.key)
+
+    async def tally(self) -> Any:
+        return (await called(self.url, f"/class/{self.code}/tally", word=self.key)).json
+
+    async def token(self, url: str = "") -> str:
+        token: str = (await called(url or self.url, f"/class/{self.code}/token", "POST")).json["token"]
+        return token
+
+    async def follow(self, url: str = "", keep: Callable[[bytes], Any] = json.loads) -> Stream:
+        return await Stream(url or self.url, self.code, await self.token(url)).open(keep)
+
+    async def vote(self, token: str, url: str = "", **vote: Any) -> Answered:
+        return await called(url or self.url, f"/class/{self.code}/answer", "PUT", vote, token)

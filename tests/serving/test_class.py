@@ -1,0 +1,255 @@
+"""The live class over HTTP: who comes in, what is heard, what is refused."""
+
+from __future__ import annotations
+
+import asyncio
+import base64
+import re
+import socket
+from collections.abc import AsyncIterator, Callable, Coroutine
+from contextlib import asynccontextmanager
+from functools import partial
+from typing import Any
+
+import pytest
+
+from app import SHEETS, walked
+from components.rooms.hall import Hall
+from components.rooms.store import MemoryStore
+from components.serving import followers
+from components.serving.publisher import Publisher
+from components.serving.server import Server
+from components.serving.settings import Settings
+from tests.bench.visitor import Visitor
+from tests.page.columns import inflated
+from tests.rooms.caller import Class, Stream, called
+
+LECTURE = walked([])
+CHOICE = {"walk": "d31", "step": "d31-03"}
+Test = Callable[[Server, str], Coroutine[None, None, None]]
+
+
+@asynccontextmanager
+async def served(**settings: Any) -> AsyncIterator[tuple[Server, str]]:
+    hall = Hall(MemoryStore(), LECTURE.lessons)
+    page = partial(LECTURE.open_page, lead=partial(Publisher, hall))
+    made = Settings(**{"address": "127.0.0.1", "port": 0, **settings})
+    server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, hall=hall)
+    try:
+        yield server, f"http://127.0.0.1:{server.port}/"
+    finally:
+        await server.end()
+
+
+def run(test: Test, **settings: Any) -> None:
+    async def whole() -> None:
+        async with served(**settings) as (server, url):
+            await test(server, url)
+
+    asyncio.run(whole())
+
+
+def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        stream = await lesson.follow()
+        assert "text/event-stream" in stream.headers and "X-Accel-Buffering: no" in stream.headers
+        assert "no-store" in stream.headers
+        visitor = await Visitor.arrive(url, "scene=coupled")
+        await visitor.say({"type": "lead", "code": lesson.code, "key": lesson.key})
+        first = await stream.until(lambda event: event.get("picture"))
+        await visitor.say({"type": "set", "values": {"k2": 3.5}})
+        told = await stream.until(lambda event: event.get("picture") and event != first)
+        assert len(told["picture"]["data"]) < 5000
+        text = inflated(
+            {"sheet": told["picture"]["sheet"], "data": base64.b64decode(told["picture"]["data"])},
+            await visitor._usual(told["picture"]["sheet"]),
+        )
+        assert b'"k2":3.5' in text and b'"answer":null' in text
+        await visitor.say({"type": "set", "values": {"k2": -1.0}})  # what is refused is nobody else's business
+        late = await lesson.follow()
+        whole = await late.until(lambda event: event.get("picture"))
+        assert whole["picture"] == told["picture"]
+        assert server.lecture.metrics.text().count(b"oscillations_followers 2.0") == 1
+        assert len(server.lecture.get_sessions("/")) == 1
+        for each in (stream, late):
+            await each.close()
+        await visitor.depart()
+
+    run(test)
+
+
+def test_a_session_that_lacks_the_key_shows_nothing() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        stream = await lesson.follow()
+        visitor = await Visitor.arrive(url, "scene=coupled")
+        await visitor.say({"type": "lead", "code": lesson.code, "key": "x" * 32})
+        await visitor.say({"type": "set", "values": {"k2": 3.5}})
+        assert (await lesson.order("clock", t=1.0, rate=0.0, end=20.0, at=0.0)).status == 204
+        await stream.until(lambda event: event.get("clock"))
+        assert not any("picture" in event for _, event in stream.heard)
+        wrong = Class(url, {**lesson.opened, "key": "x" * 32})
+        assert (await wrong.order("end")).status == 404
+        assert (await called(url, f"/class/{lesson.code}/tally", word=await lesson.token())).status == 404
+        assert (await called(url, f"/class/{lesson.code}/lead", "POST", {"type": "end"})).status == 404
+        await stream.close()
+        await visitor.depart()
+
+    run(test)
+
+
+def test_a_follower_answers_once_and_learns_what_is_said_of_it_when_it_is_shown() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        assert (await lesson.order("put", **CHOICE)).status == 204
+        token = await lesson.token()
+        assert (await lesson.vote(token, **CHOICE, option=1)).status == 204
+        assert (await lesson.vote(token, **CHOICE, option=0)).status == 204
+        assert (await lesson.tally())["now"] == {"answered": 1, "options": [1, 0, 0], "numbers": [], "sketches": []}
+        path = f"/class/{lesson.code}/answer"
+        assert (await called(url, path, "POST", {**CHOICE, "option": 0}, token)).status == 409
+        for wrong, status in (
+            ({**CHOICE, "option": 7}, 409), ({**CHOICE, "option": 0, "who": "me"}, 400), ([], 400),
+            ({**CHOICE, "option": 0, "vote": 2}, 409), ({**CHOICE, "text": "x" * 9000}, 413),
+        ):  # fmt: skip
+            answer = await called(url, path, "PUT", wrong, token)
+            assert answer.status == status and answer.json["sentence"].endswith(".")
+        assert (await called(url, path, "PUT", {**CHOICE, "option": 0}, "made.up")).status == 404
+        await lesson.order("show")
+        assert (await lesson.vote(token, **CHOICE, option=2)).status == 409
+        taught = (await called(url, path, "POST", {**CHOICE, "option": 1}, token)).json
+        assert taught["type"] == "taught" and taught["lesson"]["right"] is False
+        csv = await called(url, f"/class/{lesson.code}/answers.csv", word=lesson.key)
+        assert csv.text.splitlines() == ["walk,step,vote,answer,right", "d31,d31-03,1,1,yes"]
+
+    run(test)
+
+
+def test_who_gets_no_stream_asks_and_is_told_all_that_is_new() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        token = await lesson.token()
+        await lesson.order("put", **CHOICE)
+        first = await called(url, f"/class/{lesson.code}/now", word=token)
+        assert first.json["question"]["step"] == "d31-03" and first.json["question"]["sheet"] in LECTURE.files
+        path = f"/class/{lesson.code}/now?after={first.json['number']}"
+        assert (await called(url, path, word=token)).status == 204
+        await lesson.order("withdraw")
+        assert (await called(url, path, word=token)).json["question"]["step"] == ""
+        assert server.lecture.hall.followers == 1
+
+    run(test)
+
+
+def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkeypatch: pytest.MonkeyPatch) -> None:
+    hits = 10 * followers.MISSES * 4 * 60 / 30**4
+    assert hits < 1 and followers.MISSES >= 300
+    monkeypatch.setattr(followers, "MISSES", 4)
+
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+
+        async def enter(code: str, address: str) -> int:
+            return (await called(url, f"/class/{code}/token", "POST", X_Forwarded_For=address)).status
+
+        wrong = "2222" if lesson.code != "2222" else "3333"
+        assert [await enter(wrong, f"198.51.100.{i}") for i in range(6)] == [404] * 4 + [429] * 2
+        assert await enter(lesson.code, "198.51.100.9") == 429  # nor does the right one tell that it is right
+        assert await enter(lesson.code.lower(), "203.0.113.9") == 200
+
+    run(test, trusted_proxies=("127.0.0.1",))
+
+
+def test_a_follower_that_reads_too_slowly_is_left_out_and_gets_the_latest() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        token, quick = await lesson.token(), await lesson.follow()
+        slow = socket.create_connection(("127.0.0.1", server.port))
+        slow.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        head = f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\nAuthorization: Bearer {token}\r\n\r\n"
+        slow.sendall(head.encode())
+        room = server.lecture.hall.rooms[lesson.code]
+        async with asyncio.timeout(10):
+            while room.followers < 2:
+                await asyncio.sleep(0.01)
+        for i in range(400):
+            room.tell({"picture": b'{"sheet":"%d","data":"%s"}' % (i, b"A" * 4000)})
+            await asyncio.sleep(0)
+        await quick.until(lambda event: event.get("picture", {}).get("sheet") == "399")
+        slow.settimeout(5)
+        read = b""
+        while b'"sheet":"399"' not in read:
+            read += await asyncio.to_thread(slow.recv, 65536)
+        seen = [int(number) for number in re.findall(rb'"sheet":"(\d+)"', read)]
+        assert len(seen) < 200 and seen == sorted(seen) and seen[-1] == 399
+        slow.close()
+        await quick.close()
+
+    run(test)
+
+
+def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        leader = await Stream(url, lesson.code, lesson.key).open()
+        path = f"/class/{lesson.code}/remote"
+        ticket = (await called(url, f"/class/{lesson.code}/tickets", "POST", word=lesson.key)).json
+        assert ticket["square"].startswith("<svg")
+        secret = ticket["address"].partition("remote=")[2]
+        paired = (await called(url, path, "PUT", {"address": secret})).json
+        assert (await called(url, path, "PUT", {"address": secret})).status == 403
+        assert (await leader.until(lambda event: event.get("remote")))["remote"]["digits"] == paired["digits"]
+        assert (await called(url, path, word=paired["key"])).json is None
+        assert (await called(url, path, "POST", {"deed": "next"}, paired["key"])).status == 403
+        tickets = f"/class/{lesson.code}/tickets"
+        other = "10" if paired["digits"] != "10" else "11"
+        assert (await called(url, tickets, "PUT", {"digits": other}, lesson.key)).status == 409
+        assert (await called(url, tickets, "PUT", {"digits": paired["digits"]}, lesson.key)).status == 204
+        assert (await called(url, path, word=paired["key"])).json["step"] == ""
+        assert (await called(url, path, "POST", {"deed": "next"}, paired["key"])).status == 204
+        assert (await leader.until(lambda event: event.get("deed")))["deed"] == "next"
+        await leader.close()
+
+    run(test)
+
+
+def test_a_class_that_ends_says_so_and_the_end_of_a_server_lets_its_followers_go() -> None:
+    async def whole() -> None:
+        streams: list[Stream] = []
+        async with served() as (_, url):
+            lesson, other = await Class.open(url), await Class.open(url)
+            streams += [await lesson.follow(), await other.follow()]
+            await lesson.order("end")
+            await streams[0].until(lambda event: event.get("ended"))
+            assert (await called(url, f"/class/{lesson.code}/token", "POST")).status == 404
+            assert not streams[1].ended
+        async with asyncio.timeout(5):
+            while not all(stream.ended for stream in streams):
+                await asyncio.sleep(0.01)
+        for stream in streams:
+            await stream.close()
+
+    asyncio.run(whole())
+
+
+def test_the_page_of_a_follower_has_no_session_and_another_site_leads_nothing() -> None:
+    async def test(server: Server, url: str) -> None:
+        page = await called(url, "/?class=K7HM")
+        assert page.status == 200 and not server.lecture.get_sessions("/")
+        assert "script-src 'self' 'sha256-" in page.headers["Content-Security-Policy"]
+        answer = await called(url, "/class", "POST", Origin="https://elsewhere.example")
+        assert answer.status == 403
+        lesson = await Class.open(url)
+        assert lesson.opened["address"] == f"{url}?class={lesson.code}"
+        assert "<script" not in lesson.opened["square"] and lesson.opened["square"].startswith("<svg")
+
+    run(test)
+
+
+def test_the_address_to_join_at_is_the_public_one() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        assert lesson.opened["address"] == f"https://lecture.example/osc/?class={lesson.code}"
+
+    run(test, public_url="https://lecture.example/osc/")
