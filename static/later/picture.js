@@ -99,6 +99,7 @@ class Easel {
     const height = Math.ceil(this.y + EDGE)
     this.svg.prepend(svg("title", {}, title), svg("rect", {class: "ground", width, height}))
     set(this.svg, {width, height, viewBox: `0 0 ${width} ${height}`, xmlns: "http://www.w3.org/2000/svg"})
+    leaveOut(this.svg)
     inline(this.svg)
     const picture = {svg: new XMLSerializer().serializeToString(this.svg), width, height}
     this.host.remove()
@@ -163,7 +164,8 @@ function sample(key) {
  */
 export function stagePicture(stage, page, captioned = true) {
   const under = page.plots.filter(plot => plot.box && beside(plot, stage))
-  const box = around([stage.host, ...under.map(plot => plot.host)])
+  const written = [...stage.svg.querySelectorAll("text")].filter(text => text.getBoundingClientRect().width)
+  const box = around([stage.host, ...under.map(plot => plot.host), ...written])
   const easel = new Easel(Math.max(Math.ceil(box.width) + 4 * EDGE, WIDE))
   if (captioned) easel.write(`${page.spec.headline}.`, "t1 b title")
   const drawn = svg("g", {transform: `translate(${2 * EDGE} ${easel.y + EDGE})`})
@@ -193,7 +195,7 @@ function plotAt(plot, easel, named) {
 const beside = (plot, stage) =>
   plot.host.closest(".column") === stage.host.parentElement && plot.host.offsetParent !== null
 
-/** The rectangle that holds all of these. @param {HTMLElement[]} hosts */
+/** The rectangle that holds all of these. @param {Element[]} hosts */
 function around(hosts) {
   const boxes = hosts.map(host => host.getBoundingClientRect())
   const left = Math.min(...boxes.map(box => box.left))
@@ -208,6 +210,17 @@ function shifted(part, host, box) {
   const {left, top} = host.getBoundingClientRect()
   set(part, {transform: `translate(${(left - box.left) / unitSize()} ${(top - box.top) / unitSize()})`})
   return part
+}
+
+/** Lines that lead elsewhere on the page, most of whose way is outside the picture. @param {SVGElement} root */
+function leaveOut(root) {
+  const paper = root.getBoundingClientRect()
+  for (const line of root.querySelectorAll("line")) {
+    const {left, right, top, bottom} = line.getBoundingClientRect()
+    const across = Math.min(right, paper.right) - Math.max(left, paper.left)
+    const down = Math.min(bottom, paper.bottom) - Math.max(top, paper.top)
+    if (2 * Math.max(across, down) < Math.max(right - left, bottom - top)) line.remove()
+  }
 }
 
 /**
