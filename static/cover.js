@@ -4,9 +4,12 @@ import {element, long} from "./dom.js"
 
 const FIGURE_SPACE = "\u2007"
 
+const LONGEST = 16 // signs of what passes for a number: a sentence keeps no width, which could not be broken
+
 /** A number that is covered keeps its width. @param {Element} number */
 export function coverNumber(number) {
-  const side = FIGURE_SPACE.repeat(Math.floor(Math.max((number.textContent?.length ?? 0) - 1, 0) / 2))
+  const {length} = number.textContent ?? ""
+  const side = FIGURE_SPACE.repeat(length > LONGEST ? 0 : Math.floor(Math.max(length - 1, 0) / 2))
   number.textContent = `${side}?${side}`
 }
 
