@@ -153,7 +153,8 @@ export function linesOf(plot, {columns, axes}) {
     const key = `${source} ${name}`
     if (hidden.has(group) || !xs?.length || xs.length !== ys?.length || lines.has(key)) return
     const points = Array.from(xs, (_, i) => [plot.px(right(xs[i])), plot.py(up(ys[i]))])
-    lines.set(key, {...line, d: path(points), end: points[points.length - 1][1]})
+    const look = isRetraced(xs) ? `${line.look} part` : line.look
+    lines.set(key, {...line, look, d: path(points), end: points[points.length - 1][1]})
   }
   const sums = block.curves.some(({width}) => width === "sum")
   for (const curve of block.curves) {
@@ -166,6 +167,13 @@ export function linesOf(plot, {columns, axes}) {
     for (const edge of [region.low, region.high]) add(region, edge, {look, named: false, above})
   }
   return [...lines.values()]
+}
+
+/** Whether a curve goes to and fro so often that its dots would fill a line. @param {Float32Array} xs */
+function isRetraced(xs) {
+  let turns = 0
+  for (let i = 2; i < xs.length; i++) if ((xs[i] - xs[i - 1]) * (xs[i - 1] - xs[i - 2]) < 0) turns++
+  return turns > 3
 }
 
 /** From the places of one axis to those of another. @param {page.Ruler | undefined} from @param {page.Ruler} to */
