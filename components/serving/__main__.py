@@ -14,8 +14,7 @@ from pathlib import Path
 
 from app import FIGURES, SHEETS, walked
 from components.rooms.hall import Hall
-from components.rooms.shared import SharedStore
-from components.rooms.store import MemoryStore
+from components.rooms.store import MemoryStore, Store
 from components.serving.logs import set_up
 from components.serving.publisher import Publisher
 from components.serving.server import Server
@@ -25,11 +24,19 @@ from components.walks.loading import WalkError
 log = logging.getLogger(__name__)
 
 
+def store_at(url: str) -> Store:
+    """Where live classes are kept. The client of a shared store is read only where there is one."""
+    if not url:
+        return MemoryStore()
+    from components.rooms.shared import SharedStore
+
+    return SharedStore(url)
+
+
 async def serve(settings: Settings) -> None:
     """Serve until the process is asked to end."""
     lecture = walked([Path(settings.walks)] if settings.walks else [])
-    store = SharedStore(settings.redis_url) if settings.redis_url else MemoryStore()
-    hall = Hall(store, lecture.lessons)
+    hall = Hall(store_at(settings.redis_url), lecture.lessons)
     open_page = partial(lecture.open_page, lead=partial(Publisher, hall))
     server = Server(open_page, settings, FIGURES, {**SHEETS, **lecture.files}, hall)
     asked: asyncio.Queue[float] = asyncio.Queue()
