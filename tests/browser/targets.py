@@ -8,6 +8,7 @@ from playwright.sync_api import Page
 
 TARGETS = r"""least => {
   const pressed = "a[href], button, input, summary, [role=slider]"
+  const moved = ".grip, .pill"
   const faults = []
   const seen = one => one.checkVisibility({opacityProperty: true, visibilityProperty: true}) && !one.disabled
   for (const one of document.querySelectorAll(pressed)) {
@@ -19,7 +20,9 @@ TARGETS = r"""least => {
     const [x, y] = [(left + right) / 2, (top + bottom) / 2]
     const hits = (dx, dy) => {
       const hit = document.elementFromPoint(x + dx, y + dy)
-      return hit && (one.contains(hit) || (hit.control ?? hit.closest("label")?.control) === one)
+      // Of handles that lie on each other, as their values do, the upper one takes the hand.
+      const shared = one.matches(moved) && hit?.closest(moved)
+      return hit && (one.contains(hit) || shared || (hit.control ?? hit.closest("label")?.control) === one)
     }
     const reach = (dx, dy) => {
       let far = 0
