@@ -8,6 +8,7 @@ const MOMENT = 400 // ms without a further change
 const INSTANTS = 24 // at which it is seen what is where
 const CELL = 4 // pixels
 const AIR = 6 // pixels around what is drawn
+const BESIDE = 24 // pixels beside words, or the hint is read on from them
 const CORNER = 28 // pixels of the button in the upper right corner
 const OVER = 32 // pixels over the stage, where it does not stay in sight while the page scrolls
 const WORDS = "Drag what moves, and let it go."
@@ -89,16 +90,17 @@ export class Hint {
     const {page} = this
     const {view} = page.shown
     const taken = new Taken(own.width, own.height, over)
-    const take = (/** @type {DOMRect} */ {left, right, top, bottom, width, height}, /** @type {number} */ air) => {
+    /** @param {DOMRect} box @param {number} air over and under it @param {number} [beside] it */
+    const take = ({left, right, top, bottom, width, height}, air, beside = air) => {
       if (!width && !height) return
       const [x, y] = [own.left, own.top]
-      taken.take({left: left - x - air, right: right - x + air, top: top - y - air, bottom: bottom - y + air})
+      taken.take({left: left - x - beside, right: right - x + beside, top: top - y - air, bottom: bottom - y + air})
     }
     taken.take({left: own.width - CORNER, right: own.width, top: 0, bottom: CORNER})
     const range = document.createRange()
     for (const part of page.paper.querySelectorAll(WRITTEN)) {
       range.selectNodeContents(part)
-      take(range.getBoundingClientRect(), 1) // a line has air of its own
+      take(range.getBoundingClientRect(), 1, BESIDE) // a line has air of its own
     }
     for (let i = 0; i < INSTANTS; i++) {
       const named = evaluate(view.signals, view.scalars, (page.clock.end * i) / INSTANTS)
