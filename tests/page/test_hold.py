@@ -11,36 +11,18 @@ import pytest
 from components.description import column_axes
 from components.page.state import State
 from components.places import COARSE, span
-from components.scene import Scene, frame_of
+from components.scene import frame_of
 from components.scenes import SCENES
 from components.session import opened
 from components.url import read_query
-from tests.page.told import Page, unpacked
-from tests.scenes.checks import as_arguments, quantities
+from tests.page.told import Page, change, put, unpacked
+from tests.scenes.checks import as_arguments, moved
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 
 
-def change(page: Page, **to: Any) -> dict[str, Any]:
-    """Another state of the scene that stands, as the page asks for it."""
-    state = msgspec.to_builtins(page.session.state) | to
-    return page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
-
-
 def hold(page: Page) -> dict[str, Any]:
     return change(page, held=msgspec.to_builtins(page.session.state)["parameters"])
-
-
-def put(page: Page, **values: float) -> dict[str, Any]:
-    return page.say({"type": "set", "values": values, "number": len(page.packets) + 1})
-
-
-def moved(scene: type[Scene]) -> dict[str, float]:
-    """One quantity of the first group that stands at another value."""
-    forms = scene().shown.forms
-    shown = [name for group in scene.groups if not group.form or forms.get(group.form) for name in group.names]
-    name = next(name for name in shown if name in quantities(scene))
-    return {name: 0.5 * (scene.param[name].default + scene.param[name].softbounds[1])}
 
 
 def ledger(told: dict[str, Any]) -> dict[str, tuple[str, str, str]]:

@@ -11,9 +11,8 @@ import pytest
 from components.scenes import SCENES
 from components.session import opened
 from components.url import read_query
-from tests.page.test_hold import change, moved, put
-from tests.page.told import Page
-from tests.scenes.checks import as_arguments
+from tests.page.told import Page, change, put
+from tests.scenes.checks import as_arguments, moved
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 

@@ -87,3 +87,13 @@ def _usual(sheet: str) -> bytes:
     """The text in the sheet at an address, of whatever scenes there are."""
     named = [scene for scene in Scene.__subclasses__() if sheet.startswith(f"sheets/{scene.slug}.")]
     return next((usual(scene) for scene in named if sheet_address(scene) == sheet), b"")
+
+
+def change(page: Page, **to: Any) -> dict[str, Any]:
+    """Another state of the scene that stands, as the page asks for it."""
+    state = msgspec.to_builtins(page.session.state) | to
+    return page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
+
+
+def put(page: Page, **values: float) -> dict[str, Any]:
+    return page.say({"type": "set", "values": values, "number": len(page.packets) + 1})

@@ -103,3 +103,11 @@ def solves(scene: Scene) -> list[Any]:
     counted: list[Any] = []
     scene.on_picture(counted.append)
     return counted
+
+
+def moved(scene: type[Scene]) -> dict[str, float]:
+    """One quantity of the first group that stands at another value."""
+    forms = scene().shown.forms
+    shown = [name for group in scene.groups if not group.form or forms.get(group.form) for name in group.names]
+    name = next(name for name in shown if name in quantities(scene))
+    return {name: 0.5 * (scene.param[name].default + scene.param[name].softbounds[1])}

@@ -15,8 +15,7 @@ from components.session import opened
 from components.url import read_query
 from physics.coupled import TwoMassChain, free_modes
 from physics.modal_start import amplitudes_and_phases, modes_given, start_given
-from tests.page.test_hold import change, put
-from tests.page.told import Page
+from tests.page.told import Page, change, put
 from tests.scenes.checks import as_arguments
 
 U = 2.0**-53

@@ -37,12 +37,12 @@ def test_a_coding_is_sent_to_who_takes_it(accepted: str, taken: bool) -> None:
 
 
 def test_a_file_is_kept_for_good_and_one_of_another_version_is_not_there(server: Server) -> None:
-    name, asset = next((name, asset) for name, asset in assets().items() if name.endswith("/main.js"))
+    name, asset = next((name, asset) for name, asset in assets().items() if name.endswith("/start.js"))
     reply = ask(server.url, f"/assets/{name}")
     assert reply.text == asset.plain.decode()
     assert reply.headers["Cache-Control"] == f"public, max-age={YEAR}, immutable"
     assert reply.headers["Vary"] == "Accept-Encoding"
-    other = ask(server.url, "/assets/0123456789ab/main.js")
+    other = ask(server.url, "/assets/0123456789ab/start.js")
     assert (other.status, other.headers["Cache-Control"]) == (404, "no-store")
     assert "another version" in other.text
 
