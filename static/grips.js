@@ -78,7 +78,9 @@ export class Grips {
     const wide = Math.max(size, FINGER / Math.min(unitSize(), 1))
     const {style} = found.grip
     style.width = style.height = long(wide)
-    style.transform = `translate(${long(x - wide / 2)}, ${long(y - wide / 2)})`
+    // At the foot of the picture a hand takes it above: below are the buttons of the transport.
+    const top = y <= all.H ? Math.min(y - wide / 2, all.H - wide) : y - wide / 2
+    style.transform = `translate(${long(x - wide / 2)}, ${long(top)})`
     if (isHeld) this.#say(found, wide)
   }
 
