@@ -137,9 +137,18 @@ export class Handles {
     const shown = this.#text(pill, text, inside)
     if (pill.element.textContent !== shown) pill.element.textContent = shown
     pill.element.setAttribute("aria-valuenow", String(value))
-    pill.element.setAttribute("aria-valuetext", text ?? "")
+    pill.element.setAttribute("aria-valuetext", `${text ?? ""} ${this.#unit(pill)}`.trim())
     pill.element.setAttribute("aria-valuemin", String(axis.start))
     pill.element.setAttribute("aria-valuemax", String(axis.end))
+  }
+
+  /** What is said after a handle's number: of its parameter, or of the axis where it shows a number of the scene's. */
+  #unit(/** @type {Pill} */ pill) {
+    const {handle} = pill
+    if (!handle) return ""
+    if (handle.unit || handle.text) return handle.unit.trim() || this.#axis(pill).unit
+    const {page, shown} = this.plot
+    return shown.settings[handle.parameter].unit ?? page.controls.sliders.get(handle.parameter)?.spec.unit ?? ""
   }
 
   /** @param {Pill} pill @param {string} text @param {number} at */

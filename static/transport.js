@@ -60,7 +60,7 @@ export class Transport {
       name: "window",
       inputmode: "decimal",
       autocomplete: "off",
-      "aria-label": "Time window",
+      "aria-label": "Time window, in seconds",
       placeholder: "auto",
     })
     this.window.addEventListener("change", () => page.send({type: "typed", name: "window", text: this.window.value}))

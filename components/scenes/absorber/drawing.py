@@ -140,13 +140,13 @@ def _held(i: int, name: str) -> Grab:
     )
 
 
-def _driven(plot_: str, *readings: str) -> tuple[Shape, ...]:
+def _driven(plot_: str, readings: dict[str, str]) -> tuple[Shape, ...]:
     """The machine's speed, taken by its points on the curves of a plot."""
     way = on_plot(plot_, "x", "omega", "omega", "w")
     x = on_x(plot_, var("omega"))
     return tuple(
-        circle(x, on_y(plot_, var(name)), 0, show="omega_seen", grab=grab("Running speed", way, inside=plot_))
-        for name in readings
+        circle(x, on_y(plot_, var(name)), 0, show="omega_seen", grab=grab(f"Running speed, {of}", way, inside=plot_))
+        for name, of in readings.items()
     )
 
 
@@ -229,7 +229,7 @@ def swing_plot() -> Block:
         room=Room(52, 8, top=42),
         handles=(replace(KNOB, bare=True),),
         marks=tuple(Mark(at=at, tint=tint, html=html, lift=35, flag="one") for at, tint, html in frequencies()),
-        shapes=_driven("swing", "swing", "alone"),
+        shapes=_driven("swing", {"swing": "with the absorber", "alone": "alone"}),
         grow=160,
         phone=10,
         height=200,
@@ -252,7 +252,7 @@ def stroke_plot() -> Block:
         room=Room(52, 8),
         marks=tuple(Mark(at=at, tint=tint) for at, tint, _ in frequencies()),
         handles=(KNOB,),
-        shapes=_driven("stroke", "stroke"),
+        shapes=_driven("stroke", {"stroke": "by the stroke"}),
         grow=92,
         phone=11,
         height=150,
