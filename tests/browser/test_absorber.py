@@ -37,7 +37,7 @@ def test_student_finds_the_lightest_absorber(
     knob.press("ArrowLeft")
     expect(page.get_by_role("button", name="Free")).to_have_attribute("aria-pressed", "true")
     expect(knob).to_contain_text("47.7")
-    page.get_by_role("img", name="Swing of the machine").click(position={"x": 300, "y": 80})
+    page.get_by_role("img", name="Swing of the machine").click(position={"x": 330, "y": 90})
     expect(knob).not_to_contain_text("47.7")
     page.get_by_role("button", name="Detach").click()
     expect(page.get_by_text("helped nowhere")).to_be_visible()

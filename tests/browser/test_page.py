@@ -149,7 +149,7 @@ def test_a_script_in_a_link_stays_text(page: Page, open_scene: Open) -> None:
 
 def test_the_handle_on_the_response_curve(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="forced")
-    pill = page.get_by_role("slider", name="Drive frequency")
+    pill = page.get_by_role("slider", name="Drive frequency", exact=True)
     pill.focus()
     pill.press("ArrowRight")
     page.wait_for_function("oscillations.shown.settings.omega.value > 0.8")
@@ -166,7 +166,7 @@ def test_the_handle_on_the_response_curve(page: Page, open_scene: Open) -> None:
 
 
 def test_a_handle_over_the_last_number_says_the_unit(page: Page, open_scene: Open) -> None:
-    pill = page.get_by_role("slider", name="Drive frequency")
+    pill = page.get_by_role("slider", name="Drive frequency", exact=True)
     open_scene(page, scene="forced", curve="log", omega=10)
     expect(pill).to_have_text("ω 10.0 rad/s")
     open_scene(page, scene="forced", curve="log", omega=0.3)
