@@ -106,14 +106,14 @@ export class Lecture {
 
   /** Into another state, which speaks for every control. @type {Line["send"]} */
   #go(message, about) {
-    this.page.controls.release()
+    this.page?.controls.release() // a link may be chosen before the first page stands
     this.line.send(message, about)
     this.#wait()
   }
 
   /** What waits for the server is shown as it was set. */
   #wait() {
-    showWaiting(this.page, this.line.waiting)
+    if (this.page) showWaiting(this.page, this.line.waiting)
   }
 
   #connected() {

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Browser, Page, Request, expect
+from playwright.sync_api import Browser, Page, Request, Route, expect
 
 from components.scenes import SCENES
+from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
 SAME_PLACES = """() => oscillations.plots.filter(plot => plot.figure.manager).every(plot => {
@@ -51,6 +52,17 @@ def test_every_scene_is_reached_without_loading_a_page(page: Page, open_scene: O
     assert page.evaluate("mine && document.documentElement.dataset.theme") == "dark"
     assert len(asked) == len(set(asked)), "a sheet is fetched once"
     assert not [url for url in asked if "/assets/" not in url]
+
+
+def test_a_link_can_be_chosen_before_the_first_page_stands(server: Server, page: Page) -> None:
+    def late(route: Route) -> None:
+        page.locator(".nav nav a[data-scene=modes]").click()
+        route.continue_()
+
+    page.route("**/sheets/**", late, times=1)
+    page.goto(f"{server.url}?scene=coupled")
+    arrived(page, "modes")
+    assert page.locator(".page").count() == 1
 
 
 def test_the_back_button_steps_through_scenes_and_presets_and_not_through_values(page: Page, open_scene: Open) -> None:
