@@ -12,13 +12,14 @@ from typing import TYPE_CHECKING, Any
 from bokeh.core.serialization import UnknownReferenceError
 from bokeh.protocol.message import Message
 from bokeh.protocol.messages.patch_doc import patch_doc
-from bokeh.protocol.messages.pull_doc_req import pull_doc_req
 from bokeh.server.session import ServerSession
 from bokeh.server.views.ws import WSHandler
+from tornado.iostream import StreamClosedError
 from tornado.websocket import WebSocketClosedError
 
 from components.serving.answers import RefusedError, Visited
 from components.serving.incoming import Incoming, ViolationError
+from components.serving.outgoing import framed
 from components.serving.tokens import opens_session
 
 if TYPE_CHECKING:
@@ -57,8 +58,8 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
 
     def open(self, *args: str, **kwargs: str) -> None:
         self.application.sockets.add(self)
-        # An answer is several small frames. By default TCP holds the later ones back until the browser has acknowledged
-        # the first, which it delays by up to 40 ms.
+        # By default TCP holds a message back until the browser has acknowledged the one before, which it delays by up
+        # to 40 ms.
         self.set_nodelay(True)
         super().open()
 
@@ -122,11 +123,19 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
                 self.application.metrics.change.observe(monotonic() - arrived)
         self._work = None
 
+    async def send_message(self, message: Message[Any]) -> None:
+        """In one piece. Who has left meanwhile needs none."""
+        if self.ws_connection is not None and not self.ws_connection.is_closing():
+            with suppress(StreamClosedError):
+                await self.ws_connection.stream.write(framed(message))
+
     async def _answer(self, message: Message[Any]) -> None:
-        handle = ServerSession.pull if isinstance(message, pull_doc_req) else ServerSession.patch
         try:
-            if answer := await handle(message, self.connection):
-                await self.send_message(answer)
+            if isinstance(message, patch_doc):
+                # What it does is told by a message of ours; nobody waits for Bokeh's word that it has been done.
+                await ServerSession.patch(message, self.connection)
+            elif document := await ServerSession.pull(message, self.connection):
+                await self.send_message(document)
         except UnknownReferenceError:
             self.drop(1008, "This message speaks of something that is not on the page.")
         except Exception:

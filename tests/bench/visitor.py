@@ -102,7 +102,7 @@ class Visitor:
         welcome = self._expect("ACK")
         self._reader = asyncio.create_task(self._read())
         await asyncio.wait_for(welcome, PATIENCE)
-        document = (await self._send("PULL-DOC-REQ"))["doc"]
+        document = await self._pull()
         models = {model["name"]: model["id"] for model in _models(document["roots"])}
         self._view = models.get("components.view.Wire", "")
         if info := models.get("panel.models.browser.BrowserInfo"):
@@ -113,17 +113,20 @@ class Visitor:
     async def _patch(self, event: dict[str, Any]) -> None:
         await self._send("PATCH-DOC", {"events": [event]})
 
-    async def _send(self, kind: str, content: dict[str, Any] | None = None) -> Any:
-        """Send a message and wait for the reply to it."""
+    async def _pull(self) -> Any:
+        """The document, once it has come."""
+        pulled = self._expect(f"visitor-{self._number + 1}")
+        await self._send("PULL-DOC-REQ")
+        return (await asyncio.wait_for(pulled, PATIENCE))["doc"]
+
+    async def _send(self, kind: str, content: dict[str, Any] | None = None) -> None:
         self._number += 1
         name = f"visitor-{self._number}"
-        replied = self._expect(name)
         for part in ({"msgid": name, "msgtype": kind}, {}, content or {}):
             try:
                 await self._socket.write_message(json.dumps(part))
             except WebSocketClosedError as error:
                 raise ConnectionError("the server closed the session") from error
-        return await asyncio.wait_for(replied, PATIENCE)
 
     def _expect(self, name: str) -> asyncio.Future[Any]:
         if self._ended:
