@@ -100,7 +100,8 @@ def grown(frame: Frame, axes: Mapping[str, Axis], scale: float | None = None) ->
 
     Window and speed stand, and so does a range that holds what is drawn; one that does not grows to round numbers.
     """
-    ranges = {name: _grown(_range_in(frame, name, axis), axis) for name, axis in axes.items()}
+    spans = {name: _range_in(frame, name, axis) for name, axis in axes.items()}
+    ranges = {name: span if name == TIME_AXIS else _grown(span, axes[name]) for name, span in spans.items()}
     scales = [one for one in (frame.scale, scale) if one is not None]
     return Frame(ranges=ranges, window=frame.window, scale=min(scales, default=None), speed=frame.speed)
 

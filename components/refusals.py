@@ -51,7 +51,7 @@ def in_words() -> Iterator[None]:
 
 def check_sendable(value: Any) -> None:
     """ArithmeticError where a number in nested lists, dicts and structs is not finite: it cannot be sent."""
-    left, numbers = [value], []
+    left, numbers, columns = [value], [], [np.empty(0)]
     while left:
         part = left.pop()
         if isinstance(part, float):
@@ -62,8 +62,10 @@ def check_sendable(value: Any) -> None:
             left.extend(part.values())
         elif isinstance(part, msgspec.Struct):
             left.extend(msgspec.structs.astuple(part))
-        elif isinstance(part, np.ndarray) and not np.isfinite(part).all():
-            raise OverflowError("a column has numbers that are not finite")
+        elif isinstance(part, np.ndarray):
+            columns.append(part)
+    if not np.isfinite(np.concatenate(columns)).all():
+        raise OverflowError("a column has numbers that are not finite")
     if not all(map(math.isfinite, numbers)):
         raise OverflowError("a number to be sent is not finite")
 

@@ -37,7 +37,8 @@ def driven_values(free: FreeModes, F_0: float, omega: float, t: Array) -> Array:
 
     ValueError names the quantity that leaves the range of doubles.
     """
-    ends = _ends(free, omega)
+    start, *others = _ends(free, omega)
+    ends = [start, *(max(start, end) for end in others)]  # until all have started it is all the same how each does
     order = np.sort(ends)
     stages = np.searchsorted(order, np.abs(t), side="right")
     values = np.empty((5, t.size))

@@ -10,9 +10,9 @@ about its lowest and its highest point, so half a period is solved, by Taylor se
 and q = V - 1 stand in for u and V, so that a small disturbance keeps its digits.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache, reduce
 from math import hypot, pi, sqrt
 from typing import NamedTuple
 
@@ -82,14 +82,14 @@ def excess_at_period_excess(wanted: float) -> float:
 
 @dataclass(frozen=True)
 class HalfPeriod:
-    """From the lowest point to the highest: Taylor coefficients (pieces, ORDER + 1, 3) of x - t, p and w."""
+    """From the lowest point to the highest: Taylor coefficients (ORDER + 1, 3, pieces) of x - t, p and w."""
 
     starts: Array
     coefficients: Array
     duration: float
     loops: bool
 
-    @property
+    @cached_property
     def advance(self) -> float:
         return float(self._rising(np.array([self.duration]))[0][0])
 
@@ -110,7 +110,8 @@ class HalfPeriod:
 
     def _rising(self, t: Array) -> tuple[Array, Array, Array, Array]:
         piece = np.searchsorted(self.starts, t, side="right") - 1
-        drift, p, w = _polynomial(self.coefficients[piece], (t - self.starts[piece])[:, None]).T
+        series = (order.take(piece, axis=1) for order in self.coefficients[::-1])
+        drift, p, w = _polynomial(series, t - self.starts[piece])
         return t + drift, p, w, np.arctan2(w, 1 + p)
 
 
@@ -120,7 +121,7 @@ def half_period(excess: float) -> HalfPeriod:
     scale = min(excess / LINEAR, 1.0)
     return HalfPeriod(
         starts=np.array([piece.start for piece in pieces]),
-        coefficients=scale * np.array([piece.coefficients for piece in pieces]),
+        coefficients=scale * np.stack([piece.coefficients for piece in pieces], axis=-1),
         duration=pieces[-1].start + pieces[-1].length,
         loops=excess > CUSP_EXCESS,
     )
@@ -145,7 +146,7 @@ def _pieces(excess: float) -> Iterator[_Piece]:
         series = _taylor(state)
         last = np.max(np.abs(series[-2:, 1:]), axis=1) / max(abs(p), abs(w))
         step = float(np.min((LAST_TERM / last) ** (1 / np.array([ORDER - 1, ORDER]))))
-        state = _polynomial(series, step)
+        state = _polynomial(series[::-1], step)
         if state[2] <= 0:
             yield _Piece(t, series, _top(series, step))
             return
@@ -178,12 +179,9 @@ def _free_fall(state: Array) -> Array:
     return series
 
 
-def _polynomial(series: Array, step: float | Array) -> Array:
-    """Values (..., 3) of Taylor series (..., ORDER + 1, 3), by Horner's rule."""
-    value = series[..., ORDER, :]
-    for order in range(ORDER - 1, -1, -1):
-        value = value * step + series[..., order, :]
-    return value
+def _polynomial(falling: Iterable[Array], t: float | Array) -> Array:
+    """Values of Taylor series by Horner's rule, the coefficients from the highest order down."""
+    return reduce(lambda value, coefficient: value * t + coefficient, falling)
 
 
 def _top(series: Array, step: float) -> float:

@@ -10,10 +10,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from msgspec.structs import replace
 
 from components.axes import nice_axis
 from components.frames import FITTED, checked, grown, unfitted
 from components.page.state import Frame, State
+from components.picture import kept
 from components.scene import Picture, Scene, frame_of
 from components.scenes import SCENES
 from components.states import state_of
@@ -94,6 +96,20 @@ def test_a_frame_grows_in_round_steps_and_never_shrinks(has: tuple[float, float]
     assert grown(frame, axes) == frame
 
 
+def test_what_fits_its_frame_is_drawn_once_though_its_own_window_is_longer() -> None:
+    scene = SCENES["coupled"]()
+    fitted = scene.fit()
+    assert fitted.window
+    pictures = []
+
+    def picture(frame: Frame) -> Picture:
+        pictures.append(scene.picture(frame))
+        return pictures[-1]
+
+    assert kept(picture, replace(wider(fitted), window=fitted.window / 2)).frame.window == fitted.window / 2
+    assert len(pictures) == 1
+
+
 def opened(page: Page, **state: Any) -> dict[str, Any]:
     return page.say({"type": "open", "state": {"scene": "coupled", **state}, "number": len(page.packets) + 1})
 
@@ -103,8 +119,8 @@ def test_a_session_keeps_its_frame_until_it_must_grow() -> None:
     frame = wider(page.scene.fit())
     told = opened(page, frame=msgspec.to_builtins(frame))
     assert told["errors"] == {}
-    kept = msgspec.convert(told["state"], State).frame
-    assert kept == unfitted(frame, page.scene.fit())
+    standing = msgspec.convert(told["state"], State).frame
+    assert standing == unfitted(frame, page.scene.fit())
     x = told["view"]["axes"]["x"]
     told = page.say({"type": "set", "values": {"x1_0": 0.5}, "number": 90})
     assert told["view"]["axes"]["x"] == x, "a smaller start is seen as smaller"
