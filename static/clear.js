@@ -15,7 +15,7 @@ export class Clear {
   /** @type {Map<string, {width: number, size: number}>} by style and words: all digits are of one width */
   #sizes = new Map()
 
-  room = {left: -Infinity, right: Infinity}
+  room = {left: -Infinity, right: Infinity, bottom: Infinity}
 
   /** @type {Box[]} */
   standing = []
@@ -46,7 +46,7 @@ export class Clear {
     const paper = surfaces.map(one => one?.getBoundingClientRect()).find(box => box?.width)
     if (!paper) return
     const [left, right] = [paper.left, paper.right].map(x => (x - picture.left) / unitSize())
-    this.room = {left, right}
+    this.room = {left, right, bottom: picture.height / unitSize()}
   }
 
   /** Once a frame. What stands in a box stays there. */
@@ -56,7 +56,7 @@ export class Clear {
     const kept = [...this.standing, ...fixed.map(({text}) => this.box(text))]
     for (const {text} of shown.filter(label => !label.fixed)) {
       const box = this.#inside(text, this.box(text))
-      const down = box.right > box.left ? way(box, kept) : 0
+      const down = box.right > box.left ? way(box, kept, this.room.bottom) : 0
       text.style.display = down === null ? "none" : ""
       if (down === null) continue
       if (down) text.setAttribute("y", String(Number(text.getAttribute("y")) + down))
@@ -100,16 +100,17 @@ export class Clear {
 
 /**
  * How far down, or up, a box stands clear of all others; null where it does not.
- * @param {Box} box @param {Box[]} others
+ * @param {Box} box @param {Box[]} others @param {number} foot of the picture
  */
-function way(box, others) {
+function way(box, others, foot) {
   const near = others.filter(({left, right}) => box.left < right + AIR && left < box.right + AIR)
   const isClear = (/** @type {number} */ down) =>
     !near.some(({top, bottom}) => box.top + down < bottom - 0.01 && top < box.bottom + down - 0.01)
   if (isClear(0)) return 0
   const most = FAR * (box.bottom - box.top)
   const ways = near.flatMap(({top, bottom}) => [top - box.bottom, bottom - box.top])
-  // What stands in the picture is not moved out of it at the top, where a heading is.
-  const best = ways.filter(down => Math.abs(down) <= most && (down > 0 || box.top + down > -EDGE) && isClear(down))
+  // What stands in the picture is not moved out of it: a heading is above, the transport below.
+  const stays = (/** @type {number} */ down) => (down < 0 ? box.top + down > -EDGE : box.bottom + down < foot + EDGE)
+  const best = ways.filter(down => Math.abs(down) <= most && stays(down) && isClear(down))
   return best.length ? best.reduce((one, other) => (Math.abs(other) < Math.abs(one) ? other : one)) : null
 }

@@ -179,10 +179,10 @@ def _forces() -> list[Shape]:
 
 
 def _verdicts() -> list[Shape]:
-    # Over whatever mass 2 does; on a phone there is no room: over the upper machine, and at the foot.
+    # Over whatever mass 2 does; on a phone there is no room: over the upper machine, and beside its floor.
     above, below = FLOORS[0] - 0.5 * side(1) + 6, FLOORS[1] - side(1) - 23
     above = above - var("narrow") * (0.5 * side(1) + 13)
-    below = var("wide") * below + var("narrow") * (H - 2)
+    below = var("wide") * below + var("narrow") * (FLOORS[0] + 4)
     shapes = [
         text(W, above, "Alone, the machine shakes", "end", style="verdict b halo", show="alone_shakes"),
         text(W, above, "Alone, it grows without limit", "end", style="verdict b halo", show="alone_grows"),

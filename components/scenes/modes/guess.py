@@ -13,6 +13,10 @@ from components.sheet import Paragraph, column, either, row, stage, term, words
 from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
 from components.text import rich
 
+ARROWS = W - 0.36 * W * var("narrow")
+"""What force arrows are a fraction of: beside short ones there is room for their numbers on a narrow stage."""
+SWING = ARROWS * var("swing")
+
 
 def sheet() -> Block:
     return column(
@@ -181,7 +185,7 @@ def _shapes() -> list[Shape]:
             shapes += _force(i, name, y)
     for i in (1, 2):
         for name, start in (("give", 2), ("need", 1)):
-            tip = chain.rest(i) + W * var(f"{name}{i}") * var("swing")
+            tip = chain.rest(i) + SWING * var(f"{name}{i}")
             shapes.append(line(tip, foot + start * gap, tip, last + 4, tint="mute", style="eq"))
     for n, words_ in enumerate(("At full swing it needs −*m* *ω*² *X*", "= what the springs give", "+ {you_add}")):
         shapes.append(
@@ -200,13 +204,13 @@ def _force(i: int, name: str, y: Number) -> list[Shape]:
     """One force arrow, from equilibrium (what is missing: from the springs' to the needed one), and its number."""
     tint = {"need": f"m{i}", "give": "k", "add": "F"}[name]
     start, tip = (var(f"give{i}"), var(f"need{i}")) if name == "add" else (0, var(f"{name}{i}"))
-    rest, swing = chain.rest(i), var("swing")
+    rest = chain.rest(i)
     force, look = f"{{{name}{i}_N}}", {"tint": tint, "style": "t1 b halo"}
     # Clear of the arrow, wherever it swings to.
-    at = rest - REACH * W - 8
+    at = rest - REACH * ARROWS - 8
     left = text(0, y + 5, force, "start", show="narrow", **look)
     return [
-        arrow(rest + W * swing * start, y, rest + W * swing * tip, y, tint=tint, style="thick", head=14),
+        arrow(rest + SWING * start, y, rest + SWING * tip, y, tint=tint, style="thick", head=14),
         text(at, y + 5, force, "end", show="wide" if i == 1 else "", **look),
         *([left] if i == 1 else []),
     ]
