@@ -13,10 +13,11 @@ import panel as pn
 from bokeh.document import Document
 
 from components.description import sheet_address, sheet_json
+from components.opening import opened
 from components.rooms.lessons import Lessons
 from components.scenes import SCENES
 from components.serving.shell import navigation, page_template, when_open
-from components.session import Publish, Session, opened
+from components.session import Publish, Session
 from components.url import read_query
 from components.view import SceneView
 from components.walks import Query, Walks

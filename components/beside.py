@@ -52,20 +52,12 @@ class Beside(Generic[HeldScene]):
     @property
     def values(self) -> dict[str, object]:
         """What is held and not at its default."""
-        scene, known = self.scene, holdable(type(self.scene))
-        return {name: getattr(scene, name) for name in known if getattr(scene, name) != known[name].default}
-
-    def show_as(self, scene: HeldScene) -> None:
-        """Take over how a scene shows its picture."""
-        views = [name for name in scene.linked() if name not in holdable(type(scene)) and name != HIDDEN]
-        changed = {name: getattr(scene, name) for name in views if getattr(scene, name) != getattr(self.scene, name)}
-        if changed:
-            self._drawn = None
-            self.scene.set(changed)
+        return own_values(self.scene)
 
     def with_held(self, scene: HeldScene, drawn: Framed) -> Framed:
         """What is drawn of a scene, with what is held beside it."""
-        self.show_as(scene)
+        if show_as(self.scene, scene):
+            self._drawn = None
         return beside(drawn, scene.picture, self.picture)
 
     def picture(self, frame: Frame) -> Picture:
@@ -74,6 +66,21 @@ class Beside(Generic[HeldScene]):
             with in_words():
                 self._drawn = frame, self.scene.picture(frame)
         return self._drawn[1]
+
+
+def own_values(scene: Holding) -> dict[str, object]:
+    """What is not at its default, but for how it is shown."""
+    known = holdable(type(scene))
+    return {name: getattr(scene, name) for name in known if getattr(scene, name) != known[name].default}
+
+
+def show_as(scene: HeldScene, other: HeldScene) -> bool:
+    """Have a scene show its picture as another of its kind does; whether that is another way than before."""
+    views = [name for name in other.linked() if name not in holdable(type(other)) and name != HIDDEN]
+    others = {name: getattr(other, name) for name in views if getattr(other, name) != getattr(scene, name)}
+    if others:
+        scene.set(others)
+    return bool(others)
 
 
 def changed(scene: HeldScene, other: HeldScene) -> tuple[str, ...]:

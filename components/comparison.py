@@ -29,9 +29,11 @@ MOST_ROWS = 10
 COVERED = "?"
 
 
-def told_beside(scene: Scene, shown: Picture, covered: tuple[str, ...]) -> tuple[Held | None, list[Steps]]:
+def told_beside(
+    scene: Scene, shown: Picture, covered: tuple[str, ...], asked: Scene | None = None
+) -> tuple[Held | None, list[Steps]]:
     """What is told of the picture held, without what is covered, and the numbers that follow; `shown` is the picture
-    that stands, as it is told."""
+    that stands, as it is told: while a change is to be predicted that of the scene `asked`, from before it."""
     if scene.beside is None:
         return None, []
     kind, other = type(scene), scene.beside.scene
@@ -40,8 +42,9 @@ def told_beside(scene: Scene, shown: Picture, covered: tuple[str, ...]) -> tuple
     numbers: list[Steps] = []
     signals: dict[str, AnySignal] = {}
     scalars: dict[str, float] = {}
-    if scene.shown_beside and moved:
-        held, _ = without(kind, scene.shown_beside, covered)
+    drawn = (asked or scene).shown_beside
+    if drawn and moved:
+        held, _ = without(kind, drawn, covered)
         columns, numbers = columns_of(_differing(held, shown), column_axes(kind), shown.axes)
         if _units(held) == _units(shown):
             needed, scalars = _needed(held, on_stage(kind))
@@ -52,7 +55,7 @@ def told_beside(scene: Scene, shown: Picture, covered: tuple[str, ...]) -> tuple
         signals=signals,
         scalars=scalars,
         values={name: getattr(other, name) for name in moved if isinstance(scene.param[name], Quantity)},
-        ledger=ledger(scene, other, covered),
+        ledger=ledger(scene, other, covered, asked),
     )
     return told, numbers
 
@@ -130,16 +133,22 @@ class _Pair:
         )
 
 
-def ledger(scene: Scene, other: Scene, covered: tuple[str, ...]) -> tuple[LedgerRow, ...]:
+def ledger(scene: Scene, other: Scene, covered: tuple[str, ...], asked: Scene | None = None) -> tuple[LedgerRow, ...]:
     """At most ten rows: what has been moved, what follows from it, and then what is the same."""
     _, left_out = without(type(scene), scene.shown, covered)
-    hidden = {*left_out, *(name.removeprefix(VALUE) for name in covered)}
+    hidden = {*left_out, *(name.removeprefix(VALUE) for name in covered), *_followed(scene, asked)}
     followed = dict(zip((one.name for one in other.figures()), other.figures(), strict=True))
     pairs = [
         *_moved(scene, other),
         *(_Pair(followed[one.name], one, 1.0, one.name in hidden) for one in scene.figures() if one.name in followed),
     ]
     return tuple(pair.row() for pair in sorted(pairs, key=lambda pair: pair.same)[:MOST_ROWS])
+
+
+def _followed(scene: Scene, asked: Scene | None) -> Iterator[str]:
+    """The figures that a change has made others, also where their texts are the same."""
+    before = {one.name: one.value for one in asked.figures()} if asked else {}
+    yield from (one.name for one in scene.figures() if asked and before.get(one.name) != one.value)
 
 
 def _moved(scene: Scene, other: Scene) -> Iterator[_Pair]:

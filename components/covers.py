@@ -77,7 +77,7 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
         return picture, ()
     drawn = [one for plot in plots(scene) for one in _drawn(plot)]
     hidden = [one for one in drawn if one.covers.intersection(covered) or PLOT + one.plot in covered]
-    names = set(_named(covered, VALUE)) | {name.partition(".")[2] for name in _named(covered, "mark:")}
+    names = set(_named(covered, VALUE)) | _marks(covered)
     names |= {name for one in hidden for name in one.signals}
     names = _made_of(picture.signals, names)
     gone = {column for one in hidden for column in one.columns}
@@ -94,6 +94,25 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
         forms={**picture.forms, **{name: "" for name in _named(covered, "form:")}},
     )
     return left, tuple(sorted(texts))
+
+
+def as_it_stood(
+    scene: type[Scene], before: Picture, covered: tuple[str, ...], forms: Mapping[str, str]
+) -> tuple[Picture, tuple[str, ...]]:
+    """The same of a picture that has been seen, while what follows it is to be predicted: its stage stands as it was,
+    but for what was covered even then, and loses the marks alone. The `forms` of the picture that follows say which
+    controls stand."""
+    told, left_out = without(scene, before, covered)
+    stood, _ = without(scene, before, covered[: covered.index(NEXT)])
+    marks = _marks(covered)
+    groups = {group.form for group in scene.groups if group.form}
+    left = replace(
+        told,
+        signals=_less(stood.signals, _made_of(stood.signals, marks)),
+        scalars=_less(stood.scalars, marks),
+        forms={**told.forms, **{name: form for name, form in forms.items() if name in groups}},
+    )
+    return left, left_out
 
 
 @dataclass(frozen=True)
@@ -120,6 +139,10 @@ def _band(plot: str, band: Region) -> _Drawn:
     """An envelope goes with its curve."""
     covers = {f"band:{plot}.{band.low}", *(f"curve:{plot}.{name}" for name in (band.of, band.group) if name)}
     return _Drawn(plot, frozenset(covers), frozenset((band.source, name) for name in (band.x, band.low, band.high)))
+
+
+def _marks(covered: Iterable[str]) -> set[str]:
+    return {name.partition(".")[2] for name in _named(covered, "mark:")}
 
 
 def _named(covered: Iterable[str], kind: str) -> list[str]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABCMeta, abstractmethod
 from collections.abc import Callable
 from functools import cache, cached_property
-from typing import Any
+from typing import Any, Self
 
 import param
 from bokeh.models import ColumnDataSource
@@ -180,6 +180,14 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
             self._fill_sources()
 
         return go
+
+    def twin(self) -> Self:
+        """The scene as it now is, for itself: what changes this one leaves it."""
+        other = type(self)()
+        other._good, other._drawn, other._frame = self._good, self._drawn, self._drawn.frame
+        other._keeps, other.beside, other.running = True, self.beside, self.running
+        other._restore()
+        return other
 
     def figures(self) -> tuple[Figure, ...]:
         """The numbers that are compared with those of another picture."""

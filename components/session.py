@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 
 from msgspec.structs import replace
 
 from components.about import About, about_numbers
-from components.beside import holdable
 from components.carrying import Shared, brought, taken_along
 from components.choices import stated
 from components.comparison import told_beside
 from components.controls import settings
-from components.covers import checked_covers, coverable, refused_covers, without
+from components.covers import NEXT, checked_covers
 from components.deeds import Deed, Errors, apply, sentence
 from components.description import column_axes, sheet_address, usual
 from components.frames import checked
@@ -20,7 +19,6 @@ from components.numbers import excerpt
 from components.page.messages import (
     AskAbout,
     AskCsv,
-    Choose,
     Given,
     Lead,
     Open,
@@ -31,15 +29,16 @@ from components.page.messages import (
     Walking,
 )
 from components.page.picture import Held, View
-from components.page.state import State
-from components.predicting import covers_after
-from components.refusals import LINK_LOST, SORRY, report
+from components.page.state import Frame, State
+from components.parameters import Values
+from components.predicting import asked_in, asked_of, covers_after, put_last, standing, told_of, waiting
+from components.refusals import SORRY, report
 from components.running import Later
 from components.scene import Picture, Scene
 from components.sent import view_of
-from components.states import held_in, state_of, values_in
+from components.states import before_in, held_in, state_of, stated_own, values_in
 from components.take import as_file
-from components.url import Link, step_query, write_query
+from components.url import step_query, write_query
 from components.walks import Walks
 from components.walks.cards import walk_sheet
 from components.walks.judging import taught
@@ -82,6 +81,8 @@ class Session:
         self._last: int | None = None
         self._shared: Shared = {}
         self._kept = State(scene=scene.slug, covered=covered, step=step)
+        self.asked: Scene | None = None
+        """The scene from before the change that is to be predicted, which is told in place of the one that stands."""
         self.later: Later = lambda act: act()
         self.lead: Callable[[str, str], Publish | None] = lambda code, key: None
         self._publish: Publish | None = None
@@ -101,12 +102,12 @@ class Session:
         our page sends; its number goes back only where it is one."""
         number = data.get("number") if isinstance(data, dict) else None
         answer = number if isinstance(number, int) and 0 <= number < MOST_MESSAGES else None
-        scene, kept, back, shown = self.scene, self._kept, self.scene.way_back(), self.scene.shown
+        scene, kept, asked, back, shown = self.scene, self._kept, self.asked, self.scene.way_back(), self.scene.shown
         try:
             reply = self._heard(data, answer)
         except Exception as error:
             report(error)
-            self.scene, self._kept = scene, kept
+            self.scene, self._kept, self.asked = scene, kept, asked
             back()
             self._errors = {}
             reply = self._packed(answer, (SORRY,))
@@ -126,7 +127,7 @@ class Session:
         """What a message asks for, done and told; one that comes again is told only: its first answer was lost."""
         match said:
             case AskCsv(page=page):
-                return packed(as_file(self.scene, self.picture, page, answer))
+                return packed(as_file(self.asked or self.scene, self.picture, page, answer))
             case AskAbout():
                 return packed(about_numbers(self._about, answer))
             case Given():
@@ -149,18 +150,21 @@ class Session:
     def _applied(self, deed: Deed) -> Errors:
         """What a deed does; when a hand lets go, the frame grows where it must."""
         scene, held, shown = self.scene, self.scene.in_hand, self.scene.shown
+        before = self.asked or waiting(scene, self._kept.covered)
         scene.in_hand = isinstance(deed, SetValues) and deed.holding
         errors = apply(scene, deed)
-        if not isinstance(deed, Choose) or deed.name in holdable(type(scene)):
-            self._predict(shown, self._kept.covered)
+        self._predict(before, begins=self.asked is None)
         if held and not scene.in_hand and scene.shown is shown:
             scene.redraw()
         return errors
 
-    def _predict(self, before: Picture, covered: tuple[str, ...]) -> None:
-        """What a change of values has changed is covered, where that is to be predicted."""
-        after = covers_after(type(self.scene), before, self.scene.shown, covered)
-        self._kept = replace(self._kept, covered=after)
+    def _predict(self, before: Scene | None, begins: bool) -> None:
+        """What has changed since is covered, where that is to be predicted."""
+        covered = self._kept.covered
+        self.asked = asked_of(self.scene, before, begins) if NEXT in covered else None
+        if self.asked:
+            covered = covers_after(self.scene, self.asked, put_last(covered) if begins else covered)
+            self._kept = replace(self._kept, covered=covered)
 
     def _walking(self, said: RunWalk, answer: int | None) -> Walking:
         """One of the visitor's own, which this session alone knows."""
@@ -193,12 +197,13 @@ class Session:
         scene = self.scene if state.scene == self.scene.slug else self.scenes[state.scene]()
         try:
             values, frame = values_in(type(scene), state), state.frame and checked(state.frame)
-            held = held_in(type(scene), state)
+            held, before = held_in(type(scene), state), before_in(type(scene), state)
         except ValueError as refusal:
             return {"state": f"{refusal} Still drawn as before."}
-        back, shown = scene.way_back(), scene.shown
+        back, old = scene.way_back(), self.asked if scene is self.scene else None
         try:
-            scene.open(values, frame, held)
+            asked = self._before(scene, before, frame)
+            scene.open(values, standing(old if before is None else asked, frame), held)
             covered = checked_covers(type(scene), scene.shown, state.covered)
         except ValueError as error:
             back()
@@ -206,19 +211,34 @@ class Session:
         self._kept = State(scene=state.scene, covered=covered, step=state.step)
         if scene is not self.scene:
             self._change_to(scene)
-        else:
-            self._predict(shown, covered)
+        self._predict(asked, begins=state.before is None)
         return {}
+
+    def _before(self, scene: Scene, before: Values | None, frame: Frame | None) -> Scene | None:
+        """The scene from before a change that is, or may be, to be predicted: of a state, or the one that stands."""
+        asked = self.asked if scene is self.scene else None
+        if before is None:
+            return waiting(scene, self._kept.covered) if scene is self.scene and not asked else None
+        if asked and stated_own(asked) == before and asked.frame == frame:
+            return asked
+        return asked_in(scene, before, frame)
+
+    @property
+    def _query(self) -> str:
+        """The link of the state."""
+        kept = self._kept
+        return step_query(kept.step) if kept.step else write_query(self.scene, kept.covered, self.asked)
 
     @property
     def state(self) -> State:
         """What the page stands for: the scene, and what the session keeps beside it."""
-        return replace(state_of(self.scene), covered=self._kept.covered, step=self._kept.step)
+        state = replace(state_of(self.scene), covered=self._kept.covered, step=self._kept.step)
+        return replace(state, frame=self.asked.frame, before=stated_own(self.asked)) if self.asked else state
 
     @property
     def picture(self) -> Picture:
-        """What is shown, without what is covered."""
-        return without(type(self.scene), self.scene.shown, self._kept.covered)[0]
+        """What is told: without what is covered."""
+        return told_of(self.scene, self.asked, self._kept.covered)[0]
 
     def _change_to(self, scene: Scene) -> None:
         self.close()
@@ -244,56 +264,28 @@ class Session:
             self._publish(lambda: self._packed(errors={}))
 
     def _packed(self, answer: int | None = None, problems: Problems = (), errors: Errors | None = None) -> Packet:
-        shown, left_out = without(type(self.scene), self.scene.shown, self._kept.covered)
-        scene = type(self.scene)
+        scene, covered = type(self.scene), self._kept.covered
+        shown, left_out = told_of(self.scene, self.asked, covered)
         view, numbers = view_of(shown, column_axes(scene), left_out)
-        held, more = told_beside(self.scene, shown, self._kept.covered)
+        held, more = told_beside(self.scene, shown, covered, self.asked)
         told = replace(self.shown(view, held, answer, problems), errors=self._errors if errors is None else errors)
         return packed(told, [*numbers, *more], sheet=told.sheet, usual=usual(scene))
 
     def shown(self, view: View, held: Held | None, answer: int | None, problems: tuple[str, ...]) -> Shown:
         """All that the browser needs to show the scene as it now is."""
-        scene = self.scene
+        scene, told = self.scene, self.asked or self.scene
         return Shown(
             answer=answer,
             scene=scene.slug,
             sheet=sheet_address(type(scene)),
             view=view,
             held=held,
-            settings=settings(scene, scene.units(), scene.shown.spans),
+            settings=settings(scene, scene.units(), told.shown.spans),
             state=self.state,
             preset=scene.preset(),
-            here=tuple(scene.here()),
+            here=tuple(told.here()),
             errors=self._errors,
             problems=problems,
-            query=step_query(self._kept.step) if self._kept.step else write_query(scene, self._kept.covered),
+            query=self._query,
             progress=scene.running.progress if scene.running else None,
         )
-
-
-def opened(scenes: Mapping[str, type[Scene]], link: Link, walks: Walks | None = None, step: str = "") -> Session:
-    """The page of a link: where its values cannot be shown, the scene as it is without them, and why."""
-    scene, problems = scenes[link.slug](), list(link.problems)
-    back = scene.way_back()
-    try:
-        problems += _refused(scene, link)
-        covered = [cover for cover in link.covered if cover in coverable(type(scene), scene.shown)]
-        session = Session(scene, tuple(problems), scenes=scenes, covered=tuple(covered), walks=walks, step=step)
-        session.opening()
-    except Exception as error:
-        report(error)
-        back()
-        return Session(scene, (*problems, LINK_LOST), scenes=scenes, walks=walks)
-    return session
-
-
-def _refused(scene: Scene, link: Link) -> Iterator[str]:
-    """Puts the scene where the link wants it; what of that cannot be, in words."""
-    try:
-        scene.open(link.values, link.frame, link.held)
-    except ValueError as reason:
-        yield f"{sentence(reason)} The link's parameters were not used."
-    for name in link.frame.ranges if link.frame else ():
-        if name not in scene.shown.axes:
-            yield f"frame.{excerpt(name)}: “{excerpt(name)}” is not an axis of this picture."
-    yield from refused_covers(type(scene), scene.shown, link.covered)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from components.beside import holdable
+from collections.abc import Mapping
+
+from components.beside import holdable, own_values
 from components.choices import chosen, stated
 from components.numbers import excerpt
 from components.page.state import State, Value
@@ -22,7 +24,7 @@ def state_of(scene: Scene) -> State:
         scene=scene.slug,
         parameters={name: stated(value) for name, value in changed.items()},
         frame=scene.frame,
-        held=None if scene.beside is None else {name: stated(value) for name, value in scene.beside.values.items()},
+        held=None if scene.beside is None else stated_own(scene.beside.scene),
         hidden=tuple(scene.hidden),
     )
 
@@ -44,10 +46,22 @@ def held_in(scene: type[Scene], state: State) -> Values | None:
 
     ValueError as in `values_in`.
     """
-    if state.held is None:
-        return None
+    return None if state.held is None else _own(scene, state.held)
+
+
+def before_in(scene: type[Scene], state: State) -> Values | None:
+    """The same of those from before the change that is to be predicted."""
+    return None if state.before is None else _own(scene, state.before)
+
+
+def stated_own(scene: Scene) -> dict[str, Value]:
+    """What of a scene is not at its default, but for how it is shown, as a state carries it."""
+    return {name: stated(value) for name, value in own_values(scene).items()}
+
+
+def _own(scene: type[Scene], values: Mapping[str, Value]) -> Values:
     known, linked = holdable(scene), scene.linked()
-    given = {name: _value(linked, name, value) for name, value in state.held.items()}
+    given = {name: _value(linked, name, value) for name, value in values.items()}
     return {name: value for name, value in given.items() if name in known and value != known[name].default}
 
 

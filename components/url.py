@@ -2,7 +2,8 @@
 
 It has the scene, the parameters that differ from their defaults, what of the frame is not fitted (frame.x=-2,2 is a
 range, frame.window a time window), the curves switched off, what is covered: cover=plot:x2,value:tau, and what is held
-beside the picture: held.k=20, or held=default where that is how the scene opens.
+beside the picture: held.k=20, or held=default where that is how the scene opens. What was before the change that is to
+be predicted stands there in the same way: before.k=20.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from urllib.parse import urlencode
 
 from msgspec.structs import replace
 
-from components.beside import holdable
+from components.beside import holdable, own_values
 from components.choices import MOST_ITEMS, chosen, word
 from components.frames import FITTED, checked
 from components.numbers import MINUS, excerpt, parse_number, shortest
@@ -26,7 +27,7 @@ PAGE_KEYS = frozenset({"theme", "projector", "walk", "step"})
 MOST_PROBLEMS = 8
 COVER = "cover"
 FRAME = "frame."
-HELD = "held"
+HELD, BEFORE = "held", "before"
 DEFAULT = "default"
 SIZES = ("window", "scale", "speed")
 """What a frame has beside the ranges of its axes."""
@@ -47,6 +48,7 @@ class Link:
     frame: Frame | None = None
     covered: tuple[str, ...] = ()
     held: Values | None = None
+    before: Values | None = None
 
 
 def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Scene]]) -> Link:
@@ -54,7 +56,7 @@ def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Sc
     slug, problems = _read_slug(args.get("scene", ()), scenes)
     known = scenes[slug].linked()
     values: dict[str, object] = {}
-    held: dict[str, object] | None = None
+    others: dict[str, Values | None] = {HELD: None, BEFORE: None}
     frame: Frame | None = None
     covered: tuple[str, ...] = ()
     for key, given in args.items():
@@ -65,25 +67,30 @@ def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Sc
                 covered = _read_covers(_only(key, given))
             elif key.startswith(FRAME):
                 frame = _with_part(frame or FITTED, key.removeprefix(FRAME), _only(key, given))
-            elif key == HELD or key.startswith(HELD + "."):
-                held = (held or {}) | _read_held(scenes[slug], key, given)
+            elif (other := key.partition(".")[0]) in others:
+                others[other] = {**(others[other] or {}), **_read_other(scenes[slug], key, given)}
             else:
                 values[key] = _read(known, key, given)
         except ValueError as error:
             problems.append(str(error))
-    return Link(slug, values, _shortened(problems), frame, covered, held)
+    return Link(slug, values, _shortened(problems), frame, covered, others[HELD], others[BEFORE])
 
 
-def write_query(scene: Scene, covered: Sequence[str] = ()) -> str:
-    """The text after the question mark that brings `scene` back, with what is covered.
+def write_query(scene: Scene, covered: Sequence[str] = (), asked: Scene | None = None) -> str:
+    """The text after the question mark that brings `scene` back, with what is covered, and where a change is to be
+    predicted with the scene from before it, whose frame stands.
 
     Its slug comes first, then what differs from the default, in the order of the scene's parameters, then the frame;
     numbers are the shortest text that reads back as the same double.
     """
     values = {name: getattr(scene, name) for name in scene.linked()}
     changed = {name: value for name, value in values.items() if value != type(scene).param[name].default}
-    parts = {"scene": scene.slug} | {name: _written(value) for name, value in changed.items()} | _frame_parts(scene)
-    parts |= _held_parts(scene)
+    parts = {"scene": scene.slug} | {name: _written(value) for name, value in changed.items()}
+    parts |= _frame_parts(asked or scene)
+    if scene.beside:
+        parts |= _other_parts(HELD, scene.beside.values)
+    if asked:
+        parts |= _other_parts(BEFORE, own_values(asked))
     return urlencode(parts | ({COVER: ",".join(covered)} if covered else {}), safe=",:")
 
 
@@ -100,19 +107,17 @@ def _frame_parts(scene: Scene) -> dict[str, str]:
     return ranges | {FRAME + name: shortest(size) for name, size in sizes.items() if size is not None}
 
 
-def _held_parts(scene: Scene) -> dict[str, str]:
-    if scene.beside is None:
-        return {}
-    return {f"{HELD}.{name}": _written(value) for name, value in scene.beside.values.items()} or {HELD: DEFAULT}
+def _other_parts(which: str, values: Values) -> dict[str, str]:
+    return {f"{which}.{name}": _written(value) for name, value in values.items()} or {which: DEFAULT}
 
 
-def _read_held(scene: type[Scene], key: str, given: Sequence[bytes]) -> dict[str, object]:
-    """What one key says of the values held."""
-    if key != HELD:
-        name = key.removeprefix(HELD + ".")
+def _read_other(scene: type[Scene], key: str, given: Sequence[bytes]) -> dict[str, object]:
+    """What one key says of the values held, or of those from before a change."""
+    which, dot, name = key.partition(".")
+    if dot:
         return {name: _read(holdable(scene), name, given)}
     if _only(key, given) != DEFAULT:
-        raise ValueError(f"{HELD}: write {HELD}={DEFAULT}, or {HELD}. before a parameter.")
+        raise ValueError(f"{which}: write {which}={DEFAULT}, or {which}. before a parameter.")
     return {}
 
 

@@ -3,6 +3,7 @@
 
 import {element} from "./dom.js"
 import {later, using} from "./later.js"
+import {evaluate, roots} from "./signals.js"
 
 const LINGER = 1500 // ms for which the curves from before a drag lie there after letting go
 
@@ -26,6 +27,9 @@ export class Compare {
 
   pressed = false
 
+  /** @type {Named | null} the instant and the signals that stand still until a prediction is revealed */
+  still = null
+
   /** @type {number | undefined} */
   ending
 
@@ -46,7 +50,7 @@ export class Compare {
 
   /** What is drawn now is kept under what follows, or no longer. */
   toggle() {
-    this.page.lecture.change(({held, parameters}) => ({held: held ? null : parameters}))
+    this.page.lecture.change(({held, before, parameters}) => ({held: held ? null : (before ?? parameters)}))
   }
 
   /** The choice of what to cover; where something is covered, all of it comes back. */
@@ -61,9 +65,10 @@ export class Compare {
     this.page.lecture.change(({covered}) => ({covered: [...covered, cover]}))
   }
 
-  /** What is covered comes back, and nothing else changes. @param {string} cover */
+  /** What is covered comes back, and the stage, which moves as it tells. @param {string} cover */
   reveal(cover) {
-    this.page.lecture.change(({covered}) => ({covered: covered.filter(name => name !== cover && name !== "next")}))
+    const open = new Set([cover, "next", "stage"])
+    this.page.lecture.change(({covered}) => ({covered: covered.filter(name => !open.has(name))}))
   }
 
   get buttons() {
@@ -89,6 +94,30 @@ export class Compare {
   #forget() {
     this.before = null
     this.#draw()
+  }
+
+  /**
+   * As soon as there is something to predict, all stands still as it was drawn; what is revealed plays from its start.
+   * @param {Drawn} shown
+   */
+  stand({state, view: {signals, scalars}}) {
+    const {clock, hand, transport} = this.page
+    const isAsked = Boolean(state.before)
+    if (isAsked) clock.playing = false
+    if (isAsked === Boolean(this.still)) return
+    transport.element.inert = isAsked
+    const {t} = clock
+    this.still = isAsked ? {...roots(signals, evaluate(signals, scalars, t, hand.named)), t} : null
+    if (!isAsked) clock.restart()
+  }
+
+  /** The numbers of an instant as they are drawn, while a hand may move some of them. @param {number} t */
+  named(t) {
+    const {hand, shown} = this.page
+    const {signals, scalars} = shown.view
+    const named = evaluate(signals, scalars, this.still?.t ?? t, {...this.still, ...hand.named})
+    if (this.still && hand.grab) this.still = {...roots(signals, named), t: named.t}
+    return named
   }
 
   /** @param {Drawn} shown */

@@ -1,7 +1,7 @@
 // The hand on a page: what it holds is drawn where it is, at once; the server hears of it and answers when it can.
 
 import {using} from "./later.js"
-import {evaluate, polynomial} from "./signals.js"
+import {evaluate, polynomial, roots} from "./signals.js"
 import {toPlace, toSI} from "./ruler.js"
 
 const FLICK = 120 // ms before letting go over which its velocity is taken
@@ -67,15 +67,15 @@ export class Hand {
     remember()
     this.hint?.leave()
     const {clock, shown} = this.page
-    const now = evaluate(shown.view.signals, shown.view.scalars, clock.t, this.named)
+    const {signals, scalars} = shown.view
+    const still = this.page.compare.still
+    const now = evaluate(signals, scalars, still?.t ?? clock.t, {...still, ...this.named})
     const again = this.grab === grab
     Object.assign(this, {grab, leaving: false, refusal: "", trail: []})
     if (again) return
     Object.assign(this, {moved: {}, good: {}, frozen: {}})
     if (!grab.begins) return
-    for (const [name, {kind}] of Object.entries(shown.view.signals)) {
-      if (kind !== "derived" && kind !== "sine" && kind !== "cosine") this.frozen[name] = now[name]
-    }
+    this.frozen = roots(signals, now)
     this.plays = clock.playing
     clock.playing = false
     clock.seek(0)
@@ -169,7 +169,8 @@ export class Hand {
     if (!this.leaving || line.asked || line.outbox.length) return
     const {begins} = this.grab
     Object.assign(this, {grab: null, moved: {}, good: {}, frozen: {}, from: 0, leaving: false})
-    if (begins) this.page.clock.playing = this.plays || !matchMedia("(prefers-reduced-motion: reduce)").matches
+    if (begins && !this.page.compare.still)
+      this.page.clock.playing = this.plays || !matchMedia("(prefers-reduced-motion: reduce)").matches
   }
 }
 

@@ -201,7 +201,7 @@ export class Lecture {
       this.#wait()
     } else if (!(await this.#turn(shown))) return
     const refused = Object.keys(shown.errors).length > 0
-    if (asked?.start && !refused) this.page.clock.restart()
+    if (asked?.start && !refused && !shown.state.before) this.page.clock.restart()
     this.#write(shown, Boolean(asked?.turn) && !refused)
     this.walks.shown(shown)
   }

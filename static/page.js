@@ -12,7 +12,6 @@ import {Hand} from "./hand.js"
 import {using} from "./later.js"
 import {fixed} from "./numbers.js"
 import {Sheet} from "./sheet.js"
-import {evaluate} from "./signals.js"
 import {Transport} from "./transport.js"
 
 /**
@@ -160,6 +159,7 @@ export class Page {
   apply(shown) {
     this.shown = shown
     const {view, state} = shown
+    this.compare.stand(shown)
     this.about?.changed()
     this.voice?.changed()
     this.sheet.update(shown)
@@ -170,7 +170,7 @@ export class Page {
     this.hand.heard(shown)
     const absent = view.left_out.filter(name => !(name in view.signals || name in view.scalars))
     for (const stage of this.stages) stage.update(absent)
-    this.root.classList.toggle("at-rest", state.covered.includes("stage"))
+    this.root.classList.toggle("at-rest", state.covered.includes("stage") && !state.before)
     this.root.classList.toggle("without-table", state.covered.includes("table"))
     for (const plot of this.plots) plot.update(shown)
     if (this.plots.some(plot => plot.waits)) this.join()
@@ -207,11 +207,12 @@ export class Page {
     this.clock.dirty = true
   }
 
-  /** @param {number} t */
-  draw(t) {
+  /** @param {number} at an instant, which passes unless all stands still */
+  draw(at) {
     if (!this.shown) return
-    const {signals, scalars, axes, time, live: moving} = this.shown.view
-    const named = evaluate(signals, scalars, t, this.hand.named)
+    const {axes, time, live: moving} = this.shown.view
+    const named = this.compare.named(at)
+    const {t} = named
     for (const [name, [places, signed]] of Object.entries(moving)) {
       const text = fixed(named[name], places, signed)
       for (const one of this.named.get(name) ?? []) one.textContent = text

@@ -117,6 +117,15 @@ function valueOf(signal, t, named) {
 }
 
 /**
+ * The signals that are made of no others, at an instant: what places all that is drawn.
+ * @param {Record<string, page.AnySignal>} signals @param {Named} named @returns {Named}
+ */
+export function roots(signals, named) {
+  const own = Object.entries(signals).filter(([, {kind}]) => kind !== "derived" && kind !== "sine" && kind !== "cosine")
+  return Object.fromEntries(own.map(([name]) => [name, named[name]]))
+}
+
+/**
  * All signals at the instant t, in the order given, over the scalars; `instead` are numbers in place of some.
  * @param {Record<string, page.AnySignal>} signals @param {Named} scalars @param {number} t @param {Named} [instead]
  * @returns {Named}

@@ -206,13 +206,15 @@ declare namespace page {
   }
 
   /** A scene, what of its parameters is not at its default, its frame where it is not the fitted one, the parameters
-   * held for comparison, the plots and values covered, the curves switched off, and the step of a walk. */
+   * held for comparison, the plots and values covered, the parameters from before the change that is to be predicted,
+   * the curves switched off, and the step of a walk. */
   interface State {
     scene: string
     parameters: Record<string, Value>
     frame: Frame | null
     held: Record<string, Value> | null
     covered: string[]
+    before: Record<string, Value> | null
     hidden: string[]
     step: string
   }

@@ -22,12 +22,14 @@ class Frame(Struct, frozen=True, kw_only=True):
 
 class State(Struct, frozen=True, kw_only=True):
     """A scene, what of its parameters is not at its default, its frame where it is not the fitted one, the parameters
-    held for comparison, the plots and values covered, the curves switched off, and the step of a walk."""
+    held for comparison, the plots and values covered, the parameters from before the change that is to be predicted,
+    the curves switched off, and the step of a walk."""
 
     scene: str
     parameters: dict[str, Value] = {}
     frame: Frame | None = None
     held: dict[str, Value] | None = None
     covered: tuple[str, ...] = ()
+    before: dict[str, Value] | None = None
     hidden: tuple[str, ...] = ()
     step: str = ""

@@ -2,7 +2,9 @@
 
 /** @param {import("../page.js").Page} page */
 export function things(page) {
-  const stages = page.stages.filter(stage => stage.svg.getAttribute("role") === "img" && isSeen(stage.host))
+  const stages = page.compare.still
+    ? []
+    : page.stages.filter(stage => stage.svg.getAttribute("role") === "img" && isSeen(stage.host))
   const plots = page.plots.filter(plot => plot.box && !plot.absent && !isCovered(plot) && isSeen(plot.host))
   return {stages, plots}
 }

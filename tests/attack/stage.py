@@ -8,9 +8,9 @@ from typing import Any
 from hypothesis import HealthCheck, Phase, given, seed, settings
 from playwright.sync_api import Page, sync_playwright
 
+from components.opening import opened
 from components.scene import Scene
 from components.scenes import SCENES
-from components.session import opened
 from components.url import Link, write_query
 from tests.attack.extremes import Values, values
 from tests.attack.finding import Finding

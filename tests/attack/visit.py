@@ -7,9 +7,9 @@ from typing import Any
 
 import numpy as np
 
+from components.opening import opened
 from components.refusals import LINK_LOST, SORRY
 from components.scenes import SCENES
-from components.session import opened
 from components.url import Link, read_query
 from tests.attack.extremes import Message, Values
 from tests.page.told import unpacked

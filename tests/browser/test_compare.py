@@ -73,6 +73,9 @@ def test_the_curves_from_before_a_drag_lie_under_the_live_ones_for_a_while(page:
 PLACES = "[...document.querySelectorAll('.paper .block')].map(b => JSON.stringify(b.getBoundingClientRect()))"
 
 
+STOOD = "document.querySelector('.stage').innerHTML"
+
+
 def test_what_the_next_change_shows_waits_for_a_prediction_in_its_place(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     button = page.get_by_role("button", name="Predict")
@@ -84,8 +87,13 @@ def test_what_the_next_change_shows_waits_for_a_prediction_in_its_place(page: Pa
     expect(page.locator(".cover:visible")).to_have_count(4)
     expect(page.locator("[data-value=omega_minus]:visible").first).to_contain_text("?")
     assert page.evaluate(PLACES) == places
+    expect(page.locator(".transport")).to_have_attribute("inert", "")
+    stood = page.evaluate(STOOD)
     page.evaluate("document.activeElement.blur()")
+    page.evaluate("oscillations.clock.seek(1); new Promise(done => requestAnimationFrame(() => setTimeout(done)))")
+    assert page.evaluate(STOOD) == stood, "the stage stands at what it showed"
     page.keyboard.press("r")
+    page.wait_for_function("stood => document.querySelector('.stage').innerHTML !== stood", arg=stood)
     expect(page.locator("[data-value=omega_minus]:visible").first).to_have_text("1.10")
     button.click()
     page.get_by_role("menuitem", name="Displacement of mass 2 against time").click()

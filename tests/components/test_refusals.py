@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 
 from components.frames import FITTED
+from components.opening import opened
 from components.page.blocks import Block
 from components.page.state import Frame
 from components.parameters import stiffness
 from components.refusals import BEYOND, LINK_LOST, SORRY, Once, in_words
 from components.scene import Picture, Scene
 from components.scenes import SCENES
-from components.session import opened
 from components.sheet import column
 from components.url import Link, read_query
 from tests.page.told import Page, unpacked

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from components.opening import opened
 from components.scenes import SCENES
-from components.session import opened
 from components.url import read_query
 from tests.page.told import Page, change, put
 from tests.scenes.checks import as_arguments

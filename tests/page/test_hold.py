@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from components.description import column_axes
+from components.opening import opened
 from components.page.state import State
 from components.places import COARSE, span
 from components.scene import frame_of
 from components.scenes import SCENES
-from components.session import opened
 from components.url import read_query
 from tests.page.told import Page, change, put, unpacked
 from tests.scenes.checks import as_arguments, moved

@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
+import json
+import re
+from collections.abc import Iterator
 from typing import Any
 
 import msgspec
 import numpy as np
 import pytest
 
+from components.numbers import three
+from components.opening import opened
+from components.scene import Scene
 from components.scenes import SCENES
-from components.session import opened
+from components.take import tables
 from components.url import read_query
+from components.wire import as_json
 from tests.page.told import Page, change, put
-from tests.scenes.checks import as_arguments, moved
+from tests.scenes.checks import as_arguments, moved, quantities
 
+NUMBER = re.compile(r"[0-9][0-9.]*")
+"""Digits of a number in a text."""
 scenes = pytest.mark.parametrize("slug", SCENES)
 
 
@@ -38,6 +47,62 @@ def test_nothing_that_follows_from_the_next_change_is_sent(slug: str) -> None:
     assert opened(SCENES, link).state == page.session.state
     told = change(page, covered=[])
     assert told["view"]["left_out"] == [] and told["state"]["covered"] == []
+
+
+@scenes
+def test_no_number_that_follows_from_a_change_is_in_any_message(slug: str) -> None:
+    for values in changes(SCENES[slug]):
+        page = Page(SCENES[slug]())
+        seen = numbers([change(page, covered=["next"], held={}), csv_of(page)])
+        told = put(page, **values)
+        assert told["errors"] == {} and told["state"]["before"] == {}, values
+        given = numbers([set_by_hand(told), told["state"]["parameters"], told["query"]])
+        outcome = numbers(told_of_scene(page)) - seen - given
+        assert outcome, f"nothing follows from {values}"
+        assert outcome & numbers([told, csv_of(page)]) == set(), values
+
+
+def changes(scene: type[Scene]) -> Iterator[dict[str, float]]:
+    """Every quantity that the panel shows, alone at another value."""
+    first = scene()
+    for group in first.groups:
+        for name in group.names:
+            quantity = scene.param[name]
+            if name in quantities(scene) and (not group.form or first.shown.forms.get(group.form)):
+                yield {name: 0.37 * quantity.softbounds[0] + 0.63 * quantity.softbounds[1]}
+
+
+def set_by_hand(told: dict[str, Any]) -> list[Any]:
+    """The values of the controls, as they are told, and in three digits as the ledger has them."""
+    ones = [one for one in told["settings"].values() if isinstance(one["value"], float)]
+    return [(one["value"], one["text"], three(one["value"] / one["size"])) for one in ones]
+
+
+def csv_of(page: Page) -> list[list[Any]]:
+    return [[table.name, table.head, table.rows] for table in tables(type(page.scene), page.session.picture)]
+
+
+def told_of_scene(page: Page) -> list[Any]:
+    """The picture that stands, whole: as it would be told."""
+    picture = page.scene.shown
+    columns = {name: column.tolist() for given in picture.columns.values() for name, column in given.items()}
+    axes = {name: axis.ruler for name, axis in picture.axes.items()}
+    parts = (picture.signals, picture.scalars, picture.values, picture.notes, picture.pace, picture.spans, axes)
+    return [columns, *(json.loads(as_json(part)) for part in parts)]
+
+
+def numbers(told: Any) -> set[float | str]:
+    """All numbers in what is told, as they are, and those in texts by their digits; without those of one digit, which
+    round axes have."""
+    if isinstance(told, dict):
+        return numbers(list(told.values()))
+    if isinstance(told, np.ndarray):
+        return set(told.tolist())
+    if isinstance(told, (list, tuple)):
+        return set().union(*map(numbers, told))
+    if isinstance(told, str):
+        return {digits for digits in NUMBER.findall(told) if len(digits.strip("0.")) > 1}
+    return {told, abs(told)} if isinstance(told, float) and len(f"{told:g}".strip("-0.")) > 1 else set()
 
 
 def test_a_view_is_no_change_and_what_is_revealed_one_by_one_stays_so() -> None:
@@ -68,3 +133,28 @@ def test_an_axis_keeps_its_range_and_loses_its_own_numbers() -> None:
     assert "numbers:x" in told["state"]["covered"]
     assert (axis["start"], axis["end"]) == (before["start"], before["end"])
     assert page.scene.shown.values["C"] not in "".join(axis["labels"])
+
+
+@scenes
+def test_a_new_session_tells_the_same_and_a_reveal_shows_it_where_it_stood(slug: str) -> None:
+    page, other = Page(SCENES[slug]()), Page(SCENES[slug]())
+    axes = change(page, covered=["next"])["view"]["axes"]
+    told = put(page, **moved(SCENES[slug]))
+    again = change(other, **msgspec.to_builtins(page.session.state))
+    assert (again["errors"], again["state"], again["view"]["left_out"]) == ({}, told["state"], told["view"]["left_out"])
+    assert (again["view"]["scalars"], again["view"]["values"]) == (told["view"]["scalars"], told["view"]["values"])
+    shown = change(page, covered=[])
+    assert (shown["state"]["before"], shown["view"]["left_out"]) == (None, [])
+    for name, axis in shown["view"]["axes"].items():
+        stood = axes[name]
+        low, high = sorted((stood["start"], stood["end"]))
+        assert min(axis["start"], axis["end"]) <= low and max(axis["start"], axis["end"]) >= high, name
+
+
+def test_another_view_of_what_is_covered_is_that_from_before() -> None:
+    page = Page(SCENES["coupled"]())
+    change(page, covered=["next"])
+    put(page, k2=5.0)
+    told = page.say({"type": "choose", "name": "view", "value": "constants", "number": 60})
+    assert told["state"]["parameters"]["view"] == "constants" and told["state"]["before"] == {}
+    assert told["view"]["scalars"] == Page(SCENES["coupled"](view="constants")).opening()["view"]["scalars"]

@@ -12,10 +12,10 @@ from msgspec.structs import replace
 from components.axes import TIME_AXIS
 from components.covers import coverable
 from components.description import sheet_address
+from components.opening import opened
 from components.page.state import State
 from components.scene import Scene
 from components.scenes import SCENES
-from components.session import opened
 from components.states import state_of, values_in
 from components.url import read_query
 from tests.page.told import Page, unpacked

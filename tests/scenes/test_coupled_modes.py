@@ -10,8 +10,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
+from components.opening import opened
 from components.scenes import SCENES
-from components.session import opened
 from components.url import read_query
 from physics.coupled import TwoMassChain, free_modes
 from physics.modal_start import amplitudes_and_phases, modes_given, start_given
