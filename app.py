@@ -75,8 +75,7 @@ def walked(folders: Iterable[Path]) -> Lectured:
     walks = all_walks(folders, SCENES)
     files = {walk: walk_file(walk, SCENES) for walk in walks.values()}
     listed = [{"name": walk.name, "title": walk.title, "sheet": address} for walk, (address, _) in files.items()]
-    lessons = Lessons(walks, SCENES, {walk.name: address for walk, (address, _) in files.items()})
-    return Lectured(partial(open_page, walks=walks, listed=listed), dict(files.values()), lessons)
+    return Lectured(partial(open_page, walks=walks, listed=listed), dict(files.values()), Lessons(walks, SCENES))
 
 
 def open_page(

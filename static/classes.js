@@ -45,8 +45,7 @@ export class Classes {
     try {
       if (sessionStorage.getItem(LED)) await this.begin()
       const left = sessionStorage.getItem(LEFT)
-      const token = left && localStorage.getItem(`class-${left}`)
-      if (left && token) (await later("own")).ownWay(left, token)
+      if (left) (await later("own")).ownWay(left)
     } catch {
       // A browser that keeps nothing leads no class after the page is loaded anew.
     }

@@ -324,6 +324,13 @@ declare namespace page {
     again: boolean
   }
 
+  /** A walk from the instructor's own file, whose questions can be put from now on. */
+  interface HandWalk extends Ordered {
+    type: "walk"
+    name: Name
+    text: string
+  }
+
   /** What the step teaches, to all; no answer is taken any more. */
   interface ShowAnswer extends Ordered {
     type: "show"
@@ -339,14 +346,14 @@ declare namespace page {
     type: "end"
   }
 
-  type Order = RunClock | PutQuestion | ShowAnswer | Withdraw | EndRoom
+  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | Withdraw | EndRoom
 
-  /** The question that is put: a step of the walk in the sheet at an address, its place in the lecture, the vote from
-   * 1 on, and what it teaches once the answer is shown. Without a step none is. */
+  /** The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
+   * teaches once the answer is shown. Without a step none is. */
   interface PutTo {
     walk: string
     step: string
-    sheet: string
+    card: StepCard | null
     place: string
     vote: number
     lesson: Lesson | null

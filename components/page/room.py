@@ -8,7 +8,7 @@ from msgspec import Meta, Struct
 
 from components.page.messages import Name
 from components.page.text import Html
-from components.page.walk import Lesson
+from components.page.walk import Lesson, StepCard
 
 HEIGHTS = 101
 """Of a sketch, evenly from the left end of its frame to the right."""
@@ -56,6 +56,13 @@ class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
     again: bool = False
 
 
+class HandWalk(Ordered, frozen=True, kw_only=True, tag="walk"):
+    """A walk from the instructor's own file, whose questions can be put from now on."""
+
+    name: Name
+    text: Annotated[str, Meta(max_length=48_000)]
+
+
 class ShowAnswer(Ordered, frozen=True, kw_only=True, tag="show"):
     """What the step teaches, to all; no answer is taken any more."""
 
@@ -68,16 +75,16 @@ class EndRoom(Ordered, frozen=True, kw_only=True, tag="end"):
     """The class is over: the room and all that was answered are forgotten."""
 
 
-Order: TypeAlias = RunClock | PutQuestion | ShowAnswer | Withdraw | EndRoom
+Order: TypeAlias = RunClock | HandWalk | PutQuestion | ShowAnswer | Withdraw | EndRoom
 
 
 class PutTo(Struct, frozen=True, kw_only=True):
-    """The question that is put: a step of the walk in the sheet at an address, its place in the lecture, the vote from
-    1 on, and what it teaches once the answer is shown. Without a step none is."""
+    """The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
+    teaches once the answer is shown. Without a step none is."""
 
     walk: str = ""
     step: str = ""
-    sheet: str = ""
+    card: StepCard | None = None
     place: str = ""
     vote: int = 1
     lesson: Lesson | None = None

@@ -9,6 +9,7 @@ import msgspec
 
 from components.page.room import (
     EndRoom,
+    HandWalk,
     Order,
     PutQuestion,
     PutTo,
@@ -28,6 +29,8 @@ MOST_AHEAD, MOST_BEHIND = 200.0, 5000.0
 """Milliseconds by which an instructor's clock may be ahead of its message's arrival, and behind."""
 FIRST, LAST = 1, 9
 """Votes on one question."""
+MOST_OWN = 5
+"""Walks from files that a room keeps."""
 
 
 class ClosedError(ValueError):
@@ -66,11 +69,11 @@ class Hall:
         return self.rooms.setdefault(code, ClassRoom(code, parts))
 
     async def led(self, code: str, key: str) -> ClassRoom:
-        """The room of an instructor; ClosedError for who is none."""
-        room = await self.room(code)
+        """The room of an instructor; ClosedError for who is none, which does not tell whether there is such a room."""
+        room = self.rooms.get(code) or ClassRoom(code, await self.store.parts(code) if code else {})
         if not is_key(key, room.parts.get("key", b"")):
-            raise ClosedError("This class is led from another page.")
-        return room
+            raise ClosedError("This page is not in a class of this code now.")
+        return self.rooms.setdefault(code, room)
 
     async def obey(self, room: ClassRoom, order: Order) -> None:
         """Do what the instructor's page asks; ValueError, in words, for what cannot be."""
@@ -79,16 +82,18 @@ class Hall:
                 now = 1000 * time()
                 at = min(max(order.at, now - MOST_BEHIND), now + MOST_AHEAD)
                 await self._keep(room, clock=msgspec.structs.replace(order, at=at))
+            case HandWalk(name=name, text=text):
+                await self._take(room, name, text)
             case PutQuestion(walk=walk, step=step, again=again):
                 put = room.question
                 same = (put.walk, put.step) == (walk, step)
                 vote = min(put.vote + 1, LAST) if again and same else put.vote if same and put.lesson is None else FIRST
-                await self._keep(room, question=self.lessons.put(walk, step, vote))
+                await self._keep(room, question=self.lessons_of(room).put(walk, step, vote))
             case ShowAnswer():
                 put = room.question
                 if not put.step:
                     raise ValueError("No question is open.")
-                lesson = self.lessons.lesson(put.walk, put.step)
+                lesson = self.lessons_of(room).lesson(put.walk, put.step)
                 await self._keep(room, question=msgspec.structs.replace(put, lesson=lesson))
             case Withdraw():
                 await self._keep(room, question=NOTHING_PUT)
@@ -98,7 +103,24 @@ class Hall:
     async def show(self, room: ClassRoom, picture: SentPicture) -> None:
         await self._keep(room, picture=picture)
 
-    async def _keep(self, room: ClassRoom, **parts: msgspec.Struct) -> None:
+    async def _take(self, room: ClassRoom, name: str, text: str) -> None:
+        """A walk from the instructor's file, once; ValueError, in words, for what is none."""
+        own = {**room.own, name: text}
+        if own == room.own:
+            return
+        if len(own) > MOST_OWN:
+            raise ValueError(f"A class keeps {MOST_OWN} walks from files, and this would be one more.")
+        self.lessons.try_own(name, text)
+        await self._keep(room, walks=own)
+
+    def lessons_of(self, room: ClassRoom) -> Lessons:
+        """The server's walks, and those that the instructor has handed to the room."""
+        own = room.parts.get("walks", b"")
+        if not room.lessons or room.lessons[0] != own:
+            room.lessons = own, self.lessons.taking(room.own) if own else self.lessons
+        return room.lessons[1]
+
+    async def _keep(self, room: ClassRoom, **parts: object) -> None:
         """Those who are here hear it at once, also where the store is away; the others by the store."""
         encoded = {name: msgspec.json.encode(part) for name, part in parts.items()}
         room.tell(encoded)
@@ -114,7 +136,7 @@ class Hall:
         put = room.question
         if (put.walk, put.step, put.vote) != (vote.walk, vote.step, vote.vote) or put.lesson:
             raise ValueError("This question is closed.")
-        self.lessons.check(vote)
+        self.lessons_of(room).check(vote)
         if not await self.store.vote(room.code, _question(put), voter, msgspec.json.encode(vote)):
             raise ValueError("This vote is full.")
         await self.store.tell(room.code, {"answers": b"true"})
@@ -126,7 +148,8 @@ class Hall:
         except AwayError:
             if question not in room.votes:
                 raise
-        return [self.lessons.read(vote) for vote in room.votes[question].values()]
+        read = map(self.lessons_of(room).read, room.votes[question].values())
+        return [one for one in read if one]
 
     async def tally(self, room: ClassRoom) -> Tally | None:
         put = room.question
@@ -134,14 +157,14 @@ class Hall:
             return None
         votes = await self.given(room, _question(put))
         first = await self.given(room, _question(msgspec.structs.replace(put, vote=FIRST))) if put.vote > 1 else None
-        counted = self.lessons.counted
+        lessons = self.lessons_of(room)
         return Tally(
             walk=put.walk,
             step=put.step,
             vote=put.vote,
-            now=counted(put.walk, put.step, votes),
-            before=None if first is None else counted(put.walk, put.step, first),
-            features=self.lessons.features(put.walk, put.step),
+            now=lessons.counted(put.walk, put.step, votes),
+            before=None if first is None else lessons.counted(put.walk, put.step, first),
+            features=lessons.features(put.walk, put.step),
             right=sum(one.right for one in votes),
         )
 

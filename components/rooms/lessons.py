@@ -13,11 +13,13 @@ from components.page.messages import Given, Stroke
 from components.page.room import HEIGHTS, Counted, PutTo, Sketched, SketchOf, Vote
 from components.page.walk import Lesson
 from components.walks import Walks
-from components.walks.cards import place_in_lecture
+from components.walks.cards import place_in_lecture, step_card
 from components.walks.curves import PlotAxes, axes_of, true_curves
 from components.walks.findings import findings
 from components.walks.judging import lesson_of
 from components.walks.links import Scenes, scene_at
+from components.walks.loading import read_walk, steps_of
+from components.walks.registry import read_own
 from components.walks.sketch import Sketch
 from components.walks.types import ChoiceStep, NumberStep, PointStep, SketchStep, Step
 
@@ -31,15 +33,25 @@ class Judged(NamedTuple):
 
 
 class Lessons:
-    """All that a room must know of walks; `sheets` are the addresses of their files."""
+    """All that a room must know of walks."""
 
-    def __init__(self, walks: Walks, scenes: Scenes, sheets: Mapping[str, str]) -> None:
+    def __init__(self, walks: Walks, scenes: Scenes) -> None:
         self._walks = walks
         self._scenes = scenes
-        self._sheets = sheets
         self._drawn = lru_cache(maxsize=64)(self._drawn_on)
         self.read = lru_cache(maxsize=20_000)(self._read)
-        """An answer as it was kept, read and judged once."""
+        """An answer as it was kept, read and judged once; None where its step is another by now."""
+
+    def taking(self, own: Mapping[str, str]) -> Lessons:
+        """With walks from files, their texts by name; WalkError for what is none."""
+        known = steps_of(self._walks.values())
+        return Lessons(
+            {**self._walks, **{name: read_walk(text, name, known) for name, text in own.items()}}, self._scenes
+        )
+
+    def try_own(self, name: str, text: str) -> None:
+        """WalkError, in words, for what is no walk to be asked."""
+        read_own(text, name, self._walks, self._scenes)
 
     def step(self, walk: str, step: str) -> Step:
         """ValueError, in words, where there is none."""
@@ -53,7 +65,7 @@ class Lessons:
         asked = self.step(walk, step)
         steps = self._walks[walk].steps
         place = " · ".join(filter(None, (place_in_lecture(asked.slides), f"{steps.index(asked) + 1} of {len(steps)}")))
-        return PutTo(walk=walk, step=step, sheet=self._sheets[walk], place=place, vote=vote)
+        return PutTo(walk=walk, step=step, card=step_card(walk, asked, self._scenes), place=place, vote=vote)
 
     def lesson(self, walk: str, step: str) -> Lesson:
         """What a step teaches whoever has answered whatever."""
@@ -104,8 +116,12 @@ class Lessons:
         """What a right sketch has, by name."""
         return tuple(one.name for one in self.lesson(walk, step).findings)
 
-    def _read(self, kept: bytes) -> Judged:
+    def _read(self, kept: bytes) -> Judged | None:
         vote = msgspec.json.decode(kept, type=Vote)
+        try:
+            self.check(vote)
+        except ValueError:
+            return None
         asked = self.step(vote.walk, vote.step)
         if not isinstance(asked, SketchStep):
             return Judged(vote, bool(self.judged(vote).right), ())

@@ -9,6 +9,7 @@ from typing import Any, Protocol, TypeVar
 import msgspec
 
 from components.page.room import News, PutTo, RunClock, SentPicture
+from components.rooms.lessons import Lessons
 from components.rooms.store import Parts
 
 SILENCE = 15.0
@@ -41,6 +42,8 @@ class ClassRoom:
         self.code = code
         self.parts: dict[str, bytes] = dict(parts)
         self.ears: set[Ear] = set()
+        self.streams: dict[str, list[Ear]] = {}
+        """The same by the words of those who have them."""
         self.polls: dict[str, float] = {}
         """When each of those who have no stream has asked last."""
         self.here = 0
@@ -48,6 +51,8 @@ class ClassRoom:
         self.missed = 0
         """How often in a row it was not found in the store."""
         self.votes: dict[str, Parts] = {}
+        self.lessons: tuple[bytes, Lessons] | None = None
+        """Those of walks from files, beside the part that they were read from."""
         self._replica = token_hex(3)
         self._count = 0
 
@@ -72,6 +77,11 @@ class ClassRoom:
     @property
     def question(self) -> PutTo:
         return self.part("question", PutTo) or NOTHING_PUT
+
+    @property
+    def own(self) -> dict[str, str]:
+        """Walks from the instructor's files: their texts by name."""
+        return self.part("walks", dict[str, str]) or {}
 
     def whole(self) -> News:
         known: dict[str, Any] = {name: self.part(name, kind) for name, kind in KINDS.items()}

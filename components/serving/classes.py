@@ -14,17 +14,22 @@ from components.page.room import Confirmed, Done, Opened, Order, Paired, Tally, 
 from components.rooms.codes import as_code, digest, is_key, new_digits, new_key
 from components.rooms.hall import ClosedError
 from components.rooms.room import ClassRoom
-from components.rooms.store import AwayError
+from components.rooms.store import LIFE, AwayError
 from components.rooms.table import answers_csv
 from components.serving.answers import SENTENCES, RefusedError, Visited
 from components.serving.settings import own_address
+from components.serving.visitors import network_of
 
 if TYPE_CHECKING:
     from components.serving.server import Lecture
 
 LONGEST = 8000
 """Bytes of a message to a room: two sketches are a quarter of it."""
+LONGEST_ORDER = 64_000
+"""The same from the instructor's page, which may hand over a walk's file."""
 AWAY = "The store that replicas share does not answer now. What you see stays; try again in a moment."
+MOST_OPENED = 100
+"""Rooms that one network may open in the life of one."""
 TICKET = 60.0
 """Seconds for which a remote control may be let in."""
 
@@ -60,8 +65,8 @@ class ClassAnswer(Visited, Waited):
         """The key or token that is shown."""
         return self.request.headers.get("Authorization", "").removeprefix("Bearer ")
 
-    def body(self, kind: type[Body]) -> Body:
-        if len(self.request.body) > LONGEST:
+    def body(self, kind: type[Body], longest: int = LONGEST) -> Body:
+        if len(self.request.body) > longest:
             raise RefusedError(413, "This is more than a class is told at once.")
         try:
             return msgspec.json.decode(self.request.body, type=kind)
@@ -138,10 +143,13 @@ class OpenClass(ClassAnswer):
     """A new room."""
 
     async def post(self) -> None:
+        name = f"opened {network_of(self.visitor)}"
         if seconds := self.application.openings.admit(self.visitor):
             raise RefusedError(
                 429, "This network has opened many classes lately. A moment later it may again.", seconds
             )
+        if await self.asked(self.application.hall.store.count(name, LIFE)) > MOST_OPENED:
+            raise RefusedError(429, f"This network has opened {MOST_OPENED} classes. Within hours it may again.", LIFE)
         self.reply(self.opened(*await self.asked(self.application.hall.open())))
 
 
@@ -154,7 +162,7 @@ class LeadClass(ClassAnswer):
 
     async def post(self, code: str) -> None:
         room = await self.led(code)
-        order: Order = self.body(Order)  # type: ignore[arg-type]  # a union of types
+        order: Order = self.body(Order, LONGEST_ORDER)  # type: ignore[arg-type]  # a union of types
         await self.asked(self.application.hall.obey(room, order))
         self.set_status(204)
 
@@ -202,7 +210,10 @@ class RemoteControl(ClassAnswer):
     """A phone in the instructor's hand: shows its ticket, waits until it is let in, then says what is to be done."""
 
     async def _there(self, code: str) -> ClassRoom:
-        self.often(f"remote {code}")
+        """Not for who has shown no ticket: whether there is such a room is not told to those who guess."""
+        if not self.application.tokens.voter(code, self.word):
+            raise RefusedError(403, "The first screen has not let this remote control in.")
+        self.often(f"remote {self.word}")
         return await self.asked(self.application.hall.room(as_code(code)))
 
     def _let_in(self, room: ClassRoom) -> bool:
@@ -216,7 +227,7 @@ class RemoteControl(ClassAnswer):
             raise RefusedError(
                 403, "This code has been used, or is older than a minute. The first screen shows a new one."
             )
-        paired = Paired(digits=new_digits(), key=new_key())
+        paired = Paired(digits=new_digits(), key=self.application.tokens.new(code))
         await self.asked(hall.store.lend(f"pairing {code} {paired.digits}", digest(paired.key), TICKET))
         told = msgspec.json.encode({"digits": paired.digits})
         await self.asked(hall.store.tell(as_code(code), {"remote": told}))

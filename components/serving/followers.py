@@ -13,7 +13,7 @@ from tornado.iostream import IOStream, StreamClosedError
 from components.page.messages import Taught
 from components.page.room import Entered, Vote
 from components.rooms.codes import as_code
-from components.rooms.room import ClassRoom, as_event
+from components.rooms.room import ClassRoom, Ear, as_event
 from components.serving.answers import RefusedError
 from components.serving.classes import ClassAnswer
 from components.serving.visitors import network_of
@@ -28,6 +28,8 @@ BUFFER = 2**14
 """Bytes that the system may hold back for who reads slowly, some of which it doubles: a few updates."""
 GIVEN_UP = 60.0
 """Seconds for which a follower may read nothing."""
+MOST_STREAMS = 8
+"""That one follower may have: a page has one, and one that slept leaves another. The oldest of more is ended."""
 
 
 class Follower(ClassAnswer):
@@ -72,6 +74,7 @@ class Events(Follower):
 
     async def get(self, code: str) -> None:
         room = await self.entered(code)
+        self.often(f"stream {self.word}")
         if not self.leads and room.followers >= MOST_FOLLOWERS:
             raise RefusedError(503, f"This class is full: {MOST_FOLLOWERS} follow it.", after=60)
         self.set_header("Content-Type", "text/event-stream; charset=utf-8")
@@ -82,12 +85,26 @@ class Events(Follower):
         self._pipe.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
         self._pipe.set_nodelay(True)
         self.write(as_event(room.whole()))
-        await self.flush()
+        try:
+            await asyncio.wait_for(self.flush(), GIVEN_UP)
+        except TimeoutError:
+            self._pipe.close()
+            return
+        await self._stay(room, room.streams.setdefault(self.word, []))
+
+    async def _stay(self, room: ClassRoom, own: list[Ear]) -> None:
+        """Among one's own streams, until it ends."""
+        own.append(self)
+        for older in own[:-MOST_STREAMS]:
+            older.end()
         room.ears.add(self)
         try:
             await self._gone.wait()
         finally:
             room.ears.discard(self)
+            own.remove(self)
+            if not own:
+                room.streams.pop(self.word, None)
 
     def hear(self, event: bytes) -> bool:
         """Straight to the connection, as a chunk that is made once for all of them."""
@@ -126,8 +143,8 @@ class Now(Follower):
     """The same for who gets nothing through a stream: all there is, where something is new."""
 
     async def get(self, code: str) -> None:
-        self.often(f"poll {self.word}")
         room = await self.entered(code)
+        self.often(f"poll {self.word}")
         if not self.leads:
             room.polls[self.word[:16]] = monotonic()
         if self.get_query_argument("after", "") == room.number:
@@ -147,13 +164,13 @@ class Answers(Follower):
         self.set_status(204)
 
     async def post(self, code: str) -> None:
-        self.often(f"vote {self.word}")
         room, vote = await self.entered(code), self.body(Vote)
+        self.often(f"vote {self.word}")
         put = room.question
         if put.lesson is None or (put.walk, put.step) != (vote.walk, vote.step):
             raise RefusedError(409, "The answer has not been shown.")
         try:
-            lesson = self.application.hall.lessons.judged(vote)
+            lesson = self.application.hall.lessons_of(room).judged(vote)
         except ValueError as reason:
             raise RefusedError(400, "This is no answer to that question.") from reason
         self.reply(Taught(walk=vote.walk, step=vote.step, lesson=lesson))

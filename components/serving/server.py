@@ -147,7 +147,7 @@ class Server:
         hall: Hall | None = None,
     ) -> None:
         listening, self.port = bind_sockets(settings.address, settings.port)
-        hall = hall or Hall(MemoryStore(), Lessons({}, {}, {}))
+        hall = hall or Hall(MemoryStore(), Lessons({}, {}))
         self.lecture = Lecture(open_page, settings, self.port, figures or {}, sheets or {}, hall)
         self.lecture.initialize(IOLoop.current())
         self._http = HTTPServer(

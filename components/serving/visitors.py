@@ -42,12 +42,14 @@ class Rate:
         self._clock = clock
         self._left: dict[str, tuple[float, float]] = {}
         """Of each who has come lately, how many times are left, and when that was."""
+        self._full = MOST_NETWORKS
 
     def admit(self, name: str) -> float:
         """Count one time; where it is one too many, in how many seconds it may be."""
         now = self._clock()
-        if len(self._left) >= MOST_NETWORKS:
+        if len(self._left) >= self._full:
             self._left = {one: (left, seen) for one, (left, seen) in self._left.items() if now - seen < MINUTE}
+            self._full = max(MOST_NETWORKS, 2 * len(self._left))  # where all came lately, not each time
         left, seen = self._left.get(name, (float(self.most), now))
         left = min(float(self.most), left + (now - seen) * self.most / MINUTE)
         if left < 1:

@@ -18,7 +18,7 @@ ASKS = re.compile(r"\?$|^(Sketch|Mark)\b")
 
 def walk_sheet(walk: Walk, scenes: Scenes) -> WalkSheet:
     return WalkSheet(
-        name=walk.name, title=walk.title, steps=tuple(_card(walk.name, step, scenes) for step in walk.steps)
+        name=walk.name, title=walk.title, steps=tuple(step_card(walk.name, step, scenes) for step in walk.steps)
     )
 
 
@@ -28,7 +28,7 @@ def walk_file(walk: Walk, scenes: Scenes) -> tuple[str, bytes]:
     return f"walks/{walk.name}.{sha256(content).hexdigest()[:16]}.json", content
 
 
-def _card(walk: str, step: Step, scenes: Scenes) -> StepCard:
+def step_card(walk: str, step: Step, scenes: Scenes) -> StepCard:
     given, question = parted(step.question)
     opens = opening_state(walk, step, scenes)
     return StepCard(

@@ -2,9 +2,10 @@
 
 import {element} from "../dom.js"
 import {Card} from "./card.js"
+import {answer, mine} from "./mine.js"
 import {Refusal, ask} from "./room.js"
 
-const HEIGHTS = 101 // of a sketch as it is sent
+const SENT = "Sent. You can change it until the answer is shown."
 const MOMENT = 400 // ms without a change until an answer is sent
 const SPREAD = 1500 // ms over which all phones ask what is said of their answers
 
@@ -31,7 +32,7 @@ export class AskedPut {
   async put(question) {
     const before = this.question
     this.question = question
-    const same = before && before.step === question.step && before.vote === question.vote
+    const same = before && nameOf(before) === nameOf(question) && isSame(before.card, question.card)
     if (!question.step) this.#leave()
     else if (!same || !this.card) await this.#lay()
     if (this.card && question.lesson) await this.#teach(question.lesson)
@@ -46,13 +47,10 @@ export class AskedPut {
   async #lay() {
     const question = /** @type {page.PutTo} */ (this.question)
     this.#leave()
-    const sheet = /** @type {page.WalkSheet} */ (await this.following.sheet(question.sheet))
-    const place = sheet.steps.findIndex(({id}) => id === question.step)
-    const step = sheet.steps[place]
     const {page, shown} = this.following
     // Its plot may not be there before the picture that belongs to it.
-    if (!page || !step || shown.state.scene !== step.opens.scene) return
-    this.card = new Card(this.#walk(sheet, place), page)
+    if (!page || !question.card || shown.state.scene !== question.card.opens.scene) return
+    this.card = new Card(this.#walk(question.card, question.place), page)
     this.card.question.element.after(this.status)
     const {changed} = this.card.question
     this.card.question.changed = () => {
@@ -65,12 +63,13 @@ export class AskedPut {
     this.#restore()
   }
 
-  /** As much of a walk as a card asks for. @param {page.WalkSheet} sheet @param {number} place @returns {any} */
-  #walk(sheet, place) {
+  /** As much of a walk as a card asks for. @param {page.StepCard} step @param {string} where @returns {any} */
+  #walk(step, where) {
     return {
-      sheet,
-      place,
-      step: {...sheet.steps[place], controls: []},
+      sheet: {steps: [step]},
+      place: 0,
+      where,
+      step: {...step, controls: []},
       lesson: null,
       before: {},
       unfolded: false,
@@ -81,8 +80,7 @@ export class AskedPut {
   }
 
   get #name() {
-    const {walk, step, vote} = /** @type {page.PutTo} */ (this.question)
-    return `class-${this.following.code}-${walk}-${step}-${vote}`
+    return nameOf(/** @type {page.PutTo} */ (this.question))
   }
 
   /** @returns {page.Vote | null} */
@@ -93,7 +91,7 @@ export class AskedPut {
     if (!given) return null
     const {option = null, text = "", value = null} = given
     const {pad} = question
-    return {walk, step, vote, option, text, value, curves: pad ? heightsOf(pad) : {}}
+    return {walk, step, vote, option, text, value, curves: pad ? pad.sent : {}}
   }
 
   async #send() {
@@ -102,10 +100,10 @@ export class AskedPut {
     try {
       await ask(`${this.following.code}/answer`, {method: "PUT", body: vote, word: this.following.token})
       this.given = vote
-      this.status.textContent = "Sent. You can change it until the answer is shown."
-      sessionStorage.setItem(this.#name, JSON.stringify(vote))
+      this.status.textContent = SENT
+      answer(this.following.code, this.#name, vote)
     } catch (reason) {
-      if (!(reason instanceof Refusal)) return // a browser that keeps nothing
+      if (!(reason instanceof Refusal)) throw reason
       this.status.textContent = reason.status ? reason.message : "Not sent yet; it is tried again."
       if (!reason.status || reason.status >= 500) this.timer = setTimeout(() => this.#send(), 2000)
     }
@@ -113,18 +111,11 @@ export class AskedPut {
 
   /** What was answered before the page was loaded anew. */
   #restore() {
-    this.given = null
-    try {
-      this.given = JSON.parse(sessionStorage.getItem(this.#name) ?? "null")
-    } catch {
-      // A browser that keeps nothing.
-    }
+    this.given = mine(this.following.code)?.answers[this.#name] ?? null
     if (!this.given) return
-    const question = /** @type {any} */ (this.card?.question)
-    if (this.given.option !== null) question.choose(this.given.option)
-    if (question.field) question.field.value = this.given.text
+    this.card?.question.restore(this.given)
     clearTimeout(this.timer)
-    this.status.textContent = "Sent. You can change it until the answer is shown."
+    this.status.textContent = SENT
   }
 
   /** @param {page.Lesson} lesson what it teaches everybody; of one's own answer the server says more */
@@ -148,17 +139,8 @@ export class AskedPut {
   }
 }
 
-/** Heights in thousandths of the frame, evenly from its left to its right. @param {import("./pad.js").Pad} pad */
-function heightsOf({heights, plot}) {
-  const {start, end} = plot.y
-  /** @param {number | null} y */
-  const share = y =>
-    y === null ? null : Math.min(Math.max(Math.round((1000 * (y - start)) / (end - start)), -100), 1100)
-  const drawn = [...heights].filter(([, ys]) => ys.some(y => y !== null))
-  return Object.fromEntries(
-    drawn.map(([name, ys]) => [
-      name,
-      Array.from({length: HEIGHTS}, (_, i) => share(ys[Math.round((i * (ys.length - 1)) / (HEIGHTS - 1))])),
-    ]),
-  )
-}
+/** @param {page.PutTo} question */
+const nameOf = ({walk, step, vote}) => `${walk}/${step}/${vote}`
+
+/** @param {unknown} one @param {unknown} other */
+const isSame = (one, other) => JSON.stringify(one) === JSON.stringify(other)

@@ -42,10 +42,9 @@ export class Card {
   }
 
   #head() {
-    const {sheet, place, step} = this.walk
+    const {sheet, place, where} = this.walk
     const contents = element("button", {type: "button", class: "plain"}, "Contents")
     contents.addEventListener("click", () => this.walk.open())
-    const where = [step.place, `${place + 1} of ${sheet.steps.length}`].filter(Boolean).join(" · ")
     const dashes = sheet.steps.map((other, i) =>
       element("i", {class: i === place ? "here" : this.walk.answers.of(other.id) ? "done" : ""}),
     )

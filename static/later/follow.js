@@ -6,8 +6,11 @@ import {Page, frame} from "../page.js"
 import {extrasFor} from "../main.js"
 import {AskedPut} from "./answering.js"
 import {Bar} from "./followbar.js"
+import {enter, forget, mine} from "./mine.js"
 import {Refusal, Stream, ask} from "./room.js"
 import {Timing} from "./timing.js"
+
+const OVER = "The class is over. Thank you for coming."
 
 export class Following {
   /** @type {Page} */
@@ -42,13 +45,13 @@ export class Following {
     this.code = code
     this.token = token
     this.host = /** @type {HTMLElement} */ (document.getElementById("app"))
-    this.timing = new Timing()
+    this.timing = new Timing(() => this.bar?.update())
     this.bar = new Bar(this)
     this.asked = new AskedPut(this)
     this.stream = new Stream(code, token, {
       news: news => this.#hear(news),
-      refused: refusal => this.#over(refusal.message),
-      connected: is => this.bar.connected(is),
+      refused: refusal => this.#over(this.news.number ? OVER : refusal.message),
+      connected: (is, why) => this.bar.connected(is, why),
     })
   }
 
@@ -61,7 +64,7 @@ export class Following {
 
   /** @param {Partial<page.News>} news */
   #hear(news) {
-    if (news.ended) return this.#over("The class is over. Thank you for coming.")
+    if (news.ended) return this.#over(OVER)
     Object.assign(this.news, news)
     this.bar.update()
     if (news.picture) this.#next(() => this.#show(/** @type {page.SentPicture} */ (news.picture)))
@@ -143,33 +146,13 @@ export class Following {
   }
 }
 
-/** @param {string} code */
-const key = code => `class-${code}`
-
-/** @param {string} code */
-function forget(code) {
-  try {
-    localStorage.removeItem(key(code))
-  } catch {
-    // It has kept nothing.
-  }
-}
-
 /** The token that this browser keeps, or a new one. @param {string} typed */
 async function entered(typed) {
   const code = typed.toUpperCase().replace(/[\s-]/g, "")
-  try {
-    const kept = localStorage.getItem(key(code))
-    if (kept) return {code, token: kept}
-  } catch {
-    // A browser that keeps nothing answers anew after each loading.
-  }
+  const token = mine(code)?.token
+  if (token) return {code, token}
   const found = await ask(`${encodeURIComponent(code)}/token`, {method: "POST"})
-  try {
-    localStorage.setItem(key(found.code), found.token)
-  } catch {
-    // The same.
-  }
+  enter(found.code, found.token)
   return found
 }
 

@@ -4,6 +4,7 @@ import {element} from "../dom.js"
 
 export class Bar {
   away = false
+  why = ""
 
   /** @param {import("./follow.js").Following} following */
   constructor(following) {
@@ -11,25 +12,36 @@ export class Bar {
     this.element = /** @type {HTMLElement} */ (document.querySelector(".class-bar"))
     this.here = /** @type {HTMLElement} */ (document.querySelector(".class-here"))
     this.state = element("b", {}, "Following")
+    this.within = element("span", {class: "within"})
     this.line = element("span", {})
     this.own = element("a", {class: "act", href: "./"}, "Look around on your own")
     this.own.addEventListener("click", () => this.#leave())
-    this.element.append(element("div", {role: "status"}, this.state, this.line), this.own)
+    this.element.append(
+      element("div", {}, element("div", {role: "status"}, this.state, this.line), this.within),
+      this.own,
+    )
   }
 
-  /** @param {boolean} is */
-  connected(is) {
-    if (this.away === !is) return
+  /** @param {boolean} is @param {string} why not, where the server says so */
+  connected(is, why = "") {
+    if (this.away === !is && this.why === why) return
     this.away = !is
+    this.why = why
+    const coming = document.querySelector(".class-wait h1")
+    if (coming && why) coming.textContent = why
     this.update()
   }
 
   update() {
     const {news, shown, code} = this.following
+    const {bound} = this.following.timing
     this.state.textContent = this.away ? "Not connected" : "Following"
+    this.within.textContent = this.away || bound === Infinity ? "" : `clock within ${Math.ceil(bound)} ms`
     const behind = news.lost ? "The lecture's server is being looked for; this is its last state." : ""
     const calm = news.question?.place || "the lecture"
-    this.line.textContent = this.away ? "What you see still plays; it comes back by itself." : behind || calm
+    this.line.textContent = this.away
+      ? this.why || "What you see still plays; it comes back by itself."
+      : behind || calm
     this.here.textContent = [code, news.here ? `${news.here} here` : ""].filter(Boolean).join(", ")
     if (shown) this.own.href = `./?${shown.query}`
   }

@@ -48,14 +48,14 @@ export class Marker {
     event.stopPropagation()
     this.layer.setPointerCapture(event.pointerId)
     this.pill.focus({preventScroll: true})
-    this.#set(this.plot.valueAt(event, this.which === "x" ? "x" : "y"))
+    this.put(this.plot.valueAt(event, this.which === "x" ? "x" : "y"))
   }
 
   /** @param {PointerEvent} event */
   #drag(event) {
     if (!this.layer.hasPointerCapture(event.pointerId)) return
     event.stopPropagation()
-    this.#set(this.plot.valueAt(event, this.which === "x" ? "x" : "y"))
+    this.put(this.plot.valueAt(event, this.which === "x" ? "x" : "y"))
   }
 
   /** @param {KeyboardEvent} event */
@@ -66,11 +66,11 @@ export class Marker {
     event.stopPropagation()
     const {start, end} = this.ruler
     const size = (end - start) / STEPS / (event.shiftKey ? 10 : 1)
-    this.#set((this.value ?? (start + end) / 2) + way * size)
+    this.put((this.value ?? (start + end) / 2) + way * size)
   }
 
-  /** @param {number} value */
-  #set(value) {
+  /** @param {number} value a place on the axis */
+  put(value) {
     const {start, end} = this.ruler
     this.value = Math.min(Math.max(value, Math.min(start, end)), Math.max(start, end))
     this.place()

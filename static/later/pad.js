@@ -9,6 +9,7 @@ import {mark} from "./questions.js"
 const COLUMNS = 200 // across the frame
 const SLACK = 12 // units around the frame that a hand may go to
 const STEP = 0.02 // of the frame, by an arrow key with Shift
+const EACH = 2 // columns from one height to the next, as a class is sent a sketch
 
 export class Pad {
   /** @type {Map<string, (number | null)[]>} heights by curve */
@@ -160,6 +161,35 @@ export class Pad {
     const points = []
     for (const [i, height] of heights.entries()) if (height !== null) points.push([this.#abscissa(i), height])
     return points
+  }
+
+  /** What a class is sent: heights in thousandths of the frame, evenly from its left to its right. */
+  get sent() {
+    const {start, end} = this.plot.y
+    /** @param {number | null} y */
+    const share = y =>
+      y === null ? null : Math.min(Math.max(Math.round((1000 * (y - start)) / (end - start)), -100), 1100)
+    const drawn = [...this.heights].filter(([, heights]) => heights.some(y => y !== null))
+    return Object.fromEntries(
+      drawn.map(([name, heights]) => [name, heights.filter((_, i) => i % EACH === 0).map(share)]),
+    )
+  }
+
+  /**
+   * What was sent is drawn again; between two heights it is straight.
+   * @param {Record<string, (number | null)[]>} sent
+   */
+  restore(sent) {
+    const {start, end} = this.plot.y
+    for (const [name, shares] of Object.entries(sent)) {
+      const ys = shares.map(share => (share === null ? null : start + (share / 1000) * (end - start)))
+      const heights = this.heights.get(name)?.map((_, i) => {
+        const [low, high] = [ys[Math.floor(i / EACH)] ?? null, ys[Math.ceil(i / EACH)] ?? null]
+        return low === null || high === null ? null : (low + high) / 2
+      })
+      if (heights) this.heights.set(name, heights)
+    }
+    this.place()
   }
 
   /** The ink where the axes now are. */

@@ -45,6 +45,9 @@ class Question {
     return null
   }
 
+  /** What was answered before. @param {page.Vote} _vote */
+  restore(_vote) {}
+
   /** @param {page.Lesson} _lesson */
   teach(_lesson) {}
 
@@ -104,6 +107,11 @@ class Choice extends Question {
     return this.chosen < 0 ? null : {option: this.chosen}
   }
 
+  /** @param {page.Vote} vote */
+  restore({option}) {
+    this.choose(option ?? -1)
+  }
+
   /** @param {page.Lesson} lesson */
   teach({verdicts}) {
     this.taught = true
@@ -146,6 +154,11 @@ class Numeric extends Question {
     return this.field.value.trim() ? {text: this.field.value} : null
   }
 
+  /** @param {page.Vote} vote */
+  restore({text = ""}) {
+    this.field.value = text
+  }
+
   /** @param {page.Lesson} lesson */
   teach({right}) {
     this.field.readOnly = true
@@ -179,6 +192,11 @@ class Point extends Question {
 
   given() {
     return this.marker.value === null ? null : {value: this.marker.value}
+  }
+
+  /** @param {page.Vote} vote */
+  restore({value}) {
+    if (typeof value === "number") this.marker.put(value)
   }
 
   /** @param {page.Lesson} lesson */
@@ -240,6 +258,11 @@ class Sketch extends Question {
   given() {
     const {strokes} = this.pad
     return Object.values(strokes).some(stroke => stroke.length > 1) ? {curves: strokes} : null
+  }
+
+  /** @param {page.Vote} vote */
+  restore({curves = {}}) {
+    this.pad.restore(curves)
   }
 
   counted = "a sketch"

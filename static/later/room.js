@@ -4,6 +4,7 @@ const PATIENCE = 3000 // ms until a stream that brings nothing is given up for a
 const SILENCE = 25000 // ms after which a stream is taken up anew: the server says something every 15 s
 const ASKING = 1000 // ms between questions
 const LONGEST = 8000 // ms between tries
+const TRIAL = 60000 // ms, after which a stream is tried again where none came through
 
 /** A refusal of the server's, in a sentence; `status` is 0 where nobody answers. */
 export class Refusal extends Error {
@@ -49,100 +50,164 @@ const address = path => new URL(`class${path ? "/" : ""}${path}`, document.baseU
 /**
  * All that is new of a room. Where nothing comes through a stream, it asks once a second.
  * @typedef {{news: (news: Partial<page.News>) => void, refused: (refusal: Refusal) => void,
- *   connected: (is: boolean) => void}} Ears
+ *   connected: (is: boolean, why?: string) => void}} Ears
  */
 export class Stream {
-  /** @type {AbortController | null} */
-  control = null
+  /** @type {AbortController} */
+  control = new AbortController()
 
+  listening = new AbortController()
   polls = false
   over = false
+  atOnce = false // what is given up is begun anew without a pause
   number = ""
-  last = 0
+  last = 0 // when something was heard, by the time of day: it goes on while a phone sleeps
   tries = 0
+
+  /** @type {number | undefined} until the next try */
+  timer
 
   /** @param {string} code @param {string} word a token or the key @param {Ears} ears */
   constructor(code, word, ears) {
     this.code = code
     this.word = word
     this.ears = ears
-    document.addEventListener("visibilitychange", () => document.hidden || this.#wake())
-    addEventListener("online", () => this.#wake())
-    setInterval(() => this.#watch(), 1000)
+    const {signal} = this.listening
+    document.addEventListener("visibilitychange", () => document.hidden || this.#anew(), {signal})
+    addEventListener("pageshow", event => event.persisted && this.#anew(), {signal})
+    addEventListener("online", () => this.#anew(), {signal})
+    this.watching = setInterval(() => this.#watch(), ASKING)
     this.#go()
   }
 
-  /** A phone that wakes has slept through what was said. */
-  #wake() {
+  /** A phone that wakes has slept through what was said, and its stream may be dead without a word. */
+  #anew() {
     this.tries = 0
-    if (performance.now() - this.last > 2000) this.control?.abort()
+    this.atOnce = true
+    this.control.abort()
+    if (this.timer) this.#go()
   }
 
   #watch() {
-    if (performance.now() - this.last > SILENCE) this.control?.abort()
+    if (!this.timer && Date.now() - this.last > SILENCE) this.control.abort()
   }
 
   async #go() {
+    clearTimeout(this.timer)
+    this.timer = undefined
+    this.atOnce = false
+    this.last = Date.now()
     this.control = new AbortController()
+    let why = ""
     try {
-      await (this.polls ? this.#poll(this.control.signal) : this.#read(this.control))
+      await (this.polls ? this.#poll(this.control) : this.#read(this.control))
     } catch (reason) {
-      if (reason instanceof Refusal && reason.status >= 400 && reason.status < 500 && reason.status !== 429) {
-        this.ears.refused(reason)
-        return
+      if (reason instanceof Refusal && reason.status) {
+        if (reason.status < 500 && reason.status !== 429) return this.ears.refused(reason)
+        why = reason.message
       }
     }
-    this.last = performance.now()
     if (this.over) return
-    this.ears.connected(false)
+    if (this.atOnce) return void this.#go()
+    this.ears.connected(false, why)
     const longest = Math.min(300 * 2 ** this.tries++, LONGEST)
-    setTimeout(() => this.over || this.#go(), longest * (0.5 + Math.random()))
+    this.timer = setTimeout(() => this.#go(), longest * (0.5 + Math.random()))
   }
 
-  /** @param {AbortController} control */
+  /** A proxy may hold back even the head of the answer. @param {AbortController} control */
   async #read(control) {
-    const answer = await asked(`${this.code}/events`, {word: this.word, signal: control.signal})
-    const reader = /** @type {ReadableStream<Uint8Array<ArrayBuffer>>} */ (answer.body).getReader()
     const giveUp = setTimeout(() => {
       this.polls = true
+      this.trial = Date.now() + TRIAL
+      this.atOnce = true
       control.abort()
     }, PATIENCE)
-    const decoder = new TextDecoder()
-    let text = ""
-    const more = async () => {
-      const {done, value} = await reader.read()
+    try {
+      const answer = await asked(`${this.code}/events`, {word: this.word, signal: control.signal})
+      await heard(answer, text => {
+        clearTimeout(giveUp)
+        this.#hear(JSON.parse(text))
+      })
+    } finally {
       clearTimeout(giveUp)
-      if (done) return
-      text += decoder.decode(value, {stream: true})
-      const events = text.split("\n\n")
-      text = events.pop() ?? ""
-      for (const event of events) this.#hear(JSON.parse(event.slice("data: ".length)))
-      await more()
     }
-    await more()
   }
 
-  /** @param {AbortSignal} signal */
-  async #poll(signal) {
-    const news = await ask(`${this.code}/now?after=${this.number}`, {word: this.word, signal})
-    if (news) this.#hear(news)
-    this.last = performance.now()
-    await new Promise(done => setTimeout(done, ASKING))
-    if (!this.over) await this.#poll(signal)
+  /** @param {AbortController} control @returns {Promise<void>} */
+  #poll({signal}) {
+    return new Promise((_, failed) => {
+      signal.addEventListener("abort", failed)
+      const look = async () => {
+        const news = await ask(`${this.code}/now?after=${this.number}`, {word: this.word, signal})
+        if (news) this.#hear(news)
+        else this.#hears()
+        if (Date.now() > this.trial) this.#knock()
+        if (!this.over) setTimeout(() => look().catch(failed), ASKING)
+      }
+      look().catch(failed)
+    })
+  }
+
+  trial = 0 // when a stream is tried again
+
+  /** Asking costs the server more than a stream: now and then one is tried, beside the asking. */
+  async #knock() {
+    this.trial = Date.now() + TRIAL
+    const control = new AbortController()
+    const giveUp = setTimeout(() => control.abort(), PATIENCE)
+    try {
+      const answer = await asked(`${this.code}/events`, {word: this.word, signal: control.signal})
+      await heard(answer, () => {
+        this.polls = false
+        control.abort()
+        this.#anew()
+      })
+    } catch {
+      // Nothing comes through as yet.
+    }
+    clearTimeout(giveUp)
+  }
+
+  #hears() {
+    this.last = Date.now()
+    this.tries = 0
+    this.ears.connected(true)
   }
 
   /** @param {Partial<page.News>} news */
   #hear(news) {
-    this.last = performance.now()
-    this.tries = 0
+    this.#hears()
     this.number = news.number ?? ""
-    this.ears.connected(true)
     this.over = Boolean(news.ended)
     this.ears.news(news)
   }
 
   close() {
     this.over = true
-    this.control?.abort()
+    clearTimeout(this.timer)
+    clearInterval(this.watching)
+    this.listening.abort()
+    this.control.abort()
   }
+}
+
+/**
+ * Each event of a stream, until it ends.
+ * @param {Response} answer @param {(text: string) => void} event @returns {Promise<void>}
+ */
+function heard(answer, event) {
+  const reader = /** @type {ReadableStream<Uint8Array<ArrayBuffer>>} */ (answer.body).getReader()
+  const decoder = new TextDecoder()
+  let text = ""
+  return new Promise((ended, failed) => {
+    const more = async () => {
+      const {done, value} = await reader.read()
+      if (done) return ended()
+      const events = (text + decoder.decode(value, {stream: true})).split("\n\n")
+      text = events.pop() ?? ""
+      for (const each of events) event(each.slice("data: ".length))
+      more().catch(failed)
+    }
+    more().catch(failed)
+  })
 }

@@ -22,6 +22,9 @@ export class Teach {
   /** @type {string} the question that followers have, as it is named here */
   put = ""
 
+  /** @type {page.WalkSheet | undefined} its walk: one that is read from its file anew is another */
+  sheet
+
   away = false
   looking = 0
 
@@ -87,17 +90,22 @@ export class Teach {
     else if (deed === "show" && walk && !walk.lesson) walk.show(true)
   }
 
-  /** @param {page.Order} order */
+  /** Whether it was done. @param {page.Order} order */
   order(order) {
     const {code, key} = this.room
     const send = () => ask(`${code}/lead`, {method: "POST", body: order, word: key})
-    this.orders = this.orders.then(send).catch(reason => {
-      // What waits is overtaken: the clock is looked at anyway, and the question is put again.
-      if (order.type === "clock") this.told = null
-      else if (reason instanceof Refusal && reason.status) this.lecture.page.notify([reason.message])
-      else setTimeout(() => this.order(order), 1000)
-    })
-    return this.orders
+    const done = this.orders.then(send).then(
+      () => true,
+      reason => {
+        // What waits is overtaken: the clock is looked at anyway, and the question is put again.
+        if (order.type === "clock") this.told = null
+        else if (reason instanceof Refusal && reason.status) this.lecture.page.notify([reason.message])
+        else setTimeout(() => this.order(order), 1000)
+        return false
+      },
+    )
+    this.orders = done
+    return done
   }
 
   /** Where followers would see another instant than this page, they are told. */
@@ -120,10 +128,11 @@ export class Teach {
   walked(walk) {
     const step = walk?.step
     const name = walk && step ? `${walk.sheet.name}/${step.id}` : ""
-    if (name !== this.put) {
+    if (name !== this.put || (walk && walk.sheet !== this.sheet)) {
       this.put = name
+      this.sheet = walk?.sheet
       this.votes.begin(walk)
-      if (walk && step) this.order({type: "put", walk: walk.sheet.name, step: step.id, again: false})
+      if (walk && step) this.#put(walk)
       else this.order({type: "withdraw"})
     } else if (walk?.card && this.votes.card !== walk.card) this.votes.begin(walk)
     if (walk?.lesson && !this.shown) {
@@ -135,6 +144,13 @@ export class Teach {
   }
 
   shown = false
+
+  /** The room must know a walk from a file before it can be asked of phones. @param {Walk} walk */
+  async #put({sheet: {name}, step, walks: {own, texts}}) {
+    const {put} = this
+    if (own.has(name) && !(await this.order({type: "walk", name, text: texts[name]}))) return
+    if (put === this.put) this.order({type: "put", walk: name, step: step.id, again: false})
+  }
 
   /** The same question once more, after talk. */
   again() {

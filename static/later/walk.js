@@ -35,6 +35,11 @@ export class Walk {
     return this.sheet.steps[this.place]
   }
 
+  /** Its place in the lecture and in the walk. */
+  get where() {
+    return [this.step.place, `${this.place + 1} of ${this.sheet.steps.length}`].filter(Boolean).join(" · ")
+  }
+
   /** To a step, which opens covered and at t = 0. @param {number} place */
   go(place) {
     const step = this.sheet.steps[place]

@@ -12,6 +12,7 @@ import pytest
 
 from components.page.room import (
     EndRoom,
+    HandWalk,
     News,
     PutQuestion,
     RunClock,
@@ -21,6 +22,7 @@ from components.page.room import (
     Vote,
     Withdraw,
 )
+from components.rooms import hall as hall_of
 from components.rooms.codes import SIGNS, Tokens, as_code, new_code
 from components.rooms.hall import ClosedError, Hall
 from components.rooms.lessons import Lessons
@@ -32,7 +34,7 @@ from components.scenes import SCENES
 from components.walks.registry import all_walks
 from tests.rooms.stores import KINDS, Valkey, made, valkey_running
 
-LESSONS = Lessons(all_walks((), SCENES), SCENES, {"d31": "walks/d31.json", "d34": "walks/d34.json"})
+LESSONS = Lessons(all_walks((), SCENES), SCENES)
 CHOICE, NUMBER, POINT, SKETCH = ("d31", "d31-03"), ("d31", "d31-02"), ("d34", "d34-04"), ("d34", "d34-14")
 Test = Callable[[Hall, ClassRoom], Coroutine[None, None, None]]
 
@@ -202,6 +204,36 @@ def test_a_walk_that_the_server_does_not_know_is_refused(in_class: Callable[[Tes
             await hall.obey(room, PutQuestion(walk="mine", step="one"))
         with pytest.raises(ValueError, match="No question"):
             await hall.obey(room, ShowAnswer())
+
+    in_class(test)
+
+
+def test_a_walk_from_a_file_is_asked_as_any_other(in_class: Callable[[Test], None]) -> None:
+    text = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
+
+    async def test(hall: Hall, room: ClassRoom) -> None:
+        listener, (walk, step) = Listener(), ("mine", "one")
+        room.ears.add(listener)
+        with pytest.raises(ValueError, match="is no step that is known"):
+            await hall.obey(room, HandWalk(name=walk, text=text.replace("d31-03", "d31-99")))
+        for _ in range(2):  # a page that comes back hands it over again
+            await hall.obey(room, HandWalk(name=walk, text=text))
+        await hall.obey(room, PutQuestion(walk=walk, step=step))
+        put = listener.news[-1].question
+        assert put and put.card and put.place == "D31, slide 1 · 1 of 1" and len(put.card.options) == 3
+        await hall.vote(room, "one", Vote(walk=walk, step=step, option=0))
+        await hall.vote(room, "two", Vote(walk=walk, step=step, option=2))
+        await hall.obey(room, ShowAnswer())
+        tally = await hall.tally(room)
+        assert tally and tally.now.options == (1, 0, 1) and tally.right == 1
+        assert (await answers_csv(hall, room)).splitlines()[1:] == ["mine,one,1,1,yes", "mine,one,1,3,no"]
+        await hall.obey(room, HandWalk(name=walk, text=text.replace("d31-03", "d31-02")))  # now it asks for a number
+        tally = await hall.tally(room)
+        assert tally and tally.now.answered == 0
+        for n in range(hall_of.MOST_OWN - 1):
+            await hall.obey(room, HandWalk(name=f"more-{n}", text=text))
+        with pytest.raises(ValueError, match="one more"):
+            await hall.obey(room, HandWalk(name="too-many", text=text))
 
     in_class(test)
 

@@ -1,0 +1,103 @@
+"""A TCP proxy between a browser and the server: it delays what passes, holds back streams, or falls silent."""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+NONE = 0.0
+STREAM = b"text/event-stream"
+
+
+class Between:
+    """At `url`, in a thread of its own. Each piece takes `delay()` seconds, never overtaking another."""
+
+    def __init__(self, port: int, delay: Callable[[], float], holds: bool) -> None:
+        self._port = port
+        self._delay = delay
+        self._holds = holds
+        self._silent: list[list[bool]] = []
+        self._ends: set[asyncio.StreamWriter] = set()
+        self._loop = asyncio.new_event_loop()
+        self._started = threading.Event()
+        self._thread = threading.Thread(target=self._run, daemon=True)
+        self.port = 0
+
+    @property
+    def url(self) -> str:
+        return f"http://127.0.0.1:{self.port}/"
+
+    def silence(self) -> None:
+        """What is connected hears nothing more, not even an end, as after a phone's sleep; new connections stand."""
+        for silent in self._silent:
+            silent[0] = True
+
+    def start(self) -> None:
+        self._thread.start()
+        self._started.wait(10)
+
+    def stop(self) -> None:
+        self._loop.call_soon_threadsafe(self._loop.stop)
+        self._thread.join(10)
+
+    def _run(self) -> None:
+        server = self._loop.run_until_complete(asyncio.start_server(self._join, "127.0.0.1", 0))
+        self.port = server.sockets[0].getsockname()[1]
+        self._started.set()
+        self._loop.run_forever()
+        server.close()
+        for end in self._ends:
+            end.transport.abort()
+        while tasks := asyncio.all_tasks(self._loop):
+            self._loop.run_until_complete(asyncio.wait(tasks))
+        self._loop.close()
+
+    async def _join(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        there, back = await asyncio.open_connection("127.0.0.1", self._port)
+        silent = [False]
+        self._silent.append(silent)
+        self._ends |= {writer, back}
+        ways = self._carry(reader, back, [False]), self._carry(there, writer, silent)
+        await asyncio.wait([asyncio.create_task(way) for way in ways], return_when=asyncio.FIRST_COMPLETED)
+        self._silent.remove(silent)
+        self._ends -= {writer, back}
+        back.close()
+        writer.close()
+
+    async def _carry(self, source: asyncio.StreamReader, sink: asyncio.StreamWriter, silent: list[bool]) -> None:
+        """Until the source ends; it is read on while what it said is on its way."""
+        on_its_way: asyncio.Queue[tuple[float, bytes]] = asyncio.Queue()
+        sending = asyncio.create_task(self._send(on_its_way, sink, silent))
+        data = b"begun"
+        while data:
+            try:
+                data = await source.read(65536)
+            except ConnectionError:
+                data = b""
+            silent[0] |= self._holds and STREAM in data
+            on_its_way.put_nowait((self._loop.time() + self._delay(), data))
+        await sending
+
+    async def _send(
+        self, on_its_way: asyncio.Queue[tuple[float, bytes]], sink: asyncio.StreamWriter, silent: list[bool]
+    ) -> None:
+        while True:
+            due, data = await on_its_way.get()
+            await asyncio.sleep(max(0.0, due - self._loop.time()))
+            if not data:
+                return
+            if not silent[0]:
+                sink.write(data)
+
+
+@contextmanager
+def between(port: int, delay: Callable[[], float] = lambda: NONE, holds: bool = False) -> Iterator[Between]:
+    """`holds` as a proxy does that buffers answers: of a stream of events nothing comes through."""
+    proxy = Between(port, delay, holds)
+    proxy.start()
+    try:
+        yield proxy
+    finally:
+        proxy.stop()

@@ -1,0 +1,129 @@
+"""Whoever means a class ill: guesses its code, drives it without its key, floods it, or takes its places."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+
+import pytest
+
+from components.serving import classes, followers
+from components.serving.server import Server
+from tests.rooms.caller import Class, Stream, called
+from tests.serving.test_class import CHOICE, run
+
+SKETCH = {"walk": "d34", "step": "d34-14"}
+
+
+def test_no_answer_tells_whether_there_is_a_class_of_a_code() -> None:
+    asked = [
+        ("GET", "lead", None), ("POST", "lead", {"type": "end"}), ("GET", "tally", None), ("GET", "answers.csv", None),
+        ("POST", "tickets", None), ("PUT", "tickets", {"digits": "10"}), ("GET", "remote", None), ("GET", "now", None),
+        ("POST", "remote", {"deed": "next"}), ("PUT", "remote", {"address": "x"}), ("GET", "events", None),
+        ("PUT", "answer", {**CHOICE, "option": 0}), ("POST", "answer", {**CHOICE, "option": 0}),
+    ]  # fmt: skip
+
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        await lesson.order("put", **CHOICE)
+        none = "2222" if lesson.code != "2222" else "3333"
+        for word in ("", "x" * 32, "made.up"):
+            for method, path, body in asked:
+                there, nowhere = [
+                    await called(url, f"/class/{code}/{path}", method, body, word) for code in (lesson.code, none)
+                ]
+                assert there[:2] == nowhere[:2], path
+                assert there.status in (403, 404) and there.json["sentence"].endswith(".")
+
+    run(test)
+
+
+def test_a_remote_control_without_its_ticket_drives_nothing() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        leader = await Stream(url, lesson.code, lesson.key).open()
+        path = f"/class/{lesson.code}/remote"
+        for word in ("", await lesson.token(), lesson.key):  # a follower's token, and even the key, are no remote
+            assert (await called(url, path, "POST", {"deed": "next"}, word)).status == 403
+        await lesson.order("withdraw")
+        await leader.until(lambda event: event.get("question"))
+        assert not any(event.get("deed") for _, event in leader.heard)
+        await leader.close()
+
+    run(test)
+
+
+def test_sketches_that_are_too_large_are_refused_in_words() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        await lesson.order("put", **SKETCH)
+        token = await lesson.token()
+        for curves, status in (
+            ({"Xp1": [500] * 101}, 204), ({"Xp1": [500] * 102}, 400), ({"Xp1": [1101] * 101}, 400),
+            ({"Xp1": [5] * 100}, 409), ({"Xp9": [5] * 101}, 409), ({f"X{i}": [5] * 101 for i in range(3)}, 400),
+            ({"Xp1": [1e3] * 101, "Xp2": [-1e-7] * 101}, 400), ({"Xp1": [500] * 5_000}, 413),
+        ):  # fmt: skip
+            reply = await lesson.vote(token, **SKETCH, curves=curves)
+            assert reply.status == status, reply.text
+            assert status == 204 or reply.json["sentence"].endswith(".")
+        tally = (await lesson.tally())["now"]
+        assert [sketch["curves"] for sketch in tally["sketches"]] == [{"Xp1": [500] * 101}]
+
+    run(test)
+
+
+def test_a_storm_of_streams_takes_no_places() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        other, token = await lesson.follow(), await lesson.token()
+        streams = [await Stream(url, lesson.code, token).open() for _ in range(3 * followers.MOST_STREAMS)]
+        room = server.lecture.hall.rooms[lesson.code]
+        async with asyncio.timeout(10):
+            while room.followers > 1 + followers.MOST_STREAMS:
+                await asyncio.sleep(0.01)
+            while sum(stream.ended for stream in streams) < 2 * followers.MOST_STREAMS:
+                await asyncio.sleep(0.01)
+        assert not streams[-1].ended and not other.ended  # the newest stand, and so does everybody else's
+        for stream in streams:
+            await stream.close()
+        async with asyncio.timeout(10):
+            while len(room.streams) > 1:
+                await asyncio.sleep(0.01)
+        await other.close()
+
+    run(test)
+
+
+def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(followers, "GIVEN_UP", 0.3)
+
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        mute = socket.socket()
+        mute.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        mute.connect(("127.0.0.1", server.port))
+        head = f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\n"
+        mute.sendall(f"{head}Authorization: Bearer {await lesson.token()}\r\n\r\n".encode())
+        room = (await called(url, f"/class/{lesson.code}/lead", word=lesson.key)) and server.lecture.hall.rooms
+        async with asyncio.timeout(10):
+            while room[lesson.code].followers < 1:
+                await asyncio.sleep(0.01)
+            while room[lesson.code].followers:
+                room[lesson.code].tell({"picture": b'{"sheet":"s","data":"%s"}' % (b"A" * 4000)})
+                await asyncio.sleep(0.01)
+        mute.close()
+
+    run(test)
+
+
+def test_one_network_does_not_take_all_rooms(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(classes, "MOST_OPENED", 2)
+
+    async def test(server: Server, url: str) -> None:
+        async def opened(address: str) -> int:
+            return (await called(url, "/class", "POST", X_Forwarded_For=address)).status
+
+        assert [await opened(f"198.51.100.{i}") for i in range(4)] == [200, 200, 429, 429]
+        assert await opened("203.0.113.9") == 200
+
+    run(test, trusted_proxies=("127.0.0.1",))
