@@ -14,12 +14,10 @@ from bokeh.protocol.message import Message
 from bokeh.protocol.messages.patch_doc import patch_doc
 from bokeh.server.session import ServerSession
 from bokeh.server.views.ws import WSHandler
-from tornado.iostream import StreamClosedError
 from tornado.websocket import WebSocketClosedError
 
 from components.serving.answers import RefusedError, Visited
 from components.serving.incoming import Incoming, ViolationError
-from components.serving.outgoing import framed
 from components.serving.tokens import opens_session
 
 if TYPE_CHECKING:
@@ -58,8 +56,8 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
 
     def open(self, *args: str, **kwargs: str) -> None:
         self.application.sockets.add(self)
-        # By default TCP holds a message back until the browser has acknowledged the one before, which it delays by up
-        # to 40 ms.
+        # An answer is several small frames. By default TCP holds the later ones back until the browser has acknowledged
+        # the first, which it delays by up to 40 ms.
         self.set_nodelay(True)
         super().open()
 
@@ -122,12 +120,6 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
             if isinstance(message, patch_doc):
                 self.application.metrics.change.observe(monotonic() - arrived)
         self._work = None
-
-    async def send_message(self, message: Message[Any]) -> None:
-        """In one piece. Who has left meanwhile needs none."""
-        if self.ws_connection is not None and not self.ws_connection.is_closing():
-            with suppress(StreamClosedError):
-                await self.ws_connection.stream.write(framed(message))
 
     async def _answer(self, message: Message[Any]) -> None:
         try:
