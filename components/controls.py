@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import param
 from msgspec.structs import replace
@@ -133,13 +134,16 @@ def _choice(name: str, parameter: AnyParameter, pictures: Pictures) -> ChoiceRow
 
 
 def settings(
-    scene: param.Parameterized, units: Mapping[str, Unit], spans: Mapping[str, tuple[float, float]]
+    parameters: Mapping[str, AnyParameter],
+    values: Mapping[str, Any],
+    units: Mapping[str, Unit],
+    spans: Mapping[str, tuple[float, float]],
 ) -> dict[str, Setting]:
-    """What the controls show now: `units` are those shown in place of a quantity's own, `spans` the ends of the sliders
-    that follow the scene."""
+    """What the controls show of these values: `units` are those shown in place of a quantity's own, `spans` the ends of
+    the sliders that follow the scene."""
     found: dict[str, Setting] = {}
-    for name, parameter in scene.param.objects("existing").items():
-        value = getattr(scene, name)
+    for name, parameter in parameters.items():
+        value = values.get(name)
         if isinstance(parameter, Quantity):
             found[name] = _setting(parameter, value, units.get(name), spans.get(name))
         elif isinstance(parameter, Choice) and not isinstance(parameter, param.ListSelector):

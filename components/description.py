@@ -58,7 +58,7 @@ def usual(scene: type[Scene]) -> bytes:
         scene=scene.slug,
         sheet="",
         view=view,
-        settings=settings(first, first.units(), first.shown.spans),
+        settings=settings(first.param.objects("existing"), first.values, first.units(), first.shown.spans),
         state=State(scene=scene.slug),
         preset=None,
         here=(),

@@ -4,6 +4,7 @@ import math
 import re
 import unicodedata
 from decimal import Decimal
+from functools import lru_cache
 
 MINUS = "\N{MINUS SIGN}"
 PLAIN_EXPONENTS = range(-3, 5)
@@ -64,6 +65,7 @@ def at_tick(value: float) -> str:
     return text.replace("-", MINUS) if plain else short(value)
 
 
+@lru_cache(maxsize=4096)
 def tidy(value: float) -> str:
     """The text of an input field: three digits, or as many as `value` needs to come back exactly."""
     if value == 0:

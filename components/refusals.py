@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from traceback import extract_tb
 from typing import Any
@@ -51,19 +51,23 @@ def in_words() -> Iterator[None]:
 
 def check_sendable(value: Any) -> None:
     """ArithmeticError where a number in nested lists, dicts and structs is not finite: it cannot be sent."""
-    left, numbers, columns = [value], [], [np.empty(0)]
+    left: list[Iterable[Any]] = [[value]]
+    numbers: list[float] = []
+    columns = [np.empty(0)]
     while left:
-        part = left.pop()
-        if isinstance(part, float):
-            numbers.append(part)
-        elif isinstance(part, (list, tuple)):
-            left.extend(part)
-        elif isinstance(part, dict):
-            left.extend(part.values())
-        elif isinstance(part, msgspec.Struct):
-            left.extend(msgspec.structs.astuple(part))
-        elif isinstance(part, np.ndarray):
-            columns.append(part)
+        for part in left.pop():
+            if isinstance(part, float):
+                numbers.append(part)
+            elif isinstance(part, str):
+                continue
+            elif isinstance(part, (list, tuple)):
+                left.append(part)
+            elif isinstance(part, dict):
+                left.append(part.values())
+            elif isinstance(part, msgspec.Struct):
+                left.append(msgspec.structs.astuple(part))
+            elif isinstance(part, np.ndarray):
+                columns.append(part)
     if not np.isfinite(np.concatenate(columns)).all():
         raise OverflowError("a column has numbers that are not finite")
     if not all(map(math.isfinite, numbers)):

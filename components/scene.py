@@ -63,7 +63,7 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
         super().__init__(**values)  # type: ignore[no-untyped-call]  # param's own has no types
         self._follow(frozenset(values))
         self._drawn: Framed = self._picture(frozenset())
-        self._good = self._state()
+        self._good = {name: value for name, value in self.param.values().items() if name != "name"}
         self._listeners: list[Callable[[Picture], None]] = []
         self.param.watch(self._solve, list(self._good))
 
@@ -147,6 +147,11 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
             self._given = False
 
     @property
+    def values(self) -> Values:
+        """The values of all parameters that the picture in force is of."""
+        return self._good
+
+    @property
     def opening(self) -> bool:
         """Whether the values that are being set are all that is known: of a state, or of a new scene."""
         return self._given or not self._good
@@ -208,10 +213,15 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
             if isinstance(parameter, kinds) and not parameter.constant and not name.startswith("_")
         }
 
+    def changed(self) -> Values:
+        """Those of them that are not at their defaults."""
+        linked = self.linked().items()
+        return {name: self.values[name] for name, parameter in linked if self.values[name] != parameter.default}
+
     def preset(self) -> str | None:
         """The label of the preset in force, if any."""
         names = self.preset_names()
-        now = [getattr(self, name) for name in names]
+        now = [self.values[name] for name in names]
         return next((label for label in self.presets if now == [self.preset_value(label, n) for n in names]), None)
 
     @classmethod
@@ -232,9 +242,6 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
             self._restore()
             raise
 
-    def _state(self) -> dict[str, object]:
-        return {name: value for name, value in self.param.values().items() if name != "name"}
-
     def _restore(self) -> None:
         good = getattr(self, "_good", None)
         if not good:
@@ -243,10 +250,13 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
             for name, value in good.items():
                 super().__setattr__(name, value)
 
-    def _follow(self, changed: frozenset[str]) -> None:
+    def _follow(self, changed: frozenset[str]) -> frozenset[str]:
+        """What has changed, with what follows from it."""
         with discard_events(self), in_words():
-            for name, value in self.following(changed).items():
+            followed = self.following(changed)
+            for name, value in followed.items():
                 super().__setattr__(name, value)
+        return changed | followed.keys()
 
     def _picture(self, changed: frozenset[str]) -> Framed:
         with in_words():
@@ -277,14 +287,14 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
     def _solve(self, *events: param.parameterized.Event) -> None:
         changed = frozenset(event.name for event in events)
         try:
-            self._follow(changed)
+            followed = self._follow(changed)
             drawn = self._picture(changed)
         except Exception:
             self._restore()
             raise
         if self._keeps or self._frame:
             self._frame = drawn.frame
-        self._drawn, self._good = drawn, self._state()
+        self._drawn, self._good = drawn, {**self._good, **{name: getattr(self, name) for name in followed}}
         self._fill_sources()
         for listener in self._listeners:
             listener(drawn.picture)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import accumulate, pairwise
 
 import numpy as np
 from msgspec.structs import replace
@@ -56,9 +57,10 @@ def columns_of(
                 values.append(known[column])
     numbers: dict[int, Steps] = {}
     for axis, places in on.items():  # all that are drawn on one at once: a scene may have a hundred
-        ends = np.cumsum([len(values[i]) for i in places])
+        ends = accumulate((len(values[i]) for i in places), initial=0)
         stand = axes[axis].places(np.concatenate([values[i] for i in places]))
-        numbers |= zip(places, np.split(steps(stand, *span(axes[axis].ruler), COARSE), ends[:-1]), strict=True)
+        found = steps(stand, *span(axes[axis].ruler), COARSE)
+        numbers |= {i: found[start:end] for i, (start, end) in zip(places, pairwise(ends), strict=True)}
     return columns, [numbers[i] for i in range(len(values))]
 
 

@@ -280,7 +280,7 @@ class Session:
             sheet=sheet_address(type(scene)),
             view=view,
             held=held,
-            settings=settings(scene, scene.units(), told.shown.spans),
+            settings=settings(scene.param.objects("existing"), scene.values, scene.units(), told.shown.spans),
             state=self.state,
             preset=scene.preset(),
             here=tuple(told.here()),

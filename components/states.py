@@ -15,14 +15,9 @@ from components.scene import Scene
 def state_of(scene: Scene) -> State:
     """What the scene stands for: the parameters that differ from their defaults, the frame where it is not the fitted
     one, what is held, and the curves switched off."""
-    changed = {
-        name: getattr(scene, name)
-        for name, parameter in scene.linked().items()
-        if name != "hidden" and getattr(scene, name) != parameter.default
-    }
     return State(
         scene=scene.slug,
-        parameters={name: stated(value) for name, value in changed.items()},
+        parameters={name: stated(value) for name, value in scene.changed().items() if name != "hidden"},
         frame=scene.frame,
         held=None if scene.beside is None else stated_own(scene.beside.scene),
         hidden=tuple(scene.hidden),

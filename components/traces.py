@@ -31,7 +31,7 @@ def trace(
 
     `curve` is the motion itself, where its owner has it to more digits than the sum of the components.
     """
-    if curve is not None and all(drawable(component.omega, t) for component in components):
+    if curve is not None and drawable(max((component.omega for component in components), default=0.0), t):
         return {name: curve}, {}
     sum_, low, high = curve_or_band(components, t, base)
     if sum_ is not None:

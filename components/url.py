@@ -83,9 +83,7 @@ def write_query(scene: Scene, covered: Sequence[str] = (), asked: Scene | None =
     Its slug comes first, then what differs from the default, in the order of the scene's parameters, then the frame;
     numbers are the shortest text that reads back as the same double.
     """
-    values = {name: getattr(scene, name) for name in scene.linked()}
-    changed = {name: value for name, value in values.items() if value != type(scene).param[name].default}
-    parts = {"scene": scene.slug} | {name: _written(value) for name, value in changed.items()}
+    parts = {"scene": scene.slug} | {name: _written(value) for name, value in scene.changed().items()}
     parts |= _frame_parts(asked or scene)
     if scene.beside:
         parts |= _other_parts(HELD, scene.beside.values)

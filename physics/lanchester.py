@@ -10,14 +10,14 @@ about its lowest and its highest point, so half a period is solved, by Taylor se
 and q = V - 1 stand in for u and V, so that a small disturbance keeps its digits.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache, reduce
 from math import hypot, pi, sqrt
-from typing import NamedTuple
+from operator import mul
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
-from numpy.polynomial.polynomial import polyval
 
 from physics.exact import Array
 
@@ -30,6 +30,8 @@ ORDER = 26
 LAST_TERM = 1e-18  # of a Taylor series, relative to the disturbance
 FREE_FALL = 1e-9  # below this speed the lift is 1e-18 of the weight
 LINEAR = 1e-20  # below this excess the motion is linear to the last bit: one solution, scaled
+
+_Series: TypeAlias = tuple[list[float], list[float], list[float]]  # ORDER + 1 coefficients of x - t, p and w
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -121,76 +123,76 @@ def half_period(excess: float) -> HalfPeriod:
     scale = min(excess / LINEAR, 1.0)
     return HalfPeriod(
         starts=np.array([piece.start for piece in pieces]),
-        coefficients=scale * np.stack([piece.coefficients for piece in pieces], axis=-1),
+        coefficients=np.ascontiguousarray(scale * np.array([piece.series for piece in pieces]).T),
         duration=pieces[-1].start + pieces[-1].length,
         loops=excess > CUSP_EXCESS,
     )
 
 
 class _Piece(NamedTuple):
-    """A stretch of time from its start on, and the Taylor coefficients (ORDER + 1, 3) of x - t, p and w in it."""
+    """A stretch of time from its start on, and the Taylor series of x - t, p and w in it."""
 
     start: float
-    coefficients: Array
+    series: _Series
     length: float
 
 
 def _pieces(excess: float) -> Iterator[_Piece]:
     """From the lowest point until w is zero again."""
-    t, state = 0.0, np.array([0.0, excess, 0.0])
+    t, state = 0.0, (0.0, excess, 0.0)
     while True:
         _, p, w = state
         if hypot(1 + p, w) < FREE_FALL:
-            yield _Piece(t, _free_fall(state), w)
+            yield _Piece(t, _free_fall(*state), w)
             return
-        series = _taylor(state)
-        last = np.max(np.abs(series[-2:, 1:]), axis=1) / max(abs(p), abs(w))
+        series = _taylor(*state)
+        last = np.max(np.abs(np.array(series)[1:, -2:]), axis=0) / max(abs(p), abs(w))
         step = float(np.min((LAST_TERM / last) ** (1 / np.array([ORDER - 1, ORDER]))))
-        state = _polynomial(series[::-1], step)
-        if state[2] <= 0:
-            yield _Piece(t, series, _top(series, step))
+        drift, p, w = (_polynomial(reversed(one), step) for one in series)
+        if w <= 0:
+            yield _Piece(t, series, _top(series[2], step))
             return
         yield _Piece(t, series, step)
-        t += step
+        t, state = t + step, (drift, p, w)
 
 
-def _taylor(state: Array) -> Array:
-    """Coefficients (ORDER + 1, 3) of x - t, p, w: each order of the equations of motion gives the next."""
-    series, q = np.zeros((ORDER + 1, 3)), np.zeros(ORDER + 1)
-    series[0] = state
-    drift, p, w = series.T
+def _taylor(*state: float) -> _Series:
+    """Each order of the equations of motion gives the next. In plain numbers: there are too few for arrays."""
+    drift, p, w = ([value] for value in state)
     speed = hypot(1 + p[0], w[0])
-    q[0] = (p[0] * (2 + p[0]) + w[0] * w[0]) / (1 + speed)
+    q = [(p[0] * (2 + p[0]) + w[0] * w[0]) / (1 + speed)]
     for n in range(ORDER):
-        back = slice(n, None, -1)
         if n > 0:
-            squares = 2 * p[n] + p[: n + 1] @ p[back] + w[: n + 1] @ w[back]
-            q[n] = (squares - q[1:n] @ q[n - 1 : 0 : -1]) / (2 * speed)
-        drift[n + 1] = p[n] / (n + 1)
-        p[n + 1] = -(w[n] + q[: n + 1] @ w[back]) / (n + 1)
-        w[n + 1] = (p[n] + q[n] + p[: n + 1] @ q[back]) / (n + 1)
-    return series
+            squares = 2 * p[n] + _product(p, p) + _product(w, w)
+            q.append((squares - _product(q[1:], q[1:])) / (2 * speed))
+        drift.append(p[n] / (n + 1))
+        forward, up = -(w[n] + _product(q, w)) / (n + 1), (p[n] + q[n] + _product(p, q)) / (n + 1)
+        p.append(forward)
+        w.append(up)
+    return drift, p, w
 
 
-def _free_fall(state: Array) -> Array:
-    series = np.zeros((ORDER + 1, 3))
-    series[0] = state
-    series[1] = state[1], 0.0, -1.0
-    return series
+def _product(a: Sequence[float], b: Sequence[float]) -> float:
+    """The newest coefficient of the product of two series."""
+    return float(sum(map(mul, a, reversed(b))))
 
 
-def _polynomial(falling: Iterable[Array], t: float | Array) -> Array:
-    """Values of Taylor series by Horner's rule, the coefficients from the highest order down."""
+def _free_fall(drift: float, p: float, w: float) -> _Series:
+    rest = [0.0] * (ORDER - 1)
+    return [drift, p, *rest], [p, 0.0, *rest], [w, -1.0, *rest]
+
+
+def _polynomial(falling: Iterable[Any], t: Any) -> Any:
+    """The value of a series by Horner's rule, its coefficients from the highest order down; numbers or arrays."""
     return reduce(lambda value, coefficient: value * t + coefficient, falling)
 
 
-def _top(series: Array, step: float) -> float:
+def _top(w: Sequence[float], step: float) -> float:
     """Where w falls through zero: Newton's method from where the chord over the step does."""
-    w = series[:, 2]
-    rate = w[1:] * np.arange(1, ORDER + 1)
-    root = step * w[0] / (w[0] - polyval(step, w))
+    rate = [order * coefficient for order, coefficient in enumerate(w)][1:]
+    root = step * w[0] / (w[0] - _polynomial(reversed(w), step))
     for _ in range(6):
-        root -= polyval(root, w) / polyval(root, rate)
+        root -= _polynomial(reversed(w), root) / _polynomial(reversed(rate), root)
     return float(root)
 
 

@@ -13,6 +13,7 @@ Disturbances of any size are in physics.lanchester; here they get their units.
 
 from dataclasses import dataclass
 from decimal import Decimal
+from functools import lru_cache
 from math import sqrt
 
 import numpy as np
@@ -84,6 +85,7 @@ class Flight:
         return -lift * (self.w / v_0), lift * (self.u / v_0) - g, -g * sine
 
 
+@lru_cache(maxsize=64)
 def linear_phugoid(v_0: float, g: float) -> LinearPhugoid:
     """omega = sqrt(2) g/v_0 and tau = sqrt(2) pi v_0/g, rounded once."""
     check_positive("a speed in m/s", v_0=v_0)

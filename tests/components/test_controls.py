@@ -65,7 +65,7 @@ def scene() -> Example:
 
 
 def shown(scene: Scene) -> dict[str, Setting]:
-    return settings(scene, scene.units(), scene.shown.spans)
+    return settings(scene.param.objects("existing"), scene.values, scene.units(), scene.shown.spans)
 
 
 @pytest.mark.parametrize(

@@ -32,7 +32,7 @@ def test_any_size_is_shown(value: float) -> None:
 
 
 def shown(scene: Phugoid) -> Setting:
-    return settings(scene, scene.units(), scene.shown.spans)["v_0"]
+    return settings(scene.param.objects("existing"), scene.values, scene.units(), scene.shown.spans)["v_0"]
 
 
 def test_state_says_the_unit_and_its_size() -> None:

@@ -141,7 +141,7 @@ class Accuracy(Scene):
             columns={**curves, "kept": kept(picked), **self._view_columns(system, measured)},
             axes=axes,
             scalars={
-                **name_places(_named(measured, methods), time, error, self.limit),
+                **name_places(_named(curves, methods), time, error, self.limit),
                 "wanted_at": error.place(self.wanted),
                 "rounding_at": error.place(2.0**-53),
                 "limit_at": time.place(self.limit),
@@ -195,9 +195,8 @@ class Accuracy(Scene):
         return {**texts, **(digits_texts(self.wanted) if self.view == "digits" else {})}
 
 
-def _named(measured: Known, methods: tuple[str, ...]) -> dict[str, Columns]:
+def _named(curves: dict[str, Columns], methods: tuple[str, ...]) -> dict[str, Columns]:
     """The line of each method that is seen, at the end of which its name stands."""
-    curves = work(measured)
     return {slug: curves[slug] if len(curves[slug]["time"]) else curves[ALONE + slug] for slug in methods}
 
 

@@ -57,14 +57,20 @@ def done(runs: Iterable[Run]) -> list[Run]:
 def work(measured: Known) -> dict[str, Columns]:
     """The columns time (s) and error (of the largest displacement) of each method: measured here, and recorded."""
     columns = {}
+    made, recorded, scale = (_by_method(runs) for runs in (measured.here, measured.before, measured.scale))
     for slug in METHODS:
-        here = [run for run in measured.here if run.method == slug]
-        before = [run for run in measured.before if run.method == slug]
+        here, before = made.get(slug, ()), recorded.get(slug, ())
         columns[slug] = _points(here)
-        columns[ALONE + slug] = _points([] if here else before)
-        behind = before if here else []
-        columns[BEHIND + slug] = _points(behind or [run for run in measured.scale if run.method == slug])
+        columns[ALONE + slug] = _points(() if here else before)
+        columns[BEHIND + slug] = _points((before if here else ()) or scale.get(slug, ()))
     return columns
+
+
+def _by_method(runs: Iterable[Run]) -> dict[str, list[Run]]:
+    found: dict[str, list[Run]] = {}
+    for run in runs:
+        found.setdefault(run.method, []).append(run)
+    return found
 
 
 def _points(runs: Iterable[Run]) -> Columns:

@@ -125,10 +125,12 @@ def name_places(curves: dict[str, Columns], time: Axis, error: Axis, limit: floa
     """Where the name of each method stands: at the end of its line, off points, words and other names if it can."""
     across = FRAME[0] / (time.place(time.end) - time.place(time.start))
     down = FRAME[1] / (error.place(error.end) - error.place(error.start))
-    ends = {
-        slug: [(time.place(t) * across, -error.place(e) * down) for t, e in zip(c["time"], c["error"], strict=True)]
-        for slug, c in curves.items()
-    }
+
+    def points_of(line: Columns) -> list[tuple[float, float]]:
+        x, y = time.places(line["time"]) * across, -error.places(line["error"]) * down
+        return list(zip(x.tolist(), y.tolist(), strict=True))
+
+    ends = {slug: points_of(line) for slug, line in curves.items()}
     taken = [(x - 4, y - 4, x + 4, y + 4) for points in ends.values() for x, y in points]
     end, line = time.place(limit) * across, -error.place(2.0**-53) * down
     taken.append((end - WORDS, line - 18, end, line + 2))

@@ -30,6 +30,8 @@ above. Each branch is a line of its own, none runs across a pole, and what is ag
 POINTS = 70
 CLOSEST = 1e-5
 """The first point of a branch stands this far from its pole, as a fraction of the branch."""
+NEAR, EVEN = np.geomspace(CLOSEST, 0.5, POINTS), np.linspace(0.0, 0.5, POINTS)
+"""Half a branch, as fractions of it: closer and closer together towards a pole, or equally far apart."""
 BESIDE = 1e-6
 """How near, relatively, a log axis comes to the frequency at which mass 1 stands still."""
 REACH = 1.55
@@ -111,11 +113,10 @@ def _branches(cuts: list[tuple[float, int, bool]], beside: float, start: float, 
     before = [i for w, i, _ in cuts if w <= start]
     inside = [(w, i) for w, i, _ in cuts if start < w < end]
     edges = [(start, before[-1] if before else 0), *inside, (end, -1)]
-    near, even = np.geomspace(CLOSEST, 0.5, POINTS), np.linspace(0.0, 0.5, POINTS)
     parts = {}
     for (low, i), (high, _) in pairwise(edges):
         first, last = (w if w in poles else w * share for w, share in ((low, 1 + beside), (high, 1 - beside)))
-        from_low, from_high = (near if edge in poles else even for edge in (low, high))
+        from_low, from_high = (NEAR if edge in poles else EVEN for edge in (low, high))
         part = np.unique(np.concatenate([first + (last - first) * from_low, last - (last - first) * from_high]))
         part = part[~np.isin(part, poles)]
         if part.size:
