@@ -213,7 +213,7 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
             if isinstance(parameter, kinds) and not parameter.constant and not name.startswith("_")
         }
 
-    def changed(self) -> Values:
+    def off_default(self) -> Values:
         """Those of them that are not at their defaults."""
         linked = self.linked().items()
         return {name: self.values[name] for name, parameter in linked if self.values[name] != parameter.default}

@@ -17,7 +17,7 @@ def state_of(scene: Scene) -> State:
     one, what is held, and the curves switched off."""
     return State(
         scene=scene.slug,
-        parameters={name: stated(value) for name, value in scene.changed().items() if name != "hidden"},
+        parameters={name: stated(value) for name, value in scene.off_default().items() if name != "hidden"},
         frame=scene.frame,
         held=None if scene.beside is None else stated_own(scene.beside.scene),
         hidden=tuple(scene.hidden),

@@ -83,7 +83,7 @@ def write_query(scene: Scene, covered: Sequence[str] = (), asked: Scene | None =
     Its slug comes first, then what differs from the default, in the order of the scene's parameters, then the frame;
     numbers are the shortest text that reads back as the same double.
     """
-    parts = {"scene": scene.slug} | {name: _written(value) for name, value in scene.changed().items()}
+    parts = {"scene": scene.slug} | {name: _written(value) for name, value in scene.off_default().items()}
     parts |= _frame_parts(asked or scene)
     if scene.beside:
         parts |= _other_parts(HELD, scene.beside.values)
