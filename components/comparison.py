@@ -16,7 +16,7 @@ from components.numbers import three
 from components.page.blocks import PlotBlock, StageBlock
 from components.page.numbers import Expression, names_in
 from components.page.picture import Drawn, Held, LedgerRow
-from components.page.shapes import AnyShape
+from components.page.shapes import AnyShape, Label
 from components.page.signals import AnySignal
 from components.parameters import Quantity
 from components.places import Steps
@@ -78,8 +78,11 @@ def _units(picture: Picture) -> dict[str, tuple[int, float, int, bool]]:
 
 @cache
 def on_stage(scene: type[Scene]) -> frozenset[str]:
-    """The quantities that place what is drawn of a picture held."""
-    return frozenset(name for shape in _kept(scene) for name in (*_quantities(shape), *shape.show))
+    """The quantities that place what is drawn of a picture held, and those that the labels of a stage tell."""
+    placed = (name for shape in _kept(scene) for name in (*_quantities(shape), *shape.show))
+    stages = (block for block in blocks(scene.sheet()) if isinstance(block, StageBlock))
+    labels = (shape.words for stage in stages for shape in stage.shapes if isinstance(shape, Label))
+    return frozenset((*placed, *(run.text for words in labels for run in words if run.kind == "value")))
 
 
 def _kept(scene: type[Scene]) -> Iterator[AnyShape]:

@@ -220,9 +220,9 @@ export class Page {
     const timeText = `${t.toFixed(this.timePlaces)} ${axes[time]?.unit ?? ""}`
     if (!this.measured) this.stages.forEach(stage => stage.measure(this.plots))
     this.measured = true
+    this.compare.frame(t)
     this.stages.forEach(stage => stage.frame(named))
     this.plots.forEach(plot => plot.draw(named, t, timeText))
-    this.compare.frame(t)
   }
 
   /** Shows the first picture: all but the figures, which join when they are ready. @param {Drawn} shown */

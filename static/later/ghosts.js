@@ -2,17 +2,22 @@
 // where the sliders stood, and the ledger of numbers.
 
 import {element, long, marked, set, svg} from "../dom.js"
+import {heldNumbers} from "./heldnumber.js"
 import {toPlace, toSI} from "../ruler.js"
 import {sliderPlace} from "../scales.js"
 import {evaluate, polynomial} from "../signals.js"
 import {KINDS} from "../stage.js"
 
 const FAR = 1e4 // pixels beyond which no curve is followed
+const NEAR = 0.05 // pixels between what is the same
+const RING = 5.5 // radius around what is the same
 
 /**
  * @typedef {import("../compare.js").Under} Under
- * @typedef {Pick<import("../plots.js").Plot, "block" | "hidden" | "x" | "y" | "px" | "py" | "frame">} Canvas
- * @typedef {{look: string, d: string, end: number, named: boolean, above: boolean}} Line a path and its end
+ * @typedef {Pick<import("../plots.js").Plot, "block" | "hidden" | "x" | "y" | "px" | "py" | "frame" | "view">} Canvas
+ * @typedef {{x: number, y: number}} Point
+ * @typedef {{look: string, d: string, end: number, start: Point, same: boolean, named: boolean, above: boolean}} Line
+ * a path, its ends, and whether it starts where the live one does
  */
 
 export class Ghosts {
@@ -46,7 +51,7 @@ export class Ghosts {
   frame(t) {
     if (!this.held) return
     const named = evaluate(this.held.signals, this.held.scalars, t)
-    for (const stage of this.stages) stage.frame(named)
+    for (const stage of this.stages) stage.frame(named, this.page.shown.view)
   }
 }
 
@@ -100,9 +105,10 @@ export class PlotGhost {
     this.lines = svg("svg", {class: "ghosts", "aria-hidden": "true"})
     this.edges = svg("svg", {class: "ghosts", "aria-hidden": "true"}) // of what is filled, which hides what is under it
     this.name = svg("text", {class: "curve-label held-name"})
+    this.same = svg("g", {class: "same"})
     plot.host.prepend(this.lines)
     plot.figure.element.after(this.edges)
-    plot.over.append(this.name)
+    plot.over.append(this.name, this.same)
     plot.ghost = this
   }
 
@@ -128,6 +134,7 @@ export class PlotGhost {
       host.replaceChildren(...drawn.map(({look, d}) => svg("path", {class: `held ${look}`, d})))
     }
     const named = lines.find(line => line.named)
+    this.same.replaceChildren(...(this.under?.name && this.plot.block.time ? starts(lines) : []))
     this.end = this.under?.name && named ? named.end : null
     this.name.textContent = this.end === null ? "" : (this.under?.name ?? "")
     this.name.setAttribute("class", `curve-label held-name ${named?.look ?? ""}`)
@@ -147,14 +154,21 @@ export function linesOf(plot, {columns, axes}) {
   const up = translated(axes[block.y], plot.y)
   /** @type {Map<string, Line>} */
   const lines = new Map()
-  /** @param {page.Curve | page.Region} part @param {string} name @param {Omit<Line, "d" | "end">} line */
+  const live = plot.view?.columns ?? {}
+  /**
+   * @param {page.Curve | page.Region} part @param {string} name
+   * @param {Pick<Line, "look" | "named" | "above">} line
+   */
   const add = ({source, x, group}, name, line) => {
     const {[x]: xs, [name]: ys} = columns[source] ?? {}
     const key = `${source} ${name}`
     if (hidden.has(group) || !xs?.length || xs.length !== ys?.length || lines.has(key)) return
     const points = Array.from(xs, (_, i) => [plot.px(right(xs[i])), plot.py(up(ys[i]))])
     const look = isRetraced(xs) ? `${line.look} part` : line.look
-    lines.set(key, {...line, look, d: path(points), end: points[points.length - 1][1]})
+    const [[x0, y0]] = points
+    const {[x]: [across] = [NaN], [name]: [high] = [NaN]} = live[source] ?? {}
+    const same = isOne(plot.px(across) - x0) && isOne(plot.py(high) - y0)
+    lines.set(key, {...line, look, d: path(points), end: points[points.length - 1][1], start: {x: x0, y: y0}, same})
   }
   const sums = block.curves.some(({width}) => width === "sum")
   for (const curve of block.curves) {
@@ -167,6 +181,23 @@ export function linesOf(plot, {columns, axes}) {
     for (const edge of [region.low, region.high]) add(region, edge, {look, named: false, above})
   }
   return [...lines.values()]
+}
+
+/** @param {number} far */
+const isOne = far => Math.abs(far) < NEAR
+
+/**
+ * A ring where a curve and the one held start alike: what is the same is as visible as what is not.
+ * @param {Line[]} lines
+ */
+function starts(lines) {
+  const places = lines.filter(({same, above}) => same && !above).map(({start}) => start)
+  const apart = places.filter(
+    ({x, y}, i) => !places.slice(0, i).some(one => Math.hypot(one.x - x, one.y - y) < 2 * RING),
+  )
+  const rings = apart.map(({x, y}) => svg("circle", {cx: x, cy: y, r: RING}))
+  const [first] = apart
+  return first ? [...rings, svg("text", {x: first.x + RING + 5, y: first.y - RING - 2}, "same start")] : []
 }
 
 /** Whether a curve goes to and fro so often that its dots would fill a line. @param {Float32Array} xs */
@@ -214,16 +245,18 @@ class StageGhost {
         stage.svg.prepend(group)
         return {spec, moving, needs, parts, group}
       })
+    this.numbers = heldNumbers(stage)
   }
 
   /** @param {boolean} isHeld */
   show(isHeld) {
-    if (!isHeld) for (const {group} of this.shapes) group.style.display = "none"
+    if (!isHeld) for (const {group} of [...this.shapes, ...this.numbers]) group.style.display = "none"
   }
 
-  /** @param {Named} named */
-  frame(named) {
+  /** @param {Named} named @param {Drawn["view"]} view */
+  frame(named, view) {
     const {stage} = this
+    for (const number of this.numbers) number.frame(named, view)
     const all = {...named, ...stage.plots, ...stage.size}
     for (const {spec, moving, needs, parts, group} of this.shapes) {
       const isShown = spec.show.every(name => all[name]) && [...needs].every(name => name in all)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 import pytest
@@ -31,6 +32,8 @@ def test_what_is_held_stays_until_it_is_released(page: Page, open_scene: Open) -
     expect(ledger.get_by_role("row", name="k 39.4 = 39.4 N/m same")).to_be_visible()
     assert page.evaluate(DRAWN, "x") == [301]
     page.wait_for_function(f"{OUTLINES} > 2")
+    expect(page.locator(".same circle")).to_have_count(2)  # x and v start alike, a does not
+    expect(page.locator(".stage").get_by_text(re.compile(r"^held [+−]0\.\d{3} m$"))).to_be_visible()
     expect(page.locator(".control:has(input[name=m]) .was")).to_be_visible()
     expect(page.locator(".control:has(input[name=k]) .was")).to_be_hidden()
     page.get_by_role("button", name="Light or dark").click()

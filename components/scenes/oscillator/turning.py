@@ -202,7 +202,7 @@ def first() -> list[Shape]:
         arc(x, y, 28, quarter, var("phi") + quarter, style="floor", tint="ink"),
         line(x, y, *foot, style="sum", tint="T"),
         line(*foot, *tip, style="sum", tint="m1"),
-        arrow(x, y, *tip, tint="m1", head=13, grab=_start_grab(x, y, scale)),
+        arrow(x, y, *tip, tint="m1", head=13, grab=_start_grab(x, y, scale), held=True),
         circle(x, y, 4, tint="ink"),
         text(middle[0], middle[1] + 5, "*φ*", style="t2 b halo", show="has_phi"),
         text(x + 0.5 * radius * way[0], y + 13 * var("under") + 5, "*B*", tint="T", style="t2 b halo", show="has_B"),

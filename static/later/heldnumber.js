@@ -1,0 +1,59 @@
+// The number that a label of a stage would show of the picture held, beside it.
+
+import {set, svg} from "../dom.js"
+import {fixed} from "../numbers.js"
+
+const GAP = 9 // units between a label and the number held
+
+export class HeldNumber {
+  /**
+   * @param {import("../stage.js").Stage} stage @param {SVGTextElement} label @param {page.TextRun[]} words its number,
+   * and what follows that @param {string} tint
+   */
+  constructor(stage, label, [{text: name}, ...rest], tint) {
+    this.stage = stage
+    this.label = label
+    this.name = name
+    this.rest = rest
+    this.text = svg("text", {class: "t0 halo"})
+    this.group = svg("g", {class: tint}, this.text)
+    this.group.style.display = "none"
+    stage.svg.append(this.group)
+    stage.clear.labels.push({text: this.text, group: this.group, fixed: false})
+  }
+
+  /** Not where it would say the same. @param {Named} named the quantities held @param {Drawn["view"]} view */
+  frame(named, view) {
+    const {label, name, rest} = this
+    const digits = view.live[name]
+    const isThere = Boolean(digits) && name in named && label.style.display !== "none"
+    const held = isThere ? fixed(named[name], ...digits) : ""
+    const now = label.querySelector("[data-value]")?.textContent
+    const isShown = isThere && held !== now && label.parentElement?.style.display === ""
+    this.group.style.display = isShown ? "" : "none"
+    if (!isShown) return
+    const after = rest.map(({kind, text}) => (kind === "value" ? (view.values[text] ?? "") : text)).join("")
+    this.text.textContent = `held ${held}${after}`
+    set(this.text, this.#place())
+  }
+
+  /** To the right of the label, or under or over it where the stage ends. */
+  #place() {
+    const {W, H} = this.stage.size
+    const {left, right, top, bottom} = this.stage.clear.box(this.label)
+    const {left: start, right: end} = this.stage.clear.box(this.text)
+    const y = Number(this.label.getAttribute("y"))
+    if (right + GAP + end - start <= W) return {x: right + GAP, y}
+    const line = bottom - top + 3
+    return {x: left, y: y + (y + line < H ? line : -line)}
+  }
+}
+
+/** Of each label of a stage whose number moves. @param {import("../stage.js").Stage} stage */
+export function heldNumbers(stage) {
+  return stage.shapes.flatMap(({spec, parts: [label]}) => {
+    if (spec.kind !== "text" || !(label instanceof SVGTextElement)) return []
+    const words = spec.words.slice(spec.words.findIndex(({kind}) => kind === "value"))
+    return words[0]?.kind === "value" ? [new HeldNumber(stage, label, words, spec.tint)] : []
+  })
+}
