@@ -77,6 +77,13 @@ export function listen(lecture) {
  * @param {KeyboardEvent} event @param {Lecture} lecture
  */
 function hear(event, lecture) {
+  const black = document.querySelector(".blank")
+  if (black) {
+    // The key that brings the screen back does nothing else.
+    black.remove()
+    event.preventDefault()
+    return event.stopImmediatePropagation()
+  }
   const known = KEYS.find(({keys}) => keys.includes(event.key))
   if (!known || !lecture.page || !acts(event, known)) return
   if (event.key.startsWith("Page") && !lecture.walks.walk) return
@@ -102,14 +109,8 @@ const isTyping = target =>
 function blank() {
   const black = document.createElement("div")
   black.className = "blank"
+  black.addEventListener("pointerdown", () => black.remove())
   document.body.append(black)
-  const end = (/** @type {Event} */ event) => {
-    event.preventDefault()
-    event.stopPropagation()
-    black.remove()
-    for (const kind of ["keydown", "pointerdown"]) removeEventListener(kind, end, true)
-  }
-  for (const kind of ["keydown", "pointerdown"]) addEventListener(kind, end, true)
 }
 
 /** @param {Lecture} lecture */

@@ -26,6 +26,9 @@ export class Line {
 
   behind = true // until what waited for a wire has been answered
 
+  /** What a new session is told first. @returns {page.Said[]} */
+  before = () => []
+
   /** Called when a message has been sent twice without an answer. */
   overdue = () => {}
 
@@ -61,7 +64,9 @@ export class Line {
     if (anew) {
       if (this.asked && !this.asked.anew) this.outbox.unshift(this.asked)
       this.asked = null
-      this.outbox.unshift({anew, message: state => ({type: "open", state})})
+      const said = this.before().map(message => ({anew, message}))
+      const stand = {anew, message: (/** @type {page.State} */ state) => ({type: /** @type {const} */ ("open"), state})}
+      this.outbox = [...said, stand, ...this.outbox.filter(waiting => !waiting.anew)]
     }
     this.#flush()
     this.behind = Boolean(this.asked)
@@ -110,7 +115,8 @@ export class Line {
   /** What waits, as plain messages: for a page that takes the place of this one. @returns {page.Said[]} */
   get left() {
     let {state} = this
-    const plain = this.#queue.map(({message: made}) => {
+    const plain = this.#queue.flatMap(({message: made, anew}) => {
+      if (anew) return []
       const message = typeof made === "function" ? made(state) : made
       if (message?.type === "open") ({state} = message)
       if (message?.type === "set") state = {...state, parameters: {...state.parameters, ...message.values}}

@@ -187,7 +187,7 @@ export class Lecture {
     if (told.type === "shown") this.undo.record(told.state, asked ?? {})
     if (told.type === "about") this.page.about?.show(told)
     if (told.type === "file") download(told)
-    if (told.type === "taught" || told.type === "walking") this.walks.told(told)
+    if (told.type === "taught" || told.type === "walking") this.walks.told(told, asked)
     // What goes wrong with one picture does not keep the next from being shown.
     const show = () => (told.type === "shown" ? this.#show(told, asked) : undefined)
     this.turning = this.turning.then(show, show)

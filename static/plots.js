@@ -92,10 +92,12 @@ export class Plot {
   }
 
   /**
-   * The frame and the axes as named quantities for a stage whose upper left corner is at `origin` on the page.
+   * The frame and the axes as named quantities for a stage whose upper left corner is at `origin` on the page; none of
+   * a plot that does not stand.
    * @param {DOMRect} origin @returns {Named}
    */
   geometry(origin) {
+    if (!this.host.checkVisibility()) return {}
     const box = this.host.getBoundingClientRect()
     const {name} = this.block
     const dx = (box.left - origin.left) / unitSize()

@@ -121,8 +121,8 @@ export class Sheet {
   /** @param {page.Forms} item @param {"div" | "td" | "th"} [tag] */
   #item(item, tag = "div") {
     const holder = element(tag, {class: "item"})
-    const variants = Object.entries(item.variants).map(([name, html]) => {
-      const text = marked("div", {}, html)
+    const variants = Object.entries(item.variants).map(([name, html], i) => {
+      const text = marked("div", i ? {hidden: ""} : {}, html) // of what is covered at first, one keeps the place
       holder.append(text)
       return {name, text}
     })

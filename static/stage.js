@@ -208,15 +208,16 @@ export class Stage {
       const needs = new Set(
         moving.flatMap(([, {terms}]) => terms.flatMap((/** @type {page.Product} */ term) => term[1])),
       )
-      return {spec, kind, parts, group, moving, needs, covered: false}
+      const places = [...needs].filter(name => name.includes("."))
+      return {spec, kind, parts, group, moving, needs, places, covered: false}
     })
     if (page && block.shapes.some(shape => shape.grab)) this.grips = new Grips(host, page)
     for (const shape of block.shapes) if (shape.grab) this.grips?.add(/** @type {any} */ (shape))
     this.clear = new Clear(this.shapes)
     this.observer = new ResizeObserver(() => {
-      const {W, H, narrow} = this.size
+      const before = this.size
       this.fit()
-      if (W !== this.size.W || H !== this.size.H || narrow !== this.size.narrow) this.resized?.()
+      if (Object.entries(this.size).some(([name, value]) => value !== before[name])) this.resized?.()
     })
     this.observer.observe(host)
   }
@@ -227,9 +228,10 @@ export class Stage {
     const [W, H] = [box.width / unitSize(), box.height / unitSize()]
     inUnits(this.svg, W, H)
     this.clear.forget()
-    // Whether the blocks of the sheet stand one under the other is the style sheet's to say.
-    const narrow = Number(getComputedStyle(this.svg).getPropertyValue("--stacked"))
-    this.size = {W, H, narrow, wide: 1 - narrow}
+    // Whether the blocks of the sheet stand one under the other, and are seen in a hall, is the style sheets' to say.
+    const style = getComputedStyle(this.svg)
+    const [narrow, hall] = ["--stacked", "--hall"].map(name => Number(style.getPropertyValue(name)))
+    this.size = {W, H, narrow, wide: 1 - narrow, hall, desk: 1 - hall}
   }
 
   leave() {
@@ -245,6 +247,7 @@ export class Stage {
     this.clear.measure(this.host, origin, this.under)
     this.plots = Object.assign({}, ...plots.map(plot => plot.geometry(origin)))
     for (const [plot, {rect}] of this.frames) {
+      if (!(`${plot}.left` in this.plots)) continue
       const [left, right, top, bottom] = ["left", "right", "top", "bottom"].map(side => this.plots[`${plot}.${side}`])
       const box = {
         x: left - 6,
@@ -277,8 +280,9 @@ export class Stage {
   frame(named) {
     if (this.host.closest("[hidden]")) return
     const all = {...named, ...this.plots, ...this.size}
-    for (const {spec, kind, parts, group, moving, covered} of this.shapes) {
-      const shown = !covered && spec.show.every(name => all[name])
+    for (const {spec, kind, parts, group, moving, places, covered} of this.shapes) {
+      // What lies over a plot does not stand without it.
+      const shown = !covered && spec.show.every(name => all[name]) && places.every(name => name in this.plots)
       group.style.display = shown ? "" : "none"
       if (!shown) this.grips?.place(spec, null, false, all)
       if (!shown) continue

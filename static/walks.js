@@ -22,7 +22,8 @@ export class Walks {
     this.lecture = lecture
     this.texts = kept()
     this.menu = new Menu(this)
-    document.addEventListener("oscillations:connected", () => lecture.line.wires && this.#anew())
+    // A new session takes the place of one that knew these: it is told of them before anything is asked of it.
+    lecture.line.before = () => Object.entries(this.texts).map(([name, text]) => ({type: "walk", name, text}))
     const {walk, step} = Object.fromEntries(new URLSearchParams(location.search))
     if (walk in this.texts) this.#rejoin(walk, step)
   }
@@ -63,7 +64,9 @@ export class Walks {
   /** After every picture: the step that it stands for, if it does. @param {Drawn} shown */
   async shown(shown) {
     this.latest = shown
-    const [name, step] = shown.state.step.split("/")
+    const [asked, step] = shown.state.step.split("/")
+    const name = (await this.#isKnown(asked)) ? asked : ""
+    if (shown !== this.latest) return
     this.menu.walked(Boolean(name))
     if (name) {
       await this.#take(name)
@@ -108,6 +111,12 @@ export class Walks {
     return ""
   }
 
+  /** One's own walk is not known to a page that is loaded anew. @param {string} name */
+  async #isKnown(name) {
+    if (name in this.texts && !this.own.has(name)) await this.check(name, this.texts[name])
+    return this.own.has(name) || this.menu.sheets.has(name)
+  }
+
   /** The same, and its first step. @param {string} name @param {string} text @param {number} [place] */
   async run(name, text, place = 0) {
     const refused = await this.check(name, text)
@@ -117,21 +126,18 @@ export class Walks {
 
   /** A page that is loaded anew has a session that knows no walk of its own. @param {string} name @param {string} id */
   async #rejoin(name, id) {
-    await this.check(name, this.texts[name])
+    const refused = await this.check(name, this.texts[name])
+    const {page} = this.lecture
+    if (refused) return page.notify([refused])
     const place = this.own.get(name)?.steps.findIndex(step => step.id === id) ?? 0
-    this.lecture.page.notice.hidden = true
+    page.notice.hidden = true
     await this.enter(name, Math.max(place, 0))
   }
 
-  /** A new session takes the place of one that knew these. */
-  #anew() {
-    for (const [name, text] of Object.entries(this.texts)) this.lecture.line.send({type: "walk", name, text})
-  }
-
-  /** @param {page.Taught | page.Walking} told */
-  told(told) {
+  /** @param {page.Taught | page.Walking} told @param {import("./line.js").Asked | null} asked */
+  told(told, asked) {
     if (told.type === "taught") this.walk?.taught(told)
-    else this.waiting.shift()?.(told)
+    else if (!asked?.anew) this.waiting.shift()?.(told)
   }
 }
 

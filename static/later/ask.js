@@ -31,14 +31,19 @@ const KINDS = {
       labelled("Right place", "is"),
       labelled("Off by at most", "tol"),
     ],
-    read: ({form}) => ({axis: text(form, "axis"), answer: {is: number(form, "is"), tol: number(form, "tol")}}),
+    read: ({form, plots}) => {
+      const [name, which] = text(form, "axis").split(".")
+      const {x, y} = plotOf(plots, name)
+      const {unit} = which === "x" ? x : y
+      return {axis: `${name}.${which}`, answer: {is: number(form, "is"), unit, tol: number(form, "tol")}}
+    },
   },
   sketch: {
     label: "Sketch",
     fields: ({plots}) => [chooser("Curve", "curve", plots.flatMap(curvesOf))],
     read: ({form, plots}) => {
       const [name, y] = text(form, "curve").split(".")
-      const plot = /** @type {Plot} */ (plots.find(({block}) => block.name === name))
+      const plot = plotOf(plots, name)
       const curve = /** @type {page.Curve} */ (plot.block.curves.find(one => one.y === y))
       return {plot: name, curve: y, must: features(plot, curve)}
     },
@@ -46,6 +51,9 @@ const KINDS = {
 }
 
 /** @typedef {import("../plots.js").Plot} Plot */
+
+/** @param {Plot[]} plots @param {string} name */
+const plotOf = (plots, name) => /** @type {Plot} */ (plots.find(({block}) => block.name === name))
 
 /** @param {import("../walks.js").Walks} walks */
 export const ask = walks => new Ask(walks).open()
@@ -167,14 +175,16 @@ class Ask {
       .filter(Boolean)
     const parts = this.page.shown.query.split("&").filter(part => !part.startsWith("cover="))
     const kind = text(form, "kind")
+    const asks = KINDS[kind].read(this)
+    const drawn = kind === "sketch" ? [`plot:${asks.plot}`] : [] // it would be traced
     return {
       id: this.asked.nextId,
       kind,
       title: text(form, "title"),
       state: `?${parts.join("&")}`,
-      cover: [...boxes, ...more],
+      cover: [...new Set([...boxes, ...more, ...drawn])],
       question: text(form, "question"),
-      ...KINDS[kind].read(this),
+      ...asks,
       explain: text(form, "explain"),
     }
   }

@@ -54,8 +54,11 @@ export class Card {
 
   #ask() {
     const {page} = this
+    const {question, opens} = this.walk.step
     page.root.classList.add("asked")
-    withhold(page, this.walk.step.question)
+    withhold(page, question)
+    for (const {name, holder} of page.sheet.items)
+      holder.classList.toggle("at-issue", opens.covered.includes(`form:${name}`))
     for (const part of page.root.querySelectorAll(HELD)) part.setAttribute("inert", "")
     this.#ready()
   }
@@ -104,7 +107,23 @@ export class Card {
     const again = element("button", {type: "button", class: "chip"}, name)
     again.addEventListener("click", () => this.walk.again())
     const words = next ? [marked("p", {class: "try"}, `<b>Try:</b> ${next}`)] : []
-    return [...words, element("div", {class: "borrowed"}, ...this.#borrow()), again]
+    const parts = element(
+      "div",
+      {class: "tries"},
+      ...words,
+      element("div", {class: "borrowed"}, ...this.#borrow()),
+      again,
+    )
+    return [this.#opener(), parts]
+  }
+
+  /** A hall has no room for what to try beside what it means: it takes the place of the answers. */
+  #opener() {
+    const opener = element("button", {type: "button", class: "chip opens-tries", "aria-expanded": "false"}, "Try")
+    opener.addEventListener("click", () => {
+      opener.setAttribute("aria-expanded", String(this.element.classList.toggle("trying")))
+    })
+    return opener
   }
 
   /** The controls that the step names stand on the card while it does. */

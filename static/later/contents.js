@@ -17,6 +17,10 @@ export class Contents {
     this.element.addEventListener("click", event => {
       if (event.target === this.element) this.close()
     })
+    // What a clicker went on to by one key it comes back from by the other.
+    this.element.addEventListener("keydown", event => {
+      if (event.key === "PageUp" && this.element.scrollTop === 0) this.close()
+    })
   }
 
   async open() {

@@ -95,8 +95,10 @@ class Choice extends Question {
   /** What is said of an answer, and the state where it would be right. @param {number} i */
   #taught(i) {
     const {row, where} = this.rows[i]
+    const {hall} = this.walk.lecture
     const isTold = row.classList.toggle("told")
-    if (where && (isTold || !this.walk.lecture.hall.on)) this.walk.lecture.open(where)
+    if (hall.on) for (const other of this.rows) other.row.classList.toggle("told", isTold && other.row === row)
+    if (where && (isTold || !hall.on)) this.walk.lecture.open(where)
   }
 
   said() {

@@ -2,6 +2,7 @@
 
 import {element} from "../dom.js"
 import {brief} from "../handles.js"
+import {MINUS, short} from "../numbers.js"
 import {symbol} from "../slider.js"
 
 /** @param {import("../page.js").Page} page */
@@ -10,8 +11,14 @@ export function values({spec, shown: {settings, view}, transport}) {
   const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")
   const parts = rows.map(row => {
     const {text, unit} = settings[row.name]
-    const number = `${brief(text)} ${unit ?? row.unit}`.trim()
-    return element("span", {}, element("span", {class: `tint ${row.tint}`}, symbol(row.symbol)), ` ${number}`)
+    const isRaised = text.includes("e")
+    const number = isRaised ? short(Number(text.replaceAll(MINUS, "-"))) : brief(text)
+    return element(
+      "span",
+      {},
+      element("span", {class: `tint ${row.tint}`}, symbol(row.symbol)),
+      ` ${number} ${unit ?? row.unit}`.trimEnd(),
+    )
   })
   const line = transport.element.querySelector(".in-force") ?? element("div", {class: "in-force"})
   line.replaceChildren(...parts)

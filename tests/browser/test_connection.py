@@ -17,6 +17,7 @@ from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
+MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 
 
 @pytest.fixture(scope="module")
@@ -130,6 +131,29 @@ def test_a_message_is_numbered_once_and_the_newest_value_wins(page: Page, server
         {"type": "act", "name": "any"},
         {"type": "set", "values": {"k2": 6}},
     ]
+
+
+def test_a_walk_of_ones_own_is_known_to_the_next_session(page: Page, server: Server) -> None:
+    """Its answer waits while the connection is lost, and comes; back in the history of a page loaded anew, too."""
+    page.goto(f"{server.url}?scene=energy")
+    page.wait_for_function(READY)
+    page.evaluate("text => oscillations.walks.run('mine', text)", MINE)
+    page.wait_for_function("oscillations.walks.walk?.card?.page === oscillations.page")
+    page.context.set_offline(True)
+    page.wait_for_function(CONNECTED.format("false"))
+    page.keyboard.press("1")
+    page.keyboard.press("PageDown")
+    page.context.set_offline(False)
+    expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
+    page.wait_for_function(SETTLED)
+    page.evaluate("oscillations.open({scene: 'energy'})")
+    page.wait_for_function(f"oscillations.page.spec.slug === 'energy' && {READY} && !oscillations.walks.walk")
+    page.wait_for_function("location.search === '?scene=energy' && !oscillations.late")
+    page.reload()
+    page.wait_for_function(READY)
+    page.go_back()
+    expect(page.locator(".card .asks")).to_contain_text("How long does one swing take?")
+    expect(page.locator(".note:not(:empty)")).to_have_count(0)
 
 
 def opened(page: Page, server: Server) -> None:

@@ -54,9 +54,13 @@ def test_keys_of_a_scene(page: Page, open_scene: Callable[..., Page]) -> None:
     page.wait_for_function("oscillations.shown.preset === oscillations.page.spec.panel.presets[1].label")
     page.keyboard.press("b")
     expect(page.locator(".blank")).to_be_visible()
+    before = playing(page)
     page.keyboard.press("Space")
     expect(page.locator(".blank")).to_have_count(0)
-    assert not playing(page)  # the key that brings the screen back does nothing else
+    assert playing(page) is before  # the key that brings the screen back does nothing else
+    for count in (1, 0):  # a clicker sends the same one again
+        page.keyboard.press(".")
+        expect(page.locator(".blank")).to_have_count(count)
 
 
 def test_none_acts_while_something_is_typed(page: Page, open_scene: Callable[..., Page]) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from components import chain
 from components.page.blocks import Block
 from components.page.numbers import Number, var
@@ -9,13 +11,27 @@ from components.page.plots import Handle, Mark
 from components.plots import Room, curve, plot
 from components.scenes.modes.guess_hand import METRE, full_swing, guess_point
 from components.scenes.modes.guess_picture import REACH, ROWS
-from components.sheet import Paragraph, column, either, row, stage, term, words
+from components.sheet import Paragraph, column, either, phrase, row, stage, term, words
 from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
 from components.text import rich
 
 ARROWS = W - 0.36 * W * var("narrow")
 """What force arrows are a fraction of: beside short ones there is room for their numbers on a narrow stage."""
 SWING = ARROWS * var("swing")
+
+
+class RowWords(NamedTuple):
+    """What is said of a row of forces, by how much room there is."""
+
+    wide: dict[str, str]
+    narrow: str
+
+
+ROWS_SAID = (
+    RowWords({"wide desk": "At full swing it needs −*m* *ω*² *X*", "wide hall": "needs −*m* *ω*² *X*"}, "needs"),
+    RowWords({"wide desk": "= what the springs give", "wide hall": "= springs give"}, "springs"),
+    RowWords({"wide": "+ {you_add}"}, "you add"),
+)
 
 
 def sheet() -> Block:
@@ -107,8 +123,8 @@ def _shape_plot() -> Block:
         ),
         heading=(
             term("", "none", "ink", formula="X_2/X_1"),
-            term("row1", "sum", "m1", formula=r"\text{mass 1 wants } (k_1 + k_2 - m_1 \omega^2)/k_2"),
-            term("row2", "sum", "m2", formula=r"\text{mass 2 wants } k_2/(k_2 - m_2 \omega^2)"),
+            phrase("row1", "sum", "m1", formula=r"mass 1 wants $(k_1 + k_2 - m_1 \omega^2)/k_2$"),
+            phrase("row2", "sum", "m2", formula=r"mass 2 wants $k_2/(k_2 - m_2 \omega^2)$"),
         ),
         x_labels=False,
         room=Room(60, 12),
@@ -187,16 +203,15 @@ def _shapes() -> list[Shape]:
         for name, start in (("give", 2), ("need", 1)):
             tip = chain.rest(i) + SWING * var(f"{name}{i}")
             shapes.append(line(tip, foot + start * gap, tip, last + 4, tint="mute", style="eq"))
-    for n, words_ in enumerate(("At full swing it needs −*m* *ω*² *X*", "= what the springs give", "+ {you_add}")):
-        shapes.append(
-            text(
-                W + 26, foot + (n + 1) * gap + 2, words_, "start", tint=("ink", "k", "F")[n], style="t3 b", show="wide"
-            )
-        )
-    for n, word in enumerate(("needs", "springs", "you add")):
-        shapes.append(
-            text(W, foot + (n + 1) * gap + 1, word, "end", tint=("ink", "k", "F")[n], style="t0 halo", show="narrow")
-        )
+    for n, said in enumerate(ROWS_SAID):
+        y, tint = foot + (n + 1) * gap, ("ink", "k", "F")[n]
+        shapes += [
+            *(
+                text(W + 20, y + 2, words_, "start", tint=tint, style="t3 b", show=show)
+                for show, words_ in said.wide.items()
+            ),
+            text(W, y + 1, said.narrow, "end", tint=tint, style="t0 halo", show="narrow"),
+        ]
     return shapes
 
 

@@ -1,0 +1,137 @@
+"""Every step of the walks in a hall, before and after its answer: nothing scrolls, is cut off or too small."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from components.walks.loading import load_walks
+from components.walks.types import ChoiceStep, NumericStep, Step
+from tests.browser.boxes import faults
+from tests.browser.fixtures import READY
+from tests.browser.waiting import passed, seek
+from tests.scenes.checks import WHOLE
+from tests.serving.server import Server
+
+pytestmark = pytest.mark.browser
+WALKS = load_walks(())
+SIZES = ((1280, 720), (1366, 768), (1920, 1080), (3840, 2160))
+WORST = ("d31-07", "d31-09", "d34-02", "d34-05", "d34-09", "d34-10", "d34-16", "tour-03")
+"""The steps that need the most room of their kind."""
+COVER = "Covered. What do you expect?"
+"""What stands on a cover, which nothing is seen through."""
+ASKED = f"place => oscillations.walks.walk?.place === place && !oscillations.walks.walk.lesson && {READY}"
+LAID = "oscillations.walks.walk.card?.page === oscillations.page"
+TAUGHT = "oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length"
+ANSWER = """given => {
+  const {question} = oscillations.walks.walk.card, {marker, pad, field} = question
+  if ("option" in given) question.choose(given.option)
+  if (field) field.value = given.value
+  if (marker) {
+    const {start, end, exponent} = marker.ruler
+    marker.value = Math.min(Math.max(given.value / 10 ** exponent, start), end)
+  }
+  const level = share => pad.plot.y.start + share * (pad.plot.y.end - pad.plot.y.start)
+  for (const [i, heights] of [...(pad?.heights.values() ?? [])].entries()) heights.fill(level(0.3 + 0.4 * i))
+}"""
+"""As a hand would give it: what the words of an answer take is asked about here, not the ways of giving one."""
+SCROLLED = """() => [...document.querySelectorAll("body *")].filter(part => {
+  if (part instanceof SVGElement || part.closest(".figure, .in-force, .heard") || !part.checkVisibility()) return false
+  const {overflowX, overflowY} = getComputedStyle(part)
+  const [wide, high] = [part.scrollWidth - part.clientWidth, part.scrollHeight - part.clientHeight]
+  return (overflowY !== "visible" && high > 1) || (overflowX !== "visible" && wide > 1)
+}).map(part => `${part.tagName} ${part.className}: ${part.scrollWidth - part.clientWidth} px to the side, ` +
+  `${part.scrollHeight - part.clientHeight} px down`)"""
+"""What has more in it than is seen."""
+LARGE = ("h1 .in-hall", "h1:not(.waits)", ".asked-line", ".answers .name", ".card .why", ".act")
+"""What everybody reads: question, answers, what it means."""
+SMALL = """([least, kinds]) => kinds.flatMap(kind => [...document.querySelectorAll(kind)]
+  .filter(part => part.checkVisibility() && parseFloat(getComputedStyle(part).fontSize) < least - 0.01)
+  .map(() => `${kind} is small`))"""
+
+
+def wordiest(step: Step) -> dict[str, Any]:
+    """The answer whose sentence is the longest."""
+    if isinstance(step, ChoiceStep):
+        return {"option": max(range(len(step.options)), key=lambda i: len(step.options[i].reply))}
+    if isinstance(step, NumericStep) and step.misses:
+        return {"value": max(step.misses, key=lambda miss: len(miss.reply)).value}
+    return {}
+
+
+def seen(page: Page, step: str, when: str) -> Iterator[str]:
+    """What is wrong with the page on each screen."""
+    for width, height in SIZES if WHOLE else SIZES[:1]:
+        page.set_viewport_size({"width": width, "height": height})
+        passed(page)
+        seek(page, 0.0)
+        small = [22 * height / 1080, 19 * height / 1080]
+        found = [*faults(page, *small), *page.evaluate(SCROLLED), *page.evaluate(SMALL, [27 * height / 1080, LARGE])]
+        yield from (f"{step}, {when} Show, {width} x {height}: {fault}" for fault in found if COVER not in fault)
+
+
+@pytest.mark.parametrize("name", WALKS)
+def test_a_step_is_seen_whole(name: str, server: Server, page: Page) -> None:
+    page.goto(f"{server.url}?walk={name}&projector")
+    found: list[str] = []
+    for place, step in enumerate(WALKS[name].steps):
+        if not WHOLE and step.id not in WORST:
+            continue
+        page.wait_for_function(f"{READY} && oscillations.walks.walk")
+        page.evaluate("place => oscillations.walks.walk.go(place)", place)
+        page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place)
+        found += seen(page, step.id, "before")
+        page.evaluate(ANSWER, wordiest(step))
+        page.evaluate("oscillations.walks.walk.show(true)")
+        page.wait_for_function(TAUGHT)
+        found += seen(page, step.id, "after")
+        page.get_by_role("button", name="Try", exact=True).click()
+        found += seen(page, step.id, "trying, after")
+    assert not found, "\n".join(found)
+
+
+def test_a_clicker_leads_through_a_whole_walk(server: Server, page: Page) -> None:
+    """With Page Down, Page Up, a full stop and its start key, F5, alone."""
+    walk = WALKS["d34" if WHOLE else "tour"]
+    page.goto(f"{server.url}?walk={walk.name}&projector")
+    title = page.locator("h1")
+    for place, step in enumerate(walk.steps):
+        page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place)
+        expect(title.locator(".in-hall")).to_be_visible()
+        assert page.evaluate("oscillations.shown.state.covered") == list(step.cover)
+        page.keyboard.press("PageDown")
+        page.wait_for_function(TAUGHT)
+        expect(title.locator(".in-hall")).to_have_count(0)
+        assert page.evaluate("oscillations.clock.playing || !oscillations.shown.view.time"), step.id
+        if place == 1:
+            step_back_and_forth(page, place)
+        page.keyboard.press("PageDown")
+    contents = page.get_by_role("dialog", name="Contents of the walks")
+    expect(contents).to_be_visible()
+    page.keyboard.press("PageUp")
+    expect(contents).to_be_hidden()
+    page.keyboard.press("PageUp")
+    page.wait_for_function(f"place => ({ASKED})(place)", arg=len(walk.steps) - 2)
+
+
+def step_back_and_forth(page: Page, place: int) -> None:
+    """To the step before, a blank screen, the start key, and again to where it was."""
+    page.keyboard.press("PageUp")
+    page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place - 1)
+    page.keyboard.press(".")
+    expect(page.locator(".blank")).to_be_visible()
+    page.keyboard.press("PageDown")  # brings the screen back, and does nothing else
+    expect(page.locator(".blank")).to_have_count(0)
+    assert page.evaluate(f"place => ({ASKED})(place)", place - 1)
+    page.reload()  # what a browser does with F5, which no key of ours is
+    page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place - 1)
+    assert "&projector" in page.evaluate("location.search")
+    for count in range(3):
+        page.keyboard.press("PageDown")
+        page.wait_for_function(
+            f"place => oscillations.walks.walk.place === place && {LAID}", arg=place - 1 + (count > 0)
+        )
+        page.wait_for_function(TAUGHT if count != 1 else "!oscillations.walks.walk.lesson")
