@@ -149,12 +149,14 @@ class Session:
 
     def _applied(self, deed: Deed) -> Errors:
         """What a deed does; when a hand lets go, the frame grows where it must."""
-        scene, held, shown = self.scene, self.scene.in_hand, self.scene.shown
+        scene, held = self.scene, self.scene.in_hand
         before = self.asked or waiting(scene, self._kept.covered)
-        scene.in_hand = isinstance(deed, SetValues) and deed.holding
+        holding = isinstance(deed, SetValues) and deed.holding
+        scene.in_hand = held or holding  # a flick is the last that a hand does
         errors = apply(scene, deed)
+        scene.in_hand = holding
         self._predict(before, begins=self.asked is None)
-        if held and not scene.in_hand and scene.shown is shown:
+        if held and not holding:
             scene.redraw()
         return errors
 

@@ -24,6 +24,7 @@ from physics.reference_dashpot import dashpot_rows
 
 DIGITS = 100
 EXACT = 20000  # bits for any few sums and products of doubles
+Pair = tuple[float, float]
 SAME = 1e-70  # relative: closer frequencies are the same in exact arithmetic
 
 
@@ -94,12 +95,29 @@ def modal_points(problem: Problem) -> list[list[list[Point]]]:
     import mpmath
 
     with mpmath.workdps(DIGITS + _spread(problem.chain)):
-        omega, times = mpmath.mpf(problem.omega), [mpmath.mpf(t) for t in problem.t.tolist()]
-        points = []
-        for mode in _modes(mpmath.mp, problem):
-            states = [(_coordinate(mpmath.mp, mode, omega, t)[0], _reach(mpmath.mp, mode, omega, t)) for t in times]
-            points.append([[point(share * q, abs(share) * size) for q, size in states] for share in mode.shape])
-        return points
+        return _points(mpmath.mp, _modes(mpmath.mp, problem), problem.omega, problem.t)
+
+
+def points_of_modes(chain: TwoMassChain, amplitude: Pair, phase: Pair, t: Array) -> list[list[list[Point]]]:
+    """The same of a free motion of these amplitudes (m) and phases (rad), slow and fast."""
+    import mpmath
+
+    with mpmath.workdps(DIGITS + _spread(chain)):
+        modes = []
+        for (omega, shape), size, phi in zip(_shapes(mpmath.mp, chain), amplitude, phase, strict=True):
+            A, angle = mpmath.mpf(size), mpmath.mpf(phi)
+            q_0, p_0 = A * mpmath.sin(angle), A * omega * mpmath.cos(angle)
+            modes.append(_Mode(omega, shape, q_0, p_0, mpmath.mpf(0)))
+        return _points(mpmath.mp, modes, 0.0, t)
+
+
+def _points(mp: Any, modes: list[_Mode], omega: float, t: Array) -> list[list[list[Point]]]:
+    drive, times = mp.mpf(omega), [mp.mpf(instant) for instant in t.tolist()]
+    points = []
+    for mode in modes:
+        states = [(_coordinate(mp, mode, drive, at)[0], _reach(mp, mode, drive, at)) for at in times]
+        points.append([[point(share * q, abs(share) * size) for q, size in states] for share in mode.shape])
+    return points
 
 
 def modes_of(chain: TwoMassChain) -> list[tuple[Decimal, Decimal | None]]:

@@ -25,6 +25,9 @@ export class Hand {
   /** @type {Named} what stands still until the first answer */
   frozen = {}
 
+  /** @type {Named} what the motion has begun with */
+  begun = {}
+
   /** @type {{at: Point, when: number}[]} */
   trail = []
 
@@ -73,21 +76,19 @@ export class Hand {
     const again = this.grab === grab
     Object.assign(this, {grab, leaving: false, refusal: "", trail: []})
     if (again) return
-    Object.assign(this, {moved: {}, good: {}, frozen: {}})
+    Object.assign(this, {moved: {}, good: {}, frozen: {}, begun: {}})
     if (!grab.begins) return
     this.frozen = roots(signals, now)
     this.plays = clock.playing
     clock.playing = false
     clock.seek(0)
     if (!grab.start.length) return
-    this.#send(
-      Object.fromEntries(
-        grab.start.map(({parameter, of, axis, size}) => [
-          parameter,
-          of ? digits(toSI(this.#ruler(axis), now[of]) / size) : 0,
-        ]),
-      ),
-    )
+    const values = grab.start.map(({parameter, of, axis, size, per}) => {
+      const seconds = per ? 10 ** this.#ruler(per).exponent : 1
+      return [parameter, of ? digits(toSI(this.#ruler(axis), now[of]) / seconds / size) : 0]
+    })
+    this.begun = Object.fromEntries(values)
+    this.#send(this.begun)
   }
 
   /**
@@ -144,7 +145,8 @@ export class Hand {
       if (!seconds || far / seconds < STILL) continue
       const ruler = this.#ruler(way.axis)
       const [before, after] = [first, last].map(({at}) => placed(way, at, all, ruler).value)
-      values[way.rate] = digits((after - before) / seconds / page.clock.factor / way.size)
+      const own = this.begun[way.rate] ?? 0
+      values[way.rate] = digits(own + (after - before) / seconds / page.clock.factor / way.size)
     }
     return values
   }

@@ -809,7 +809,7 @@ declare namespace page {
   /** How the place of a hand becomes a value of `parameter`, of which one is `size` in SI; "" sets nothing.
    *
    * `moves` is the signal or scalar, counted on `axis` ("" for one without), that is drawn where the hand is, at once.
-   * A flick gives its velocity to the parameter `rate`. */
+   * A flick adds its velocity to the start of the parameter `rate`. */
   interface Way {
     parameter: string
     moves: string
@@ -868,12 +868,14 @@ declare namespace page {
 
   type AnyWay = Along | Share | Quotient | Turn | Trade
 
-  /** The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0. */
+  /** The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0; of a
+   * velocity on an axis of places `per` is the one of the time. */
   interface Begin {
     parameter: string
     of: string
     axis: string
     size: number
+    per: string
   }
 
   /** What a hand does with a shape; `label` names it for a screen reader.

@@ -12,7 +12,7 @@ from components.about import CheckedPoint, Place, Table, drift, few, rows
 from components.chain.modes import MODES
 from components.chain.parameters import Pair
 from components.traces import Columns
-from physics.coupled import TwoMassChain, free_modes, free_motion
+from physics.coupled import FreeModes, TwoMassChain
 from physics.energy import chain_energy
 from physics.exact import precise
 from physics.problem import Problem
@@ -35,7 +35,12 @@ def motion_rows(
     """x1 and x2 and their parts by mode, as far as they are drawn."""
     at = few(columns["t"])
     problem = Problem(chain=chain, x_0=x_0, v_0=v_0, t=columns["t"][at], F_0=F_0, omega=omega)
-    modal = modal_points(problem)
+    return modal_rows(names, columns, modal_points(problem))
+
+
+def modal_rows(names: dict[str, str], columns: Columns, modal: list[list[list[Point]]]) -> list[CheckedPoint]:
+    """The same of a motion whose modes are known at a few times."""
+    at = few(columns["t"])
     true: dict[str, Sequence[Point]] = {}
     for i in (0, 1):
         true[f"x{i + 1}"] = [_sum(parts) for parts in zip(modal[0][i], modal[1][i], strict=True)]
@@ -61,6 +66,5 @@ def modes_table(chain: TwoMassChain) -> Table:
     return Table(bound, ROUNDED_ONCE, tuple(found))
 
 
-def free_drift(chain: TwoMassChain, x_0: Pair, v_0: Pair, t: NDArray[np.float64]) -> str:
-    total = chain_energy(chain, free_motion(chain, x_0, v_0, t)).total
-    return drift(total, fsum(free_modes(chain, x_0, v_0).energy))
+def free_drift(free: FreeModes, t: NDArray[np.float64]) -> str:
+    return drift(chain_energy(free.chain, free.motion(t)).total, fsum(free.energy))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from components.axes import TIME_AXIS
 from components.chain.modes import MODES, directions
 from components.chain.stage import rest
 from components.grabs import at_rest, begin, on_plot
@@ -35,8 +36,9 @@ def plane_grab(plot: str) -> Grab:
 
 
 def mode_grab(mode: str, mass: int) -> Grab:
-    """Of mass 1 or 2 in one mode alone: its amplitude; the other mode stays as it is."""
+    """Of mass 1 or 2 in one mode alone: its amplitude and phase; the other mode goes on as it was."""
     other = MODES[1 - MODES.index(mode)]
+    going = tuple(Begin(f"v{i}_0", f"v{i}_{other}", "x", per=TIME_AXIS) for i in (1, 2))
     ways = (
         Share(
             parameter=f"x{i}_0",
@@ -51,7 +53,7 @@ def mode_grab(mode: str, mass: int) -> Grab:
         )
         for i in (1, 2)
     )
-    return begin(f"{mode.capitalize()} mode, start, by mass {mass}", *ways, start=PLACES + VELOCITIES)
+    return begin(f"{mode.capitalize()} mode, start, by mass {mass}", *ways, start=PLACES + going)
 
 
 def shares(system: TwoMassChain) -> dict[str, float]:

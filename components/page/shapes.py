@@ -17,7 +17,7 @@ class Way(Struct, frozen=True, kw_only=True, tag_field="kind"):
     """How the place of a hand becomes a value of `parameter`, of which one is `size` in SI; "" sets nothing.
 
     `moves` is the signal or scalar, counted on `axis` ("" for one without), that is drawn where the hand is, at once.
-    A flick gives its velocity to the parameter `rate`.
+    A flick adds its velocity to the start of the parameter `rate`.
     """
 
     parameter: str = ""
@@ -79,12 +79,14 @@ AnyWay: TypeAlias = Along | Share | Quotient | Turn | Trade
 
 
 class Begin(Struct, frozen=True):
-    """The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0."""
+    """The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0; of a
+    velocity on an axis of places `per` is the one of the time."""
 
     parameter: str
     of: str = ""
     axis: str = ""
     size: float = 1.0
+    per: str = ""
 
 
 class Grab(Struct, frozen=True, kw_only=True):

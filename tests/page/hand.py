@@ -95,10 +95,12 @@ class Hand:
     def begin(self, grab: Grab, named: Named) -> dict[str, float]:
         """What the start of a motion becomes when it is taken in hand."""
         rulers = self.rulers()
-        return {
-            begin.parameter: _si(rulers.get(begin.axis, PLAIN), named[begin.of]) / begin.size if begin.of else 0.0
-            for begin in grab.start
-        }
+        found = {}
+        for begin in grab.start:
+            seconds = 10.0 ** rulers[begin.per].exponent if begin.per else 1.0
+            seen = _si(rulers.get(begin.axis, PLAIN), named[begin.of]) if begin.of else 0.0
+            found[begin.parameter] = seen / seconds / begin.size
+        return found
 
 
 def holding(scene: Scene) -> Scene:

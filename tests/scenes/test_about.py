@@ -48,6 +48,7 @@ HARD: dict[str, list[dict[str, Any]]] = {
         *({**stiff, **TOGETHER} for stiff in STIFF),
         *({name: 10.0**power} for name in ("m1", "m2", "k1", "k2", "x1_0") for power in (-150, 150)),
         *({"k1": 0.0, "k2": 0.0}, {"k2": 1e-12}, {"x1_0": 0.0, "x2_0": 0.0}),
+        *({**stiff, "given_by": "modes", "X_fast": 0.3, "phi_slow": 99.7} for stiff in ({}, *STIFF)),
     ],
     "modes": [
         *({"task": task, **chain} for task in VIEWS for chain in CHAINS),

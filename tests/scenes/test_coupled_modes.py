@@ -10,11 +10,13 @@ import mpmath as mp
 import numpy as np
 import pytest
 
+from components.chain import of_scene as chain_of
 from components.opening import opened
 from components.scenes import SCENES
 from components.url import read_query
 from physics.coupled import TwoMassChain, free_modes
 from physics.modal_start import amplitudes_and_phases, modes_given, start_given
+from tests.page.hand import Hand, grabs
 from tests.page.told import Page, change, put
 from tests.scenes.checks import as_arguments
 
@@ -75,6 +77,29 @@ def test_one_mode_alone_is_that_mode_exactly() -> None:
     assert told["view"]["values"]["X1_plus"] == "+ 0.00", "the mode of the new chain"
     told = put(page, x1_0=0.25)
     assert told["state"]["parameters"].get("given_by") is None, "a start is given by starting values"
+
+
+def test_a_hand_on_what_is_drawn_sets_the_modes_that_give_the_motion() -> None:
+    page = Page(SCENES["coupled"]())
+    put(page, X_slow=0.5, X_fast=0.25, phi_slow=0.3, phi_fast=1.1)
+    scene = page.scene
+    (grab,) = (grab for _, grab in grabs(SCENES["coupled"]) if grab.label == "Slow mode, start, by mass 1")
+    hand = Hand(scene, wide=True)
+    held = hand.begin(grab, hand.all(0.7))
+    told = page.say({"type": "set", "values": held, "holding": True, "number": 81})
+    assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes"
+    slow, fast = chain_of(scene).modes().omega
+    assert scene.X_fast == pytest.approx(0.25) and math.sin(scene.phi_fast) == pytest.approx(math.sin(1.1 + 0.7 * fast))
+    assert scene.X_slow == pytest.approx(0.5 * abs(math.sin(0.3 + 0.7 * slow)))
+    further = {"x1_0": scene.x1_0 + 0.2, "x2_0": scene.x2_0 + 0.4}
+    told = page.say({"type": "set", "values": further, "holding": True, "number": 82})
+    assert scene.X_slow == pytest.approx(0.5 * math.sin(0.3 + 0.7 * slow) + 0.2)
+    assert scene.phi_slow == pytest.approx(math.pi / 2) and scene.X_fast == pytest.approx(0.25)
+    flick = {"v1_0": scene.v1_0 + 0.3, "v2_0": scene.v2_0 + 0.6}
+    told = page.say({"type": "set", "values": flick, "holding": False, "number": 83})
+    assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes"
+    assert scene.X_slow * math.cos(scene.phi_slow) * slow == pytest.approx(0.3)
+    assert put(page, x1_0=0.25)["state"]["parameters"].get("given_by") is None, "a typed start gives the motion itself"
 
 
 def test_link_and_state_keep_every_digit() -> None:

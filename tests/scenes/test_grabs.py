@@ -12,6 +12,7 @@ import pytest
 from components.page.shapes import AnyShape, Grab
 from components.scene import Scene, frame_of
 from components.scenes import SCENES
+from components.scenes.coupled.starting import BY_MODES
 from physics.analogues import ANALOGUES
 from tests.page.hand import Hand, grabs, holding, sets
 from tests.page.told import Page
@@ -25,8 +26,8 @@ ALSO: dict[str, tuple[dict[str, Any], ...]] = {
     "absorber": ({"played": "rest", "x1_0": 0.002},),
 }
 """States in which something else is in hand."""
-FOLLOWS = {"absorber": ("played", "k2"), "coupled": ("given_by",)}
-"""What follows from a value that is set: a start is played, a tuned spring follows the speed."""
+FOLLOWS = {"absorber": ("played", "k2"), "coupled": ("given_by", *BY_MODES)}
+"""What follows from a value that is set: a start is played, a tuned spring follows the speed, modes their start."""
 
 
 def shown_with(slug: str, shape: AnyShape, grab: Grab) -> Scene:

@@ -142,9 +142,8 @@ class Coupled(Scene):
         return starting.followed(self, changed, self.before("given_by"))
 
     def about(self) -> About:
-        if self.given_by == "modes":
-            raise ValueError("they are of a motion that is given by its starting values")
-        return coupled_about(self.shown, chain.of_scene(self), *chain.start_of(self))
+        by_modes = starting.by_modes(self) if self.given_by == "modes" else None
+        return coupled_about(self.shown, starting.motion(self), *chain.start_of(self), by_modes)
 
 
 def _motion_columns(free: FreeModes, parts: tuple[Motion, Motion]) -> tuple[Columns, Columns]:

@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
-from components.about import About, bounded, drawn_as_bands
+from components.about import About, bounded, drawn_as_bands, few
 from components.chain import MODES
-from components.chain.about import MASSES, free_drift, motion_rows
+from components.chain.about import MASSES, free_drift, modal_rows, motion_rows
 from components.chain.parameters import Pair
 from components.scene import Picture
-from physics.coupled import TwoMassChain
+from physics.coupled import FreeModes
+from physics.reference import points_of_modes
 
+ByModes = tuple[Pair, Pair]
 PARTS = {f"x{i}_{mode}": f"$x_{i}$, {mode}" for i in (1, 2) for mode in MODES}
 BANDS = MASSES | {f"x{i}_{mode}": f"the {mode} mode" for i in (1, 2) for mode in MODES}
 
 
-def coupled_about(picture: Picture, chain: TwoMassChain, x_0: Pair, v_0: Pair) -> About:
-    """Displacements, or where these are bands the modes that are not."""
+def coupled_about(picture: Picture, free: FreeModes, x_0: Pair, v_0: Pair, by_modes: ByModes | None = None) -> About:
+    """Displacements, or where these are bands the modes that are not; `by_modes` are amplitudes and phases of a motion
+    that is given by them."""
     columns = picture.columns["time"]
     names = {key: name for key, name in PARTS.items() if key[:2] not in columns}
-    motion = motion_rows(MASSES | names, columns, chain, x_0, v_0)
+    shown = MASSES | names
+    if by_modes:
+        at = columns["t"][few(columns["t"])]
+        motion = modal_rows(shown, columns, points_of_modes(free.chain, *by_modes, at))
+    else:
+        motion = motion_rows(shown, columns, free.chain, x_0, v_0)
     points = bounded("$x_1(t)$, $x_2(t)$ or a mode", 2, "its amplitudes", motion)
-    return About((points,), free_drift(chain, x_0, v_0, columns["t"]), drawn_as_bands(picture.columns, BANDS))
+    return About((points,), free_drift(free, columns["t"]), drawn_as_bands(picture.columns, BANDS))

@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from components import chain
+from components.chain.parameters import Pair
 from components.parameters import Quantity, Values, finite, not_negative
 from physics.coupled import FreeModes, free_modes
 from physics.modal_start import amplitudes_and_phases, modes_given, start_given
@@ -43,21 +44,25 @@ def motion(scene: Coupled) -> FreeModes:
     system = chain.of_scene(scene)
     if scene.given_by == "values":
         return free_modes(system, *chain.start_of(scene))
+    return modes_given(system, *by_modes(scene))
+
+
+def by_modes(scene: Coupled) -> tuple[Pair, Pair]:
+    """The amplitudes, and the phases, of the slow and the fast mode."""
     sizes, phases = ((getattr(scene, slow), getattr(scene, fast)) for slow, fast in (SIZES, PHASES))
-    return modes_given(system, sizes, phases)
+    return sizes, phases
 
 
 def followed(scene: Coupled, changed: frozenset[str], before: str) -> Values:
-    """What follows from a change, before which the motion was given by `before`."""
+    """What follows from a change, before which the motion was given by `before`. A start that is typed gives the motion
+    itself; one that a hand sets has its modes, where these give it."""
     if changed.intersection(chain.START.names) and not changed.intersection((*BY_MODES, "given_by")):
-        return {"given_by": "values"}
+        return _modes(scene) if scene.in_hand and scene.given_by == "modes" else {"given_by": "values"}
     if scene.given_by == "values" and not changed.intersection(BY_MODES):
         return {}
     taken: dict[str, float] = {}
     if before == "values":
-        found = amplitudes_and_phases(free_modes(chain.of_scene(scene), *chain.start_of(scene)))
-        named = zip((*SIZES, *PHASES), (*found[0], *found[1]), strict=True)
-        taken = {name: value for name, value in named if name not in changed}
+        taken = {name: value for name, value in _modes(scene).items() if name not in changed}
     values = {name: getattr(scene, name) for name in BY_MODES} | taken
     return {"given_by": "modes", **taken, **_start(scene, values)}
 
@@ -65,6 +70,12 @@ def followed(scene: Coupled, changed: frozenset[str], before: str) -> Values:
 def opened(scene: Coupled) -> Values:
     """The same of a state, which says how the motion is given."""
     return {} if scene.given_by == "values" else _start(scene, {name: getattr(scene, name) for name in BY_MODES})
+
+
+def _modes(scene: Coupled) -> dict[str, float]:
+    """Amplitude and phase of each mode, of the starting values; ValueError where one drifts."""
+    sizes, phases = amplitudes_and_phases(free_modes(chain.of_scene(scene), *chain.start_of(scene)))
+    return dict(zip((*SIZES, *PHASES), (*sizes, *phases), strict=True))
 
 
 def _start(scene: Coupled, values: dict[str, float]) -> dict[str, float]:

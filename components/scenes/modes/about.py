@@ -9,7 +9,7 @@ from components.chain.about import FREQUENCY, MASSES, free_drift, modes_table, m
 from components.chain.parameters import Pair
 from components.numbers import ten
 from components.scene import Picture
-from physics.coupled import TwoMassChain
+from physics.coupled import TwoMassChain, free_modes
 from physics.modes import determinant_curve
 from physics.reference import Point, determinants, modes_of
 
@@ -46,4 +46,4 @@ def hunt_about(picture: Picture, chain: TwoMassChain, x_0: Pair) -> About:
     path, rest = picture.columns["path"], (0.0, 0.0)
     points = bounded("the path", 2, "its amplitudes", motion_rows(MASSES, path, chain, x_0, rest))
     tables = (points, modes_table(chain)) if picture.columns["answer"] else (points,)
-    return About(tables, free_drift(chain, x_0, rest, path["t"]))
+    return About(tables, free_drift(free_modes(chain, x_0, rest), path["t"]))
