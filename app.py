@@ -92,7 +92,7 @@ def open_page(
     document.template_variables.update(
         headline=scene.headline,
         slug=scene.slug,
-        opening=lambda: on_page(session.opening()),
+        opening=on_page(session.first or session.opening()),
         scene_title=scene.title,
         navigation=navigation(SCENES, scene.slug),
         sheet=sheet_address(type(scene)),

@@ -27,7 +27,7 @@ def opened(scenes: Mapping[str, type[Scene]], link: Link, walks: Walks | None = 
             before = asked_in(scene, link.before, link.frame)
             scene.open(link.values, standing(before, link.frame), link.held)
             session.asked = asked_of(scene, before)
-        session.opening()
+        session.first = session.opening()
     except Exception as error:
         report(error)
         back()

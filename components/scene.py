@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABCMeta, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import cache, cached_property
 from typing import Any, Self
 
@@ -62,10 +62,16 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
         self.running = self.work(self) if self.work else None
         super().__init__(**values)  # type: ignore[no-untyped-call]  # param's own has no types
         self._follow(frozenset(values))
-        self._drawn: Framed = self._picture(frozenset())
+        self._drawn: Framed = self._picture(frozenset()) if values or self.running else self._first()
         self._good = {name: value for name, value in self.param.values().items() if name != "name"}
         self._listeners: list[Callable[[Picture], None]] = []
         self.param.watch(self._solve, list(self._good))
+
+    @classmethod
+    @cache
+    def _first(cls) -> Framed:
+        """The picture of the defaults, which most visitors see first: worked out once."""
+        return cls(window=None)._drawn
 
     @classmethod
     @abstractmethod
@@ -147,18 +153,14 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
             self._given = False
 
     @property
-    def values(self) -> Values:
-        """The values of all parameters that the picture in force is of."""
+    def values(self) -> Mapping[str, Any]:
+        """The values of all parameters that the picture in force is of: before the change that is being made."""
         return self._good
 
     @property
     def opening(self) -> bool:
         """Whether the values that are being set are all that is known: of a state, or of a new scene."""
         return self._given or not self._good
-
-    def before(self, name: str) -> Any:
-        """The value of a parameter before the change that is being made."""
-        return self._good[name]
 
     def redraw(self) -> None:
         """The picture once more, for the same parameters."""
@@ -243,12 +245,10 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
             raise
 
     def _restore(self) -> None:
-        good = getattr(self, "_good", None)
-        if not good:
-            return
-        with discard_events(self):
-            for name, value in good.items():
-                super().__setattr__(name, value)
+        if good := getattr(self, "_good", None):
+            with discard_events(self):
+                for name, value in good.items():
+                    super().__setattr__(name, value)
 
     def _follow(self, changed: frozenset[str]) -> frozenset[str]:
         """What has changed, with what follows from it."""

@@ -75,6 +75,8 @@ class Session:
         self.scenes = scenes or {}
         self.walks: Walks = walks or {}
         self.send: Send = lambda packet: None
+        self.first: Packet | None = None
+        """What the page opens with, made ready while it was seen whether it can be."""
         self._errors: Errors = {}
         self._problems = problems
         self._answering = False

@@ -47,7 +47,7 @@ class SceneView(Widget):
         self.session = session
         super().__init__(**params)
 
-    def _process_param_change(self, params: dict[str, Any]) -> dict[str, Any]:  # as Panel declares it
+    def _get_properties(self, doc: Document | None) -> dict[str, Any]:  # as Panel declares it
         """None of Panel's: the wire has no size and no style."""
         return {}
 

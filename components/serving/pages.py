@@ -114,5 +114,5 @@ class Page(Visited, SessionHandler):  # type: ignore[misc]  # Bokeh's are not lo
 def page_of(session: ServerSession) -> str:
     """The page's HTML, with the first picture and the token that opens the session in it."""
     variables = session.document.template_variables
-    html: str = session.document.template.render(token=session.token, data=variables["opening"](), **variables)
+    html: str = session.document.template.render(token=session.token, data=variables.pop("opening"), **variables)
     return html

@@ -139,7 +139,7 @@ class Coupled(Scene):
     def following(self, changed: frozenset[str]) -> Values:
         if self.opening:
             return starting.opened(self)
-        return starting.followed(self, changed, self.before("given_by"))
+        return starting.followed(self, changed, self.values["given_by"])
 
     def about(self) -> About:
         by_modes = starting.by_modes(self) if self.given_by == "modes" else None
