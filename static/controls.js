@@ -36,6 +36,11 @@ class Presets {
     this.element = element("section", {class: "group"}, ...parts)
   }
 
+  /** What to watch in the preset in force, where a press has brought it. @param {string | null} preset */
+  watch(preset) {
+    return this.taken?.label === preset ? this.taken.watch : ""
+  }
+
   /** @param {string | null} preset */
   update(preset) {
     for (const button of this.buttons) button.setAttribute("aria-pressed", String(button.textContent === preset))

@@ -96,8 +96,7 @@ export class Transport {
     const axis = axes[time]
     // Where nothing moves there is nothing to play.
     this.element.classList.toggle("idle", !axis)
-    const {taken} = this.page.controls.presets
-    this.notes = taken?.watch && taken.label === shown.preset ? [taken.watch, ...notes] : notes
+    this.notes = [this.page.controls.presets.watch(shown.preset) ?? "", ...notes]
     const error = errors.window
     this.window.classList.toggle("bad", Boolean(error))
     this.window.title = error ?? "Empty: the scene chooses"

@@ -44,7 +44,8 @@ export class RunBar {
     this.name.textContent = name
     this.count.textContent = total ? `${done} of ${total} ${unit}` : ""
     this.bar.value = total ? done / total : 0
-    this.now.textContent = [text, errors.run, ...notes].filter(Boolean).join(" ")
+    const watch = this.busy ? "" : this.page.controls.presets.watch(shown.preset)
+    this.now.textContent = [watch || text, errors.run, ...notes].filter(Boolean).join(" ")
     this.skip.hidden = state !== "running"
   }
 }

@@ -10,13 +10,15 @@ import pytest
 
 from components.scene import Scene
 from components.scenes import SCENES
+from components.scenes.accuracy.recorded import records
+from physics.accuracy import SYSTEMS, Run
+from physics.coupled import free_modes
+from physics.forced import forced_motion
 
-PLAYED = {slug: scene for slug, scene in SCENES.items() if scene.work is None}
 
-
-@pytest.mark.parametrize("slug", PLAYED)
-def test_each_preset_that_is_played_says_what_to_watch(slug: str) -> None:
-    scene = PLAYED[slug]
+@pytest.mark.parametrize("slug", SCENES)
+def test_each_preset_says_what_to_watch(slug: str) -> None:
+    scene = SCENES[slug]
     assert list(scene.watch) == list(scene.presets)
     assert all(20 < len(said) <= 100 and said.endswith(".") for said in scene.watch.values()), scene.watch
 
@@ -85,3 +87,58 @@ def test_the_driven_masses() -> None:
     below, at, above = (taken("absorber", label) for label in ("Below", "Resonant", "Above"))
     own = math.sqrt(below.k1 / below.m1)
     assert below.omega < own == at.omega < above.omega
+
+
+EXPLICIT, STEPPING = {"verlet", "rk4", "dop853"}, {"verlet", "rk4", "dop853", "newmark", "radau", "lsoda"}
+
+
+def runs(slug: str, method: str) -> list[Run]:
+    """Those with a result, coarse to fine."""
+    known = records(slug)
+    assert known
+    return [run for run in known.runs if run.method == method and run.error is not None and run.time is not None]
+
+
+def fast_over_slow(slug: str) -> float:
+    slow, fast = SYSTEMS[slug].chain.modes().omega
+    return float(fast / slow)
+
+
+def test_what_stepping_costs() -> None:
+    for method in STEPPING:
+        first, *_, last = runs("benign", method)
+        assert first.error and last.error and first.time and last.time, method
+        assert last.error < 1e-2 * first.error and last.time > 2 * first.time, method
+    assert len(runs("benign", "closed")) == 1 and (runs("benign", "closed")[0].error or 0.0) < 1e-15
+    assert fast_over_slow("beats") < 1.05 < 3 < fast_over_slow("benign")
+    for method in STEPPING:
+        costs = [
+            next((run.time for run in runs(slug, method) if (run.error or 0.0) <= 1e-5), None)
+            for slug in ("beats", "benign")
+        ]
+        assert costs[0] and costs[1] and costs[0] < costs[1], method
+    assert fast_over_slow("wide") == pytest.approx(2000, rel=1e-3)
+    assert fast_over_slow("light") == pytest.approx(1000, rel=1e-3) and SYSTEMS["light"].chain.m2 == 1e-6
+    for slug in ("wide", "light"):
+        assert all((run.error or 0.0) > 1e-6 for method in STEPPING for run in runs(slug, method)), slug
+
+
+def test_where_explicit_methods_get_nowhere() -> None:
+    wider = SYSTEMS["wider"]
+    slow, fast = free_modes(wider.chain, wider.x_0, wider.v_0).amplitude[:, 0]
+    assert fast < 1e-9 * slow
+    slow, fast = SYSTEMS["dashpot"].problem().rates
+    assert fast == pytest.approx(1e6 * slow, rel=1e-5)
+    for slug in ("wider", "dashpot"):
+        assert not any(runs(slug, method) for method in EXPLICIT), slug
+        assert runs(slug, "newmark") and runs(slug, "radau")
+
+
+def test_the_formula_at_resonance() -> None:
+    for slug, off in (("near", 1e-8), ("resonance", 0.0)):
+        system = SYSTEMS[slug]
+        assert system.omega / system.chain.modes().omega[0] - 1 == pytest.approx(off, rel=1e-6, abs=1e-15)
+        t = system.problem().t
+        swing = np.abs(forced_motion(system.chain, F_0=system.F_0, omega=system.omega, t=t).x[0])
+        assert np.all(np.diff([part.max() for part in np.array_split(swing, 10)]) > 0)
+        assert all((run.error or 0.0) < 1e-15 for run in runs(slug, "closed"))

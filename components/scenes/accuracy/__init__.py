@@ -40,6 +40,7 @@ from components.scenes.accuracy.studies import (
     step_explosion,
     study_axes,
 )
+from components.scenes.accuracy.watch import WATCH
 from components.traces import Columns
 from physics.accuracy import MARKS, SYSTEMS, Run, System, entered
 from physics.price import LEAST
@@ -63,6 +64,7 @@ class Accuracy(Scene):
     shares = chain.SHARES
     sharing = {"system": OWN}
     start = "System"
+    watch = WATCH
     presets = {
         **{system.name: {"system": slug} for slug, system in SYSTEMS.items()},
         "From a link": {"system": OWN},
