@@ -16,6 +16,7 @@ from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.played import _tables
 from physics.coupled import TwoMassChain
 from tests.page.playing import played, value_of
+from tests.page.told import Page, change, put
 from tests.scenes.checks import check_picture
 
 M1, K1, F_0 = 100.0, 250e3, 500.0
@@ -237,3 +238,22 @@ def test_next_to_a_resonance_it_beats_and_does_not_grow_without_limit(played: st
     assert "∞" not in "".join(beside.values.values())
     loose = Absorber(omega=50.0001, tuning="detached", played=played).shown
     assert (loose.forms["why"], loose.forms["why_rest"]) == ("detached", "beat")
+
+
+def drawn_to(told: dict[str, Any]) -> float:
+    """The width of a metre on the stage, of which the picture counts in the unit of its axis."""
+    axis = told["view"]["axes"]["X1"]
+    return float(told["view"]["scalars"]["metre"] / axis["factor"] / 10.0 ** axis["exponent"])
+
+
+def test_twice_the_force_is_seen_as_twice_the_swing_until_the_stage_has_no_room() -> None:
+    page = Page(Absorber())
+    first = page.opening()
+    scale, tick = drawn_to(first), first["view"]["values"]["tick"]
+    for force in (250.0, 100.0, 700.0):
+        told = put(page, F_0=force)
+        assert (drawn_to(told), told["view"]["values"]["tick"]) == (pytest.approx(scale), tick), force
+    small = drawn_to(put(page, F_0=5e4))
+    assert small < 0.5 * scale
+    assert drawn_to(put(page, F_0=700.0)) == pytest.approx(small), "it grows by Fit alone"
+    assert drawn_to(change(page, frame=None)) > 2 * small

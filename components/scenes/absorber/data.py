@@ -92,12 +92,12 @@ class Drawing:
 
 
 def drawn(duty: Duty, end: float, size: Axis, wanted: float | None) -> Drawing:
-    """Displacements are drawn at one scale, `wanted` or 1, as long as they fit; the ruler tells which."""
+    """Displacements are drawn at the scale `wanted`, in static deflections a metre, as long as they fit; the ruler
+    tells which. It is chosen by the static deflection, and then stands: twice the force is seen as twice the swing."""
     whole = max(duty.m1, duty.m2)
     reach = _reach(duty, end)
-    fits = min(room / (DEFLECTION * way) if way > TINY else 1.0 for room, way in zip(ROOM, reach, strict=True))
-    fits = 1.0 if fits >= 1 else round_down(fits)
-    scale = DEFLECTION * (wanted or fits)
+    fits, stands = _scales(duty, reach, wanted)
+    scale = DEFLECTION * (duty.deflections(wanted) if wanted else stands)
     metre = scale / size.place(duty.deflections(1.0))
     tick = round_down(DEFLECTION * 10 / metre)
     way = scale * (duty.over_deflection(duty.swings[0]) if duty.plays else reach[0])
@@ -120,6 +120,14 @@ def drawn(duty: Duty, end: float, size: Axis, wanted: float | None) -> Drawing:
         **_seen(duty),
     }
     return Drawing(scalars, f"{short(tick)} {size.full_unit}", wanted or fits, fits)
+
+
+def _scales(duty: Duty, reach: tuple[float, float, float], wanted: float | None) -> tuple[float, float]:
+    """The scale that fits, a wanted one where that does, and the one that would be chosen, over the deflection."""
+    most = min(room / (DEFLECTION * way) if way > TINY else math.inf for room, way in zip(ROOM, reach, strict=True))
+    chosen = 1.0 if most >= 1 else round_down(most)
+    fits = chosen * duty.over_deflection(1.0)
+    return max(fits, wanted) if wanted and duty.deflections(wanted) <= most else fits, chosen
 
 
 def _seen(duty: Duty) -> dict[str, float]:
