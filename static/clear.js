@@ -90,11 +90,14 @@ export class Clear {
 
   /** @param {SVGTextElement} text @param {Box} box */
   #inside(text, box) {
-    const {left, right} = this.room
-    const across = Math.max(Math.min(0, right - EDGE - box.right), left + EDGE - box.left)
-    if (!across || box.right - box.left > right - left) return box
-    text.setAttribute("x", String(Number(text.getAttribute("x")) + across))
-    return {...box, left: box.left + across, right: box.right + across}
+    const {left, right, bottom} = this.room
+    const isWide = box.right - box.left > right - left
+    const across = isWide ? 0 : Math.max(Math.min(0, right - EDGE - box.right), left + EDGE - box.left)
+    // What stands at the foot of the picture stays above the transport; what is drawn over plots below it is not moved.
+    const up = box.top < bottom ? Math.min(0, bottom + EDGE - box.bottom) : 0
+    if (across) text.setAttribute("x", String(Number(text.getAttribute("x")) + across))
+    if (up) text.setAttribute("y", String(Number(text.getAttribute("y")) + up))
+    return {left: box.left + across, right: box.right + across, top: box.top + up, bottom: box.bottom + up}
   }
 }
 
@@ -110,7 +113,8 @@ function way(box, others, foot) {
   const most = FAR * (box.bottom - box.top)
   const ways = near.flatMap(({top, bottom}) => [top - box.bottom, bottom - box.top])
   // What stands in the picture is not moved out of it: a heading is above, the transport below.
-  const stays = (/** @type {number} */ down) => (down < 0 ? box.top + down > -EDGE : box.bottom + down < foot + EDGE)
+  const stays = (/** @type {number} */ down) =>
+    down < 0 ? box.top + down > -EDGE : box.bottom > foot + EDGE || box.bottom + down < foot + EDGE
   const best = ways.filter(down => Math.abs(down) <= most && stays(down) && isClear(down))
   return best.length ? best.reduce((one, other) => (Math.abs(other) < Math.abs(one) ? other : one)) : null
 }

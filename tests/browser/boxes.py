@@ -74,6 +74,20 @@ FAULTS = r"""([least, leastIndex]) => {
   }
 
   const seen = texts.filter(piece => !piece.gone)
+  // Whatever is clicked through, what lies uppermost at the foot of a text is that text, or can be seen through.
+  const reached = document.head.appendChild(document.createElement("style"))
+  reached.textContent = "* { pointer-events: auto !important }"
+  const hides = (part, owner) => {
+    for (; part && !part.contains(owner); part = part.parentElement)
+      if (!/, 0\)|transparent/.test(style(part).backgroundColor)) return part
+  }
+  for (const piece of seen) {
+    const {left, right, bottom, height} = piece.boxes[piece.boxes.length - 1]
+    const over = document.elementFromPoint((left + right) / 2, bottom - height / 3)
+    const cover = over && !piece.owner.contains(over) && hides(over, piece.owner)
+    if (cover && stands(cover)) faults.push(`under ${cover.getAttribute("class")}: ${named(piece)}`)
+  }
+  reached.remove()
   const top = ({boxes}) => Math.min(...boxes.map(box => box.top))
   const bottom = ({boxes}) => Math.max(...boxes.map(box => box.bottom))
   seen.sort((one, other) => top(one) - top(other))

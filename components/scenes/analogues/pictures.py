@@ -134,7 +134,7 @@ def _pendulum(c: Canvas, s: Pose) -> list[Shape]:
     ]
 
 
-ROCKS_ABOUT = 24
+ROCKS_ABOUT = 19
 """Where the rocking body hangs, large, down the area."""
 
 
@@ -144,10 +144,10 @@ def _rocking(c: Canvas, s: Pose) -> list[Shape]:
     return [
         c.line(42, top - 9, 42, 54, "eq", "mute"),
         c.path("M-11 -6L11 -6L14 26L-14 26Z", 42, top, turn=-s.angle, style="body", tint="m1"),
-        c.arrow(x, y, x, y + 27, "k"),
+        c.arrow(x, y, x, y + 24, "k"),
         c.disc(42, top, 2.2 if c.large else 3.2, "dot", "ink"),
         *([c.disc(x, y, 1.2, "dot", "k")] if c.large else []),
-        *c.name(x + 3, y + 26, "*m g*", "k", "start"),
+        *c.name(x + 3, y + 23, "*m g*", "k", "start"),
     ]
 
 

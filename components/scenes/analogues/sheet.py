@@ -47,7 +47,7 @@ def analogue_sheet() -> Block:
                 label="The chosen system, and the spring and mass of equal frequency, in motion",
                 grow=430,
                 height=190,
-                widest=2.1,
+                widest=1.75,
             ),
             _motion(),
             grow=288,
