@@ -3,7 +3,6 @@
 # make test   every check, in a real Chromium too      make load | accuracy | bench   the measurements
 PORT ?= 5006
 HOST ?= localhost
-export REPLICAS SITE
 VENV ?= .venv
 BIN := $(VENV)/bin
 # The first Python of 3.11 to 3.13 that can make a virtual environment.
@@ -17,8 +16,8 @@ BOTH_CORES := -n 2 --dist loadscope --no-loadscope-reorder
 # A text browser must not take the terminal: a page is opened only where there is a screen.
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
-.PHONY: run test test-all lint types hooks fast coverage attack audit reconnect load course soak deploy-test class up accuracy bench walk \
-	protocol readme lock docker clean
+.PHONY: run test test-all lint types hooks fast coverage attack audit reconnect load course soak deploy-test class up upgrade accuracy \
+	bench walk protocol readme lock docker clean
 
 run: $(VENV)/run.stamp
 	$(BIN)/python -m components.serving --address $(HOST) --port $(PORT) $(SHOW)
@@ -114,8 +113,17 @@ docker:
 up: secret
 	docker compose up --build --detach
 
+# The next version, without anybody noticing: as many replicas stand in while the others are replaced.
+upgrade: secret
+	docker compose build lecture
+	docker compose --profile relief up --detach --no-deps --wait relief
+	docker compose up --detach --no-deps --wait lecture
+	docker compose --profile relief rm --stop --force relief
+
+# It is mounted as it is: the user of the containers, 1000, must be able to read it.
 secret:
 	umask 077 && head -c 32 /dev/urandom | base64 > $@
+	chown 1000 $@ 2>/dev/null || chmod a+r $@
 
 clean:
 	rm -rf $(VENV) build node_modules .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache
