@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from secrets import token_hex
 from time import monotonic
 from typing import Any, Protocol, TypeVar
@@ -18,7 +19,9 @@ NOTHING_PUT = PutTo()
 KINDS: dict[str, type] = {"picture": SentPicture, "clock": RunClock, "question": PutTo}
 """The parts that followers hear of."""
 LEADERS = ("deed", "remote", "answers")
-"""What the instructor's page alone hears of, as it comes; nothing of it is kept."""
+"""What the instructor's page alone hears of, as it comes; the store keeps nothing of it."""
+KEPT = 16
+"""Of which so many are told once more to a page that has missed them."""
 
 Kind = TypeVar("Kind")
 
@@ -55,6 +58,7 @@ class ClassRoom:
         """Those of walks from files, beside the part that they were read from."""
         self._replica = token_hex(3)
         self._count = 0
+        self._own: deque[News] = deque(maxlen=KEPT)
 
     @property
     def number(self) -> str:
@@ -87,6 +91,13 @@ class ClassRoom:
         known: dict[str, Any] = {name: self.part(name, kind) for name, kind in KINDS.items()}
         return News(number=self.number, here=self.here, lost=self.lost, **known)
 
+    def untold(self, number: str) -> list[News]:
+        """What the instructor's page alone was told after a state that it knows."""
+        replica, _, count = number.partition(".")
+        if replica != self._replica or not count.isdecimal():
+            return []
+        return [own for own in self._own if int(own.number.partition(".")[2]) > int(count)]
+
     def tell(self, parts: Parts) -> None:
         """Take new parts in, and tell all who are here: one encoded event, the same for all."""
         self._count += 1
@@ -96,7 +107,8 @@ class ClassRoom:
             self.say(News(number=self.number, **known))
         if own := {name: parts[name] for name in LEADERS if name in parts}:
             told = {name: msgspec.json.decode(part) for name, part in own.items()}
-            self.say(msgspec.convert({"number": self.number, **told}, News), leaders=True)
+            self._own.append(msgspec.convert({"number": self.number, **told}, News))
+            self.say(self._own[-1], leaders=True)
 
     def say(self, news: News, leaders: bool = False) -> None:
         event = as_event(news)

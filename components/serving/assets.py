@@ -45,6 +45,8 @@ SHEETS = (
     "sketch",
     "contents",
     "class",
+    "corner",
+    "votes",
     "forced",
     "keys",
     "hall",

@@ -8,12 +8,13 @@ from contextlib import suppress
 from functools import lru_cache
 from time import monotonic, time
 
+from msgspec.structs import replace
 from tornado.iostream import IOStream, StreamClosedError
 
 from components.page.messages import Taught
 from components.page.room import Entered, Vote
 from components.rooms.codes import as_code
-from components.rooms.room import ClassRoom, Ear, as_event
+from components.rooms.room import LEADERS, ClassRoom, Ear, as_event
 from components.serving.answers import RefusedError
 from components.serving.classes import ClassAnswer
 from components.serving.visitors import network_of
@@ -43,6 +44,11 @@ class Follower(ClassAnswer):
             return await self.asked(application.hall.room(as_code(code)))
         self.leads = True
         return await self.led(code)
+
+    @property
+    def after(self) -> str:
+        """The number of the state that a page knows."""
+        return self.get_query_argument("after", "")
 
 
 class Enter(ClassAnswer):
@@ -85,6 +91,8 @@ class Events(Follower):
         self._pipe.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
         self._pipe.set_nodelay(True)
         self.write(as_event(room.whole()))
+        for missed in room.untold(self.after) if self.leads else ():
+            self.write(as_event(missed))
         try:
             await asyncio.wait_for(self.flush(), GIVEN_UP)
         except TimeoutError:
@@ -147,7 +155,10 @@ class Now(Follower):
         self.often(f"poll {self.word}")
         if not self.leads:
             room.polls[self.word[:16]] = monotonic()
-        if self.get_query_argument("after", "") == room.number:
+        missed = room.untold(self.after) if self.leads else []
+        if missed:  # one at a time: the next question asks for what came after it
+            self.reply(replace(room.whole(), **{name: getattr(missed[0], name) for name in ("number", *LEADERS)}))
+        elif self.after == room.number:
             self.set_status(204)
         else:
             self.reply(room.whole())

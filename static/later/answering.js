@@ -22,6 +22,8 @@ export class AskedPut {
   /** @type {number | undefined} */
   timer
 
+  changes = 0
+
   /** @param {import("./follow.js").Following} following */
   constructor(following) {
     this.following = following
@@ -55,6 +57,7 @@ export class AskedPut {
     const {changed} = this.card.question
     this.card.question.changed = () => {
       changed()
+      this.changes++
       clearTimeout(this.timer)
       this.status.textContent = ""
       this.timer = setTimeout(() => this.#send(), MOMENT)
@@ -97,10 +100,11 @@ export class AskedPut {
   async #send() {
     const vote = this.question?.lesson ? null : this.#vote()
     if (!vote) return
+    const {changes} = this
     try {
       await ask(`${this.following.code}/answer`, {method: "PUT", body: vote, word: this.following.token})
       this.given = vote
-      this.status.textContent = SENT
+      if (changes === this.changes) this.status.textContent = SENT
       answer(this.following.code, this.#name, vote)
     } catch (reason) {
       if (!(reason instanceof Refusal)) throw reason
@@ -127,6 +131,7 @@ export class AskedPut {
     card.walk.lesson = lesson
     if (!given) return card.teach(lesson)
     await new Promise(done => setTimeout(done, Math.random() * SPREAD))
+    if (card !== this.card) return // the lecture has gone on
     const {code, token} = this.following
     const taught = await ask(`${code}/answer`, {method: "POST", body: given, word: token}).catch(() => ({lesson}))
     if (card === this.card) card.teach(taught.lesson)

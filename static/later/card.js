@@ -33,12 +33,12 @@ export class Card {
     this.element.append(element("div", {class: "foot"}, this.back, this.forward))
     this.question.changed = () => this.#ready()
     page.panel.prepend(this.element)
-    this.question.host?.scrollIntoView({block: "nearest"})
     page.root.classList.add("walked")
     this.line = element("p", {class: "asked-line"}, ...asked(step))
     page.heading.after(this.line)
     this.#ask()
     asks.focus({preventScroll: true})
+    this.question.host?.scrollIntoView({block: "nearest"}) // now that all has its place
   }
 
   #head() {

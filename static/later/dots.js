@@ -1,6 +1,6 @@
 // The numbers that a class has given, each a dot: for a point on the axis itself, for a typed number on its own line.
 
-import {set, svg} from "../dom.js"
+import {inUnits, set, svg, unitSize} from "../dom.js"
 
 const R = 3.5
 const WIDTH = 280
@@ -49,6 +49,7 @@ export class Dots {
   /** @param {import("../plots.js").Plot} plot */
   #onAxis(plot) {
     const {left, top, width, height} = plot.frame
+    inUnits(this.svg, plot.host.clientWidth / unitSize(), plot.host.clientHeight / unitSize())
     const across = this.step.axis === "x"
     /** @param {number} value */
     const at = value => (across ? plot.px(value) : plot.py(value))
@@ -67,7 +68,7 @@ export class Dots {
     const at = value => 8 + (WIDTH - 16) * Math.min(Math.max((value - start) / (end - start), 0), 1)
     const base = HEIGHT - 18
     const line = svg("line", {x1: 0, x2: WIDTH, y1: base, y2: base, stroke: "currentColor"})
-    const marks = [line, ...[low, high].map((value, i) => this.#tick(at(value), value, i))]
+    const marks = [line, ...[...new Set([low, high])].map((value, i) => this.#tick(at(value), value, i))]
     return {at, across: true, base, way: -1, room: base - R, marks}
   }
 

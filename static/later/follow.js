@@ -102,6 +102,8 @@ export class Following {
     page.start(shown)
     for (const part of page.root.querySelectorAll(".transport, .handles, .grips, .seg")) part.setAttribute("inert", "")
     document.title = `${sheet.headline} – Oscillations`
+    const place = document.querySelector(".class-place")
+    if (place) place.textContent = sheet.title
     this.#run()
     await frame()
     await page.join().catch(error => console.warn(error))

@@ -1,6 +1,7 @@
 // The code and its QR over the whole page, for the last row; and what else an instructor may want of the class.
 
 import {element, marked} from "../dom.js"
+import {place} from "./corner.js"
 import {ask, asked} from "./room.js"
 
 export class Large {
@@ -32,7 +33,14 @@ export class Large {
     const {room, news} = this.teach
     this.here = element("b", {})
     const square = marked("div", {class: "class-square", role: "img", "aria-label": "QR code"}, room.square)
-    const words = this.#words("Join at", new URL(room.address), element("b", {class: "code"}, room.code))
+    const words = element(
+      "div",
+      {class: "class-words"},
+      element("span", {}, "Join at"),
+      element("b", {class: "at"}, place(room.address)),
+      element("span", {}, "with the code"),
+      element("b", {class: "code"}, room.code),
+    )
     words.append(element("p", {}, this.here, " here"))
     this.pairing = element("p", {class: "problem", role: "status"})
     const tools = element("div", {class: "class-tools"}, this.pairing, ...this.#tools())
@@ -45,19 +53,6 @@ export class Large {
     this.say(news.here ?? 0)
     const [close] = [...tools.querySelectorAll("button")].slice(-1)
     close?.focus()
-  }
-
-  /** @param {string} lead @param {URL} address @param {Element} code */
-  #words(lead, address, code) {
-    const where = element("b", {class: "where"}, `${address.host}${address.pathname}`.replace(/\/$/, ""))
-    return element(
-      "div",
-      {class: "class-words"},
-      element("span", {}, lead),
-      where,
-      element("span", {}, "with the code"),
-      code,
-    )
   }
 
   #tools() {
@@ -97,7 +92,7 @@ export class Large {
     if (!square || !this.pairing) return
     square.innerHTML = ticket.square
     square.setAttribute("aria-label", "QR code of the remote control")
-    const words = element("div", {class: "class-words"}, element("b", {class: "where"}, "A remote control"))
+    const words = element("div", {class: "class-words"}, element("b", {class: "at"}, "A remote control"))
     words.append(element("span", {}, "One phone, within a minute. It shows two digits, which are asked for here."))
     this.dialog?.querySelector(".class-words")?.replaceWith(words)
   }

@@ -1,6 +1,7 @@
 // A room of the live class, over HTTP: what is asked of it, and the stream of what is new in it.
 
 const PATIENCE = 3000 // ms until a stream that brings nothing is given up for asking again and again
+const BUSY = 250 // ms of it
 const SILENCE = 25000 // ms after which a stream is taken up anew: the server says something every 15 s
 const ASKING = 1000 // ms between questions
 const LONGEST = 8000 // ms between tries
@@ -116,14 +117,18 @@ export class Stream {
 
   /** A proxy may hold back even the head of the answer. @param {AbortController} control */
   async #read(control) {
-    const giveUp = setTimeout(() => {
+    const begin = () => {
       this.polls = true
       this.trial = Date.now() + TRIAL
       this.atOnce = true
       control.abort()
-    }, PATIENCE)
+    }
+    // In a page that was too busy to listen, what has come is heard first.
+    let giveUp = setTimeout(() => {
+      giveUp = setTimeout(begin, BUSY)
+    }, PATIENCE - BUSY)
     try {
-      const answer = await asked(`${this.code}/events`, {word: this.word, signal: control.signal})
+      const answer = await asked(`${this.code}/events?after=${this.number}`, {word: this.word, signal: control.signal})
       await heard(answer, text => {
         clearTimeout(giveUp)
         this.#hear(JSON.parse(text))

@@ -1,6 +1,6 @@
 // The sketches of a class over each other, in faint ink, so that agreement is darkness; the true curve lies over them.
 
-import {element} from "../dom.js"
+import {element, unitSize, units} from "../dom.js"
 
 const FAINT = 0.1
 const PASSED = 0.03 // what the chip in force leaves out
@@ -20,7 +20,7 @@ export class Sketches {
     this.chips = chips
     this.plot = /** @type {import("../plots.js").Plot} */ (card.page.plots.find(({block}) => block.name === step.plot))
     this.canvas = element("canvas", {class: "class-sketches", role: "img"})
-    this.plot.host.append(this.canvas)
+    this.plot.host.prepend(this.canvas) // under the true curve
     this.observer = new ResizeObserver(() => this.#draw())
     this.observer.observe(this.plot.host)
   }
@@ -42,6 +42,7 @@ export class Sketches {
     const counts = features.map((name, i) => ({name, count: now.sketches.filter(({has}) => has[i]).length}))
     const sorted = counts.toSorted((a, b) => b.count - a.count)
     const [best, worst] = [sorted[0], sorted[sorted.length - 1]]
+    if (!best.count) return `None of ${now.sketches.length} drew any of what was looked for`
     return `${best.count} of ${now.sketches.length} drew “${plain(best.name)}”, ${worst.count} “${plain(worst.name)}”`
   }
 
@@ -83,13 +84,13 @@ export class Sketches {
     this.canvas.height = host.clientHeight * dense
     const ink = this.canvas.getContext("2d")
     if (!ink || !this.tally) return
-    ink.scale(dense, dense)
+    ink.scale(dense * unitSize(), dense * unitSize())
     ink.beginPath()
     ink.rect(frame.left, frame.top, frame.width, frame.height)
     ink.clip()
     const style = getComputedStyle(document.documentElement)
     ink.strokeStyle = style.getPropertyValue("--ink")
-    ink.lineWidth = Number.parseFloat(style.getPropertyValue("--w1")) || 1.75
+    ink.lineWidth = units("w1")
     for (const {curves, has} of this.tally.now.sketches) {
       ink.globalAlpha = this.lit < 0 || has[this.lit] ? Math.max(FAINT, 1 / this.tally.now.sketches.length) : PASSED
       for (const heights of Object.values(curves)) this.#line(ink, heights)

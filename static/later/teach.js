@@ -1,6 +1,7 @@
 // The instructor's side of a live class: what this page shows, how its clock runs and what it asks goes to the hall.
 
 import {element} from "../dom.js"
+import {Corner} from "./corner.js"
 import {Large} from "./large.js"
 import {Refusal, Stream, ask} from "./room.js"
 import {Timing} from "./timing.js"
@@ -38,6 +39,7 @@ export class Teach {
     this.timing = new Timing()
     this.votes = new Votes(this)
     this.large = new Large(this)
+    this.corner = new Corner(room, () => this.large.toggle())
     this.sign = element("button", {type: "button", class: "class-code", title: "Join code, large (J)"})
     this.sign.addEventListener("click", () => this.large.toggle())
     document.querySelector("#keys")?.before(this.sign)
@@ -68,6 +70,7 @@ export class Teach {
     const {here = 0, lost} = this.news
     const state = this.away || lost ? "not connected" : `${here} here`
     this.sign.replaceChildren(element("b", {}, this.room.code), element("span", {role: "status"}, state))
+    this.corner.say(state)
     this.large.say(here ?? 0)
   }
 
@@ -110,6 +113,7 @@ export class Teach {
 
   /** Where followers would see another instant than this page, they are told. */
   #look() {
+    this.corner.stand(this.lecture.page.root)
     if (this.timing.bound === Infinity) return
     const {clock} = this.lecture
     const now = this.timing.now
@@ -170,6 +174,7 @@ export class Teach {
     this.large.close()
     this.votes.leave()
     this.sign.remove()
+    this.corner.leave()
     delete document.documentElement.dataset.class
     forget()
     this.lecture.classes.led = null

@@ -1,6 +1,7 @@
 // The answers of the hall in front: a count, then bars, dots or sketches when they are asked for.
 
 import {element} from "../dom.js"
+import {claim} from "./claim.js"
 import {Dots} from "./dots.js"
 import {Sketches} from "./sketches.js"
 import {ask} from "./room.js"
@@ -56,15 +57,18 @@ export class Votes {
   }
 
   #close() {
+    const {walk} = this.teach.lecture.walks
     this.isOpen = false
+    if (this.card && walk?.lesson) claim(this.card.page, walk.lesson.title)
     this.#clear()
     this.update()
   }
 
   #clear() {
+    this.card?.page.root.classList.remove("gallery")
     this.layer?.leave()
     this.layer = null
-    for (const bar of document.querySelectorAll(".answers .vote-bar, .answers .vote-count")) bar.remove()
+    for (const bar of document.querySelectorAll(".answers .vote-row")) bar.remove()
   }
 
   /** Asks for the answers, not more often than they can be looked at. */
@@ -105,7 +109,10 @@ export class Votes {
     if (step.kind === "sketch") this.layer ??= new Sketches(card, step, this.chips)
     else this.layer ??= new Dots(card, step)
     this.layer.update(tally, Boolean(lesson))
-    if (lesson) this.all.textContent = this.layer.headline(tally)
+    const headline = lesson ? this.layer.headline(tally) : ""
+    this.all.textContent = headline
+    if (step.kind === "sketch") card.page.root.classList.add("gallery")
+    if (step.kind === "sketch" && lesson && this.teach.lecture.hall.on) card.page.heading.textContent = headline
   }
 
   leave() {
@@ -120,13 +127,13 @@ function bars(card, {now, before}, lesson) {
   const most = Math.max(1, ...now.options, ...(before?.options ?? []))
   const rows = [...card.question.element.querySelectorAll("button")]
   for (const [i, row] of rows.entries()) {
-    row.querySelector(".vote-bar")?.remove()
-    row.querySelector(".vote-count")?.remove()
+    row.querySelector(".vote-row")?.remove()
     const parts = [element("i", {style: `--share: ${now.options[i] / most}`})]
     if (before?.options[i]) parts.push(element("i", {class: "before", style: `--share: ${before.options[i] / most}`}))
     const count = element("span", {class: "vote-count"}, ...(before ? [`${before.options[i]} → `] : []))
     count.append(element("b", {}, String(now.options[i])))
     row.classList.toggle("right-vote", Boolean(lesson?.verdicts[i]?.right))
-    row.append(count, element("span", {class: "vote-bar"}, ...parts))
+    const bar = element("span", {class: "vote-bar"}, ...parts)
+    row.append(element("span", {class: before ? "vote-row twice" : "vote-row"}, bar, count))
   }
 }

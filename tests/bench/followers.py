@@ -50,15 +50,14 @@ class Hearing(asyncio.Protocol):
 
 
 async def followed(room: Class, urls: Sequence[str], count: int) -> list[Hearing]:
-    """So many followers, spread over addresses; one token serves them all, since they do not answer."""
-    token = await room.token(urls[0])
+    """So many followers, spread over addresses."""
     gate = asyncio.Semaphore(50)
 
     async def one(number: int) -> Hearing:
         host = urlsplit(urls[number % len(urls)])
-        lines = [f"GET /class/{room.code}/events HTTP/1.1", f"Host: {host.netloc}", f"Authorization: Bearer {token}"]
-        head = "\r\n".join([*lines, "", ""]).encode()
+        lines = [f"GET /class/{room.code}/events HTTP/1.1", f"Host: {host.netloc}"]
         async with gate:
+            head = "\r\n".join([*lines, f"Authorization: Bearer {await room.token()}", "", ""]).encode()
             _, hearing = await asyncio.get_running_loop().create_connection(
                 lambda: Hearing(head), host.hostname, host.port
             )

@@ -142,6 +142,33 @@ def test_who_gets_no_stream_asks_and_is_told_all_that_is_new() -> None:
     run(test)
 
 
+def test_an_instructor_who_gets_no_stream_is_told_what_it_alone_hears_one_by_one() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        await lesson.order("put", **CHOICE)
+        path = f"/class/{lesson.code}/now?after="
+        known = (await called(url, path, word=lesson.key)).json["number"]
+        assert await lesson.vote(await lesson.token(), **CHOICE, option=1)
+        room = server.lecture.hall.rooms[lesson.code]
+        for deed in ("next", "next"):
+            room.tell({"deed": f'"{deed}"'.encode()})
+        heard = []
+        while (answer := await called(url, path + known, word=lesson.key)).status == 200:
+            known = answer.json["number"]
+            heard.append((answer.json.get("answers", False), answer.json.get("deed", "")))
+        assert heard == [(True, ""), (False, "next"), (False, "next")]
+        late = await Stream(url, f"{lesson.code}", lesson.key).open()
+        await late.until(lambda event: event.get("question"))
+        assert not any(event.get("deed") for _, event in late.heard)
+        await late.close()
+        other = await called(url, path + "x.9", word=lesson.key)
+        assert other.status == 200 and "deed" not in other.json
+        token = await lesson.token()
+        assert "deed" not in (await called(url, path + f"{room.number[:-1]}0", word=token)).text
+
+    run(test)
+
+
 def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkeypatch: pytest.MonkeyPatch) -> None:
     hits = 10 * followers.MISSES * 4 * 60 / 30**4
     assert hits < 1 and followers.MISSES >= 300

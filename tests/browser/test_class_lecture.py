@@ -1,0 +1,140 @@
+"""A lecture of five steps from a file, played through: the hall's screen with a clicker, a phone, a remote control."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.test_class import LED, draw, joined, taught, window
+from tests.browser.test_own_walk import DROP
+
+pytestmark = pytest.mark.browser
+__all__ = ["window"]
+
+STEPS = {"pull": "d31-03", "mass": "d31-02", "place": "d34-04", "curve": "d34-14", "rest": "d34-12"}
+LECTURE = 'title = "Five"\n' + "".join(f'[[step]]\nid = "{name}"\nfrom = "{step}"\n' for name, step in STEPS.items())
+SENT = "Sent. You can change it until the answer is shown."
+Take = Callable[[Page, str], object]
+
+
+def remote_of(lecture: Page, window: Callable[[str, int, int], Page]) -> Page:
+    lecture.keyboard.press("j")
+    with lecture.expect_response(re.compile("/tickets$")) as answer:
+        lecture.get_by_role("button", name="Remote control").click()
+    remote = window(answer.value.json()["address"].partition("?")[2], 390, 844)
+    lecture.get_by_role("button", name="Yes, let it in").click()
+    remote.get_by_role("button", name="Close").click()
+    expect(lecture.get_by_role("dialog")).to_have_count(0)
+    return remote
+
+
+def put(lecture: Page, phone: Page, step: str) -> None:
+    lecture.wait_for_function("step => oscillations.walks.walk?.step?.id === step", arg=step)
+    phone.wait_for_function("step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step)
+
+
+def choice(lecture: Page, phone: Page, screenshot: Take) -> None:
+    """Two votes, with talk between."""
+    put(lecture, phone, "pull")
+    phone.locator(".answers button").nth(1).click()
+    expect(phone.get_by_text(SENT)).to_be_visible()
+    screenshot(phone, "lecture-phone")
+    expect(lecture.locator(".votes")).to_contain_text("1 of 1 answered")
+    lecture.keyboard.press("PageDown")
+    expect(lecture.locator(".vote-count")).to_have_text(["0", "1", "0"])
+    lecture.get_by_role("button", name="Ask again").click()
+    phone.wait_for_function("oscillations.asked.question.vote === 2 && oscillations.asked.card")
+    phone.locator(".answers button").nth(0).click()
+    expect(lecture.locator(".vote-count")).to_have_text(["0 → 1", "1 → 0", "0 → 0"])
+    expect(lecture.locator(".vote-bar .before")).to_have_count(1)  # the first vote stays outlined
+    lecture.keyboard.press("PageDown")
+    for page in (lecture, phone):
+        expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
+    expect(phone.locator(".answers button").nth(0).get_by_role("img", name="right")).to_be_visible()
+    screenshot(lecture, "lecture-choice")
+    lecture.keyboard.press("PageDown")
+
+
+def number(lecture: Page, phone: Page, remote: Page, screenshot: Take) -> None:
+    """Turned by the remote control."""
+    put(lecture, phone, "mass")
+    phone.get_by_role("textbox", name="Your answer").fill("2")
+    expect(phone.get_by_text(SENT)).to_be_visible()
+    lecture.keyboard.press("PageDown")
+    expect(lecture.locator(".vote-line circle")).to_have_count(1)
+    remote.get_by_role("button", name="Show").click()
+    expect(lecture.locator(".votes .all")).to_have_text("1 of 1 are right")
+    screenshot(lecture, "lecture-number")
+    remote.get_by_role("button", name="Next").click()
+
+
+def point(lecture: Page, phone: Page, screenshot: Take) -> None:
+    put(lecture, phone, "place")
+    phone.locator(".pill-mark").press("ArrowRight")
+    expect(phone.get_by_text(SENT)).to_be_visible()
+    lecture.keyboard.press("PageDown")
+    dot, middle = (lecture.locator(part).bounding_box() for part in (".vote-dots circle", ".pill-mark"))
+    assert dot and middle and abs(dot["x"] + dot["width"] / 2 - middle["x"] - middle["width"] / 2) < 20
+    screenshot(lecture, "lecture-point")
+    lecture.keyboard.press("PageDown")
+    expect(lecture.locator(".votes .all")).to_have_text("0 of 1 are right")
+    lecture.keyboard.press("PageDown")
+
+
+def sketch(lecture: Page, phone: Page, screenshot: Take) -> None:
+    """The sketches take the whole screen."""
+    put(lecture, phone, "curve")
+    draw(phone, lambda x: 0.9 - 0.88 * x)
+    expect(phone.get_by_text(SENT)).to_be_visible()
+    lecture.keyboard.press("PageDown")
+    ink = lecture.get_by_role("img", name="1 sketches of the class")
+    expect(ink).to_be_visible()
+    lecture.keyboard.press("PageDown")
+    expect(lecture.locator("h1")).to_have_text(re.compile("^1 of 1 drew “.*”, 0 “.*”$"))
+    box = ink.bounding_box()
+    assert box and box["width"] > 1700 and box["height"] > 500
+    expect(lecture.locator(".class-corner")).to_contain_text("1 here")
+    screenshot(lecture, "lecture-sketch")
+    expect(phone.locator(".findings li")).to_have_count(5)
+    lecture.keyboard.press("PageDown")
+
+
+def table(lecture: Page, folder: Path) -> list[list[str]]:
+    lecture.keyboard.press("j")
+    with lecture.expect_download() as download:
+        lecture.get_by_role("button", name="Answers as CSV").click()
+    path = folder / "answers.csv"
+    download.value.save_as(path)
+    with path.open(newline="") as file:
+        return list(csv.reader(file))
+
+
+@pytest.mark.timeout(300)  # four windows on a machine with other things to do
+def test_a_lecture_of_five_steps(window: Callable[[str, int, int], Page], screenshot: Take, tmp_path: Path) -> None:
+    lecture, code = taught(window, "scene=oscillator&projector")
+    expect(lecture.locator(".class-corner")).to_contain_text(code)
+    remote = remote_of(lecture, window)
+    phone = joined(window, code)
+    lecture.evaluate(DROP, ["five.toml", LECTURE])
+    choice(lecture, phone, screenshot)
+    number(lecture, phone, remote, screenshot)
+    point(lecture, phone, screenshot)
+    sketch(lecture, phone, screenshot)
+    put(lecture, phone, "rest")
+    expect(remote.locator(".class-remote p")).to_contain_text("5 of 5")
+    lecture.keyboard.press("PageUp")
+    put(lecture, phone, "curve")
+    assert len(phone.evaluate("oscillations.asked.card.question.pad.sent").get("Xp1", [])) == 101  # it is theirs still
+    rows = table(lecture, tmp_path)
+    assert [row[:3] + row[4:] for row in rows] == [
+        ["walk", "step", "vote", "right"], ["five", "pull", "1", "no"], ["five", "pull", "2", "yes"],
+        ["five", "mass", "1", "yes"], ["five", "place", "1", "no"], ["five", "curve", "1", "no"],
+    ]  # fmt: skip
+    assert [row[3] for row in rows[1:4]] == ["2", "1", "2"] and len(rows[5][3].split()) == 102
+    lecture.evaluate(f"{LED}.end()")
+    expect(phone.get_by_role("heading", name="The class is over.")).to_be_visible()
