@@ -62,19 +62,19 @@ def wordiest(step: Step) -> dict[str, Any]:
     return {}
 
 
-def seen(page: Page, step: str, when: str) -> Iterator[str]:
-    """What is wrong with the page on each screen."""
-    for width, height in SIZES if WHOLE else SIZES[:1]:
-        page.set_viewport_size({"width": width, "height": height})
-        passed(page)
-        seek(page, 0.0)
-        small = [22 * height / 1080, 19 * height / 1080]
-        found = [*faults(page, *small), *page.evaluate(SCROLLED), *page.evaluate(SMALL, [27 * height / 1080, LARGE])]
-        yield from (f"{step}, {when} Show, {width} x {height}: {fault}" for fault in found if COVER not in fault)
+def seen(page: Page, height: int, when: str) -> Iterator[str]:
+    """What is wrong with the page."""
+    passed(page)
+    seek(page, 0.0)
+    small = [22 * height / 1080, 19 * height / 1080]
+    found = [*faults(page, *small), *page.evaluate(SCROLLED), *page.evaluate(SMALL, [27 * height / 1080, LARGE])]
+    yield from (f"{when} Show: {fault}" for fault in found if COVER not in fault)
 
 
+@pytest.mark.parametrize(("width", "height"), SIZES if WHOLE else SIZES[:1])
 @pytest.mark.parametrize("name", WALKS)
-def test_a_step_is_seen_whole(name: str, server: Server, page: Page) -> None:
+def test_a_step_is_seen_whole(name: str, width: int, height: int, server: Server, page: Page) -> None:
+    page.set_viewport_size({"width": width, "height": height})
     page.goto(f"{server.url}?walk={name}&projector")
     found: list[str] = []
     for place, step in enumerate(WALKS[name].steps):
@@ -83,13 +83,13 @@ def test_a_step_is_seen_whole(name: str, server: Server, page: Page) -> None:
         page.wait_for_function(f"{READY} && oscillations.walks.walk")
         page.evaluate("place => oscillations.walks.walk.go(place)", place)
         page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place)
-        found += seen(page, step.id, "before")
+        found += seen(page, height, f"{step.id}, before")
         page.evaluate(ANSWER, wordiest(step))
         page.evaluate("oscillations.walks.walk.show(true)")
         page.wait_for_function(TAUGHT)
-        found += seen(page, step.id, "after")
+        found += seen(page, height, f"{step.id}, after")
         page.get_by_role("button", name="Try", exact=True).click()
-        found += seen(page, step.id, "trying, after")
+        found += seen(page, height, f"{step.id}, trying, after")
     assert not found, "\n".join(found)
 
 

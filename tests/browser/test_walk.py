@@ -214,3 +214,22 @@ def test_every_step_has_its_card(walk: Callable[..., Page], name: str, width: in
         assert "?" not in page.locator(".card .why").inner_text()
         numbers = page.locator(".card .why [data-value]").all_inner_texts()
         assert all(numbers), numbers
+
+
+@pytest.mark.parametrize(
+    ("step", "told"),
+    [
+        ("d31-06", "sin"),
+        ("d31-07", "Gravity sets where it hangs"),
+        ("d31-16", "Airliner"),
+        ("d34-11", "keeps"),
+        ("d34-15", "envelope"),
+    ],
+)
+def test_no_heading_says_what_is_asked(walk: Callable[..., Page], step: str, told: str) -> None:
+    page = walk(step)
+    plot = page.locator(".paper .block:is(.plot:has(.cover:not([hidden])), .proof)")
+    assert not any(told in text for text in plot.all_inner_texts())
+    page.evaluate("oscillations.walks.walk.show(true)")
+    page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
+    assert told in page.locator(".paper").inner_text()

@@ -134,7 +134,7 @@ class Energy(Scene):
                 **{name: axes["E"].digits() for name in ("T", "V", "spring")},
                 **{name: axes["E"].digits(signed=True) for name in ("gravity", "constant")},
             },
-            forms={"datum": case.datum},
+            forms={"datum": case.datum, "place": "said"},
         )
 
     def figures(self) -> tuple[Figure, ...]:

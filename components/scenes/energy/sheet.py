@@ -138,7 +138,7 @@ def _gravity() -> Block:
     return words(
         r"$\delta_{\mathrm{st}} = \frac{m g}{k} = \val{delta}$ m",
         r"$\omega_n = \sqrt{\frac{k}{m}} = \val{omega}$ rad/s",
-        "[small|Gravity sets where it hangs, not how fast it swings.]",
+        either("place", said="[small|Gravity sets where it hangs, not how fast it swings.]"),
         r"$\tau = 2 \pi / \omega_n = \val{tau}$ s",
         style="proof",
         grow=UPPER,

@@ -15,7 +15,7 @@ from components.sheet import Paragraph, column, either, phrase, row, stage, term
 from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
 from components.text import rich
 
-ARROWS = W - 0.36 * W * var("narrow")
+ARROWS = W - 0.36 * W * var("narrow") - 0.3 * W * var("hall")
 """What force arrows are a fraction of: beside short ones there is room for their numbers on a narrow stage."""
 SWING = ARROWS * var("swing")
 
@@ -221,14 +221,13 @@ def _force(i: int, name: str, y: Number) -> list[Shape]:
     start, tip = (var(f"give{i}"), var(f"need{i}")) if name == "add" else (0, var(f"{name}{i}"))
     rest = chain.rest(i)
     force, look = f"{{{name}{i}_N}}", {"tint": tint, "style": "t1 b halo"}
-    # Clear of the arrow, wherever it swings to.
-    at = rest - REACH * ARROWS - 8
-    left = text(0, y + 5, force, "start", show="narrow", **look)
-    return [
-        arrow(rest + SWING * start, y, rest + SWING * tip, y, tint=tint, style="thick", head=14),
-        text(at, y + 5, force, "end", show="wide" if i == 1 else "", **look),
-        *([left] if i == 1 else []),
-    ]
+    # Clear of the arrows, wherever they swing to; with a hall's type there is no room for a number between them.
+    before, beyond = (
+        text(rest + REACH * ARROWS * s + 8 * s, y + 5, force, anchor, show=show, **look)
+        for s, anchor, show in ((-1, "end", "wide" if i == 1 else "desk"), (1, "start", "hall"))
+    )
+    other = text(0, y + 5, force, "start", show="narrow", **look) if i == 1 else beyond
+    return [arrow(rest + SWING * start, y, rest + SWING * tip, y, tint=tint, style="thick", head=14), before, other]
 
 
 def _over_shapes() -> tuple[Shape, ...]:

@@ -82,12 +82,15 @@ def _row(name: str) -> Block:
     tint = TINTS[name]
     curve, band = traced(name, tint=tint, width="sum", read=f"*{name}*", signal=name)
     drift = {
-        "x": r"x = \val{A}\, \val{drift}\,t",
-        "v": r"v = \val{v_0} \text{: constant}",
-        "a": r"a = 0 \text{: no force}",
+        "x": r"\val{A}\, \val{drift}\,t",
+        "v": r"\val{v_0} \text{: constant}",
+        "a": r"0 \text{: no force}",
     }[name]
-    sine = rf"{name} = \val{{top_{name}}}\, \sin(\val{{omega}}\,t\, \val{{phi_plus}} {SHIFTS[name]})"
-    heading = [term(name, "sum", tint, form="kind", turn=sine, drift=drift)]
+    sine = rf"\val{{top_{name}}}\, \sin(\val{{omega}}\,t\, \val{{phi_plus}} {SHIFTS[name]})"
+    heading = [
+        term(name, "sum", tint, formula=f"{name} ="),
+        term("", "none", tint, form="kind", turn=sine, drift=drift),
+    ]
     if name == "x":
         parts = r"= \val{A_plain}\, \cos(\val{omega}\,t)\, \val{B_plus}\, \sin(\val{omega}\,t)"
         heading.append(term("", "none", "ink", form="parts", shown=parts, left_out=""))

@@ -72,7 +72,10 @@ def period_plot(names: dict[str, str]) -> Block:
         title="Period against the speed of steady flight: a straight line, the same for every aircraft",
         x_column="v_0",
         curves=(curve("tau", source="periods", tint="ink", width="sum", read="*τ*"),),
-        heading=(term("", "sum", "ink", formula=r"\tau = \sqrt{2}\,\pi\,v_0 / g = \val{tau}\;\text{s}"),),
+        heading=(
+            term("", "sum", "ink", formula=r"\tau ="),
+            term("", "none", "ink", formula=r"\sqrt{2}\,\pi\,v_0 / g = \val{tau}\;\text{s}"),
+        ),
         room=Room(44, 26, top=60),
         handles=(Handle(parameter="v_0", symbol="v₀", label="Speed of steady flight", tint="T", least=1.0),),
         marks=tuple(_example(name, label, i % 2) for i, (name, label) in enumerate(names.items())),
