@@ -60,6 +60,7 @@ export class Grips {
     }
     grip.grip.addEventListener("pointerdown", event => this.#drag(event, grip))
     grip.grip.addEventListener("keydown", event => this.#key(event, grip))
+    grip.grip.addEventListener("pointercancel", () => this.page.hand.rest()) // what is taken away is no flick
     grip.grip.addEventListener("blur", () => this.#let(grip))
     this.element.append(grip.grip, this.why)
     this.grips.set(shape, grip)

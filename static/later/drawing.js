@@ -55,8 +55,11 @@ export class Drawing {
     return this.frame.top + ((this.y.end - value) / (this.y.end - this.y.start)) * this.frame.height
   }
 
-  /** Everything, to be called while `over` is in the page. @param {Named} named the quantities at the instant shown */
-  draw(named) {
+  /**
+   * Everything, to be called while `over` is in the page; `marks` are what a stage draws in its frame.
+   * @param {Named} named the quantities at the instant shown @param {page.AnyShape[]} [marks]
+   */
+  draw(named, marks = this.#ofStages()) {
     this.over.append(...this.#grid(), this.inside)
     const lines = this.under ? linesOf(this, this.under) : []
     const held = (/** @type {boolean} */ over) =>
@@ -71,7 +74,8 @@ export class Drawing {
     fill(this.controls, this.view, named)
     labels.place()
     flags.place()
-    if (this.block.shapes.length) this.#shapes(named)
+    if (marks.length) this.inside.append(this.#shapes(named, marks))
+    if (this.block.shapes.length) this.over.append(this.#shapes(named, this.block.shapes))
     this.over.append(...flags.marks.flatMap(({flag}) => this.#flag(flag)))
   }
 
@@ -128,11 +132,23 @@ export class Drawing {
     this.inside.append(svg("g", {class: tint}, ...(width === "none" ? [] : [line]), ...dots))
   }
 
-  /** @param {Named} named */
-  #shapes(named) {
+  /** The points and lines that a stage of the page draws over this plot alone, and that stand still. */
+  #ofStages() {
+    const own = `${this.block.name}.`
+    const isOwn = (/** @type {Set<string>} */ needs) =>
+      [...needs].some(name => name.startsWith(own)) &&
+      ![...needs].some(name => name in this.view.signals) &&
+      [...needs].every(name => name.startsWith(own) || (!name.includes(".") && name !== "W" && name !== "H"))
+    const stages = this.page.sheet.stages.filter(stage => stage.svg.role === "img")
+    const shapes = stages.flatMap(stage => stage.shapes.filter(({needs}) => isOwn(needs)).map(({spec}) => spec))
+    return shapes.filter(({kind}) => kind === "circle" || kind === "line")
+  }
+
+  /** @param {Named} named @param {page.AnyShape[]} shapes */
+  #shapes(named, shapes) {
     const layer = document.createElement("div")
     this.host.append(layer)
-    const stage = new Stage({shapes: this.block.shapes, label: ""}, layer)
+    const stage = new Stage({shapes, label: ""}, layer)
     stage.leave()
     const [W, H] = [this.host.offsetWidth / unitSize(), this.host.offsetHeight / unitSize()]
     stage.size = {W, H, narrow: 0, wide: 1, hall: 0, desk: 1}
@@ -141,8 +157,9 @@ export class Drawing {
     stage.update(this.view.left_out)
     fill(stage.svg, this.view, named)
     stage.frame(named)
-    this.over.append(svg("g", {}, ...stage.svg.childNodes))
+    const drawn = svg("g", {}, ...stage.svg.childNodes)
     layer.remove()
+    return drawn
   }
 
   /**

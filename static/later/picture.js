@@ -117,6 +117,7 @@ export function plotPicture(plot, captioned = true) {
   easel.write(`${block.title}.`, "t1 b title")
   const terms = legend(plot)
   if (terms.length) easel.list(terms)
+  else if (block.marks.length) easel.y += LINE // for flags over the frame
   const frame = frameFor(plot)
   const host = element("div", {class: "easel-part"})
   host.style.width = long(WIDE)
@@ -144,11 +145,13 @@ function frameFor({frame, host, block}) {
   return {left, top: frame.top + 8, width: block.square ? (height * frame.width) / frame.height : most, height}
 }
 
-/** What stands over a plot. @param {Plot} plot */
+/** What stands over a plot, but for what the title begins with. @param {Plot} plot */
 function legend({block, host}) {
   const parts = [...(host.parentElement?.querySelectorAll(".head .part") ?? [])]
   const terms = parts.map((part, i) => ({...block.heading[i], text: plain(part).trim()}))
-  return terms.filter(({text, curve}, i) => text && !(curve && parts[i].classList.contains("off")))
+  const isTitle = (/** @type {string} */ text) =>
+    block.title.split(/[,: ]+/).includes(text) || block.title.startsWith(`${text}:`)
+  return terms.filter(({text, curve}, i) => text && !isTitle(text) && !(curve && parts[i].classList.contains("off")))
 }
 
 /** @param {string} key */
@@ -187,7 +190,7 @@ function plotAt(plot, easel, named) {
   easel.host.append(host)
   const drawing = new Drawing(plot, host, plot.frame)
   easel.svg.append(drawing.over)
-  drawing.draw(named)
+  drawing.draw(named, []) // what the stage draws over it comes with the stage
   return drawing.over
 }
 

@@ -43,30 +43,53 @@ def stopped(page: Page) -> None:
     passed(page)
 
 
-@pytest.mark.parametrize(
-    ("query", "names", "along", "ways"),
-    [
-        ({"scene": "coupled"}, "x1_0", "x", ((20, 0), (35, 3), (-15, -2))),
-        ({"scene": "coupled"}, "x1_0 x2_0", "x", ((12, 0), (25, 3), (-15, -2))),
-        ({"scene": "oscillator"}, "x_0", "y", ((0, 15), (2, -30), (0, -20))),
-        ({"scene": "oscillator"}, "x_0 v_0", "xy", ((10, 5), (-20, 10), (-30, -15))),
-        ({"scene": "energy"}, "x_0", "y", ((0, 10), (0, 25))),
-        ({"scene": "phugoid"}, "excess", "xy", ((0, 10), (4, 18))),
-        ({"scene": "analogues"}, "theta_0", "", ((5, 2), (9, 4))),
-        ({"scene": "analogues", "system": "floating"}, "floating_start", "y", ((0, -8), (0, -14))),
-        ({"scene": "absorber"}, "x2_0", "x", ((15, 0), (-20, 3))),
-    ],
-)
-def test_the_handle_is_where_the_hand_is_though_answers_are_late(
-    query: dict[str, str], names: str, along: str, ways: tuple[tuple[int, int], ...], page: Page, open_scene: Open
-) -> None:
-    open_scene(page, **query)
-    stopped(page)
+ACROSS, DOWN, BOTH = ((15, 0), (-12, 2)), ((0, 10), (2, -8)), ((10, 5), (-8, -6))
+WAYS = {"x": ACROSS, "y": DOWN, "xy": BOTH, "": ((5, 2), (9, 4))}
+"""Where a hand leads what it follows along x, along y, along both, or around."""
+KINDS: dict[str, tuple[tuple[str, str], ...]] = {
+    "oscillator": (("Mass", "y"), ("Turning arrow", "xy")),
+    "energy": (("Mass", "y"), ("Ball", "x")),
+    "phugoid": (("Aircraft, height at the", "y"),),
+    "coupled": (
+        ("Mass 1", "x"),
+        ("Slow mode, start, by mass 1", "x"),
+        ("Fast mode, start, by mass 2", "x"),
+        ("Both masses", "xy"),
+    ),
+    "forced": (("Mass 2", "x"), ("Drive frequency, on the curve of mass 1", "x")),
+    "absorber": (("Absorber", "x"), ("Running speed, with the absorber", "x")),
+    "analogues": (("Bob", ""), ("Spring's mass", "y")),
+}
+SYSTEMS = {
+    "floating": ("Floating body", "y"),
+    "string": ("String", "y"),
+    "pipe": ("Air", "x"),
+    "shaft": ("Rotor", ""),
+    "circuit": ("Charge", "y"),
+}
+
+
+@pytest.mark.parametrize("slug", KINDS)
+def test_the_handle_is_where_the_hand_is_though_answers_are_late(slug: str, page: Page, open_scene: Open) -> None:
+    open_scene(page, scene=slug)
     page.evaluate(LATE)
-    drag(page, page.locator(f".grip[data-grab='{names}']:not([hidden])").first, along, ways)
-    assert page.evaluate("[oscillations.clock.playing, oscillations.clock.t]") == [False, 0]
+    for name, along in KINDS[slug]:
+        taken(page, name, along)
+    for system, (name, along) in SYSTEMS.items() if slug == "analogues" else ():
+        page.evaluate("value => oscillations.send({type: 'choose', name: 'system', value})", system)
+        page.wait_for_function("system => oscillations.shown.settings.system.value === system", arg=system)
+        taken(page, name, along)
+
+
+def taken(page: Page, name: str, along: str) -> None:
+    """What begins a motion stops time, and plays it when it is let go."""
+    stopped(page)
+    grip = page.locator(f'.grip[aria-label^="{name}"]:not([hidden])').first
+    drag(page, grip, along, WAYS[along])
+    begins = "begins" in (grip.get_attribute("class") or "")
+    assert not begins or page.evaluate("[oscillations.clock.playing, oscillations.clock.t]") == [False, 0]
     page.mouse.up()
-    page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
+    page.wait_for_function(f"(oscillations.clock.playing || {str(not begins).lower()}) && !oscillations.page.hand.grab")
 
 
 def drag(page: Page, grip: Locator, along: str, ways: tuple[tuple[int, int], ...]) -> None:
@@ -116,6 +139,32 @@ def test_a_finger_takes_the_drive_over_a_resonance_and_a_mass_along(
     swipe(page, middle(page.get_by_role("slider", name="Spring's mass, start")), (0, 12))
     page.wait_for_function("oscillations.shown.settings.theta_0.value !== 60 && !oscillations.page.hand.grab")
     assert page.evaluate("[scrollY, oscillations.clock.playing]") == [before, True]
+
+
+HELD = """({page, clock, line, busy}) => [page.hand.grab, page.compare.pressed, busy.held, clock.playing,
+  line.asked || line.outbox.length > 0]"""
+
+
+@pytest.mark.parametrize(
+    ("where", "parameter"),
+    [
+        (".grip[aria-label^='Mass 1']", "x1_0"),
+        ("input[name=omega-slider]", "omega"),
+        (".pill[data-grab=omega]", "omega"),
+    ],
+)
+def test_what_a_finger_has_set_stands_when_the_browser_takes_it_away(
+    where: str, parameter: str, new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(390, 844, has_touch=True, is_mobile=True), scene="forced")
+    took = page.locator(where).first
+    took.evaluate("one => one.scrollIntoView({block: 'center'})")
+    before = page.evaluate("name => oscillations.shown.settings[name].value", parameter)
+    swipe(page, middle(took), (30, 1), end="touchCancel")
+    page.wait_for_function(f"JSON.stringify(({HELD})(oscillations)) === '[null,false,false,true,false]'")
+    after = page.evaluate("name => oscillations.shown.settings[name].value", parameter)
+    assert after != before, "what was set last stands"
+    assert page.evaluate("oscillations.shown.settings.v1_0.value") == 0, "and is no flick"
 
 
 def test_a_grabbed_mass_is_the_new_start_and_a_flick_gives_its_velocity(page: Page, open_scene: Open) -> None:

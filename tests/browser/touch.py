@@ -5,9 +5,9 @@ from __future__ import annotations
 from playwright.sync_api import Page
 
 
-def swipe(page: Page, start: tuple[float, float], way: tuple[int, int]) -> None:
-    """A finger put down, moved and lifted."""
+def swipe(page: Page, start: tuple[float, float], way: tuple[int, int], end: str = "touchEnd") -> None:
+    """A finger put down, moved and lifted, or taken away by the browser."""
     browser = page.context.new_cdp_session(page)
-    for kind, share in (("touchStart", 0.0), ("touchMove", 0.5), ("touchMove", 1.0), ("touchEnd", None)):
+    for kind, share in (("touchStart", 0.0), ("touchMove", 0.5), ("touchMove", 1.0), (end, None)):
         points = [] if share is None else [{"x": start[0] + share * way[0], "y": start[1] + share * way[1]}]
         browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
