@@ -29,3 +29,8 @@ def test_nothing_is_lost_when_a_replica_fails_another_ends_and_a_later_version_t
         assert result.lost == []
         assert result.returned >= 1
         assert site.complaints() == []
+        site.kill(2)
+        assert ask(site.url, "/?scene=coupled&k2=3").status in (502, 503)
+    log = (tmp_path / "proxy.log").read_text()
+    assert "http.log.error" in log
+    assert not [line for line in log.splitlines() if "k2=3" in line or "remote_ip" in line]
