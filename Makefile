@@ -80,7 +80,7 @@ deploy-test: $(VENV)/test.stamp
 
 # The live class: 300 and 3,000 followers, answers, sketches, and two replicas of which one is killed.
 class: $(VENV)/test.stamp
-	$(BIN)/python -m tests.bench.classroom $(ARGS)
+	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tests.bench.classroom $(ARGS)
 
 audit: $(VENV)/test.stamp
 	$(BIN)/python -m tools.audit

@@ -1,7 +1,8 @@
-"""`make class`: a live class on loopback, its instructor dragging and playing, with raw clients as followers.
+"""`make class`: a live class on loopback, its instructor dragging and playing, raw clients following and two Chromiums.
 
 For each size: the time from the slider to the followers (their own clocks are the server's), the server's CPU, bytes an
-update; then answers and sketches of all at once. ARGS="--followers 300 --seconds 30"
+update; then answers and sketches of all at once, a phone that wakes, and two replicas of which one is killed. The last
+lines are rows for README. ARGS="--followers 300 --seconds 30"
 """
 
 from __future__ import annotations
@@ -13,114 +14,190 @@ import resource
 import statistics
 import tempfile
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import psutil
+from playwright.async_api import Browser
 
 from tests.bench.crowd import SETTINGS, p95
-from tests.bench.followers import Hearing, followed, sizes, values
+from tests.bench.followers import Hearing, drag, followed, sizes, values
+from tests.bench.outage import outlived
+from tests.bench.screens import SKETCHED, Phones, chromium, taught, woken
 from tests.bench.visitor import Visitor
 from tests.rooms.caller import Class
 from tests.serving.server import Server, serving
 
-RATE = 20.0
-"""Changes a second of the instructor's hand."""
 CHOICE = {"walk": "d31", "step": "d31-03"}
 SKETCH = {"walk": "d34", "step": "d34-14"}
+ANSWERS = 300
+WAKES = 5
+PATIENCE = 10.0
+"""Seconds for the last picture to come."""
 
 
 @dataclass
 class Figures:
-    """What a class of one size costs; times in s."""
+    """What a class of one size costs; times in s, with those that Chromium saw by themselves."""
 
     followers: int
     waits: list[float] = field(default_factory=list)
     reach: list[float] = field(default_factory=list)
+    seen: list[float] = field(default_factory=list)
+    reach_seen: list[float] = field(default_factory=list)
     cpu: float = 0.0
     bytes: int = 0
     updates: int = 0
     missed: int = 0
 
-    def lines(self) -> list[str]:
-        drag = f"median {statistics.median(self.waits):.3f} s, p95 {p95(self.waits):.3f}, worst {max(self.waits):.3f}"
-        play = f"median {statistics.median(self.reach):.3f} s, p95 {p95(self.reach):.3f}, worst {max(self.reach):.3f}"
+    def cells(self) -> list[str]:
+        """In the order of `ROWS`."""
         return [
-            f"{self.followers} followers: from slider to followers {drag}",
-            f"  play and seek: {play}; {self.updates} updates, {self.bytes} bytes at most; {100 * self.cpu:.0f} % of a "
-            f"core; {self.missed} followers without the last picture",
+            *map(spread, (self.waits, self.seen, self.reach, self.reach_seen)),
+            f"{100 * self.cpu:.0f} % of a core",
+            f"{self.bytes / 1000:.1f} kB",
+            f"{self.missed} of {self.followers}",
         ]
 
 
-async def measured(server: Server, count: int, seconds: float) -> Figures:
+ROWS = (
+    ("from the slider to raw clients: median, p95, worst", ""),
+    ("from the slider to what two Chromiums have painted", ""),
+    ("play, pause, seek: raw clients", "0.30 s"),
+    ("play, pause, seek: two Chromiums, in the frame", "0.30 s"),
+    ("server CPU while the instructor drags", ""),
+    ("an update on the wire, at most", "5 kB"),
+    ("followers without the last picture", "0"),
+)
+
+
+def spread(waits: Sequence[float]) -> str:
+    """Median, p95 and worst."""
+    if not waits:
+        return ""
+    return ", ".join(f"{one:.2f}" for one in (statistics.median(waits), p95(waits), max(waits))) + " s"
+
+
+async def measured(server: Server, count: int, seconds: float, browser: Browser | None = None) -> Figures:
     """A class of a size, whose instructor drags for so many seconds and then plays and seeks."""
     figures, room = Figures(count), await Class.open(server.url)
     Hearing.EVENTS.clear()
     visitor = await Visitor.arrive(server.url, "scene=coupled")
     await visitor.say({"type": "lead", "code": room.code, "key": room.key})
     hearing = await followed(room, [server.url], count)
+    phones = await Phones.join(browser, room)
     process = psutil.Process(server.process.pid)
     before, begun = process.cpu_times(), time.monotonic()
-    sent = await _drag(visitor, seconds)
+    sent = await drag(visitor, seconds)
     used, lasted = process.cpu_times(), time.monotonic() - begun
-    await asyncio.sleep(1.0)
-    shown = values("k2")
+    shown = await settled(hearing, list(sent)[-1])
     for one in hearing:
         seen = [(at, shown[key]) for at, key in one.heard if key in shown]
         figures.waits += [at - sent[value] for at, value in seen if value in sent]
         figures.missed += seen[-1][1] != list(sent)[-1]
+    figures.seen = await phones.waits(sent, "values")
     figures.cpu = (used.user + used.system - before.user - before.system) / lasted
     figures.bytes, figures.updates = max(sizes()), len(sizes())
-    figures.reach = await _played(room, hearing)
+    figures.reach, begun_at = await _played(room, hearing)
+    figures.reach_seen = await phones.waits(begun_at, "clocks")
     for one in hearing:
         one.transport.close()
+    await phones.leave()
     await visitor.depart()
     return figures
 
 
-async def _drag(visitor: Visitor, seconds: float) -> dict[float, float]:
-    """When each value was set."""
-    sent: dict[float, float] = {}
-    begun = time.monotonic()
-    while (now := time.monotonic() - begun) < seconds:
-        value = round(2 + math.sin(3 * now) + 1e-6 * len(sent), 9)
-        sent[value] = time.time()
-        await visitor.say({"type": "set", "values": {"k2": value}})
-        await asyncio.sleep(max(0.0, now + 1 / RATE - (time.monotonic() - begun)))
-    return sent
+async def settled(hearing: Sequence[Hearing], last: float) -> dict[int, float]:
+    """What was shown in each event, once all have the last or a while is over."""
+    end = time.monotonic() + PATIENCE
+    while True:
+        await asyncio.sleep(0.5)
+        shown = values("k2")
+        there = all(any(shown.get(key) == last for _, key in one.heard[-20:]) for one in hearing)
+        if there or time.monotonic() > end:
+            return shown
 
 
-async def _played(room: Class, hearing: list[Hearing]) -> list[float]:
-    """How long each of several orders of the clock took to each follower."""
-    waits = []
+async def _played(room: Class, hearing: list[Hearing]) -> tuple[list[float], dict[float, float]]:
+    """How long each of several orders of the clock took to each follower; and when each was given, by its instant."""
+    waits, begun_at = [], {}
     for turn in range(10):
         counts = [len(one.heard) for one in hearing]
-        begun = time.time()
+        begun_at[float(turn)] = begun = time.time()
         await room.order("clock", t=float(turn), rate=turn % 2, end=20.0, at=1000 * begun)
         await asyncio.sleep(0.5)
         for one, count in zip(hearing, counts, strict=True):
             came = [at for at, key in one.heard[count:] if b'"clock"' in Hearing.EVENTS[key]]
             waits.append(came[0] - begun if came else math.inf)
-    return waits
+    return waits, begun_at
+
+
+async def voted(room: Class, count: int, asked: dict[str, Any], answer: dict[str, Any]) -> tuple[float, float]:
+    """Seconds in which so many answers come in; and the time at which the last did."""
+    tokens = await asyncio.gather(*(room.token() for _ in range(count)))
+    begun = time.time()
+    replies = await asyncio.gather(*(room.vote(token, **asked, **answer) for token in tokens))
+    assert {reply.status for reply in replies} == {204}
+    return time.time() - begun, time.time()
 
 
 async def answered(server: Server, count: int, asked: dict[str, Any], answer: dict[str, Any]) -> tuple[float, float]:
     """Seconds in which so many answers come in, and from the last until the instructor's count has all."""
     room = await Class.open(server.url)
     await room.order("put", **asked)
-    tokens = await asyncio.gather(*(room.token() for _ in range(count)))
-    begun = time.monotonic()
-    replies = await asyncio.gather(*(room.vote(token, **asked, **answer) for token in tokens))
-    assert {reply.status for reply in replies} == {204}
-    last = time.monotonic()
+    took, last = await voted(room, count, asked, answer)
     while (await room.tally())["now"]["answered"] < count:
         await asyncio.sleep(0.05)
-    return last - begun, time.monotonic() - last
+    return took, time.time() - last
+
+
+async def sketched(server: Server, count: int, browser: Browser) -> tuple[float, float]:
+    """The same until the instructor's screen has all sketches."""
+    async with taught(browser, server.url, *SKETCH.values()) as (page, room):
+        all_seen = asyncio.ensure_future(page.evaluate(SKETCHED, count))
+        took, last = await voted(room, count, SKETCH, drawing())
+        return took, await all_seen / 1000 - last
 
 
 def drawing() -> dict[str, Any]:
     return {"curves": {"Xp1": [round(500 + 400 * math.sin(i / 9)) for i in range(101)]}}
+
+
+def table(sizes: Sequence[Figures], more: Sequence[tuple[str, str, str]]) -> str:
+    """Rows in Markdown; what was not measured for each size stands in the first column."""
+    heads = [f"{one.followers:,} followers" for one in sizes]
+    lines = [("a live class", *heads, "aim"), ("---",) * (len(heads) + 2)]
+    for (what, aim), *cells in zip(ROWS, *(one.cells() for one in sizes), strict=True):
+        lines.append((what, *cells, aim))
+    lines += [(what, cell, *[""] * (len(heads) - 1), aim) for what, cell, aim in more]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+async def asked_all(server: Server, browser: Browser | None) -> list[tuple[str, str, str]]:
+    """Answers, sketches and phones that wake."""
+    came, counted = await answered(server, ANSWERS, CHOICE, {"option": 1})
+    rows = [(f"{ANSWERS} answers: all in, then all counted", f"{came:.1f} s, then {counted:.2f} s", "5 s")]
+    if browser:
+        came, seen = await sketched(server, ANSWERS, browser)
+        what = f"{ANSWERS} sketches: all in, then all on the instructor's screen"
+        rows.append((what, f"{came:.1f} s, then {seen:.2f} s", "1 s after the last"))
+        waits = await woken(browser, await Class.open(server.url), server.port, WAKES)
+        rows.append(("a phone wakes: until it shows what is", spread(waits), "1 s"))
+    return rows
+
+
+async def whole(options: argparse.Namespace, folder: Path) -> None:
+    async with chromium() as browser:
+        with serving(folder / "log", environment=SETTINGS) as server:
+            figures = [await measured(server, count, options.seconds, browser) for count in options.followers]
+            rows = await asked_all(server, browser)
+            print(*server.complaints(), sep="\n")
+    lost, back, missed = await outlived(folder, ANSWERS, options.seconds / 3)
+    what = f"two replicas behind the proxy, one killed: its {lost} of {ANSWERS} followers are back"
+    rows += [(what, spread(back), ""), ("and lack the last picture", f"{missed}", "0")]
+    print(table(figures, rows), flush=True)
 
 
 def main() -> None:
@@ -130,13 +207,8 @@ def main() -> None:
     options = parser.parse_args()
     _, most = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (most, most))
-    with tempfile.TemporaryDirectory() as name, serving(Path(name) / "log", environment=SETTINGS) as server:
-        for count in options.followers:
-            print(*asyncio.run(measured(server, count, options.seconds)).lines(), sep="\n", flush=True)
-        for what, asked, answer in (("answers", CHOICE, {"option": 1}), ("sketches", SKETCH, drawing())):
-            came, seen = asyncio.run(answered(server, 300, asked, answer))
-            print(f"300 {what}: in {came:.2f} s, with the instructor {seen:.2f} s after the last", flush=True)
-        print(*server.complaints(), sep="\n")
+    with tempfile.TemporaryDirectory() as name:
+        asyncio.run(whole(options, Path(name)))
 
 
 if __name__ == "__main__":

@@ -6,17 +6,20 @@ from __future__ import annotations
 import asyncio
 import base64
 import json
+import math
 import time
 import zlib
 from collections.abc import Sequence
 from typing import Any
 from urllib.parse import urlsplit
 
-from tests.bench.visitor import USUAL
+from tests.bench.visitor import USUAL, Visitor
 from tests.rooms.caller import Class
 
 END = b"\n\n\r\n"
-"""Of an event that is a chunk of its own."""
+"""Of an event that is a chunk of its own; a proxy may join two."""
+RATE = 20.0
+"""Changes a second of the instructor's hand."""
 
 
 class Hearing(asyncio.Protocol):
@@ -40,10 +43,11 @@ class Hearing(asyncio.Protocol):
         self.bytes += len(data)
         self._buffer += data
         while (end := self._buffer.find(END)) >= 0:
-            event, self._buffer = self._buffer[:end], self._buffer[end + len(END) :]
-            key = hash(event)
-            self.EVENTS.setdefault(key, event)
-            self.heard.append((time.time(), key))
+            chunk, self._buffer = self._buffer[:end], self._buffer[end + len(END) :]
+            for event in chunk.split(b"\n\n"):
+                key = hash(event)
+                self.EVENTS.setdefault(key, event)
+                self.heard.append((time.time(), key))
 
     def connection_lost(self, reason: Exception | None) -> None:
         self.lost = True
@@ -67,6 +71,18 @@ async def followed(room: Class, urls: Sequence[str], count: int) -> list[Hearing
         return hearing
 
     return list(await asyncio.gather(*(one(number) for number in range(count))))
+
+
+async def drag(visitor: Visitor, seconds: float) -> dict[float, float]:
+    """When each value was set."""
+    sent: dict[float, float] = {}
+    begun = time.monotonic()
+    while (now := time.monotonic() - begun) < seconds:
+        value = round(2 + math.sin(3 * now) + 1e-6 * len(sent), 9)
+        sent[value] = time.time()
+        await visitor.say({"type": "set", "values": {"k2": value}})
+        await asyncio.sleep(max(0.0, now + 1 / RATE - (time.monotonic() - begun)))
+    return sent
 
 
 def values(name: str) -> dict[int, float]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 from pathlib import Path
 
-from tests.bench.classroom import CHOICE, SKETCH, answered, drawing, measured
+from tests.bench.classroom import CHOICE, SKETCH, answered, drawing, measured, table
 from tests.bench.crowd import SETTINGS
 from tests.serving.server import serving
 
@@ -17,7 +17,8 @@ def test_a_class_has_what_its_instructor_shows(tmp_path: Path) -> None:
         assert figures.updates >= 2
         assert figures.bytes <= 5000
         assert max(figures.reach) < float("inf")
-        assert "20 followers" in figures.lines()[0]
+        rows = table([figures], [("more", "1", "")]).splitlines()
+        assert "20 followers" in rows[0] and all(row.count("|") == 4 for row in rows)
         asyncio.run(answered(server, 20, CHOICE, {"option": 1}))
         asyncio.run(answered(server, 20, SKETCH, drawing()))
         assert server.complaints() == []
