@@ -45,9 +45,14 @@ async function go(walk, i, sections) {
   walk.go(i)
   const isAsked = () => walk.place === i && !walk.lesson && walk.card?.page === lecture.page
   await until(() => isAsked() && stands(lecture, step.opens))
+  // What another view of a scene has brought takes its place first.
+  await frame()
+  await frame()
   questions.append(question(walk, i + 1))
   walk.show(true)
   await until(() => walk.lesson && stands(lecture, step.reveals))
+  await frame()
+  await frame()
   answers.append(answer(walk, i + 1))
   await go(walk, i + 1, sections)
 }

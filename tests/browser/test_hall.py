@@ -132,6 +132,8 @@ def test_a_walk_is_printed_with_space_for_answers_and_then_the_answers(server: S
     assert steps.locator("article").count() == answers.locator("article").count() == 5
     expect(steps.locator(".boxes li").first).to_be_visible()
     assert steps.locator(".printed-pictures svg").count() >= 5
+    boxes = page.locator(".printed-pictures svg").evaluate_all("all => all.map(one => one.viewBox.baseVal.width)")
+    assert min(boxes) > 100  # a view that has just come has its place before it is drawn
     expect(answers).to_contain_text("the same 1.00 s")
     assert "?" not in "".join(answers.locator(".why").all_inner_texts())
     (count,) = re.findall(rb"/Count (\d+)", page.pdf(format="A4"))
