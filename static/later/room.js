@@ -2,6 +2,8 @@
 
 const PATIENCE = 3000 // ms until a stream that brings nothing is given up for asking again and again
 const BUSY = 250 // ms of it
+const HASTE = 600 // ms, in its place, for the first tries of a phone that wakes: its old connections may be dead
+const HASTY = 6 // tries: so many connections a browser keeps
 const SILENCE = 25000 // ms after which a stream is taken up anew: the server says something every 15 s
 const ASKING = 1000 // ms between questions
 const LONGEST = 8000 // ms between tries
@@ -65,6 +67,8 @@ export class Stream {
   last = 0 // when something was heard, by the time of day: it goes on while a phone sleeps
   tries = 0
 
+  hasty = 0 // tries that are left of a phone that has just woken
+
   /** @type {number | undefined} until the next try */
   timer
 
@@ -84,6 +88,7 @@ export class Stream {
   /** A phone that wakes has slept through what was said, and its stream may be dead without a word. */
   #anew() {
     this.tries = 0
+    this.hasty = HASTY
     this.atOnce = true
     this.control.abort()
     if (this.timer) this.#go()
@@ -118,15 +123,21 @@ export class Stream {
   /** A proxy may hold back even the head of the answer. @param {AbortController} control */
   async #read(control) {
     const begin = () => {
-      this.polls = true
-      this.trial = Date.now() + TRIAL
+      if (!this.hasty) {
+        this.polls = true
+        this.trial = Date.now() + TRIAL
+      }
+      this.hasty = Math.max(0, this.hasty - 1)
       this.atOnce = true
       control.abort()
     }
     // In a page that was too busy to listen, what has come is heard first.
-    let giveUp = setTimeout(() => {
-      giveUp = setTimeout(begin, BUSY)
-    }, PATIENCE - BUSY)
+    let giveUp = setTimeout(
+      () => {
+        giveUp = setTimeout(begin, BUSY)
+      },
+      (this.hasty ? HASTE : PATIENCE) - BUSY,
+    )
     try {
       const answer = await asked(`${this.code}/events?after=${this.number}`, {word: this.word, signal: control.signal})
       await heard(answer, text => {
@@ -176,6 +187,7 @@ export class Stream {
   #hears() {
     this.last = Date.now()
     this.tries = 0
+    this.hasty = 0
     this.ears.connected(true)
   }
 
