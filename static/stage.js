@@ -270,9 +270,12 @@ export class Stage {
     return clip.id
   }
 
-  /** What needs a quantity that is covered is not drawn. @param {string[]} leftOut */
-  update(leftOut) {
-    for (const shape of this.shapes) shape.covered = leftOut.some(name => shape.needs.has(name))
+  /** What needs what is covered is not drawn, nor a text over a plot. @param {string[]} leftOut @param {string[]} plots */
+  update(leftOut, plots = []) {
+    for (const shape of this.shapes) {
+      const isUnder = shape.spec.kind === "text" && shape.places.some(place => plots.includes(place.split(".")[0]))
+      shape.covered = isUnder || leftOut.some(name => shape.needs.has(name))
+    }
     this.grips?.update()
   }
 
