@@ -270,7 +270,7 @@ export class Stage {
     return clip.id
   }
 
-  /** What needs what is covered is not drawn, nor a text over a plot. @param {string[]} leftOut @param {string[]} plots */
+  /** What needs what is covered is not drawn, nor texts over it. @param {string[]} leftOut @param {string[]} plots */
   update(leftOut, plots = []) {
     for (const shape of this.shapes) {
       const isUnder = shape.spec.kind === "text" && shape.places.some(place => plots.includes(place.split(".")[0]))
