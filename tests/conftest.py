@@ -7,7 +7,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 
-pytest_plugins = ["tests.browser.fixtures"]
+pytest_plugins = ["tests.browser.fixtures", "tests.browser.classroom"]
 
 # The same examples on every machine. Over all doubles most of what is drawn leaves their range, and is passed over.
 settings.register_profile(

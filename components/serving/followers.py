@@ -178,7 +178,10 @@ class Answers(Follower):
         room, vote = await self.entered(code), self.body(Vote)
         self.often(f"vote {self.word}")
         put = room.question
-        if put.lesson is None or (put.walk, put.step) != (vote.walk, vote.step):
+        if (put.walk, put.step) != (vote.walk, vote.step):
+            self.set_status(204)  # the lecture has gone on: nothing more is said of it
+            return
+        if put.lesson is None:
             raise RefusedError(409, "The answer has not been shown.")
         try:
             lesson = self.application.hall.lessons_of(room).judged(vote)

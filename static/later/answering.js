@@ -134,7 +134,7 @@ export class AskedPut {
     if (card !== this.card) return // the lecture has gone on
     const {code, token} = this.following
     const taught = await ask(`${code}/answer`, {method: "POST", body: given, word: token}).catch(() => ({lesson}))
-    if (card === this.card) card.teach(taught.lesson)
+    if (taught && card === this.card) card.teach(taught.lesson)
   }
 
   #leave() {

@@ -9,12 +9,12 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.between import between
-from tests.browser.test_class import READY, draw, joined, taught, window
+from tests.browser.classroom import draw, joined, taught
+from tests.browser.fixtures import READY
 from tests.rooms.caller import call
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
-__all__ = ["window"]
 
 ERROR = "() => [Math.abs(oscillations.timing.now - Date.now()), oscillations.timing.bound]"
 """The server's clock is that of this machine, which the browser has too; it is told in whole ms."""

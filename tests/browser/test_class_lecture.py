@@ -10,11 +10,10 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.test_class import LED, draw, joined, taught, window
-from tests.browser.test_own_walk import DROP
+from tests.browser.classroom import LED, draw, joined, taught
+from tests.browser.dropping import drop
 
 pytestmark = pytest.mark.browser
-__all__ = ["window"]
 
 STEPS = {"pull": "d31-03", "mass": "d31-02", "place": "d34-04", "curve": "d34-14", "rest": "d34-12"}
 LECTURE = 'title = "Five"\n' + "".join(f'[[step]]\nid = "{name}"\nfrom = "{step}"\n' for name, step in STEPS.items())
@@ -120,7 +119,7 @@ def test_a_lecture_of_five_steps(window: Callable[[str, int, int], Page], screen
     expect(lecture.locator(".class-corner")).to_contain_text(code)
     remote = remote_of(lecture, window)
     phone = joined(window, code)
-    lecture.evaluate(DROP, ["five.toml", LECTURE])
+    drop(lecture, "five.toml", LECTURE)
     choice(lecture, phone, screenshot)
     number(lecture, phone, remote, screenshot)
     point(lecture, phone, screenshot)

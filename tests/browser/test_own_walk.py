@@ -13,6 +13,7 @@ from components.scenes import SCENES
 from components.walks.checking import problems
 from components.walks.loading import load_walk
 from components.walks.types import PointStep
+from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
 
 pytestmark = pytest.mark.browser
@@ -28,13 +29,6 @@ PLACES = """drawn => {
   const {left, top} = host.getBoundingClientRect()
   const places = drawn.map(([x, y]) => [left + frame.left + x * frame.width, top + frame.top + (1 - y) * frame.height])
   return places.filter((_, i) => i % Math.ceil(places.length / 120) === 0)
-}"""
-DROP = """([name, text]) => {
-  const data = new DataTransfer()
-  data.items.add(new File([text], name))
-  for (const kind of ["dragover", "drop"])
-    document.querySelector(".paper").dispatchEvent(
-      new DragEvent(kind, {dataTransfer: data, bubbles: true, cancelable: true}))
 }"""
 
 
@@ -57,7 +51,7 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
     ):
         chosen(page, name, content)
         expect(notice).to_contain_text(said)
-    page.evaluate(DROP, ["My walk.toml", MINE])
+    drop(page, "My walk.toml", MINE)
     page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'my-walk' && {READY}")
     expect(page.locator(".card .asks")).to_contain_text("How long does one swing take?")
     assert "walk=my-walk&step=one" in page.evaluate("location.search")
@@ -119,7 +113,7 @@ def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
     assert walk.steps[0].state == "?scene=coupled&k2=3"
     assert isinstance(walk.steps[3], PointStep) and walk.steps[3].answer.unit == "m"
     dialog.get_by_role("button", name="Close").click()
-    page.evaluate(DROP, [file.name, file.read_text(encoding="utf-8")])
+    drop(page, file.name, file.read_text(encoding="utf-8"))
     for place, answer in enumerate((choose, number, partial(sketch, drawn), point)):
         page.wait_for_function(f"place => oscillations.walks.walk?.place === place && {READY}", arg=place)
         page.wait_for_function("oscillations.walks.walk.card?.page === oscillations.page")

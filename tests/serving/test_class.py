@@ -6,47 +6,15 @@ import asyncio
 import base64
 import re
 import socket
-from collections.abc import AsyncIterator, Callable, Coroutine
-from contextlib import asynccontextmanager
-from functools import partial
-from typing import Any
 
 import pytest
 
-from app import SHEETS, walked
-from components.rooms.hall import Hall
-from components.rooms.store import MemoryStore
 from components.serving import followers
-from components.serving.publisher import Publisher
 from components.serving.server import Server
-from components.serving.settings import Settings
 from tests.bench.visitor import Visitor
 from tests.page.columns import inflated
 from tests.rooms.caller import Class, Stream, called
-
-LECTURE = walked([])
-CHOICE = {"walk": "d31", "step": "d31-03"}
-Test = Callable[[Server, str], Coroutine[None, None, None]]
-
-
-@asynccontextmanager
-async def served(**settings: Any) -> AsyncIterator[tuple[Server, str]]:
-    hall = Hall(MemoryStore(), LECTURE.lessons)
-    page = partial(LECTURE.open_page, lead=partial(Publisher, hall))
-    made = Settings(**{"address": "127.0.0.1", "port": 0, **settings})
-    server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, hall=hall)
-    try:
-        yield server, f"http://127.0.0.1:{server.port}/"
-    finally:
-        await server.end()
-
-
-def run(test: Test, **settings: Any) -> None:
-    async def whole() -> None:
-        async with served(**settings) as (server, url):
-            await test(server, url)
-
-    asyncio.run(whole())
+from tests.rooms.served import CHOICE, run, served
 
 
 def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> None:
@@ -109,6 +77,8 @@ def test_a_follower_answers_once_and_learns_what_is_said_of_it_when_it_is_shown(
         assert (await lesson.tally())["now"] == {"answered": 1, "options": [1, 0, 0], "numbers": [], "sketches": []}
         path = f"/class/{lesson.code}/answer"
         assert (await called(url, path, "POST", {**CHOICE, "option": 0}, token)).status == 409
+        gone = await called(url, path, "POST", {**CHOICE, "step": "d31-02", "text": "2"}, token)
+        assert gone.status == 204  # of another question nothing is said, shown or not
         for wrong, status in (
             ({**CHOICE, "option": 7}, 409), ({**CHOICE, "option": 0, "who": "me"}, 400), ([], 400),
             ({**CHOICE, "option": 0, "vote": 2}, 409), ({**CHOICE, "text": "x" * 9000}, 413),

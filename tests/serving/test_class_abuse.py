@@ -10,7 +10,7 @@ import pytest
 from components.serving import classes, followers
 from components.serving.server import Server
 from tests.rooms.caller import Class, Stream, called
-from tests.serving.test_class import CHOICE, run
+from tests.rooms.served import CHOICE, run
 
 SKETCH = {"walk": "d34", "step": "d34-14"}
 

@@ -1,0 +1,55 @@
+"""A class as tests play it: the instructor's window, phones that join it, and a hand that draws."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page
+
+from tests.browser.fixtures import READY
+from tests.serving.server import Server
+
+CONNECTED = f"{READY} && document.documentElement.dataset.connected === 'true'"
+LED = "globalThis.oscillations?.classes?.led"
+PAD = """(() => { const {plot} = oscillations.asked.card.question.pad
+  const b = plot.host.getBoundingClientRect(), f = plot.frame
+  return [b.left + f.left, b.top + f.top, f.width, f.height] })()"""
+
+Open = Callable[[str, int, int], Page]
+
+
+@pytest.fixture
+def window(server: Server, new_page: Callable[..., Page]) -> Open:
+    def go(query: str, width: int, height: int) -> Page:
+        page = new_page(width=width, height=height)
+        page.goto(f"{server.url}?{query}")
+        return page
+
+    return go
+
+
+def taught(window: Open, query: str) -> tuple[Page, str]:
+    """An instructor's window with an open class, and its code."""
+    page = window(query, 1920, 1080)
+    page.wait_for_function(CONNECTED)
+    page.keyboard.press("t")
+    page.wait_for_function(LED)
+    code: str = page.evaluate(f"{LED}.room.code")
+    return page, code
+
+
+def joined(window: Open, code: str) -> Page:
+    page = window(f"class={code.lower()}", 390, 844)
+    page.wait_for_function(f"{READY} && Boolean(oscillations.clock.lead)")
+    return page
+
+
+def draw(page: Page, height: Callable[[float], float]) -> None:
+    page.locator(".drawing").scroll_into_view_if_needed()
+    left, top, width, tall = page.evaluate(PAD)
+    for i in range(41):
+        page.mouse.move(left + i / 40 * width, top + (1 - height(i / 40)) * tall)
+        if not i:
+            page.mouse.down()
+    page.mouse.up()

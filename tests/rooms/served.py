@@ -1,0 +1,40 @@
+"""A server with a live class, and what a test asks of it."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator, Callable, Coroutine
+from contextlib import asynccontextmanager
+from functools import partial
+from typing import Any
+
+from app import SHEETS, walked
+from components.rooms.hall import Hall
+from components.rooms.store import MemoryStore
+from components.serving.publisher import Publisher
+from components.serving.server import Server
+from components.serving.settings import Settings
+
+LECTURE = walked([])
+CHOICE = {"walk": "d31", "step": "d31-03"}
+Test = Callable[[Server, str], Coroutine[None, None, None]]
+
+
+@asynccontextmanager
+async def served(**settings: Any) -> AsyncIterator[tuple[Server, str]]:
+    hall = Hall(MemoryStore(), LECTURE.lessons)
+    page = partial(LECTURE.open_page, lead=partial(Publisher, hall))
+    made = Settings(**{"address": "127.0.0.1", "port": 0, **settings})
+    server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, hall=hall)
+    try:
+        yield server, f"http://127.0.0.1:{server.port}/"
+    finally:
+        await server.end()
+
+
+def run(test: Test, **settings: Any) -> None:
+    async def whole() -> None:
+        async with served(**settings) as (server, url):
+            await test(server, url)
+
+    asyncio.run(whole())
