@@ -78,8 +78,8 @@ def point(lecture: Page, phone: Page, screenshot: Take) -> None:
     expect(phone.get_by_text(SENT)).to_be_visible()
     lecture.keyboard.press("PageDown")
     lecture.wait_for_function("""() => {
-      const boxes = [".vote-dots circle", ".pill-mark"].map(part => document.querySelector(part)?.getBoundingClientRect())
-      const [dot, mark] = boxes.map(box => box && box.x + box.width / 2)
+      const parts = [".vote-dots circle", ".pill-mark"].map(part => document.querySelector(part))
+      const [dot, mark] = parts.map(part => part?.getBoundingClientRect()).map(box => box && box.x + box.width / 2)
       return Math.abs(dot - mark) < 20
     }""")  # what was answered stands on the axis itself, a step from where the mark begins
     screenshot(lecture, "lecture-point")
