@@ -75,6 +75,14 @@ class Framed:
     beside: Picture | None = None
 
 
+def shared(drawn: Framed) -> Framed:
+    """What many sessions hold: its columns refuse to be written."""
+    for columns in drawn.picture.columns.values():
+        for column in columns.values():
+            column.setflags(write=False)
+    return drawn
+
+
 def drawn_in(picture_in: Callable[[Frame], Picture], frame: Frame) -> Framed:
     """The picture in a frame; what the frame leaves open is fitted."""
     picture = picture_in(frame)

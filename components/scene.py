@@ -20,7 +20,7 @@ from components.frames import FITTED, unfitted
 from components.page.blocks import Block
 from components.page.state import Frame
 from components.parameters import AnyParameter, Quantity, Values
-from components.picture import Framed, Picture, drawn_in, frame_of, kept, sendable
+from components.picture import Framed, Picture, drawn_in, frame_of, kept, sendable, shared
 from components.refusals import in_words
 from components.units import Unit
 
@@ -70,8 +70,8 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
     @classmethod
     @cache
     def _first(cls) -> Framed:
-        """The picture of the defaults, which most visitors see first: worked out once."""
-        return cls(window=None)._drawn
+        """The picture of the defaults, which most visitors see first: worked out once, and written by nobody."""
+        return shared(cls(window=None)._drawn)
 
     @classmethod
     @abstractmethod
