@@ -39,8 +39,8 @@ def test_a_finger_drags_a_handle_and_not_the_page(
     before = page.evaluate("scrollY")
     swipe(page, start, way)
     page.wait_for_function(f"oscillations.shown.settings.{moves}")
-    # What stands above may take another line; the page has not gone with the finger.
-    assert page.evaluate("scrollY") == pytest.approx(before, abs=10)
+    # What stands above may take a line more or less; the page has not gone with the finger, which went 40 px.
+    assert page.evaluate("scrollY") == pytest.approx(before, abs=20)
 
 
 def test_time_is_dragged_and_plays_on(page: Page, open_scene: Open) -> None:

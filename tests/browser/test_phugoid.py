@@ -19,7 +19,7 @@ BROKEN = """() => [...document.querySelectorAll('svg *')].filter(one =>
   [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value))).length"""
 HEIGHTS = "[...oscillations.shown.view.columns.time.h]"
 OUTLINES = """[...document.querySelectorAll('svg.stage > g')].filter(g => !g.querySelector('text'))
-  .map(g => g.innerHTML.replace(/-?\\d+(\\.\\d+)?/g, number => Math.round(number)))"""
+  .map(g => g.innerHTML.replaceAll(' style=""', '').replace(/-?\\d+(\\.\\d+)?/g, number => Math.round(number)))"""
 PAUSE = "oscillations.clock.playing = false"
 
 

@@ -13,12 +13,12 @@ from tests.browser.waiting import seek
 
 pytestmark = pytest.mark.browser
 MOST = {
-    "oscillator": 98,
+    "oscillator": 99,
     "energy": 97,
     "analogues": 97,
     "phugoid": 95,
     "coupled": 108,
-    "modes": 100,
+    "modes": 101,
     "forced": 110,
     "absorber": 93,
     "accuracy": 100,
