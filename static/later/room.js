@@ -2,7 +2,8 @@
 
 const PATIENCE = 3000 // ms until a stream that brings nothing is given up for asking again and again
 const BUSY = 250 // ms of it
-const HASTE = 600 // ms, in its place, for the first tries of a phone that wakes: its old connections may be dead
+const HASTE = 150 // ms, in its place, for the first try of a phone that wakes: its old connections may be dead
+const SLOWING = 1.5 // times as long for each try after it
 const HASTY = 6 // tries: so many connections a browser keeps
 const SILENCE = 25000 // ms after which a stream is taken up anew: the server says something every 15 s
 const ASKING = 1000 // ms between questions
@@ -131,13 +132,12 @@ export class Stream {
       this.atOnce = true
       control.abort()
     }
+    const patience = this.hasty ? HASTE * SLOWING ** (HASTY - this.hasty) : PATIENCE
+    const busy = Math.min(BUSY, patience / 2)
     // In a page that was too busy to listen, what has come is heard first.
-    let giveUp = setTimeout(
-      () => {
-        giveUp = setTimeout(begin, BUSY)
-      },
-      (this.hasty ? HASTE : PATIENCE) - BUSY,
-    )
+    let giveUp = setTimeout(() => {
+      giveUp = setTimeout(begin, busy)
+    }, patience - busy)
     try {
       const answer = await asked(`${this.code}/events?after=${this.number}`, {word: this.word, signal: control.signal})
       await heard(answer, text => {
