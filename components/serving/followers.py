@@ -88,6 +88,8 @@ class Events(Follower):
         self.set_header("Cache-Control", "no-store, no-transform")
         self._room = room
         self._pipe = self.request.connection.stream  # type: ignore[union-attr]  # it is one of HTTP/1
+        if self._pipe.closed():  # by a phone that has tried once more meanwhile
+            return
         self._pipe.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
         self._pipe.set_nodelay(True)
         self.write(as_event(room.whole()))
@@ -95,7 +97,7 @@ class Events(Follower):
             self.write(as_event(missed))
         try:
             await asyncio.wait_for(self.flush(), GIVEN_UP)
-        except TimeoutError:
+        except (TimeoutError, StreamClosedError):
             self._pipe.close()
             return
         await self._stay(room, room.streams.setdefault(self.word, []))
