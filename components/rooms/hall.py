@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from secrets import token_hex
-from time import time
+from time import monotonic, time
 
 import msgspec
 
@@ -62,18 +62,24 @@ class Hall:
     async def room(self, code: str) -> ClassRoom:
         """ClosedError where there is none."""
         if code in self.rooms:
-            return self.rooms[code]
+            return self._asked(self.rooms[code])
         parts = await self.store.parts(code) if code else {}
         if not parts:
             raise ClosedError("There is no class with this code now. Codes are four letters and digits.")
-        return self.rooms.setdefault(code, ClassRoom(code, parts))
+        return self._asked(ClassRoom(code, parts))
 
     async def led(self, code: str, key: str) -> ClassRoom:
         """The room of an instructor; ClosedError for who is none, which does not tell whether there is such a room."""
         room = self.rooms.get(code) or ClassRoom(code, await self.store.parts(code) if code else {})
         if not is_key(key, room.parts.get("key", b"")):
             raise ClosedError("This page is not in a class of this code now.")
-        return self.rooms.setdefault(code, room)
+        return self._asked(room)
+
+    def _asked(self, room: ClassRoom) -> ClassRoom:
+        """The same, or the one of its code that came first."""
+        there = self.rooms.setdefault(room.code, room)
+        there.asked = monotonic()
+        return there
 
     async def obey(self, room: ClassRoom, order: Order) -> None:
         """Do what the instructor's page asks; ValueError, in words, for what cannot be."""
@@ -170,7 +176,7 @@ class Hall:
 
     def leave(self, room: ClassRoom) -> None:
         """Somebody has gone: a room that nobody is in is not kept here."""
-        if not room.ears and not room.polls and self.rooms.get(room.code) is room:
+        if not room.used and self.rooms.get(room.code) is room:
             del self.rooms[room.code]
 
     def hear(self, code: str, parts: Parts) -> None:

@@ -49,6 +49,8 @@ class ClassRoom:
         """The same by the words of those who have them."""
         self.polls: dict[str, float] = {}
         """When each of those who have no stream has asked last."""
+        self.asked = monotonic()
+        """When somebody has asked for it last."""
         self.here = 0
         self.lost = False
         self.missed = 0
@@ -63,6 +65,11 @@ class ClassRoom:
     @property
     def number(self) -> str:
         return f"{self._replica}.{self._count}"
+
+    @property
+    def used(self) -> bool:
+        """Whether anybody is in it, or on the way: one who asks now and then, or whose stream has not begun."""
+        return bool(self.ears) or monotonic() - self.asked < 2 * SILENCE
 
     @property
     def followers(self) -> int:

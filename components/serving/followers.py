@@ -74,6 +74,7 @@ class Events(Follower):
 
     _pipe: IOStream
     _behind = 0.0
+    _known = ""
 
     def initialize(self) -> None:
         self._gone = asyncio.Event()
@@ -86,35 +87,40 @@ class Events(Follower):
         self.set_header("Content-Type", "text/event-stream; charset=utf-8")
         self.set_header("X-Accel-Buffering", "no")
         self.set_header("Cache-Control", "no-store, no-transform")
-        self._room = room
+        self._room, self._known = room, self.after
         self._pipe = self.request.connection.stream  # type: ignore[union-attr]  # it is one of HTTP/1
         if self._pipe.closed():  # by a phone that has tried once more meanwhile
             return
         self._pipe.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
         self._pipe.set_nodelay(True)
-        self.write(as_event(room.whole()))
-        for missed in room.untold(self.after) if self.leads else ():
-            self.write(as_event(missed))
+        room.ears.add(self)  # before the first pause: what is told in it is not missed
         try:
+            self.write(self._all())
             await asyncio.wait_for(self.flush(), GIVEN_UP)
+            self._catch_up()
+            await self._stay(room.streams.setdefault(self.word, []))
         except (TimeoutError, StreamClosedError):
             self._pipe.close()
-            return
-        await self._stay(room, room.streams.setdefault(self.word, []))
+        finally:
+            room.ears.discard(self)
 
-    async def _stay(self, room: ClassRoom, own: list[Ear]) -> None:
+    async def _stay(self, own: list[Ear]) -> None:
         """Among one's own streams, until it ends."""
         own.append(self)
         for older in own[:-MOST_STREAMS]:
             older.end()
-        room.ears.add(self)
         try:
             await self._gone.wait()
         finally:
-            room.ears.discard(self)
             own.remove(self)
             if not own:
-                room.streams.pop(self.word, None)
+                self._room.streams.pop(self.word, None)
+
+    def _all(self) -> bytes:
+        """The room as it is, and what an instructor's page alone is told, from where it knows the room."""
+        missed = self._room.untold(self._known) if self.leads else []
+        self._known = self._room.number
+        return b"".join(map(as_event, [self._room.whole(), *missed]))
 
     def hear(self, event: bytes) -> bool:
         """Straight to the connection, as a chunk that is made once for all of them."""
@@ -125,6 +131,7 @@ class Events(Follower):
         if self._pipe.writing():
             self._behind = monotonic()
             return False
+        self._known = self._room.number
         with suppress(StreamClosedError):
             written = self._pipe.write(event if self.request.version == "HTTP/1.0" else chunk(event))
             if not written.done():
@@ -134,7 +141,7 @@ class Events(Follower):
     def _catch_up(self) -> None:
         if self._behind and not self._gone.is_set():
             self._behind = 0.0
-            self.hear(as_event(self._room.whole()))
+            self.hear(self._all())
 
     def end(self) -> None:
         self._gone.set()

@@ -118,5 +118,9 @@ class Class:
     async def follow(self, url: str = "", keep: Callable[[bytes], Any] = json.loads) -> Stream:
         return await Stream(url or self.url, self.code, await self.token(url)).open(keep)
 
+    async def lead(self) -> Stream:
+        """The instructor's own stream."""
+        return await Stream(self.url, self.code, self.key).open()
+
     async def vote(self, token: str, url: str = "", **vote: Any) -> Answered:
         return await called(url or self.url, f"/class/{self.code}/answer", "PUT", vote, token)

@@ -127,7 +127,7 @@ def test_an_instructor_who_gets_no_stream_is_told_what_it_alone_hears_one_by_one
             known = answer.json["number"]
             heard.append((answer.json.get("answers", False), answer.json.get("deed", "")))
         assert heard == [(True, ""), (False, "next"), (False, "next")]
-        late = await Stream(url, f"{lesson.code}", lesson.key).open()
+        late = await lesson.lead()
         await late.until(lambda event: event.get("question"))
         assert not any(event.get("deed") for _, event in late.heard)
         await late.close()
@@ -189,7 +189,7 @@ def test_a_follower_that_reads_too_slowly_is_left_out_and_gets_the_latest() -> N
 def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> None:
     async def test(server: Server, url: str) -> None:
         lesson = await Class.open(url)
-        leader = await Stream(url, lesson.code, lesson.key).open()
+        leader = await lesson.lead()
         path = f"/class/{lesson.code}/remote"
         ticket = (await called(url, f"/class/{lesson.code}/tickets", "POST", word=lesson.key)).json
         assert ticket["square"].startswith("<svg")

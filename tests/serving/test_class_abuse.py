@@ -41,7 +41,7 @@ def test_no_answer_tells_whether_there_is_a_class_of_a_code() -> None:
 def test_a_remote_control_without_its_ticket_drives_nothing() -> None:
     async def test(server: Server, url: str) -> None:
         lesson = await Class.open(url)
-        leader = await Stream(url, lesson.code, lesson.key).open()
+        leader = await lesson.lead()
         path = f"/class/{lesson.code}/remote"
         for word in ("", await lesson.token(), lesson.key):  # a follower's token, and even the key, are no remote
             assert (await called(url, path, "POST", {"deed": "next"}, word)).status == 403

@@ -1,0 +1,89 @@
+"""Streams of a live class at their edges: what is told while one begins, or while its reader is slow."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+from typing import Any
+
+import pytest
+
+from components.rooms import room as rooms
+from components.rooms.hall import Hall
+from components.rooms.store import MemoryStore
+from components.serving.followers import Events
+from components.serving.server import Server
+from tests.rooms.caller import Class
+from tests.rooms.served import LECTURE, run
+
+
+def test_what_is_told_while_a_stream_begins_is_heard(monkeypatch: pytest.MonkeyPatch) -> None:
+    usual, begun, free = Events.flush, asyncio.Event(), asyncio.Event()
+
+    def slow(handler: Events, *given: Any) -> asyncio.Future[None]:
+        sent = usual(handler, *given)
+
+        async def held() -> None:
+            await sent
+            begun.set()
+            await free.wait()
+
+        return asyncio.ensure_future(held())
+
+    monkeypatch.setattr(Events, "flush", slow)
+
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        leader, follower = await lesson.lead(), await lesson.follow()
+        await begun.wait()
+        server.lecture.hall.leave(server.lecture.hall.rooms[lesson.code])  # as upkeep does once a second
+        hall = server.lecture.hall
+        await hall.store.tell(lesson.code, {"deed": b'"next"'})
+        await lesson.order("clock", t=1.0, rate=0.0, end=20.0, at=0.0)
+        free.set()
+        assert await leader.until(lambda event: event.get("deed") == "next")
+        for stream in (leader, follower):
+            assert (await stream.until(lambda event: event.get("clock")))["clock"]["t"] == 1.0
+            await stream.close()
+
+    run(test)
+
+
+def test_an_instructor_that_reads_slowly_misses_no_deed_and_hears_none_twice() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        slow = socket.create_connection(("127.0.0.1", server.port))
+        slow.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
+        word = f"Authorization: Bearer {lesson.key}"
+        slow.sendall(f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\n{word}\r\n\r\n".encode())
+        async with asyncio.timeout(10):
+            while not (room := server.lecture.hall.rooms.get(lesson.code)) or not room.leaders:
+                await asyncio.sleep(0.01)
+        room.tell({"deed": b'"back"'})
+        for i in range(400):
+            room.tell({"picture": b'{"sheet":"%d","data":"%s"}' % (i, b"A" * 4000)})
+            await asyncio.sleep(0)
+        room.tell({"deed": b'"next"'})
+        slow.settimeout(5)
+        read = b""
+        while b'"deed":"next"' not in read:
+            read += await asyncio.to_thread(slow.recv, 65536)
+        assert read.count(b'"deed":"back"') == read.count(b'"deed":"next"') == 1
+        assert b'"sheet":"399"' in read and read.count(b'"sheet"') < 200
+        slow.close()
+
+    run(test)
+
+
+def test_a_room_is_kept_while_somebody_is_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    async def test() -> None:
+        hall = Hall(MemoryStore(), LECTURE.lessons)
+        code, key = await hall.open()
+        room = await hall.led(code, key)
+        hall.leave(room)
+        assert await hall.room(code) is room
+        monkeypatch.setattr(rooms, "SILENCE", 0.0)
+        hall.leave(room)
+        assert not hall.rooms
+
+    asyncio.run(test())
