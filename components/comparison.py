@@ -148,10 +148,12 @@ def ledger(scene: Scene, other: Scene, covered: tuple[str, ...], asked: Scene | 
     return tuple(pair.row() for pair in sorted(pairs, key=lambda pair: pair.same)[:MOST_ROWS])
 
 
-def _followed(scene: Scene, asked: Scene | None) -> Iterator[str]:
+def _followed(scene: Scene, asked: Scene | None) -> set[str]:
     """The figures that a change has made others, also where their texts are the same."""
-    before = {one.name: one.value for one in asked.figures()} if asked else {}
-    yield from (one.name for one in scene.figures() if asked and before.get(one.name) != one.value)
+    if asked is None:
+        return set()
+    before = {one.name: one.value for one in asked.figures()}
+    return {one.name for one in scene.figures() if before.get(one.name) != one.value}
 
 
 def _moved(scene: Scene, other: Scene) -> Iterator[_Pair]:

@@ -38,7 +38,7 @@ class Presets {
 
   /** What to watch in the preset in force, where a press has brought it. @param {string | null} preset */
   watch(preset) {
-    return this.taken?.label === preset ? this.taken.watch : ""
+    return (this.taken?.label === preset && this.taken.watch) || ""
   }
 
   /** @param {string | null} preset */

@@ -1,7 +1,7 @@
 // The hand on a page: what it holds is drawn where it is, at once; the server hears of it and answers when it can.
 
 import {using} from "./later.js"
-import {evaluate, polynomial, roots} from "./signals.js"
+import {polynomial, roots} from "./signals.js"
 import {toPlace, toSI} from "./ruler.js"
 
 const FLICK = 120 // ms before letting go over which its velocity is taken
@@ -70,9 +70,8 @@ export class Hand {
     remember()
     this.hint?.leave()
     const {clock, shown} = this.page
-    const {signals, scalars} = shown.view
-    const still = this.page.compare.still
-    const now = evaluate(signals, scalars, still?.t ?? clock.t, {...still, ...this.named})
+    const {signals} = shown.view
+    const now = this.page.compare.named(clock.t)
     const again = this.grab === grab
     Object.assign(this, {grab, leaving: false, refusal: "", trail: []})
     if (again) return

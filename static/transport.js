@@ -96,7 +96,7 @@ export class Transport {
     const axis = axes[time]
     // Where nothing moves there is nothing to play.
     this.element.classList.toggle("idle", !axis)
-    this.notes = [this.page.controls.presets.watch(shown.preset) ?? "", ...notes]
+    this.notes = [this.page.controls.presets.watch(shown.preset), ...notes]
     const error = errors.window
     this.window.classList.toggle("bad", Boolean(error))
     this.window.title = error ?? "Empty: the scene chooses"
