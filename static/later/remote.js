@@ -46,6 +46,7 @@ class Remote {
   }
 
   isIn = false
+  over = false
 
   begin() {
     this.#look()
@@ -54,6 +55,7 @@ class Remote {
   async #look() {
     const {code, paired} = this
     const question = await ask(`${code}/remote`, {word: paired.key}).catch(reason => this.#failed(reason))
+    if (this.over) return
     if (question && !this.isIn) this.#enter()
     if (question) this.state.textContent = question.place || "No question is open."
     setTimeout(() => this.#look(), ASKING)
@@ -81,8 +83,10 @@ class Remote {
 
   /** @param {unknown} reason */
   #failed(reason) {
+    this.over = reason instanceof Refusal && reason.status === 404
+    if (this.over) this.host.replaceChildren(element("h1", {}, "The class is over."))
     this.state.textContent = reason instanceof Refusal ? reason.message : String(reason)
-    if (!this.isIn) this.host.append(this.state)
+    if (!this.isIn && !this.over) this.host.append(this.state)
     return null
   }
 }

@@ -164,6 +164,7 @@ export class Teach {
   }
 
   end() {
+    clearInterval(this.looking) // nothing more is said to a class that is over
     this.order({type: "end"})
   }
 

@@ -138,5 +138,6 @@ def test_a_lecture_of_five_steps(window: Callable[[str, int, int], Page], screen
         ["five", "mass", "1", "yes"], ["five", "place", "1", "no"], ["five", "curve", "1", "no"],
     ]  # fmt: skip
     assert [row[3] for row in rows[1:4]] == ["2", "1", "2"] and len(rows[5][3].split()) == 102
+    remote.close()  # which would go on asking, and be told that there is no such class
     lecture.evaluate(f"{LED}.end()")
     expect(phone.get_by_role("heading", name="The class is over.")).to_be_visible()
