@@ -23,13 +23,18 @@ export class Classes {
   /** Opens a class, or comes back to the one that this browser leads; shows its code where there is one. */
   async begin() {
     if (this.led) return this.led.large.toggle()
+    if (this.opening) return
+    this.opening = true
     try {
       const {teach} = await later("teach")
-      this.led ??= await teach(this.lecture)
+      this.led = await teach(this.lecture)
     } catch (reason) {
       this.lecture.page.notify([reason instanceof Error ? reason.message : String(reason)])
     }
+    this.opening = false
   }
+
+  opening = false // one class, however often the key is pressed
 
   /** Another connection: its session learns of the class too. */
   connected() {

@@ -316,12 +316,12 @@ declare namespace page {
     at: number
   }
 
-  /** The question of a step, to all; once more, as another vote, where `again` says so. */
+  /** The question of a step, to all; where `vote` is given, once more, as that vote. */
   interface PutQuestion extends Ordered {
     type: "put"
     walk: Name
     step: Name
-    again: boolean
+    vote: number
   }
 
   /** A walk from the instructor's own file, whose questions can be put from now on. */
@@ -365,16 +365,11 @@ declare namespace page {
     data: bytes
   }
 
-  /** A remote control that asks to be let in: the two digits that it shows. */
-  interface Pairing {
-    digits: string
-  }
-
   /** What has changed of a room; the first that a follower hears has all of it.
    *
    * `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
    * answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
-   * remote control, and of one that asks to be let in. */
+   * remote control, and of all `remotes` that wait to be let in, by the two digits that each shows. */
   interface News {
     number: string
     picture: SentPicture | null
@@ -385,7 +380,7 @@ declare namespace page {
     ended: boolean
     answers: boolean
     deed: "" | "next" | "back" | "show" | "close"
-    remote: Pairing | null
+    remotes: string[] | null
   }
 
   /** A room: its code, its key, which its instructor's browser keeps, and the address to join at, also as a QR code

@@ -49,11 +49,11 @@ class RunClock(Ordered, frozen=True, kw_only=True, tag="clock"):
 
 
 class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
-    """The question of a step, to all; once more, as another vote, where `again` says so."""
+    """The question of a step, to all; where `vote` is given, once more, as that vote."""
 
     walk: Name
     step: Name
-    again: bool = False
+    vote: Annotated[int, Meta(ge=0, le=9)] = 0
 
 
 class HandWalk(Ordered, frozen=True, kw_only=True, tag="walk"):
@@ -97,18 +97,12 @@ class SentPicture(Struct, frozen=True, kw_only=True):
     data: bytes
 
 
-class Pairing(Struct, frozen=True, kw_only=True):
-    """A remote control that asks to be let in: the two digits that it shows."""
-
-    digits: str
-
-
 class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
     """What has changed of a room; the first that a follower hears has all of it.
 
     `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
     answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
-    remote control, and of one that asks to be let in.
+    remote control, and of all `remotes` that wait to be let in, by the two digits that each shows.
     """
 
     number: str
@@ -120,7 +114,7 @@ class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
     ended: bool = False
     answers: bool = False
     deed: Literal["", "next", "back", "show", "close"] = ""
-    remote: Pairing | None = None
+    remotes: tuple[str, ...] | None = None
 
 
 class Opened(Struct, frozen=True, kw_only=True):

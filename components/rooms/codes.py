@@ -5,7 +5,7 @@ from __future__ import annotations
 import hmac
 from base64 import urlsafe_b64encode
 from hashlib import sha256
-from secrets import choice, randbelow, token_urlsafe
+from secrets import choice, token_urlsafe
 
 SIGNS = "23456789ABCDEFGHJKMNPRSTUVWXYZ"
 """Letters and digits of which none is taken for another: no 0 O Q, no 1 I L."""
@@ -24,11 +24,6 @@ def as_code(text: str) -> str:
 
 def new_key() -> str:
     return token_urlsafe(24)
-
-
-def new_digits() -> str:
-    """Two, to be compared on two screens."""
-    return str(10 + randbelow(90))
 
 
 def digest(key: str) -> bytes:

@@ -44,6 +44,8 @@ class Hall:
         self.store = store
         self.lessons = lessons
         self.rooms: dict[str, ClassRoom] = {}
+        self._coming: dict[str, list[ClassRoom]] = {}
+        """Those that the store is being asked for: they hear what is told meanwhile."""
         self._name = token_hex(6).encode()
 
     @property
@@ -61,19 +63,34 @@ class Hall:
 
     async def room(self, code: str) -> ClassRoom:
         """ClosedError where there is none."""
-        if code in self.rooms:
-            return self._asked(self.rooms[code])
-        parts = await self.store.parts(code) if code else {}
-        if not parts:
+        room = await self._found(code)
+        if not room.parts:
             raise ClosedError("There is no class with this code now. Codes are four letters and digits.")
-        return self._asked(ClassRoom(code, parts))
+        return self._asked(room)
 
     async def led(self, code: str, key: str) -> ClassRoom:
         """The room of an instructor; ClosedError for who is none, which does not tell whether there is such a room."""
-        room = self.rooms.get(code) or ClassRoom(code, await self.store.parts(code) if code else {})
+        room = await self._found(code)
         if not is_key(key, room.parts.get("key", b"")):
             raise ClosedError("This page is not in a class of this code now.")
         return self._asked(room)
+
+    async def _found(self, code: str) -> ClassRoom:
+        """As it is known here, or to the store; without parts where there is none."""
+        if code in self.rooms:
+            return self.rooms[code]
+        room, nobody = ClassRoom(code, {}), ClassRoom(code, {})
+        self._coming.setdefault(code, []).append(room)
+        try:
+            parts = await self.store.parts(code) if code else {}
+        finally:
+            coming = self._coming.get(code, [])
+            is_open = room in coming
+            self._coming[code] = [one for one in coming if one is not room]
+            if not self._coming[code]:
+                del self._coming[code]
+        room.parts = {**parts, **room.parts}
+        return room if parts and is_open else nobody
 
     def _asked(self, room: ClassRoom) -> ClassRoom:
         """The same, or the one of its code that came first."""
@@ -90,10 +107,11 @@ class Hall:
                 await self._keep(room, clock=msgspec.structs.replace(order, at=at))
             case HandWalk(name=name, text=text):
                 await self._take(room, name, text)
-            case PutQuestion(walk=walk, step=step, again=again):
+            case PutQuestion(walk=walk, step=step, vote=asked):
                 put = room.question
                 same = (put.walk, put.step) == (walk, step)
-                vote = min(put.vote + 1, LAST) if again and same else put.vote if same and put.lesson is None else FIRST
+                again = max(put.vote, min(asked, put.vote + 1, LAST))  # the same if it is asked for twice
+                vote = again if asked and same else put.vote if same and put.lesson is None else FIRST
                 await self._keep(room, question=self.lessons_of(room).put(walk, step, vote))
             case ShowAnswer():
                 put = room.question
@@ -127,15 +145,25 @@ class Hall:
         return room.lessons[1]
 
     async def _keep(self, room: ClassRoom, **parts: object) -> None:
-        """Those who are here hear it at once, also where the store is away; the others by the store."""
-        encoded = {name: msgspec.json.encode(part) for name, part in parts.items()}
-        room.tell(encoded)
-        await self.write(room, encoded)
+        await self.tell(room, {name: msgspec.json.encode(part) for name, part in parts.items()})
+
+    async def tell(self, room: ClassRoom, parts: Parts) -> None:
+        """Those who are here hear it at once; the others by the store, as soon as that answers."""
+        room.tell(parts)
+        try:
+            await self.write(room, parts)
+        except AwayError:
+            pass
+        except ClosedError:  # the store has forgotten it, or it is over and has been left
+            if self.rooms.get(room.code) is not room:
+                raise
 
     async def write(self, room: ClassRoom, parts: Parts) -> None:
         """Keep parts of a room that its followers here know already, and tell the other replicas."""
+        room.unsaved |= parts
         if not await self.store.keep(room.code, {**parts, "by": self._name}):
             raise ClosedError("This class is over.")
+        room.unsaved = {name: part for name, part in room.unsaved.items() if parts.get(name) is not part}
 
     async def vote(self, room: ClassRoom, voter: str, vote: Vote) -> None:
         """Keep an answer; ValueError, in words, for one that comes too late or is none."""
@@ -182,11 +210,14 @@ class Hall:
     def hear(self, code: str, parts: Parts) -> None:
         """What the store tells of a room: no parts where it has ended."""
         room = self.rooms.get(code)
-        if room and not parts:
+        if not parts:
             self.rooms.pop(code, None)
-            room.end()
-        elif room and parts.get("by") != self._name:
-            room.tell(parts)
+            self._coming.pop(code, None)
+            if room:
+                room.end()
+        elif parts.get("by") != self._name:
+            for one in [*self._coming.get(code, []), *([room] if room else [])]:
+                one.tell(parts)
 
 
 def _question(put: PutTo) -> str:

@@ -11,6 +11,7 @@ import msgspec
 
 from components.page.room import News, PutTo, RunClock, SentPicture
 from components.rooms.lessons import Lessons
+from components.rooms.remotes import WAITS, waiting
 from components.rooms.store import Parts
 
 SILENCE = 15.0
@@ -18,7 +19,7 @@ SILENCE = 15.0
 NOTHING_PUT = PutTo()
 KINDS: dict[str, type] = {"picture": SentPicture, "clock": RunClock, "question": PutTo}
 """The parts that followers hear of."""
-LEADERS = ("deed", "remote", "answers")
+LEADERS = ("deed", "answers")
 """What the instructor's page alone hears of, as it comes; the store keeps nothing of it."""
 KEPT = 16
 """Of which so many are told once more to a page that has missed them."""
@@ -55,12 +56,17 @@ class ClassRoom:
         self.lost = False
         self.missed = 0
         """How often in a row it was not found in the store."""
+        self.unsaved: dict[str, bytes] = {}
+        """Parts that the store has not taken as yet: newer than what it has."""
         self.votes: dict[str, Parts] = {}
         self.lessons: tuple[bytes, Lessons] | None = None
         """Those of walks from files, beside the part that they were read from."""
         self._replica = token_hex(3)
         self._count = 0
         self._own: deque[News] = deque(maxlen=KEPT)
+        self._waiting: tuple[str, ...] = ()
+        self._led = 0.0
+        """When a page of the instructor's that has no stream has asked last."""
 
     @property
     def number(self) -> str:
@@ -68,8 +74,9 @@ class ClassRoom:
 
     @property
     def used(self) -> bool:
-        """Whether anybody is in it, or on the way: one who asks now and then, or whose stream has not begun."""
-        return bool(self.ears) or monotonic() - self.asked < 2 * SILENCE
+        """Whether anybody is in it, or on the way: one who asks now and then, or whose stream has not begun; or
+        something that is not saved."""
+        return bool(self.ears or self.unsaved) or monotonic() - self.asked < 2 * SILENCE
 
     @property
     def followers(self) -> int:
@@ -78,9 +85,15 @@ class ClassRoom:
         return sum(not ear.leads for ear in self.ears) + len(self.polls)
 
     @property
-    def leaders(self) -> int:
-        """Pages of the instructor's that are here: they keep it alive, and a store that forgot it hears it anew."""
-        return sum(ear.leads for ear in self.ears)
+    def is_led(self) -> bool:
+        """Whether a page of the instructor's is here: it keeps the room alive, and a store that forgot it hears it
+        anew."""
+        return monotonic() - self._led < 2 * SILENCE or any(ear.leads for ear in self.ears)
+
+    @property
+    def waiting(self) -> tuple[str, ...]:
+        """The digits of remote controls that wait to be let in."""
+        return tuple(waiting(self.parts))
 
     def part(self, name: str, kind: type[Kind]) -> Kind | None:
         return msgspec.json.decode(self.parts[name], type=kind) if name in self.parts else None
@@ -94,9 +107,17 @@ class ClassRoom:
         """Walks from the instructor's files: their texts by name."""
         return self.part("walks", dict[str, str]) or {}
 
-    def whole(self) -> News:
+    def whole(self, leads: bool = False) -> News:
         known: dict[str, Any] = {name: self.part(name, kind) for name, kind in KINDS.items()}
-        return News(number=self.number, here=self.here, lost=self.lost, **known)
+        remotes = self.waiting if leads else None
+        return News(number=self.number, here=self.here, lost=self.lost, remotes=remotes, **known)
+
+    def polled(self, word: str, leads: bool) -> None:
+        """Somebody asks who has no stream."""
+        if leads:
+            self._led = monotonic()
+        else:
+            self.polls[word[:16]] = monotonic()
 
     def untold(self, number: str) -> list[News]:
         """What the instructor's page alone was told after a state that it knows."""
@@ -114,8 +135,29 @@ class ClassRoom:
             self.say(News(number=self.number, **known))
         if own := {name: parts[name] for name in LEADERS if name in parts}:
             told = {name: msgspec.json.decode(part) for name, part in own.items()}
+            if "answers" in own:  # they are counted anew: of many, the last says as much, and no deed makes way
+                self._own = deque((one for one in self._own if not one.answers), KEPT)
             self._own.append(msgspec.convert({"number": self.number, **told}, News))
             self.say(self._own[-1], leaders=True)
+        if any(name.startswith(WAITS) for name in parts):
+            self._say_waiting()
+
+    def look(self) -> None:
+        """Say what changes by itself: a phone waits no longer."""
+        if self.waiting != self._waiting:
+            self._count += 1
+            self._say_waiting()
+
+    def change(self, **facts: Any) -> None:
+        """Tell all who are here, those without a stream too, how it stands with the room itself: `here`, `lost`."""
+        self._count += 1
+        for name, fact in facts.items():
+            setattr(self, name, fact)
+        self.say(News(number=self.number, **facts))
+
+    def _say_waiting(self) -> None:
+        self._waiting = self.waiting
+        self.say(News(number=self.number, remotes=self._waiting), leaders=True)
 
     def say(self, news: News, leaders: bool = False) -> None:
         event = as_event(news)

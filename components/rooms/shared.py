@@ -23,7 +23,7 @@ CHANNEL = "class"
 PATIENCE = 2.0
 """Seconds for an answer."""
 PULSE = 5.0
-"""Seconds between looks at a connection that only listens."""
+"""Seconds of silence after which a connection that only listens is asked whether it is there, and for its answer."""
 
 OPEN = """
 redis.call('zremrangebyscore', 'class:rooms', '-inf', ARGV[1])
@@ -135,8 +135,12 @@ class SharedStore(Store):
     async def listen(self, hear: Hear, ready: Callable[[], None]) -> None:
         async with _asked(), self._listener.pubsub() as heard:
             await heard.subscribe(CHANNEL)
+            is_asked = False
             while True:
                 message = await heard.get_message(timeout=PULSE)
+                if message is None and is_asked:
+                    raise TimeoutError("It does not answer a ping.")
+                is_asked = message is None
                 if message is None:
                     await heard.ping()
                 elif message["type"] == "subscribe":

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import asyncio
 import logging
+from collections.abc import Awaitable
 from contextlib import suppress
 from secrets import token_hex
 
 from components.page.room import News
 from components.rooms.hall import ClosedError, Hall
 from components.rooms.room import SILENCE, ClassRoom
-from components.rooms.store import AwayError
+from components.rooms.store import AwayError, Parts
 
 log = logging.getLogger(__name__)
 
@@ -18,6 +19,8 @@ AGAIN = 0.5
 """Seconds until a store that was away is asked again."""
 PATIENCE = 3
 """Looks at a store in which a room is not found until it has ended: its instructor's replica may write it back."""
+TRIES = 5
+"""Looks at a room in the store while others change it."""
 COUNTING = 1.0
 """Seconds between counts of who is here."""
 
@@ -48,8 +51,12 @@ class Upkeep:
         back = asyncio.Event()
         while True:
             task = asyncio.create_task(self._return(back))
-            with suppress(AwayError):
-                await self.hall.store.listen(self.hall.hear, back.set)
+            try:
+                await self.hall.store.listen(self._hear, back.set)
+            except AwayError:
+                pass
+            except Exception:
+                log.exception("The store that replicas share could not be listened to")
             task.cancel()
             back.clear()
             self.listening = False
@@ -57,29 +64,35 @@ class Upkeep:
             self._say(lost=True)
             await asyncio.sleep(AGAIN)
 
+    def _hear(self, code: str, parts: Parts) -> None:
+        """What cannot be read, of another version for instance, is no reason to listen no more."""
+        try:
+            self.hall.hear(code, parts)
+        except Exception:
+            log.exception("News of a live class could not be read")
+
     async def _return(self, back: asyncio.Event) -> None:
         """What was said meanwhile is looked up; what the store has forgotten it is told by who leads the room."""
         await back.wait()
         self.listening = True
         for room in list(self.hall.rooms.values()):
-            with suppress(AwayError, ClosedError):
-                await self._restore(room)
+            await self._safely(self._restore(room))
         self._say(lost=False)
 
     def _say(self, lost: bool) -> None:
         for room in list(self.hall.rooms.values()):
             if room.lost != lost:
-                room.lost = lost
-                room.say(News(number=room.number, lost=lost))
+                room.change(lost=lost)
 
     async def _restore(self, room: ClassRoom) -> None:
         store = self.hall.store
-        if room.leaders and await store.open(room.code, room.parts):
+        if room.is_led and await store.open(room.code, room.parts):
             for question, votes in room.votes.items():
                 for voter, vote in votes.items():
                     await store.vote(room.code, question, voter, vote)
             await self.hall.write(room, room.parts)
-        parts = await store.parts(room.code)
+        await self._save(room)
+        parts = await self._looked_up(room)
         changed = {name: part for name, part in parts.items() if name != "by" and room.parts.get(name) != part}
         room.missed = 0 if parts else room.missed + 1
         if room.missed == PATIENCE:
@@ -87,23 +100,48 @@ class Upkeep:
         elif changed:
             room.tell(changed)
 
+    async def _save(self, room: ClassRoom) -> None:
+        """Where the store has forgotten the room, its instructor's replica comes first."""
+        if room.unsaved:
+            with suppress(ClosedError):
+                await self.hall.write(room, dict(room.unsaved))
+
+    async def _looked_up(self, room: ClassRoom) -> Parts:
+        """What the store has of a room; what was told while it was asked may be newer than its answer."""
+        for _ in range(TRIES):
+            number = room.number
+            parts = await self.hall.store.parts(room.code)
+            if room.number == number:
+                return parts
+        return room.parts
+
     async def _look(self) -> None:
         while True:
             await asyncio.sleep(COUNTING)
             self._round += 1
             for room in list(self.hall.rooms.values()):
-                with suppress(AwayError, ClosedError):
-                    await self._look_at(room)
+                await self._safely(self._look_at(room))
+
+    async def _safely(self, act: Awaitable[None]) -> None:
+        """What goes wrong with one room is no matter of the others."""
+        try:
+            await act
+        except (AwayError, ClosedError):
+            pass
+        except Exception:
+            log.exception("A live class could not be looked after")
 
     async def _look_at(self, room: ClassRoom) -> None:
         """Who is here, told where it has changed, and to all who might wonder whether anybody speaks at all."""
         turn = self._round % int(SILENCE / COUNTING) == 0
-        if turn and not room.lost:
-            await self._restore(room)
-        if turn and room.leaders:
+        room.look()
+        if not room.lost:
+            await (self._restore if turn else self._save)(room)
+        if turn and room.is_led:
             await self.hall.store.keep(room.code, {})
         here = await self.hall.store.present(room.code, self._replica, room.followers)
-        if here != room.here or turn:
-            room.here = here
+        if here != room.here:
+            room.change(here=here)
+        elif turn:
             room.say(News(number=room.number, here=here))
         self.hall.leave(room)

@@ -10,8 +10,8 @@ import msgspec
 import segno
 from tornado.web import RequestHandler
 
-from components.page.room import Confirmed, Done, Opened, Order, Paired, Tally, Ticket
-from components.rooms.codes import as_code, digest, is_key, new_digits, new_key
+from components.page.room import Opened, Order, Tally
+from components.rooms.codes import as_code
 from components.rooms.hall import ClosedError
 from components.rooms.room import ClassRoom
 from components.rooms.store import LIFE, AwayError
@@ -30,8 +30,6 @@ LONGEST_ORDER = 64_000
 AWAY = "The store that replicas share does not answer now. What you see stays; try again in a moment."
 MOST_OPENED = 100
 """Rooms that one network may open in the life of one."""
-TICKET = 60.0
-"""Seconds for which a remote control may be let in."""
 
 Body = TypeVar("Body")
 Answered = TypeVar("Answered")
@@ -184,63 +182,3 @@ class TakeAnswers(ClassAnswer):
         text = await self.asked(answers_csv(self.application.hall, room))
         self.set_header("Content-Type", "text/csv; charset=utf-8")
         self.write(text)
-
-
-class LetIn(ClassAnswer):
-    """A remote control: a ticket that is good once, for a minute; whether it is let in, by the two digits it shows."""
-
-    async def post(self, code: str) -> None:
-        room, ticket = await self.led(code), new_key()
-        await self.asked(self.application.hall.store.lend(f"ticket {digest(ticket).decode()}", code.encode(), TICKET))
-        address = self.address(f"class={room.code}&remote={ticket}")
-        self.reply(Ticket(address=address, square=square(address)))
-
-    async def put(self, code: str) -> None:
-        room, confirmed = await self.led(code), self.body(Confirmed)
-        hall = self.application.hall
-        kept = await self.asked(hall.store.take(f"pairing {room.code} {confirmed.digits}"))
-        if not kept:
-            raise RefusedError(409, "No remote control waits with these digits.")
-        room.tell({"control": kept})
-        await self.asked(hall.write(room, {"control": kept}))
-        self.set_status(204)
-
-
-class RemoteControl(ClassAnswer):
-    """A phone in the instructor's hand: shows its ticket, waits until it is let in, then says what is to be done."""
-
-    async def _there(self, code: str) -> ClassRoom:
-        """Not for who has shown no ticket: whether there is such a room is not told to those who guess."""
-        if not self.application.tokens.voter(code, self.word):
-            raise RefusedError(403, "The first screen has not let this remote control in.")
-        self.often(f"remote {self.word}")
-        return await self.asked(self.application.hall.room(as_code(code)))
-
-    def _let_in(self, room: ClassRoom) -> bool:
-        return is_key(self.word, room.parts.get("control", b""))
-
-    async def put(self, code: str) -> None:
-        self.often(f"pair {code}")
-        hall, ticket = self.application.hall, self.body(Ticket)
-        kept = await self.asked(hall.store.take(f"ticket {digest(ticket.address).decode()}"))
-        if not kept or kept.decode() != code:
-            raise RefusedError(
-                403, "This code has been used, or is older than a minute. The first screen shows a new one."
-            )
-        paired = Paired(digits=new_digits(), key=self.application.tokens.new(code))
-        await self.asked(hall.store.lend(f"pairing {code} {paired.digits}", digest(paired.key), TICKET))
-        told = msgspec.json.encode({"digits": paired.digits})
-        await self.asked(hall.store.tell(as_code(code), {"remote": told}))
-        self.reply(paired)
-
-    async def get(self, code: str) -> None:
-        """The question that is put; null until it has been let in."""
-        room = await self._there(code)
-        self.reply(room.question if self._let_in(room) else None)
-
-    async def post(self, code: str) -> None:
-        room, deed = await self._there(code), self.body(Done)
-        if not self._let_in(room):
-            raise RefusedError(403, "The first screen has not let this remote control in.")
-        await self.asked(self.application.hall.store.tell(room.code, {"deed": msgspec.json.encode(deed.deed)}))
-        self.set_status(204)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from components.serving.classes import CountAnswers, LeadClass, LetIn, OpenClass, RemoteControl, TakeAnswers
+from components.serving.classes import CountAnswers, LeadClass, OpenClass, TakeAnswers
 from components.serving.followers import Answers, Enter, Events, Now, TimeOfDay
+from components.serving.remotes import LetIn, RemoteControl
 
 CODE = r"([0-9A-Za-z]{4})"
 

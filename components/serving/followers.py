@@ -120,7 +120,7 @@ class Events(Follower):
         """The room as it is, and what an instructor's page alone is told, from where it knows the room."""
         missed = self._room.untold(self._known) if self.leads else []
         self._known = self._room.number
-        return b"".join(map(as_event, [self._room.whole(), *missed]))
+        return b"".join(map(as_event, [self._room.whole(self.leads), *missed]))
 
     def hear(self, event: bytes) -> bool:
         """Straight to the connection, as a chunk that is made once for all of them."""
@@ -162,15 +162,15 @@ class Now(Follower):
     async def get(self, code: str) -> None:
         room = await self.entered(code)
         self.often(f"poll {self.word}")
-        if not self.leads:
-            room.polls[self.word[:16]] = monotonic()
+        room.polled(self.word, self.leads)
         missed = room.untold(self.after) if self.leads else []
         if missed:  # one at a time: the next question asks for what came after it
-            self.reply(replace(room.whole(), **{name: getattr(missed[0], name) for name in ("number", *LEADERS)}))
+            own = {name: getattr(missed[0], name) for name in ("number", *LEADERS)}
+            self.reply(replace(room.whole(leads=True), **own))
         elif self.after == room.number:
             self.set_status(204)
         else:
-            self.reply(room.whole())
+            self.reply(room.whole(self.leads))
 
 
 class Answers(Follower):

@@ -15,6 +15,8 @@ log = logging.getLogger(__name__)
 
 SPAN = 0.2
 """Seconds between pictures, of which the newest counts."""
+AGAIN = 1.0
+"""Seconds until one is tried again."""
 
 
 class Publisher:
@@ -36,16 +38,22 @@ class Publisher:
         try:
             while make := self._make:
                 self._make = None
-                await self._show(make)
-                await asyncio.sleep(SPAN)
+                is_shown = await self._show(make)
+                if not is_shown:
+                    self._make = self._make or make
+                await asyncio.sleep(SPAN if is_shown else AGAIN)
         finally:
             self._task = None
 
-    async def _show(self, make: Callable[[], Packet]) -> None:
+    async def _show(self, make: Callable[[], Packet]) -> bool:
+        """False where the room is not known here, and the store away: it is to be tried again."""
         try:
             room = await self._hall.led(self._code, self._key)
             await self._hall.show(room, SentPicture(**make()))
-        except (ClosedError, AwayError):
-            pass  # the instructor's page is told of both by the room's own news
+        except AwayError:
+            return False
+        except ClosedError:
+            pass  # the instructor's page is told by the room's own news
         except Exception:
             log.exception("A picture could not be made ready for a class")
+        return True

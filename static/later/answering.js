@@ -97,19 +97,29 @@ export class AskedPut {
     return {walk, step, vote, option, text, value, curves: pad ? pad.sent : {}}
   }
 
-  async #send() {
+  /** What is sent, one after the other: an answer never takes the place of a newer one. @type {Promise<unknown>} */
+  sending = Promise.resolve()
+
+  #send() {
+    this.sending = this.sending.then(() => this.#sendNow()).catch(error => console.warn(error))
+  }
+
+  async #sendNow() {
     const vote = this.question?.lesson ? null : this.#vote()
     if (!vote) return
-    const {changes} = this
+    const {changes, card} = this
     try {
       await ask(`${this.following.code}/answer`, {method: "PUT", body: vote, word: this.following.token})
+      answer(this.following.code, nameOf(vote), vote)
+      if (card !== this.card) return // the lecture has gone on
       this.given = vote
+      if (card?.walk.lesson) return
       if (changes === this.changes) this.status.textContent = SENT
-      answer(this.following.code, this.#name, vote)
     } catch (reason) {
       if (!(reason instanceof Refusal)) throw reason
+      if (card !== this.card || card?.walk.lesson) return
       this.status.textContent = reason.status ? reason.message : "Not sent yet; it is tried again."
-      if (!reason.status || reason.status >= 500) this.timer = setTimeout(() => this.#send(), 2000)
+      if (reason.passes) this.timer = setTimeout(() => this.#send(), 2000)
     }
   }
 
@@ -124,17 +134,20 @@ export class AskedPut {
 
   /** @param {page.Lesson} lesson what it teaches everybody; of one's own answer the server says more */
   async #teach(lesson) {
-    const {card, given} = this
+    const {card} = this
     clearTimeout(this.timer)
     this.status.textContent = ""
     if (!card || card.walk.lesson) return
     card.walk.lesson = lesson
-    if (!given) return card.teach(lesson)
-    await new Promise(done => setTimeout(done, Math.random() * SPREAD))
+    await Promise.race([this.sending, pause(SPREAD)]) // of an answer that is on its way
     if (card !== this.card) return // the lecture has gone on
+    const {given} = this
+    if (!given) return card.teach(lesson)
+    await pause(Math.random() * SPREAD)
+    if (card !== this.card) return
     const {code, token} = this.following
-    const taught = await ask(`${code}/answer`, {method: "POST", body: given, word: token}).catch(() => ({lesson}))
-    if (taught && card === this.card) card.teach(taught.lesson)
+    const taught = await ask(`${code}/answer`, {method: "POST", body: given, word: token}).catch(() => null)
+    if (card === this.card) card.teach(taught?.lesson ?? lesson)
   }
 
   #leave() {
@@ -144,8 +157,11 @@ export class AskedPut {
   }
 }
 
-/** @param {page.PutTo} question */
+/** @param {{walk: string, step: string, vote: number}} question or answer */
 const nameOf = ({walk, step, vote}) => `${walk}/${step}/${vote}`
+
+/** @param {number} ms @returns {Promise<void>} */
+const pause = ms => new Promise(done => setTimeout(done, ms))
 
 /** @param {unknown} one @param {unknown} other */
 const isSame = (one, other) => JSON.stringify(one) === JSON.stringify(other)

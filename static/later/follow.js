@@ -10,6 +10,8 @@ import {enter, forget, mine} from "./mine.js"
 import {Refusal, Stream, ask} from "./room.js"
 import {Timing} from "./timing.js"
 
+const PATIENCE = 10000 // ms for a sheet
+const AGAIN = 500 // ms until it is fetched again
 const OVER = "The class is over. Thank you for coming."
 
 export class Following {
@@ -80,7 +82,9 @@ export class Following {
   /** What has been overtaken by a newer one is not drawn. @param {page.SentPicture} picture */
   async #show(picture) {
     if (picture !== this.news.picture) return
-    const {usual} = await this.sheet(picture.sheet)
+    const sheet = await this.sheet(picture.sheet).catch(() => null)
+    if (!sheet) return void setTimeout(() => this.#next(() => this.#show(picture)), AGAIN)
+    const {usual} = sheet
     const bytes = Uint8Array.from(atob(String(picture.data)), sign => sign.charCodeAt(0))
     const told = await unpacked(bytes.buffer, usual)
     if (told.type !== "shown") return
@@ -126,7 +130,8 @@ export class Following {
   sheet(address) {
     const known = this.sheets.get(address)
     if (known) return known
-    const fetched = fetch(new URL(`assets/${address}`, document.baseURI)).then(answer => {
+    const how = {signal: AbortSignal.timeout(PATIENCE)}
+    const fetched = fetch(new URL(`assets/${address}`, document.baseURI), how).then(answer => {
       if (!answer.ok) throw new Error(`${address}: ${answer.status}`)
       return answer.json()
     })

@@ -4,6 +4,8 @@ import {element, marked} from "../dom.js"
 import {place} from "./corner.js"
 import {ask, asked} from "./room.js"
 
+const PATIENCE = 60000 // ms for the answers of a whole lecture
+
 export class Large {
   /** @type {HTMLDialogElement | null} */
   dialog = null
@@ -11,8 +13,12 @@ export class Large {
   /** @type {HTMLElement | null} how many are here */
   here = null
 
-  /** @type {HTMLElement | null} of a remote control that is being let in */
-  pairing = null
+  /** The digits of remote controls that wait to be let in. @type {string[]} */
+  remotes = []
+
+  asking = element("div", {class: "class-asking", role: "status"}) // whether they are
+
+  said = element("p", {class: "problem", role: "status"})
 
   /** @param {import("./teach.js").Teach} teach */
   constructor(teach) {
@@ -42,8 +48,8 @@ export class Large {
       element("b", {class: "code"}, room.code),
     )
     words.append(element("p", {}, this.here, " here"))
-    this.pairing = element("p", {class: "problem", role: "status"})
-    const tools = element("div", {class: "class-tools"}, this.pairing, ...this.#tools())
+    this.said.replaceChildren()
+    const tools = element("div", {class: "class-tools"}, this.asking, this.said, ...this.#tools())
     this.dialog = element("dialog", {class: "class-large", "aria-label": "Join the class"}, square, words, tools)
     this.dialog.addEventListener("keydown", event => {
       if (event.key === "Escape") this.close()
@@ -57,8 +63,8 @@ export class Large {
 
   #tools() {
     const deeds = /** @type {[string, () => void][]} */ ([
-      ["Remote control", () => this.#remote()],
-      ["Answers as CSV", () => this.#csv()],
+      ["Remote control", () => this.#try(() => this.#remote())],
+      ["Answers as CSV", () => this.#try(() => this.#csv())],
       ["End the class", () => this.#end()],
     ])
     const chips = deeds.map(([name, act]) => button(name, "chip", act))
@@ -72,13 +78,23 @@ export class Large {
 
   /** A second press ends it. */
   #end() {
-    if (this.pairing?.textContent?.startsWith("Press again")) this.teach.end()
-    else if (this.pairing) this.pairing.textContent = "Press again to end the class: code and answers are forgotten."
+    if (this.said.textContent?.startsWith("Press again")) this.teach.end()
+    else this.said.textContent = "Press again to end the class: code and answers are forgotten."
+  }
+
+  /** What cannot be done is said. @param {() => Promise<void>} act */
+  async #try(act) {
+    try {
+      this.said.replaceChildren()
+      await act()
+    } catch (reason) {
+      this.said.textContent = reason instanceof Error ? reason.message : String(reason)
+    }
   }
 
   async #csv() {
     const {code, key} = this.teach.room
-    const answer = await asked(`${code}/answers.csv`, {word: key})
+    const answer = await asked(`${code}/answers.csv`, {word: key, signal: AbortSignal.timeout(PATIENCE)})
     const link = element("a", {href: URL.createObjectURL(await answer.blob()), download: `class-${code}.csv`})
     link.click()
     URL.revokeObjectURL(link.href)
@@ -86,10 +102,11 @@ export class Large {
 
   /** A code that lets one phone in, within a minute. */
   async #remote() {
+    const {dialog} = this
     const {code, key} = this.teach.room
     const ticket = await ask(`${code}/tickets`, {method: "POST", word: key})
     const square = this.dialog?.querySelector(".class-square")
-    if (!square || !this.pairing) return
+    if (!square || dialog !== this.dialog) return // it was closed meanwhile
     square.innerHTML = ticket.square
     square.setAttribute("aria-label", "QR code of the remote control")
     const words = element("div", {class: "class-words"}, element("b", {class: "at"}, "A remote control"))
@@ -97,16 +114,25 @@ export class Large {
     this.dialog?.querySelector(".class-words")?.replaceWith(words)
   }
 
-  /** A phone waits that shows these digits. @param {string} digits */
-  confirm(digits) {
-    if (!this.dialog || !this.pairing) return
+  /** Phones wait that show these digits: of a new one this is asked at once. @param {string[]} digits all that wait */
+  wait(digits) {
+    const isNew = digits.some(each => !this.remotes.includes(each))
+    this.remotes = digits
+    this.asking.replaceChildren(...digits.map(each => this.#question(each)))
+    if (isNew && !this.dialog) this.open()
+  }
+
+  /** @param {string} digits */
+  #question(digits) {
     const {code, key} = this.teach.room
-    const yes = button("Yes, let it in", "chip", async () => {
-      await ask(`${code}/tickets`, {method: "PUT", body: {digits}, word: key})
-      this.pairing?.replaceChildren("The remote control is in.")
-    })
-    const no = button("No", "chip", () => this.pairing?.replaceChildren("It was not let in."))
-    this.pairing.replaceChildren(`Does the phone in your hand show ${digits}? `, yes, " ", no)
+    const decide = (/** @type {string} */ method, /** @type {string} */ done) =>
+      this.#try(async () => {
+        await ask(`${code}/tickets`, {method, body: {digits}, word: key})
+        this.said.textContent = done
+      })
+    const yes = button("Yes, let it in", "chip", () => decide("PUT", "The remote control is in."))
+    const no = button("No", "chip", () => decide("DELETE", "It was not let in."))
+    return element("p", {}, `Does the phone in your hand show ${digits}? `, yes, " ", no)
   }
 }
 

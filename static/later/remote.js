@@ -1,7 +1,7 @@
 // A phone as the instructor's remote control: let in by the first screen, then two large buttons.
 
 import {element} from "../dom.js"
-import {Refusal, ask} from "./room.js"
+import {DOUBTS, Refusal, ask} from "./room.js"
 
 const ASKING = 1000 // ms between looks whether it is in, and at which step the lecture is
 
@@ -10,7 +10,7 @@ export async function control(code, ticket) {
   const host = /** @type {HTMLElement} */ (document.querySelector(".class-wait"))
   host.classList.add("class-remote")
   try {
-    const paired = await pairedWith(code, ticket)
+    const paired = await pairedWith(code, ticket, why => host.replaceChildren(element("h1", {}, why)))
     history.replaceState(null, "", location.search)
     const remote = new Remote(host, code, paired)
     remote.begin()
@@ -21,15 +21,30 @@ export async function control(code, ticket) {
 
 /**
  * A page that is loaded anew has its key still.
- * @param {string} code @param {string} ticket @returns {Promise<page.Paired>}
+ * @param {string} code @param {string} ticket @param {(why: string) => void} say @returns {Promise<page.Paired>}
  */
-async function pairedWith(code, ticket) {
+async function pairedWith(code, ticket, say) {
   const name = `remote-${code}-${ticket}`
   const kept = sessionStorage.getItem(name)
   if (kept) return JSON.parse(kept)
-  const paired = await ask(`${code}/remote`, {method: "PUT", body: {address: ticket}})
+  const paired = await untilAnswered(() => ask(`${code}/remote`, {method: "PUT", body: {address: ticket}}), say)
   sessionStorage.setItem(name, JSON.stringify(paired))
   return paired
+}
+
+/**
+ * What is refused for a moment only is asked once more.
+ * @param {() => Promise<any>} question @param {(why: string) => void} say @returns {Promise<any>}
+ */
+async function untilAnswered(question, say) {
+  try {
+    return await question()
+  } catch (reason) {
+    if (!(reason instanceof Refusal && reason.passes)) throw reason
+    say(reason.message)
+  }
+  await new Promise(go => setTimeout(go, ASKING))
+  return untilAnswered(question, say)
 }
 
 class Remote {
@@ -47,6 +62,7 @@ class Remote {
 
   isIn = false
   over = false
+  doubts = 0
 
   begin() {
     this.#look()
@@ -56,6 +72,8 @@ class Remote {
     const {code, paired} = this
     const question = await ask(`${code}/remote`, {word: paired.key}).catch(reason => this.#failed(reason))
     if (this.over) return
+    if (question !== undefined) this.doubts = 0
+    if (question === null) this.state.textContent = "" // it waits
     if (question && !this.isIn) this.#enter()
     if (question) this.state.textContent = question.place || "No question is open."
     setTimeout(() => this.#look(), ASKING)
@@ -74,19 +92,23 @@ class Remote {
     this.host.replaceChildren(this.state, element("div", {class: "remote-deeds"}, ...buttons))
   }
 
+  /** What is pressed, one after the other. @type {Promise<unknown>} */
+  deeds = Promise.resolve()
+
   /** @param {page.Done["deed"]} deed */
-  async #do(deed) {
-    await ask(`${this.code}/remote`, {method: "POST", body: {deed}, word: this.paired.key}).catch(reason =>
-      this.#failed(reason),
-    )
+  #do(deed) {
+    const {code, paired} = this
+    this.deeds = this.deeds
+      .then(() => ask(`${code}/remote`, {method: "POST", body: {deed}, word: paired.key}))
+      .catch(reason => this.#failed(reason))
   }
 
   /** @param {unknown} reason */
   #failed(reason) {
-    this.over = reason instanceof Refusal && reason.status === 404
+    const isGone = reason instanceof Refusal && reason.status === 404
+    this.over = isGone && this.doubts++ >= DOUBTS
     if (this.over) this.host.replaceChildren(element("h1", {}, "The class is over."))
     this.state.textContent = reason instanceof Refusal ? reason.message : String(reason)
     if (!this.isIn && !this.over) this.host.append(this.state)
-    return null
   }
 }

@@ -4,10 +4,14 @@ const PATIENCE = 3000 // ms until a stream that brings nothing is given up for a
 const BUSY = 250 // ms of it
 const HASTE = 150 // ms, in its place, for the first try of a phone that wakes: its old connections may be dead
 const SLOWING = 1.5 // times as long for each try after it
-const HASTY = 6 // tries: so many connections a browser keeps
+const HASTY = 6 // tries
+const CONNECTIONS = 6 // that a browser keeps to one server
 const SILENCE = 25000 // ms after which a stream is taken up anew: the server says something every 15 s
 const ASKING = 1000 // ms between questions
 const LONGEST = 8000 // ms between tries
+const LIMIT = 10000 // ms for one question: a dead connection may never say that it is
+/** Tries until it is believed that there is no such class: its store may just be filled anew. */
+export const DOUBTS = 3
 const TRIAL = 60000 // ms, after which a stream is tried again where none came through
 
 /** A refusal of the server's, in a sentence; `status` is 0 where nobody answers. */
@@ -16,6 +20,11 @@ export class Refusal extends Error {
   constructor(sentence, status) {
     super(sentence)
     this.status = status
+  }
+
+  /** Whether it may be answered another time. */
+  get passes() {
+    return !this.status || this.status === 429 || this.status >= 500
   }
 }
 
@@ -30,7 +39,7 @@ export async function ask(path, {method = "GET", body, word = "", signal} = {}) 
 }
 
 /** @param {string} path @param {How} how */
-export async function asked(path, {method = "GET", body, word = "", signal}) {
+export async function asked(path, {method = "GET", body, word = "", signal = AbortSignal.timeout(LIMIT)}) {
   /** @type {Record<string, string>} */
   const headers = {"X-Page-Path": new URL(".", document.baseURI).pathname}
   if (word) headers.Authorization = `Bearer ${word}`
@@ -67,6 +76,7 @@ export class Stream {
   number = ""
   last = 0 // when something was heard, by the time of day: it goes on while a phone sleeps
   tries = 0
+  doubts = 0
 
   hasty = 0 // tries that are left of a phone that has just woken
 
@@ -110,7 +120,7 @@ export class Stream {
       await (this.polls ? this.#poll(this.control) : this.#read(this.control))
     } catch (reason) {
       if (reason instanceof Refusal && reason.status) {
-        if (reason.status < 500 && reason.status !== 429) return this.ears.refused(reason)
+        if (!reason.passes && this.doubts++ >= DOUBTS) return this.ears.refused(reason)
         why = reason.message
       }
     }
@@ -121,40 +131,28 @@ export class Stream {
     this.timer = setTimeout(() => this.#go(), longest * (0.5 + Math.random()))
   }
 
-  /** A proxy may hold back even the head of the answer. @param {AbortController} control */
+  /** @param {AbortController} control */
   async #read(control) {
-    const begin = () => {
-      if (!this.hasty) {
-        this.polls = true
-        this.trial = Date.now() + TRIAL
-      }
-      this.hasty = Math.max(0, this.hasty - 1)
-      this.atOnce = true
-      control.abort()
-    }
-    const patience = this.hasty ? HASTE * SLOWING ** (HASTY - this.hasty) : PATIENCE
-    const busy = Math.min(BUSY, patience / 2)
-    // In a page that was too busy to listen, what has come is heard first.
-    let giveUp = setTimeout(() => {
-      giveUp = setTimeout(begin, busy)
-    }, patience - busy)
+    const came = this.#expect(control)
     try {
       const answer = await asked(`${this.code}/events?after=${this.number}`, {word: this.word, signal: control.signal})
       await heard(answer, text => {
-        clearTimeout(giveUp)
+        came()
         this.#hear(JSON.parse(text))
       })
     } finally {
-      clearTimeout(giveUp)
+      came()
     }
   }
 
   /** @param {AbortController} control @returns {Promise<void>} */
-  #poll({signal}) {
+  #poll(control) {
     return new Promise((_, failed) => {
-      signal.addEventListener("abort", failed)
+      control.signal.addEventListener("abort", failed)
       const look = async () => {
-        const news = await ask(`${this.code}/now?after=${this.number}`, {word: this.word, signal})
+        const came = this.#expect(control)
+        const how = {word: this.word, signal: control.signal}
+        const news = await ask(`${this.code}/now?after=${this.number}`, how).finally(came)
         if (news) this.#hear(news)
         else this.#hears()
         if (Date.now() > this.trial) this.#knock()
@@ -162,6 +160,35 @@ export class Stream {
       }
       look().catch(failed)
     })
+  }
+
+  /**
+   * What brings nothing is given up: a proxy may hold back even the head of a stream, a connection may be dead.
+   * @param {AbortController} control @returns {() => void} to be called when something came
+   */
+  #expect(control) {
+    const {hasty} = this
+    const patience = hasty ? HASTE * SLOWING ** (HASTY - hasty) : PATIENCE
+    const probing = new AbortController()
+    if (hasty && hasty < HASTY) probe(probing.signal)
+    const end = () => {
+      this.atOnce = hasty > 0 || !this.polls
+      if (!hasty && !this.polls) {
+        this.polls = true
+        this.trial = Date.now() + TRIAL
+      }
+      this.hasty = Math.max(0, hasty - 1)
+      control.abort()
+    }
+    // In a page that was too busy to listen, what has come is heard first.
+    const busy = Math.min(BUSY, patience / 2)
+    let giveUp = setTimeout(() => {
+      giveUp = setTimeout(end, busy)
+    }, patience - busy)
+    return () => {
+      clearTimeout(giveUp)
+      probing.abort()
+    }
   }
 
   trial = 0 // when a stream is tried again
@@ -187,6 +214,7 @@ export class Stream {
   #hears() {
     this.last = Date.now()
     this.tries = 0
+    this.doubts = 0
     this.hasty = 0
     this.ears.connected(true)
   }
@@ -206,6 +234,14 @@ export class Stream {
     this.listening.abort()
     this.control.abort()
   }
+}
+
+/**
+ * Each connection that died while the phone slept takes a request with it: these take all that the browser keeps.
+ * @param {AbortSignal} signal when something has come, or nothing will
+ */
+function probe(signal) {
+  for (let i = 1; i < CONNECTIONS; i++) ask("time", {signal}).catch(() => {})
 }
 
 /**

@@ -23,6 +23,8 @@ export class Sketches {
     this.plot.host.prepend(this.canvas) // under the true curve
     this.observer = new ResizeObserver(() => this.#draw())
     this.observer.observe(this.plot.host)
+    this.themes = new MutationObserver(() => this.#draw())
+    this.themes.observe(document.documentElement, {attributeFilter: ["data-theme"]})
   }
 
   /** @param {page.Tally} tally @param {boolean} shown */
@@ -138,6 +140,7 @@ export class Sketches {
 
   leave() {
     this.observer.disconnect()
+    this.themes.disconnect()
     this.canvas.remove()
   }
 }

@@ -9,6 +9,7 @@ import {Votes} from "./votes.js"
 
 const LOOK = 50 // ms between looks at the clock
 const OFF = 0.04 // s by which followers may be off before they are told anew
+const AGAIN = 1000 // ms until an order is sent again
 const KEPT = "class-room"
 
 /** @typedef {import("./walk.js").Walk} Walk */
@@ -27,6 +28,7 @@ export class Teach {
   sheet
 
   away = false
+  isOver = false
   looking = 0
 
   /** What is asked of the room, one after the other. @type {Promise<unknown>} */
@@ -52,7 +54,6 @@ export class Teach {
     this.looking = setInterval(() => this.#look(), LOOK)
     this.lead()
     this.say()
-    if (lecture.walks.walk) this.walked(lecture.walks.walk)
   }
 
   /** The session that is there now shows what it shows to all. */
@@ -77,10 +78,12 @@ export class Teach {
   /** @param {Partial<page.News>} news */
   #hear(news) {
     if (news.ended) return this.#over("The class is over.")
+    const isFirst = !this.news.number
     Object.assign(this.news, news)
     this.say()
-    if (news.answers || news.question) this.votes.count()
-    if (news.remote) this.large.confirm(news.remote.digits)
+    if (isFirst && this.lecture.walks.walk) this.walked(this.lecture.walks.walk)
+    if (news.answers || news.question || news.lost === false) this.votes.count()
+    if (news.remotes) this.large.wait(news.remotes)
     if (news.deed) this.#obey(news.deed)
   }
 
@@ -93,22 +96,33 @@ export class Teach {
     else if (deed === "show" && walk && !walk.lesson) walk.show(true)
   }
 
-  /** Whether it was done. @param {page.Order} order */
+  /** Whether it was done. @param {page.Order} order @returns {Promise<boolean>} */
   order(order) {
-    const {code, key} = this.room
-    const send = () => ask(`${code}/lead`, {method: "POST", body: order, word: key})
-    const done = this.orders.then(send).then(
-      () => true,
-      reason => {
-        // What waits is overtaken: the clock is looked at anyway, and the question is put again.
-        if (order.type === "clock") this.told = null
-        else if (reason instanceof Refusal && reason.status) this.lecture.page.notify([reason.message])
-        else setTimeout(() => this.order(order), 1000)
-        return false
-      },
-    )
+    const done = this.orders.then(() => this.#sent(order))
     this.orders = done
     return done
+  }
+
+  /**
+   * Nothing overtakes it: what nobody answers is asked until somebody does.
+   * @param {page.Order} order @returns {Promise<boolean>}
+   */
+  async #sent(order) {
+    const {code, key} = this.room
+    if (this.isOver || (order.type === "clock" && order !== this.told)) return false // the clock has been told anew
+    try {
+      await ask(`${code}/lead`, {method: "POST", body: order, word: key})
+      return true
+    } catch (reason) {
+      if (order.type !== "clock" && !(reason instanceof Refusal && reason.passes)) {
+        this.lecture.page.notify([reason instanceof Error ? reason.message : String(reason)])
+        return false
+      }
+    }
+    await new Promise(go => setTimeout(go, AGAIN))
+    if (order.type !== "clock") return this.#sent(order)
+    if (order === this.told) this.told = null // it is told as it stands by now
+    return false
   }
 
   /** Where followers would see another instant than this page, they are told. */
@@ -130,13 +144,14 @@ export class Teach {
 
   /** After whatever happens in a walk; null when it is left. @param {Walk | null} walk */
   walked(walk) {
-    const step = walk?.step
-    const name = walk && step ? `${walk.sheet.name}/${step.id}` : ""
-    if (name !== this.put || (walk && walk.sheet !== this.sheet)) {
-      this.put = name
+    if (!this.news.number) return // it is not known yet what has been asked
+    if (nameOf(walk) !== this.put || (walk && walk.sheet !== this.sheet)) {
+      const isShown = this.#isShown(walk)
+      this.put = nameOf(walk)
       this.sheet = walk?.sheet
       this.votes.begin(walk)
-      if (walk && step) this.#put(walk)
+      if (walk && isShown) walk.show(true)
+      else if (walk?.step) this.#put(walk)
       else this.order({type: "withdraw"})
     } else if (walk?.card && this.votes.card !== walk.card) this.votes.begin(walk)
     if (walk?.lesson && !this.shown) {
@@ -149,18 +164,25 @@ export class Teach {
 
   shown = false
 
+  /** Whether the class has seen the answer: a page loaded anew does not ask once more. @param {Walk | null} walk */
+  #isShown(walk) {
+    const {question} = this.news
+    return !this.sheet && question?.lesson && nameOf(walk) === `${question.walk}/${question.step}`
+  }
+
   /** The room must know a walk from a file before it can be asked of phones. @param {Walk} walk */
   async #put({sheet: {name}, step, walks: {own, texts}}) {
     const {put} = this
     if (own.has(name) && !(await this.order({type: "walk", name, text: texts[name]}))) return
-    if (put === this.put) this.order({type: "put", walk: name, step: step.id, again: false})
+    if (put === this.put) this.order({type: "put", walk: name, step: step.id, vote: 0})
   }
 
   /** The same question once more, after talk. */
   again() {
     const {walk} = this.lecture.walks
     if (!walk?.step) return
-    this.order({type: "put", walk: walk.sheet.name, step: walk.step.id, again: true}).then(() => this.votes.count())
+    const vote = (this.news.question?.vote ?? 1) + 1
+    this.order({type: "put", walk: walk.sheet.name, step: walk.step.id, vote}).then(() => this.votes.count())
   }
 
   end() {
@@ -170,6 +192,7 @@ export class Teach {
 
   /** @param {string} sentence */
   #over(sentence) {
+    this.isOver = true
     this.stream.close()
     clearInterval(this.looking)
     this.large.close()
@@ -183,6 +206,9 @@ export class Teach {
     this.lecture.page.notify([sentence])
   }
 }
+
+/** The question that a walk stands at. @param {Walk | null} walk */
+const nameOf = walk => (walk?.step ? `${walk.sheet.name}/${walk.step.id}` : "")
 
 function forget() {
   try {

@@ -4,6 +4,7 @@ import {ask} from "./room.js"
 
 const FIRST = [3, 12] // requests, at least and at most
 const THEN = [1, 3]
+const LIMIT = 2000 // ms for one: what takes longer says little
 const CLOSE = 10 // ms: more requests need not better such a bound
 const AGAIN = 60000 // ms, after which it is measured anew
 const DRIFT = 1e-4 // of the time since: clocks of phones run fast or slow by a fifth of that
@@ -44,7 +45,7 @@ export class Timing {
   /** The server looked at its clock between sending and receiving: the middle is off by half of that at most. */
   async measure([least, most] = THEN) {
     const sent = clock()
-    const server = await ask("time").catch(() => null)
+    const server = await ask("time", {signal: AbortSignal.timeout(LIMIT)}).catch(() => null)
     const back = clock()
     const within = (back - sent) / 2
     if (server !== null && within < this.bound) {

@@ -6,7 +6,7 @@ import {Dots} from "./dots.js"
 import {Sketches} from "./sketches.js"
 import {ask} from "./room.js"
 
-const MOMENT = 250 // ms between counts
+const MOMENT = 250 // ms between counts; one that fails is taken anew
 
 export class Votes {
   /** @type {page.Tally | null} */
@@ -78,7 +78,9 @@ export class Votes {
     this.counting = true
     this.again = false
     const {code, key} = this.teach.room
-    const tally = await ask(`${code}/tally`, {word: key}).catch(() => null)
+    const tally = await ask(`${code}/tally`, {word: key}).catch(() => {
+      this.again = true
+    })
     if (tally && `${tally.walk}/${tally.step}` === this.teach.put) this.tally = tally
     this.update()
     setTimeout(() => {

@@ -47,6 +47,10 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
     for phone in phones:
         phone.wait_for_function("t => !oscillations.clock.playing && Math.abs(oscillations.clock.t - t) < 1e-6", arg=at)
         assert phone.evaluate("oscillations.timing.bound") < 1000
+    lecture.reload()
+    lecture.wait_for_function("oscillations.walks.walk?.lesson")  # what has been shown is not asked once more
+    expect(lecture.locator(".vote-count")).to_have_text(["1 → 0", "1 → 2", "0 → 0", "0 → 0"])
+    assert phones[0].evaluate("oscillations.asked.question.vote === 2 && oscillations.asked.card.walk.lesson !== null")
 
 
 def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) -> None:
@@ -77,9 +81,18 @@ def test_a_remote_control_is_let_in_and_turns_the_pages(window: Open) -> None:
     with lecture.expect_response(re.compile("/tickets$")) as answer:
         lecture.get_by_role("button", name="Remote control").click()
     query = answer.value.json()["address"].partition("?")[2]
+    lecture.keyboard.press("j")
+    dialog = lecture.get_by_role("dialog")
+    expect(dialog).to_have_count(0)
     remote = window(query, 390, 844)
     expect(remote.locator("h1")).to_have_text(re.compile(r"^\d\d$"))
-    expect(lecture.get_by_role("dialog")).to_contain_text(f"show {remote.locator('h1').inner_text()}?")
+    asked = f"show {remote.locator('h1').inner_text()}?"
+    expect(dialog).to_contain_text(asked)  # it opens by itself, and asks as long as the phone waits
+    lecture.keyboard.press("j")
+    lecture.keyboard.press("j")
+    expect(dialog).to_contain_text(asked)
+    lecture.reload()
+    expect(dialog).to_contain_text(asked)
     lecture.get_by_role("button", name="Yes, let it in").click()
     remote.get_by_role("button", name="Close").click()
     expect(lecture.get_by_role("dialog", name="Join the class")).to_have_count(0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import subprocess
 import sys
 import time
@@ -48,6 +49,16 @@ class Valkey:
             except redis.exceptions.ConnectionError:
                 time.sleep(0.02)
         raise RuntimeError("Valkey does not start")
+
+    @contextmanager
+    def silent(self) -> Iterator[None]:
+        """It answers nothing, and nothing says why, as behind a network that is cut."""
+        assert self._process
+        self._process.send_signal(signal.SIGSTOP)
+        try:
+            yield
+        finally:
+            self._process.send_signal(signal.SIGCONT)
 
     def kill(self) -> None:
         if self._process:

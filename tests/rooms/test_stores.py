@@ -165,3 +165,19 @@ def test_a_store_that_goes_away_is_an_error_of_ours(valkey: Valkey) -> None:
                 await kept.listen(lambda code, parts: None, lambda: None)
 
     asyncio.run(test())
+
+
+def test_a_store_that_falls_silent_is_noticed_and_one_that_has_nothing_to_say_is_not(
+    valkey: Valkey, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(shared, "PULSE", 0.1)
+
+    async def test() -> None:
+        async with made("valkey", valkey.url) as kept:
+            listening = asyncio.create_task(kept.listen(lambda code, parts: None, lambda: None))
+            await asyncio.sleep(1)
+            assert not listening.done()
+            with valkey.silent(), pytest.raises(store.AwayError):
+                await asyncio.wait_for(listening, 5)
+
+    asyncio.run(test())

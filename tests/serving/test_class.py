@@ -196,7 +196,9 @@ def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> None:
         secret = ticket["address"].partition("remote=")[2]
         paired = (await called(url, path, "PUT", {"address": secret})).json
         assert (await called(url, path, "PUT", {"address": secret})).status == 403
-        assert (await leader.until(lambda event: event.get("remote")))["remote"]["digits"] == paired["digits"]
+        assert (await leader.until(lambda event: event.get("remotes")))["remotes"] == [paired["digits"]]
+        late = await lesson.lead()  # a first screen that was away, or is loaded anew, learns it too
+        assert (await late.until(lambda event: "remotes" in event))["remotes"] == [paired["digits"]]
         assert (await called(url, path, word=paired["key"])).json is None
         assert (await called(url, path, "POST", {"deed": "next"}, paired["key"])).status == 403
         tickets = f"/class/{lesson.code}/tickets"
@@ -206,7 +208,13 @@ def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> None:
         assert (await called(url, path, word=paired["key"])).json["step"] == ""
         assert (await called(url, path, "POST", {"deed": "next"}, paired["key"])).status == 204
         assert (await leader.until(lambda event: event.get("deed")))["deed"] == "next"
-        await leader.close()
+        ticket = (await called(url, tickets, "POST", word=lesson.key)).json
+        other = (await called(url, path, "PUT", {"address": ticket["address"].partition("remote=")[2]})).json
+        assert (await called(url, tickets, "DELETE", {"digits": other["digits"]}, lesson.key)).status == 204
+        refused = await called(url, path, word=other["key"])
+        assert refused.status == 403 and refused.json["sentence"].startswith("The first screen has not let")
+        for stream in (leader, late):
+            await stream.close()
 
     run(test)
 

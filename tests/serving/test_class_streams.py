@@ -57,7 +57,7 @@ def test_an_instructor_that_reads_slowly_misses_no_deed_and_hears_none_twice() -
         word = f"Authorization: Bearer {lesson.key}"
         slow.sendall(f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\n{word}\r\n\r\n".encode())
         async with asyncio.timeout(10):
-            while not (room := server.lecture.hall.rooms.get(lesson.code)) or not room.leaders:
+            while not (room := server.lecture.hall.rooms.get(lesson.code)) or not room.is_led:
                 await asyncio.sleep(0.01)
         room.tell({"deed": b'"back"'})
         for i in range(400):

@@ -1,0 +1,66 @@
+"""Phones as remote controls of a room: those that wait, by the two digits that they show, and the one that is let in.
+
+All of it is kept with the room, so that a first screen which was away, or was loaded anew, still learns who waits.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container
+from random import SystemRandom
+from time import time
+
+import msgspec
+
+from components.rooms.codes import digest, is_key
+from components.rooms.store import Parts
+
+WAITS = "waits "
+"""What the part of a phone that waits begins with; its digits follow."""
+CONTROL = "control"
+"""The part of the phone that is let in: what is kept of its key."""
+PATIENCE = 60.0
+"""Seconds for which a phone waits."""
+
+
+class Waiting(msgspec.Struct, frozen=True):
+    """What is kept of the key of a phone that waits, and until when: seconds since 1970."""
+
+    key: str
+    until: float
+
+
+def waiting(parts: Parts) -> dict[str, Waiting]:
+    """Phones that wait now, by their digits."""
+    told = {name.removeprefix(WAITS): part for name, part in parts.items() if name.startswith(WAITS) and part}
+    read = {digits: msgspec.json.decode(part, type=Waiting) for digits, part in told.items()}
+    return {digits: one for digits, one in sorted(read.items()) if one.until > time()}
+
+
+def new_digits(taken: Container[str]) -> str:
+    """Two, to be compared on two screens; ValueError where as many phones wait as there are."""
+    free = [digits for digits in map(str, range(10, 100)) if digits not in taken]
+    if not free:
+        raise ValueError("Too many remote controls wait. Within a minute there is place for another.")
+    return SystemRandom().choice(free)
+
+
+def begun(digits: str, key: str) -> Parts:
+    """The parts by which a phone waits."""
+    one = Waiting(digest(key).decode(), time() + PATIENCE)
+    return {WAITS + digits: msgspec.json.encode(one)}
+
+
+def decided(parts: Parts, digits: str, is_in: bool) -> Parts:
+    """The parts by which it is let in or sent away; ValueError, in words, where none waits with these digits."""
+    one = waiting(parts).get(digits)
+    if one is None:
+        raise ValueError("No remote control waits with these digits.")
+    return {WAITS + digits: b""} | ({CONTROL: one.key.encode()} if is_in else {})
+
+
+def is_in(parts: Parts, key: str) -> bool:
+    return is_key(key, parts.get(CONTROL, b""))
+
+
+def waits(parts: Parts, key: str) -> bool:
+    return any(is_key(key, one.key.encode()) for one in waiting(parts).values())

@@ -1,0 +1,87 @@
+"""The live class over HTTP, as a phone in the instructor's hand uses it, and the first screen that lets it in."""
+
+from __future__ import annotations
+
+import msgspec
+
+from components.page.room import Confirmed, Done, Paired, Ticket
+from components.rooms.codes import as_code, digest, new_key
+from components.rooms.remotes import begun, decided, is_in, new_digits, waits
+from components.rooms.room import ClassRoom
+from components.serving.answers import RefusedError
+from components.serving.classes import ClassAnswer, square
+
+TICKET = 60.0
+"""Seconds for which a code lets a phone in."""
+NOT_IN = "The first screen has not let this remote control in. It shows a code for a new one when it is asked."
+
+
+class LetIn(ClassAnswer):
+    """A ticket that is good once, for a minute; whether the phone that took it is let in, by the digits it shows."""
+
+    async def post(self, code: str) -> None:
+        room, ticket = await self.led(code), new_key()
+        name = f"ticket {digest(ticket).decode()}"
+        await self.asked(self.application.hall.store.lend(name, room.code.encode(), TICKET))
+        address = self.address(f"class={room.code}&remote={ticket}")
+        self.reply(Ticket(address=address, square=square(address)))
+
+    async def put(self, code: str) -> None:
+        await self._decide(code, is_in=True)
+
+    async def delete(self, code: str) -> None:
+        await self._decide(code, is_in=False)
+
+    async def _decide(self, code: str, is_in: bool) -> None:
+        room, confirmed = await self.led(code), self.body(Confirmed)
+        try:
+            parts = decided(room.parts, confirmed.digits, is_in)
+        except ValueError as reason:
+            raise RefusedError(409, str(reason)) from reason
+        await self.asked(self.application.hall.tell(room, parts))
+        self.set_status(204)
+
+
+class RemoteControl(ClassAnswer):
+    """A phone in the instructor's hand: shows its ticket, waits until it is let in, then says what is to be done."""
+
+    async def _there(self, code: str) -> ClassRoom:
+        """Not for who has shown no ticket: whether there is such a room is not told to those who guess."""
+        if not self.application.tokens.voter(code, self.word):
+            raise RefusedError(403, NOT_IN)
+        self.often(f"remote {self.word}")
+        return await self.asked(self.application.hall.room(as_code(code)))
+
+    async def put(self, code: str) -> None:
+        self.often(f"pair {code}")
+        hall, ticket = self.application.hall, self.body(Ticket)
+        kept = await self.asked(hall.store.take(f"ticket {digest(ticket.address).decode()}"))
+        if not kept or kept.decode() != as_code(code):
+            raise RefusedError(
+                403, "This code has been used, or is older than a minute. The first screen shows a new one."
+            )
+        room = await self.asked(hall.room(as_code(code)))
+        try:
+            digits = new_digits(taken=room.waiting)
+        except ValueError as reason:
+            raise RefusedError(429, str(reason), TICKET) from reason
+        paired = Paired(digits=digits, key=self.application.tokens.new(code))
+        await self.asked(hall.tell(room, begun(digits, paired.key)))
+        self.reply(paired)
+
+    async def get(self, code: str) -> None:
+        """The question that is put; null until it has been let in."""
+        room = await self._there(code)
+        if is_in(room.parts, self.word):
+            self.reply(room.question)
+        elif waits(room.parts, self.word):
+            self.reply(None)
+        else:
+            raise RefusedError(403, NOT_IN)
+
+    async def post(self, code: str) -> None:
+        room, deed = await self._there(code), self.body(Done)
+        if not is_in(room.parts, self.word):
+            raise RefusedError(403, NOT_IN)
+        await self.asked(self.application.hall.store.tell(room.code, {"deed": msgspec.json.encode(deed.deed)}))
+        self.set_status(204)

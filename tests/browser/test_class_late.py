@@ -1,0 +1,86 @@
+"""Requests of a class that fail, or are answered late: what came after them stands."""
+
+from __future__ import annotations
+
+import json
+import re
+
+import pytest
+from playwright.sync_api import APIResponse, Page, Request, Route, expect
+
+from tests.browser.classroom import CONNECTED, LED, Open, joined
+from tests.browser.fixtures import READY
+
+pytestmark = pytest.mark.browser
+
+ANSWERS = "code => Object.keys(JSON.parse(localStorage.getItem(`class-${code}`)).answers)"
+GO = "place => oscillations.walks.walk.go(place)"
+
+
+def put(phone: Page, step: str) -> None:
+    phone.wait_for_function("step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step)
+
+
+def failing(page: Page, path: str, kind: str = "") -> list[str]:
+    """The first request to a path gets no answer; what was sent to it, in order."""
+    sent: list[str] = []
+
+    def go(route: Route) -> None:
+        told = json.loads(route.request.post_data or "{}")
+        if told.get("type", "") == kind:
+            sent.append(told.get("step", route.request.url))
+            if len(sent) == 1:
+                return route.abort()
+        return route.continue_()
+
+    page.route(re.compile(path), go)
+    return sent
+
+
+def test_a_class_is_opened_once_and_no_order_is_overtaken(window: Open) -> None:
+    lecture = window("walk=d31&step=d31-01", 1920, 1080)
+    lecture.wait_for_function(CONNECTED)
+    opened: list[Request] = []
+
+    def note(request: Request) -> None:
+        if request.url.endswith("/class"):
+            opened.append(request)
+
+    lecture.on("request", note)
+    lecture.evaluate("oscillations.classes.begin(); oscillations.classes.begin()")
+    lecture.wait_for_function(LED)
+    phone = joined(window, lecture.evaluate(f"{LED}.room.code"))
+    put(phone, "d31-01")
+    sent = failing(lecture, "/lead$", "put")
+    lecture.evaluate(GO, 1)
+    lecture.evaluate(GO, 2)
+    put(phone, "d31-03")
+    assert sent == ["d31-02", "d31-02", "d31-03"]
+    assert len(opened) == lecture.locator(".class-code").count() == 1
+
+
+def test_an_answer_that_is_late_is_no_answer_to_another_question(window: Open) -> None:
+    lecture = window("walk=d31&step=d31-01", 1920, 1080)
+    lecture.wait_for_function(CONNECTED)
+    lecture.keyboard.press("t")
+    lecture.wait_for_function(LED)
+    code = lecture.evaluate(f"{LED}.room.code")
+    phone = joined(window, code)
+    put(phone, "d31-01")
+    late: list[tuple[Route, APIResponse]] = []
+    phone.route(re.compile("/answer$"), lambda route: late.append((route, route.fetch())))
+    for i in range(2):
+        phone.locator(".answers button").nth(i).click()
+        phone.wait_for_timeout(600)  # more than it waits for another change
+    assert len(late) == 1  # the second is not sent before the first is there: it might be overtaken
+    lecture.evaluate(GO, 2)
+    put(phone, "d31-03")
+    late[0][0].fulfill(response=late[0][1])
+    phone.wait_for_function(f"code => ({ANSWERS})(code).length", arg=code)
+    assert phone.evaluate(ANSWERS, code) == ["d31/d31-01/1"]
+    expect(phone.get_by_text("Sent.")).to_have_count(0)
+    phone.unroute_all()
+    asked = failing(phone, "/assets/.*json")
+    lecture.evaluate("oscillations.walks.leave(); oscillations.open({scene: 'forced'})")
+    phone.wait_for_function(f"{READY} && oscillations.page.spec.slug === 'forced'")
+    assert len(asked) == 2  # a sheet that has not come is fetched anew

@@ -1,0 +1,162 @@
+"""What changes while a room is looked up, or its store is away: nothing newer makes way for something older."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Awaitable, Callable
+
+import msgspec
+import pytest
+
+from components.page.room import PutQuestion, RunClock, SentPicture, Vote
+from components.rooms.hall import ClosedError, Hall
+from components.rooms.room import KEPT, ClassRoom
+from components.rooms.store import AwayError, MemoryStore, Parts
+from components.rooms.upkeep import Upkeep
+from components.serving import publisher
+from components.serving.publisher import Publisher
+from tests.rooms.test_hall import CHOICE, LESSONS, Listener, until
+
+CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)
+CLOCK_PART = msgspec.json.encode(CLOCK)
+
+
+class Wayward(MemoryStore):
+    """A store that can be away with all that it knows; `meanwhile` happens after it has looked a room up, before it
+    says what it found."""
+
+    away = False
+    meanwhile: Callable[[], Awaitable[object]] | None = None
+
+    async def parts(self, code: str) -> Parts:
+        self._check()
+        found, meanwhile = await super().parts(code), self.meanwhile
+        self.meanwhile = None
+        if meanwhile:
+            await meanwhile()
+        return found
+
+    async def keep(self, code: str, parts: Parts) -> bool:
+        self._check()
+        return await super().keep(code, parts)
+
+    def _check(self) -> None:
+        if self.away:
+            raise AwayError("away")
+
+
+def in_rooms(test: Callable[[Wayward, Hall, Upkeep, str, str], Awaitable[None]]) -> None:
+    """Runs a test in a hall whose store is heard."""
+
+    async def whole() -> None:
+        store = Wayward()
+        hall = Hall(store, LESSONS)
+        listening = asyncio.create_task(store.listen(hall.hear, lambda: None))
+        await asyncio.sleep(0)
+        await test(store, hall, Upkeep(hall), *await hall.open())
+        listening.cancel()
+
+    asyncio.run(whole())
+
+
+def test_what_is_told_while_a_room_is_looked_up_is_heard() -> None:
+    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+        store.meanwhile = lambda: MemoryStore.keep(store, code, {"clock": CLOCK_PART})
+        room = await hall.room(code)
+        assert room.whole().clock == CLOCK and await hall.led(code, key) is room
+        del hall.rooms[code]
+        store.meanwhile = lambda: store.end(code)
+        with pytest.raises(ClosedError):
+            await hall.room(code)
+        assert not hall.rooms
+
+    in_rooms(test)
+
+
+def test_a_look_at_the_store_brings_nothing_older_back() -> None:
+    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+        room = await hall.led(code, key)
+        listener = Listener()
+        room.ears.add(listener)
+        await hall.show(room, SentPicture(sheet="s", data=b"1"))
+        store.meanwhile = lambda: hall.show(room, SentPicture(sheet="s", data=b"2"))
+        await upkeep._restore(room)
+        assert [news.picture and news.picture.data for news in listener.news] == [b"1", b"2"]
+
+    in_rooms(test)
+
+
+def test_what_a_store_that_was_away_has_missed_takes_the_place_of_what_it_knows() -> None:
+    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+        room = await hall.led(code, key)
+        await hall.obey(room, PutQuestion(walk="d31", step="d31-02"))
+        store.away = True
+        await hall.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
+        assert room.used and room.question.step == CHOICE[1]  # those who are here have it at once
+        store.away = False
+        await upkeep._restore(room)
+        assert room.question.step == CHOICE[1] and not room.unsaved
+        assert b'"d31-03"' in (await store.parts(code))["question"]
+
+    in_rooms(test)
+
+
+def test_a_picture_waits_for_a_store_that_is_away(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(publisher, "AGAIN", 0.01)
+
+    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+        store.away = True  # and this replica does not know the room: its instructor's stream is elsewhere
+        Publisher(hall, code, key)(lambda: {"sheet": "s", "data": b"1"})
+        await asyncio.sleep(0.05)
+        store.away = False
+        await until(lambda: code in hall.rooms and hall.rooms[code].whole().picture)
+
+    in_rooms(test)
+
+
+def test_news_that_cannot_be_read_are_no_reason_to_listen_no_more(caplog: pytest.LogCaptureFixture) -> None:
+    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+        room = await hall.room(code)
+        upkeep._hear(code, {"clock": b'{"type":"another version"}'})
+        upkeep._hear(code, {"clock": CLOCK_PART})
+        assert room.whole().clock == CLOCK and "could not be read" in caplog.text
+
+    in_rooms(test)
+
+
+def test_who_has_no_stream_learns_who_is_here_and_leads_as_well() -> None:
+    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+        room = await hall.led(code, key)
+        assert not room.is_led
+        room.polled(key, leads=True)
+        room.polled("a follower's", leads=False)
+        assert room.is_led and room.followers == 1
+        number = room.number
+        await upkeep._look_at(room)
+        assert room.number != number and room.whole().here == 1
+        number = room.number
+        await upkeep._look_at(room)
+        assert room.number == number  # nothing has changed: nobody is told the whole again
+
+    in_rooms(test)
+
+
+def test_answers_do_not_make_a_deed_forgotten() -> None:
+    room = ClassRoom("K7HM", {})
+    known = room.number
+    room.tell({"deed": b'"next"'})
+    for _ in range(2 * KEPT):
+        room.tell({"answers": b"true"})
+    assert [(news.deed, news.answers) for news in room.untold(known)] == [("next", False), ("", True)]
+
+
+def test_a_vote_that_is_asked_for_twice_is_one() -> None:
+    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+        room, (walk, step) = await hall.led(code, key), CHOICE
+        await hall.obey(room, PutQuestion(walk=walk, step=step))
+        for vote, stands in ((2, 2), (2, 2), (1, 2), (9, 3)):
+            await hall.obey(room, PutQuestion(walk=walk, step=step, vote=vote))
+            assert room.question.vote == stands
+        await hall.vote(room, "one", Vote(walk=walk, step=step, option=0, vote=3))
+
+    in_rooms(test)

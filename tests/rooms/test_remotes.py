@@ -1,0 +1,84 @@
+"""Remote controls that wait: told as they stand, to whoever leads the room, however late."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+
+from components.rooms import remotes
+from components.rooms.hall import Hall
+from components.rooms.remotes import begun, decided, is_in, new_digits, waits
+from components.rooms.room import ClassRoom
+from components.rooms.upkeep import Upkeep
+from tests.rooms.test_hall import KINDS, LESSONS, Listener, made, until, valkey_running
+
+
+def told(listener: Listener) -> list[tuple[str, ...]]:
+    return [news.remotes for news in listener.news if news.remotes is not None]
+
+
+def test_two_phones_that_wait_at_once_are_both_asked_for() -> None:
+    room, leader, follower = ClassRoom("K7HM", {}), Listener(leads=True), Listener()
+    room.ears |= {leader, follower}
+    room.tell(begun("47", "one"))
+    room.tell(begun("12", "two"))
+    assert told(leader) == [("47",), ("12", "47")] and not told(follower)
+    assert room.whole(leads=True).remotes == ("12", "47") and room.whole().remotes is None
+    room.tell(decided(room.parts, "12", is_in=True))
+    assert is_in(room.parts, "two") and not is_in(room.parts, "one") and waits(room.parts, "one")
+    room.tell(decided(room.parts, "47", is_in=False))
+    assert not is_in(room.parts, "one") and not waits(room.parts, "one") and is_in(room.parts, "two")
+    assert told(leader)[2:] == [("47",), ()]
+    for digits in ("12", "47", "99"):
+        with pytest.raises(ValueError, match="No remote control waits"):
+            decided(room.parts, digits, is_in=True)
+
+
+def test_who_waits_longer_than_a_minute_is_asked_for_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    room, leader = ClassRoom("K7HM", {}), Listener(leads=True)
+    room.ears.add(leader)
+    room.tell(begun("47", "one"))
+    number = room.number
+    room.look()
+    assert len(leader.news) == 1
+    monkeypatch.setattr(remotes, "time", lambda: 4e9)
+    room.look()
+    assert told(leader) == [("47",), ()] and room.number != number  # who only asks now and then learns it too
+    with pytest.raises(ValueError, match="No remote control waits"):
+        decided(room.parts, "47", is_in=True)
+
+
+def test_no_two_phones_show_the_same_digits() -> None:
+    all_but_one = {f"{n}" for n in range(10, 100)} - {"47"}
+    assert new_digits(all_but_one) == "47"
+    with pytest.raises(ValueError, match="Too many remote controls"):
+        new_digits(all_but_one | {"47"})
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_phone_that_waits_is_known_to_a_replica_that_comes_later(kind: str) -> None:
+    async def test(halls: list[Hall]) -> None:
+        code, key = await halls[0].open()
+        await halls[0].tell(await halls[0].room(code), begun("47", "one"))
+        room = await halls[-1].led(code, key)
+        assert room.whole(leads=True).remotes == ("47",)
+        await halls[-1].tell(room, decided(room.parts, "47", is_in=True))
+        first = await halls[0].room(code)
+        await until(lambda: is_in(first.parts, "one"))
+
+    async def whole(url: str) -> None:
+        async with made(kind, url) as store, made("valkey", url) as other:
+            halls = [Hall(store, LESSONS)] + ([Hall(other, LESSONS)] if kind == "valkey" else [])
+            upkeeps = [Upkeep(hall) for hall in halls]
+            for upkeep in upkeeps:
+                upkeep.start()
+            try:
+                await until(lambda: all(upkeep.listening for upkeep in upkeeps))
+                await test(halls)
+            finally:
+                for upkeep in upkeeps:
+                    await upkeep.end()
+
+    with valkey_running() as valkey:
+        asyncio.run(whole(valkey.url))
