@@ -91,9 +91,10 @@ class ClassAnswer(Visited, Waited):
             raise RefusedError(429, "This is more often than a class can be told. A moment later it will do.", seconds)
 
     async def led(self, code: str) -> ClassRoom:
-        """The room, for its instructor alone."""
-        self.often(f"lead {code}")
-        return await self.asked(self.application.hall.led(as_code(code), self.word))
+        """The room, for its instructor alone; what others ask does not count, or they could silence an instructor."""
+        room = await self.asked(self.application.hall.led(as_code(code), self.word))
+        self.often(f"lead {room.code}")
+        return room
 
     def address(self, query: str) -> str:
         """Where the class, or a remote control, comes in."""

@@ -53,7 +53,6 @@ class RemoteControl(ClassAnswer):
         return await self.asked(self.application.hall.room(as_code(code)))
 
     async def put(self, code: str) -> None:
-        self.often(f"pair {code}")
         hall, ticket = self.application.hall, self.body(Ticket)
         kept = await self.asked(hall.store.take(f"ticket {digest(ticket.address).decode()}"))
         if not kept or kept.decode() != as_code(code):

@@ -19,6 +19,7 @@ def test_no_answer_tells_whether_there_is_a_class_of_a_code() -> None:
     asked = [
         ("GET", "lead", None), ("POST", "lead", {"type": "end"}), ("GET", "tally", None), ("GET", "answers.csv", None),
         ("POST", "tickets", None), ("PUT", "tickets", {"digits": "10"}), ("GET", "remote", None), ("GET", "now", None),
+        ("DELETE", "tickets", {"digits": "10"}),
         ("POST", "remote", {"deed": "next"}), ("PUT", "remote", {"address": "x"}), ("GET", "events", None),
         ("PUT", "answer", {**CHOICE, "option": 0}), ("POST", "answer", {**CHOICE, "option": 0}),
     ]  # fmt: skip
@@ -49,6 +50,21 @@ def test_a_remote_control_without_its_ticket_drives_nothing() -> None:
         await leader.until(lambda event: event.get("question"))
         assert not any(event.get("deed") for _, event in leader.heard)
         await leader.close()
+
+    run(test)
+
+
+def test_who_floods_an_instructors_door_does_not_close_it() -> None:
+    async def test(server: Server, url: str) -> None:
+        server.lecture.class_rate.most = 5
+        lesson, path = await Class.open(url), "/class/{}/{}"
+        for _ in range(10):
+            assert (await called(url, path.format(lesson.code, "lead"), "POST", {"type": "end"}, "x")).status == 404
+            assert (await called(url, path.format(lesson.code, "remote"), "PUT", {"address": "x"})).status == 403
+        ticket = (await called(url, path.format(lesson.code, "tickets"), "POST", word=lesson.key)).json
+        secret = {"address": ticket["address"].partition("remote=")[2]}
+        assert (await called(url, path.format(lesson.code, "remote"), "PUT", secret)).status == 200
+        assert [(await lesson.order("withdraw")).status for _ in range(6)][-1] == 429
 
     run(test)
 
