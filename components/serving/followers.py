@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import socket
-from contextlib import suppress
 from functools import lru_cache
 from time import monotonic, time
 
@@ -132,11 +131,22 @@ class Events(Follower):
             self._behind = monotonic()
             return False
         self._known = self._room.number
-        with suppress(StreamClosedError):
-            written = self._pipe.write(event if self.request.version == "HTTP/1.0" else chunk(event))
-            if not written.done():
-                written.add_done_callback(lambda _: self._catch_up())
+        self._send(event if self.request.version == "HTTP/1.0" else chunk(event))
         return True
+
+    def _send(self, data: bytes) -> None:
+        """Where nothing is on its way, past the pipe, whose own accounts take four fifths of the time."""
+        if self._pipe.closed():
+            return
+        try:
+            sent = self._pipe.socket.send(data)
+        except BlockingIOError:
+            sent = 0
+        except OSError:
+            self._pipe.close()
+            return
+        if sent < len(data):
+            self._pipe.write(data[sent:]).add_done_callback(lambda _: self._catch_up())
 
     def _catch_up(self) -> None:
         if self._behind and not self._gone.is_set():
