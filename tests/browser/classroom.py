@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import pytest
-from playwright.sync_api import Page
+from playwright.sync_api import Browser, Page
 
 from tests.browser.fixtures import READY
 from tests.serving.server import Server
@@ -27,6 +27,22 @@ def window(server: Server, new_page: Callable[..., Page]) -> Open:
         return page
 
     return go
+
+
+@pytest.fixture
+def failing(server: Server, browser: Browser) -> Iterator[Open]:
+    """The same where requests are made to fail, which browsers note as errors."""
+    contexts = []
+
+    def go(query: str, width: int, height: int) -> Page:
+        contexts.append(browser.new_context(viewport={"width": width, "height": height}, bypass_csp=True))
+        page = contexts[-1].new_page()
+        page.goto(f"{server.url}?{query}")
+        return page
+
+    yield go
+    for context in contexts:
+        context.close()
 
 
 def taught(window: Open, query: str) -> tuple[Page, str]:

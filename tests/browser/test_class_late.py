@@ -21,7 +21,7 @@ def put(phone: Page, step: str) -> None:
     phone.wait_for_function("step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step)
 
 
-def failing(page: Page, path: str, kind: str = "") -> list[str]:
+def losing(page: Page, path: str, kind: str = "") -> list[str]:
     """The first request to a path gets no answer; what was sent to it, in order."""
     sent: list[str] = []
 
@@ -37,8 +37,8 @@ def failing(page: Page, path: str, kind: str = "") -> list[str]:
     return sent
 
 
-def test_a_class_is_opened_once_and_no_order_is_overtaken(window: Open) -> None:
-    lecture = window("walk=d31&step=d31-01", 1920, 1080)
+def test_a_class_is_opened_once_and_no_order_is_overtaken(failing: Open) -> None:
+    lecture = failing("walk=d31&step=d31-01", 1920, 1080)
     lecture.wait_for_function(CONNECTED)
     opened: list[Request] = []
 
@@ -49,9 +49,9 @@ def test_a_class_is_opened_once_and_no_order_is_overtaken(window: Open) -> None:
     lecture.on("request", note)
     lecture.evaluate("oscillations.classes.begin(); oscillations.classes.begin()")
     lecture.wait_for_function(LED)
-    phone = joined(window, lecture.evaluate(f"{LED}.room.code"))
+    phone = joined(failing, lecture.evaluate(f"{LED}.room.code"))
     put(phone, "d31-01")
-    sent = failing(lecture, "/lead$", "put")
+    sent = losing(lecture, "/lead$", "put")
     lecture.evaluate(GO, 1)
     lecture.evaluate(GO, 2)
     put(phone, "d31-03")
@@ -59,13 +59,13 @@ def test_a_class_is_opened_once_and_no_order_is_overtaken(window: Open) -> None:
     assert len(opened) == lecture.locator(".class-code").count() == 1
 
 
-def test_an_answer_that_is_late_is_no_answer_to_another_question(window: Open) -> None:
-    lecture = window("walk=d31&step=d31-01", 1920, 1080)
+def test_an_answer_that_is_late_is_no_answer_to_another_question(failing: Open) -> None:
+    lecture = failing("walk=d31&step=d31-01", 1920, 1080)
     lecture.wait_for_function(CONNECTED)
     lecture.keyboard.press("t")
     lecture.wait_for_function(LED)
     code = lecture.evaluate(f"{LED}.room.code")
-    phone = joined(window, code)
+    phone = joined(failing, code)
     put(phone, "d31-01")
     late: list[tuple[Route, APIResponse]] = []
     phone.route(re.compile("/answer$"), lambda route: late.append((route, route.fetch())))
@@ -80,7 +80,7 @@ def test_an_answer_that_is_late_is_no_answer_to_another_question(window: Open) -
     assert phone.evaluate(ANSWERS, code) == ["d31/d31-01/1"]
     expect(phone.get_by_text("Sent.")).to_have_count(0)
     phone.unroute_all()
-    asked = failing(phone, "/assets/.*json")
+    asked = losing(phone, "/assets/.*json")
     lecture.evaluate("oscillations.walks.leave(); oscillations.open({scene: 'forced'})")
     phone.wait_for_function(f"{READY} && oscillations.page.spec.slug === 'forced'")
     assert len(asked) == 2  # a sheet that has not come is fetched anew
