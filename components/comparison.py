@@ -143,7 +143,7 @@ def ledger(scene: Scene, other: Scene, covered: tuple[str, ...], asked: Scene | 
     followed = dict(zip((one.name for one in other.figures()), other.figures(), strict=True))
     pairs = [
         *_moved(scene, other),
-        *(_Pair(followed[one.name], one, 1.0, one.name in hidden) for one in scene.figures() if one.name in followed),
+        *(_Pair(followed[one.name], one, 1.0, one.is_in(hidden)) for one in scene.figures() if one.name in followed),
     ]
     return tuple(pair.row() for pair in sorted(pairs, key=lambda pair: pair.same)[:MOST_ROWS])
 

@@ -41,7 +41,8 @@ class Group:
     `actions` are buttons, (name, label): the scene's `action(name)` says what they set. A `folded` group opens when
     asked for and when one of its values is not the default. `form` is the one by which a group stands. `pictures` makes
     a choice one of pictures: the shapes of a stage for each value. `facts` are rows of cells, texts for `rich`, under
-    the controls. While a `dense` group stands the panel has less room between its groups.
+    the controls. While a `dense` group stands the panel has less room between its groups. What a group `apart` sets
+    counts in its form alone.
     """
 
     title: str
@@ -53,6 +54,7 @@ class Group:
     pictures: Pictures = field(default_factory=dict)
     facts: tuple[tuple[str, ...], ...] = ()
     dense: bool = False
+    apart: bool = False
 
 
 def panel(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass
 from decimal import Decimal
 
@@ -15,7 +16,8 @@ PARTS = {0.5: "½", 0.25: "¼", 0.75: "¾"}
 
 @dataclass(frozen=True)
 class Figure:
-    """A number of a picture: `name` is that of its live number, for the covers; an angle is compared by difference."""
+    """A number of a picture: `name` is that of its live number, for the covers, and `also` are others that tell it; an
+    angle is compared by difference."""
 
     name: str
     symbol: str
@@ -23,6 +25,11 @@ class Figure:
     unit: str
     tint: str = "ink"
     angle: bool = False
+    also: tuple[str, ...] = ()
+
+    def is_in(self, covered: Collection[str]) -> bool:
+        """Whether one of these names tells it."""
+        return any(name in covered for name in (self.name, *self.also))
 
 
 def is_same(held: float, now: float) -> bool:

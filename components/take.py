@@ -20,7 +20,7 @@ from components.scene import Picture, Scene
 from components.traces import Columns
 from components.url import write_query
 
-READING = "SI units, those of a column in brackets after its name; every digit of the doubles"
+READING = "SI units, that of a column in brackets after its name, 1 for a pure number; every digit of the doubles"
 SI = {"ft": "m", "ft/s": "m/s", "knots": "m/s", "km/h": "m/s", "mm": "m", "°": "rad", "%": ""}
 """Of units that axes count in though columns do not, what the columns are in."""
 
@@ -37,7 +37,7 @@ class CsvTable:
 def as_file(scene: Scene, picture: Picture, page: str = "", answer: int | None = None) -> File:
     """The numbers of all plots that are seen, a table a file; several are packed. `page` is its address."""
     head = comments(scene, picture, page)
-    found = tables(type(scene), picture)
+    found = tables(type(scene), picture) or figures(scene, picture)
     if len(found) < 2:
         content = as_csv(found[0], head) if found else _noted(head).encode("ascii")
         return File(name=f"{scene.slug}.csv", kind="text/csv", content=content, answer=answer)
@@ -67,12 +67,17 @@ def comments(scene: Scene, picture: Picture, page: str = "") -> list[str]:
     """What the numbers belong to: the link, the parameters, the equations, the plots."""
     link = quote(page, safe=":/[]@!$&'()*+;=%") + "?" + write_query(scene).replace(",", "%2C")
     title = f"Oscillations: {scene.title}: {scene.headline}"
-    lines = [title, link, *_parameters(scene), *scene.equations, *_plots(type(scene), picture), READING]
+    lines = [title, link, *_parameters(scene, picture), *scene.equations, *_plots(type(scene), picture), READING]
     return [in_ascii(line).replace(",", ";").replace('"', "'") for line in lines]
 
 
-def _parameters(scene: Scene) -> Iterator[str]:
+def _parameters(scene: Scene, picture: Picture) -> Iterator[str]:
+    """Those that count: of another system, or another way to begin, none is told."""
+    apart = (group for group in scene.groups if group.apart and not picture.forms.get(group.form))
+    idle = {name for group in apart for name in group.names}
     for name, parameter in scene.linked().items():
+        if name in idle:
+            continue
         value = getattr(scene, name)
         if isinstance(parameter, Quantity):
             if value is not None:
@@ -105,6 +110,20 @@ def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
     return [_table(scene, picture, names, sources) for names, sources in pieces.items()]
 
 
+def figures(scene: Scene, picture: Picture) -> list[CsvTable]:
+    """Where no plot is seen, the numbers that the picture is about, unless one of them is covered."""
+    covered = {*scene.shown.values, *scene.shown.live} - {*picture.values, *picture.live}
+    found = scene.figures()
+    if not found or any(one.is_in(covered) for one in found):
+        return []
+    head = tuple(_headed(one.name, in_ascii(one.unit)) for one in found)
+    return [CsvTable("numbers", head, [tuple(one.value for one in found)])]
+
+
+def _headed(name: str, unit: str) -> str:
+    return f"{name} [{unit or 1}]"
+
+
 def _drawn(scene: type[Scene], picture: Picture, source: str, columns: Columns) -> list[str]:
     axes = column_axes(scene).get(source, {})
     found = [name for name, column in columns.items() if len(column) and axes.get(name) in picture.axes]
@@ -115,7 +134,7 @@ def _drawn(scene: type[Scene], picture: Picture, source: str, columns: Columns) 
 def _table(scene: type[Scene], picture: Picture, names: tuple[str, ...], sources: dict[str, Columns]) -> CsvTable:
     first = next(iter(sources))
     axes = {name: picture.axes.get(axis) for name, axis in column_axes(scene)[first].items()}
-    head = tuple(f"{name} [{unit}]" if (unit := _unit(axes.get(name))) else name for name in names)
+    head = tuple(_headed(name, _unit(axes.get(name))) for name in names)
     bodies = {
         source: zip(*(columns[name].tolist() for name in names), strict=True) for source, columns in sources.items()
     }

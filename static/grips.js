@@ -151,7 +151,8 @@ export class Grips {
   #take(grip) {
     const {hand} = this.page
     hand.take(grip.grab)
-    if (grip.grab.begins && !grip.grab.start.length) hand.move({x: grip.x, y: grip.y}, this.all)
+    const begun = new Set(grip.grab.start.map(({parameter}) => parameter))
+    if (grip.grab.begins && !set(grip.grab).every(name => begun.has(name))) hand.move({x: grip.x, y: grip.y}, this.all)
   }
 
   /** Where the hand is, no further than the paper or the frame of a plot. @param {{x: number, y: number}} at */

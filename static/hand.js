@@ -6,6 +6,7 @@ import {toPlace, toSI} from "./ruler.js"
 
 const FLICK = 120 // ms before letting go over which its velocity is taken
 const GRABBED = "grabbed"
+const QUARTER = Math.PI / 2 // of a turn
 const STILL = 40 // pixels a second, below which a hand rests
 /** @typedef {{x: number, y: number}} Point */
 
@@ -82,9 +83,10 @@ export class Hand {
     clock.playing = false
     clock.seek(0)
     if (!grab.start.length) return
-    const values = grab.start.map(({parameter, of, axis, size, per}) => {
+    const values = grab.start.map(({parameter, of, axis, size, per, exactly, angle}) => {
       const seconds = per ? 10 ** this.#ruler(per).exponent : 1
-      return [parameter, of ? digits(toSI(this.#ruler(axis), now[of]) / seconds / size) : 0]
+      const value = of ? toSI(this.#ruler(axis), now[of]) / seconds / size : 0
+      return [parameter, angle ? turned(value) : exactly ? value : digits(value)]
     })
     this.begun = Object.fromEntries(values)
     this.#send(this.begun)
@@ -102,7 +104,7 @@ export class Hand {
     for (const way of this.grab.ways) {
       const {si, value, pixel} = placed(way, at, all, this.#ruler(way.axis))
       if (way.moves && !this.refusal) this.moved[way.moves] = si
-      if (way.parameter) values[way.parameter] = rounded(value / way.size, pixel / way.size)
+      if (way.parameter) values[way.parameter] = pixel === null ? value : rounded(value / way.size, pixel / way.size)
     }
     if (Object.keys(values).length) this.#send(values)
     this.page.clock.dirty = true
@@ -138,16 +140,30 @@ export class Hand {
     /** @type {Record<string, number>} */
     const values = {}
     for (const way of grab?.ways ?? []) {
-      if (!way.rate || this.refusal) continue
+      if (this.refusal || !(way.rate || way.kind === "swung")) continue
       const seconds = (last.when - first.when) / 1000
       const far = Math.hypot(last.at.x - first.at.x, last.at.y - first.at.y)
       if (!seconds || far / seconds < STILL) continue
       const ruler = this.#ruler(way.axis)
-      const [before, after] = [first, last].map(({at}) => placed(way, at, all, ruler).value)
-      const own = this.begun[way.rate] ?? 0
-      values[way.rate] = digits(own + (after - before) / seconds / page.clock.factor / way.size)
+      const [before, after] = [first, last].map(({at}) => placed(way, at, all, ruler))
+      const [from, to] = [before, after].map(({goes, value}) => goes ?? value)
+      const rate = (to - from) / seconds / page.clock.factor
+      if (way.kind === "swung") Object.assign(values, this.#swung(way, to, rate))
+      else values[way.rate] = digits((this.begun[way.rate] ?? 0) + rate / way.size)
     }
     return values
+  }
+
+  /**
+   * Amplitude or phase of a sine that starts at a place with a velocity; nothing of one that never turns.
+   * @param {page.Swung} way @param {number} place @param {number} velocity
+   */
+  #swung({parameter, of, turn}, place, velocity) {
+    const signal = this.page.shown.view.signals[turn]
+    const omega = signal?.kind === "sines" ? signal.line[1] / this.page.clock.unit : 0
+    if (!omega) return {}
+    const lag = velocity / omega
+    return {[parameter]: digits(of === "phase" ? Math.atan2(place, lag) : Math.hypot(place, lag))}
   }
 
   /** @param {Record<string, number>} values @param {boolean} [holding] */
@@ -176,8 +192,13 @@ export class Hand {
 }
 
 /**
- * What the place of a hand stands for: in SI as it is drawn, as a value, and how much of that a pixel is.
- * @param {page.AnyWay} way @param {Point} at @param {Named} all @param {page.Ruler} ruler
+ * What the place of a hand stands for: in SI as it is drawn; as a value, and how much of that a pixel is, or null where
+ * every digit counts; and what a flick gives a velocity, where that is not the value.
+ * @typedef {{si: number, value: number, pixel: number | null, goes?: number}} Placed
+ */
+
+/**
+ * @param {page.AnyWay} way @param {Point} at @param {Named} all @param {page.Ruler} ruler @returns {Placed}
  */
 function placed(way, at, all, ruler) {
   if (way.kind === "turn") {
@@ -194,8 +215,9 @@ function placed(way, at, all, ruler) {
 }
 
 /**
- * @param {page.Along | page.Share | page.Quotient} way @param {number} place @param {number} pixel of the axis
- * @param {Named} all @param {page.Ruler} ruler
+ * @param {page.Along | page.Share | page.Quotient | page.Swung} way
+ * @param {number} place @param {number} pixel of the axis
+ * @param {Named} all @param {page.Ruler} ruler @returns {Placed}
  */
 function onLine(way, place, pixel, all, ruler) {
   const inside = Math.min(Math.max(place, way.least ?? -Infinity), way.most ?? Infinity)
@@ -205,8 +227,11 @@ function onLine(way, place, pixel, all, ruler) {
     const value = all[way.over] / inside
     return {si, value, pixel: Math.abs(value - all[way.over] / (inside + pixel))}
   }
-  const share = polynomial(way.share, all)
-  return {si: share * si, value: share * si + toSI(ruler, all[way.rest]), pixel: Math.abs(share * (beside - si))}
+  const part = polynomial(way.share, all) * si
+  if (way.kind === "share") return {si: part, value: part + toSI(ruler, all[way.rest]), pixel: null}
+  const [goes, near] = [si, beside].map(one => polynomial(way.counted, all) * one)
+  if (way.of === "phase") return {si: part, value: goes < 0 ? -QUARTER : QUARTER, pixel: null, goes}
+  return {si: part, value: Math.abs(goes), pixel: Math.abs(near - goes), goes}
 }
 
 /** A value to the digits that a hand can tell apart. @param {number} value @param {number} pixel */
@@ -215,6 +240,9 @@ function rounded(value, pixel) {
   const step = 10 ** Math.floor(Math.log10(pixel))
   return Number((Math.round(value / step) * step).toPrecision(12)) + 0
 }
+
+/** An angle without whole turns. @param {number} angle */
+const turned = angle => angle - 4 * QUARTER * Math.round(angle / (4 * QUARTER))
 
 /** @param {number} value */
 const digits = value => Number(value.toPrecision(4)) + 0

@@ -841,6 +841,17 @@ declare namespace page {
     over: string
   }
 
+  /** What stands at the hand, times `counted`, is a sine at a turning point: the value is its amplitude, or where
+   * `of` says so its phase, in rad. What moves is `share` of it. A flick gives it a velocity; `turn` is the signal of
+   * its argument. */
+  interface Swung extends Stretch {
+    kind: "swung"
+    of: "amplitude" | "phase"
+    counted: Number
+    share: Number
+    turn: string
+  }
+
   /** The angle about (x, y) in rad, from straight down, counted to the right (anticlockwise): 0 stands at `zero`, one
    * is `unit` rad. Of a circle seen from the side `tall` is the height over the width. */
   interface Turn extends Way {
@@ -861,16 +872,19 @@ declare namespace page {
     head: string
   }
 
-  type AnyWay = Along | Share | Quotient | Turn | Trade
+  type AnyWay = Along | Share | Quotient | Swung | Turn | Trade
 
   /** The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0; of a
-   * velocity on an axis of places `per` is the one of the time. */
+   * velocity on an axis of places `per` is the one of the time. Of what goes on as it was every digit is taken
+   * `exactly`; an angle, in rad, without whole turns. */
   interface Begin {
     parameter: string
     of: string
     axis: string
     size: number
     per: string
+    exactly: boolean
+    angle: boolean
   }
 
   /** What a hand does with a shape; `label` names it for a screen reader.

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from components.axes import TIME_AXIS
 from components.chain.modes import MODES, directions
 from components.chain.stage import rest
 from components.grabs import at_rest, begin, on_plot
-from components.page.numbers import var
-from components.page.shapes import Along, Begin, Grab, Share
+from components.page.numbers import Number, var
+from components.page.shapes import Along, Begin, Grab, Share, Swung
 from components.stage import W
 from physics.coupled import TwoMassChain
 
@@ -36,9 +38,10 @@ def plane_grab(plot: str) -> Grab:
 
 
 def mode_grab(mode: str, mass: int) -> Grab:
-    """Of mass 1 or 2 in one mode alone: its amplitude and phase; the other mode goes on as it was."""
-    other = MODES[1 - MODES.index(mode)]
-    going = tuple(Begin(f"v{i}_0", f"v{i}_{other}", "x", per=TIME_AXIS) for i in (1, 2))
+    """Of mass 1 or 2 in one mode alone: its part of the start; the other mode goes on as it was."""
+    other = _other(mode)
+    places = tuple(Begin(f"x{i}_0", f"x{i}", "x", exactly=True) for i in (1, 2))
+    going = tuple(Begin(f"v{i}_0", f"v{i}_{other}", "x", per=TIME_AXIS, exactly=True) for i in (1, 2))
     ways = (
         Share(
             parameter=f"x{i}_0",
@@ -48,18 +51,54 @@ def mode_grab(mode: str, mass: int) -> Grab:
             across="x",
             zero=rest(mass),
             unit=var("metre") * W,
-            share=1.0 if i == mass else var(f"{mode}_{i}_by_{mass}"),
+            share=_share(mode, i, mass),
             rest=f"x{i}_{other}",
         )
         for i in (1, 2)
     )
-    return begin(f"{mode.capitalize()} mode, start, by mass {mass}", *ways, start=PLACES + going)
+    return begin(_label(mode, mass), *ways, start=places + going)
+
+
+def swing_grab(mode: str, mass: int) -> Grab:
+    """The same where modes give the motion: of the amplitude and the phase of this one."""
+    other = _other(mode)
+    of: tuple[tuple[Literal["amplitude", "phase"], str], ...] = (("amplitude", "X"), ("phase", "phi"))
+    ways = (
+        Swung(
+            parameter=f"{symbol}_{mode}",
+            of=name,
+            moves=f"x{i}_{mode}",
+            axis="x",
+            across="x",
+            zero=rest(mass),
+            unit=var("metre") * W,
+            counted=var(f"{mode}_by_{mass}"),
+            share=_share(mode, i, mass),
+            turn=f"turn_{mode}",
+        )
+        for i, (name, symbol) in enumerate(of, start=1)
+    )
+    going = Begin(f"phi_{other}", f"turn_{other}", exactly=True, angle=True)
+    return begin(_label(mode, mass), *ways, start=(going,))
+
+
+def _other(mode: str) -> str:
+    return MODES[1 - MODES.index(mode)]
+
+
+def _share(mode: str, i: int, mass: int) -> Number:
+    return 1.0 if i == mass else var(f"{mode}_{i}_by_{mass}")
+
+
+def _label(mode: str, mass: int) -> str:
+    return f"{mode.capitalize()} mode, start, by mass {mass}"
 
 
 def shares(system: TwoMassChain) -> dict[str, float]:
-    """How far each mass goes in each mode, by the other one: where that one moves, and so can be taken."""
+    """How far each mass goes in each mode, by the other one; and the mass on which its amplitude is counted, by each:
+    0 for one that rests, and so cannot be taken."""
     found: dict[str, float] = {}
     for mode, (one, two) in zip(MODES, directions(system), strict=True):
         found |= {f"{mode}_2_by_1": two / one if one else 0.0, f"{mode}_1_by_2": one / two if two else 0.0}
-        found |= {f"{mode}_by_1": float(one != 0), f"{mode}_by_2": float(two != 0)}
+        found |= {f"{mode}_by_1": float(one != 0), f"{mode}_by_2": (one / two if one else 1.0) if two else 0.0}
     return found

@@ -26,15 +26,17 @@ def direction_lines(system: TwoMassChain, far: float) -> Columns:
     return {f"{mode}{i}": part * ends for mode, parts in pairs for i, part in enumerate(parts, start=1)}
 
 
-def mode_figures(system: TwoMassChain, *names: str) -> tuple[Figure, ...]:
-    """The natural frequencies, whose live numbers have these names, and the shapes."""
+def mode_figures(system: TwoMassChain, omega: str, ratio: str) -> tuple[Figure, ...]:
+    """The natural frequencies and the shapes. The names of their live numbers, of which a scene may have several, are
+    `omega` and `ratio` with {mode} for slow or fast, {sign} for minus or plus."""
     modes = system.modes()
-    rows = zip(names, MODES, "−+", modes.omega.tolist(), modes.ratio.tolist(), strict=True)
+    rows = zip(MODES, ("minus", "plus"), "−+", modes.omega.tolist(), modes.ratio.tolist(), strict=True)
     return tuple(
-        figure
-        for name, mode, sign, omega, ratio in rows
-        for figure in (
-            Figure(name, f"ω_{{{sign}}}", omega, "rad/s", mode),
-            Figure(f"ratio of {name}", f"X₂/X₁_{{{sign}}}", ratio, "", mode),
+        Figure(name, symbol, value, unit, mode, also=tuple(also))
+        for mode, word, sign, frequency, shape in rows
+        for told, symbol, value, unit in (
+            (omega, f"ω_{{{sign}}}", frequency, "rad/s"),
+            (ratio, f"X₂/X₁_{{{sign}}}", shape, ""),
         )
+        for name, *also in [told.format(mode=mode, sign=word).split()]
     )

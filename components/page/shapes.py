@@ -55,6 +55,17 @@ class Quotient(Stretch, frozen=True, kw_only=True, tag="quotient"):
     over: str
 
 
+class Swung(Stretch, frozen=True, kw_only=True, tag="swung"):
+    """What stands at the hand, times `counted`, is a sine at a turning point: the value is its amplitude, or where
+    `of` says so its phase, in rad. What moves is `share` of it. A flick gives it a velocity; `turn` is the signal of
+    its argument."""
+
+    of: Literal["amplitude", "phase"]
+    counted: Number
+    share: Number
+    turn: str
+
+
 class Turn(Way, frozen=True, kw_only=True, tag="turn"):
     """The angle about (x, y) in rad, from straight down, counted to the right (anticlockwise): 0 stands at `zero`, one
     is `unit` rad. Of a circle seen from the side `tall` is the height over the width."""
@@ -75,18 +86,21 @@ class Trade(Way, frozen=True, kw_only=True, tag="trade"):
     head: str
 
 
-AnyWay: TypeAlias = Along | Share | Quotient | Turn | Trade
+AnyWay: TypeAlias = Along | Share | Quotient | Swung | Turn | Trade
 
 
 class Begin(Struct, frozen=True):
     """The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0; of a
-    velocity on an axis of places `per` is the one of the time."""
+    velocity on an axis of places `per` is the one of the time. Of what goes on as it was every digit is taken
+    `exactly`; an angle, in rad, without whole turns."""
 
     parameter: str
     of: str = ""
     axis: str = ""
     size: float = 1.0
     per: str = ""
+    exactly: bool = False
+    angle: bool = False
 
 
 class Grab(Struct, frozen=True, kw_only=True):

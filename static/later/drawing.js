@@ -3,9 +3,10 @@
 import {set, svg, unitSize} from "../dom.js"
 import {Flags, Labels} from "../labels.js"
 import {fixed} from "../numbers.js"
+import {evaluate} from "../signals.js"
 import {Stage} from "../stage.js"
 import {axes} from "./describe.js"
-import {linesOf} from "./ghosts.js"
+import {HeldName, linesOf, StageGhost} from "./ghosts.js"
 import {plain} from "./plain.js"
 
 const FAR = 1e4 // pixels beyond which no curve is followed
@@ -68,6 +69,7 @@ export class Drawing {
     for (const region of this.block.regions) this.#region(region)
     this.inside.append(...held(true))
     for (const curve of this.block.curves) this.#curve(curve)
+    if (this.under) this.#name(lines, this.under.name)
     const flags = new Flags(/** @type {any} */ (this))
     const labels = new Labels(/** @type {any} */ (this))
     fill(this.over, this.view, named)
@@ -77,6 +79,12 @@ export class Drawing {
     if (marks.length) this.inside.append(this.#shapes(named, marks))
     if (this.block.shapes.length) this.over.append(this.#shapes(named, this.block.shapes))
     this.over.append(...flags.marks.flatMap(({flag}) => this.#flag(flag)))
+  }
+
+  /** @param {import("./ghosts.js").Line[]} lines @param {string} name */
+  #name(lines, name) {
+    this.ghost = new HeldName(this.over)
+    this.ghost.tell(lines, name, this.block.time)
   }
 
   #grid() {
@@ -157,9 +165,22 @@ export class Drawing {
     stage.update(this.view.left_out)
     fill(stage.svg, this.view, named)
     stage.frame(named)
+    this.#held(stage, named)
     const drawn = svg("g", {}, ...stage.svg.childNodes)
     layer.remove()
     return drawn
+  }
+
+  /**
+   * Beside the shapes those of the picture held, whose numbers keep clear of what stands.
+   * @param {Stage} stage @param {Named} named
+   */
+  #held(stage, named) {
+    const {compare, clock} = this.page
+    const held = compare.ghosts?.held
+    if (!held) return
+    new StageGhost(stage).frame(evaluate(held.signals, held.scalars, clock.t), this.view)
+    stage.frame(named)
   }
 
   /**

@@ -94,21 +94,41 @@ class Thumb {
   }
 }
 
-/** Over a plot as it is, and in a picture of it. */
-export class PlotGhost {
+/** Which lines of a plot are those of a picture held: their name, and a ring where they start as the live ones do. */
+export class HeldName {
+  /** @type {number | null} where the name wants to stand */
+  end = null
+
+  /** @param {SVGElement} over what is drawn over the plot */
+  constructor(over) {
+    this.name = svg("text", {class: "curve-label held-name"})
+    this.same = svg("g", {class: "same"})
+    over.append(this.name, this.same)
+  }
+
+  /** @param {Line[]} lines @param {string} name of what they are of, if it has one @param {boolean} isTime */
+  tell(lines, name, isTime) {
+    const named = lines.find(line => line.named)
+    this.same.replaceChildren(...(name && isTime ? starts(lines) : []))
+    this.end = name && named ? named.end : null
+    this.name.textContent = this.end === null ? "" : name
+    this.name.setAttribute("class", `curve-label held-name ${named?.look ?? ""}`)
+  }
+}
+
+/** Over a plot. */
+export class PlotGhost extends HeldName {
   /** @type {Under | null} */
   under = null
 
   /** @param {import("../plots.js").Plot} plot */
   constructor(plot) {
+    super(plot.over)
     this.plot = plot
     this.lines = svg("svg", {class: "ghosts", "aria-hidden": "true"})
     this.edges = svg("svg", {class: "ghosts", "aria-hidden": "true"}) // of what is filled, which hides what is under it
-    this.name = svg("text", {class: "curve-label held-name"})
-    this.same = svg("g", {class: "same"})
     plot.host.prepend(this.lines)
     plot.figure.element.after(this.edges)
-    plot.over.append(this.name, this.same)
     plot.ghost = this
   }
 
@@ -133,15 +153,8 @@ export class PlotGhost {
       const drawn = lines.filter(line => line.above === above)
       host.replaceChildren(...drawn.map(({look, d}) => svg("path", {class: `held ${look}`, d})))
     }
-    const named = lines.find(line => line.named)
-    this.same.replaceChildren(...(this.under?.name && this.plot.block.time ? starts(lines) : []))
-    this.end = this.under?.name && named ? named.end : null
-    this.name.textContent = this.end === null ? "" : (this.under?.name ?? "")
-    this.name.setAttribute("class", `curve-label held-name ${named?.look ?? ""}`)
+    this.tell(lines, this.under?.name ?? "", this.plot.block.time)
   }
-
-  /** @type {number | null} where the name wants to stand */
-  end = null
 }
 
 /**
@@ -232,7 +245,7 @@ function path(points) {
 }
 
 /** What moves on a stage: what a hand can take to begin a motion, and what else says so. */
-class StageGhost {
+export class StageGhost {
   /** @param {import("../stage.js").Stage} stage */
   constructor(stage) {
     this.stage = stage

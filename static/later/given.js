@@ -1,5 +1,6 @@
 // What a picture is of: the parameters as the panel shows them, the instant, and the link.
 
+import {marked} from "../dom.js"
 import {indexed, plain} from "./plain.js"
 
 /** @typedef {import("../page.js").Page} Page */
@@ -24,3 +25,13 @@ export const link = page => new URL(page.link, location.href).href
 
 /** @param {Page} page */
 export const instant = page => (page.shown.view.time ? `t = ${page.clock.t.toFixed(page.timePlaces)} s` : "")
+
+/** What of the picture held, which is dotted, is another number. @param {Page} page */
+export function held({shown}) {
+  const rows = shown.held?.ledger.filter(({same}) => !same) ?? []
+  const told = rows.map(({symbol, held: number, unit}) => {
+    const name = plain(marked("i", {}, symbol))
+    return `${name} = ${number} ${unit}`.trim()
+  })
+  return told.length ? [`Dotted: held, ${told[0]}`, ...told.slice(1)] : []
+}

@@ -3,7 +3,7 @@
 import {element, long, set, svg, textWidth, unitSize} from "../dom.js"
 import {evaluate} from "../signals.js"
 import {Drawing} from "./drawing.js"
-import {instant, link, parameters} from "./given.js"
+import {held, instant, link, parameters} from "./given.js"
 import {plain} from "./plain.js"
 
 const WIDE = 560 // of a picture; its type is that of the page, so large beside it
@@ -89,7 +89,8 @@ class Easel {
   /** @param {Page} page @param {string} [when] */
   caption(page, when) {
     this.y += 4
-    this.write([when, ...parameters(page)].filter(Boolean).join(",  "), "t0 mute", /(?<=, {2})/)
+    for (const one of [[when, ...parameters(page)], held(page)])
+      if (one.some(Boolean)) this.write(one.filter(Boolean).join(",  "), "t0 mute", /(?<=, {2})/)
     this.write(link(page), "t0 mute", /(?<=[?&,])|(?<=.{60})(?=.{20})/)
   }
 

@@ -47,7 +47,12 @@ ACROSS, DOWN, BOTH = ((15, 0), (-12, 2)), ((0, 10), (2, -8)), ((10, 5), (-8, -6)
 WAYS = {"x": ACROSS, "y": DOWN, "xy": BOTH, "": ((5, 2), (9, 4))}
 """Where a hand leads what it follows along x, along y, along both, or around."""
 KINDS: dict[str, tuple[tuple[str, str], ...]] = {
-    "oscillator": (("Mass", "y"), ("Turning arrow", "xy")),
+    "oscillator": (
+        ("Mass", "y"),
+        ("Turning arrow", "xy"),
+        ("Point of the phase plane", "xy"),
+        ("Arrow at the start", "xy"),
+    ),
     "energy": (("Mass", "y"), ("Ball", "x")),
     "phugoid": (("Aircraft, height at the", "y"),),
     "coupled": (
@@ -60,13 +65,17 @@ KINDS: dict[str, tuple[tuple[str, str], ...]] = {
     "absorber": (("Absorber", "x"), ("Running speed, with the absorber", "x")),
     "analogues": (("Bob", ""), ("Spring's mass", "y")),
 }
-SYSTEMS = {
-    "floating": ("Floating body", "y"),
-    "string": ("String", "y"),
-    "pipe": ("Air", "x"),
-    "shaft": ("Rotor", ""),
-    "circuit": ("Charge", "y"),
+CHOSEN: dict[str, dict[tuple[str, str], tuple[str, str]]] = {
+    "phugoid": {("show", "limits"): ("Speed at the start", "x")},
+    "analogues": {
+        ("system", "floating"): ("Floating body", "y"),
+        ("system", "string"): ("String", "y"),
+        ("system", "pipe"): ("Air", "x"),
+        ("system", "shaft"): ("Rotor", ""),
+        ("system", "circuit"): ("Charge", "y"),
+    },
 }
+"""What is there to grab once something else is shown."""
 
 
 @pytest.mark.parametrize("slug", KINDS)
@@ -75,9 +84,9 @@ def test_the_handle_is_where_the_hand_is_though_answers_are_late(slug: str, page
     page.evaluate(LATE)
     for name, along in KINDS[slug]:
         taken(page, name, along)
-    for system, (name, along) in SYSTEMS.items() if slug == "analogues" else ():
-        page.evaluate("value => oscillations.send({type: 'choose', name: 'system', value})", system)
-        page.wait_for_function("system => oscillations.shown.settings.system.value === system", arg=system)
+    for choice, (name, along) in CHOSEN.get(slug, {}).items():
+        page.evaluate("([name, value]) => oscillations.send({type: 'choose', name, value})", choice)
+        page.wait_for_function("([name, value]) => oscillations.shown.settings[name].value === value", arg=choice)
         taken(page, name, along)
 
 

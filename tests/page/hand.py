@@ -11,7 +11,7 @@ from components.description import blocks
 from components.frames import FITTED
 from components.page.blocks import PlotBlock, StageBlock
 from components.page.picture import Ruler
-from components.page.shapes import AnyShape, AnyWay, Box, Grab, Quotient, Share, Stretch, Turn
+from components.page.shapes import AnyShape, AnyWay, Box, Grab, Quotient, Share, Stretch, Swung, Turn
 from components.scene import Scene
 from tests.page.playing import number, played
 
@@ -90,7 +90,17 @@ class Hand:
         if isinstance(way, Share):
             part = _at(way.share, named) * si
             return part, (part + _si(ruler, named[way.rest])) / way.size
+        if isinstance(way, Swung):
+            counted = _at(way.counted, named) * si
+            value = abs(counted) if way.of == "amplitude" else math.copysign(math.pi / 2, counted)
+            return _at(way.share, named) * si, value
         return si, si / way.size
+
+    def take(self, grab: Grab, grip: Point, named: Named) -> dict[str, float]:
+        """The same, and what the hand sets at once because nothing else begins it."""
+        begun = self.begin(grab, named)
+        placed = {way.parameter: self.placed(way, grip, named)[1] for way in grab.ways if way.parameter}
+        return begun if placed.keys() <= begun.keys() else placed | begun
 
     def begin(self, grab: Grab, named: Named) -> dict[str, float]:
         """What the start of a motion becomes when it is taken in hand."""
@@ -99,7 +109,8 @@ class Hand:
         for begin in grab.start:
             seconds = 10.0 ** rulers[begin.per].exponent if begin.per else 1.0
             seen = _si(rulers.get(begin.axis, PLAIN), named[begin.of]) if begin.of else 0.0
-            found[begin.parameter] = seen / seconds / begin.size
+            value = seen / seconds / begin.size
+            found[begin.parameter] = math.remainder(value, 2 * math.pi) if begin.angle else value
         return found
 
 

@@ -112,6 +112,15 @@ def test_what_is_covered_is_not_told_of_what_is_held() -> None:
     assert ledger(told)['<span class="v">ω</span><sub>−</sub>'] == ("1.00", "?", "?")
 
 
+def test_a_number_that_a_page_tells_by_several_names_is_covered_by_each() -> None:
+    page = Page(SCENES["modes"]())
+    hold(page)
+    covers = ["value:fast_omega", "value:now_ratio_slow"]
+    told = change(page, parameters={"task": "solve", "k2": 3.0}, covered=covers)
+    hidden = [(row["tint"], row["unit"]) for row in told["held"]["ledger"] if row["now"] == "?"]
+    assert sorted(hidden) == [("fast", "rad/s"), ("slow", "")]
+
+
 def test_what_cannot_be_held_is_refused() -> None:
     page = Page(SCENES["coupled"]())
     told = change(page, held={"m1": -1.0})

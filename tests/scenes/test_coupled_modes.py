@@ -13,10 +13,11 @@ import pytest
 from components.chain import of_scene as chain_of
 from components.opening import opened
 from components.scenes import SCENES
+from components.scenes.coupled.starting import motion
 from components.url import read_query
 from physics.coupled import TwoMassChain, free_modes
 from physics.modal_start import amplitudes_and_phases, modes_given, start_given
-from tests.page.hand import Hand, grabs
+from tests.page.hand import Hand, grabs, sets
 from tests.page.told import Page, change, put
 from tests.scenes.checks import as_arguments
 
@@ -79,26 +80,53 @@ def test_one_mode_alone_is_that_mode_exactly() -> None:
     assert told["state"]["parameters"].get("given_by") is None, "a start is given by starting values"
 
 
-def test_a_hand_on_what_is_drawn_sets_the_modes_that_give_the_motion() -> None:
+LABEL = "Slow mode, start, by mass 1"
+
+
+def test_a_hand_on_a_mode_sets_its_amplitude_and_phase_and_the_other_goes_on() -> None:
     page = Page(SCENES["coupled"]())
-    put(page, X_slow=0.5, X_fast=0.25, phi_slow=0.3, phi_fast=1.1)
+    put(page, X_slow=0.5, X_fast=0.1 + 0.2, phi_slow=0.3, phi_fast=1.1)
     scene = page.scene
-    (grab,) = (grab for _, grab in grabs(SCENES["coupled"]) if grab.label == "Slow mode, start, by mass 1")
+    _, grab = (grab for _, grab in grabs(SCENES["coupled"]) if grab.label == LABEL)
+    assert sets(grab) == ["X_slow", "phi_slow"]
     hand = Hand(scene, wide=True)
-    held = hand.begin(grab, hand.all(0.7))
+    shape = next(shape for shape, one in grabs(SCENES["coupled"]) if one is grab)
+    named = hand.all(0.7)
+    held = hand.take(grab, hand.grip(shape, named) or (0, 0), named)
+    slow, fast = chain_of(scene).modes().omega
+    turned = 1.1 + 0.7 * fast
     told = page.say({"type": "set", "values": held, "holding": True, "number": 81})
     assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes"
-    slow, fast = chain_of(scene).modes().omega
-    assert scene.X_fast == pytest.approx(0.25) and math.sin(scene.phi_fast) == pytest.approx(math.sin(1.1 + 0.7 * fast))
-    assert scene.X_slow == pytest.approx(0.5 * abs(math.sin(0.3 + 0.7 * slow)))
-    further = {"x1_0": scene.x1_0 + 0.2, "x2_0": scene.x2_0 + 0.4}
-    told = page.say({"type": "set", "values": further, "holding": True, "number": 82})
-    assert scene.X_slow == pytest.approx(0.5 * math.sin(0.3 + 0.7 * slow) + 0.2)
-    assert scene.phi_slow == pytest.approx(math.pi / 2) and scene.X_fast == pytest.approx(0.25)
-    flick = {"v1_0": scene.v1_0 + 0.3, "v2_0": scene.v2_0 + 0.6}
-    told = page.say({"type": "set", "values": flick, "holding": False, "number": 83})
+    assert scene.X_fast == 0.1 + 0.2 and scene.phi_fast == pytest.approx(math.remainder(turned, 2 * math.pi), rel=1e-14)
+    assert scene.X_slow == pytest.approx(0.5 * abs(math.sin(0.3 + 0.7 * slow))) and scene.phi_slow == math.pi / 2
+    page.say({"type": "set", "values": {"phi_slow": -math.pi / 2}, "holding": False, "number": 82})
+    assert scene.X_fast == 0.1 + 0.2 and scene.x1_0 == pytest.approx(0.3 * math.sin(turned) - scene.X_slow)
+
+
+def test_a_hand_on_a_mode_leaves_every_digit_of_the_other_where_values_give_the_motion() -> None:
+    page = Page(SCENES["coupled"](x1_0=0.7, v2_0=1 / 3))
+    scene = page.scene
+    before = motion(scene).amplitude[1]
+    grab, _ = (grab for _, grab in grabs(SCENES["coupled"]) if grab.label == LABEL)
+    hand = Hand(scene, wide=True)
+    for t in (0.7, 0.0):
+        page.scene.set(hand.begin(grab, hand.all(t)))
+        assert motion(scene).amplitude[1] == pytest.approx(before, rel=1e-14)
+    at = {way.parameter: hand.placed(way, (300.0, 0.0), hand.all(0.0))[1] for way in grab.ways}
+    page.scene.set(at)
+    assert motion(scene).amplitude[1] == pytest.approx(before, rel=1e-14)
+
+
+def test_a_hand_on_a_mass_sets_the_modes_that_give_the_motion() -> None:
+    page = Page(SCENES["coupled"]())
+    put(page, X_slow=0.5, X_fast=0.25, phi_slow=0.3, phi_fast=1.1)
+    grab = next(grab for _, grab in grabs(SCENES["coupled"]) if grab.label == "Mass 1, start")
+    held = Hand(page.scene, wide=True).begin(grab, Hand(page.scene, wide=True).all(0.7))
+    told = page.say({"type": "set", "values": held, "holding": True, "number": 81})
     assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes"
-    assert scene.X_slow * math.cos(scene.phi_slow) * slow == pytest.approx(0.3)
+    assert page.scene.v1_0 == 0 and abs(page.scene.phi_slow) == abs(page.scene.phi_fast) == math.pi / 2
+    told = page.say({"type": "set", "values": {"v1_0": 0.3}, "holding": False, "number": 83})
+    assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes", "a flick as well"
     assert put(page, x1_0=0.25)["state"]["parameters"].get("given_by") is None, "a typed start gives the motion itself"
 
 

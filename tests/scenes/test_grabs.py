@@ -9,6 +9,7 @@ from typing import Any
 import param
 import pytest
 
+from components.chain import START
 from components.page.shapes import AnyShape, Grab
 from components.scene import Scene, frame_of
 from components.scenes import SCENES
@@ -26,7 +27,7 @@ ALSO: dict[str, tuple[dict[str, Any], ...]] = {
     "absorber": ({"played": "rest", "x1_0": 0.002},),
 }
 """States in which something else is in hand."""
-FOLLOWS = {"absorber": ("played", "k2"), "coupled": ("given_by", *BY_MODES)}
+FOLLOWS = {"absorber": ("played", "k2"), "coupled": ("given_by", *BY_MODES, *START.names)}
 """What follows from a value that is set: a start is played, a tuned spring follows the speed, modes their start."""
 
 
@@ -89,7 +90,7 @@ def dragged(hand: Hand, shape: AnyShape, grab: Grab) -> bool:
     t = AT
     if grab.begins:
         grip = hand.grip(shape, named)
-        scene.set(hand.begin(grab, named))
+        scene.set(hand.take(grab, grip, named) if grip and grab.start else {})
         t, named = 0.0, hand.all(0.0)
         if grab.start:
             assert hand.grip(shape, named) == pytest.approx(grip, abs=NEAR), grab.label

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import csv
 import io
+import re
 import zipfile
 from collections.abc import Iterator
 from typing import Any
@@ -15,6 +16,7 @@ import pandas as pd
 import param
 import pytest
 
+from components.chain import of_scene
 from components.description import plots
 from components.scene import Scene
 from components.scenes import SCENES
@@ -62,9 +64,7 @@ def comments(content: bytes) -> list[str]:
 def test_pandas_reads_every_column_of_every_plot_to_the_last_digit(slug: str) -> None:
     for scene in [SCENES[slug](), *views(slug)]:
         drawn = [plot for plot in plots(SCENES[slug]) if plot.x in scene.shown.axes and plot.y in scene.shown.axes]
-        files = [content for content in taken(scene).values() if body(content)]
-        assert bool(files) == bool(drawn)
-        for content in files:
+        for content in taken(scene).values() if drawn else ():
             table = pd.read_csv(io.BytesIO(content), comment="#")
             for rows in [rows for _, rows in table.groupby("curve")] if "curve" in table else [table]:
                 columns = {name.split(" [")[0]: rows[name].to_numpy() for name in rows if name != "curve"}
@@ -113,9 +113,25 @@ def test_what_is_covered_is_not_in_the_files() -> None:
     )
 
 
-def test_where_no_plot_is_seen_there_is_what_the_numbers_would_be_of() -> None:
+def test_where_no_plot_is_seen_there_are_the_numbers_unless_they_are_covered() -> None:
     (content,) = taken(SCENES["modes"](task="solve")).values()
+    table = pd.read_csv(io.BytesIO(content), comment="#")
+    modes = of_scene(SCENES["modes"]()).modes()
+    assert table["omega_slow [rad/s]"].tolist() == [modes.omega[0]]
+    assert table["ratio_fast [1]"].tolist() == [modes.ratio[1]]
+    (content,) = taken(SCENES["modes"](), parameters={"task": "solve"}, covered=["value:slow_omega"]).values()
     assert content and not body(content)
+
+
+def test_the_parameters_are_those_that_count() -> None:
+    def named(scene: Scene) -> set[str]:
+        content = next(iter(taken(scene).values()))
+        return {note.split(" = ")[0] for note in comments(content) if re.fullmatch(r"\w+ = .*", note)}
+
+    assert {"X_slow", "phi_fast"} <= named(SCENES["coupled"](given_by="modes"))
+    assert not {"X_slow", "phi_fast"} & named(SCENES["coupled"]())
+    assert "pendulum_l" not in named(SCENES["analogues"](system="pipe")) > {"pipe_L", "pipe_start"}
+    assert {"m1", "k1", "F_0"} <= named(SCENES["absorber"]())
 
 
 def test_an_address_cannot_add_lines() -> None:

@@ -127,11 +127,12 @@ def groups() -> tuple[Group, ...]:
                 system.name,
                 folded=True,
                 form=system.slug,
+                apart=True,
             )
             for system in ANALOGUES.values()
         ),
-        *(Group("", (f"{slug}_start",), form=slug) for slug in LINEAR),
-        Group("", ("theta_0",), form="swinging"),
+        *(Group("", (f"{slug}_start",), form=slug, apart=True) for slug in LINEAR),
+        Group("", ("theta_0",), form="swinging", apart=True),
     )
 
 

@@ -48,7 +48,7 @@ class Coupled(Scene):
     groups = (
         chain.CHAIN,
         Group("Start", ("x1_0", "x2_0")),
-        Group("", starting.BY_MODES, form="start_modes"),
+        Group("", starting.BY_MODES, form="start_modes", apart=True),
         Group("", ("v1_0", "v2_0", "given_by"), "Start velocities, or modes", folded=True),
         Group("Shown", ("view",)),
     )
@@ -113,7 +113,7 @@ class Coupled(Scene):
             },
             axes=axes,
             signals=_signals(self, free, size, time, energy) | pulled.signals,
-            scalars={**drawn.scalars, **_mode_places(free, size), **pulled.scalars},
+            scalars={**drawn.scalars, **_mode_places(free, size), **starting.ways(self), **pulled.scalars},
             pace=pace(slow or fast, fast),
             scale=drawn.scale,
             fits=drawn.fits,
@@ -131,7 +131,7 @@ class Coupled(Scene):
         system = chain.of_scene(self)
         energy = starting.motion(self).energy.tolist()
         return (
-            *chain.mode_figures(system, "omega_minus", "omega_plus"),
+            *chain.mode_figures(system, "omega_{sign}", "ratio_{sign}"),
             Figure("E_minus", "E_{−}", energy[0], "J", "slow"),
             Figure("E_plus", "E_{+}", energy[1], "J", "fast"),
         )
@@ -211,6 +211,7 @@ def _signals(scene: Coupled, free: FreeModes, size: Axis, time: Axis, energy: Ax
     signals = chain.free_signals(free, size, time) | chain.free_rates(free, size, time)
     for name in ("x1", "x2", "v1", "v2"):
         signals[name] = total(f"{name}_slow", f"{name}_fast")
+    signals |= starting.turns(scene, free, time)
     signals["stretch"] = derived(var("x2") - var("x1"))
     kinetic, potential = energy.exponent - 2 * size.exponent + 2 * time.exponent, energy.exponent - 2 * size.exponent
     for name, factor, rate in (("T1", scene.m1, "v1"), ("T2", scene.m2, "v2")):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from components import chain
 from components.chain.forces import arrows
-from components.chain.grabs import mass_grab, mode_grab, plane_grab
+from components.chain.grabs import mass_grab, mode_grab, plane_grab, swing_grab
 from components.page.blocks import Block
 from components.page.numbers import var
 from components.plots import Room, curve, plot, region
@@ -81,11 +81,10 @@ def _shapes() -> list[Shape]:
         places = [chain.place(i, f"x{i}_{mode}") for i in (1, 2)]
         shapes += chain.masses(base, *places, small=True)
         for i, place in zip((1, 2), places, strict=True):
-            held = circle(place, base - var(f"side{i}") * (0.21 * W), 0, grab=mode_grab(mode, i))
-            shapes += [
-                arrow(chain.rest(i), base - 0.026 * W, place, base - 0.026 * W, tint=mode),
-                *shown_by(f"{mode}_by_{i}", held),
-            ]
+            shapes.append(arrow(chain.rest(i), base - 0.026 * W, place, base - 0.026 * W, tint=mode))
+            for given_by, grab in (("values", mode_grab(mode, i)), ("modes", swing_grab(mode, i))):
+                held = circle(place, base - var(f"side{i}") * (0.21 * W), 0, grab=grab)
+                shapes += shown_by(f"{mode}_by_{i} by_{given_by}", held)
     return shapes + arrows(foot)
 
 

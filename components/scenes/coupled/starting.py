@@ -6,7 +6,10 @@ import math
 from typing import TYPE_CHECKING
 
 from components import chain
+from components.axes import Axis
 from components.chain.parameters import Pair
+from components.motion import sines
+from components.page.signals import AnySignal
 from components.parameters import Quantity, Values, finite, not_negative
 from physics.coupled import FreeModes, free_modes
 from physics.modal_start import amplitudes_and_phases, modes_given, start_given
@@ -51,6 +54,18 @@ def by_modes(scene: Coupled) -> tuple[Pair, Pair]:
     """The amplitudes, and the phases, of the slow and the fast mode."""
     sizes, phases = ((getattr(scene, slow), getattr(scene, fast)) for slow, fast in (SIZES, PHASES))
     return sizes, phases
+
+
+def ways(scene: Coupled) -> dict[str, float]:
+    """By which way the motion is given, and so what a hand on a mode sets."""
+    return {f"by_{word}": float(word == scene.given_by) for word in ("values", "modes")}
+
+
+def turns(scene: Coupled, free: FreeModes, time: Axis) -> dict[str, AnySignal]:
+    """How far each mode has turned, in rad: the argument of its sine."""
+    phases = by_modes(scene)[1] if scene.given_by == "modes" else free.phase.tolist()
+    lines = zip(chain.MODES, phases, free.omega.tolist(), strict=True)
+    return {f"turn_{mode}": sines(Axis(0.0, 1.0), time, line=(phase, omega)) for mode, phase, omega in lines}
 
 
 def followed(scene: Coupled, changed: frozenset[str], before: str) -> Values:

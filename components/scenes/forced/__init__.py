@@ -140,7 +140,7 @@ class Forced(Scene):
         driven = self._driven()
         sizes = [math.inf, math.inf] if driven.at_resonance else driven.particular.tolist()
         amplitudes = [Figure(f"Xp{i}", f"X_{{p{i}}}", X, "m", f"m{i}") for i, X in enumerate(sizes, start=1)]
-        return (*amplitudes, *chain.mode_figures(driven.chain, "omega_minus", "omega_plus"))
+        return (*amplitudes, *chain.mode_figures(driven.chain, "omega_{sign} mark_{sign}", "ratio_{sign}"))
 
     def about(self) -> About:
         return forced_about(self.shown, self._driven(), *chain.start_of(self))

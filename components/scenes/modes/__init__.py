@@ -135,7 +135,11 @@ class ModesScene(Scene):
         return {"ratio": float(wanted)}
 
     def figures(self) -> tuple[Figure, ...]:
-        return chain.mode_figures(chain.of_scene(self), "omega_slow", "omega_fast")
+        return chain.mode_figures(
+            chain.of_scene(self),
+            "omega_{mode} {mode}_omega {mode}_long now_{mode}",
+            "ratio_{mode} {mode}_ratio r_{mode} now_ratio_{mode} answer_{mode}",
+        )
 
     def about(self) -> About:
         system = chain.of_scene(self)
