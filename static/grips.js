@@ -31,7 +31,7 @@ const HOLDS = {
   arrow: s => [s.x2, s.y2, 0],
 }
 
-/** @typedef {{grip: HTMLElement, grab: page.Grab, x: number, y: number}} Grip */
+/** @typedef {{grip: HTMLElement, grab: page.Grab, needs: string[], x: number, y: number}} Grip */
 
 export class Grips {
   /** @type {Map<object, Grip>} by the shape */
@@ -52,7 +52,13 @@ export class Grips {
   add(shape) {
     const {grab} = shape
     const look = {class: `grip ${grab.begins ? "begins" : ""}`, role: "slider", tabindex: 0, "aria-label": grab.label}
-    const grip = {grip: element("div", {...look, "data-grab": set(grab).join(" ")}), grab, x: 0, y: 0}
+    const grip = {
+      grip: element("div", {...look, "data-grab": set(grab).join(" ")}),
+      grab,
+      needs: needed(grab),
+      x: 0,
+      y: 0,
+    }
     const [only, ...more] = grab.ways.filter(way => way.parameter)
     if (!more.length && only.kind !== "turn") {
       const upright = only.kind === "trade" || only.across === "y"
@@ -66,10 +72,11 @@ export class Grips {
     this.grips.set(shape, grip)
   }
 
-  /** Once a frame. @param {object} shape @param {any} s its numbers @param {boolean} shown @param {Named} all */
-  place(shape, s, shown, all) {
+  /** Once a frame. @param {object} shape @param {any} s its numbers @param {boolean} drawn @param {Named} all */
+  place(shape, s, drawn, all) {
     const found = this.grips.get(shape)
     if (!found) return
+    const shown = drawn && found.needs.every(name => name in all)
     this.all = all
     const isHeld = this.page.hand.grab === found.grab
     found.grip.hidden = !shown && !isHeld // what a hand holds does not vanish under it
@@ -201,6 +208,10 @@ export class Grips {
     if (this.page.hand.grab === grip.grab) this.page.hand.release(this.all)
   }
 }
+
+/** What a start is made of: without it, as while it is covered, nothing can be begun. @param {page.Grab} grab */
+const needed = grab =>
+  [...grab.start.map(({of}) => of), ...grab.ways.map(way => ("rest" in way ? way.rest : ""))].filter(Boolean)
 
 /** The parameters that a hand sets. @param {page.Grab} grab */
 const set = grab => grab.ways.map(way => way.parameter).filter(Boolean)

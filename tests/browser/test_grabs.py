@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
+from components.scenes.coupled.starting import BY_MODES
 from tests.browser.touch import swipe
 from tests.browser.waiting import passed
 
@@ -16,8 +18,9 @@ LATE = """() => {
   const {line} = oscillations, receive = line.receive.bind(line)
   line.receive = (...packet) => setTimeout(() => receive(...packet), 500)
 }"""
-FLICKED = """async () => {
-  const {hand, stages} = oscillations.page, {grips, all} = stages[0].grips, [grip] = grips.values()
+FLICKED = """async name => {
+  const {hand, stages} = oscillations.page, {grips, all} = stages[0].grips
+  const grip = [...grips.values()].find(({grip, grab}) => !grip.hidden && grab.label.startsWith(name))
   let now = performance.now()
   performance.now = () => now // sixty frames a second on any machine
   hand.take(grip.grab)
@@ -64,9 +67,11 @@ KINDS: dict[str, tuple[tuple[str, str], ...]] = {
     "forced": (("Mass 2", "x"), ("Drive frequency, on the curve of mass 1", "x")),
     "absorber": (("Absorber", "x"), ("Running speed, with the absorber", "x")),
     "analogues": (("Bob", ""), ("Spring's mass", "y")),
+    "modes": (),
 }
 CHOSEN: dict[str, dict[tuple[str, str], tuple[str, str]]] = {
     "phugoid": {("show", "limits"): ("Speed at the start", "x")},
+    "modes": {("task", "hunt"): ("Start of both masses", "xy")},
     "analogues": {
         ("system", "floating"): ("Floating body", "y"),
         ("system", "string"): ("String", "y"),
@@ -187,8 +192,27 @@ def test_a_grabbed_mass_is_the_new_start_and_a_flick_gives_its_velocity(page: Pa
     assert page.evaluate("oscillations.shown.settings.x2_0.value") == pytest.approx(here, rel=1e-3)
     page.mouse.up()
     page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
-    page.evaluate(FLICKED)
+    page.evaluate(FLICKED, "Mass 1")
     page.wait_for_function("oscillations.clock.playing && oscillations.shown.settings.v1_0.value > 0")
+
+
+def test_a_mode_s_row_sets_that_mode_and_the_other_keeps_every_digit(page: Page, open_scene: Open) -> None:
+    modes = {"given_by": "modes", "X_slow": 0.5, "X_fast": 0.30000000000000004, "phi_fast": 1.1}
+    open_scene(page, scene="coupled", **modes)
+    stopped(page)
+    row = page.get_by_role("slider", name="Slow mode, start, by mass 2")
+    expect(row).to_have_attribute("data-grab", "X_slow phi_slow")
+    drag(page, row, "x", ACROSS)
+    page.mouse.up()
+    page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
+    slow, phase, fast, turned = (page.evaluate(f"oscillations.shown.settings.{name}.value") for name in BY_MODES)
+    assert slow != 0.5 and fast == modes["X_fast"] and turned == pytest.approx(1.1 + 2 * 0.3, rel=1e-12)
+    assert phase == pytest.approx(math.pi / 2)
+    page.evaluate(FLICKED, "Slow mode, start, by mass 1")
+    page.wait_for_function(f"oscillations.clock.playing && oscillations.shown.settings.phi_slow.value !== {phase}")
+    assert page.evaluate("oscillations.shown.settings.X_fast.value") == fast
+    page.get_by_role("button", name="Starting values").click()
+    expect(row).to_have_attribute("data-grab", "x1_0 x2_0")
 
 
 def test_keys_move_what_has_the_focus_and_enter_lets_it_go(page: Page, open_scene: Open) -> None:

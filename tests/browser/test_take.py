@@ -17,6 +17,7 @@ from playwright.sync_api import Download, Page, expect
 
 from components.scenes import SCENES
 from components.url import write_query
+from tests.browser.waiting import seek
 
 pytestmark = pytest.mark.browser
 
@@ -49,6 +50,11 @@ def content(download: Download) -> bytes:
     return Path(download.path()).read_bytes()
 
 
+def drawn(page: Page) -> str:
+    """The picture that is chosen, as SVG."""
+    return unquote(page.get_by_role("dialog").locator("img").get_attribute("src") or "").partition(",")[2]
+
+
 @pytest.mark.parametrize("slug", SCENES)
 def test_every_picture_is_light_says_what_it_is_of_and_needs_nothing_from_the_page(
     new_page: Callable[..., Page], open_scene: Callable[..., Page], slug: str
@@ -60,7 +66,7 @@ def test_every_picture_is_light_says_what_it_is_of_and_needs_nothing_from_the_pa
     for i in range(choices.count()):
         choices.nth(i).click()
         expect(choices.nth(i)).to_have_attribute("aria-pressed", "true")
-        source = unquote(page.get_by_role("dialog").locator("img").get_attribute("src") or "").partition(",")[2]
+        source = drawn(page)
         picture = ElementTree.fromstring(source)
         assert {part.tag for part in picture.iter()} <= DRAWN, slug
         assert not re.search(r"var\(| class=| style=|NaN|undefined|href", source)
@@ -89,6 +95,27 @@ def test_a_picture_has_the_curve_of_the_plot_on_any_screen(
         slope, start = np.polyfit(column, places, 1)
         assert np.max(np.abs(start + slope * column - places)) < 0.02
     assert "= 0.333" not in "".join(picture.itertext()) and "m₁ = 2.00 kg" in "".join(picture.itertext())
+
+
+def test_a_picture_has_what_is_held(page: Page, open_scene: Callable[..., Page]) -> None:
+    for slug, values, plot, held in (
+        ("oscillator", {"m": 4, "view": "force"}, "Displacement against time", "m = 1.00 kg"),
+        ("phugoid", {"excess": 0.4}, "Height against time", "v′ = 90.0 ft/s"),
+    ):
+        open_scene(page, scene=slug, held="default", **values)
+        page.wait_for_function("oscillations.page.compare.ghosts?.held")
+        seek(page, 0.4)
+        page.get_by_role("button", name="Pictures").click()
+        stage = ElementTree.fromstring(drawn(page))
+        texts = ["".join(part.itertext()) for part in stage.iter(f"{SVG}text")]
+        numbers = [text for text in texts if re.match(r"held [+−]\d", text)]
+        assert len(numbers) == 1 + (slug == "phugoid"), texts
+        page.get_by_role("dialog").get_by_role("button", name=plot).click()
+        picture = ElementTree.fromstring(drawn(page))
+        texts = ["".join(part.itertext()) for part in picture.iter(f"{SVG}text")]
+        assert "held" in texts and any(f"Dotted: held, {held}" in text for text in texts), texts
+        rings = [part for part in picture.iter(f"{SVG}circle") if part.get("r") == "5.5"]
+        assert len(rings) == texts.count("same start") == (slug == "oscillator"), "both start alike"
 
 
 def test_a_png_is_twice_the_size_and_a_press_on_a_plot_takes_that_plot(

@@ -10,6 +10,8 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from msgspec.structs import replace
+
 from components.page.numbers import Expression, Number, as_expression, var
 from components.stage import H, Shape, W, arrow, box, circle, layers, line, path, shown_by, spring, text, wall, wave
 
@@ -61,6 +63,11 @@ class Canvas:
         return [text(self.x(x), self.y(y), words, tint=tint, anchor=anchor, style=style)]
 
 
+def kept(shape: Shape) -> Shape:
+    """Drawn also of a picture that is held."""
+    return replace(shape, held=True)
+
+
 @dataclass(frozen=True)
 class Pose:
     """What moves a picture.
@@ -95,7 +102,7 @@ def _spring(c: Canvas, s: Pose) -> list[Shape]:
         c.line(10, 42, 80, 42, "floor"),
         c.line(46, 12, 46, 46, "eq", "mute"),
         spring(c.x(10), c.y(31), c.x(x - 10.5), c.y(31), 2.5 if c.large else 1.6, height=c.unit * 5),
-        box(c.x(x), c.y(42), c.unit * 21, "*m*", tint="m1"),
+        box(c.x(x), c.y(42), c.unit * 21, "*m*", tint="m1", held=True),
         *c.name(22, 22, "*k*", "k"),
     ]
 
@@ -117,7 +124,7 @@ def _shaft(c: Canvas, s: Pose) -> list[Shape]:
         c.path("M-26 0a26 8 0 0 1 52 0v5a26 8 0 0 1 -52 0z", 42, 38, style="body", tint="m1"),
         c.path("M-26 0a26 8 0 1 0 52 0a26 8 0 1 0 -52 0z", 42, 38, style="ghost scaled", tint="m1"),
         c.line(42, 38, *rotor_mark(0.0), "eq", "mute"),
-        c.line(42, 38, *rotor_mark(s.q), "sum" if c.large else "", "m1"),
+        kept(c.line(42, 38, *rotor_mark(s.q), "sum" if c.large else "", "m1")),
         *c.name(51, 22, "*k*_t", "k"),
         *c.name(74, 46, "*J*", "m1"),
     ]
@@ -143,7 +150,7 @@ def _rocking(c: Canvas, s: Pose) -> list[Shape]:
     x, y = 42 + arm * s.sine, top + arm * s.cosine
     return [
         c.line(42, top - 9, 42, 54, "eq", "mute"),
-        c.path("M-11 -6L11 -6L14 26L-14 26Z", 42, top, turn=-s.angle, style="body", tint="m1"),
+        kept(c.path("M-11 -6L11 -6L14 26L-14 26Z", 42, top, turn=-s.angle, style="body", tint="m1")),
         c.arrow(x, y, x, y + 24, "k"),
         c.disc(42, top, 2.2 if c.large else 3.2, "dot", "ink"),
         *([c.disc(x, y, 1.2, "dot", "k")] if c.large else []),
@@ -158,7 +165,7 @@ def _floating(c: Canvas, s: Pose) -> list[Shape]:
         c.path("M-14 0h28v27h-28z", 42, top, style="body", tint="m1"),
         wave(*surface, depth=c.unit * 22, style="water"),
         wave(*surface, style="fine", tint="k"),
-        c.path("M-14 0h28v27h-28z", 42, top, style="outline scaled", tint="m1"),
+        kept(c.path("M-14 0h28v27h-28z", 42, top, style="outline scaled", tint="m1")),
         c.line(29, top + 13, 55, top + 13, "inner"),
         *c.name(42, top + 9, "*m*", "m1", style="t3 on"),
         *c.name(70, 45, "*ρ g A*", "k"),
@@ -178,7 +185,7 @@ def _circuit(c: Canvas, s: Pose) -> list[Shape]:
         c.line(55, 23.5, 77, 23.5, "plate", "k"),
         c.line(55, 36.5, 77, 36.5, "plate", "k"),
         *field,
-        c.arrow(40 - 11 * s.behind, 48, 40 + 11 * s.behind, 48, "m1"),
+        kept(c.arrow(40 - 11 * s.behind, 48, 40 + 11 * s.behind, 48, "m1")),
         *c.name(41, 24, "*L*", "m1"),
         *c.name(81, 31.5, "*C*", "k"),
         *c.name(40, 44, "current", "m1"),
@@ -193,7 +200,7 @@ def _string(c: Canvas, s: Pose) -> list[Shape]:
         wave(*place, c.unit * 17 * s.size, s.half_waves / 2, style="eq", tint="mute"),
         wave(*place, c.unit * -17 * s.size, s.half_waves / 2, style="eq", tint="mute"),
         c.line(9, 27, 75, 27, "eq", "mute"),
-        wave(*place, c.unit * 17 * s.q, s.half_waves / 2, style="sum", tint="m1"),
+        wave(*place, c.unit * 17 * s.q, s.half_waves / 2, style="sum", tint="m1", held=True),
         *([c.arrow(9 + 66 * s.belly, 27, 9 + 66 * s.belly, 27 - 17 * s.q, "m1")] if c.large else []),
         *c.name(5, 29, "*T*", "k"),
         *c.name(79, 29, "*T*", "k"),
@@ -206,7 +213,7 @@ def _wave(c: Canvas, s: Pose) -> list[Shape]:
     return [
         wave(*surface, depth=c.unit * 35, style="water"),
         c.line(4, 17, 80, 17, "eq", "mute"),
-        wave(*surface, style="sum", tint="m1"),
+        wave(*surface, style="sum", tint="m1", held=True),
         *(one for x in (23, 42, 61) for one in _under(c, s, x)),
         c.disc(42, 17 - 8 * s.q, 2.4, "dot", "m1"),
     ]
@@ -241,7 +248,7 @@ def _pipe(c: Canvas, s: Pose) -> list[Shape]:
         c.path("M10 15h64v24h-64z", style="rod scaled"),
         c.line(10, 12, 10, 42, "wall bar"),
         c.line(74, 12, 74, 42, "wall bar"),
-        c.arrow(10 + 64 * s.belly, 47, 10 + 64 * s.belly + s.along * s.q, 47, "m1"),
+        kept(c.arrow(10 + 64 * s.belly, 47, 10 + 64 * s.belly + s.along * s.q, 47, "m1")),
         c.line(10 + 64 * s.belly, 41, 10 + 64 * s.belly, 50, "eq", "mute"),
     ]
 

@@ -121,7 +121,7 @@ def twin() -> list[Shape]:
         line(TWIN - 36, level, WIDE * var(f"{PLOT}.left") + NARROW * W, level, style="eq", tint="mute"),
         spring(TWIN, y + SIDE / 2, TWIN, foot, 2.4, height=0.036 * H),
         line(TWIN + SIDE / 2, y, on_x(PLOT, var("t")), y, style="level", tint="m1", show="wide"),
-        box(TWIN, y + SIDE / 2, SIDE, "*m*", tint="m1"),
+        box(TWIN, y + SIDE / 2, SIDE, "*m*", tint="m1", held=True),
         *(held_spring(slug, TWIN, height) for slug in ANALOGUES),
     ]
 

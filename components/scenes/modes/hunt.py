@@ -11,6 +11,7 @@ from components import chain
 from components.axes import Axis, nice_axis, time_axis
 from components.chain.grabs import mass_grab
 from components.frames import FITTED, framed
+from components.grabs import grab, on_plot
 from components.motion import pace, round_down, total
 from components.numbers import signed, three
 from components.page.blocks import Block
@@ -30,6 +31,15 @@ FOUND = 1e-3
 """As much of the other mode, in parts of the energy, is not seen: the path is then 3 % as wide as long."""
 SWINGS, PER_SWING, MOST = 40, 96, 1281
 """The path is drawn over so many swings of the fast mode at most, with so many points a swing and in all."""
+
+
+START = on_x("plane", var("start1")), on_y("plane", var("start2"))
+START_GRAB = grab(
+    "Start of both masses",
+    on_plot("plane", "x", "x1_0", "start1", "x"),
+    on_plot("plane", "y", "x2_0", "start2", "x"),
+    inside="plane",
+)
 
 
 def sheet() -> Block:
@@ -91,7 +101,7 @@ def _plane() -> Block:
             Handle(parameter="x1_0", symbol="x₁", label="Start of mass 1", tint="m1", axis="x", covering="m"),
             Handle(parameter="x2_0", symbol="x₂", label="Start of mass 2", tint="m2", axis="y"),
         ),
-        shapes=(circle(on_x("plane", var("start1")), on_y("plane", var("start2")), 8, tint="ink", style="ring"),),
+        shapes=(circle(*START, 8, tint="ink", style="ring", grab=START_GRAB),),
         grow=536,
         phone=10,
         height=380,

@@ -49,7 +49,7 @@ from components.scenes.phugoid.swing import (
 )
 from components.scenes.phugoid.watch import WATCH
 from components.sheet import choice, column, desk, row, stage, when, words
-from components.stage import Shape, W, text
+from components.stage import NARROW, WIDE, Shape, W, text
 from components.traces import samples, sources_over_time
 from components.units import Unit
 from physics.phugoid import CUSP_EXCESS, EXCESS_AT_LATENESS, linear_phugoid
@@ -67,6 +67,8 @@ FASTEST = 275.0  # m/s, the end of the plot of periods
 LARGEST = 3.0  # v_0; the flight is then a small circle far below the level line
 NAMES = {name: label for name, (label, _, _) in AIRCRAFT.items()}
 VIEWS = {"period": "Period", "lift": "Lift", "exchange": "Exchange", "limits": "Limits"}
+BESIDE = 225
+"""Where v' stands on a wide page: beside h', with room for the one that is held."""
 TASK = "Change the speed v₀, the mass, the disturbance: which of them changes the period?"
 
 
@@ -284,6 +286,6 @@ class Phugoid(Scene):
 def _words() -> list[Shape]:
     return [
         text(0, 17, "*h*′ = {h} {h_unit}", anchor="start", tint="V", style="t2 b"),
-        text(120, 17, "*v*′ = {v} {v_unit}", anchor="start", tint="T", style="t2 b"),
+        text(NARROW * (0.5 * W) + WIDE * BESIDE, 17, "*v*′ = {v} {v_unit}", anchor="start", tint="T", style="t2 b"),
         text(W, 17, "{verdict}", anchor="end", tint="ink", show="wide"),
     ]

@@ -106,7 +106,7 @@ def flight_shapes(plot: str) -> list[Shape]:
         arrow(x, level, x, y, tint="V", **own),
         arrow(x, y, x + 50 * SIZE * var("u"), y - 50 * SIZE * var("w"), gap=34 * SIZE, head=12, tint="T", **own),
         *(
-            _aircraft(part, style, (x, y), (var("u"), -var("w")), 1.15 * SIZE, own)
+            _aircraft(part, style, (x, y), (var("u"), -var("w")), 1.15 * SIZE, {**own, "held": part == HULL})
             for part, style in ((HULL, "fill"), (WING, "ghost fine"), (PROPELLER, "fine"))
         ),
         circle(x, y, 0, grab=_held(plot), **own),
