@@ -34,13 +34,14 @@ FOLLOWS = {"absorber": ("played", "k2"), "coupled": ("given_by", *BY_MODES, *STA
 def shown_with(slug: str, shape: AnyShape, grab: Grab) -> Scene:
     """The scene in a form in which the shape is drawn."""
     ways: list[dict[str, Any]] = [{}, {"show": "limits"}, {"task": "hunt"}]
-    ways += [{"system": name} for name in shape.show] + [{"ratio": 2.0}]
+    ways += [{"system": name} for name in shape.show] + [{"ratio": 2.0}, {"given_by": "modes"}]
     known = SCENES[slug].linked()
     for values in ways:
         if not values.keys() <= known.keys() or ("system" in values and values["system"] not in ANALOGUES):
             continue
         scene = SCENES[slug](**values)
-        if all(way.axis in scene.shown.axes for way in grab.ways if way.axis):
+        begun = all(one.of in scene.shown.signals for one in grab.start if one.of)
+        if begun and all(way.axis in scene.shown.axes for way in grab.ways if way.axis):
             return scene
     raise AssertionError(f"{slug} never draws {grab.label}")
 

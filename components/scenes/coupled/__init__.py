@@ -113,7 +113,7 @@ class Coupled(Scene):
             },
             axes=axes,
             signals=_signals(self, free, size, time, energy) | pulled.signals,
-            scalars={**drawn.scalars, **_mode_places(free, size), **starting.ways(self), **pulled.scalars},
+            scalars={**drawn.scalars, **_mode_places(free, size), f"by_{self.given_by}": 1.0, **pulled.scalars},
             pace=pace(slow or fast, fast),
             scale=drawn.scale,
             fits=drawn.fits,
@@ -211,7 +211,7 @@ def _signals(scene: Coupled, free: FreeModes, size: Axis, time: Axis, energy: Ax
     signals = chain.free_signals(free, size, time) | chain.free_rates(free, size, time)
     for name in ("x1", "x2", "v1", "v2"):
         signals[name] = total(f"{name}_slow", f"{name}_fast")
-    signals |= starting.turns(scene, free, time)
+    signals |= starting.turns(scene, free.omega.tolist(), time)
     signals["stretch"] = derived(var("x2") - var("x1"))
     kinetic, potential = energy.exponent - 2 * size.exponent + 2 * time.exponent, energy.exponent - 2 * size.exponent
     for name, factor, rate in (("T1", scene.m1, "v1"), ("T2", scene.m2, "v2")):

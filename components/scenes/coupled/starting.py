@@ -56,16 +56,12 @@ def by_modes(scene: Coupled) -> tuple[Pair, Pair]:
     return sizes, phases
 
 
-def ways(scene: Coupled) -> dict[str, float]:
-    """By which way the motion is given, and so what a hand on a mode sets."""
-    return {f"by_{word}": float(word == scene.given_by) for word in ("values", "modes")}
-
-
-def turns(scene: Coupled, free: FreeModes, time: Axis) -> dict[str, AnySignal]:
-    """How far each mode has turned, in rad: the argument of its sine."""
-    phases = by_modes(scene)[1] if scene.given_by == "modes" else free.phase.tolist()
-    lines = zip(chain.MODES, phases, free.omega.tolist(), strict=True)
-    return {f"turn_{mode}": sines(Axis(0.0, 1.0), time, line=(phase, omega)) for mode, phase, omega in lines}
+def turns(scene: Coupled, omega: Pair, time: Axis) -> dict[str, AnySignal]:
+    """Where modes give the motion, how far each has turned, in rad: the argument of its sine."""
+    if scene.given_by == "values":
+        return {}
+    lines = zip(chain.MODES, by_modes(scene)[1], omega, strict=True)
+    return {f"turn_{mode}": sines(Axis(0.0, 1.0), time, line=(phase, rate)) for mode, phase, rate in lines}
 
 
 def followed(scene: Coupled, changed: frozenset[str], before: str) -> Values:
