@@ -30,7 +30,9 @@ def test_nothing_is_lost_when_a_replica_fails_another_ends_and_a_later_version_t
         assert result.returned >= 1
         assert site.complaints() == []
         site.kill(2)
-        assert ask(site.url, "/?scene=coupled&k2=3").status in (502, 503)
+        away = ask(site.url, "/?scene=coupled&k2=3")
+        assert away.status in (502, 503) and not {"Server", "Via"} & set(away.headers)
+        assert "The lecture does not answer now" in away.text and 'http-equiv="refresh"' in away.text
     log = (tmp_path / "proxy.log").read_text()
     assert "http.log.error" in log
     assert not [line for line in log.splitlines() if "k2=3" in line or "remote_ip" in line]

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from components.serving.settings import HINTS, SECRET_FILE, describe, read_settings, table
+from components.serving.settings import HINTS, SECRET, SECRET_FILE, describe, read_settings, table
 from tests.serving.server import ROOT, START
 
 
@@ -38,23 +38,36 @@ def test_a_secret_is_made_for_each_start() -> None:
     assert read_settings([], {}).bokeh_secret_key != read_settings([], {}).bokeh_secret_key
 
 
-@pytest.mark.parametrize(
-    ("name", "text"),
-    [
-        ("PORT", "70000"),
-        ("PORT", "http"),
-        ("UNUSED_SECONDS", "0"),
-        ("UNUSED_SECONDS", "nan"),
-        ("SHOW", "perhaps"),
-        ("FRAME_ANCESTORS", "*; script-src *"),
-        ("FRAME_ANCESTORS", "course.example"),
-        ("ALLOWED_ORIGIN", "a:b:c"),
-        ("ALLOWED_ORIGIN", "lecture.example,"),
-        ("TRUSTED_PROXIES", "proxy.example"),
-        ("TRUSTED_PROXIES", "10.0.0.1/24"),
-        ("ARRIVALS", "0"),
-    ],
-)
+WRONG = [
+    ("PORT", "70000"),
+    ("PORT", "http"),
+    ("UNUSED_SECONDS", "0"),
+    ("UNUSED_SECONDS", "nan"),
+    ("NOTICE_SECONDS", "9"),
+    ("SESSIONS", "many"),
+    ("ARRIVALS", "0"),
+    ("SHOW", "perhaps"),
+    ("LOG_FORMAT", "xml"),
+    ("LOG_VISITORS", "some"),
+    ("FRAME_ANCESTORS", "*; script-src *"),
+    ("FRAME_ANCESTORS", "course.example"),
+    ("ALLOWED_ORIGIN", "a:b:c"),
+    ("ALLOWED_ORIGIN", "lecture.example,"),
+    ("ALLOWED_ORIGIN", "https://lecture.example"),
+    ("TRUSTED_PROXIES", "proxy.example"),
+    ("TRUSTED_PROXIES", "10.0.0.1/24"),
+    ("PUBLIC_URL", "lecture.example"),
+    ("REDIS_URL", "http://store"),
+]
+OTHERWISE = {"address", "walks", SECRET}
+"""An address is tried, a folder read, and a secret not repeated."""
+
+
+def test_each_setting_is_tried_with_a_wrong_value() -> None:
+    assert {name.lower() for name, _ in WRONG} | OTHERWISE == set(HINTS)
+
+
+@pytest.mark.parametrize(("name", "text"), WRONG)
 def test_a_value_that_is_not_allowed_is_refused_with_what_is(name: str, text: str) -> None:
     with pytest.raises(ValueError) as refusal:
         read_settings([], {name: text})
