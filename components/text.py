@@ -15,13 +15,14 @@ In a formula two commands are our own:
 from __future__ import annotations
 
 import re
-from functools import cache, lru_cache
+from functools import lru_cache
 from html import escape
 
 from latex2mathml.converter import convert
 
 from components.page.text import Html, Runs, TextRun
 
+_SENTENCES = 4096  # kept; those with numbers in them, or from anybody's file, have no end
 _VALUE = re.compile(r"\\val\{(\w+)\}")
 _VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
 _THIN = '<mspace width="0.15em" />'
@@ -42,7 +43,7 @@ _TINT = re.compile(r"\\tint\{(\w+)\}")
 _TINT_MATHML = re.compile(r'<mstyle mathcolor="(\w+)">')
 
 
-@cache
+@lru_cache(maxsize=_SENTENCES)
 def mathml(latex: str) -> str:
     """MathML of a formula; its live numbers are elements with a `data-value` attribute."""
     source = _VALUE.sub(r"\\text{@\1@}", latex)
@@ -61,7 +62,6 @@ def mathml(latex: str) -> str:
     return _TINT_MATHML.sub(r'<mstyle class="tint \1">', markup)
 
 
-_SENTENCES = 4096  # kept; those with numbers in them have no end
 _INLINE = re.compile(
     r"\$(?P<formula>[^$]+)\$|\*\*(?P<strong>[^*]+)\*\*|\{(?P<value>\w+)\}|\[(?P<tint>\w+)\|(?P<coloured>[^\]]+)\]"
     r"|\[scene:(?P<slug>\w+)\|(?P<leading>[^\]]+)\]"

@@ -66,7 +66,7 @@ export class Handles {
     event.preventDefault()
     const {host} = this.plot
     host.setPointerCapture(event.pointerId)
-    const pills = this.setters.filter(pill => !pill.off)
+    const pills = this.setters.filter(({off, element: pill}) => !off && !pill.inert)
     const move = (/** @type {PointerEvent} */ moved) =>
       pills.forEach(pill => this.#moveTo(pill, this.plot.valueAt(moved, pill.handle.axis)))
     this.#hold(pills)

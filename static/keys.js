@@ -6,13 +6,15 @@ import {using} from "./later.js"
 
 /**
  * A key by what the event calls it, as it is shown, what it does in words, and the deed; what matches `own` and has the
- * focus keeps it for itself.
+ * focus keeps it for itself; one that is `shared` is heard by others too.
  * @typedef {import("./main.js").Lecture} Lecture
- * @typedef {{keys: string[], shown: string, does: string, act: (lecture: Lecture) => void, own?: string}} Key
+ * @typedef {(lecture: Lecture) => void} Act
+ * @typedef {{keys: string[], shown: string, does: string, act: Act, own?: string, shared?: boolean}} Key
  */
 
 const PRESSED = "button, a, summary, input, select, [role=slider], [role=application]"
 const MOVED = "input, [role=slider], [role=application]"
+const OPEN = ".walks[open], .scene-menu[open], .card .follows[open], dialog.keys"
 const OFF = "single-keys"
 
 /** @param {Lecture} lecture @param {() => void} act on a clock that is not held by a question */
@@ -46,7 +48,8 @@ export const KEYS = [
   {keys: ["f", "F"], shown: "F", does: "Full screen", act: l => l.hall.full()},
   {keys: ["t", "T"], shown: "T", does: "Teach: open a class", act: l => void (l.classes.led ?? l.classes.begin())},
   {keys: ["j", "J"], shown: "J", does: "Join code of the class, large", act: l => l.classes.led?.large.toggle()},
-  {keys: [".", "b", "B"], shown: "B", does: "Blank the screen; any key brings it back", act: () => blank()},
+  {keys: [".", "b", "B"], shown: "B or .", does: "Blank the screen; any key brings it back", act: () => blank()},
+  {keys: ["Escape"], shown: "Esc", does: "Close what is open", act: close, shared: true},
   {keys: ["?"], shown: "?", does: "This list", act: list},
 ]
 
@@ -87,8 +90,10 @@ function hear(event, lecture) {
   const known = KEYS.find(({keys}) => keys.includes(event.key))
   if (!known || !lecture.page || !acts(event, known)) return
   if (event.key.startsWith("Page") && !lecture.walks.walk) return
-  event.preventDefault()
-  event.stopPropagation()
+  if (!known.shared) {
+    event.preventDefault()
+    event.stopPropagation()
+  }
   known.act(lecture)
 }
 
@@ -111,6 +116,16 @@ function blank() {
   black.className = "blank"
   black.addEventListener("pointerdown", () => black.remove())
   document.body.append(black)
+}
+
+/** Menus, the equations of a step, the list of the keys; a walk is left by its own key alone. */
+function close() {
+  for (const open of document.querySelectorAll(OPEN)) {
+    const summary = open.querySelector("summary")
+    if (summary && open.contains(document.activeElement)) summary.focus()
+    if (open instanceof HTMLDetailsElement) open.open = false
+    else open.remove()
+  }
 }
 
 /** @param {Lecture} lecture */

@@ -10,11 +10,12 @@ from components.numbers import excerpt, parse_number, three
 from components.page.messages import Given, Taught
 from components.page.state import State
 from components.page.walk import Lesson, Verdict
-from components.text import mathml, rich
+from components.text import rich
 from components.walks import Walks
 from components.walks.curves import axes_of, number_at, place_of, true_curves
 from components.walks.findings import findings
 from components.walks.links import Scenes, scene_at, state_of_link
+from components.walks.texts import line
 from components.walks.types import ChoiceStep, NumberStep, NumericStep, PointStep, SketchStep, Step
 
 
@@ -31,7 +32,7 @@ def lesson_of(step: Step, given: Given, scenes: Scenes) -> Lesson:
     lesson = Lesson(
         title=rich(step.title),
         explain=rich(step.explain),
-        follows=tuple(map(mathml, step.equations)),
+        follows=tuple(map(line, step.equations)),
         next=rich(step.next),
     )
     match step:

@@ -4,7 +4,9 @@ import {element, marked} from "../dom.js"
 import {claim, withhold} from "./claim.js"
 import {questionOf} from "./questions.js"
 
+const CHOSEN = ".seg, .tiles, .window" // what sets a parameter and is no slider
 const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // what waits for the answer
+const GRABBED = ".grip, .handles [data-grab]" // what sets a value by hand
 
 export class Card {
   /** @type {{part: Element, place: Comment}[]} controls that stand on the card, and where they come from */
@@ -126,11 +128,11 @@ export class Card {
     return opener
   }
 
-  /** The controls that the step names stand on the card while it does. */
+  /** The controls that the step names stand on the card while it does, wherever else they stand. */
   #borrow() {
-    const {controls, panel, spec} = this.page
+    const {controls, root, spec} = this.page
     const parts = this.walk.step.controls.map(
-      name => controls.sliders.get(name)?.element ?? panel.querySelector(`.seg[data-name="${name}"]`),
+      name => controls.sliders.get(name)?.element ?? root.querySelector(`:is(${CHOSEN})[data-name="${name}"]`),
     )
     return parts.flatMap(part => {
       if (!part || !spec) return []
@@ -149,20 +151,16 @@ export class Card {
   #release() {
     const {page} = this
     page.root.classList.remove("asked")
-    for (const part of page.root.querySelectorAll(`${HELD}, .grip`)) part.removeAttribute("inert")
+    for (const part of page.root.querySelectorAll(`${HELD}, ${GRABBED}`)) part.removeAttribute("inert")
   }
 
   /** After the answer a hand takes what sets a value that the step names. */
   #confine() {
     const names = new Set(this.walk.step.controls)
-    for (const grip of this.page.root.querySelectorAll(".grip"))
-      if (
-        !grip
-          .getAttribute("data-grab")
-          ?.split(" ")
-          .some(name => names.has(name))
-      )
-        grip.setAttribute("inert", "")
+    for (const part of this.page.root.querySelectorAll(GRABBED)) {
+      const sets = part.getAttribute("data-grab")?.split(" ") ?? []
+      part.toggleAttribute("inert", !sets.some(name => names.has(name)))
+    }
   }
 
   leave() {

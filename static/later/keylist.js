@@ -11,10 +11,7 @@ export function toggleList(lecture) {
   const rows = KEYS.map(key => row(key, lecture))
   const close = element("button", {type: "button", class: "chip"}, "Close")
   close.addEventListener("click", () => dialog.remove())
-  dialog.append(element("h2", {}, "Keys"), element("ul", {}, ...rows), choice(), close)
-  dialog.addEventListener("keydown", event => {
-    if (event.key === "Escape") dialog.remove()
-  })
+  dialog.append(element("h2", {}, "Keys"), element("ul", {}, ...rows, arrows()), choice(), close)
   document.body.append(dialog)
   dialog.show()
   close.focus()
@@ -29,6 +26,10 @@ function row({shown, does, act}, lecture) {
   button.addEventListener("click", () => act(lecture))
   return element("li", {}, button)
 }
+
+/** They have no deed of their own. */
+const arrows = () =>
+  element("li", {}, element("p", {}, element("kbd", {}, "Arrows"), element("span", {}, "Move what has the focus")))
 
 function choice() {
   const box = element("input", {type: "checkbox"})

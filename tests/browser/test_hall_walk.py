@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import Any
 
 import pytest
@@ -10,9 +9,8 @@ from playwright.sync_api import Page, expect
 
 from components.walks.loading import load_walks
 from components.walks.types import ChoiceStep, NumericStep, Step
-from tests.browser.boxes import faults
 from tests.browser.fixtures import READY
-from tests.browser.waiting import passed, seek
+from tests.browser.halls import seen
 from tests.scenes.checks import WHOLE
 from tests.serving.server import Server
 
@@ -21,11 +19,14 @@ WALKS = load_walks(())
 SIZES = ((1280, 720), (1366, 768), (1920, 1080), (3840, 2160))
 WORST = ("d31-07", "d31-09", "d34-02", "d34-05", "d34-09", "d34-10", "d34-16", "tour-03")
 """The steps that need the most room of their kind."""
-MEANT = ("Covered. What do you expect?", "under pill-mark")
-"""What stands on a cover, which nothing is seen through, or under the mark that a hand has set."""
 ASKED = f"place => oscillations.walks.walk?.place === place && !oscillations.walks.walk.lesson && {READY}"
 LAID = "oscillations.walks.walk.card?.page === oscillations.page"
 TAUGHT = "oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length"
+UNFOLD = """open => {
+  document.querySelector(".card .follows").open = open
+  document.querySelector(".paper").style.visibility = open ? "hidden" : ""
+}"""
+"""The equations lie over the paper."""
 ANSWER = """given => {
   const {question} = oscillations.walks.walk.card, {marker, pad, field} = question
   if ("option" in given) question.choose(given.option)
@@ -38,19 +39,6 @@ ANSWER = """given => {
   for (const [i, heights] of [...(pad?.heights.values() ?? [])].entries()) heights.fill(level(0.3 + 0.4 * i))
 }"""
 """As a hand would give it: what the words of an answer take is asked about here, not the ways of giving one."""
-SCROLLED = """() => [...document.querySelectorAll("body *")].filter(part => {
-  if (part instanceof SVGElement || part.closest(".figure, .in-force, .heard") || !part.checkVisibility()) return false
-  const {overflowX, overflowY} = getComputedStyle(part)
-  const [wide, high] = [part.scrollWidth - part.clientWidth, part.scrollHeight - part.clientHeight]
-  return (overflowY !== "visible" && high > 1) || (overflowX !== "visible" && wide > 1)
-}).map(part => `${part.tagName} ${part.className}: ${part.scrollWidth - part.clientWidth} px to the side, ` +
-  `${part.scrollHeight - part.clientHeight} px down`)"""
-"""What has more in it than is seen."""
-LARGE = ("h1 .in-hall", "h1:not(.waits)", ".asked-line", ".answers .name", ".card .why", ".act")
-"""What everybody reads: question, answers, what it means."""
-SMALL = """([least, kinds]) => kinds.flatMap(kind => [...document.querySelectorAll(kind)]
-  .filter(part => part.checkVisibility() && parseFloat(getComputedStyle(part).fontSize) < least - 0.01)
-  .map(() => `${kind} is small`))"""
 
 
 def wordiest(step: Step) -> dict[str, Any]:
@@ -60,15 +48,6 @@ def wordiest(step: Step) -> dict[str, Any]:
     if isinstance(step, NumericStep) and step.misses:
         return {"value": max(step.misses, key=lambda miss: len(miss.reply)).value}
     return {}
-
-
-def seen(page: Page, height: int, when: str) -> Iterator[str]:
-    """What is wrong with the page."""
-    passed(page)
-    seek(page, 0.0)
-    small = [22 * height / 1080, 19 * height / 1080]
-    found = [*faults(page, *small), *page.evaluate(SCROLLED), *page.evaluate(SMALL, [27 * height / 1080, LARGE])]
-    yield from (f"{when} Show: {fault}" for fault in found if not any(one in fault for one in MEANT))
 
 
 @pytest.mark.parametrize(("width", "height"), SIZES if WHOLE else SIZES[:1])
@@ -88,6 +67,9 @@ def test_a_step_is_seen_whole(name: str, width: int, height: int, server: Server
         page.evaluate("oscillations.walks.walk.show(true)")
         page.wait_for_function(TAUGHT)
         found += seen(page, height, f"{step.id}, after")
+        page.evaluate(UNFOLD, True)
+        found += seen(page, height, f"{step.id}, how it follows, after")
+        page.evaluate(UNFOLD, False)
         page.get_by_role("button", name="Try", exact=True).click()
         found += seen(page, height, f"{step.id}, trying, after")
     assert not found, "\n".join(found)

@@ -33,6 +33,10 @@ def test_a_walk_goes_by_two_keys_of_a_clicker(server: Server, page: Page) -> Non
     page.wait_for_function("oscillations.walks.walk.place === 2")
     page.keyboard.press("Escape")
     expect(page.locator(".card")).to_be_visible()  # Esc never leaves a walk
+    page.locator(".walks summary").click()
+    expect(page.get_by_role("button", name="Leave the walk")).to_be_visible()
+    page.keyboard.press("Escape")
+    expect(page.get_by_role("button", name="Leave the walk")).to_be_hidden()
     page.keyboard.press("w")
     expect(page.locator(".card")).to_have_count(0)
 
@@ -80,7 +84,7 @@ def test_the_list_names_each_key_and_single_letters_can_be_switched_off(
     open_scene(page, scene="coupled")
     page.keyboard.press("?")
     keys = page.get_by_role("dialog", name="Keys")
-    for shown in ("Space", "Home", "Page Down", "W", "R", "F", "B", "?"):
+    for shown in ("Space", "Home", "Page Down", "W", "R", "F", "B or .", "Esc", "Arrows", "?"):
         expect(keys.locator("kbd").get_by_text(shown, exact=True)).to_be_visible()
     before = playing(page)
     keys.get_by_role("button", name="Play or pause").click()

@@ -51,7 +51,7 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
     ):
         chosen(page, name, content)
         expect(notice).to_contain_text(said)
-    drop(page, "My walk.toml", MINE)
+    drop(page, "My walk.toml", f"{MINE}#".ljust(48_000, "x"))  # as large as may be
     page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'my-walk' && {READY}")
     expect(page.locator(".card .asks")).to_contain_text("How long does one swing take?")
     assert "walk=my-walk&step=one" in page.evaluate("location.search")

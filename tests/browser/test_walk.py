@@ -199,6 +199,18 @@ def test_two_curves_are_drawn_one_after_the_other(walk: Callable[..., Page]) -> 
     assert page.evaluate("oscillations.walks.walk.lesson.right") is True
 
 
+NAMED = """oscillations.walks.walk.step.controls.filter(name => {
+  const part = document.querySelector(`.card .borrowed :is([name="${name}"], [data-name="${name}"])`)
+  return !part?.checkVisibility()
+})"""
+"""Of the controls that a step names, those that are not on its card."""
+FREE = """[...document.querySelectorAll(".paper :is(.choice, [data-grab])")].filter(part => {
+  const sets = part.getAttribute("data-grab")?.split(" ") ?? []
+  return part.checkVisibility() && !part.inert && !oscillations.walks.walk.step.controls.some(one => sets.includes(one))
+}).map(part => part.outerHTML)"""
+"""What sets others."""
+
+
 @pytest.mark.parametrize("width", [1280, 390])
 @pytest.mark.parametrize("name", ["d31", "d34", "tour"])
 def test_every_step_has_its_card(walk: Callable[..., Page], name: str, width: int) -> None:
@@ -214,6 +226,7 @@ def test_every_step_has_its_card(walk: Callable[..., Page], name: str, width: in
         assert "?" not in page.locator(".card .why").inner_text()
         numbers = page.locator(".card .why [data-value]").all_inner_texts()
         assert all(numbers), numbers
+        assert page.evaluate(NAMED) == page.evaluate(FREE) == [], i
 
 
 @pytest.mark.parametrize(

@@ -27,8 +27,7 @@ from tools.cut import CUTS, KEPT, cut
 from tools.readme import table
 
 LOCKS = ("requirements.txt", "requirements-test.txt")
-STRANGER = 65534
-"""A user of this machine who owns nothing."""
+STRANGER = 65534  # a user of this machine who owns nothing
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 DOCKERFILE = (ROOT / "Dockerfile").read_text(encoding="utf-8")
 PIN = re.compile(r"^([a-z0-9-]+)==([\w.]+)((?: ; [^\\]+)?) \\\n((?:    --hash=sha256:[0-9a-f]{64}(?: \\)?\n)+)", re.M)
@@ -179,6 +178,7 @@ def test_compose_confines_every_container_and_names_settings_that_there_are() ->
     named = subprocess.run(["sh", "-c", script], env={"REPLICAS": "2"}, capture_output=True, text=True)
     assert named.stdout.split() == [f"oscillations-{of}-{i}:5006" for i in (1, 2) for of in ("lecture", "relief")]
     assert set(lecture["environment"]) <= {name.upper() for name in HINTS} | {SECRET_FILE}
+    assert (lecture["volumes"], "walks" in compose["volumes"]) == (["${WALKS:-walks}:/walks:ro"], True)
     assert lecture["environment"]["TRUSTED_PROXIES"] == proxy["networks"]["inner"]["ipv4_address"]
     assert lecture["deploy"]["replicas"] == proxy["environment"]["REPLICAS"] == "${REPLICAS:-2}"
     used = set(re.findall(r"\{\$([A-Z_]+)", (ROOT / "Caddyfile").read_text()))

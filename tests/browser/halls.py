@@ -1,0 +1,38 @@
+"""What is wrong with a page in a hall: what scrolls, is cut off, overlaps, or is too small for the last row."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from playwright.sync_api import Page
+
+from tests.browser.boxes import faults
+from tests.browser.waiting import passed, seek
+
+MEANT = ("Covered. What do you expect?", "under pill-mark")
+"""What stands on a cover, which nothing is seen through, or under the mark that a hand has set."""
+SCROLLED = """() => [...document.querySelectorAll("body *")].filter(part => {
+  if (part instanceof SVGElement || part.closest(".figure, .in-force, .heard") || !part.checkVisibility()) return false
+  const {overflowX, overflowY} = getComputedStyle(part)
+  const [wide, high] = [part.scrollWidth - part.clientWidth, part.scrollHeight - part.clientHeight]
+  return (overflowY !== "visible" && high > 1) || (overflowX !== "visible" && wide > 1)
+}).map(part => `${part.tagName} ${part.className}: ${part.scrollWidth - part.clientWidth} px to the side, ` +
+  `${part.scrollHeight - part.clientHeight} px down`)"""
+"""What has more in it than is seen."""
+LARGE = (
+    *("h1 .in-hall", "h1:not(.waits)", ".asked-line", ".answers .name", ".card .why", ".act"),
+    *(".corner-words b", ".vote-count", ".votes .all"),
+)
+"""What everybody reads: question, answers, what it means; the code of a class, and how it answered."""
+SMALL = """([least, kinds]) => kinds.flatMap(kind => [...document.querySelectorAll(kind)]
+  .filter(part => part.checkVisibility() && parseFloat(getComputedStyle(part).fontSize) < least - 0.01)
+  .map(() => `${kind} is small`))"""
+
+
+def seen(page: Page, height: int, when: str) -> Iterator[str]:
+    """What is wrong with the page in a window so high."""
+    passed(page)
+    seek(page, 0.0)
+    small = [22 * height / 1080, 19 * height / 1080]
+    found = [*faults(page, *small), *page.evaluate(SCROLLED), *page.evaluate(SMALL, [27 * height / 1080, LARGE])]
+    yield from (f"{when} Show: {fault}" for fault in found if not any(one in fault for one in MEANT))
