@@ -13,6 +13,16 @@ export function coverNumber(number) {
   number.textContent = `${side}?${side}`
 }
 
+/**
+ * Whether a shape would tell of what is covered: what needs it, texts and dots over a plot, what lies inside one.
+ * @param {{spec: page.AnyShape, needs: Set<string>, plots: Set<string>}} shape
+ * @param {string[]} leftOut @param {string[]} covered plots
+ */
+export function tells({spec, needs, plots}, leftOut, covered) {
+  const isNamed = (spec.kind === "text" || spec.kind === "circle") && covered.some(plot => plots.has(plot))
+  return isNamed || covered.includes(spec.inside) || leftOut.some(name => needs.has(name))
+}
+
 export class Cover {
   /** @type {HTMLElement | undefined} */
   element

@@ -1,6 +1,7 @@
 // Draws a stage: shapes whose numbers are polynomials in the signals, evaluated at every frame.
 
 import {Clear} from "./clear.js"
+import {tells} from "./cover.js"
 import {inUnits, set, svg, unitSize, words} from "./dom.js"
 import {Grips} from "./grips.js"
 import {polynomial} from "./signals.js"
@@ -209,7 +210,8 @@ export class Stage {
         moving.flatMap(([, {terms}]) => terms.flatMap((/** @type {page.Product} */ term) => term[1])),
       )
       const places = [...needs].filter(name => name.includes("."))
-      return {spec, kind, parts, group, moving, needs, places, covered: false}
+      const plots = new Set(places.map(name => name.split(".")[0])) // that it lies over
+      return {spec, kind, parts, group, moving, needs, places, plots, covered: false}
     })
     if (page && block.shapes.some(shape => shape.grab)) this.grips = new Grips(host, page)
     for (const shape of block.shapes) if (shape.grab) this.grips?.add(/** @type {any} */ (shape))
@@ -246,16 +248,13 @@ export class Stage {
     const origin = this.svg.getBoundingClientRect()
     this.clear.measure(this.host, origin, this.under)
     this.plots = Object.assign({}, ...plots.map(plot => plot.geometry(origin)))
+    // On a phone the plot that is asked about stands apart: what joins it to others would lie over the card.
+    this.apart = this.size.narrow > 0 && plots.some(({host}) => host.matches(".sketched, .marked"))
     for (const [plot, {rect}] of this.frames) {
       if (!(`${plot}.left` in this.plots)) continue
       const [left, right, top, bottom] = ["left", "right", "top", "bottom"].map(side => this.plots[`${plot}.${side}`])
-      const box = {
-        x: left - 6,
-        y: top - 6,
-        width: Math.max(right - left, 0) + 12,
-        height: Math.max(bottom - top, 0) + 12,
-      }
-      set(rect, box)
+      const [width, height] = [Math.max(right - left, 0) + 12, Math.max(bottom - top, 0) + 12]
+      set(rect, {x: left - 6, y: top - 6, width, height})
     }
   }
 
@@ -270,12 +269,9 @@ export class Stage {
     return clip.id
   }
 
-  /** What needs what is covered is not drawn, nor texts over it. @param {string[]} leftOut @param {string[]} plots */
-  update(leftOut, plots = []) {
-    for (const shape of this.shapes) {
-      const isUnder = shape.spec.kind === "text" && shape.places.some(place => plots.includes(place.split(".")[0]))
-      shape.covered = isUnder || leftOut.some(name => shape.needs.has(name))
-    }
+  /** What would tell of what is covered is not drawn. @param {string[]} leftOut @param {string[]} covered plots */
+  update(leftOut, covered = []) {
+    for (const shape of this.shapes) shape.covered = tells(shape, leftOut, covered)
     this.grips?.update()
   }
 
@@ -283,9 +279,10 @@ export class Stage {
   frame(named) {
     if (this.host.closest("[hidden]")) return
     const all = {...named, ...this.plots, ...this.size}
-    for (const {spec, kind, parts, group, moving, places, covered} of this.shapes) {
+    for (const {spec, kind, parts, group, moving, places, plots, covered} of this.shapes) {
+      const away = covered || (this.apart && plots.size > 1)
       // What lies over a plot does not stand without it.
-      const shown = !covered && spec.show.every(name => all[name]) && places.every(name => name in this.plots)
+      const shown = !away && spec.show.every(name => all[name]) && places.every(name => name in this.plots)
       group.style.display = shown ? "" : "none"
       if (!shown) this.grips?.place(spec, null, false, all)
       if (!shown) continue

@@ -36,6 +36,9 @@ export class Card {
     this.question.changed = () => this.#ready()
     page.panel.prepend(this.element)
     page.root.classList.add("walked")
+    // On a phone it stands among the plots: what is drawn over them moves along.
+    this.observer = new ResizeObserver(() => page.redraw())
+    this.observer.observe(this.element)
     this.line = element("p", {class: "asked-line"}, ...asked(step))
     page.heading.after(this.line)
     this.#ask()
@@ -167,6 +170,7 @@ export class Card {
     for (const {part, place} of this.borrowed) place.replaceWith(part)
     this.#release()
     this.question.leave()
+    this.observer.disconnect()
     this.element.remove()
     this.line.remove()
     this.page.root.classList.remove("walked")

@@ -90,7 +90,7 @@ def test_the_list_names_each_key_and_single_letters_can_be_switched_off(
     keys.get_by_role("button", name="Play or pause").click()
     assert playing(page) is not before
     keys.get_by_label("Keys of a single letter act").uncheck()
-    keys.get_by_role("button", name="Close").click()
+    keys.get_by_role("button", name="Close", exact=True).click()
     page.keyboard.press("b")
     assert page.locator(".blank").count() == 0
     page.keyboard.press("?")

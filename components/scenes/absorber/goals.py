@@ -24,8 +24,9 @@ def goals() -> Block:
         y = var("wide") * desk + var("narrow") * (18 + 46 * i)
         begin = on_x("swing", var("away_high")) + 6 if i == 0 else var("swing.left")
         shapes.append(line(begin, desk, -6, desk, style="dotted", show="wide"))
-        shapes += [circle(9, y, 8, show=f"met{i}"), path(TICK, 9, y, style="counter", show=f"met{i}")]
-        shapes += [circle(9, y, 8, style="hollow", show=f"open{i}"), path(CROSS, 9, y, show=f"open{i}")]
+        met, missed = f"met{i}", f"open{i}"
+        shapes += [circle(9, y, 8, style="told", show=met), path(TICK, 9, y, style="counter told", show=met)]
+        shapes += [circle(9, y, 8, style="hollow told", show=missed), path(CROSS, 9, y, style="told", show=missed)]
         shapes.append(text(26, y + 5, f"{{goal{i}}}", "start", style="t2 b"))
         shapes.append(text(26, y + 23, f"{{found{i}}}", "start", tint="mute", style="t0"))
     return stage(*shapes, label="The goals, met or not", grow=0, basis=286, phone=12, height=150, style="still")

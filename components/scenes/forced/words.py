@@ -20,7 +20,7 @@ _ROWS = (
 _GROWS = "from rest $x_1$ grows by {growth1} m a second, $x_2$ by {growth2} m."
 
 SOLUTION: list[Paragraph] = [
-    _ROWS,
+    either("rows", sign=_ROWS),
     either(
         "steady",
         finite=r"$\tint{m1}{X_{\mathrm{p}1} = \dfrac{(k_2 - m_2 \omega^2) F_0}{D} = \val{Xp1}}$ [m1|m, {way1}]",
@@ -76,7 +76,7 @@ def forms(driven: DrivenModes, limit: Columns, view: str) -> dict[str, str]:
     limits = {f"x{i}_limit": kind for i in (1, 2)}
     offered = driven.chain.k1 > 0 and driven.F_0 > 0
     shown = {view: "shown", "solution": "" if view == "forces" else "shown"}
-    return {"steady": steady, **parts, **limits, **shown, "lecture": "offered" if offered else ""}
+    return {"steady": steady, "rows": "sign", **parts, **limits, **shown, "lecture": "offered" if offered else ""}
 
 
 def notes(driven: DrivenModes, units: str, lecture: bool, too_fast: bool) -> list[str]:

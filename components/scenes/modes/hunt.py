@@ -33,6 +33,7 @@ SWINGS, PER_SWING, MOST = 40, 96, 1281
 """The path is drawn over so many swings of the fast mode at most, with so many points a swing and in all."""
 
 
+TASK = "Drag the start, the ring, until the path is a straight line. There are two such directions."
 START = on_x("plane", var("start1")), on_y("plane", var("start2"))
 START_GRAB = grab(
     "Start of both masses",
@@ -46,11 +47,8 @@ def sheet() -> Block:
     return row(
         _plane(),
         column(
-            words(
-                "**Mass 2 against mass 1, let go from rest.** Drag the start, the ring, until the path is a straight "
-                "line. There are two such directions.",
-                phone=6,
-            ),
+            words("**Mass 2 against mass 1, let go from rest.**", phone=6),
+            words(TASK, style="task", phone=6),
             stage(
                 *_shapes(), label="The chain in motion, and how much of the energy is in each mode", grow=1, height=210
             ),

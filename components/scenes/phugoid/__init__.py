@@ -157,7 +157,9 @@ class Phugoid(Scene):
         label = "The flight path with the aircraft, beside the spring and mass it mimics"
         return column(
             desk(words(TASK, style="task", phone=0)),
-            column(stage(*shapes, label=label, grow=0, basis=26, phone=0, height=28), path_plot(), grow=262),
+            column(
+                stage(*shapes, label=label, grow=0, basis=26, phone=0, height=28, style="still"), path_plot(), grow=262
+            ),
             words("{verdict}", style="narrow", phone=6),
             row(
                 column(

@@ -143,9 +143,7 @@ def lift_shapes(plot: str, show: str) -> list[Shape]:
 
 def _labels(plot: str, left: Number, level: Number) -> list[Shape]:
     above = 6 + 15 * SIZE  # the aircraft comes by under them
-    top, top_lin = (
-        (on_x(plot, var(f"{name}_x")), on_y(plot, var(f"{name}_y")) - above) for name in ("top", "top_lin")
-    )
+    top, top_lin = ((on_x(plot, var(f"{name}_x")), on_y(plot, var(f"{name}_y")) - above) for name in ("top", "top_lin"))
     return [
         text(left - 8, level + 5, "*h*_0", anchor="end", style="t2 b halo"),
         text(top[0] - 4, top[1], "exact", anchor="end", tint="m1", style="halo", show="named"),
