@@ -126,7 +126,7 @@ class _Pair:
         now = self.now
         became_ = became(self.held.value / self.size, now.value / self.size, now.angle)
         return LedgerRow(
-            symbol=rich(f"*{now.symbol.replace('_', '*_', 1)}" + ("" if "_" in now.symbol else "*")),
+            symbol=rich(" − ".join(_italic(symbol) for symbol in now.symbol.split(" − "))),
             tint=now.tint,
             held=three(self.held.value / self.size),
             now=COVERED if self.hidden else three(now.value / self.size),
@@ -134,6 +134,11 @@ class _Pair:
             ratio=COVERED if self.hidden else "same" if self.same else became_,
             same=self.same,
         )
+
+
+def _italic(symbol: str) -> str:
+    letter, index, name = symbol.partition("_")
+    return f"*{letter}*{index}{name}"
 
 
 def ledger(scene: Scene, other: Scene, covered: tuple[str, ...], asked: Scene | None = None) -> tuple[LedgerRow, ...]:

@@ -5,7 +5,7 @@ import {Flags, Labels} from "../labels.js"
 import {fixed} from "../numbers.js"
 import {evaluate} from "../signals.js"
 import {Stage} from "../stage.js"
-import {axes} from "./describe.js"
+import {axes, measured} from "./describe.js"
 import {HeldName, linesOf, StageGhost} from "./ghosts.js"
 import {plain} from "./plain.js"
 
@@ -32,7 +32,7 @@ export class Drawing {
     const {x, y} = axes(plot)
     const scale = Math.max((x.end - x.start) / frame.width, (y.end - y.start) / frame.height)
     this.x = this.block.square ? widened(x, scale * frame.width) : x
-    this.y = this.block.square ? widened(y, scale * frame.height) : y
+    this.y = this.block.square ? widened(y, scale * frame.height) : whole(y)
     this.over = svg("g")
     this.controls = document.createElement("div")
     host.append(this.controls)
@@ -209,7 +209,8 @@ export class Drawing {
     const [x, y, width, height] = [place.left - origin.left, place.top - origin.top, place.width, place.height].map(
       length => length / unitSize(),
     )
-    const lines = [...flag.children].length > 1 && !flag.classList.contains("one") ? [...flag.children] : [flag]
+    const words = [...flag.children].filter(child => plain(child).trim())
+    const lines = words.length > 1 && !flag.classList.contains("one") ? words : [flag]
     const middle = x + width / 2
     const texts = lines.map((line, i) =>
       svg(
@@ -241,6 +242,17 @@ function dotAt(point, marker) {
   const dot = svg("circle", {class: marker === "ring" ? "ring" : "body", r: 4.5})
   set(dot, {cx, cy})
   return dot
+}
+
+/**
+ * With the number and the unit that on the page stand beside another plot.
+ * @param {page.Ruler} ruler
+ */
+function whole(ruler) {
+  const {labels, ticks, unit} = ruler
+  if (!labels.some(Boolean) || labels.some(label => label.endsWith(unit))) return ruler
+  const told = labels.map((label, i) => label || measured(ruler, ticks[i]))
+  return Object.assign({}, ruler, {labels: told})
 }
 
 /** An axis around the same middle that spans `size`. @param {page.Ruler} ruler @param {number} size */

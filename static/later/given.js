@@ -11,14 +11,17 @@ export function parameters({spec, panel, shown: {settings, view}}) {
   const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")
   const set = rows.map(row => {
     const {text, unit} = settings[row.name]
-    return `${indexed(row.symbol)} = ${text.replace("-", "−")} ${unit ?? row.unit}`.trim()
+    return `${indexed(row.symbol)} = ${counted(text.replace("-", "−"), unit ?? row.unit)}`
   })
   const facts = [...panel.querySelectorAll("section:not([hidden]) .cells-4")].map(row => {
     const [symbol, , number, unit] = [...row.children].map(cell => plain(cell).trim())
-    return `${symbol} = ${number} ${unit}`
+    return `${symbol} = ${counted(number, unit)}`
   })
   return [...facts, ...set]
 }
+
+/** @param {string} number @param {string} unit */
+const counted = (number, unit) => `${number}${unit === "°" ? "" : " "}${unit}`.trim()
 
 /** @param {Page} page */
 export const link = page => new URL(page.link, location.href).href
@@ -30,8 +33,7 @@ export const instant = page => (page.shown.view.time ? `t = ${page.clock.t.toFix
 export function held({shown}) {
   const rows = shown.held?.ledger.filter(({same}) => !same) ?? []
   const told = rows.map(({symbol, held: number, unit}) => {
-    const name = plain(marked("i", {}, symbol))
-    return `${name} = ${number} ${unit}`.trim()
+    return `${plain(marked("i", {}, symbol))} = ${counted(number, unit)}`
   })
   return told.length ? [`Dotted: held, ${told[0]}`, ...told.slice(1)] : []
 }

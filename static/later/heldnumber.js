@@ -15,7 +15,7 @@ export class HeldNumber {
     this.label = label
     this.name = name
     this.rest = rest
-    this.text = svg("text", {class: "t0 halo"})
+    this.text = svg("text", {class: "t0 halo held-number"})
     this.group = svg("g", {class: tint}, this.text)
     this.group.style.display = "none"
     stage.svg.append(this.group)
@@ -37,15 +37,31 @@ export class HeldNumber {
     set(this.text, this.#place())
   }
 
-  /** To the right of the label, or under or over it where the stage ends. */
+  /** To the right of the label, or under or over it where the stage ends or another label stands. */
   #place() {
-    const {W, H} = this.stage.size
-    const {left, right, top, bottom} = this.stage.clear.box(this.label)
-    const {left: start, right: end} = this.stage.clear.box(this.text)
+    const {clear, size} = this.stage
+    const {left, right, top, bottom} = clear.box(this.label)
+    const {left: start, right: end} = clear.box(this.text)
     const y = Number(this.label.getAttribute("y"))
-    if (right + GAP + end - start <= W) return {x: right + GAP, y}
     const line = bottom - top + 3
-    return {x: left, y: y + (y + line < H ? line : -line)}
+    const beside = {x: right + GAP, y}
+    const below = {x: left, y: y + (y + line < size.H ? line : -line)}
+    const edge = size.narrow ? clear.room.right : size.W // nothing stands beside a stage on a phone
+    const isIn = right + GAP + end - start <= edge
+    return isIn && this.#isFree({left: right + GAP, right: right + GAP + end - start, top, bottom}) ? beside : below
+  }
+
+  /** @param {import("../clear.js").Box} box */
+  #isFree(box) {
+    const {clear} = this.stage
+    const others = clear.labels.filter(({text, group}) => {
+      const isOwn = text === this.label || text === this.text || text.classList.contains("held-number")
+      return !isOwn && group.style.display === "" && text.style.display === ""
+    })
+    return !others.some(({text}) => {
+      const {left, right, top, bottom} = clear.box(text)
+      return left < box.right && box.left < right && top < box.bottom && box.top < bottom
+    })
   }
 }
 

@@ -10,6 +10,7 @@ const WIDE = 560 // of a picture; its type is that of the page, so large beside 
 const HIGH = 300 // of the frame of a plot
 const EDGE = 14
 const LINE = 20
+const UNIT = 4 // signs at the end of a formula, no more than this, are the unit of what they follow
 /** What of a style an element is drawn with, and its value where nothing is said. @type {Record<string, string>} */
 const LOOK = {
   fill: "rgb(0, 0, 0)",
@@ -152,7 +153,12 @@ function legend({block, host}) {
   const terms = parts.map((part, i) => ({...block.heading[i], text: plain(part).trim()}))
   const isTitle = (/** @type {string} */ text) =>
     block.title.split(/[,: ]+/).includes(text) || block.title.startsWith(`${text}:`)
-  return terms.filter(({text, curve}, i) => text && !isTitle(text) && !(curve && parts[i].classList.contains("off")))
+  const told = terms.filter(
+    ({text, curve}, i) => text && !isTitle(text) && !(curve && parts[i].classList.contains("off")),
+  )
+  const [before, last] = told.slice(-2)
+  if (last?.key !== "none" || last.text.length > UNIT) return told
+  return [...told.slice(0, -2), {...before, text: `${before.text} ${last.text}`}]
 }
 
 /** @param {string} key */
@@ -167,7 +173,7 @@ function sample(key) {
  * @param {Stage} stage @param {Page} page @param {boolean} [captioned] @returns {Picture}
  */
 export function stagePicture(stage, page, captioned = true) {
-  const under = page.plots.filter(plot => plot.box && beside(plot, stage))
+  const under = page.plots.filter(plot => plot.box && isSeen(plot) && (beside(plot, stage) || writesInto(stage, plot)))
   const written = [...stage.svg.querySelectorAll("text")].filter(text => text.getBoundingClientRect().width)
   const box = around([stage.host, ...under.map(plot => plot.host), ...written])
   const easel = new Easel(Math.max(Math.ceil(box.width) + 4 * EDGE, WIDE))
@@ -195,9 +201,18 @@ function plotAt(plot, easel, named) {
   return drawing.over
 }
 
+/** @param {Plot} plot */
+const isSeen = plot => plot.host.offsetParent !== null
+
 /** @param {Plot} plot @param {Stage} stage */
-const beside = (plot, stage) =>
-  plot.host.closest(".column") === stage.host.parentElement && plot.host.offsetParent !== null
+const beside = (plot, stage) => plot.host.closest(".column") === stage.host.parentElement
+
+/** Whether a stage writes into the frame of a plot. @param {Stage} stage @param {Plot} plot */
+const writesInto = (stage, {block}) =>
+  stage.shapes.some(({spec, group, needs}) => {
+    const isShown = spec.kind === "text" && group.style.display === ""
+    return isShown && needs.has(`${block.name}.y1`) && [...needs].some(name => name.endsWith(".x1"))
+  })
 
 /** The rectangle that holds all of these. @param {Element[]} hosts */
 function around(hosts) {

@@ -6,6 +6,7 @@ const LOW = new Map(
 const HIGH = new Map([..."0123456789+-−()n"].map((sign, i) => [sign, "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻⁽⁾ⁿ"[i]]))
 /** @type {Record<string, string>} */
 const OVER = {"˙": "\u0307", "¨": "\u0308", ".": "\u0307", "..": "\u0308", "^": "\u0302", "¯": "\u0304", "→": "\u20d7"}
+const WORD = /^[a-z]+$/i
 const APART = "=+−-±<>≤≥≈→⇒≠×·"
 
 /**
@@ -15,7 +16,7 @@ const APART = "=+−-±<>≤≥≈→⇒≠×·"
 function shifted(text, signs, mark) {
   const all = [...text].map(sign => signs.get(sign))
   if (all.every(Boolean)) return all.join("")
-  return text.length > 1 ? `${mark}(${text})` : mark + text
+  return text.length > 1 && !WORD.test(text) ? `${mark}(${text})` : mark + text
 }
 
 /** k_2 as k₂. @param {string} symbol */

@@ -27,7 +27,7 @@ class Menu {
       const values = [...text.matchAll(/\{(\w+)\}/g)].map(([, value]) => `value:${value}`)
       if (values.length) this.#add(values[0], `Number: ${name}`)
     }
-    if (stages.length) this.#add("stage", "The motion of the apparatus")
+    if (stages.some(stage => stage.svg.role === "img")) this.#add("stage", "The motion of the apparatus")
     const [first] = this.element.children
     if (first instanceof HTMLElement) first.focus()
   }

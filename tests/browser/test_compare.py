@@ -105,6 +105,21 @@ def test_what_the_next_change_shows_waits_for_a_prediction_in_its_place(page: Pa
     expect(page.locator(".cover:visible")).to_have_count(0)
 
 
+def test_what_is_offered_to_be_covered_can_be_and_what_it_begins_cannot_be_taken_in_hand(
+    page: Page, open_scene: Open
+) -> None:
+    open_scene(page, scene="accuracy")
+    button = page.get_by_role("button", name="Predict")
+    button.click()
+    expect(page.get_by_role("menuitem")).to_have_count(3)  # the next change and two plots: no apparatus moves
+    page.get_by_role("menuitem").last.click()
+    page.wait_for_function("oscillations.shown.state.covered.length === 1")
+    open_scene(page, scene="coupled", cover="plot:x1")
+    expect(page.get_by_role("slider", name="Slow mode, start, by mass 2")).to_have_count(0)
+    page.get_by_label("Controls").get_by_role("button", name="Reveal").click()
+    expect(page.get_by_role("slider", name="Slow mode, start, by mass 2")).to_be_visible()
+
+
 def test_the_navigation_takes_the_chain_along_and_reset_gives_it_up(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled", k2=3)
     page.get_by_role("link", name="Forced").click()

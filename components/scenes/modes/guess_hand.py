@@ -19,7 +19,7 @@ def guess_point(x: Number, y: Number) -> Shape:
     """The point in the plane of omega^2 and X2/X1."""
     ways = on_plot("shape", "x", "omega", "w", "w", least=0.0), on_plot("shape", "y", "ratio", "r", "r")
     held = grab("Guess: frequency and shape", *ways, inside="shape")
-    return circle(x, y, 8, tint="F", show="guess_in", grab=held)
+    return circle(x, y, 8, tint="F", show="guess_in", grab=held, held=True)
 
 
 def full_swing(foot: Number) -> list[Shape]:

@@ -67,8 +67,8 @@ FASTEST = 275.0  # m/s, the end of the plot of periods
 LARGEST = 3.0  # v_0; the flight is then a small circle far below the level line
 NAMES = {name: label for name, (label, _, _) in AIRCRAFT.items()}
 VIEWS = {"period": "Period", "lift": "Lift", "exchange": "Exchange", "limits": "Limits"}
-BESIDE = 225
-"""Where v' stands on a wide page: beside h', with room for the one that is held."""
+BESIDE = WIDE * 225 + NARROW * 165
+"""Where v' stands: beside h', with room for the one that is held."""
 TASK = "Change the speed v₀, the mass, the disturbance: which of them changes the period?"
 
 
@@ -288,6 +288,6 @@ class Phugoid(Scene):
 def _words() -> list[Shape]:
     return [
         text(0, 17, "*h*′ = {h} {h_unit}", anchor="start", tint="V", style="t2 b"),
-        text(NARROW * (0.5 * W) + WIDE * BESIDE, 17, "*v*′ = {v} {v_unit}", anchor="start", tint="T", style="t2 b"),
+        text(BESIDE, 17, "*v*′ = {v} {v_unit}", anchor="start", tint="T", style="t2 b"),
         text(W, 17, "{verdict}", anchor="end", tint="ink", show="wide"),
     ]
