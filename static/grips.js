@@ -31,7 +31,7 @@ const HOLDS = {
   arrow: s => [s.x2, s.y2, 0],
 }
 
-/** @typedef {{grip: HTMLElement, grab: page.Grab, needs: string[], x: number, y: number}} Grip */
+/** @typedef {{grip: HTMLElement, grab: page.Grab, needs: string[], x: number, y: number, lift: number}} Grip */
 
 export class Grips {
   /** @type {Map<object, Grip>} by the shape */
@@ -58,6 +58,7 @@ export class Grips {
       needs: needed(grab),
       x: 0,
       y: 0,
+      lift: 0,
     }
     const [only, ...more] = grab.ways.filter(way => way.parameter)
     if (!more.length && only.kind !== "turn") {
@@ -86,9 +87,9 @@ export class Grips {
     const wide = Math.max(size, FINGER / Math.min(unitSize(), 1))
     const {style} = found.grip
     style.width = style.height = long(wide)
-    // At the foot of the picture a hand takes it above: below are the buttons of the transport.
-    const top = y <= all.H ? Math.min(y - wide / 2, all.H - wide) : y - wide / 2
-    style.transform = `translate(${long(x - wide / 2)}, ${long(top)})`
+    // At the foot of the picture a hand takes it above: below are the buttons of the transport. Then it is held there.
+    if (!isHeld) found.lift = y <= all.H ? Math.min(0, all.H - wide / 2 - y) : 0
+    style.transform = `translate(${long(x - wide / 2)}, ${long(y - wide / 2 + found.lift)})`
     if (isHeld) this.#say(found, wide)
   }
 
