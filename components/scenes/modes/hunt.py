@@ -20,7 +20,7 @@ from components.page.plots import Handle
 from components.page.state import Frame
 from components.plots import Room, curve, plot
 from components.scene import Picture
-from components.sheet import Paragraph, choice, column, either, row, stage, words
+from components.sheet import Paragraph, choice, column, either, row, stage, when, words
 from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
 from components.traces import Columns
 from physics.coupled import FreeModes, TwoMassChain, free_modes, free_motion
@@ -48,7 +48,7 @@ def sheet() -> Block:
         _plane(),
         column(
             words("**Mass 2 against mass 1, let go from rest.**", phone=6),
-            words(TASK, style="task", phone=6),
+            when("hunt", words(TASK, style="task", phone=6)),
             stage(
                 *_shapes(), label="The chain in motion, and how much of the energy is in each mode", grow=1, height=210
             ),
