@@ -64,6 +64,7 @@ export class AskedPut {
     }
     this.status.textContent = ""
     this.#restore()
+    page.redraw() // plots have made way for it
   }
 
   /** As much of a walk as a card asks for. @param {page.StepCard} step @param {string} where @returns {any} */
@@ -153,6 +154,7 @@ export class AskedPut {
   #leave() {
     clearTimeout(this.timer)
     this.card?.leave()
+    this.card?.page.redraw()
     this.card = null
   }
 }

@@ -18,7 +18,7 @@ export class Large {
 
   asking = element("div", {class: "class-asking", role: "status"}) // whether they are
 
-  said = element("p", {class: "problem", role: "status"})
+  said = element("p", {class: "done", role: "status"})
 
   /** @param {import("./teach.js").Teach} teach */
   constructor(teach) {
@@ -48,7 +48,7 @@ export class Large {
       element("b", {class: "code"}, room.code),
     )
     words.append(element("p", {}, this.here, " here"))
-    this.said.replaceChildren()
+    this.#say("done", "")
     const tools = element("div", {class: "class-tools"}, this.asking, this.said, ...this.#tools())
     this.dialog = element("dialog", {class: "class-large", "aria-label": "Join the class"}, square, words, tools)
     this.dialog.addEventListener("keydown", event => {
@@ -79,16 +79,22 @@ export class Large {
   /** A second press ends it. */
   #end() {
     if (this.said.textContent?.startsWith("Press again")) this.teach.end()
-    else this.said.textContent = "Press again to end the class: code and answers are forgotten."
+    else this.#say("problem", "Press again to end the class: code and answers are forgotten.")
+  }
+
+  /** @param {"done" | "problem"} kind @param {string} sentence */
+  #say(kind, sentence) {
+    this.said.className = kind
+    this.said.textContent = sentence
   }
 
   /** What cannot be done is said. @param {() => Promise<void>} act */
   async #try(act) {
     try {
-      this.said.replaceChildren()
+      this.#say("done", "")
       await act()
     } catch (reason) {
-      this.said.textContent = reason instanceof Error ? reason.message : String(reason)
+      this.#say("problem", reason instanceof Error ? reason.message : String(reason))
     }
   }
 
@@ -128,11 +134,12 @@ export class Large {
     const decide = (/** @type {string} */ method, /** @type {string} */ done) =>
       this.#try(async () => {
         await ask(`${code}/tickets`, {method, body: {digits}, word: key})
-        this.said.textContent = done
+        this.#say("done", done)
       })
-    const yes = button("Yes, let it in", "chip", () => decide("PUT", "The remote control is in."))
-    const no = button("No", "chip", () => decide("DELETE", "It was not let in."))
-    return element("p", {}, `Does the phone in your hand show ${digits}? `, yes, " ", no)
+    const yes = button("Yes, let it in", "act filled", () => decide("PUT", "The remote control is in."))
+    const no = button("No", "act", () => decide("DELETE", "It was not let in."))
+    const words = element("span", {}, "Does the phone in your hand show ", element("b", {}, digits), "?")
+    return element("p", {}, words, yes, no)
   }
 }
 

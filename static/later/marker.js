@@ -104,6 +104,7 @@ export class Marker {
     this.truths = places
     this.layer.classList.add("taught")
     this.pill.disabled = true
+    this.pill.hidden = this.value === null // nothing was marked
     this.layer.append(...places.map(() => element("i", {class: "line-mark true"})))
     this.place()
   }

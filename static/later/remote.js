@@ -55,7 +55,7 @@ class Remote {
     this.paired = paired
     this.state = element("p", {role: "status"})
     this.host.replaceChildren(
-      element("h1", {}, paired.digits),
+      element("h1", {class: "digits"}, paired.digits),
       element("p", {}, "Let this phone in on the first screen, where the same two digits stand."),
     )
   }

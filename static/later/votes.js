@@ -95,7 +95,9 @@ export class Votes {
     if (!card || !walk) return
     const here = this.teach.news.here ?? 0
     const before = tally?.before ? ", outlined before the talk" : ""
-    this.status.textContent = `${tally?.now.answered ?? 0} of ${here} answered${this.isOpen ? before : ""}`
+    const answered = tally?.now.answered ?? 0
+    const of = answered > here ? "" : ` of ${here}` // some have left since
+    this.status.textContent = `${answered}${of} answered${this.isOpen ? before : ""}`
     if (!walk.lesson) card.forward.textContent = this.waits ? "Votes" : "Show"
     if (!walk.lesson) card.forward.classList.remove("waiting")
     const tools = this.isOpen ? [this.hide, ...(walk.lesson ? [] : [this.once])] : []

@@ -1,0 +1,55 @@
+"""Steps of a walk in a hall with a class: beside its corner, with the votes of many, nothing is covered or cut off."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from tests.browser.classroom import LED, Open, taught
+from tests.browser.halls import seen
+from tests.browser.test_hall_walk import LAID, TAUGHT
+from tests.rooms.caller import call
+from tests.serving.server import Server
+
+pytestmark = pytest.mark.browser
+MANY = 12
+HEIGHT = 720
+STEPS: dict[str, Callable[[int], dict[str, Any]]] = {
+    "d34-12": lambda i: {"option": i % 3},
+    "d34-14": lambda i: {"curves": {"Xp1": [round(500 + 400 * math.sin(i + j / 9)) for j in range(101)]}},
+    "d34-04": lambda i: {"value": 0.8 + 0.1 * i},
+    "d34-01": lambda i: {"text": f"{i % 4}"},
+}
+"""A step of each kind, whose question or answer takes much room, and what the follower of a number answers."""
+GO = "id => oscillations.walks.walk.go(oscillations.walks.walk.sheet.steps.findIndex(step => step.id === id))"
+PUT = f"id => {LED}.news.question?.step === id && !oscillations.walks.walk.lesson && {LAID}"
+
+
+def test_a_step_is_seen_whole_beside_the_corner_of_a_class(server: Server, window: Open) -> None:
+    lecture, code = taught(window, "walk=d34&projector")
+    lecture.set_viewport_size({"width": 1280, "height": HEIGHT})
+    tokens = [call(server.url, f"/class/{code}/token", "POST").json["token"] for _ in range(MANY)]
+    found: list[str] = []
+    for step, answer in STEPS.items():
+        lecture.evaluate(GO, step)
+        lecture.wait_for_function(PUT, arg=step)
+        found += seen(lecture, HEIGHT, f"{step}, before")
+        for i, token in enumerate(tokens):
+            vote = {"walk": "d34", "step": step, **answer(i)}
+            assert call(server.url, f"/class/{code}/answer", "PUT", vote, token).status == 204
+        shown(lecture)
+        found += seen(lecture, HEIGHT, f"{step} with votes, before")
+        lecture.keyboard.press("PageDown")
+        lecture.wait_for_function(TAUGHT)
+        found += seen(lecture, HEIGHT, f"{step} with votes, after")
+    assert not found, "\n".join(found)
+
+
+def shown(lecture: Page) -> None:
+    lecture.keyboard.press("PageDown")
+    expect(lecture.locator(".votes")).to_contain_text(f"{MANY} answered")
+    expect(lecture.get_by_role("button", name="Ask again")).to_be_visible()
