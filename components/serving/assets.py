@@ -45,6 +45,7 @@ SHEETS = (
     "sketch",
     "contents",
     "class",
+    "remote",
     "corner",
     "votes",
     "forced",
