@@ -130,6 +130,16 @@ def test_most_scenes_can_be_taken_in_hand() -> None:
     assert {"theta_0", "floating_start", "string_start", "spring_start"} <= held["analogues"]
 
 
+def test_what_is_written_over_a_peak_is_not_where_the_peak_has_left_the_frame() -> None:
+    for slug, name, value, seen in (("oscillator", "x_0", 0.9, "leads"), ("analogues", "theta_0", 95.0, "late_seen")):
+        page = Page(SCENES[slug]())
+        assert page.scene.shown.scalars[seen]
+        page.say({"type": "set", "values": {name: value}, "holding": True, "number": 1})
+        assert seen not in page.scene.shown.scalars
+        page.say({"type": "set", "values": {}, "holding": False, "number": 2})
+        assert page.scene.shown.scalars[seen], "in the frame that has grown"
+
+
 def test_a_frame_stands_while_a_hand_holds_on_and_grows_when_it_lets_go() -> None:
     page = Page(SCENES["oscillator"]())
     before = frame_of(page.scene.shown)

@@ -181,7 +181,7 @@ def _scalars(case: AnalogueCase, axes: dict[str, Axis]) -> dict[str, float]:
     scalars["size"] = math.copysign(min(abs(case.q_0) / (LARGEST * case.system.swing), 1.0), case.q_0)
     scalars |= {"half_waves": min(case.p.get("n", 1.0), MOST_HALF_WAVES)}
     scalars |= {"along": 10 / scalars["half_waves"], "belly": 0.5 / scalars["half_waves"]}
-    drawn = samples(case.end, case.omega) > 12 * case.end / T_0
+    drawn = samples(case.end, case.omega) > 12 * case.end / T_0 and abs(case.q_0) <= axes["q"].end
     if case.pendulum:
         scalars |= _pendulum_scalars(case, axes)
         if drawn and case.end >= 3.1 * T:

@@ -250,11 +250,11 @@ def _scalars(swing: Oscillation, axes: dict[str, Axis], t: NDArray[np.float64]) 
 
 
 def _leads(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, float]:
-    """The last peak of x in the window, and those of v and a before it; none where they are out of it or too close."""
+    """The last peak of x in the window, and those of v and a before it; none out of the frame or too close."""
     tau = swing.oscillator.period
     first_peak = ((QUARTER - swing.constants.phi) % (2 * math.pi)) / (2 * math.pi)
     peak = first_peak + math.floor(swing.end / tau - first_peak)
-    if peak < 0.5 or swing.end > MOST_SWINGS * tau:
+    if peak < 0.5 or swing.end > MOST_SWINGS * tau or any(swing.amplitude(name) > axes[name].end for name in LEADS):
         return {}
     peaks = {f"peak_{name}": axes["t"].place((peak - i / 4) * tau) for i, name in enumerate(LEADS)}
     tops = {f"top_{name}": axes[name].place(swing.amplitude(name)) for name in LEADS}
