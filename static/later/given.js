@@ -29,11 +29,11 @@ export const link = page => new URL(page.link, location.href).href
 /** @param {Page} page */
 export const instant = page => (page.shown.view.time ? `t = ${page.clock.t.toFixed(page.timePlaces)} s` : "")
 
-/** What of the picture held, which is dotted, is another number. @param {Page} page */
-export function held({shown}) {
+/** What of the picture held is another number, after how that is drawn. @param {Page} page @param {string} drawn */
+export function held({shown}, drawn) {
   const rows = shown.held?.ledger.filter(({same}) => !same) ?? []
   const told = rows.map(({symbol, held: number, unit}) => {
     return `${plain(marked("i", {}, symbol))} = ${counted(number, unit)}`
   })
-  return told.length ? [`Dotted: held, ${told[0]}`, ...told.slice(1)] : []
+  return told.length ? [`${drawn}: held, ${told[0]}`, ...told.slice(1)] : []
 }

@@ -90,7 +90,7 @@ class Easel {
   /** @param {Page} page @param {string} [when] */
   caption(page, when) {
     this.y += 4
-    for (const one of [[when, ...parameters(page)], held(page)])
+    for (const one of [[when, ...parameters(page)], held(page, when === undefined ? "Dotted" : "In outline")])
       if (one.some(Boolean)) this.write(one.filter(Boolean).join(",  "), "t0 mute", /(?<=, {2})/)
     this.write(link(page), "t0 mute", /(?<=[?&,])|(?<=.{60})(?=.{20})/)
   }
@@ -154,7 +154,8 @@ function legend({block, host}) {
   const isTitle = (/** @type {string} */ text) =>
     block.title.split(/[,: ]+/).includes(text) || block.title.startsWith(`${text}:`)
   const told = terms.filter(
-    ({text, curve}, i) => text && !isTitle(text) && !(curve && parts[i].classList.contains("off")),
+    ({key, text, curve}, i) =>
+      text && !(key === "none" && isTitle(text)) && !(curve && parts[i].classList.contains("off")),
   )
   const [before, last] = told.slice(-2)
   if (last?.key !== "none" || last.text.length > UNIT) return told
