@@ -79,9 +79,14 @@ export class Teach {
   #hear(news) {
     if (news.ended) return this.#over("The class is over.")
     const isFirst = !this.news.number
+    const wasShown = this.news.question?.lesson
     Object.assign(this.news, news)
     this.say()
     if (isFirst && this.lecture.walks.walk) this.walked(this.lecture.walks.walk)
+    const {walk} = this.lecture.walks
+    // By another window of the instructor's.
+    if (news.question?.lesson && !wasShown && !isFirst && walk?.card && !walk.lesson && this.#isAsked(walk))
+      walk.show(true)
     if (news.answers || news.question || news.lost === false) this.votes.count()
     if (news.remotes) this.large.wait(news.remotes)
     if (news.deed) this.#obey(news.deed)
@@ -166,8 +171,13 @@ export class Teach {
 
   /** Whether the class has seen the answer: a page loaded anew does not ask once more. @param {Walk | null} walk */
   #isShown(walk) {
+    return !this.sheet && this.news.question?.lesson && this.#isAsked(walk)
+  }
+
+  /** @param {Walk | null} walk */
+  #isAsked(walk) {
     const {question} = this.news
-    return !this.sheet && question?.lesson && nameOf(walk) === `${question.walk}/${question.step}`
+    return nameOf(walk) === `${question?.walk}/${question?.step}`
   }
 
   /** The room must know a walk from a file before it can be asked of phones. @param {Walk} walk */

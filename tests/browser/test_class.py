@@ -14,6 +14,20 @@ from tests.browser.fixtures import READY
 pytestmark = pytest.mark.browser
 
 
+def by_another_window(lecture: Page) -> None:
+    """What one window of the instructor's shows is shown in the others."""
+    second = lecture.context.new_page()
+    second.goto(lecture.url)
+    second.wait_for_function(CONNECTED)
+    second.keyboard.press("t")
+    second.wait_for_function(f"{LED}?.news.question && oscillations.walks.walk.lesson")
+    for page in (lecture, second):
+        page.evaluate("oscillations.walks.walk.go(12)")
+        page.wait_for_function("oscillations.walks.walk.place === 12 && oscillations.classes.led.votes.waits")
+    second.evaluate("oscillations.walks.walk.show(true)")
+    lecture.wait_for_function("oscillations.walks.walk.lesson")
+
+
 def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: Callable[[Page, str], object]) -> None:
     lecture, code = taught(window, "walk=d34&step=d34-12")
     phones = [joined(window, code) for _ in range(2)]
@@ -51,6 +65,7 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
     lecture.wait_for_function("oscillations.walks.walk?.lesson")  # what has been shown is not asked once more
     expect(lecture.locator(".vote-count")).to_have_text(["1 → 0", "1 → 2", "0 → 0", "0 → 0"])
     assert phones[0].evaluate("oscillations.asked.question.vote === 2 && oscillations.asked.card.walk.lesson !== null")
+    by_another_window(lecture)
 
 
 def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) -> None:
