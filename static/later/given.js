@@ -1,6 +1,7 @@
 // What a picture is of: the parameters as the panel shows them, the instant, and the link.
 
 import {marked} from "../dom.js"
+import {brief} from "../handles.js"
 import {indexed, plain} from "./plain.js"
 
 /** @typedef {import("../page.js").Page} Page */
@@ -11,7 +12,7 @@ export function parameters({spec, panel, shown: {settings, view}}) {
   const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")
   const set = rows.map(row => {
     const {text, unit} = settings[row.name]
-    return `${indexed(row.symbol)} = ${counted(text.replace("-", "−"), unit ?? row.unit)}`
+    return `${indexed(row.symbol)} = ${counted(brief(text).replace("-", "−"), unit ?? row.unit)}`
   })
   const facts = [...panel.querySelectorAll("section:not([hidden]) .cells-4")].map(row => {
     const [symbol, , number, unit] = [...row.children].map(cell => plain(cell).trim())

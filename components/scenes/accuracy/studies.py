@@ -43,6 +43,12 @@ SWEEPS = {
     "detuning": "Near resonance, $\\omega/\\omega_- - 1$",
     "periods": "Long runs, slow periods",
 }
+AGAINST = {
+    "ratio": "k2/k1",
+    "detuning": "omega/omega_minus - 1",
+    "periods": "the length of the run in slow periods",
+}
+"""The same axes in words."""
 
 
 def length_view() -> Block:
@@ -124,7 +130,7 @@ def _digits_plot(sweep: str, title: str) -> Block:
         f"digits_{sweep}",
         x=f"place_{sweep}",
         y="span_error",
-        title=f"Largest error against {title}",
+        title=f"Largest error against {AGAINST[sweep]}",
         curves=curves,
         x_column="place",
         heading=(phrase("", "none", "ink", formula=f"**{title}**"),),
