@@ -57,9 +57,16 @@ def test_a_class_is_opened_once_and_no_order_is_overtaken(failing: Open) -> None
     put(phone, "d31-03")
     assert sent == ["d31-02", "d31-02", "d31-03"]
     assert len(opened) == lecture.locator(".class-code").count() == 1
+    losing(lecture, "/tally$")
+    phone.locator(".answers button").nth(0).click()
+    expect(lecture.locator(".votes")).to_contain_text("1 of 1 answered")  # a count that is lost is taken anew
+    losing(lecture, "/tickets$")
+    lecture.keyboard.press("j")
+    lecture.get_by_role("button", name="Remote control").click()
+    expect(lecture.get_by_role("dialog")).to_contain_text("Nobody answers")
 
 
-def test_an_answer_that_is_late_is_no_answer_to_another_question(failing: Open) -> None:
+def test_a_phone_stands_what_is_late_and_what_fails(failing: Open) -> None:
     lecture = failing("walk=d31&step=d31-01", 1920, 1080)
     lecture.wait_for_function(CONNECTED)
     lecture.keyboard.press("t")
@@ -84,3 +91,14 @@ def test_an_answer_that_is_late_is_no_answer_to_another_question(failing: Open) 
     lecture.evaluate("oscillations.walks.leave(); oscillations.open({scene: 'forced'})")
     phone.wait_for_function(f"{READY} && oscillations.page.spec.slug === 'forced'")
     assert len(asked) == 2  # a sheet that has not come is fetched anew
+    nowhere: list[Route] = []
+
+    def once(route: Route) -> None:
+        nowhere.append(route)
+        if len(nowhere) > 1:
+            return route.continue_()
+        return route.fulfill(status=404, json={"sentence": "There is no class with this code now."})
+
+    phone.route(re.compile("/events"), once)
+    phone.reload()  # while the store that replicas share is filled anew, no replica knows the room
+    phone.wait_for_function(f"{READY} && oscillations.news.number")
