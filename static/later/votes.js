@@ -65,7 +65,7 @@ export class Votes {
   }
 
   #clear() {
-    this.card?.page.root.classList.remove("gallery")
+    this.card?.page.root.classList.remove("gallery", "voted")
     this.layer?.leave()
     this.layer = null
     for (const bar of document.querySelectorAll(".answers .vote-row")) bar.remove()
@@ -103,6 +103,7 @@ export class Votes {
     const tools = this.isOpen ? [this.hide, ...(walk.lesson ? [] : [this.once])] : []
     this.chips.replaceChildren(...tools)
     this.all.textContent = ""
+    card.page.root.classList.toggle("voted", this.isOpen)
     if (this.isOpen && tally) this.#draw(walk, tally)
   }
 

@@ -12,6 +12,7 @@ from playwright.sync_api import Page, expect
 
 from tests.browser.classroom import LED, draw, joined, taught
 from tests.browser.dropping import drop
+from tests.browser.halls import seen
 
 pytestmark = pytest.mark.browser
 
@@ -37,6 +38,12 @@ def put(lecture: Page, phone: Page, step: str) -> None:
     phone.wait_for_function("step => oscillations.asked.question?.step === step && oscillations.asked.card", arg=step)
 
 
+def look(lecture: Page, name: str, screenshot: Take) -> None:
+    """The screen in front, as the last row sees it."""
+    screenshot(lecture, name)
+    assert list(seen(lecture, 1080, f"{name}, after")) == []
+
+
 def choice(lecture: Page, phone: Page, screenshot: Take) -> None:
     """Two votes, with talk between."""
     put(lecture, phone, "pull")
@@ -55,7 +62,7 @@ def choice(lecture: Page, phone: Page, screenshot: Take) -> None:
     for page in (lecture, phone):
         expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
     expect(phone.locator(".answers button").nth(0).get_by_role("img", name="right")).to_be_visible()
-    screenshot(lecture, "lecture-choice")
+    look(lecture, "lecture-choice", screenshot)
     lecture.keyboard.press("PageDown")
 
 
@@ -68,7 +75,7 @@ def number(lecture: Page, phone: Page, remote: Page, screenshot: Take) -> None:
     expect(lecture.locator(".vote-line circle")).to_have_count(1)
     remote.get_by_role("button", name="Show").click()
     expect(lecture.locator(".votes .all")).to_have_text("1 of 1 are right")
-    screenshot(lecture, "lecture-number")
+    look(lecture, "lecture-number", screenshot)
     remote.get_by_role("button", name="Next").click()
 
 
@@ -82,7 +89,7 @@ def point(lecture: Page, phone: Page, screenshot: Take) -> None:
       const [dot, mark] = parts.map(part => part?.getBoundingClientRect()).map(box => box && box.x + box.width / 2)
       return Math.abs(dot - mark) < 20
     }""")  # what was answered stands on the axis itself, a step from where the mark begins
-    screenshot(lecture, "lecture-point")
+    look(lecture, "lecture-point", screenshot)
     lecture.keyboard.press("PageDown")
     expect(lecture.locator(".votes .all")).to_have_text("0 of 1 are right")
     lecture.keyboard.press("PageDown")
@@ -101,7 +108,7 @@ def sketch(lecture: Page, phone: Page, screenshot: Take) -> None:
     box = ink.bounding_box()
     assert box and box["width"] > 1700 and box["height"] > 500
     expect(lecture.locator(".class-corner")).to_contain_text("1 here")
-    screenshot(lecture, "lecture-sketch")
+    look(lecture, "lecture-sketch", screenshot)
     expect(phone.locator(".findings li")).to_have_count(5)
     lecture.keyboard.press("PageDown")
 
