@@ -13,6 +13,10 @@ export function coverNumber(number) {
   number.textContent = `${side}?${side}`
 }
 
+/** The plots that are covered, by name. @param {page.State} state */
+export const coveredPlots = ({covered}) =>
+  covered.filter(name => name.startsWith("plot:")).map(name => name.slice("plot:".length))
+
 /**
  * Whether a shape would tell of what is covered: what needs it, texts and dots over a plot, what lies inside one.
  * @param {{spec: page.AnyShape, needs: Set<string>, plots: Set<string>}} shape

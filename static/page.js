@@ -5,7 +5,7 @@ import {bokeh} from "./bokeh.js"
 import {buildControls} from "./controls.js"
 import {Clock} from "./clock.js"
 import {Compare} from "./compare.js"
-import {coverNumber} from "./cover.js"
+import {coverNumber, coveredPlots} from "./cover.js"
 import {copyButton} from "./copy.js"
 import {element} from "./dom.js"
 import {Hand} from "./hand.js"
@@ -169,8 +169,7 @@ export class Page {
     for (const name of view.left_out) for (const one of this.named.get(name) ?? []) coverNumber(one)
     this.hand.heard(shown)
     const absent = view.left_out.filter(name => !(name in view.signals || name in view.scalars))
-    const plots = state.covered.filter(name => name.startsWith("plot:")).map(name => name.slice(5))
-    for (const stage of this.stages) stage.update(absent, plots)
+    for (const stage of this.stages) stage.update(absent, coveredPlots(state))
     this.root.classList.toggle("at-rest", state.covered.includes("stage") && !state.before)
     this.root.classList.toggle("without-table", state.covered.includes("table"))
     for (const plot of this.plots) plot.update(shown)

@@ -1,5 +1,6 @@
 // A plot as an SVG of its own: what the figure shows, in a frame of any size, with its names, flags and shapes.
 
+import {coveredPlots} from "../cover.js"
 import {set, svg, unitSize} from "../dom.js"
 import {Flags, Labels} from "../labels.js"
 import {fixed} from "../numbers.js"
@@ -162,7 +163,7 @@ export class Drawing {
     stage.size = {W, H, narrow: 0, wide: 1, hall: 0, desk: 1}
     const names = this.page.plots.map(plot => plot.block.name)
     stage.measure(names.map(name => /** @type {any} */ ({geometry: () => this.#geometry(name)})))
-    stage.update(this.view.left_out)
+    stage.update(this.view.left_out, coveredPlots(this.page.shown.state))
     fill(stage.svg, this.view, named)
     stage.frame(named)
     this.#held(stage, named)

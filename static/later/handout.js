@@ -1,6 +1,7 @@
 // A walk on paper: its steps with their pictures and space for the answers, then what each of them means. The walk is
 // gone through once, as a visitor would; the pages are made of what it shows.
 
+import {coveredPlots} from "../cover.js"
 import {element, marked} from "../dom.js"
 import {frame} from "../page.js"
 import {plotPicture, stagePicture} from "./picture.js"
@@ -8,6 +9,7 @@ import {things} from "./things.js"
 
 /** @typedef {import("./walk.js").Walk} Walk */
 
+const PICTURE = 420 // units of a plot, half a page wide
 const LONGEST = 20_000 // ms that a step may take to be shown
 
 /** From the step that stands, and back to it. @param {Walk} walk */
@@ -85,16 +87,19 @@ function question({step, lecture: {page}}, n) {
 }
 
 /**
- * The stage, and where something is to be drawn or marked the plot for it.
+ * The stage, and where something is to be drawn or marked the plot for it, else the first that is not covered.
  * @param {import("../page.js").Page} page @param {page.StepCard} step
  */
 function pictures(page, step) {
   const {stages, plots} = things(page)
+  const covered = coveredPlots(page.shown.state)
+  const isApart = (/** @type {import("../plots.js").Plot} */ {host, block}) =>
+    host.closest(".column") !== stages[0]?.host.parentElement && !covered.includes(block.name)
   const asked = page.plots.filter(({block}) => block.name === step.plot)
-  const others = asked.length ? asked : plots.slice(0, 1)
+  const others = asked.length ? asked : plots.filter(isApart).slice(0, 1)
   const drawn = [
     ...stages.slice(0, 1).map(stage => stagePicture(stage, page, false)),
-    ...others.filter(plot => plot.box && !plot.absent).map(plot => plotPicture(plot, false)),
+    ...others.filter(plot => plot.box && !plot.absent).map(plot => plotPicture(plot, false, PICTURE)),
   ]
   return [element("div", {class: "printed-pictures"}, ...drawn.map(seen))]
 }
@@ -127,7 +132,7 @@ function answer({step, lesson, card, lecture: {page}}, n) {
     marked("h2", {}, `${n}. ${title}`),
     ...right,
     ...number,
-    ...drawn.map(plot => element("div", {class: "printed-pictures"}, seen(plotPicture(plot, false)))),
+    ...drawn.map(plot => element("div", {class: "printed-pictures"}, seen(plotPicture(plot, false, PICTURE)))),
     why,
   )
 }

@@ -110,19 +110,19 @@ class Easel {
 }
 
 /**
- * Without a caption where the parameters and the link stand beside it.
- * @param {Plot} plot @param {boolean} [captioned] @returns {Picture}
+ * Without a caption where the parameters and the link stand beside it; narrower, its type is larger beside it.
+ * @param {Plot} plot @param {boolean} [captioned] @param {number} [wide] @returns {Picture}
  */
-export function plotPicture(plot, captioned = true) {
+export function plotPicture(plot, captioned = true, wide = WIDE) {
   const {block, page, view} = plot
-  const easel = new Easel()
+  const easel = new Easel(wide)
   easel.write(`${block.title}.`, "t1 b title")
   const terms = legend(plot)
   if (terms.length) easel.list(terms)
   else if (block.marks.length) easel.y += LINE // for flags over the frame
-  const frame = frameFor(plot)
+  const frame = frameFor(plot, wide)
   const host = element("div", {class: "easel-part"})
-  host.style.width = long(WIDE)
+  host.style.width = long(wide)
   host.style.height = long(frame.top + frame.height + 30)
   easel.host.append(host)
   const drawing = new Drawing(plot, host, frame)
@@ -136,21 +136,22 @@ export function plotPicture(plot, captioned = true) {
 
 /**
  * The room around the frame: for its numbers, names and flags, which on the page may stand out of it.
- * @param {Plot} plot
+ * @param {Plot} plot @param {number} wide
  */
-function frameFor({frame, host, block}) {
+function frameFor({frame, host, block}, wide) {
   const left = frame.left + 10
   const names = block.curves.map(({label}) => 1.15 * textWidth(label.map(({text}) => text).join("")) + 14)
   const right = Math.max(host.clientWidth / unitSize() - frame.left - frame.width, 40, ...names)
-  const most = WIDE - left - right
-  const height = block.square ? Math.min((most * frame.height) / frame.width, most) : HIGH
+  const most = wide - left - right
+  const height = block.square ? Math.min((most * frame.height) / frame.width, most) : (HIGH * wide) / WIDE
   return {left, top: frame.top + 8, width: block.square ? (height * frame.width) / frame.height : most, height}
 }
 
-/** What stands over a plot, but for what the title begins with. @param {Plot} plot */
+/** What is seen over a plot, but for what the title begins with. @param {Plot} plot */
 function legend({block, host}) {
   const parts = [...(host.parentElement?.querySelectorAll(".head .part") ?? [])]
-  const terms = parts.map((part, i) => ({...block.heading[i], text: plain(part).trim()}))
+  const seen = parts.map(part => getComputedStyle(part).visibility === "visible")
+  const terms = parts.map((part, i) => ({...block.heading[i], text: seen[i] ? plain(part).trim() : ""}))
   const isTitle = (/** @type {string} */ text) =>
     block.title.split(/[,: ]+/).includes(text) || block.title.startsWith(`${text}:`)
   const told = terms.filter(
@@ -184,10 +185,19 @@ export function stagePicture(stage, page, captioned = true) {
   const {view} = page.shown
   const named = evaluate(view.signals, view.scalars, page.clock.t)
   for (const plot of under) drawn.append(shifted(plotAt(plot, easel, named), plot.host, box))
-  drawn.append(shifted(svg("g", {}, ...stage.svg.cloneNode(true).childNodes), stage.host, box))
+  drawn.append(shifted(svg("g", {}, ...seenOf(stage.svg)), stage.host, box))
   easel.y += box.height + 2 * EDGE
   if (captioned) easel.caption(page, instant(page))
   return easel.done(page.spec.headline)
+}
+
+/** What a question hides is not in its picture. @param {SVGElement} drawn */
+function seenOf(drawn) {
+  const copy = /** @type {SVGElement} */ (drawn.cloneNode(true))
+  const copies = [...copy.querySelectorAll("*")]
+  for (const [i, one] of [...drawn.querySelectorAll("*")].entries())
+    if (getComputedStyle(one).visibility === "hidden") copies[i].remove()
+  return copy.childNodes
 }
 
 /** @param {Plot} plot @param {Easel} easel @param {Named} named */
