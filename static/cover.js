@@ -13,6 +13,9 @@ export function coverNumber(number) {
   number.textContent = `${side}?${side}`
 }
 
+/** What of a drawing speaks while the stage is covered: sketch.css hides it on the page. */
+export const SPOKEN = ".told, .shaft, .shaft + .fill, text:has([data-value])"
+
 /** The plots that are covered, by name. @param {page.State} state */
 export const coveredPlots = ({covered}) =>
   covered.filter(name => name.startsWith("plot:")).map(name => name.slice("plot:".length))

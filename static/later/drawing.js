@@ -1,6 +1,6 @@
 // A plot as an SVG of its own: what the figure shows, in a frame of any size, with its names, flags and shapes.
 
-import {coveredPlots} from "../cover.js"
+import {SPOKEN, coveredPlots} from "../cover.js"
 import {set, svg, unitSize} from "../dom.js"
 import {Flags, Labels} from "../labels.js"
 import {fixed} from "../numbers.js"
@@ -78,7 +78,8 @@ export class Drawing {
     labels.place()
     flags.place()
     if (marks.length) this.inside.append(this.#shapes(named, marks))
-    if (this.block.shapes.length) this.over.append(this.#shapes(named, this.block.shapes))
+    const isCovered = coveredPlots(this.page.shown.state).includes(this.block.name)
+    if (this.block.shapes.length && !isCovered) this.over.append(this.#shapes(named, this.block.shapes))
     this.over.append(...flags.marks.flatMap(({flag}) => this.#flag(flag)))
   }
 
@@ -167,6 +168,8 @@ export class Drawing {
     fill(stage.svg, this.view, named)
     stage.frame(named)
     this.#held(stage, named)
+    if (this.page.root.classList.contains("at-rest"))
+      for (const part of stage.svg.querySelectorAll(SPOKEN)) part.remove()
     const drawn = svg("g", {}, ...stage.svg.childNodes)
     layer.remove()
     return drawn

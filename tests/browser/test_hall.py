@@ -134,6 +134,7 @@ def test_a_walk_is_printed_with_space_for_answers_and_then_the_answers(server: S
     assert steps.locator(".printed-pictures svg").count() >= 5
     boxes = page.locator(".printed-pictures svg").evaluate_all("all => all.map(one => one.viewBox.baseVal.width)")
     assert min(boxes) > 100  # a view that has just come has its place before it is drawn
+    assert "?" not in "".join(steps.locator("svg").all_text_contents())  # what is hidden has left no trace
     expect(answers).to_contain_text("the same 1.00 s")
     assert "?" not in "".join(answers.locator(".why").all_inner_texts())
     (count,) = re.findall(rb"/Count (\d+)", page.pdf(format="A4"))
