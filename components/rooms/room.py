@@ -23,6 +23,8 @@ LEADERS = ("deed", "answers")
 """What the instructor's page alone hears of, as it comes; the store keeps nothing of it."""
 KEPT = 16
 """Of which so many are told once more to a page that has missed them."""
+OBEYED = 10.0
+"""Seconds for which a deed is worth doing: to a page that was away longer it would come out of nowhere."""
 
 Kind = TypeVar("Kind")
 
@@ -63,7 +65,7 @@ class ClassRoom:
         """Those of walks from files, beside the part that they were read from."""
         self._replica = token_hex(3)
         self._count = 0
-        self._own: deque[News] = deque(maxlen=KEPT)
+        self._own: deque[tuple[float, News]] = deque(maxlen=KEPT)
         self._waiting: tuple[str, ...] = ()
         self._led = 0.0
         """When a page of the instructor's that has no stream has asked last."""
@@ -124,7 +126,9 @@ class ClassRoom:
         replica, _, count = number.partition(".")
         if replica != self._replica or not count.isdecimal():
             return []
-        return [own for own in self._own if int(own.number.partition(".")[2]) > int(count)]
+        late = monotonic() - OBEYED
+        missed = [own for at, own in self._own if at > late or not own.deed]
+        return [own for own in missed if int(own.number.partition(".")[2]) > int(count)]
 
     def tell(self, parts: Parts) -> None:
         """Take new parts in, and tell all who are here: one encoded event, the same for all."""
@@ -136,9 +140,10 @@ class ClassRoom:
         if own := {name: parts[name] for name in LEADERS if name in parts}:
             told = {name: msgspec.json.decode(part) for name, part in own.items()}
             if "answers" in own:  # they are counted anew: of many, the last says as much, and no deed makes way
-                self._own = deque((one for one in self._own if not one.answers), KEPT)
-            self._own.append(msgspec.convert({"number": self.number, **told}, News))
-            self.say(self._own[-1], leaders=True)
+                self._own = deque((one for one in self._own if not one[1].answers), KEPT)
+            news = msgspec.convert({"number": self.number, **told}, News)
+            self._own.append((monotonic(), news))
+            self.say(news, leaders=True)
         if any(name.startswith(WAITS) for name in parts):
             self._say_waiting()
 

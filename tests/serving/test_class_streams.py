@@ -75,6 +75,16 @@ def test_an_instructor_that_reads_slowly_misses_no_deed_and_hears_none_twice() -
     run(test)
 
 
+def test_a_deed_of_long_ago_is_not_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    room = rooms.ClassRoom("K7HM", {})
+    before = room.number
+    room.tell({"deed": b'"next"'})
+    room.tell({"answers": b"true"})
+    assert [(news.deed, news.answers) for news in room.untold(before)] == [("next", False), ("", True)]
+    monkeypatch.setattr(rooms, "OBEYED", 0.0)
+    assert [(news.deed, news.answers) for news in room.untold(before)] == [("", True)]
+
+
 def test_a_room_is_kept_while_somebody_is_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
     async def test() -> None:
         hall = Hall(MemoryStore(), LECTURE.lessons)
