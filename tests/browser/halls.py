@@ -9,6 +9,9 @@ from playwright.sync_api import Page
 from tests.browser.boxes import faults
 from tests.browser.waiting import passed, seek
 
+LAID = "oscillations.walks.walk.card?.page === oscillations.page"
+TAUGHT = "oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length"
+"""A step is laid out, its answer shown."""
 MEANT = ("Covered. What do you expect?", "under pill-mark")
 """What stands on a cover, which nothing is seen through, or under the mark that a hand has set."""
 SCROLLED = """() => [...document.querySelectorAll("body *")].filter(part => {

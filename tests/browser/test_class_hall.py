@@ -10,8 +10,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.classroom import LED, Open, taught
-from tests.browser.halls import seen
-from tests.browser.test_hall_walk import LAID, TAUGHT
+from tests.browser.halls import LAID, TAUGHT, seen
 from tests.rooms.caller import call
 from tests.serving.server import Server
 

@@ -10,7 +10,7 @@ from playwright.sync_api import Page, expect
 from components.walks.loading import load_walks
 from components.walks.types import ChoiceStep, NumericStep, Step
 from tests.browser.fixtures import READY
-from tests.browser.halls import seen
+from tests.browser.halls import LAID, TAUGHT, seen
 from tests.scenes.checks import WHOLE
 from tests.serving.server import Server
 
@@ -20,8 +20,6 @@ SIZES = ((1280, 720), (1366, 768), (1920, 1080), (3840, 2160))
 WORST = ("d31-07", "d31-09", "d34-02", "d34-05", "d34-09", "d34-10", "d34-16", "tour-03")
 """The steps that need the most room of their kind."""
 ASKED = f"place => oscillations.walks.walk?.place === place && !oscillations.walks.walk.lesson && {READY}"
-LAID = "oscillations.walks.walk.card?.page === oscillations.page"
-TAUGHT = "oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length"
 UNFOLD = """open => {
   document.querySelector(".card .follows").open = open
   document.querySelector(".paper").style.visibility = open ? "hidden" : ""

@@ -15,7 +15,7 @@ from components.rooms.store import AwayError, MemoryStore, Parts
 from components.rooms.upkeep import Upkeep
 from components.serving import publisher
 from components.serving.publisher import Publisher
-from tests.rooms.test_hall import CHOICE, LESSONS, Listener, until
+from tests.rooms.listening import CHOICE, LESSONS, Listener, until
 
 CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)
 CLOCK_PART = msgspec.json.encode(CLOCK)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Callable, Coroutine
 from time import time
-from typing import Any
 
 import msgspec
 import pytest
@@ -13,7 +12,6 @@ import pytest
 from components.page.room import (
     EndRoom,
     HandWalk,
-    News,
     PutQuestion,
     RunClock,
     SentPicture,
@@ -25,33 +23,14 @@ from components.page.room import (
 from components.rooms import hall as hall_of
 from components.rooms.codes import SIGNS, Tokens, as_code, new_code
 from components.rooms.hall import ClosedError, Hall
-from components.rooms.lessons import Lessons
 from components.rooms.room import ClassRoom
 from components.rooms.table import answers_csv
 from components.rooms.upkeep import Upkeep
-from components.scenes import SCENES
-from components.walks.registry import all_walks
+from tests.rooms.listening import CHOICE, LESSONS, Listener, until
 from tests.rooms.stores import KINDS, Valkey, made, valkey_running
 
-LESSONS = Lessons(all_walks((), SCENES), SCENES)
-CHOICE, NUMBER, POINT, SKETCH = ("d31", "d31-03"), ("d31", "d31-02"), ("d34", "d34-04"), ("d34", "d34-14")
+NUMBER, POINT, SKETCH = ("d31", "d31-02"), ("d34", "d34-04"), ("d34", "d34-14")
 Test = Callable[[Hall, ClassRoom], Coroutine[None, None, None]]
-
-
-class Listener:
-    """Somebody who hears a room."""
-
-    def __init__(self, leads: bool = False) -> None:
-        self.leads = leads
-        self.news: list[News] = []
-        self.ended = False
-
-    def hear(self, event: bytes) -> bool:
-        self.news.append(msgspec.json.decode(event.removeprefix(b"data: "), type=News))
-        return True
-
-    def end(self) -> None:
-        self.ended = True
 
 
 @pytest.fixture(params=KINDS)
@@ -77,12 +56,6 @@ def in_class(request: pytest.FixtureRequest) -> Callable[[Test], None]:
         asyncio.run(whole())
 
     return run
-
-
-async def until(happens: Callable[[], Any], seconds: float = 10.0) -> None:
-    async with asyncio.timeout(seconds):
-        while not happens():
-            await asyncio.sleep(0.01)
 
 
 def test_codes_have_no_signs_that_look_alike_and_are_read_as_they_are_typed() -> None:

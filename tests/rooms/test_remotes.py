@@ -11,7 +11,8 @@ from components.rooms.hall import Hall
 from components.rooms.remotes import begun, decided, is_in, new_digits, waits
 from components.rooms.room import ClassRoom
 from components.rooms.upkeep import Upkeep
-from tests.rooms.test_hall import KINDS, LESSONS, Listener, made, until, valkey_running
+from tests.rooms.listening import LESSONS, Listener, until
+from tests.rooms.stores import KINDS, made, valkey_running
 
 
 def told(listener: Listener) -> list[tuple[str, ...]]:

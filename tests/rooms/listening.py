@@ -1,0 +1,38 @@
+"""Who hears a room in tests, and what is asked in it."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+
+import msgspec
+
+from components.page.room import News
+from components.rooms.lessons import Lessons
+from components.scenes import SCENES
+from components.walks.registry import all_walks
+
+LESSONS = Lessons(all_walks((), SCENES), SCENES)
+CHOICE = ("d31", "d31-03")
+
+
+class Listener:
+    """Somebody who hears a room."""
+
+    def __init__(self, leads: bool = False) -> None:
+        self.leads = leads
+        self.news: list[News] = []
+        self.ended = False
+
+    def hear(self, event: bytes) -> bool:
+        self.news.append(msgspec.json.decode(event.removeprefix(b"data: "), type=News))
+        return True
+
+    def end(self) -> None:
+        self.ended = True
+
+
+async def until(happens: Callable[[], object], seconds: float = 10.0) -> None:
+    async with asyncio.timeout(seconds):
+        while not happens():
+            await asyncio.sleep(0.01)
