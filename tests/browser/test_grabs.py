@@ -203,6 +203,7 @@ def test_a_mode_s_row_sets_that_mode_and_the_other_keeps_every_digit(page: Page,
     row = page.get_by_role("slider", name="Slow mode, start, by mass 2")
     expect(row).to_have_attribute("data-grab", "X_slow phi_slow")
     drag(page, row, "x", ACROSS)
+    page.wait_for_timeout(200)  # the hand rests: letting go is no flick
     page.mouse.up()
     page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
     slow, phase, fast, turned = (page.evaluate(f"oscillations.shown.settings.{name}.value") for name in BY_MODES)
