@@ -1,6 +1,7 @@
 // The live class as an ordinary page knows it: one is opened or joined here; what it is made of is fetched then.
 
 import {later} from "./later.js"
+import {inWords} from "./notes.js"
 
 const LEFT = "class-left" // where a follower is kept who looks around on their own
 const LED = "class-room"
@@ -29,7 +30,7 @@ export class Classes {
       const {teach} = await later("teach")
       this.led = await teach(this.lecture)
     } catch (reason) {
-      this.lecture.page.notify([reason instanceof Error ? reason.message : String(reason)])
+      this.lecture.page.notify([inWords(reason)])
     }
     this.opening = false
   }

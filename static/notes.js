@@ -2,6 +2,9 @@
 
 import {element} from "./dom.js"
 
+/** What went wrong, as it says itself. @param {unknown} reason */
+export const inWords = reason => (reason instanceof Error ? reason.message : String(reason))
+
 /**
  * Said until it is closed, or what is returned is called.
  * @param {string} sentence @param {HTMLElement[]} parts

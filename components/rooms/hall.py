@@ -22,6 +22,7 @@ from components.page.room import (
 )
 from components.rooms.codes import digest, is_key, new_code, new_key
 from components.rooms.lessons import Judged, Lessons
+from components.rooms.remotes import decided
 from components.rooms.room import NOTHING_PUT, ClassRoom
 from components.rooms.store import AwayError, Parts, Store
 
@@ -157,6 +158,10 @@ class Hall:
         except ClosedError:  # the store has forgotten it, or it is over and has been left
             if self.rooms.get(room.code) is not room:
                 raise
+
+    async def decide(self, room: ClassRoom, digits: str, is_in: bool) -> None:
+        """Let in the remote control that shows these digits, or send it away; ValueError, in words, where none does."""
+        await self.tell(room, decided(room.parts, digits, is_in))
 
     async def write(self, room: ClassRoom, parts: Parts) -> None:
         """Keep parts of a room that its followers here know already, and tell the other replicas."""

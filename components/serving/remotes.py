@@ -6,7 +6,7 @@ import msgspec
 
 from components.page.room import Confirmed, Done, Paired, Ticket
 from components.rooms.codes import as_code, digest, new_key
-from components.rooms.remotes import begun, decided, is_in, new_digits, waits
+from components.rooms.remotes import begun, is_in, new_digits, waits
 from components.rooms.room import ClassRoom
 from components.serving.answers import RefusedError
 from components.serving.classes import ClassAnswer, square
@@ -34,11 +34,7 @@ class LetIn(ClassAnswer):
 
     async def _decide(self, code: str, is_in: bool) -> None:
         room, confirmed = await self.led(code), self.body(Confirmed)
-        try:
-            parts = decided(room.parts, confirmed.digits, is_in)
-        except ValueError as reason:
-            raise RefusedError(409, str(reason)) from reason
-        await self.asked(self.application.hall.tell(room, parts))
+        await self.asked(self.application.hall.decide(room, confirmed.digits, is_in))
         self.set_status(204)
 
 

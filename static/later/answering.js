@@ -3,7 +3,7 @@
 import {element} from "../dom.js"
 import {Card} from "./card.js"
 import {answer, mine} from "./mine.js"
-import {Refusal, ask} from "./room.js"
+import {Refusal, ask, pause} from "./room.js"
 
 const SENT = "Sent. You can change it until the answer is shown."
 const MOMENT = 400 // ms without a change until an answer is sent
@@ -161,9 +161,6 @@ export class AskedPut {
 
 /** @param {{walk: string, step: string, vote: number}} question or answer */
 const nameOf = ({walk, step, vote}) => `${walk}/${step}/${vote}`
-
-/** @param {number} ms @returns {Promise<void>} */
-const pause = ms => new Promise(done => setTimeout(done, ms))
 
 /** @param {unknown} one @param {unknown} other */
 const isSame = (one, other) => JSON.stringify(one) === JSON.stringify(other)

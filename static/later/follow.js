@@ -2,6 +2,7 @@
 
 import {unpacked} from "../columns.js"
 import {element} from "../dom.js"
+import {inWords} from "../notes.js"
 import {Page, frame} from "../page.js"
 import {extrasFor} from "../main.js"
 import {AskedPut} from "./answering.js"
@@ -176,7 +177,7 @@ async function begin() {
     const {code, token} = await entered(typed)
     globalThis.oscillations = new Following(code, token)
   } catch (reason) {
-    wait(reason instanceof Error ? reason.message : String(reason))
+    wait(inWords(reason))
   }
 }
 

@@ -1,6 +1,7 @@
 // The code and its QR over the whole page, for the last row; and what else an instructor may want of the class.
 
 import {element, marked} from "../dom.js"
+import {inWords} from "../notes.js"
 import {place} from "./corner.js"
 import {ask, asked} from "./room.js"
 
@@ -94,7 +95,7 @@ export class Large {
       this.#say("done", "")
       await act()
     } catch (reason) {
-      this.#say("problem", reason instanceof Error ? reason.message : String(reason))
+      this.#say("problem", inWords(reason))
     }
   }
 

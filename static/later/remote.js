@@ -1,7 +1,8 @@
 // A phone as the instructor's remote control: let in by the first screen, then two large buttons.
 
 import {element} from "../dom.js"
-import {DOUBTS, Refusal, ask} from "./room.js"
+import {inWords} from "../notes.js"
+import {DOUBTS, Refusal, ask, pause} from "./room.js"
 
 const ASKING = 1000 // ms between looks whether it is in, and at which step the lecture is
 
@@ -15,7 +16,7 @@ export async function control(code, ticket) {
     const remote = new Remote(host, code, paired)
     remote.begin()
   } catch (reason) {
-    host.replaceChildren(element("h1", {}, reason instanceof Error ? reason.message : String(reason)))
+    host.replaceChildren(element("h1", {}, inWords(reason)))
   }
 }
 
@@ -43,7 +44,7 @@ async function untilAnswered(question, say) {
     if (!(reason instanceof Refusal && reason.passes)) throw reason
     say(reason.message)
   }
-  await new Promise(go => setTimeout(go, ASKING))
+  await pause(ASKING)
   return untilAnswered(question, say)
 }
 

@@ -1,5 +1,7 @@
 // A room of the live class, over HTTP: what is asked of it, and the stream of what is new in it.
 
+import {inWords} from "../notes.js"
+
 const PATIENCE = 3000 // ms until a stream that brings nothing is given up for asking again and again
 const BUSY = 250 // ms of it
 const HASTE = 150 // ms, in its place, for the first try of a phone that wakes: its old connections may be dead
@@ -50,12 +52,15 @@ export async function asked(path, {method = "GET", body, word = "", signal = Abo
     const how = {method: method ?? "GET", headers, body: json, cache: /** @type {RequestCache} */ ("no-store"), signal}
     answer = await fetch(address(path), how)
   } catch (reason) {
-    throw new Refusal(`Nobody answers: ${reason instanceof Error ? reason.message : reason}.`, 0)
+    throw new Refusal(`Nobody answers: ${inWords(reason)}.`, 0)
   }
   if (answer.ok) return answer
   const said = await answer.json().catch(() => ({}))
   throw new Refusal(said.sentence ?? "The class does not answer.", answer.status)
 }
+
+/** @param {number} ms @returns {Promise<void>} */
+export const pause = ms => new Promise(done => setTimeout(done, ms))
 
 /** @param {string} path */
 const address = path => new URL(`class${path ? "/" : ""}${path}`, document.baseURI)

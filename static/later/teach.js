@@ -1,9 +1,10 @@
 // The instructor's side of a live class: what this page shows, how its clock runs and what it asks goes to the hall.
 
 import {element} from "../dom.js"
+import {inWords} from "../notes.js"
 import {Corner} from "./corner.js"
 import {Large} from "./large.js"
-import {Refusal, Stream, ask} from "./room.js"
+import {Refusal, Stream, ask, pause} from "./room.js"
 import {Timing} from "./timing.js"
 import {Votes} from "./votes.js"
 
@@ -120,11 +121,11 @@ export class Teach {
       return true
     } catch (reason) {
       if (order.type !== "clock" && !(reason instanceof Refusal && reason.passes)) {
-        this.lecture.page.notify([reason instanceof Error ? reason.message : String(reason)])
+        this.lecture.page.notify([inWords(reason)])
         return false
       }
     }
-    await new Promise(go => setTimeout(go, AGAIN))
+    await pause(AGAIN)
     if (order.type !== "clock") return this.#sent(order)
     if (order === this.told) this.told = null // it is told as it stands by now
     return false
