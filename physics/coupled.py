@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike
 
 from physics.exact import Array, exact, precise, rounded, snapped, split, sum_of
 from physics.oscillator import phase_of
-from physics.sinusoids import ExactSinusoid, added
+from physics.sinusoids import ExactSinusoid, added, apart
 from physics.valid import check_not_negative, check_positive, finite_array, in_range
 
 Vector = tuple[Decimal, Decimal]
@@ -222,7 +222,7 @@ class FreeModes:
     def parts(self, t: ArrayLike) -> tuple[Motion, Motion]:
         """The motion of each mode at times t (n,), within 2 u of its amplitude."""
         t = finite_array("t", t)
-        slow, fast = (as_motion(t, added([one], t, QUANTITIES)) for one in self._sinusoids())
+        slow, fast = (as_motion(t, values) for values in apart(self._sinusoids(), t, QUANTITIES))
         return slow, fast
 
     def motion(self, t: ArrayLike) -> Motion:

@@ -11,11 +11,14 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from physics.coupled import FreeModes, Motion, TwoMassChain
 from physics.exact import Array, exact, precise, rounded
 from physics.sampling import Sinusoid, root_mean_square
-from physics.valid import in_range
+from physics.valid import in_range, rows_in_range
+
+_NAMES = [f"the energy {name}" for name in ("T1", "T2", "V1", "V2")]
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,12 +37,14 @@ class ChainEnergy:
 
 def chain_energy(chain: TwoMassChain, motion: Motion) -> ChainEnergy:
     """The energies along a motion; ValueError names the one that leaves the range of doubles."""
-    v1, v2 = motion.v
-    e1, e2 = motion.e
-    return ChainEnergy(
-        T=np.array([half_square("T1", chain.m1, v1), half_square("T2", chain.m2, v2)]),
-        V=np.array([half_square("V1", chain.k1, e1), half_square("V2", chain.k2, e2)]),
-    )
+    return _energies(chain, np.concatenate([motion.v, motion.e]))
+
+
+def _energies(chain: TwoMassChain, values: Array) -> ChainEnergy:
+    """Of velocities and elongations, or their root mean squares, (4, n)."""
+    factors = np.array([[chain.m1], [chain.m2], [chain.k1], [chain.k2]])
+    found = rows_in_range(_NAMES, _half_squares(factors, values))
+    return ChainEnergy(T=found[:2], V=found[2:])
 
 
 def mean_energy(free: FreeModes, t: Array) -> ChainEnergy:
@@ -59,20 +64,18 @@ def mean_energy(free: FreeModes, t: Array) -> ChainEnergy:
         ]
         return root_mean_square(terms, t, base[1] + 0.0 * t if rate else base[0] + base[1] * t)
 
-    return ChainEnergy(
-        T=np.array([half_square(f"T{i + 1}", (chain.m1, chain.m2)[i], root(i, drifts[i], True)) for i in (0, 1)]),
-        V=np.array(
-            [
-                half_square("V1", chain.k1, root(0, drifts[0], False)),
-                half_square("V2", chain.k2, root(2, stretch, False)),
-            ]
-        ),
-    )
+    velocities = [root(i, drifts[i], True) for i in (0, 1)]
+    return _energies(chain, np.array([*velocities, root(0, drifts[0], False), root(2, stretch, False)]))
 
 
 def half_square(quantity: str, factor: float, values: Array) -> Array:
     """factor values^2/2, also where values^2 alone is out of range."""
+    return in_range(f"the energy {quantity}", _half_squares(factor, values))
+
+
+def _half_squares(factor: ArrayLike, values: Array) -> Array:
     base, exponent = np.frexp(factor)
     bases, exponents = np.frexp(values)
     with np.errstate(over="ignore"):
-        return in_range(f"the energy {quantity}", np.ldexp(base * bases**2, 2 * exponents + exponent - 1))
+        result: Array = np.ldexp(base * bases**2, 2 * exponents + exponent - 1)
+        return result

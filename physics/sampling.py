@@ -63,7 +63,7 @@ def periods(omega: float, count: float) -> float:
 
 def drawable(omega: float, t: Array) -> bool:
     """Whether the grid t (n,) has at least SAMPLES_PER_CYCLE samples in a cycle of omega."""
-    step = float(np.max(np.diff(t), initial=0.0))
+    step = float((t[1:] - t[:-1]).max(initial=0.0))
     return step == 0.0 or abs(omega) <= 2.0 * math.pi / SAMPLES_PER_CYCLE / step
 
 

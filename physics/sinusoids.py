@@ -80,6 +80,16 @@ def added(sinusoids: Iterable[ExactSinusoid], t: Array, quantities: Sequence[str
     return total(t, quantities, *kinds)
 
 
+def apart(sinusoids: Sequence[ExactSinusoid], t: Array, quantities: Sequence[str]) -> list[Array]:
+    """Each of them (quantities, n) as added() has it alone; in one sum, of as many more rows."""
+    count, none = len(sinusoids), [_NONE] * len(quantities)
+    rows = [
+        ExactSinusoid(one.omega, *([*none * i, *part, *none * (count - 1 - i)] for part in (one.cosine, one.sine)))
+        for i, one in enumerate(sinusoids)
+    ]
+    return np.split(added(rows, t, [*quantities] * count), count)
+
+
 def total(
     t: Array,
     quantities: Sequence[str],

@@ -88,16 +88,16 @@ class Coupled(Scene):
         return coupled_sheet()
 
     def picture(self, frame: Frame = FITTED) -> Picture:
-        system = chain.of_scene(self)
         free = starting.motion(self)
-        slow, fast = system.modes().omega
+        system = free.chain
+        slow, fast = system.modes().omega.tolist()
         own_window = self.window or time_window(slow, fast)
         end = frame.window or own_window
         t = np.linspace(0.0, end, samples(end, fast))
         parts = free.parts(t)
         whole = parts[0] + parts[1]
-        curves, bands = _motion_columns(free, parts)
-        stack, flat = _energy_columns(self.energy, free, parts)
+        curves, bands = _motion_columns(free, parts, whole)
+        stack, flat = _energy_columns(self.energy, free, whole)
         extremes = chain.extremes(curves, bands)
         own = nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 3)
         axes = framed(frame, {"t": time_axis(own_window), "x": own, "E": whole_axis(float(free.energy.sum()), "J")})
@@ -146,41 +146,43 @@ class Coupled(Scene):
         return coupled_about(self.shown, starting.motion(self), *chain.start_of(self), by_modes)
 
 
-def _motion_columns(free: FreeModes, parts: tuple[Motion, Motion]) -> tuple[Columns, Columns]:
+def _motion_columns(free: FreeModes, parts: tuple[Motion, Motion], whole: Motion) -> tuple[Columns, Columns]:
     """Columns of x1, x2, their parts, and the elongation of spring 2; curves, and bands where too fast."""
-    t, whole = parts[0].t, parts[0] + parts[1]
-    curves: Columns = {}
-    bands: Columns = {}
+    t, motions = whole.t, dict[str, tuple[int, tuple[int, ...], NDArray[np.float64]]]()
     for i in (0, 1):
-        drift = free.drift_a[i] + free.drift_b[i] * t
-        motions: dict[str, tuple[tuple[int, ...], NDArray[np.float64]]] = {f"x{i + 1}": ((0, 1), whole.x[i])}
+        motions[f"x{i + 1}"] = i, (0, 1), whole.x[i]
         if free.omega[1]:
-            motions |= {f"x{i + 1}_{mode}": ((j,), parts[j].x[i]) for j, mode in enumerate(chain.MODES)}
+            motions |= {f"x{i + 1}_{mode}": (i, (j,), parts[j].x[i]) for j, mode in enumerate(chain.MODES)}
         else:  # two drifts: the slow part has both, as on the stage
             motions[f"x{i + 1}_slow"] = motions[f"x{i + 1}"]
-        for name, (modes, exact) in motions.items():
-            base = drift if any(free.omega[j] == 0 for j in modes) else None
-            curve, band = trace(name, chain.components(free, i, modes), t, base, exact)
-            curves |= curve
-            bands |= band
+    if drawable(free.omega[1], t):
+        return {name: exact for name, (_, _, exact) in motions.items()}, {}
+    curves: Columns = {}
+    bands: Columns = {}
+    for name, (i, modes, exact) in motions.items():
+        drifts = any(free.omega[j] == 0 for j in modes)
+        base = free.drift_a[i] + free.drift_b[i] * t if drifts else None
+        curve, band = trace(name, chain.components(free, i, modes), t, base, exact)
+        curves |= curve
+        bands |= band
     return curves, bands
 
 
-def _energy_columns(view: str, free: FreeModes, parts: tuple[Motion, Motion]) -> tuple[Columns, Columns]:
+def _energy_columns(view: str, free: FreeModes, whole: Motion) -> tuple[Columns, Columns]:
     """Columns of the chosen energy view: the stack's edges over time, or the flat lines of the modes."""
-    t = parts[0].t
+    t = whole.t
     if view == "modes":
         slow, fast = free.energy
         flat = {"E_slow": slow, "E_fast": fast, "E_total": slow + fast}
         return {}, {"t": t[[0, -1]], **{name: np.full(2, level) for name, level in flat.items()}}
-    layers = np.cumsum([np.zeros_like(t), *_energies(free, parts)], axis=0)
+    layers = np.cumsum([np.zeros_like(t), *_energies(free, whole)], axis=0)
     return {f"e{i}": edge for i, edge in enumerate(layers)}, {}
 
 
-def _energies(free: FreeModes, parts: tuple[Motion, Motion]) -> list[NDArray[np.float64]]:
+def _energies(free: FreeModes, whole: Motion) -> list[NDArray[np.float64]]:
     """T1, V1, V2, T2; where a swing is too fast to draw, its mean."""
-    t = parts[0].t
-    energy = chain_energy(free.chain, parts[0] + parts[1]) if drawable(2 * free.omega[1], t) else mean_energy(free, t)
+    resolved = drawable(2 * free.omega[1], whole.t)
+    energy = chain_energy(free.chain, whole) if resolved else mean_energy(free, whole.t)
     return [energy.T[0], energy.V[0], energy.V[1], energy.T[1]]
 
 
