@@ -10,6 +10,7 @@ all wrong.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
+from functools import cached_property
 from math import frexp, ldexp, pi
 from types import MappingProxyType
 from typing import Any
@@ -17,6 +18,7 @@ from typing import Any
 import numpy as np
 
 from physics.coupled import TwoMassChain
+from physics.exact import Array
 from physics.problem import Problem
 from physics.solvers import METHODS
 
@@ -44,17 +46,25 @@ class System:
         """What its time is counted in."""
         return "relaxation times" if self.c else "slow periods"
 
+    @cached_property
+    def rates(self) -> tuple[float, float]:
+        """The slow and the fast one, as Problem.rates."""
+        return self._asked_for(np.arange(2.0)).rates
+
     def problem(self, periods: float = PERIODS, outputs: int = OUTPUTS) -> Problem:
         """So many slow periods (fast ones where the slow mode is a drift) or relaxation times.
 
         The spacing has 40 bits, so that every output time is a double: steps and formulas meet there exactly.
         """
-        facts: dict[str, Any] = {name: getattr(self, name) for name in ("chain", "x_0", "v_0", "F_0", "omega", "c")}
-        slow, fast = Problem(t=np.arange(2.0), **facts).rates
+        slow, fast = self.rates
         if not fast:
             raise ValueError("k1 = k2 = 0: two free masses have no period to measure")
         period = (1 if self.c else 2 * pi) / (slow or fast)
-        return Problem(t=_with_40_bits(period * periods / outputs) * np.arange(outputs + 1.0), **facts)
+        return self._asked_for(_with_40_bits(period * periods / outputs) * np.arange(outputs + 1.0))
+
+    def _asked_for(self, t: Array) -> Problem:
+        facts: dict[str, Any] = {name: getattr(self, name) for name in ("chain", "x_0", "v_0", "F_0", "omega", "c")}
+        return Problem(t=t, **facts)
 
 
 @dataclass(frozen=True, kw_only=True)

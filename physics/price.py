@@ -33,12 +33,17 @@ class Price:
         return METHODS[self.method].name
 
 
-def prices(runs: Iterable[Run], wanted: float) -> list[Price]:
-    """What `wanted` costs with each method that has a result, cheapest first."""
-    by_method: dict[str, list[Run]] = {}
+def grouped(runs: Iterable[Run]) -> dict[str, list[Run]]:
+    """The runs of each method, in their order."""
+    found: dict[str, list[Run]] = {}
     for run in runs:
-        by_method.setdefault(run.method, []).append(run)
-    found = [price(many, wanted) for many in by_method.values() if any(run.error is not None for run in many)]
+        found.setdefault(run.method, []).append(run)
+    return found
+
+
+def prices(methods: Iterable[Sequence[Run]], wanted: float) -> list[Price]:
+    """What `wanted` costs with each method that has a result, from the runs of each, cheapest first."""
+    found = [price(many, wanted) for many in methods if any(run.error is not None for run in many)]
     return sorted(found, key=lambda each: (each.time is None, each.time or 0.0, each.best))
 
 
@@ -59,13 +64,14 @@ def price(runs: Sequence[Run], wanted: float) -> Price:
 
 def _offer(before: Run | None, run: Run, wanted: float) -> tuple[float, float, list[Run]] | None:
     """The cheapest good enough point of the line that ends in a run: time, evaluations and the runs it is read off."""
+    error, error_before = _error(run), _error(before or run)
     now = (run.time or 0.0, float(run.evaluations), [run])
-    if before is None or (_error(before) > wanted) == (_error(run) > wanted):
-        return now if _error(run) <= wanted else None
-    share = log(_error(before) / wanted) / log(_error(before) / _error(run))
+    if before is None or (error_before > wanted) == (error > wanted):
+        return now if error <= wanted else None
+    share = log(error_before / wanted) / log(error_before / error)
     time = _between(before.time or 0.0, run.time or 0.0, share)
     there = (time, _between(before.evaluations, run.evaluations, share), [before, run])
-    return there if _error(run) > wanted or time < now[0] else now
+    return there if error > wanted or time < now[0] else now
 
 
 def _error(run: Run) -> float:

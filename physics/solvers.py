@@ -16,7 +16,7 @@ import warnings
 from bisect import bisect_right
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 from math import inf, sin
 from types import MappingProxyType
 from typing import Any, Literal
@@ -49,7 +49,7 @@ class Method:
     order: int = 0
     friction: bool = True
 
-    @property
+    @cached_property
     def mark(self) -> str:
         """The name without what explains it."""
         return self.name.partition(" (")[0]

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from physics.accuracy import SYSTEMS, Run, System
-from physics.price import Price, prices
+from physics.price import Price, grouped, prices
 from physics.solvers import METHODS
 
 if TYPE_CHECKING:
@@ -61,13 +61,14 @@ def markdown(report: Report) -> str:
 
 
 def _price_table(runs: list[Run]) -> list[str]:
-    columns = {wanted: {each.method: each for each in prices(runs, wanted)} for wanted in WANTED}
+    many = grouped(runs)
+    columns = {wanted: {each.method: each for each in prices(many.values(), wanted)} for wanted in WANTED}
     head = ["method", "best error", *(f"{wanted:g}: time, × closed form, evaluations" for wanted in WANTED)]
     lines = [_line(head), _line(["---"] * len(head))]
-    for slug in dict.fromkeys(run.method for run in runs):
+    for slug, own in many.items():
         found = [columns[wanted].get(slug) for wanted in WANTED]
         units = [columns[wanted]["closed"].time if "closed" in columns[wanted] else None for wanted in WANTED]
-        best = f"{found[0].best:.1e}" if found[0] else _failure([run for run in runs if run.method == slug])
+        best = f"{found[0].best:.1e}" if found[0] else _failure(own)
         lines.append(_line([METHODS[slug].name, best, *(price_text(p, u) for p, u in zip(found, units, strict=True))]))
     return [*lines, ""]
 

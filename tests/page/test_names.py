@@ -12,11 +12,14 @@ import pytest
 
 from components.scene import Scene
 from components.scenes import SCENES
+from components.scenes.accuracy.recorded import recorded
 from components.states import state_of
+from physics.accuracy import SYSTEMS
 from tests.page.names import Names, missing, names
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 
+MEASURED = SYSTEMS["benign"], 1.0, recorded("benign").runs.every, "done"
 # What else brings something to the picture: fast motions are drawn as bands, some marks need their case.
 MORE: dict[str, list[dict[str, Any]]] = {
     "oscillator": [{"window": 1e4}],
@@ -36,7 +39,7 @@ MORE: dict[str, list[dict[str, Any]]] = {
     ],
     "absorber": [{"omega": 50.0001, "tuning": "free"}],
     "forced": [{"window": 1e4}, {"omega": 0.6180339887498949 + 2e-5, "window": 2e5}],
-    "accuracy": [{"hidden": []}, {"view": "growth", "equal": "cost"}],
+    "accuracy": [{"hidden": []}, {"view": "growth", "equal": "cost", "hidden": []}, {"measured": MEASURED}],
 }
 # Which side of its point the name of a method stands on depends on what was measured; both are made from one list.
 BY_MEASUREMENT = {"accuracy": ("_start", "_end")}

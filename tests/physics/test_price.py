@@ -5,7 +5,7 @@ from math import sqrt
 import pytest
 
 from physics.accuracy import Run
-from physics.price import at_cost, at_error, price, prices
+from physics.price import at_cost, at_error, grouped, price, prices
 
 
 def run(method, time, error, evaluations=1000, **more):
@@ -51,7 +51,8 @@ def test_a_price_off_a_time_that_does_not_repeat_is_marked():
 
 def test_prices_come_cheapest_first_and_without_methods_that_have_no_result():
     failed = Run(system="benign", method="rk4", setting=1, failure="unstable step", end="finest")
-    found = prices([COARSE, FINE, LATE, failed, run("closed", 1e-3, 0.0), run("radau", 0.3, 1e-5)], 1e-3)
+    runs = [COARSE, FINE, LATE, failed, run("closed", 1e-3, 0.0), run("radau", 0.3, 1e-5)]
+    found = prices(grouped(runs).values(), 1e-3)
     assert [each.method for each in found] == ["closed", "verlet", "radau"]
 
 

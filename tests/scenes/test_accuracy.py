@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from components.scenes.accuracy import Accuracy
-from components.scenes.accuracy.data import Known, picked_run, setting_text
+from components.scenes.accuracy.data import Known, Runs, picked_run, setting_text
 from components.scenes.accuracy.measuring import LIVE
 from components.scenes.accuracy.plots import name_places
 from components.scenes.accuracy.prices import price_list
@@ -44,23 +44,23 @@ def measured(**values: object) -> Accuracy:
 
 def test_dots_are_measured_here_and_lines_recorded() -> None:
     scene = Accuracy()
-    assert not any(len(scene.sources[slug].data["time"]) for slug in METHODS)
+    assert not any(scene.sources[slug].data for slug in METHODS)
     assert all(len(scene.sources[f"rec_{slug}"].data["time"]) for slug in METHODS)
     scene = measured()
     np.testing.assert_allclose(scene.sources["verlet"].data["error"], [1e-2, 1e-4])
     np.testing.assert_allclose(scene.sources["verlet"].data["time"], [1e-2, 1e-1])
-    assert not len(scene.sources["rec_verlet"].data["time"]) and len(scene.sources["old_verlet"].data["time"]) > 9
-    assert not len(scene.sources["lsoda"].data["time"]), "what is all wrong is not drawn"
+    assert not scene.sources["rec_verlet"].data and len(scene.sources["old_verlet"].data["time"]) > 9
+    assert not scene.sources["lsoda"].data, "what is all wrong is not drawn"
     assert scene.shown.forms["origin"] == "both"
     check_picture(scene)
 
 
 def test_rows_of_prices() -> None:
-    rows = dict(price_list(Known(HERE, BEFORE), ("closed", "verlet", "rk4", "bdf", "lsoda"), 1e-3))
+    rows = dict(price_list(Known(Runs(HERE), Runs(BEFORE)), ("closed", "verlet", "rk4", "bdf", "lsoda"), 1e-3))
     assert rows["closed"] == ("Closed form", "1.00 ms", "× 1")
     assert rows["verlet"] == ("Verlet", "31.6 ms", "× 31.6")
     assert rows["rk4"] == ("RK4", "4.00 ms", "× 2"), "recorded with recorded"
-    fine = dict(price_list(Known(HERE, BEFORE), ("verlet", "rk4", "bdf", "lsoda"), 1e-10))
+    fine = dict(price_list(Known(Runs(HERE), Runs(BEFORE)), ("verlet", "rk4", "bdf", "lsoda"), 1e-10))
     assert fine["verlet"] == ("Verlet", "over 1 s", "best 1·10⁻⁴")
     assert fine["rk4"] == ("RK4", "not yet", "best 1·10⁻⁴")
     assert fine["bdf"] == ("BDF", "never", "best 1·10⁻⁹")
@@ -68,7 +68,8 @@ def test_rows_of_prices() -> None:
 
 def test_a_method_without_a_result_is_a_row_with_its_reason() -> None:
     failed = (a_run("rk4", 1, None, None, failure="unstable step: h omega_+ = 3.1e+02", end="time limit"),)
-    assert price_list(Known(failed, ()), ("rk4", "bdf"), 1e-3) == [("rk4", ("RK4", "no result", "unstable step"))]
+    rows = price_list(Known(Runs(failed), Runs()), ("rk4", "bdf"), 1e-3)
+    assert rows == [("rk4", ("RK4", "no result", "unstable step"))]
 
 
 def test_rows_from_records_are_told_apart() -> None:
@@ -80,7 +81,7 @@ def test_rows_from_records_are_told_apart() -> None:
 
 def test_a_time_that_does_not_repeat_is_marked() -> None:
     unsteady = (a_run("rk4", 3, 4e-3, 1e-4, time_low=3e-3, time_high=5e-3, rounds=3),)
-    ((_, cells),) = price_list(Known(unsteady, ()), ("rk4",), 1e-3)
+    ((_, cells),) = price_list(Known(Runs(unsteady), Runs()), ("rk4",), 1e-3)
     assert cells[1] == "4.00 ms ±"
 
 
@@ -89,7 +90,7 @@ def test_the_picked_run_keeps_energy_and_loses_phase() -> None:
     kept = scene.sources["kept"].data
     assert kept["period"].tolist() == list(MARKS)
     assert kept["motion"][-1] == pytest.approx(1e-2) and kept["energy"][-1] == pytest.approx(1e-4)
-    found = Known(HERE, BEFORE)
+    found = Known(Runs(HERE), Runs(BEFORE))
     assert picked_run(found, ["verlet", "9"]) is None and picked_run(found, ["what", "0"]) is None
     assert picked_run(found, ["old_rk4", "0"]) == picked_run(found, ["rec_rk4", "0"]) == BEFORE[1]
     assert setting_text(HERE[1]) == "Verlet, 1 step an output"
@@ -103,7 +104,7 @@ def test_growth_at_equal_error_and_at_equal_cost() -> None:
     scene.set({"equal": "cost", "cost": 0.05})
     assert scene.sources["error_growth_verlet"].data["error_growth"][-1] == pytest.approx(1e-2)
     scene.set({"cost": 1.5e-3})
-    assert not len(scene.sources["error_growth_verlet"].data["period"])
+    assert not scene.sources["error_growth_verlet"].data
     assert "Verlet" in scene.shown.values["missing"] and "Closed" not in scene.shown.values["missing"]
     assert scene.shown.axes["period"].unit == "slow periods"
     assert Accuracy(system="dashpot").shown.axes["period"].unit == "relaxation times"
@@ -112,7 +113,7 @@ def test_growth_at_equal_error_and_at_equal_cost() -> None:
 def test_results_of_another_system_or_limit_are_not_shown() -> None:
     scene = measured(limit=3.0)
     scene.set({"system": "wide"})
-    assert not any(len(scene.sources[slug].data["time"]) for slug in METHODS)
+    assert not any(scene.sources[slug].data for slug in METHODS)
 
 
 @pytest.mark.parametrize("view", ["time", "growth", "length", "digits", "stability"])
@@ -135,7 +136,7 @@ def test_own_system_from_a_link() -> None:
     assert scene.shown.scalars["empty"] == 1.0 and "kept" not in scene.shown.forms
     assert scene.shown.forms["origin"] == "none" and "costs" not in scene.shown.forms
     assert len(scene.sources["old_verlet"].data["time"]), "another motion for scale"
-    assert not len(scene.sources["rec_verlet"].data["time"])
+    assert not scene.sources["rec_verlet"].data
     with pytest.raises(ValueError, match="no period"):
         scene.set({"k1": 0.0, "k2": 0.0})
     assert scene.k1 == 1.0
@@ -144,9 +145,9 @@ def test_own_system_from_a_link() -> None:
 @pytest.mark.parametrize("slug", SYSTEMS)
 def test_recorded_runs_stand_before_anything_is_measured(slug: str) -> None:
     known = recorded(slug)
-    assert {run.method for run in known.runs} == set(entered(SYSTEMS[slug]))
-    assert {run.system for run in known.runs} == {slug}
-    (closed,) = (run for run in known.runs if run.method == "closed")
+    assert set(known.runs.by_method) == set(entered(SYSTEMS[slug]))
+    assert {run.system for run in known.runs.every} == {slug}
+    (closed,) = known.runs.by_method["closed"]
     assert closed.error is not None and closed.error < 2.0**-51 and closed.rounds == 3
     assert known.about["machine"] and known.origin.startswith(known.about["date"][:10])
     assert Accuracy(system=slug).shown.forms["origin"] == "before"

@@ -96,7 +96,7 @@ def runs(slug: str, method: str) -> list[Run]:
     """Those with a result, coarse to fine."""
     known = records(slug)
     assert known
-    return [run for run in known.runs if run.method == method and run.error is not None and run.time is not None]
+    return [run for run in known.runs.by_method.get(method, ()) if run.error is not None and run.time is not None]
 
 
 def fast_over_slow(slug: str) -> float:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from functools import cache
 
-import numpy as np
 import param
 
 from components import chain
@@ -18,7 +17,6 @@ from components.scene import Picture, Scene
 from components.scenes.accuracy.data import (
     ALONE,
     MORE,
-    Known,
     chosen,
     growth,
     kept,
@@ -42,11 +40,13 @@ from components.scenes.accuracy.studies import (
 )
 from components.scenes.accuracy.watch import WATCH
 from components.traces import Columns
-from physics.accuracy import MARKS, SYSTEMS, Run, System, entered
+from physics.accuracy import SYSTEMS, Run, System, entered
 from physics.price import LEAST
 from physics.solvers import METHODS
 
 OWN = "own"
+ERROR = log_axis(LEAST, 10.0, "", 3)
+"""The axis of errors, whatever of."""
 _ORIGINS = {(True, True): "both", (True, False): "here", (False, True): "before", (False, False): "none"}
 
 
@@ -135,31 +135,32 @@ class Accuracy(Scene):
     def picture(self, frame: Frame = FITTED) -> Picture:
         system, measured = self.shown_system(), self.running.known()
         methods, picked = shown_methods(self.hidden), picked_run(measured, self.picked)
-        own = _axes(log_axis(3e-5, max(2 * self.limit, 3.0), "s", 3), log_axis(LEAST, 10.0, "", 3), picked)
-        axes = framed(frame, {**study_axes(system.unit, MARKS), **own})
+        axes = framed(frame, {**study_axes(system.unit), **_axes(self.limit, picked)})
         time, error = axes["time"], axes["error"]
         curves, rows = work(measured), price_list(measured, methods, self.wanted)
+        racing = entered(system, methods)
+        compared = chosen(measured, racing, self.equal, self.wanted, self.cost)
         return Picture(
-            columns={**curves, "kept": kept(picked), **self._view_columns(system, measured)},
+            columns={**curves, "kept": kept(picked), **self._view_columns(system, compared)},
             axes=axes,
             scalars={
                 **name_places(_named(curves, methods), time, error, self.limit),
                 "wanted_at": error.place(self.wanted),
                 "rounding_at": error.place(2.0**-53),
                 "limit_at": time.place(self.limit),
-                "empty": float(not measured.here and not measured.before),
+                "empty": float(not measured.here.every and not measured.before.every),
                 **_picked_scalars(picked, time, error, system),
             },
             values={
                 **price_texts(rows),
-                **self._texts(system, measured),
+                **self._texts(system, [METHODS[slug].mark for slug in racing if slug not in compared]),
                 "picked": setting_text(picked) if picked else "",
             },
             forms={
                 self.view: "shown",
                 **price_forms(rows, measured),
                 **{name: "shown" for name, there in self._there(rows, picked) if there},
-                "origin": _ORIGINS[bool(measured.here), bool(measured.before)],
+                "origin": _ORIGINS[bool(measured.here.every), bool(measured.before.every)],
             },
         )
 
@@ -169,9 +170,9 @@ class Accuracy(Scene):
         cost = (self.view, self.equal) == ("growth", "cost")
         return ("costs", bool(rows)), ("unsteady", unsteady), ("kept", picked is not None), ("cost", cost)
 
-    def _view_columns(self, system: System, measured: Known) -> dict[str, Columns]:
+    def _view_columns(self, system: System, compared: dict[str, Run]) -> dict[str, Columns]:
         """The columns of the other views, while they are seen."""
-        runs = self._compared(measured) if self.view == "growth" else {}
+        runs = compared if self.view == "growth" else {}
         return {
             **growth(runs, "error_growth"),
             **growth(runs, "energy_growth"),
@@ -181,35 +182,29 @@ class Accuracy(Scene):
             "explosion": step_explosion(system.chain) if self.view == "stability" else {},
         }
 
-    def _compared(self, measured: Known) -> dict[str, Run]:
-        """The run of each method that is seen whose growth is compared."""
-        methods = entered(self.shown_system(), shown_methods(self.hidden))
-        return chosen(measured, methods, self.equal, self.wanted, self.cost)
-
-    def _texts(self, system: System, measured: Known) -> dict[str, str]:
+    def _texts(self, system: System, missing: list[str]) -> dict[str, str]:
         texts = {"wanted": power(self.wanted), "limit": time_text(self.limit), **system_texts(system)}
         texts["origin"] = (records(system.slug) or recorded(SCALE)).origin
         texts["length_origin"] = recorded("length").origin
-        runs = self._compared(measured)
         texts["compared"] = compared_text(self.equal, self.wanted, self.cost)
-        missing = [METHODS[slug].mark for slug in entered(system, shown_methods(self.hidden)) if slug not in runs]
         texts["missing"] = f"Not so far: {', '.join(missing)}." if missing else ""
         return {**texts, **(digits_texts(self.wanted) if self.view == "digits" else {})}
 
 
 def _named(curves: dict[str, Columns], methods: tuple[str, ...]) -> dict[str, Columns]:
-    """The line of each method that is seen, at the end of which its name stands."""
-    return {slug: curves[slug] if len(curves[slug]["time"]) else curves[ALONE + slug] for slug in methods}
+    """The line of each method that is seen, if it has one, at the end of which its name stands."""
+    return {slug: line for slug in methods if (line := curves[slug] or curves[ALONE + slug])}
 
 
-def _axes(time: Axis, error: Axis, picked: Run | None) -> dict[str, Axis]:
-    worst = max(kept(picked).get("motion", np.ones(1)).max(), 1e-14)
+def _axes(limit: float, picked: Run | None) -> dict[str, Axis]:
+    levels = picked.error_growth if picked else ()
+    worst = 100 * max(levels) if levels else 1.0
     return {
-        "time": time,
-        "error": error,
-        "percent": nice_axis(0.0, float(worst), "%", 2),
-        "error_growth": error,
-        "energy_growth": error,
+        "time": log_axis(3e-5, max(2 * limit, 3.0), "s", 3),
+        "error": ERROR,
+        "percent": nice_axis(0.0, max(worst, 1e-14), "%", 2),
+        "error_growth": ERROR,
+        "energy_growth": ERROR,
     }
 
 

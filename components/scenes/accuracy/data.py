@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from components.numbers import ten
 from components.scenes.accuracy.measuring import LIVE
 from components.traces import Columns
 from physics.accuracy import MARKS, Run
-from physics.price import LEAST, at_cost, at_error
+from physics.price import LEAST, at_cost, at_error, grouped
 from physics.solvers import METHODS
 
 MORE = "more"
@@ -24,24 +25,36 @@ WRONG = 3.0
 
 
 @dataclass(frozen=True)
+class Runs:
+    """Runs of one system, coarse to fine in each method."""
+
+    every: tuple[Run, ...] = ()
+
+    @cached_property
+    def by_method(self) -> Mapping[str, Sequence[Run]]:
+        """Those of each method; those without a result too."""
+        return grouped(self.every)
+
+    @cached_property
+    def points(self) -> Mapping[str, Columns]:
+        """Those that can be drawn, of each method: the columns time (s) and error (of the largest displacement)."""
+        return {slug: _points(good) for slug, runs in self.by_method.items() if (good := done(runs))}
+
+
+@dataclass(frozen=True)
 class Known:
     """The runs made here and those recorded before; for a motion without records those of another, for scale."""
 
-    here: tuple[Run, ...]
-    before: tuple[Run, ...]
-    scale: tuple[Run, ...] = ()
+    here: Runs
+    before: Runs
+    scale: Runs = Runs()
 
-    def of(self, method: str) -> list[Run]:
-        """The runs of a method, made here if there are any, coarse to fine; those without a result too."""
-        mine = [run for run in self.here if run.method == method]
-        return mine or [run for run in self.before if run.method == method]
+    def of(self, method: str) -> Sequence[Run]:
+        """The runs of a method, made here if there are any."""
+        return self.here.by_method.get(method) or self.before.by_method.get(method, ())
 
     def is_here(self, method: str) -> bool:
-        return any(run.method == method for run in self.here)
-
-    def front(self, methods: Iterable[str]) -> tuple[Run, ...]:
-        """Of these methods all runs that count."""
-        return tuple(run for method in methods for run in self.of(method))
+        return method in self.here.by_method
 
 
 def shown_methods(hidden: Sequence[str]) -> tuple[str, ...]:
@@ -55,29 +68,20 @@ def done(runs: Iterable[Run]) -> list[Run]:
 
 
 def work(measured: Known) -> dict[str, Columns]:
-    """The columns time (s) and error (of the largest displacement) of each method: measured here, and recorded."""
-    columns = {}
-    made, recorded, scale = (_by_method(runs) for runs in (measured.here, measured.before, measured.scale))
+    """The points of each method: measured here, recorded, and recorded behind what was measured here."""
+    here, before, scale = measured.here.points, measured.before.points, measured.scale.points
+    columns: dict[str, Columns] = {}
     for slug in METHODS:
-        here, before = made.get(slug, ()), recorded.get(slug, ())
-        columns[slug] = _points(here)
-        columns[ALONE + slug] = _points(() if here else before)
-        columns[BEHIND + slug] = _points((before if here else ()) or scale.get(slug, ()))
+        alone, behind = ({}, before or scale) if measured.is_here(slug) else (before, scale)
+        for source, points in ((slug, here), (ALONE + slug, alone), (BEHIND + slug, behind)):
+            columns[source] = points.get(slug, {})
     return columns
 
 
-def _by_method(runs: Iterable[Run]) -> dict[str, list[Run]]:
-    found: dict[str, list[Run]] = {}
-    for run in runs:
-        found.setdefault(run.method, []).append(run)
-    return found
-
-
-def _points(runs: Iterable[Run]) -> Columns:
-    good = done(runs)
+def _points(runs: Sequence[Run]) -> Columns:
     return {
-        "time": np.array([run.time for run in good], dtype=float),
-        "error": np.array([max(run.error or 0.0, LEAST) for run in good], dtype=float),
+        "time": np.array([run.time for run in runs], dtype=float),
+        "error": np.array([max(run.error or 0.0, LEAST) for run in runs], dtype=float),
     }
 
 
@@ -88,16 +92,14 @@ def chosen(measured: Known, methods: Iterable[str], equal: str, wanted: float, c
     return {slug: run for slug, run in runs.items() if run is not None}
 
 
-def growth(runs: dict[str, Run], of: str) -> dict[str, Columns]:
+def growth(runs: Mapping[str, Run], of: str) -> dict[str, Columns]:
     """Per method the worst error (or energy error) so far against simulated time."""
-    curves: dict[str, Columns] = {}
-    for slug in METHODS:
-        levels = [max(error, LEAST) for error in getattr(runs[slug], of)[1:]] if slug in runs else []
-        curves[f"{of}_{slug}"] = {
-            "period": np.array(MARKS[1:][: len(levels)], dtype=float),
-            of: np.array(levels, dtype=float),
-        }
-    return curves
+    return {f"{of}_{slug}": _growth(runs[slug], of) if slug in runs else {} for slug in METHODS}
+
+
+def _growth(run: Run, of: str) -> Columns:
+    levels = [max(error, LEAST) for error in getattr(run, of)[1:]]
+    return {"period": np.array(MARKS[1:][: len(levels)], dtype=float), of: np.array(levels, dtype=float)}
 
 
 def setting_text(run: Run) -> str:
@@ -118,7 +120,7 @@ def picked_run(measured: Known, picked: Sequence[str]) -> Run | None:
         return None
     source, place = picked[0], int(picked[1])
     runs = measured.before if source.startswith((ALONE, BEHIND)) else measured.here
-    good = done(run for run in runs if run.method == source.removeprefix(ALONE).removeprefix(BEHIND))
+    good = done(runs.by_method.get(source.removeprefix(ALONE).removeprefix(BEHIND), ()))
     return good[place] if place < len(good) else None
 
 

@@ -29,8 +29,6 @@ KEPT = 64
 """How many finished measurements are remembered."""
 LIVE = ("closed", "eigh", "verlet", "newmark", "rk4", "dop853", "radau", "lsoda")
 """The methods that are measured while a visitor looks on: few enough for a minute."""
-LIVE = ("closed", "eigh", "verlet", "newmark", "rk4", "dop853", "radau", "lsoda")
-"""The methods that are measured while a visitor looks on: few enough for a minute."""
 WAITING = 8
 """How many measurements may wait for their turn."""
 BUDGET = 60.0

@@ -5,7 +5,7 @@ A method has no hue: solid chooses its steps, dashed has fixed steps. Dots are m
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -118,47 +118,51 @@ FRAME = (490.0, 475.0)
 """About how many pixels the frame of the plot is wide and high."""
 LETTER, LINE, WORDS = 7.5, 15.0, 230.0
 PLACES = tuple((side, 5.0 + LINE * step) for step in (0, 1, -1, 2, -2, 3) for side in ("start", "end"))
-Rectangle = tuple[float, float, float, float]
+"""Where a name may stand beside the end of its line: on which side, and how far down; the first is the best."""
+STARTS, DOWN = np.array([side == "start" for side, _ in PLACES]), np.array([down for _, down in PLACES])
+OUTSIDE = 10_000
+"""Worse than any number of overlaps."""
+Rectangles = NDArray[np.float64]
+"""Left, top, right and bottom (4, ...) in pixels."""
 
 
 def name_places(curves: dict[str, Columns], time: Axis, error: Axis, limit: float) -> dict[str, float]:
     """Where the name of each method stands: at the end of its line, off points, words and other names if it can."""
-    across = FRAME[0] / (time.place(time.end) - time.place(time.start))
-    down = FRAME[1] / (error.place(error.end) - error.place(error.start))
-
-    def points_of(line: Columns) -> list[tuple[float, float]]:
-        x, y = time.places(line["time"]) * across, -error.places(line["error"]) * down
-        return list(zip(x.tolist(), y.tolist(), strict=True))
-
-    ends = {slug: points_of(line) for slug, line in curves.items()}
-    taken = [(x - 4, y - 4, x + 4, y + 4) for points in ends.values() for x, y in points]
+    if not curves:
+        return {}
+    left, right, top, bottom = (axis.place(end) for axis in (time, error) for end in (axis.start, axis.end))
+    across, down = FRAME[0] / (right - left), FRAME[1] / (bottom - top)
+    times, errors = (np.concatenate([line[column] for line in curves.values()]) for column in ("time", "error"))
+    x, y = time.places(times) * across, -error.places(errors) * down
     end, line = time.place(limit) * across, -error.place(2.0**-53) * down
-    taken.append((end - WORDS, line - 18, end, line + 2))
-    left, right = time.place(time.start) * across, time.place(time.end) * across
+    ends = np.cumsum([len(line["time"]) for line in curves.values()]) - 1
+    x_end, y_end = x[ends], y[ends]
+    boxes = _boxes(x_end[:, np.newaxis], y_end[:, np.newaxis], [len(METHODS[slug].mark) for slug in curves])
+    crowds = _meet(boxes[..., np.newaxis], np.array([x - 4, y - 4, x + 4, y + 4])).sum(axis=-1)
+    crowds += _meet(boxes, np.array([end - WORDS, line - 18, end, line + 2]))
+    crowds += OUTSIDE * ((boxes[0] <= left * across) | (boxes[2] >= right * across))
     scalars: dict[str, float] = {}
-    for slug, points in ends.items():
-        if not points:
-            continue
-        x, y = points[-1]
-        boxes = {place: _box(x, y, *place, METHODS[slug].mark) for place in PLACES}
-        inside = [place for place, box in boxes.items() if left < box[0] and box[2] < right] or PLACES
-        side, dy = inside[int(np.argmin(overlaps([boxes[place] for place in inside], taken)))]
-        taken.append(boxes[side, dy])
-        scalars |= {f"{slug}_at": x / across, f"{slug}_error": -y / down, f"{slug}_{side}": 1.0, f"{slug}_shift": dy}
+    for i, slug in enumerate(curves):
+        place = int(np.argmin(crowds[i]))
+        crowds += _meet(boxes, boxes[:, i, place])
+        side, shift = PLACES[place]
+        at = {"at": float(x_end[i]) / across, "error": -float(y_end[i]) / down, side: 1.0, "shift": shift}
+        scalars |= {f"{slug}_{name}": value for name, value in at.items()}
     return scalars
 
 
-def _box(x: float, y: float, side: str, dy: float, name: str) -> Rectangle:
-    start = x + 9 if side == "start" else x - 9 - LETTER * len(name)
-    return start, y + dy - 12, start + LETTER * len(name), y + dy + 3
+def _boxes(x: NDArray[np.float64], y: NDArray[np.float64], letters: list[int]) -> Rectangles:
+    """Of the name at each point (n, 1) its rectangle in each place: (4, n, places)."""
+    wide = LETTER * np.array(letters)[:, np.newaxis]
+    start, base = np.where(STARTS, x + 9, x - 9 - wide), y + DOWN
+    return np.array([start, base - 12, start + wide, base + 3])
 
 
-def overlaps(boxes: Sequence[Rectangle], taken: Sequence[Rectangle]) -> NDArray[np.intp]:
-    """How many of those taken each box overlaps."""
-    one, other = np.array(boxes)[:, None], np.array(taken)
-    meet = np.all((one[..., :2] < other[:, 2:]) & (other[:, :2] < one[..., 2:]), axis=-1)
-    counts: NDArray[np.intp] = meet.sum(axis=1)
-    return counts
+def _meet(one: Rectangles, other: Rectangles) -> NDArray[np.bool_]:
+    """Whether each of the one rectangles overlaps each of the others."""
+    (left, top, right, bottom), (left2, top2, right2, bottom2) = one, other
+    meet: NDArray[np.bool_] = (left < right2) & (left2 < right) & (top < bottom2) & (top2 < bottom)
+    return meet
 
 
 def growth_plot(of: str, title: str, form: str) -> Block:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 from components.numbers import short, three
 from components.page.blocks import Block
@@ -24,41 +24,40 @@ NEVER = ("floor", "finest", "spacing")
 
 def price_list(measured: Known, methods: Sequence[str], wanted: float) -> list[PriceRow]:
     """Rows (method, cells), cheapest first, then what does not get there, then what has no result."""
-    runs = measured.front(methods)
-    units = {price.method: price.time for price in prices(measured.front(["closed"]), wanted)}
-    old = {price.method: price.time for price in prices([r for r in measured.before if r.method == "closed"], wanted)}
+    found = {method: runs for method in methods if (runs := measured.of(method))}
+    closed, recorded = measured.of("closed"), measured.before.by_method.get("closed", ())
+    here, before = (next((price.time for price in prices([runs], wanted)), None) for runs in (closed, recorded))
     rows = []
-    for price in prices(runs, wanted):
-        unit = (units if measured.is_here(price.method) == measured.is_here("closed") else old).get("closed")
-        rows.append((price.method, price_cells(price, unit, runs)))
+    for price in prices(found.values(), wanted):
+        unit = here if measured.is_here(price.method) else before
+        rows.append((price.method, price_cells(price, unit, found[price.method][-1])))
     known = {method for method, _ in rows}
     return rows + [
-        (method, (METHODS[method].mark, "no result", _why(measured.of(method))))
-        for method in methods
-        if method not in known and measured.of(method)
+        (method, (METHODS[method].mark, "no result", _why(runs[-1])))
+        for method, runs in found.items()
+        if method not in known
     ]
 
 
-def price_cells(price: Price, unit: float | None, runs: Iterable[Run]) -> tuple[str, ...]:
-    """Name, run time and its ratio to the closed form's; or why not, and the best error."""
+def price_cells(price: Price, unit: float | None, last: Run) -> tuple[str, ...]:
+    """Name, run time and its ratio to the closed form's; or why not, by the method's last run, and the best error."""
     name = METHODS[price.method].mark
     if price.time is None:
-        return name, _not_reached(price, runs), f"best {short(float(f'{price.best:.0e}'))}"
+        return name, _not_reached(price, last), f"best {short(float(f'{price.best:.0e}'))}"
     unsteady = "" if price.repeats is not False else " ±"
     ratio = f"× {short(price.time / unit)}" if unit else ""
     return name, f"{time_text(price.time)}{unsteady}", ratio
 
 
-def _not_reached(price: Price, runs: Iterable[Run]) -> str:
+def _not_reached(price: Price, last: Run) -> str:
     if price.end in NEVER:
         return "never"
-    last = [run for run in runs if run.method == price.method][-1]
     return _in_words(last.failure) if price.end == "time limit" and last.failure else "not yet"
 
 
-def _why(runs: Sequence[Run]) -> str:
+def _why(last: Run) -> str:
     """Why a method has no result at all."""
-    reason = _in_words(runs[-1].failure or "")
+    reason = _in_words(last.failure or "")
     reason = reason.partition(":")[0] if "cannot" in reason or "unstable" in reason else reason
     return re.sub(r"\d(\.\d+)?e[+-]\d+", lambda match: short(float(match[0])), reason)
 
@@ -81,7 +80,7 @@ def price_texts(rows: Sequence[PriceRow]) -> dict[str, str]:
 def price_forms(rows: Sequence[PriceRow], measured: Known) -> dict[str, str]:
     """Rows read from records are quiet where others were measured here."""
     return {
-        f"price{i}": "before" if measured.here and not measured.is_here(method) else "here"
+        f"price{i}": "before" if measured.here.every and not measured.is_here(method) else "here"
         for i, (method, _) in enumerate(rows)
     }
 

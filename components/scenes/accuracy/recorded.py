@@ -8,8 +8,9 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from components.scenes.accuracy.data import Runs
 from components.scenes.accuracy.measuring import decoded_run
-from physics.accuracy import SYSTEMS, Run
+from physics.accuracy import SYSTEMS
 
 FOLDER = Path(__file__).with_name("recorded")
 
@@ -20,7 +21,7 @@ class Recorded:
 
     about: dict[str, str]
     seconds: float
-    runs: tuple[Run, ...]
+    runs: Runs
 
     @property
     def origin(self) -> str:
@@ -38,7 +39,7 @@ def recorded(name: str) -> Recorded:
     """The runs on a system, or those of the study "length"."""
     path = FOLDER / f"{name}.json"
     data = json.loads(path.read_text(encoding="utf-8"))
-    return Recorded(data["about"], data["seconds"], tuple(decoded_run(row) for row in data["runs"]))
+    return Recorded(data["about"], data["seconds"], Runs(tuple(decoded_run(row) for row in data["runs"])))
 
 
 @cache

@@ -70,7 +70,7 @@ def _price_column() -> Block:
 
 def system_texts(system: System) -> dict[str, str]:
     """The motion in a line."""
-    chain, (slow, fast) = system.chain, system.problem().rates
+    chain, (slow, fast) = system.chain, system.rates
     if system.c:
         text = f"m = {power(chain.m1)}, k = {power(chain.k1)}, c = {power(system.c)}"
         text += f". Rates of decay 1 to {power(fast / slow)}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from functools import cache, lru_cache
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from components.scenes.accuracy.recorded import digits, recorded
 from components.sheet import column, phrase, row, when, words
 from components.stage import on_x, text
 from components.traces import Columns
+from physics.accuracy import MARKS
 from physics.coupled import TwoMassChain
 from physics.integrators import FIXED_STEP
 from physics.price import LEAST
@@ -89,15 +90,16 @@ def _length_plot(of: str, title: str) -> Block:
     )
 
 
+@cache
 def length_columns() -> dict[str, Columns]:
-    known = recorded("length").runs
-    columns = {}
+    known, columns = recorded("length").runs, {}
     for slug in LASTING:
-        runs = done(run for run in known if run.method == slug)
+        spans = [run.setting for run in done(known.by_method[slug])]
+        points = known.points[slug]
         columns[f"length_{slug}"] = {
-            "span": np.array([run.setting for run in runs], dtype=float),
-            "span_time": np.array([run.time for run in runs], dtype=float),
-            "span_error": np.array([max(run.error or 0.0, LEAST) for run in runs], dtype=float),
+            "span": np.array(spans, dtype=float),
+            "span_time": points["time"],
+            "span_error": points["error"],
         }
     return columns
 
@@ -145,6 +147,7 @@ def _ink(slug: str) -> str:
     return "mute" if slug == "slides" else "ink"
 
 
+@cache
 def digits_columns() -> dict[str, Columns]:
     columns = {}
     for sweep in SWEEPS:
@@ -184,6 +187,7 @@ def stability_view() -> Block:
     return when("stability", column(_stability_plot(), _steps_plot()))
 
 
+@cache
 def stability() -> Columns:
     """Amplification a step against h omega, for each kind of method with fixed steps."""
     z = np.linspace(0.005, REACH, 240)
@@ -239,6 +243,7 @@ def _tint(slug: str) -> str:
 BOUNDED = tuple(slug for slug in FIXED_STEP if 0 < stability_limit(slug) < math.inf)
 
 
+@lru_cache(maxsize=16)
 def step_explosion(chain: TwoMassChain) -> Columns:
     """Steps in a slow period that a method with a limit needs to stay stable, as k2/k1 grows with all else kept."""
     ratios = np.geomspace(1.0, 1e12, 25)
@@ -271,10 +276,11 @@ def _steps_plot() -> Block:
     )
 
 
-def study_axes(unit: str, periods: Sequence[int]) -> dict[str, Axis]:
-    """The axes of all that is not the work plot."""
+@cache
+def study_axes(unit: str) -> dict[str, Axis]:
+    """The axes of all that is not the work plot; `unit` is what periods are counted in."""
     return {
-        "period": nice_axis(0.0, float(periods[-1]), unit, 5, exact=True),
+        "period": nice_axis(0.0, float(MARKS[-1]), unit, 5, exact=True),
         "span": log_axis(5.0, 5e3, "slow periods"),
         "span_time": log_axis(3e-5, 30.0, "s"),
         "span_error": log_axis(1e-17, 10.0, ""),
