@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from components.scenes.accuracy import Accuracy
-from components.scenes.accuracy.data import Known, Runs, picked_run, setting_text
+from components.scenes.accuracy.data import Known, Series, picked_run, setting_text
 from components.scenes.accuracy.measuring import LIVE
 from components.scenes.accuracy.plots import name_places
 from components.scenes.accuracy.prices import price_list
@@ -56,11 +56,11 @@ def test_dots_are_measured_here_and_lines_recorded() -> None:
 
 
 def test_rows_of_prices() -> None:
-    rows = dict(price_list(Known(Runs(HERE), Runs(BEFORE)), ("closed", "verlet", "rk4", "bdf", "lsoda"), 1e-3))
+    rows = dict(price_list(Known(Series(HERE), Series(BEFORE)), ("closed", "verlet", "rk4", "bdf", "lsoda"), 1e-3))
     assert rows["closed"] == ("Closed form", "1.00 ms", "× 1")
     assert rows["verlet"] == ("Verlet", "31.6 ms", "× 31.6")
     assert rows["rk4"] == ("RK4", "4.00 ms", "× 2"), "recorded with recorded"
-    fine = dict(price_list(Known(Runs(HERE), Runs(BEFORE)), ("verlet", "rk4", "bdf", "lsoda"), 1e-10))
+    fine = dict(price_list(Known(Series(HERE), Series(BEFORE)), ("verlet", "rk4", "bdf", "lsoda"), 1e-10))
     assert fine["verlet"] == ("Verlet", "over 1 s", "best 1·10⁻⁴")
     assert fine["rk4"] == ("RK4", "not yet", "best 1·10⁻⁴")
     assert fine["bdf"] == ("BDF", "never", "best 1·10⁻⁹")
@@ -68,7 +68,7 @@ def test_rows_of_prices() -> None:
 
 def test_a_method_without_a_result_is_a_row_with_its_reason() -> None:
     failed = (a_run("rk4", 1, None, None, failure="unstable step: h omega_+ = 3.1e+02", end="time limit"),)
-    rows = price_list(Known(Runs(failed), Runs()), ("rk4", "bdf"), 1e-3)
+    rows = price_list(Known(Series(failed), Series()), ("rk4", "bdf"), 1e-3)
     assert rows == [("rk4", ("RK4", "no result", "unstable step"))]
 
 
@@ -81,7 +81,7 @@ def test_rows_from_records_are_told_apart() -> None:
 
 def test_a_time_that_does_not_repeat_is_marked() -> None:
     unsteady = (a_run("rk4", 3, 4e-3, 1e-4, time_low=3e-3, time_high=5e-3, rounds=3),)
-    ((_, cells),) = price_list(Known(Runs(unsteady), Runs()), ("rk4",), 1e-3)
+    ((_, cells),) = price_list(Known(Series(unsteady), Series()), ("rk4",), 1e-3)
     assert cells[1] == "4.00 ms ±"
 
 
@@ -90,7 +90,7 @@ def test_the_picked_run_keeps_energy_and_loses_phase() -> None:
     kept = scene.sources["kept"].data
     assert kept["period"].tolist() == list(MARKS)
     assert kept["motion"][-1] == pytest.approx(1e-2) and kept["energy"][-1] == pytest.approx(1e-4)
-    found = Known(Runs(HERE), Runs(BEFORE))
+    found = Known(Series(HERE), Series(BEFORE))
     assert picked_run(found, ["verlet", "9"]) is None and picked_run(found, ["what", "0"]) is None
     assert picked_run(found, ["old_rk4", "0"]) == picked_run(found, ["rec_rk4", "0"]) == BEFORE[1]
     assert setting_text(HERE[1]) == "Verlet, 1 step an output"

@@ -25,8 +25,8 @@ WRONG = 3.0
 
 
 @dataclass(frozen=True)
-class Runs:
-    """Runs of one system, coarse to fine in each method."""
+class Series:
+    """Series of one system, coarse to fine in each method."""
 
     every: tuple[Run, ...] = ()
 
@@ -45,9 +45,9 @@ class Runs:
 class Known:
     """The runs made here and those recorded before; for a motion without records those of another, for scale."""
 
-    here: Runs
-    before: Runs
-    scale: Runs = Runs()
+    here: Series
+    before: Series
+    scale: Series = Series()
 
     def of(self, method: str) -> Sequence[Run]:
         """The runs of a method, made here if there are any."""

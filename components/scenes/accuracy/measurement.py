@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from components.page.picture import Progress
 from components.parameters import Values
 from components.running import Running
-from components.scenes.accuracy.data import Known, Runs
+from components.scenes.accuracy.data import Known, Series
 from components.scenes.accuracy.measuring import LIVE, Job, queue
 from components.scenes.accuracy.recorded import recorded, records
 from physics.accuracy import Run, System, entered
@@ -76,8 +76,8 @@ class Measurement(Running):
     def known(self) -> Known:
         """What is known of the system: measured for this visitor or for another one, and recorded."""
         system, seconds = self._wanted()
-        here, before = Runs(self._here(system, seconds)), records(system.slug)
-        return Known(here, before.runs) if before else Known(here, Runs(), scale=recorded(SCALE).runs)
+        here, before = Series(self._here(system, seconds)), records(system.slug)
+        return Known(here, before.runs) if before else Known(here, Series(), scale=recorded(SCALE).runs)
 
     def _here(self, system: System, seconds: float) -> tuple[Run, ...]:
         if self._has_own():

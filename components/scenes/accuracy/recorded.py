@@ -1,4 +1,4 @@
-"""Measurements made beforehand by `make bench ARGS=--record`, so that the scene is not empty."""
+"""Series made beforehand by `make bench ARGS=--record`, so that the scene is not empty."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from components.scenes.accuracy.data import Runs
+from components.scenes.accuracy.data import Series
 from components.scenes.accuracy.measuring import decoded_run
 from physics.accuracy import SYSTEMS
 
@@ -21,7 +21,7 @@ class Recorded:
 
     about: dict[str, str]
     seconds: float
-    runs: Runs
+    runs: Series
 
     @property
     def origin(self) -> str:
@@ -39,7 +39,7 @@ def recorded(name: str) -> Recorded:
     """The runs on a system, or those of the study "length"."""
     path = FOLDER / f"{name}.json"
     data = json.loads(path.read_text(encoding="utf-8"))
-    return Recorded(data["about"], data["seconds"], Runs(tuple(decoded_run(row) for row in data["runs"])))
+    return Recorded(data["about"], data["seconds"], Series(tuple(decoded_run(row) for row in data["runs"])))
 
 
 @cache
