@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field, replace
 from decimal import Decimal
 from functools import cached_property
 
 import numpy as np
+from msgspec import Struct
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from components.numbers import at_tick, power_unit, ten, three
@@ -18,8 +19,7 @@ TIME_AXIS = "t"
 Range = tuple[float, float]
 
 
-@dataclass(frozen=True)
-class Axis:
+class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as quickly as a dataclass
     """The range of an axis in SI units, and how it is labelled: in units of `factor` (in SI) times 10**exponent.
 
     Ticks are labelled by their numbers, or by `labels` where these are given.
@@ -33,14 +33,14 @@ class Axis:
     unit: str = ""
     exponent: int = 0
     suffix: str = ""
-    ticks: tuple[float, ...] = field(default=(), repr=False)
+    ticks: tuple[float, ...] = ()
     log: bool = False
     factor: float = 1.0
     power: int = 1
-    labels: tuple[str, ...] = field(default=(), repr=False)
-    drawn: Range | None = field(default=None, compare=False, repr=False)
-    own: Range | None = field(default=None, compare=False, repr=False)
-    count: int = field(default=4, compare=False, repr=False)
+    labels: tuple[str, ...] = ()
+    drawn: Range | None = None
+    own: Range | None = None
+    count: int = 4
 
     @property
     def chosen(self) -> Range:
@@ -61,7 +61,13 @@ class Axis:
 
     def place(self, value: float) -> float:
         """The same of one value: for scalars and marks."""
-        return float(self.places(value))
+        if self.log or self.power != 1:
+            return float(self.places(value))
+        half = -self.exponent // 2
+        place = float(value / self.factor * 10.0**half * 10.0 ** (-self.exponent - half))
+        if math.isinf(place) and not math.isinf(value):
+            raise OverflowError(f"{value} has no place on an axis in units of {self.factor}e{self.exponent}")
+        return place
 
     @property
     def full_unit(self) -> str:

@@ -18,6 +18,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, TypeVar
 
+from msgspec.structs import replace as changed
+
 from components.axes import Axis, nice_ticks
 from components.description import blocks, heading_names, live_names, plots
 from components.numbers import excerpt
@@ -194,9 +196,9 @@ def _rounded(axis: Axis, wider: float) -> Axis:
     room = wider * abs(axis.end - axis.start)
     way = 1 if axis.end > axis.start else -1
     start = axis.start if axis.start == 0 else axis.start - way * room / 2
-    wide = replace(axis, start=start, end=axis.end + way * room / 2, ticks=(), labels=())
+    wide = changed(axis, start=start, end=axis.end + way * room / 2, ticks=(), labels=())
     low, high = sorted((wide.place(wide.start), wide.place(wide.end)))
-    return replace(wide, ticks=nice_ticks(low, high, axis.count))
+    return changed(wide, ticks=nice_ticks(low, high, axis.count))
 
 
 def _made_of(signals: Mapping[str, AnySignal], names: set[str]) -> set[str]:

@@ -8,9 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 
-from msgspec.structs import replace as changed
+from msgspec.structs import replace
 
 from components.axes import TIME_AXIS, Axis, Range, log_axis, nice_ticks, ordered
 from components.motion import round_down, round_up
@@ -110,7 +109,7 @@ def together(frame: Frame, axes: Mapping[str, Axis], scale: float | None) -> Fra
     """The frame, wide enough for another picture as well; the time window stands."""
     others = {name: axis for name, axis in axes.items() if name in frame.ranges and name != TIME_AXIS}
     wide = grown(frame, others, scale)
-    return changed(wide, ranges={**frame.ranges, **wide.ranges})
+    return replace(wide, ranges={**frame.ranges, **wide.ranges})
 
 
 def _grown(span: Range, axis: Axis) -> Range:

@@ -21,10 +21,11 @@ QUARTER = math.pi / 2
 
 def scaled(exponent: int, *factors: float) -> float:
     """The product of the factors divided by 10**exponent, though intermediate products leave the range of doubles."""
-    product = Decimal(1).scaleb(-exponent)
-    for factor in factors:
-        product *= Decimal(factor)
-    result = float(product)
+    others = [factor for factor in factors if factor != 1]
+    if not exponent and len(others) <= 1:  # in most pictures
+        result = float(*others) if others else 1.0
+    else:
+        result = float(math.prod(map(Decimal, others), start=Decimal(1).scaleb(-exponent)))
     if math.isinf(result):
         raise ValueError("the motion does not fit this time window: its numbers leave the range of doubles")
     return result

@@ -76,6 +76,10 @@ class Quantity(param.Number[Any]):  # a float, or None where the scene chooses i
             **options,
         )
 
+    def __get__(self, obj: Any, objtype: Any = None) -> Any:
+        """The value as it was set. Number asks twice whether it is one of param's generators of numbers: none is."""
+        return param.Parameter.__get__(self, obj, objtype)
+
     def __set__(self, obj: Any, value: Any) -> None:
         self._validate(value)
         super().__set__(obj, None if value is None else float(value))

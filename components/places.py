@@ -35,7 +35,7 @@ def steps(values: Floats, low: float, high: float, count: int) -> Steps:
     half = high / 2 - low / 2  # all of it may be more than a double holds
     if not half > 0:
         return np.zeros(len(values), np.int32)
-    shares = (np.clip(values, low, high) / 2 - low / 2) / half
+    shares = (np.minimum(np.maximum(values, low), high) / 2 - low / 2) / half
     return np.rint(count * shares).astype(np.int32)
 
 
@@ -67,6 +67,7 @@ def _shortest(numbers: Steps, starts: NDArray[np.int64]) -> tuple[NDArray[np.int
 
 def _differences(numbers: Steps, starts: NDArray[np.int64]) -> Steps:
     """From each number to the next; the first of a column stays."""
-    result = np.diff(numbers, prepend=np.int32(0))
+    result = numbers.copy()
+    result[1:] -= numbers[:-1]
     result[starts] = numbers[starts]
     return result

@@ -87,6 +87,23 @@ def test_a_refused_batch_changes_nothing(scene_class: type[Scene]) -> None:
 
 
 @scenes
+def test_what_follows_is_told_of_one_change_alone(scene_class: type[Scene], monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = scene_class()
+    first, last = list(quantities(scene_class))[0], list(quantities(scene_class))[-1]
+    low = quantities(scene_class)[first].softbounds[0]
+    before = scene.shown
+    for refused in ({first: low, last: float("nan")}, {first: low, "nothing": 1.0}):
+        with pytest.raises(ValueError, match=r"not possible|nothing: not a parameter"):
+            scene.set(refused)
+    assert scene.shown is before
+    told: list[frozenset[str]] = []
+    following = scene.following
+    monkeypatch.setattr(scene_class, "following", lambda _, changed: told.append(changed) or following(changed))
+    scene.set({last: scene.values[last], first: low})
+    assert told == [{first}]
+
+
+@scenes
 def test_a_bad_value_is_told_at_its_control(scene_class: type[Scene]) -> None:
     scene = scene_class()
     name = next(iter(quantities(scene_class)))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
-from dataclasses import replace
 from functools import cache
 
 import param
+from msgspec.structs import replace
 
 from components import chain
 from components.about import About
@@ -188,7 +189,7 @@ class Absorber(Scene):
             tuning = "free"
         if tuning == "tuned":
             k2 = tuned_stiffness(self.m2, self.omega)
-        valley = antiresonance(replace(chain.of_scene(self), k2=k2))
+        valley = antiresonance(dataclasses.replace(chain.of_scene(self), k2=k2))
         best = None if changed & set(MACHINE) else self._lightest
         if tuning != "detached" and not self._damping and all(self._duty(k2).met) and self.m2 < (best or math.inf):
             best = self.m2

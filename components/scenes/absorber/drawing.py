@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
-
 from msgspec.structs import replace
 
 from components.axes import Axis, nice_axis, nice_ticks
@@ -32,7 +30,7 @@ def size_axis(top: float) -> Axis:
         axis = Axis(0.0, top, "mm", -3, ticks=nice_ticks(0.0, 1e3 * top, 2))
     else:
         axis = nice_axis(0.0, top, "m", exact=True)
-    return dataclasses.replace(axis, drawn=(0.0, top / 2))
+    return replace(axis, drawn=(0.0, top / 2))
 
 
 def side(mass: int) -> Number:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
+
+from msgspec.structs import replace
 
 from components.axes import Axis, nice_axis, nice_ticks, time_axis
 from components.numbers import at_tick, power_unit, three

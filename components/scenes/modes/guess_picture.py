@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from decimal import Decimal
 
 import numpy as np
+from msgspec.structs import replace
 
 from components.axes import Axis, nice_axis, squared_axis, time_axis
 from components.chain import MODES

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from functools import cache
 
 import numpy as np
+from msgspec.structs import replace
 
 from components.axes import Axis, nice_axis, nice_ticks
 from components.grabs import begin, grab, on_plot
