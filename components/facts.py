@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import ClassVar
+from functools import cache
+from typing import Any, ClassVar
+
+import param
 
 from components.controls import Group
 from components.page.messages import Onward
-from components.parameters import Values
+from components.parameters import AnyParameter, Quantity, Values
 from components.running import Running
 
 
-class Facts:
+class Facts(param.Parameterized):
     """The facts of a scene, which each declares; see components.scene."""
 
     slug: ClassVar[str]
@@ -44,3 +47,31 @@ class Facts:
     """Its parameters by what they are in other scenes too: components.carrying takes them along."""
     sharing: ClassVar[Values] = {}
     """What else must be so for them to be what is shown."""
+
+    @classmethod
+    @cache
+    def linked(cls) -> dict[str, AnyParameter]:
+        """The parameters that a link and a state carry: quantities, choices and lists, unless constant or private."""
+        kinds = (Quantity, param.Selector, param.Boolean, param.List)
+        return {
+            name: parameter
+            for name, parameter in cls.param.objects("existing").items()
+            if isinstance(parameter, kinds) and not parameter.constant and not name.startswith("_")
+        }
+
+    @classmethod
+    @cache
+    def preset_values(cls) -> list[tuple[str, list[Any]]]:
+        """The label of each preset, and the values of `preset_names` in it."""
+        return [(label, [cls.preset_value(label, name) for name in cls.preset_names()]) for label in cls.presets]
+
+    @classmethod
+    @cache
+    def preset_names(cls) -> list[str]:
+        """The parameters that presets speak about."""
+        return sorted({name for values in cls.presets.values() for name in values})
+
+    @classmethod
+    def preset_value(cls, label: str, name: str) -> Any:
+        """The value a preset stands for: what it does not name is at its default."""
+        return cls.presets[label].get(name, cls.param[name].default)

@@ -19,7 +19,7 @@ from components.figures import Figure
 from components.frames import FITTED, unfitted
 from components.page.blocks import Block
 from components.page.state import Frame
-from components.parameters import AnyParameter, Quantity, Values
+from components.parameters import Quantity, Values
 from components.picture import Framed, Picture, drawn_in, frame_of, kept, sendable, shared
 from components.refusals import in_words
 from components.units import Unit
@@ -31,7 +31,7 @@ class _SceneMeta(ParameterizedMetaclass, ABCMeta):
     pass
 
 
-class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
+class Scene(Facts, metaclass=_SceneMeta):
     """One idea of the lecture. Subclasses are final: they declare parameters, a sheet, and `picture`.
 
     Setting parameters (one, or a batch with `param.update`) leads to exactly one `picture`. A ValueError, from a
@@ -214,43 +214,15 @@ class Scene(Facts, param.Parameterized, metaclass=_SceneMeta):
         """Call `listener` after every change with the new picture."""
         self._listeners.append(listener)
 
-    @classmethod
-    @cache
-    def linked(cls) -> dict[str, AnyParameter]:
-        """The parameters that a link and a state carry: quantities, choices and lists, unless constant or private."""
-        kinds = (Quantity, param.Selector, param.Boolean, param.List)
-        return {
-            name: parameter
-            for name, parameter in cls.param.objects("existing").items()
-            if isinstance(parameter, kinds) and not parameter.constant and not name.startswith("_")
-        }
-
     def off_default(self) -> Values:
-        """Those of them that are not at their defaults."""
+        """Those of the linked parameters that are not at their defaults."""
         linked = self.linked().items()
         return {name: self.values[name] for name, parameter in linked if self.values[name] != parameter.default}
 
     def preset(self) -> str | None:
         """The label of the preset in force, if any."""
         now = [self.values[name] for name in self.preset_names()]
-        return next((label for label, values in self._preset_values() if values == now), None)
-
-    @classmethod
-    @cache
-    def _preset_values(cls) -> list[tuple[str, list[Any]]]:
-        """The label of each preset, and the values of `preset_names` in it."""
-        return [(label, [cls.preset_value(label, name) for name in cls.preset_names()]) for label in cls.presets]
-
-    @classmethod
-    @cache
-    def preset_names(cls) -> list[str]:
-        """The parameters that presets speak about."""
-        return sorted({name for values in cls.presets.values() for name in values})
-
-    @classmethod
-    def preset_value(cls, label: str, name: str) -> Any:
-        """The value a preset stands for: what it does not name is at its default."""
-        return cls.presets[label].get(name, cls.param[name].default)
+        return next((label for label, values in self.preset_values() if values == now), None)
 
     def __setattr__(self, name: str, value: Any) -> None:
         try:

@@ -89,7 +89,7 @@ def test_a_refused_batch_changes_nothing(scene_class: type[Scene]) -> None:
 @scenes
 def test_what_follows_is_told_of_one_change_alone(scene_class: type[Scene], monkeypatch: pytest.MonkeyPatch) -> None:
     scene = scene_class()
-    first, last = list(quantities(scene_class))[0], list(quantities(scene_class))[-1]
+    first, *_, last = quantities(scene_class)
     low = quantities(scene_class)[first].softbounds[0]
     before = scene.shown
     for refused in ({first: low, last: float("nan")}, {first: low, "nothing": 1.0}):

@@ -8,7 +8,6 @@ from functools import cache, cached_property
 
 import numpy as np
 from msgspec.structs import replace
-from numpy.typing import NDArray
 
 from components.about import About
 from components.axes import ONE, Axis, nice_axis, time_axis
@@ -26,7 +25,7 @@ from components.scenes.oscillator.about import oscillator_about
 from components.scenes.oscillator.pull import Force, force
 from components.scenes.oscillator.sheet import WATCH, oscillator_sheet
 from components.stage import wire
-from components.traces import Columns, samples, sources_over_time, trace
+from components.traces import Columns, Floats, samples, sources_over_time, trace
 from physics.oscillator import Oscillator, OscillatorConstants
 from physics.sampling import Sinusoid, drawable, periods, time_window
 
@@ -162,7 +161,7 @@ class OscillatorScene(Scene):
         return oscillator_about(self.shown, Oscillator(m=self.m, k=self.k), self.x_0, self.v_0)
 
 
-def _motion_columns(swing: Oscillation, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
+def _motion_columns(swing: Oscillation, t: Floats) -> tuple[Columns, Columns]:
     """x, v and a: curves, or bands where too fast."""
     motion = swing.oscillator.motion(swing.x_0, swing.v_0, t)
     curves: Columns = {}
@@ -224,7 +223,7 @@ def _signals(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, AnySignal]:
     }
 
 
-def _scalars(swing: Oscillation, axes: dict[str, Axis], t: NDArray[np.float64]) -> dict[str, float]:
+def _scalars(swing: Oscillation, axes: dict[str, Axis], t: Floats) -> dict[str, float]:
     """Sizes on the stage, the arrow at the start, the peaks that are marked, and the clock's speed."""
     phi, time = swing.constants.phi, axes["t"]
     reach = axes["x"].place(max(abs(axes["x"].start), axes["x"].end)) / ROOM["x"][0]
