@@ -222,7 +222,7 @@ class FreeModes:
     def parts(self, t: ArrayLike) -> tuple[Motion, Motion]:
         """The motion of each mode at times t (n,), within 2 u of its amplitude."""
         t = finite_array("t", t)
-        slow, fast = (as_motion(t, values) for values in apart(self._sinusoids(), t, QUANTITIES))
+        slow, fast = (as_motion(t, values) for values in apart(self.sinusoids(), t, QUANTITIES))
         return slow, fast
 
     def motion(self, t: ArrayLike) -> Motion:
@@ -232,9 +232,10 @@ class FreeModes:
 
     def values(self, t: Array) -> Array:
         """x1, x2, e2, v1, v2 (5, n)."""
-        return added(self._sinusoids(), t, QUANTITIES)
+        return added(self.sinusoids(), t, QUANTITIES)
 
-    def _sinusoids(self) -> list[ExactSinusoid]:
+    def sinusoids(self) -> list[ExactSinusoid]:
+        """Of x1, x2, e2, v1, v2, one for each mode."""
         return [mode.sinusoid(q, v) for mode, q, v in self.each()]
 
     def each(self) -> list[tuple[Mode, Decimal, Decimal]]:

@@ -18,6 +18,7 @@ times fall into stages, a few at most.
 from collections.abc import Sequence
 from decimal import Decimal
 from math import inf
+from typing import NamedTuple
 
 import numpy as np
 
@@ -25,27 +26,37 @@ from physics.coupled import QUANTITIES, FreeModes, Mode
 from physics.curves import early
 from physics.exact import Array, exact, precise
 from physics.onset import EARLY, onset
-from physics.sinusoids import SLOW, Beat, ExactSinusoid, Weighted, total
+from physics.sinusoids import SLOW, Beat, ExactSinusoid, Weighted, added, total
 from physics.valid import rows_in_range
 
 NONE = Decimal(0)
 _ONSET_OF_A_MODE = 0.5  # rad; the closed form of a response has digits to spare from here on
 
 
-def driven_values(free: FreeModes, F_0: float, omega: float, t: Array) -> Array:
+class Beside(NamedTuple):
+    """Other sums of the slow mode, the fast mode and the drive, which the same sines and cosines serve."""
+
+    quantities: Sequence[str]
+    sinusoids: Sequence[ExactSinusoid]
+
+
+NOTHING = Beside((), [ExactSinusoid(NONE, (), ())] * 3)
+
+
+def driven_values(free: FreeModes, F_0: float, omega: float, t: Array, beside: Beside = NOTHING) -> Array:
     """x1, x2, x2 - x1, v1, v2 as (5, n) under F_0 sin(omega t) on mass 1, neither 0, from the start of the free motion.
 
-    ValueError names the quantity that leaves the range of doubles.
+    A row more for each quantity `beside`. ValueError names the quantity that leaves the range of doubles.
     """
     start, *others = _ends(free, omega)
     ends = [start, *(max(start, end) for end in others)]  # until all have started it is all the same how each does
-    order = np.sort(ends)
-    stages = np.searchsorted(order, np.abs(t), side="right")
-    values = np.empty((5, t.size))
-    for stage in np.flatnonzero(np.bincount(stages)).tolist():
+    begins = [-1.0, *sorted(ends)]
+    stages = np.searchsorted(begins[1:], np.abs(t), side="right")
+    forms = {stage: [end > begins[stage] for end in ends] for stage in np.flatnonzero(np.bincount(stages)).tolist()}
+    values = _at(free, F_0, omega, t, forms.popitem()[1], beside)  # the last form is that of all times but for digits
+    for stage, form in forms.items():
         where = stages == stage
-        begin = float(order[stage - 1]) if stage else -1.0
-        values[:, where] = _at(free, F_0, omega, t[where], [end > begin for end in ends])
+        values[: len(QUANTITIES), where] = _at(free, F_0, omega, t[where], form)
     return values
 
 
@@ -64,16 +75,20 @@ def _until(phase: float, omega: Decimal) -> float:
     return phase / speed if speed else inf
 
 
-def _at(free: FreeModes, F_0: float, omega: float, t: Array, forms: Sequence[bool]) -> Array:
+def _at(
+    free: FreeModes, F_0: float, omega: float, t: Array, forms: Sequence[bool], beside: Beside = NOTHING
+) -> Array:
     """At times in one stage; forms are those of _ends, in its order."""
     all_starts, slow_starts, slow, fast, drive_is_slow, slow_beats, fast_beats = forms
     if all_starts:
-        return _onset(free, F_0, omega, t)
+        values = _onset(free, F_0, omega, t)
+        return np.vstack([values, added(beside.sinusoids, t, beside.quantities)]) if beside.quantities else values
     drive, X = exact(omega), [NONE] * 3
     turning: tuple[list[ExactSinusoid], list[ExactSinusoid]] = [], []  # quick, slow
     beats, curves = [], []
-    per_mode = zip(free.each(), (slow, fast), (slow_starts, False), (slow_beats, fast_beats), strict=True)
-    for (mode, q, v), is_slow, starts, is_beating in per_mode:
+    *others, other = beside.sinusoids
+    per_mode = zip(free.each(), (slow, fast), (slow_starts, False), (slow_beats, fast_beats), others, strict=True)
+    for (mode, q, v), is_slow, starts, is_beating, same in per_mode:
         with precise():
             share = exact(F_0) * mode.shape[0] / mode.mass
             if share and starts:
@@ -84,13 +99,18 @@ def _at(free: FreeModes, F_0: float, omega: float, t: Array, forms: Sequence[boo
                 reach = share / ((mode.omega - drive) * (mode.omega + drive))
                 X = [x + part * reach for x, part in zip(X, mode.rows, strict=True)]
                 v -= reach * drive
-        if q or v:
-            turning[is_slow].append(mode.sinusoid(q, v))
-    if any(X):
-        with precise():
-            rates = [x * drive for x in X]
-        turning[drive_is_slow].append(ExactSinusoid(drive, [*[NONE] * 3, *rates[:2]], [*rates, *[NONE] * 2]))
-    return total(t, QUANTITIES, *turning, beats, curves)
+        turning[is_slow].append(_joined(mode.sinusoid(q, v), same))
+    with precise():
+        rates = [x * drive for x in X]
+    swing = ExactSinusoid(drive, [*[NONE] * 3, *rates[:2]], [*rates, *[NONE] * 2])
+    turning[drive_is_slow].append(_joined(swing, other))
+    quick, hardly = ([one for one in ones if any(one.cosine) or any(one.sine)] for ones in turning)
+    return total(t, (*QUANTITIES, *beside.quantities), quick, hardly, beats, curves)
+
+
+def _joined(one: ExactSinusoid, other: ExactSinusoid) -> ExactSinusoid:
+    """The quantities of both, at one frequency."""
+    return ExactSinusoid(one.omega, [*one.cosine, *other.cosine], [*one.sine, *other.sine])
 
 
 def _onset(free: FreeModes, F_0: float, omega: float, t: Array) -> Array:

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.coupled import (
+    QUANTITIES,
     FreeModes,
     Mode,
     Motion,
@@ -29,7 +30,7 @@ from physics.coupled import (
     started,
 )
 from physics.curves import ScaledCurve, combined, product, response, turning
-from physics.driven_motion import NONE, driven_values
+from physics.driven_motion import NONE, Beside, driven_values
 from physics.exact import PI, Array, exact, precise, rounded, within_an_ulp
 from physics.particular import (
     antiresonance,
@@ -53,6 +54,7 @@ __all__ = [
 ]
 
 REST = (0.0, 0.0)
+_PARTICULAR = ("x1 of x_p", "x2 of x_p")
 _CANCELS = Decimal("1e-3")  # of x_c and x_p, what is left of them after a period of the drive
 
 
@@ -143,10 +145,25 @@ class DrivenModes:
 
     def particular_motion(self, t: ArrayLike) -> Array:
         """x_p (2, n) = Xp sin(omega t); ValueError at resonance."""
-        omega, t = exact(self.omega), finite_array("t", t)
+        return added([self._swing], finite_array("t", t), _PARTICULAR)
+
+    def apart(self, t: ArrayLike) -> tuple[Motion, Array, Array]:
+        """The motion, x_p and x_c, as above, from the same sines and cosines; ValueError at resonance."""
+        t = finite_array("t", t)
+        if not (self._pushes and t.size):
+            return self.motion(t), self.particular_motion(t), self.complementary(t)
+        free, swing, none = self.complementary_modes.sinusoids(), self._swing, [NONE] * 2
+        parts = [ExactSinusoid(one.omega, [*none, *one.cosine[:2]], [*none, *one.sine[:2]]) for one in free]
+        parts.append(ExactSinusoid(swing.omega, [*swing.cosine, *none], [*swing.sine, *none]))
+        beside = Beside((*_PARTICULAR, *QUANTITIES[:2]), parts)
+        values = driven_values(self.free, self.F_0, self.omega, t, beside)
+        return as_motion(t, values[:5]), values[5:7], values[7:]
+
+    @property
+    def _swing(self) -> ExactSinusoid:
+        omega = exact(self.omega)
         with precise():
-            swing = ExactSinusoid(omega, [NONE] * 2, [part * omega for part in self._exact_particular])
-        return added([swing], t, ("x1 of x_p", "x2 of x_p"))
+            return ExactSinusoid(omega, [NONE] * 2, [part * omega for part in self._exact_particular])
 
     def work(self, t: ArrayLike) -> Array:
         """The work of the drive since t = 0, (n,) in J.

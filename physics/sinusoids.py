@@ -18,6 +18,7 @@ import math
 from collections.abc import Iterable, Sequence
 from decimal import Decimal
 from functools import cache
+from itertools import zip_longest
 from typing import NamedTuple
 
 import numpy as np
@@ -100,6 +101,7 @@ def total(
 ) -> Array:
     """The sum of all as (quantities, n). Slow ones and the d of beats turn by less than 1/16 rad at all times t.
 
+    Coefficients that are left out at the end of a beat's or a curve's are zero.
     ValueError names the quantity that leaves the range of doubles.
     """
     heads, tails = _circle([*(one.omega for one in quick), *(beat.s for beat in beats)], t)
@@ -205,8 +207,8 @@ def _summed(
     lead, rest, exponents = _on_a_grid(columns)
     with precise():
         scaled = [[c * curve.scale for c in row] for curve, row in curves]
-    common = np.max([exponents, *(list(map(_exponent, column)) for column in scaled)], axis=0)
-    common = np.where(common > _NOTHING, common, 0)[:, np.newaxis]
+    largest = map(max, zip_longest(exponents, *(map(_exponent, row) for row in scaled), fillvalue=_NOTHING))
+    common = np.array([exponent if exponent > _NOTHING else 0 for exponent in largest])[:, np.newaxis]
     if curves:
         shift = np.array(exponents)[:, np.newaxis] - common
         lead, rest = np.ldexp(lead, shift), np.ldexp(rest, shift)
@@ -224,7 +226,7 @@ def _summed(
 
 def _on_a_grid(columns: Sequence[Coefficients]) -> tuple[Array, Array, list[int]]:
     """The rows of coefficients as heads and rests (rows, columns), and the power of two of each row."""
-    rows = list(zip(*columns, strict=True))
+    rows = list(zip_longest(*columns, fillvalue=_NONE))
     with precise():
         exponents = [_exponent(max(map(abs, row))) for row in rows]
         units = [_power_of_two(_COEFFICIENT + _REST - e) if e > _NOTHING else _NONE for e in exponents]

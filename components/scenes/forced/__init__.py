@@ -105,8 +105,7 @@ class Forced(Scene):
         end = frame.window or own_window
         fastest = max(fast, self.omega)
         t = np.linspace(0.0, end, samples(end, fastest))
-        motion = driven.motion(t)
-        curves, bands = motion_columns(driven, motion)
+        motion, curves, bands = motion_columns(driven, t)
         extremes, limit = chain.extremes(curves, bands), limit_columns(driven, t)
         work = energy_columns(driven, motion) if self.view == "work" and drawable(2 * fastest, t) else {}
         lecture = self.axes == "lecture" and self.k1 > 0 and self.F_0 > 0

@@ -9,7 +9,7 @@ from components.chain import components, free_signals
 from components.motion import derived, responses, sines, total
 from components.page.numbers import var
 from components.page.signals import AnySignal
-from components.traces import Columns, Floats, trace
+from components.traces import Columns, Floats, band_columns, trace
 from physics.coupled import Motion
 from physics.energy import chain_energy
 from physics.forced import DrivenModes
@@ -19,32 +19,31 @@ APART = 0.98
 """An envelope that falls below this share of the straight line is seen beside it."""
 
 
-def motion_columns(driven: DrivenModes, motion: Motion) -> tuple[Columns, Columns]:
-    """x1, x2 and their particular and complementary parts, as curves, or as bands where too fast to draw.
+def motion_columns(driven: DrivenModes, t: Floats) -> tuple[Motion, Columns, Columns]:
+    """The motion; x1, x2 and their particular and complementary parts, as curves, or as bands where too fast to draw.
 
     Where the parts are huge and opposite they are left out: see `limit_columns`.
     """
-    t, curves, bands = motion.t, Columns(), Columns()
     split = driven.split_is_meaningful
-    parts = (driven.particular_motion(t), driven.complementary(t)) if split else ()
+    motion, *parts = driven.apart(t) if split else (driven.motion(t),)
+    drawn = dict(zip(("", "_p", "_c"), (motion.x, *parts), strict=False))
+    if drawable(max(driven.free.omega[1], driven.omega), t):
+        return motion, {f"x{i + 1}{part}": x[i] for i in (0, 1) for part, x in drawn.items()}, {}
+    curves, bands = Columns(), Columns()
     for i in (0, 1):
-        x = motion.x[i]
-        curve, band = _split(driven, i, t, x, *(part[i] for part in parts)) if split else _whole(driven, i, t, x)
-        curves, bands = curves | curve, bands | band
-    return curves, bands
+        for part, x in drawn.items():
+            curve, band = _trace(driven, i, t, part, x[i]) if split else ({}, _band(driven, i, t))
+            curves, bands = curves | curve, bands | band
+    return motion, curves, bands
 
 
-def _split(driven: DrivenModes, i: int, t: Floats, x: Floats, x_p: Floats, x_c: Floats) -> tuple[Columns, Columns]:
-    name, X = f"x{i + 1}", driven.particular
+def _trace(driven: DrivenModes, i: int, t: Floats, part: str, x: Floats) -> tuple[Columns, Columns]:
+    """Of the displacement of mass i or one of its parts."""
     rest = driven.complementary_modes
-    particular, complementary = [Sinusoid(X[i], driven.omega, 0.0)], components(rest, i)
-    drift = rest.drift_a[i] + rest.drift_b[i] * t
-    motions = (
-        trace(name, [*particular, *complementary], t, drift, x),
-        trace(f"{name}_p", particular, t, None, x_p),
-        trace(f"{name}_c", complementary, t, drift, x_c),
-    )
-    return {k: v for c, _ in motions for k, v in c.items()}, {k: v for _, b in motions for k, v in b.items()}
+    particular = [Sinusoid(driven.particular[i], driven.omega, 0.0)] if part != "_c" else []
+    complementary = components(rest, i) if part != "_p" else []
+    drift = rest.drift_a[i] + rest.drift_b[i] * t if part != "_p" else None
+    return trace(f"x{i + 1}{part}", [*particular, *complementary], t, drift, x)
 
 
 def resonant(driven: DrivenModes) -> bool:
@@ -82,14 +81,12 @@ def _beat(driven: DrivenModes, i: int, t: Floats) -> Floats:
     return beat
 
 
-def _whole(driven: DrivenModes, i: int, t: Floats, x: Floats) -> tuple[Columns, Columns]:
-    name = f"x{i + 1}"
-    if drawable(max(*driven.free.omega, driven.omega), t):
-        return {name: x}, {}
+def _band(driven: DrivenModes, i: int, t: Floats) -> Columns:
+    """What the displacement of mass i fills next to resonance."""
     beat = _beat(driven, i, t) if resonant(driven) else 0.0
     size = beat + _others(driven, i, int(np.argmin(np.abs(driven.detuning))))
     drift = driven.free.drift_a[i] + driven.free.drift_b[i] * t
-    return {}, {f"{name}_lo": drift - size, f"{name}_hi": drift + size}
+    return dict(zip(band_columns(f"x{i + 1}"), (drift - size, drift + size), strict=True))
 
 
 def _others(driven: DrivenModes, i: int, j: int) -> float:
