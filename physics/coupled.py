@@ -125,6 +125,13 @@ class TwoMassChain:
             against = -(D + S) / (2 * m2 * k2) if D > 0 else -2 * m1 * k2 / (S - D)
         return self._mode(omega_minus, in_phase), self._mode(omega_plus, against)
 
+    @cached_property
+    def exact_antiresonance(self) -> Decimal:
+        """sqrt(k2/m2) in rad/s: driven at this frequency, mass 1 can stand still."""
+        _, m2, _, k2 = self.exact_parameters
+        with precise():
+            return snapped((k2 / m2).sqrt())
+
     def _mode(self, omega: Decimal, ratio: Decimal) -> Mode:
         """Newton's law for mass 2, m2 omega^2 X2 = k2 (X2 - X1), gives the stretch."""
         m1, m2, _, k2 = self.exact_parameters

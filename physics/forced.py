@@ -13,6 +13,7 @@ resonance and needs no particular solution; see physics.driven_motion.
 
 from dataclasses import dataclass
 from decimal import Decimal
+from fractions import Fraction
 from functools import cached_property
 
 import numpy as np
@@ -34,10 +35,11 @@ from physics.driven_motion import NONE, Beside, driven_values
 from physics.exact import PI, Array, exact, precise, rounded, within_an_ulp
 from physics.particular import (
     antiresonance,
-    checked_drive,
+    check_drive,
     determinant,
     exact_amplitudes,
     particular_solution,
+    rounded_amplitudes,
 )
 from physics.sinusoids import ExactSinusoid, added
 from physics.valid import finite_array
@@ -95,7 +97,7 @@ class DrivenModes:
     @cached_property
     def particular(self) -> Array:
         """Xp1, Xp2."""
-        return particular_solution(self.chain, self.F_0, self.omega)
+        return rounded_amplitudes(self.chain, self.omega, self._amplitudes)
 
     @cached_property
     def at_resonance(self) -> bool:
@@ -104,8 +106,7 @@ class DrivenModes:
         Exactly at one no particular solution exists; an ulp away it is some 1e15 times the static deflection.
         """
         pushed = (mode for mode in self.chain.exact_modes if mode.shape[0])
-        near = any(within_an_ulp(self.omega, mode.omega) for mode in pushed)
-        return near and not self.split_is_meaningful
+        return not self.split_is_meaningful and any(within_an_ulp(self.omega, mode.omega) for mode in pushed)
 
     @cached_property
     def split_is_meaningful(self) -> bool:
@@ -114,7 +115,7 @@ class DrivenModes:
         From rest the total reaches, within a period of the drive, about |omega - omega_j| times that period
         of what either has. At resonance x_p does not exist.
         """
-        if exact_amplitudes(self.chain, self.F_0, self.omega) is None:
+        if self._amplitudes is None:
             return False
         with precise():
             shares = [
@@ -199,12 +200,15 @@ class DrivenModes:
             return [(F * c, product(a, b)) for c, a, b in zip(factors, first, second, strict=True)]
 
     @cached_property
+    def _amplitudes(self) -> tuple[Fraction, Fraction] | None:
+        return exact_amplitudes(self.chain, self.F_0, self.omega)
+
+    @cached_property
     def _exact_particular(self) -> tuple[Decimal, Decimal]:
-        exactly = exact_amplitudes(self.chain, self.F_0, self.omega)
-        if exactly is None:
+        if self._amplitudes is None:
             raise ValueError(f"omega = {self.omega} rad/s is a natural frequency: no particular solution exists")
         with precise():
-            X1, X2 = (Decimal(part.numerator) / Decimal(part.denominator) for part in exactly)
+            X1, X2 = (Decimal(part.numerator) / Decimal(part.denominator) for part in self._amplitudes)
             return X1, X2
 
 
@@ -212,7 +216,7 @@ def driven_modes(
     chain: TwoMassChain, F_0: float, omega: float, x_0: ArrayLike = REST, v_0: ArrayLike = REST
 ) -> DrivenModes:
     """The modes of the chain under F_0 sin(omega t) on mass 1, F_0 in N, omega >= 0 in rad/s."""
-    checked_drive(F_0, omega)
+    check_drive(F_0, omega)
     return DrivenModes(chain, float(F_0), float(omega), each_mass("x_0", x_0), each_mass("v_0", v_0))
 
 

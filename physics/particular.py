@@ -26,7 +26,6 @@ from physics.exact import (
     pair_quotient,
     pair_sum,
     precise,
-    snapped,
     split,
     three_doubles,
     two_product,
@@ -44,49 +43,50 @@ def particular_solution(chain: TwoMassChain, F_0: float, omega: ArrayLike) -> Ar
     sides. One frequency is worked out in rational numbers and rounded once; a curve is within 2 ulp.
     ValueError if an amplitude leaves the range of doubles.
     """
-    frequencies = checked_drive(F_0, omega)
-    if np.ndim(omega) == 0:
-        return _rounded_amplitudes(chain, F_0, frequencies[0])
-    if _comfortable(chain, F_0, frequencies):
+    frequencies = finite_array("omega", omega)
+    check_drive(F_0, float(frequencies.min(initial=0.0)))
+    if np.ndim(omega) and _comfortable(chain, F_0, frequencies):
         return _response_curve(chain, F_0, frequencies)
-    return np.array([_rounded_amplitudes(chain, F_0, w) for w in frequencies]).reshape(-1, 2).T
+    each = [rounded_amplitudes(chain, w, exact_amplitudes(chain, F_0, w)) for w in frequencies.tolist()]
+    return np.array(each).reshape(-1, 2).T if np.ndim(omega) else each[0]
 
 
 def antiresonance(chain: TwoMassChain) -> float:
     """The frequency sqrt(k2/m2) at which mass 1 stands still, correctly rounded."""
-    with precise():
-        return float(_antiresonance(chain))
+    return float(chain.exact_antiresonance)
 
 
-def _antiresonance(chain: TwoMassChain) -> Decimal:
-    _, m2, _, k2 = chain.exact_parameters
-    with precise():
-        return snapped((k2 / m2).sqrt())
-
-
-def checked_drive(F_0: float, omega: ArrayLike) -> Array:
-    """omega (n,), one frequency included."""
+def check_drive(F_0: float, omega: float) -> None:
+    """A finite force in N, and a finite frequency in rad/s, 0 or more."""
     check_finite("a force in N", F_0=F_0)
-    frequencies = finite_array("omega", omega)
-    check_not_negative("a drive frequency in rad/s", omega=float(np.min(frequencies, initial=0.0)))
-    return frequencies
+    check_not_negative("a drive frequency in rad/s", omega=omega)
 
 
 def exact_amplitudes(chain: TwoMassChain, F_0: float, omega: float) -> tuple[Fraction, Fraction] | None:
     """Xp1 and Xp2, exactly; None at a natural frequency."""
-    F, w = Fraction(F_0), Fraction(omega)
-    m1, m2, k1, k2 = (Fraction(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2))
+    one, two, link, scale = _matrix(chain, omega)
+    F, above, D = Fraction(F_0), (two, link), one * two - link**2
     if not F:
         return F, F
-    if not k2:
-        D = k1 - m1 * w**2
-        return (F / D, Fraction(0)) if D else None
-    D = (k1 + k2 - m1 * w**2) * (k2 - m2 * w**2) - k2**2
-    return ((k2 - m2 * w**2) * F / D, k2 * F / D) if D else None
+    if not link:
+        above, D = (1, 0), one
+    if not D:
+        return None
+    X1, X2 = (Fraction(part * scale * F.numerator, D * F.denominator) for part in above)
+    return X1, X2
 
 
-def _rounded_amplitudes(chain: TwoMassChain, F_0: float, omega: float) -> Array:
-    exactly = exact_amplitudes(chain, F_0, omega)
+def _matrix(chain: TwoMassChain, omega: float) -> tuple[int, int, int, int]:
+    """k1 + k2 - m1 omega^2, k2 - m2 omega^2 and k2 as whole numbers over the fourth: doubles are such over 2^n."""
+    ratios = [value.as_integer_ratio() for value in (chain.m1, chain.m2, chain.k1, chain.k2)]
+    scale = max(below for _, below in ratios)
+    m1, m2, k1, k2 = (above * (scale // below) for above, below in ratios)
+    p, q = (part**2 for part in float(omega).as_integer_ratio())
+    return (k1 + k2) * q - m1 * p, k2 * q - m2 * p, k2 * q, scale * q
+
+
+def rounded_amplitudes(chain: TwoMassChain, omega: float, exactly: tuple[Fraction, Fraction] | None) -> Array:
+    """The amplitudes that exact_amplitudes has found, (2,), as particular_solution tells them."""
     if exactly is None:
         return np.array([math.inf, math.inf if chain.k2 else 0.0])
     X1, X2 = exactly
@@ -109,7 +109,7 @@ def _comfortable(chain: TwoMassChain, F_0: float, omega: Array) -> bool:
             fast.omega,
             exact(F_0) / m1,
             exact(F_0) * k2 / (m1 * m2),
-            _antiresonance(chain),
+            chain.exact_antiresonance,
         ]
     factors += [exact(w) for w in (np.max(omega, initial=0.0), np.min(omega[omega > 0.0], initial=1.0))]
     return all(1 / _COMFORT < abs(factor) < _COMFORT for factor in factors if factor)
@@ -120,7 +120,7 @@ def _response_curve(chain: TwoMassChain, F_0: float, omega: Array) -> Array:
     slow, fast = chain.exact_modes
     m1, m2, _, k2 = chain.exact_parameters
     if k2:
-        (over, over_lo), first, second = _from_roots(omega, (_antiresonance(chain), slow.omega, fast.omega))
+        (over, over_lo), first, second = _from_roots(omega, (chain.exact_antiresonance, slow.omega, fast.omega))
         D = pair_product(first, second)
     else:
         over, over_lo = np.ones_like(omega), np.zeros_like(omega)
@@ -146,9 +146,9 @@ def _from_roots(omega: Array, roots: Sequence[Decimal]) -> Iterator[DoubleDouble
 
 def determinant(chain: TwoMassChain, omega: float) -> float:
     """D = det A at a frequency in rad/s, correctly rounded; ValueError if it leaves the range of doubles."""
-    checked_drive(0.0, omega)
-    m1, m2, k1, k2, w = (Fraction(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2, omega))
+    check_drive(0.0, omega)
+    one, two, link, scale = _matrix(chain, omega)
     try:
-        return float((k1 + k2 - m1 * w**2) * (k2 - m2 * w**2) - k2**2)
+        return (one * two - link**2) / scale**2
     except OverflowError:
         raise ValueError(f"D at omega = {omega} rad/s leaves the range of doubles") from None
