@@ -33,17 +33,17 @@ NONE = Decimal(0)
 _ONSET_OF_A_MODE = 0.5  # rad; the closed form of a response has digits to spare from here on
 
 
-class Beside(NamedTuple):
+class AlsoSummed(NamedTuple):
     """Other sums of the slow mode, the fast mode and the drive, which the same sines and cosines serve."""
 
     quantities: Sequence[str]
     sinusoids: Sequence[ExactSinusoid]
 
 
-NOTHING = Beside((), [ExactSinusoid(NONE, (), ())] * 3)
+NOTHING = AlsoSummed((), [ExactSinusoid(NONE, (), ())] * 3)
 
 
-def driven_values(free: FreeModes, F_0: float, omega: float, t: Array, beside: Beside = NOTHING) -> Array:
+def driven_values(free: FreeModes, F_0: float, omega: float, t: Array, beside: AlsoSummed = NOTHING) -> Array:
     """x1, x2, x2 - x1, v1, v2 as (5, n) under F_0 sin(omega t) on mass 1, neither 0, from the start of the free motion.
 
     A row more for each quantity `beside`. ValueError names the quantity that leaves the range of doubles.
@@ -76,7 +76,7 @@ def _until(phase: float, omega: Decimal) -> float:
 
 
 def _at(
-    free: FreeModes, F_0: float, omega: float, t: Array, forms: Sequence[bool], beside: Beside = NOTHING
+    free: FreeModes, F_0: float, omega: float, t: Array, forms: Sequence[bool], beside: AlsoSummed = NOTHING
 ) -> Array:
     """At times in one stage; forms are those of _ends, in its order."""
     all_starts, slow_starts, slow, fast, drive_is_slow, slow_beats, fast_beats = forms

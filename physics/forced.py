@@ -31,7 +31,7 @@ from physics.coupled import (
     started,
 )
 from physics.curves import ScaledCurve, combined, product, response, turning
-from physics.driven_motion import NONE, Beside, driven_values
+from physics.driven_motion import NONE, AlsoSummed, driven_values
 from physics.exact import PI, Array, exact, precise, rounded, within_an_ulp
 from physics.particular import (
     antiresonance,
@@ -156,7 +156,7 @@ class DrivenModes:
         free, swing, none = self.complementary_modes.sinusoids(), self._swing, [NONE] * 2
         parts = [ExactSinusoid(one.omega, [*none, *one.cosine[:2]], [*none, *one.sine[:2]]) for one in free]
         parts.append(ExactSinusoid(swing.omega, [*swing.cosine, *none], [*swing.sine, *none]))
-        beside = Beside((*_PARTICULAR, *QUANTITIES[:2]), parts)
+        beside = AlsoSummed((*_PARTICULAR, *QUANTITIES[:2]), parts)
         values = driven_values(self.free, self.F_0, self.omega, t, beside)
         return as_motion(t, values[:5]), values[5:7], values[7:]
 

@@ -70,17 +70,14 @@ def response_curves(driven: DrivenModes, shown: str, lecture: bool, frame: Frame
     start, end = across.start, across.end
     # Down to 0; on a log axis far below the frame, where a number is left to draw.
     still = BESIDE if shown == "log" else 0.0
-    parts = _branches(_cuts(system, frequencies), still, start, end)
-    swings = particular_solution(system, F_0, np.concatenate(list(parts.values())))
-    ends = np.cumsum([w.size for w in parts.values()])[:-1]
-    curves = dict(zip(parts, np.split(swings, ends, axis=1), strict=True))
+    w, branches = _branches(_cuts(system, frequencies), still, start, end)
+    swings = particular_solution(system, F_0, w)
+    drawn = swings if shown == "signed" else np.abs(swings)
     columns: dict[str, Columns] = {f"branch{i}": {} for i in range(len(BRANCHES))}
-    for i, w in parts.items():
-        one, two = curves[i] if shown == "signed" else np.abs(curves[i])
-        columns[f"branch{i}"] = {"omega": w, "Xp1": one, "Xp2": two}
-    columns["response"] = _whole(list(parts.values()), list(curves.values()))
+    columns |= {f"branch{i}": _column(w[part], drawn[:, part]) for i, part in branches.items()}
+    columns["response"] = _column(w, swings)
     scalars, values = _marks(driven, frequencies, across, up, shown)
-    scalars |= _names([columns[f"branch{i}"] for i in parts], across, up)
+    scalars |= _names(w, drawn, list(branches.values()), across, up)
     return DrawnResponse(columns, axes, scalars, values)
 
 
@@ -105,29 +102,34 @@ def _cuts(system: TwoMassChain, frequencies: Floats) -> list[tuple[float, int, b
     return [(slow, 1, True), (antiresonance(system), 2, False), (fast, 3, True)]
 
 
-def _branches(cuts: list[tuple[float, int, bool]], beside: float, start: float, end: float) -> dict[int, Floats]:
-    """Frequencies of each branch, closer and closer together towards a pole; they meet where mass 1 stands still.
+def _branches(
+    cuts: list[tuple[float, int, bool]], beside: float, start: float, end: float
+) -> tuple[Floats, dict[int, slice]]:
+    """Frequencies, closer and closer together towards a pole, and which of them each branch has.
 
-    On a log axis that is left out by the share `beside` on both sides.
+    Branches meet where mass 1 stands still; on a log axis that is left out by the share `beside` on both sides.
     """
     poles = [w for w, _, pole in cuts if pole]
     before = [i for w, i, _ in cuts if w <= start]
     inside = [(w, i) for w, i, _ in cuts if start < w < end]
     edges = [(start, before[-1] if before else 0), *inside, (end, -1)]
-    parts = {}
-    for (low, i), (high, _) in pairwise(edges):
+    halves = []
+    for (low, _), (high, _) in pairwise(edges):
         first, last = (w if w in poles else w * share for w, share in ((low, 1 + beside), (high, 1 - beside)))
         from_low, from_high = (NEAR if edge in poles else EVEN for edge in (low, high))
-        part = np.unique(np.concatenate([first + (last - first) * from_low, last - (last - first) * from_high]))
-        part = part[~np.isin(part, poles)]
-        if part.size:
-            parts[i] = part
-    return parts
+        halves.append([first + (last - first) * from_low, last - (last - first) * from_high])
+    rows = np.sort(np.reshape(halves, (len(halves), -1)))
+    kept = np.ones(rows.shape, dtype=bool)
+    kept[:, 1:] = rows[:, 1:] > rows[:, :-1]
+    for pole in poles:
+        kept &= rows != pole
+    ends = np.cumsum(kept.sum(axis=1)).tolist()
+    parts = {i: slice(begin, end) for (_, i), begin, end in zip(edges, [0, *ends], ends, strict=False) if end > begin}
+    return rows[kept], parts
 
 
-def _whole(parts: list[Floats], curves: list[Floats]) -> Columns:
-    X = np.concatenate(curves, axis=1) if curves else np.empty((2, 0))
-    return {"omega": np.concatenate(parts) if parts else np.empty(0), "Xp1": X[0], "Xp2": X[1]}
+def _column(w: Floats, X: Floats) -> Columns:
+    return {"omega": w, "Xp1": X[0], "Xp2": X[1]}
 
 
 def _axis(start: float, end: float, unit: str, shown: str, factor: float) -> Axis:
@@ -175,27 +177,25 @@ def _outside(scalars: dict[str, float], up: Axis) -> dict[str, float]:
     return over | under | {f"{name}_held": min(max(at, low), high) for name, at in dots.items()} | {"driven": 1.0}
 
 
-def _names(branches: list[Columns], across: Axis, up: Axis) -> dict[str, float]:
+def _names(w: Floats, X: Floats, branches: list[slice], across: Axis, up: Axis) -> dict[str, float]:
     """Where the curves' names stand: beside the curve, where it is flat and away from the other one."""
     low, high, first, last = (axis.place(end) for axis in (up, across) for end in (axis.start, axis.end))
-    frames = [
-        [(across.places(b["omega"]) - first) / (last - first)]
-        + [np.clip((up.places(b[name]) - low) / (high - low), -1.0, 2.0) for name in ("Xp1", "Xp2")]
-        for b in branches
-    ]
+    x = (across.places(w) - first) / (last - first)
+    y = np.clip((up.places(X) - low) / (high - low), -1.0, 2.0)
+    beside = np.concatenate([np.clip(x[part] + [[BROAD], [-BROAD]], x[part][0], x[part][-1]) for part in branches], 1)
     scalars: dict[str, float] = {}
-    for i in (1, 2):
-        x, y = np.concatenate([[f[0], f[i]] for f in frames], axis=1)
-        best = int(np.argmax(np.concatenate([_room(f[0], f[i], f[3 - i]) for f in frames])))
-        scalars |= {f"Xp{i}_name_x": first + x[best] * (last - first), f"Xp{i}_name_y": low + y[best] * (high - low)}
+    for i in (0, 1):
+        best = int(np.argmax(_room(x, beside, y[i], y[1 - i])))
+        at = first + x[best] * (last - first), low + y[i, best] * (high - low)
+        scalars |= dict(zip((f"Xp{i + 1}_name_x", f"Xp{i + 1}_name_y"), at, strict=True))
     return scalars
 
 
-def _room(x: Floats, y: Floats, other: Floats) -> Floats:
-    """How good each place of a curve is for its name; all are shares of the frame."""
+def _room(x: Floats, beside: Floats, y: Floats, other: Floats) -> Floats:
+    """How good each place of a curve is for its name, from what is `beside` it, (2, n); all are shares of the frame."""
     inside = (x > 0.08) & (x < 0.9) & (y > 0.02) & (y < 0.8)
-    rise = np.abs(np.interp(x + BROAD, x, y) - np.interp(x - BROAD, x, y))
-    return np.where(inside, np.minimum(np.abs(other - y), ENOUGH) - rise, -np.inf)
+    after, before = np.interp(beside, x, y)
+    return np.where(inside, np.minimum(np.abs(other - y), ENOUGH) - np.abs(after - before), -np.inf)
 
 
 FLAGS = (
