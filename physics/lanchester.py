@@ -12,7 +12,7 @@ and q = V - 1 stand in for u and V, so that a small disturbance keeps its digits
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache, reduce
+from functools import lru_cache
 from math import hypot, pi, sqrt
 from operator import mul
 from typing import Any, NamedTuple, TypeAlias
@@ -27,7 +27,7 @@ LARGEST_EXCESS = 1e6
 EXCESS_AT_LATENESS = {0.001: 0.15114630935641565, 0.01: 0.4585246908361407}  # T/T_0 - 1: excess in v_0
 
 ORDER = 26
-LAST_TERM = 1e-18  # of a Taylor series, relative to the disturbance
+LAST_TERM = 2e-17  # of a Taylor series, relative to the disturbance: less than its rounding
 FREE_FALL = 1e-9  # below this speed the lift is 1e-18 of the weight
 LINEAR = 1e-20  # below this excess the motion is linear to the last bit: one solution, scaled
 
@@ -43,7 +43,6 @@ class LanchesterPeriod:
     h: Array
     u: Array
     w: Array
-    theta: Array
     period: float
     advance: float
     C: float
@@ -54,9 +53,9 @@ def lanchester(excess: float, n: int = 401) -> LanchesterPeriod:
     """One period, at n equal steps of time, of the motion whose level flight has the speed 1 + excess."""
     half = half_period(bottom_excess(excess))
     t = np.linspace(0, 2 * half.duration, n)
-    x, p, w, theta = half.at(t)
+    x, p, w = half.at(t)
     return LanchesterPeriod(
-        t=t, x=x, h=height(p, w), u=1 + p, w=w, theta=theta,
+        t=t, x=x, h=height(p, w), u=1 + p, w=w,
         period=2 * half.duration, advance=2 * half.advance, C=invariant(excess), loops=half.loops,
     )  # fmt: skip
 
@@ -89,42 +88,36 @@ class HalfPeriod:
     starts: Array
     coefficients: Array
     duration: float
+    advance: float
     loops: bool
 
-    @cached_property
-    def advance(self) -> float:
-        return float(self._rising(np.array([self.duration]))[0][0])
-
-    def at(self, t: Array) -> tuple[Array, Array, Array, Array]:
-        """x, p, w, theta at any times: the falling half is the mirror image of the rising one."""
+    def at(self, t: Array) -> tuple[Array, Array, Array]:
+        """x, p, w at any times: the falling half is the mirror image of the rising one."""
         period = 2 * self.duration
         whole = np.floor(t / period)
         rest = t - whole * period
         falls = rest > self.duration
-        x, p, w, theta = self._rising(np.clip(np.where(falls, period - rest, rest), 0, self.duration))
-        turn = 2 * pi * self.loops
-        return (
-            2 * self.advance * whole + np.where(falls, 2 * self.advance - x, x),
-            p,
-            np.where(falls, -w, w),
-            turn * whole + np.where(falls, turn - theta, theta),
-        )
+        x, p, w = self._rising(np.clip(np.where(falls, period - rest, rest), 0, self.duration))
+        return 2 * self.advance * whole + np.where(falls, 2 * self.advance - x, x), p, np.where(falls, -w, w)
 
-    def _rising(self, t: Array) -> tuple[Array, Array, Array, Array]:
+    def _rising(self, t: Array) -> tuple[Array, Array, Array]:
         piece = np.searchsorted(self.starts, t, side="right") - 1
-        series = (order.take(piece, axis=1) for order in self.coefficients[::-1])
-        drift, p, w = _polynomial(series, t - self.starts[piece])
-        return t + drift, p, w, np.arctan2(w, 1 + p)
+        series = self.coefficients.take(piece, axis=2)
+        drift, p, w = _polynomial(reversed(series), t - self.starts[piece])
+        return t + drift, p, w
 
 
 @lru_cache(maxsize=256)
 def half_period(excess: float) -> HalfPeriod:
     pieces = list(_pieces(max(excess, LINEAR)))
     scale = min(excess / LINEAR, 1.0)
+    last = pieces[-1]
+    duration = last.start + last.length
     return HalfPeriod(
         starts=np.array([piece.start for piece in pieces]),
         coefficients=np.ascontiguousarray(scale * np.array([piece.series for piece in pieces]).T),
-        duration=pieces[-1].start + pieces[-1].length,
+        duration=duration,
+        advance=duration + scale * _polynomial(reversed(last.series[0]), last.length),
         loops=excess > CUSP_EXCESS,
     )
 
@@ -146,8 +139,7 @@ def _pieces(excess: float) -> Iterator[_Piece]:
             yield _Piece(t, _free_fall(*state), w)
             return
         series = _taylor(*state)
-        last = np.max(np.abs(np.array(series)[1:, -2:]), axis=0) / max(abs(p), abs(w))
-        step = float(np.min((LAST_TERM / last) ** (1 / np.array([ORDER - 1, ORDER]))))
+        step = _step(series, LAST_TERM * max(abs(p), abs(w)))
         drift, p, w = (_polynomial(reversed(one), step) for one in series)
         if w <= 0:
             yield _Piece(t, series, _top(series[2], step))
@@ -157,19 +149,27 @@ def _pieces(excess: float) -> Iterator[_Piece]:
 
 
 def _taylor(*state: float) -> _Series:
-    """Each order of the equations of motion gives the next. In plain numbers: there are too few for arrays."""
+    """Each order of the equations of motion gives the next, that of V^2/2 = 1/2 - h, with dh/dt = w, the speed.
+
+    In plain numbers: there are too few for arrays.
+    """
     drift, p, w = ([value] for value in state)
     speed = hypot(1 + p[0], w[0])
     q = [(p[0] * (2 + p[0]) + w[0] * w[0]) / (1 + speed)]
     for n in range(ORDER):
         if n > 0:
-            squares = 2 * p[n] + _product(p, p) + _product(w, w)
-            q.append((squares - _product(q[1:], q[1:])) / (2 * speed))
+            q.append(-(w[n - 1] / n + _product(q[1:], q[1:]) / 2) / speed)
         drift.append(p[n] / (n + 1))
         forward, up = -(w[n] + _product(q, w)) / (n + 1), (p[n] + q[n] + _product(p, q)) / (n + 1)
         p.append(forward)
         w.append(up)
     return drift, p, w
+
+
+def _step(series: _Series, least: float) -> float:
+    """How far on the last two terms of p and of w stay below `least`."""
+    _, p, w = series
+    return float(min((least / max(abs(p[n]), abs(w[n]))) ** (1 / n) for n in (ORDER - 1, ORDER)))
 
 
 def _product(a: Sequence[float], b: Sequence[float]) -> float:
@@ -184,7 +184,10 @@ def _free_fall(drift: float, p: float, w: float) -> _Series:
 
 def _polynomial(falling: Iterable[Any], t: Any) -> Any:
     """The value of a series by Horner's rule, its coefficients from the highest order down; numbers or arrays."""
-    return reduce(lambda value, coefficient: value * t + coefficient, falling)
+    value = 0.0
+    for coefficient in falling:
+        value = value * t + coefficient
+    return value
 
 
 def _top(w: Sequence[float], step: float) -> float:

@@ -11,9 +11,11 @@ is of first order and runs at omega; T and V of the spring that it mimics are qu
 Disturbances of any size are in physics.lanchester; here they get their units.
 """
 
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import lru_cache
+from itertools import accumulate, pairwise, starmap
 from math import sqrt
 
 import numpy as np
@@ -35,7 +37,7 @@ from physics.lanchester import (
     lanchester,
     period_excess,
 )
-from physics.valid import check_positive, finite_array, in_range
+from physics.valid import check_positive, finite_array, in_range, rows_in_range
 
 __all__ = [
     "CUSP_EXCESS",
@@ -64,7 +66,7 @@ class LinearPhugoid:
 
 @dataclass(frozen=True, kw_only=True)
 class Flight:
-    """A flight in SI units, arrays (n,); h above level flight of equal energy, theta runs on in loops."""
+    """A flight in SI units, arrays (n,); h above level flight of equal energy."""
 
     t: Array
     x: Array
@@ -72,7 +74,6 @@ class Flight:
     u: Array
     w: Array
     V: Array
-    theta: Array
 
     def gain(self, v_0: float, g: float) -> Array:
         """V - v_0, from the height, so that a small one keeps its digits."""
@@ -83,6 +84,11 @@ class Flight:
         lift, moves = g * (self.V / v_0), FREE_FALL * v_0 < self.V
         sine = np.divide(self.w, self.V, out=np.zeros_like(self.V), where=moves)
         return -lift * (self.w / v_0), lift * (self.u / v_0) - g, -g * sine
+
+    def split(self, sizes: Iterable[int]) -> "list[Flight]":
+        """Flights of so many times each, whose times were joined to be flown at once; each has arrays of its own."""
+        parts = starmap(slice, pairwise(accumulate(sizes, initial=0)))
+        return [Flight(**{name: column[part].copy() for name, column in vars(self).items()}) for part in parts]
 
 
 @lru_cache(maxsize=64)
@@ -100,9 +106,9 @@ def linear_flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
     omega = linear_phugoid(v_0, g).omega
     check_excess(excess)
     t = finite_array("t", t)
-    phase = _product("the phase", omega, t)
+    phase = _phase(omega, t)
     speed, climb = excess * np.cos(phase), sqrt(2) * excess * np.sin(phase)
-    return _in_si(v_0, g, t=t, x=phase / sqrt(2) + climb / 2, h=-speed, u=1 + speed, w=climb, V=1 + speed, theta=climb)
+    return _in_si(v_0, g, t, (phase / sqrt(2) + climb / 2, -speed, 1 + speed, climb, 1 + speed))
 
 
 def flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
@@ -115,20 +121,21 @@ def flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
     half = half_period(bottom_excess(excess))
     t = finite_array("t", t)
     start = half.duration if excess < 0 else 0.0
-    x, p, w, theta = half.at(_product("the phase", omega, t) / sqrt(2) + start)
-    x_start = half.at(np.array([start]))[0][0]
-    V = np.hypot(1 + p, w)
-    return _in_si(v_0, g, t=t, x=x - x_start, h=height(p, w), u=1 + p, w=w, V=V, theta=theta)
+    x, p, w = half.at(_phase(omega, t) / sqrt(2) + start)
+    x_start = half.advance if excess < 0 else 0.0
+    return _in_si(v_0, g, t, (x - x_start, height(p, w), 1 + p, w, np.hypot(1 + p, w)))
 
 
-def _in_si(v_0: float, g: float, *, t: Array, theta: Array, x: Array, h: Array, **speeds: Array) -> Flight:
-    """From lengths in v_0^2/g and speeds in v_0."""
+def _phase(omega: float, t: Array) -> Array:
+    with np.errstate(over="ignore"):
+        return in_range("the phase", omega * t)
+
+
+def _in_si(v_0: float, g: float, t: Array, rows: Sequence[Array]) -> Flight:
+    """From x and h in v_0^2/g and u, w and V in v_0."""
     with precise():
         length = rounded("v_0^2/g", exact(v_0) ** 2 / exact(g))
-    lengths = {name: _product(name, length, values) for name, values in (("x", x), ("h", h))}
-    return Flight(t=t, theta=theta, **lengths, **{name: _product(name, v_0, u) for name, u in speeds.items()})
-
-
-def _product(quantity: str, factor: float, values: Array) -> Array:
+    names = ("x", "h", "u", "w", "V")
     with np.errstate(over="ignore"):
-        return in_range(quantity, factor * values)
+        results = np.array([[length], [length], [v_0], [v_0], [v_0]]) * np.array(rows)
+    return Flight(t=t, **dict(zip(names, rows_in_range(names, results), strict=True)))

@@ -37,13 +37,16 @@ from components.scenes.phugoid.plots import (
     velocity_plot,
 )
 from components.scenes.phugoid.swing import (
+    NODES,
     Swing,
     along_path,
     energy_shares,
+    flown,
     lift_columns,
     lift_signals,
     motion_signals,
     over_time,
+    path_times,
     velocities,
     verdict,
 )
@@ -183,10 +186,12 @@ class Phugoid(Scene):
         swing.check(end)
         t = np.linspace(0.0, end, samples(end, swing.fastest))
         axes = framed(frame, {"t": time_axis(own_window), **self._axes(swing, end)})
-        curves, bands = over_time(swing, t)
-        path, path_band = along_path(swing, end, axes["along"].end / swing.length)
-        shares = energy_shares(swing, t) if self.show == "exchange" else {}
-        lift, lift_band = lift_columns(swing, t) if self.show == "lift" else ({}, {})
+        to_the_end = path_times(swing, end, axes["along"].end / swing.length)
+        motion, ahead, lap = flown(swing, t, to_the_end, np.linspace(0.0, swing.period, NODES))
+        curves, bands = over_time(swing, motion)
+        path, path_band = along_path(swing, ahead)
+        shares = energy_shares(swing, motion.exact) if self.show == "exchange" else {}
+        lift, lift_band = lift_columns(swing, motion.exact) if self.show == "lift" else ({}, {})
         bands |= lift_band
         own, family = velocities(swing) if self.show == "limits" else ({}, {})
         reach = np.array([0.0, axes["v_0"].end])
@@ -200,7 +205,7 @@ class Phugoid(Scene):
                 "periods": {"v_0": reach, "tau": linear_phugoid(1.0, self.g).tau * reach},
             },
             axes=axes,
-            signals=motion_signals(swing, axes["t"], axes["along"], axes["h"], axes["v"])
+            signals=motion_signals(swing, lap.exact, axes["t"], axes["along"], axes["h"], axes["v"])
             | (lift_signals(swing, axes["v"]) if self.show == "lift" else {}),
             scalars=self._scalars(swing, axes),
             pace=pace(swing.linear.omega, swing.fastest),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,6 +18,7 @@ from components.traces import Columns, Floats, band_columns, samples, trace
 from physics.phugoid import (
     CUSP_EXCESS,
     EXCESS_AT_LATENESS,
+    Flight,
     LanchesterPeriod,
     LinearPhugoid,
     flight,
@@ -120,22 +122,34 @@ class Swing:
         return t / self.period * self.lap.advance
 
 
-def over_time(swing: Swing, t: Floats) -> tuple[Columns, Columns]:
+class Flown(NamedTuple):
+    """The flight at the same times exactly and by the linear theory."""
+
+    exact: Flight
+    linear: Flight
+
+
+def flown(swing: Swing, *times: Floats) -> list[Flown]:
+    """The flight at each of these times, all worked out in one sweep."""
+    joined, sizes = np.concatenate(times), [t.size for t in times]
+    theories = (fly(swing.v_0, swing.g, swing.excess, joined).split(sizes) for fly in (flight, linear_flight))
+    return [Flown(exact, linear) for exact, linear in zip(*theories, strict=True)]
+
+
+def over_time(swing: Swing, motion: Flown) -> tuple[Columns, Columns]:
     """h' and v' over time, exact and linear (_lin), and as bands where they are too fast to draw."""
     curves: Columns = {}
     bands: Columns = {}
-    omega = swing.linear.omega
-    linear = linear_flight(swing.v_0, swing.g, swing.excess, t)
+    t, omega = motion.exact.t, swing.linear.omega
     gain = swing.excess * swing.v_0
     for name, size, phase, exact in (
-        ("h_lin", swing.climb, -math.pi / 2, linear.h),
+        ("h_lin", swing.climb, -math.pi / 2, motion.linear.h),
         ("v_lin", gain, math.pi / 2, gain * np.cos(omega * t)),
     ):
         curve, band = trace(name, [Sinusoid(size, omega, phase)], t, curve=exact)
         curves |= curve
         bands |= band
-    motion = flight(swing.v_0, swing.g, swing.excess, t)
-    for name, column in (("h", motion.h), ("v", motion.gain(swing.v_0, swing.g))):
+    for name, column in (("h", motion.exact.h), ("v", motion.exact.gain(swing.v_0, swing.g))):
         curve, band = _drawn(name, column, swing.omega, t)
         curves |= curve
         bands |= band
@@ -151,25 +165,27 @@ def _drawn(name: str, column: Floats, omega: float, t: Floats) -> tuple[Columns,
     }
 
 
-def along_path(swing: Swing, window: float, end: float) -> tuple[Columns, Columns]:
-    """The path over distance, exact and linear, to the end of the frame (in v_0^2/g) or of the window."""
+def path_times(swing: Swing, window: float, end: float) -> Floats:
+    """The times of the path, to the end of the frame (in v_0^2/g) or of the window."""
     last = max(window, min(end / swing.distance(1.0) + swing.period / 2, SWINGS * swing.period))
-    t = np.linspace(0.0, last, samples(last, 3 * swing.fastest))
-    exact, linear = (fly(swing.v_0, swing.g, swing.excess, t) for fly in (flight, linear_flight))
-    if drawable(swing.fastest, t):
+    return np.linspace(0.0, last, samples(last, 3 * swing.fastest))
+
+
+def along_path(swing: Swing, motion: Flown) -> tuple[Columns, Columns]:
+    """The path over distance, exact and linear."""
+    exact, linear = motion
+    if drawable(swing.fastest, exact.t):
         return {"x": exact.x, "y": exact.h, "x_lin": linear.x, "y_lin": linear.h}, {}
-    height = np.full_like(t, swing.length)
+    height = np.full_like(exact.t, swing.length)
     reach = {"y_lo": swing.lap.h.min() * height, "y_hi": swing.lap.h.max() * height}
     return {}, {"x": exact.x, **reach}
 
 
-def energy_shares(swing: Swing, t: Floats) -> Columns:
+def energy_shares(swing: Swing, motion: Flight) -> Columns:
     """Kinetic shares: of the aircraft's energy, counted from its lowest point, and of the spring's."""
-    fastest = swing.lap.u[0] * swing.v_0
-    V = flight(swing.v_0, swing.g, swing.excess, t).V
-    share = (V / fastest) ** 2
-    w = linear_flight(swing.v_0, swing.g, 1.0, t).w / (math.sqrt(2) * swing.v_0)
-    twin = w**2
+    t, fastest = motion.t, swing.lap.u[0] * swing.v_0
+    share = (motion.V / fastest) ** 2
+    twin = np.sin(swing.linear.omega * t) ** 2
     if not drawable(2 * swing.fastest, t):
         share, twin = np.full_like(t, share.mean()), np.full_like(t, 0.5)
     nothing = np.zeros_like(t)
@@ -194,10 +210,11 @@ def velocities(swing: Swing) -> tuple[Columns, Columns]:
     return own, others
 
 
-def lift_columns(swing: Swing, t: Floats) -> tuple[Columns, Columns]:
+def lift_columns(swing: Swing, motion: Flight) -> tuple[Columns, Columns]:
     """Lift over weight, (v/v_0)^2, and to first order 1 + 2 v'/v_0; as bands where they are too fast to draw."""
-    V = flight(swing.v_0, swing.g, swing.excess, t).V / swing.v_0
-    drawn = [_drawn(name, column, swing.omega, t) for name, column in (("lift", V * V), ("lift_linear", 2 * V - 1))]
+    V = motion.V / swing.v_0
+    columns = (("lift", V * V), ("lift_linear", 2 * V - 1))
+    drawn = [_drawn(name, column, swing.omega, motion.t) for name, column in columns]
     return {k: v for curves, _ in drawn for k, v in curves.items()}, {k: v for _, b in drawn for k, v in b.items()}
 
 
@@ -213,11 +230,11 @@ def lift_signals(swing: Swing, speed: Axis) -> dict[str, AnySignal]:
     }
 
 
-def motion_signals(swing: Swing, time: Axis, along: Axis, height: Axis, speed: Axis) -> dict[str, AnySignal]:
-    """What the clock moves: places on the path, h' and v', and velocities in v_0."""
+def motion_signals(
+    swing: Swing, lap: Flight, time: Axis, along: Axis, height: Axis, speed: Axis
+) -> dict[str, AnySignal]:
+    """What the clock moves: places on the path, h' and v', and velocities in v_0; `lap` is a period from the start."""
     v_0, g, omega = swing.v_0, swing.g, swing.linear.omega
-    t = np.linspace(0.0, swing.period, NODES)
-    lap = flight(v_0, g, swing.excess, t)
     u_dot, w_dot, v_dot = lap.rates(v_0, g)
     gain = lap.gain(v_0, g)
     advance = along.place(swing.length * swing.lap.advance)
