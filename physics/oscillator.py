@@ -14,16 +14,17 @@ The constants are worked out in 80-digit decimals and rounded once; x, v and a e
 amplitudes (u = 2^-53) for all m, k, x_0, v_0 and t with omega_n t < 1e60.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
 from math import atan2, inf, pi
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from physics.exact import PI, Array, angle, binary, exact, on_circle, precise, rounded
-from physics.valid import check_finite, check_not_negative, check_positive, finite_array, in_range
+from physics.valid import check_finite, check_not_negative, check_positive, finite_array, rows_in_range
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -101,13 +102,12 @@ class Oscillator:
         A, B = self._amplitudes(x_0, v_0)
         (sine, _), (cosine, _) = on_circle(*angle(omega, t))
         with precise():
-            v_cosine, v_sine = exact(v_0), -omega * A
-            a_cosine, a_sine = -omega * omega * A, -omega * exact(v_0)
-        x = _oscillation(A, cosine, B, sine) if self.k else _drift(x_0, v_0, t)
-        v = _oscillation(v_cosine, cosine, v_sine, sine)
-        a = _oscillation(a_cosine, cosine, a_sine, sine)
-        for name, values in (("displacement", x), ("velocity", v), ("acceleration", a)):
-            in_range(f"the {name}", values)
+            rate, force = exact(v_0), -omega * omega
+            of_cosine, of_sine = (A, rate, force * A), (B, -omega * A, -omega * rate)
+        rows = _oscillations(of_cosine, cosine, of_sine, sine)
+        if not self.k:
+            rows[0] = _drift(x_0, v_0, t)
+        x, v, a = rows_in_range(("the displacement", "the velocity", "the acceleration"), rows)
         return OscillatorMotion(t=t, x=x, v=v, a=a)
 
     def _amplitudes(self, x_0: float, v_0: float) -> tuple[Decimal, Decimal]:
@@ -127,17 +127,27 @@ def phase_of(A: Decimal, B: Decimal) -> float:
     return phase if phase > -pi else pi
 
 
-def _oscillation(a: Decimal, cosine: Array, b: Decimal, sine: Array) -> Array:
-    """a cosine + b sine for a and b of any size; infinite only where the sum is.
+def _oscillations(of_cosine: Sequence[Decimal], cosine: Array, of_sine: Sequence[Decimal], sine: Array) -> Array:
+    """a cosine + b sine (rows, n) for each a and b, of any size; infinite only where the sum is.
 
     Where a term overflows and yet the sum may not, both are added in units of the larger amplitude.
     """
-    (a_hi, _, a_exponent), (b_hi, _, b_exponent) = binary(a), binary(b)
-    largest = max(a_exponent, b_exponent)
+    (a, a_exponent), (b, b_exponent) = _column(of_cosine), _column(of_sine)
+    a, b = a * cosine, b * sine
     with np.errstate(over="ignore", invalid="ignore"):
-        total: Array = np.ldexp(a_hi * cosine, a_exponent) + np.ldexp(b_hi * sine, b_exponent)
-        scaled = np.ldexp(a_hi * cosine, a_exponent - largest) + np.ldexp(b_hi * sine, b_exponent - largest)
-        return np.where(np.isfinite(total), total, np.ldexp(scaled, largest))
+        total: Array = np.ldexp(a, a_exponent) + np.ldexp(b, b_exponent)
+        finite = np.isfinite(total)
+        if finite.all():
+            return total
+        largest = np.maximum(a_exponent, b_exponent)
+        scaled = np.ldexp(a, a_exponent - largest) + np.ldexp(b, b_exponent - largest)
+        return np.where(finite, total, np.ldexp(scaled, largest))
+
+
+def _column(values: Sequence[Decimal]) -> tuple[Array, NDArray[np.int_]]:
+    """f and e (rows, 1) with values = f 2**e."""
+    parts = [binary(value) for value in values]
+    return np.array([[hi] for hi, _, _ in parts]), np.array([[exponent] for _, _, exponent in parts])
 
 
 def _drift(x_0: float, v_0: float, t: Array) -> Array:

@@ -37,6 +37,8 @@ UNHURRIED = (0.5, 10.0)
 """s; periods that are easy to watch as they are."""
 MOST_HALF_WAVES = 12
 """More would not be seen in a picture."""
+COSINE, SHARE = var("cosine"), var("share")
+COSINE_SQUARED, SINE_SQUARED, ROOT_SQUARED = (var(name) * var(name) for name in ("cosine", "sine", "root"))
 
 
 class Analogues(Scene):
@@ -84,9 +86,9 @@ class Analogues(Scene):
         case = self._case(frame.window)
         axes = framed(frame, {"t": time_axis(case.own_end), "q": case.axis(), **late_axes(case)})
         time, size, energy = axes["t"], axes["q"], case.energy_axis()
-        curves, bands, t = motion_columns(case)
+        curves, bands = motion_columns(case)
         return Picture(
-            columns={**sources_over_time(t, curves, bands), **late_columns(case, axes["angle"].end)},
+            columns={**sources_over_time(case.t, curves, bands), **late_columns(case, axes["angle"].end)},
             axes=axes,
             signals=_signals(case, time, size, energy),
             scalars=_scalars(case, axes),
@@ -94,8 +96,8 @@ class Analogues(Scene):
             values=_values(case, size, energy),
             live={
                 "level": size.digits(signed=True),
-                **{name: case.table_axis().digits(signed=True) for name in ("x", "q")},
-                **{name: energy.digits() for name in ("T_x", "V_x", "T_q", "V_q")},
+                **dict.fromkeys(("x", "q"), case.table_axis.digits(signed=True)),
+                **dict.fromkeys(("T_x", "V_x", "T_q", "V_q"), energy.digits()),
             },
             forms=_forms(case),
             notes=_notes(case),
@@ -122,25 +124,24 @@ for _name, _quantity in quantities().items():
 
 def _signals(case: AnalogueCase, time: Axis, size: Axis, energy: Axis) -> dict[str, AnySignal]:
     """cos and sin of omega t; the share of the amplitude at which q stands; numbers and angles from these."""
-    own, E = case.table_axis(), energy.place(case.system.energy(case.p, case.q_0))
-    exact_E = energy.place(case.system.exact_energy(case.p, case.q_0))
-    cosine, sine, share, root = (var(name) for name in ("cosine", "sine", "share", "root"))
+    E, exact_E = energy.place(case.energy), energy.place(case.exact_energy)
+    place, place_in_table = size.place(case.q_0), case.table_axis.place(case.q_0)
     signals = {
         "cosine": sines(ONE, time, (1.0, case.omega, math.pi / 2)),
         "sine": sines(ONE, time, (1.0, case.omega, 0.0)),
         **_shares(case, time),
-        "level": derived(size.place(case.q_0) * share),
-        "pose": derived(var("size") * share),
-        "rule": derived(size.place(case.q_0) * cosine),
-        "x": derived(own.place(case.q_0) * cosine),
-        "q": derived(own.place(case.q_0) * share),
-        "T_x": derived(E * sine * sine),
-        "V_x": derived(E * cosine * cosine),
-        "T_q": derived(exact_E - exact_E * root * root),
-        "V_q": derived(exact_E * root * root),
+        "level": derived(place * SHARE),
+        "pose": derived(var("size") * SHARE),
+        "rule": derived(place * COSINE),
+        "x": derived(place_in_table * COSINE),
+        "q": derived(place_in_table * SHARE),
+        "T_x": derived(E * SINE_SQUARED),
+        "V_x": derived(E * COSINE_SQUARED),
+        "T_q": derived(exact_E - exact_E * ROOT_SQUARED),
+        "V_q": derived(exact_E * ROOT_SQUARED),
     }
     if case.pendulum:
-        signals |= {"angle": derived(case.q_0 * share), "rule_angle": derived(case.q_0 * cosine)}
+        signals |= {"angle": derived(case.q_0 * SHARE), "rule_angle": derived(case.q_0 * COSINE)}
         signals |= {"angle_sine": sine_of("angle"), "angle_cosine": cosine_of("angle")}
         signals |= {"rule_sine": sine_of("rule_angle"), "rule_cosine": cosine_of("rule_angle")}
     return signals
@@ -149,18 +150,12 @@ def _signals(case: AnalogueCase, time: Axis, size: Axis, energy: Axis) -> dict[s
 def _shares(case: AnalogueCase, time: Axis) -> dict[str, AnySignal]:
     """q over q_0, and the square root of V over its largest: both the cosine where the system is linear."""
     if not case.pendulum:
-        return {name: derived(var("cosine")) for name in ("share", "root")}
-    count = min(math.ceil(96 * (1 + case.excess)), 512)
-    motion, size = case.swing(np.linspace(0.0, case.period, count + 1))
+        return dict.fromkeys(("share", "root"), derived(COSINE))
+    _, theta, theta_dot, size = case.swings
     half = math.sin(size / 2)
     return {
-        "share": sampled(time, case.period, motion.theta / size, motion.theta_dot / size),
-        "root": sampled(
-            time,
-            case.period,
-            np.sin(motion.theta / 2) / half,
-            np.cos(motion.theta / 2) * motion.theta_dot / (2 * half),
-        ),
+        "share": sampled(time, case.period, theta / size, theta_dot / size),
+        "root": sampled(time, case.period, np.sin(theta / 2) / half, np.cos(theta / 2) * theta_dot / (2 * half)),
     }
 
 
@@ -213,7 +208,7 @@ def _pendulum_scalars(case: AnalogueCase, axes: dict[str, Axis]) -> dict[str, fl
 
 
 def _values(case: AnalogueCase, size: Axis, energy: Axis) -> dict[str, str]:
-    system, own = case.system, case.table_axis()
+    system, own = case.system, case.table_axis
     degrees = short(math.degrees(abs(case.q_0)))
     return {
         "omega": three(case.omega),

@@ -45,5 +45,5 @@ def _analogue_drift(case: AnalogueCase, t: np.ndarray) -> str:
     else:
         swing = case.spring.motion(case.q_0, 0.0, t)
         share = (swing.v / case.omega / case.q_0) ** 2 + (swing.x / case.q_0) ** 2
-    level = case.system.exact_energy(case.p, case.q_0)
+    level = case.exact_energy
     return drift(level * share, level)

@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cache, cached_property
+from typing import NamedTuple
 
 import numpy as np
 from msgspec.structs import replace
-from numpy.typing import NDArray
 
 from components.axes import Axis, nice_axis
 from components.numbers import MINUS, short
-from components.traces import Columns, samples, trace
+from components.traces import Columns, Floats, samples, trace
 from physics.analogue import Analogue
 from physics.oscillator import Oscillator
 from physics.pendulum import Pendulum, PendulumMotion, amplitude_at_excess, excess
@@ -20,10 +20,21 @@ from physics.sampling import Sinusoid, periods
 
 DEGREE = math.pi / 180
 SWINGS = 3.5
+NODES, MOST_NODES = 96, 512
+"""Points of a small swing that the browser joins, and of the largest."""
 TINY = 1e-9
 """rad; smaller swings have this one's shape to the last digit."""
 LIMITS = {"late_01": 0.001, "late_1": 0.01, "late_5": 0.05}
 """Excesses T/T_0 - 1 that have a flag, by the scalar that places it."""
+
+
+class Swings(NamedTuple):
+    """A pendulum's angle over the window; its angle and rate over one period; and the size of the latter's swing."""
+
+    q: Floats
+    theta: Floats
+    theta_dot: Floats
+    size: float
 
 
 @dataclass(frozen=True)
@@ -70,7 +81,30 @@ class AnalogueCase:
     def end(self) -> float:
         return self.standing or self.own_end
 
-    def swing(self, t: NDArray[np.float64]) -> tuple[PendulumMotion, float]:
+    @cached_property
+    def t(self) -> Floats:
+        """The times of the window."""
+        return np.linspace(0.0, self.end, samples(self.end, self.omega))
+
+    @cached_property
+    def energy(self) -> float:
+        """T + V in J of the linear system."""
+        return self.system.energy(self.p, self.q_0)
+
+    @property
+    def exact_energy(self) -> float:
+        """The same at any angle."""
+        return self.system.exact_energy(self.p, self.q_0) if self.pendulum else self.energy
+
+    @cached_property
+    def swings(self) -> Swings:
+        """What the window and the clock show of a pendulum."""
+        count = min(math.ceil(NODES * (1 + self.excess)), MOST_NODES)
+        motion, size = self.swing(np.concatenate([self.t, np.linspace(0.0, self.period, count + 1)]))
+        lap = slice(self.t.size, None)
+        return Swings(motion.theta[: self.t.size] * (self.q_0 / size), motion.theta[lap], motion.theta_dot[lap], size)
+
+    def swing(self, t: Floats) -> tuple[PendulumMotion, float]:
         """The exact motion, and its size: that of q_0, or a small one of the same shape."""
         size = math.copysign(max(abs(self.q_0), TINY), self.q_0)
         if self.pendulum is None:
@@ -88,26 +122,23 @@ class AnalogueCase:
         start, end = 1.3 * -size or axis.start, 1.3 * size or axis.end
         return replace(axis, start=start, end=end, ticks=(-top, 0.0, top), labels=labels, drawn=(-size, size))
 
+    @cached_property
     def table_axis(self) -> Axis:
         """The unit in which the table counts x and q."""
         return nice_axis(-abs(self.q_0), abs(self.q_0), self.system.unit)
 
     def energy_axis(self) -> Axis:
-        return nice_axis(0.0, self.system.energy(self.p, self.q_0), "J")
+        return nice_axis(0.0, self.energy, "J")
 
 
-def motion_columns(case: AnalogueCase) -> tuple[Columns, Columns, NDArray[np.float64]]:
+def motion_columns(case: AnalogueCase) -> tuple[Columns, Columns]:
     """The coordinate q and that of the spring, x: curves, or bands where too fast."""
-    t = np.linspace(0.0, case.end, samples(case.end, case.omega))
     rule = [Sinusoid(case.q_0, case.omega, math.pi / 2)]
-    x = case.spring.motion(case.q_0, 0.0, t).x
-    q = x
-    if case.pendulum:
-        motion, size = case.swing(t)
-        q = motion.theta * (case.q_0 / size)
-    curve_x, band_x = trace("x", rule, t, curve=x)
-    curve_q, band_q = trace("q", rule, t, curve=q)
-    return curve_x | curve_q, band_x | band_q, t
+    x = case.spring.motion(case.q_0, 0.0, case.t).x
+    q = case.swings.q if case.pendulum else x
+    curve_x, band_x = trace("x", rule, case.t, curve=x)
+    curve_q, band_q = trace("q", rule, case.t, curve=q)
+    return curve_x | curve_q, band_x | band_q
 
 
 def late_axes(case: AnalogueCase) -> dict[str, Axis]:
@@ -123,7 +154,7 @@ def late_axes(case: AnalogueCase) -> dict[str, Axis]:
 
 
 @cache
-def _lateness(end: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _lateness(end: float) -> tuple[Floats, Floats]:
     """Angles in degrees and T/T_0 - 1 there."""
     angles = np.linspace(0.0, min(end, 179.9), 121)
     return angles, np.array([excess(math.radians(angle)) for angle in angles])
