@@ -7,8 +7,10 @@ of the signal's own axis. What is sent is therefore of order one, whatever the p
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from decimal import Decimal
+
+import numpy as np
+from numpy.typing import NDArray
 
 from components.axes import Axis
 from components.page.numbers import Expression, Number, Product, as_expression
@@ -116,7 +118,7 @@ def total(*names: str) -> Derived:
 
 
 def sampled(
-    time: Axis, period: float, columns: Iterable[float], slopes: Iterable[float], drift: float = 0.0
+    time: Axis, period: float, columns: NDArray[np.float64], slopes: NDArray[np.float64], drift: float = 0.0
 ) -> Sampled:
     """A sampled periodic motion, equally spaced over one period, joined by Hermite pieces, `drift` gained each period.
 
@@ -125,8 +127,8 @@ def sampled(
     unit = 10.0**time.exponent
     return Sampled(
         period=period / unit,
-        y=tuple(float(v) for v in columns),
-        dy=tuple(float(v) * unit for v in slopes),
+        y=tuple(columns.tolist()),
+        dy=tuple((slopes * unit).tolist()),
         drift=drift,
     )
 
