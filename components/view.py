@@ -31,10 +31,17 @@ class SaidEvent(ModelEvent):  # type: ignore[misc]  # Bokeh's are not looked int
         return {**super().event_values(), "data": self.data}
 
 
-class ToldEvent(SaidEvent):
+class ToldEvent(ModelEvent):  # type: ignore[misc]
     """A message of the server, packed."""
 
     event_name = "told"
+
+    def __init__(self, model: Wire, packet: Packet) -> None:
+        super().__init__(model=model)
+        self.packet = packet
+
+    def event_values(self) -> dict[str, Any]:
+        return {**super().event_values(), **self.packet}
 
 
 class SceneView(Widget):
@@ -60,4 +67,4 @@ class SceneView(Widget):
 
     def _tell(self, doc: Document, model: Model, packet: Packet) -> None:
         """By Bokeh's own way: Panel's goes past its queue, and loses sight of a write to who leaves meanwhile."""
-        doc.callbacks.send_event(ToldEvent(model, data=packet))
+        doc.callbacks.send_event(ToldEvent(model, packet))

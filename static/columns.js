@@ -3,6 +3,7 @@
 
 const COARSE = 2 ** 16 - 1
 const FINE = 2 ** 24 - 1
+const SUM = 8 // added to the order of a run from which the two before it have been taken
 const LINE_FEED = 10
 
 /** @param {ArrayBuffer} data @param {string} usual the sheet's @returns {Promise<Told>} */
@@ -71,6 +72,8 @@ function fillPart(part, axes, numbers) {
 class Numbers {
   run = 0
   at = 0
+  /** @type {Int32Array[]} the two last runs, in steps */
+  before = []
 
   /** @param {Uint8Array} data @param {number} runs */
   constructor(data, runs) {
@@ -85,9 +88,12 @@ class Numbers {
    */
   take(count, low, high, steps) {
     const whole = Int32Array.from({length: count}, (_, i) => this.#difference(this.at + i))
-    for (let order = this.orders[this.run]; order > 0; order--) {
+    const order = this.orders[this.run]
+    for (let left = order % SUM; left > 0; left--) {
       for (let i = 1; i < count; i++) whole[i] += whole[i - 1]
     }
+    if (order >= SUM) for (const part of this.before) part.forEach((step, i) => (whole[i] += step))
+    this.before = [...this.before.slice(-1), whole]
     this.at += count
     this.run += 1
     return Float64Array.from(whole, step => low * (1 - step / steps) + high * (step / steps))

@@ -20,9 +20,9 @@ function define() {
     }
   }
   class Told extends ModelEvent {
-    /** @param {{model: any, data: Packet}} values */
-    static from_values({model, data}) {
-      return Object.assign(new Told(), {origin: model, data})
+    /** @param {{model: any} & Packet} values */
+    static from_values({model, ...packet}) {
+      return Object.assign(new Told(), {origin: model, packet})
     }
   }
   server_event("told")(Told)
@@ -37,7 +37,7 @@ function define() {
 
     /** @param {any} event */
     _process_event(event) {
-      if (event instanceof Told) this.receive(event.data)
+      if (event instanceof Told) this.receive(event.packet)
     }
   }
   Bokeh.require("base").default_resolver.register(Wire)

@@ -161,9 +161,8 @@ class Visitor:
         told = []
         for event in content.get("events", []):
             values = dict(event.get("msg_data", {}).get("values", {}).get("entries", []))
-            data = values.get("data")
-            if isinstance(data, dict) and "sheet" in (packet := dict(data.get("entries", []))):
-                usual = await self._usual(packet["sheet"])
+            if "sheet" in values:
+                usual = await self._usual(values["sheet"])
                 text = zlib.decompressobj(-15, *([usual] if usual else [])).decompress(buffers.pop(0))
                 told.append(json.loads(text.partition(b"\n")[0]))
         return told

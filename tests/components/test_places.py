@@ -15,7 +15,7 @@ from playwright.sync_api import Browser
 
 from components.page.messages import File
 from components.page.picture import Ruler
-from components.places import COARSE, FINE, MOST_ORDER, encoded, span, steps
+from components.places import COARSE, FINE, MOST_ORDER, SUM, encoded, span, steps
 from components.wire import Packet, packed
 from tests.browser.script_page import Scripts
 from tests.page.columns import decoded, inflated, with_numbers
@@ -70,6 +70,25 @@ def test_whole_numbers_come_back(columns: list[np.ndarray]) -> None:
 def test_a_polynomial_is_sent_as_the_differences_that_vanish(degree: int) -> None:
     column = (np.arange(40) ** degree).astype(np.int32)
     assert encoded([column])[0] > degree
+
+
+@given(st.floats(0.1, 40.0), st.floats(-3.0, 3.0), st.floats(-3.0, 3.0), st.booleans())
+def test_what_follows_its_two_parts_is_sent_as_what_is_left_of_it(w: float, a: float, b: float, aside: bool) -> None:
+    t = np.linspace(0.0, 10.0, 301)
+    parts = a * np.sin(w * t), b * np.cos(1.618 * w * t)
+    total = sum(parts) + (np.sin(7 * t) if aside else 0.0)
+    columns = [steps(values, -9.0, 9.0, COARSE) for values in (*parts, total, t)]
+    sent = encoded(columns)
+    assert [order >= SUM for order in sent[:4]] == [False, False, not aside, False]
+    assert [one.tolist() for one in decoded(sent, [301] * 4)] == [one.tolist() for one in columns]
+
+
+def test_a_sum_that_has_left_the_range_comes_back_all_the_same() -> None:
+    parts = np.full(40, 60000, np.int32), np.arange(40, dtype=np.int32)
+    total = np.minimum(parts[0] + parts[1], COARSE - 5500).astype(np.int32)
+    assert [one.tolist() for one in decoded(encoded([*parts, total]), [40] * 3)] == [
+        one.tolist() for one in (*parts, total)
+    ]
 
 
 @given(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6), st.lists(st.floats(allow_nan=False), max_size=20))

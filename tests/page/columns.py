@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from components.page.picture import Ruler
-from components.places import COARSE, FINE, span
+from components.places import COARSE, FINE, SUM, span
 from components.wire import Packet
 
 Whole = NDArray[np.int64]
@@ -60,12 +60,13 @@ def decoded(data: bytes, counts: list[int]) -> list[Whole]:
     assert len(rest) == 4 * sum(counts)
     folded = rest.reshape(4, -1).T.copy().view("<u4").ravel().astype(np.int64)
     differences = (folded >> 1) ^ -(folded & 1)
-    found, start = [], 0
+    found: list[Whole] = []
+    start = 0
     for order, count in zip(orders, counts, strict=True):
         column = differences[start : start + count]
-        for _ in range(order):
+        for _ in range(order % SUM):
             column = np.cumsum(column)
-        found.append(column)
+        found.append(column + found[-2] + found[-1] if order >= SUM else column)
         start += count
     return found
 
