@@ -17,7 +17,6 @@ Source of what is beyond the lecture: J. P. Den Hartog, Mechanical Vibrations, 4
 
 import math
 from decimal import Decimal
-from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
@@ -26,7 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from physics.coupled import TwoMassChain
 from physics.exact import Array, exact, precise, rounded
-from physics.forced import antiresonance, particular_solution
+from physics.forced import particular_solution
 from physics.valid import check_finite, check_not_negative, check_positive, finite_array
 
 _BITS = 120  # of a modulus before it is rounded to the 53 of a double
@@ -64,16 +63,16 @@ def damped_solution(chain: TwoMassChain, c: float, F_0: float, omega: float) -> 
     c >= 0 in N s/m; c = 0 gives particular_solution. inf where no steady amplitude exists. ValueError if
     a part leaves the range of doubles.
     """
-    _check(c, F_0, omega=[omega])
+    checked_damping(c, F_0, omega=[omega])
     parts = _Whole.of(chain, c, F_0).at(omega)
-    (a, b), size = parts.D, parts.D[0] ** 2 + parts.D[1] ** 2
+    (a, b), size, (above, below) = parts.D, parts.D[0] ** 2 + parts.D[1] ** 2, parts.unit
     result = []
     for re, im in (parts.N, parts.kappa):
         if not size:
             result.append(complex(math.inf if re or im else 0.0))
             continue
-        top = parts.unit.numerator * (re * a + im * b), parts.unit.numerator * (im * a - re * b)
-        result.append(complex(*(_ratio(part, parts.unit.denominator * size, omega) for part in top)))
+        top = above * (re * a + im * b), above * (im * a - re * b)
+        result.append(complex(*(_ratio(part, below * size, omega) for part in top)))
     return np.array(result)
 
 
@@ -83,7 +82,7 @@ def damped_amplitude(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike
     c >= 0 in N s/m; c = 0 is |particular_solution| itself. inf where no steady amplitude exists. ValueError
     if an amplitude leaves the range of doubles.
     """
-    frequencies = _check(c, F_0, omega)
+    frequencies = checked_damping(c, F_0, omega)
     if not c:
         return np.abs(particular_solution(chain, F_0, omega))
     whole = _Whole.of(chain, c, F_0)
@@ -94,25 +93,12 @@ def damped_amplitude(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike
 def swing_and_stroke(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike) -> Array:
     """|X1| and the absorber's stroke |X2 - X1| in m, which is what its spring must allow: (2,), or (2, n) for n omega.
 
-    X2 - X1 = m2 omega^2 F_0/D, whatever c. Swing within 0.51 ulp, stroke within 4 ulp; otherwise as damped_amplitude.
+    X2 - X1 = m2 omega^2 F_0/D, whatever c. Both within 0.51 ulp; otherwise as damped_amplitude.
     """
-    frequencies = _check(c, F_0, omega)
-    if not c:
-        return _undamped_stroke(chain, F_0, omega)
+    frequencies = checked_damping(c, F_0, omega)
     whole = _Whole.of(chain, c, F_0)
     rows = [whole.at(w).swing_and_stroke(w) for w in frequencies.tolist()]
     return np.array(rows).T if np.ndim(omega) else np.array(rows[0])
-
-
-def _undamped_stroke(chain: TwoMassChain, F_0: float, omega: ArrayLike) -> Array:
-    """|X2| (omega/omega_2)^2, and far above omega_2, where X2 is all but 0, |X1|/(1 - (omega_2/omega)^2)."""
-    w, own = np.asarray(omega, dtype=float), antiresonance(chain)
-    one, two = np.abs(particular_solution(chain, F_0, omega))
-    if not own:
-        return np.array([one, one])
-    above = w > 1.5 * own
-    low, high = np.where(above, 0.0, w), np.where(above, w, 2 * own)
-    return np.array([one, np.where(above, one / (1 - (own / high) ** 2), two * (low / own) ** 2)])
 
 
 def helped_band(chain: TwoMassChain, c: float = 0.0) -> Band | None:
@@ -123,7 +109,7 @@ def helped_band(chain: TwoMassChain, c: float = 0.0) -> Band | None:
     inf as the upper end where it helps at every higher frequency; None where it never helps.
     """
     check_not_negative("a damping in N s/m", c=c)
-    m1, m2, k1, k2, damping = (Fraction(v) for v in (chain.m1, chain.m2, chain.k1, chain.k2, c))
+    m1, m2, k1, k2, damping, *_ = _Whole.of(chain, c)  # A, B and C have the same power of the scale, which cancels
     A = damping**2 * (2 * m1 + m2) - 2 * m1 * m2 * k2
     B = k2**2 * (2 * m1 + m2) + 2 * k1 * (m2 * k2 - damping**2)
     C = -2 * k1 * k2**2
@@ -131,7 +117,7 @@ def helped_band(chain: TwoMassChain, c: float = 0.0) -> Band | None:
     if A <= 0 and not (B > 0 and square > 0):
         return None
     with precise():
-        a, b, constant, root = _decimal(A), _decimal(B), _decimal(C), _decimal(square).sqrt()
+        a, b, constant, root = Decimal(A), Decimal(B), Decimal(C), Decimal(square).sqrt()
         if B <= 0:
             return float(((root - b) / (2 * a)).sqrt()), math.inf
         q = -(b + root) / 2
@@ -186,12 +172,12 @@ def highest_peak(mu: float, tuning: float, damping: float) -> float:
 
 
 class _Parts(NamedTuple):
-    """X1 = unit N/D, X2 = unit kappa/D: complex whole numbers (re, im), and a fraction."""
+    """X1 = unit N/D, X2 = unit kappa/D: complex whole numbers (re, im), and a quotient of two."""
 
     N: tuple[int, int]
     kappa: tuple[int, int]
     D: tuple[int, int]
-    unit: Fraction
+    unit: tuple[int, int]
 
     def moduli(self, omega: float) -> tuple[float, float]:
         return self._modulus(self.N, omega), self._modulus(self.kappa, omega)
@@ -201,8 +187,8 @@ class _Parts(NamedTuple):
         return self._modulus(self.N, omega), self._modulus(stretch, omega)
 
     def _modulus(self, above: tuple[int, int], omega: float) -> float:
-        below = (self.D[0] ** 2 + self.D[1] ** 2) * self.unit.denominator**2
-        return _root((above[0] ** 2 + above[1] ** 2) * self.unit.numerator**2, below, omega)
+        below = (self.D[0] ** 2 + self.D[1] ** 2) * self.unit[1] ** 2
+        return _root((above[0] ** 2 + above[1] ** 2) * self.unit[0] ** 2, below, omega)
 
 
 class _Whole(NamedTuple):
@@ -213,30 +199,33 @@ class _Whole(NamedTuple):
     k1: int
     k2: int
     c: int
-    F_0: Fraction
+    F_0: tuple[int, int]
     scale: int
 
     @classmethod
-    def of(cls, chain: TwoMassChain, c: float, F_0: float) -> "_Whole":
+    def of(cls, chain: TwoMassChain, c: float, F_0: float = 0.0) -> "_Whole":
         ratios = [v.as_integer_ratio() for v in map(float, (chain.m1, chain.m2, chain.k1, chain.k2, c))]
         scale = max(below for _, below in ratios)
         m1, m2, k1, k2, damping = (above * (scale // below) for above, below in ratios)
-        return cls(m1, m2, k1, k2, damping, Fraction(F_0), scale)
+        return cls(m1, m2, k1, k2, damping, float(F_0).as_integer_ratio(), scale)
 
     def at(self, omega: float) -> _Parts:
-        """N, kappa and D for omega = p/q; where k2 = 0, the omega that N and kappa share is left out."""
+        """N, kappa and D for omega = p/q; where k2 = 0, what N and kappa share is left out."""
         p, q = float(omega).as_integer_ratio()
         machine = self.k1 * q**2 - self.m1 * p**2
         inertia = self.m2 * p**2
         if self.k2:
             N, kappa = (self.k2 * q**2 - inertia, self.c * p * q), (self.k2 * q**2, self.c * p * q)
-        else:
+        elif self.c:
             N, kappa = (-self.m2 * p, self.c * q), (0, self.c * q)
+        else:
+            N, kappa = (1, 0), (0, 0)
         D = machine * N[0] - inertia * kappa[0], machine * N[1] - inertia * kappa[1]
-        return _Parts(N, kappa, D, self.F_0 * self.scale * q**2)
+        return _Parts(N, kappa, D, (self.F_0[0] * self.scale * q**2, self.F_0[1]))
 
 
-def _check(c: float, F_0: float, omega: ArrayLike) -> Array:
+def checked_damping(c: float, F_0: float, omega: ArrayLike) -> Array:
+    """omega (n,), one frequency included."""
     check_not_negative("a damping in N s/m", c=c)
     check_finite("a force in N", F_0=F_0)
     frequencies = finite_array("omega", omega)
@@ -258,7 +247,3 @@ def _root(above: int, below: int, omega: float) -> float:
         return math.inf if above else 0.0
     shift = max(0, (below.bit_length() - above.bit_length()) // 2 + _BITS)
     return _ratio(math.isqrt((above << 2 * shift) // below), 1 << shift, omega)
-
-
-def _decimal(value: Fraction) -> Decimal:
-    return Decimal(value.numerator) / Decimal(value.denominator)

@@ -120,11 +120,11 @@ def _response_curve(chain: TwoMassChain, F_0: float, omega: Array) -> Array:
     slow, fast = chain.exact_modes
     m1, m2, _, k2 = chain.exact_parameters
     if k2:
-        (over, over_lo), first, second = _from_roots(omega, (chain.exact_antiresonance, slow.omega, fast.omega))
+        (over, over_lo), first, second = from_roots(omega, (chain.exact_antiresonance, slow.omega, fast.omega))
         D = pair_product(first, second)
     else:
         over, over_lo = np.ones_like(omega), np.zeros_like(omega)
-        (D,) = _from_roots(omega, (fast.omega,))
+        (D,) = from_roots(omega, (fast.omega,))
     with precise():
         units = np.array([split(-exact(F_0) / m1), split(exact(F_0) * k2 / (m1 * m2))]).T[..., np.newaxis]
     at_root = D[0] == 0.0
@@ -134,7 +134,7 @@ def _response_curve(chain: TwoMassChain, F_0: float, omega: Array) -> Array:
     return np.where(at_root & (X != 0.0), math.inf, X)
 
 
-def _from_roots(omega: Array, roots: Sequence[Decimal]) -> Iterator[DoubleDouble]:
+def from_roots(omega: Array, roots: Sequence[Decimal]) -> Iterator[DoubleDouble]:
     """omega^2 - root^2 for each root, which is zero at the root alone: with the square of the root in three doubles."""
     with precise():
         squares = np.array([three_doubles(root * root) for root in roots]).T[..., np.newaxis]

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
-from functools import cache
+from functools import cache, lru_cache
 
 import param
 from msgspec.structs import replace
@@ -42,6 +41,12 @@ TURNS = 8
 PLAYED = {"particular": "Particular solution", "rest": "From rest"}
 MOST_START = 20.0
 """How far the sliders of the start reach, over the static deflection."""
+
+
+@lru_cache(maxsize=1)
+def _asked_again(duty: Duty) -> Duty:
+    """The same with all that has been worked out of it: one change asks for its duty several times."""
+    return duty
 
 
 class Absorber(Scene):
@@ -189,11 +194,17 @@ class Absorber(Scene):
             tuning = "free"
         if tuning == "tuned":
             k2 = tuned_stiffness(self.m2, self.omega)
-        valley = antiresonance(dataclasses.replace(chain.of_scene(self), k2=k2))
+        duty = self._duty(k2, self._damping)
         best = None if changed & set(MACHINE) else self._lightest
-        if tuning != "detached" and not self._damping and all(self._duty(k2).met) and self.m2 < (best or math.inf):
+        if tuning != "detached" and not duty.c and self.m2 < (best or math.inf) and all(duty.met):
             best = self.m2
-        return {"k2": k2, "tuning": tuning, "_valley": valley, "_lightest": best, **self._started(changed)}
+        return {
+            "k2": k2,
+            "tuning": tuning,
+            "_valley": antiresonance(duty.chain),
+            "_lightest": best,
+            **self._started(changed),
+        }
 
     def _started(self, changed: frozenset[str]) -> Values:
         """A start is played; the particular solution has none."""
@@ -218,12 +229,12 @@ class Absorber(Scene):
             **dict.fromkeys(("v1_0", "v2_0"), (-speed, speed)),
         }
 
-    def _duty(self, k2: float, c: float = 0.0) -> Duty:
+    def _duty(self, k2: float, c: float) -> Duty:
         values = {"m1": self.m1, "k1": self.k1, "F_0": self.F_0, "omega": self.omega, "m2": self.m2}
         if self.played != "rest":
-            return Duty(**values, k2=k2, c=c)
+            return _asked_again(Duty(**values, k2=k2, c=c))
         x_0, v_0 = chain.start_of(self)
-        return Duty(**values, k2=k2, c=c, from_rest=True, x_0=x_0, v_0=v_0)
+        return _asked_again(Duty(**values, k2=k2, c=c, from_rest=True, x_0=x_0, v_0=v_0))
 
     @property
     def _shown_duty(self) -> Duty:
@@ -241,9 +252,10 @@ class Absorber(Scene):
         swing = axes["X1"]
         push = nice_axis(0.0, self.F_0, "N")
         columns, seen = data.columns(duty, axes)
-        rest, own = rest_columns(duty, end, swing) if duty.from_rest else ({}, replace(swing, start=-swing.end))
+        moved = None if duty.plays else duty.moved(end)
+        rest, own = rest_columns(moved if duty.from_rest else None, duty, swing)
         axes |= framed(frame, {"rest": own})
-        drawn = data.drawn(duty, end, swing, frame.scale)
+        drawn = data.drawn(duty, moved, end, swing, frame.scale)
         fastest = max(self.omega, float(duty.driven.free.omega[1])) if not duty.plays else self.omega
         return Picture(
             columns=columns | {"rest": rest},

@@ -10,13 +10,14 @@ import numpy as np
 from components.axes import Axis
 from components.motion import round_down
 from components.numbers import short, three
-from components.scenes.absorber.duty import AWAY, Duty
+from components.scenes.absorber.duty import AWAY, Duty, FromStart
 from components.scenes.absorber.played import pull
 from components.scenes.absorber.rest import length, rest_texts
 from components.scenes.absorber.words import VERDICTS
 from components.stage import wire
 from components.traces import Columns, Floats
-from physics.absorber import damped_amplitude, den_hartog, fixed_points, highest_peak, swing_and_stroke
+from physics.absorber import damped_amplitude, den_hartog, fixed_points, highest_peak
+from physics.absorber_curves import machine_curves
 
 LARGEST, SMALLEST, HOOK = 0.265, 0.045, 0.058
 """Sides of the masses, and the height of the springs, as fractions of the stage's height."""
@@ -47,7 +48,7 @@ def columns(duty: Duty, axes: dict[str, Axis]) -> tuple[dict[str, Columns], dict
         inside = (w >= duty.band[0]) & (w <= duty.band[1])
         sources["helped"] = {"w": w[inside], "helped_lo": swing[inside], "helped_hi": alone[inside]}
     if duty.c:
-        free = swing_and_stroke(duty.chain, 0.0, duty.F_0, w)
+        free = machine_curves(duty.chain, 0.0, duty.F_0, w)
         sources["compare"] = {
             "w": w,
             "free": np.minimum(free[0], caps[0]),
@@ -66,16 +67,15 @@ def _labels(axes: dict[str, Axis], poles: list[float], w: Floats, swing: Floats,
     return {"aside": axes["w"].place(x), **heights}
 
 
-def _reach(duty: Duty, end: float) -> tuple[float, float, float]:
+def _reach(duty: Duty, moved: FromStart | None, end: float) -> tuple[float, float, float]:
     """The largest ways of mass 1 (alone too), of mass 2 against it, of mass 2, over the static deflection."""
-    t = np.linspace(0.0, end, 400)
     swing, stroke, alone = duty.swings
     if not duty.plays_alone:
-        alone = float(np.abs(duty.bare.motion(t).x[0]).max())
-    if duty.plays:
+        alone = float(np.abs(duty.bare.motion(duty.times(end)).x[0]).max())
+    if moved is None:
         ways = max(swing, alone), stroke, abs(complex(duty.X[1]))
     else:
-        motion = duty.from_rest_at(t)
+        motion = moved.motion
         one, two, stretch = (float(np.abs(part).max()) for part in (*motion.x, motion.e[1]))
         ways = max(one, alone), stretch, two
     return duty.over_deflection(ways[0]), duty.over_deflection(ways[1]), duty.over_deflection(ways[2])
@@ -91,11 +91,12 @@ class Drawing:
     fits: float
 
 
-def drawn(duty: Duty, end: float, size: Axis, wanted: float | None) -> Drawing:
+def drawn(duty: Duty, moved: FromStart | None, end: float, size: Axis, wanted: float | None) -> Drawing:
     """Displacements are drawn at the scale `wanted`, in static deflections a metre, as long as they fit; the ruler
-    tells which. It is chosen by the static deflection, and then stands: twice the force is seen as twice the swing."""
+    tells which. It is chosen by the static deflection, and then stands: twice the force is seen as twice the swing.
+    What is played has `moved`, or is the particular solution."""
     whole = max(duty.m1, duty.m2)
-    reach = _reach(duty, end)
+    reach = _reach(duty, moved, end)
     fits, stands = _scales(duty, reach, wanted)
     scale = DEFLECTION * (duty.deflections(wanted) if wanted else stands)
     metre = scale / size.place(duty.deflections(1.0))

@@ -6,16 +6,18 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from components.chain.parameters import Pair
-from components.traces import Floats
+from components.traces import Floats, samples
 from physics.absorber import Band, alone, damped_solution, helped_band, swing_and_stroke
+from physics.absorber_curves import machine_curves
 from physics.coupled import Motion, TwoMassChain
 from physics.exact import exact, precise, rounded
-from physics.forced import REST, DrivenModes, antiresonance, driven_modes, particular_solution
+from physics.forced import REST, DrivenModes, antiresonance, driven_modes
 from physics.oscillator import Oscillator
 from physics.transient import DampedModes
 
@@ -23,8 +25,18 @@ SWING, STROKE, AWAY = 0.5, 7.5, 0.2
 """The goals: swing and stroke over the static deflection F_0/k1, share of the speed free of resonances."""
 SAME = 5e-4
 """How near to the speed the absorber's own frequency counts as tuned to it: the same three digits."""
-SEGMENT = 110
+BEND = (1 - np.cos(np.linspace(0, math.pi, 110))) / 2
+"""Shares of a way, dense next to both of its ends."""
 LARGEST, SMALLEST = 1e200, 1e-300
+
+
+class FromStart(NamedTuple):
+    """A motion from its start at times t (n,), and the displacements (2, n) of both its parts."""
+
+    t: Floats
+    motion: Motion
+    particular: Floats | None = None
+    complementary: Floats | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -86,8 +98,10 @@ class Duty:
 
     @cached_property
     def X(self) -> NDArray[np.complex128]:
-        X = damped_solution(self.chain, self.c, self.F_0, self.omega)
-        return np.where(X != 0, np.inf, X) if self.driven.at_resonance and not self.c else X
+        if self.c:
+            return damped_solution(self.chain, self.c, self.F_0, self.omega)
+        X = self.driven.particular.astype(complex)
+        return np.where(X != 0, np.inf, X) if self.driven.at_resonance else X
 
     @cached_property
     def swings(self) -> tuple[float, float, float]:
@@ -108,10 +122,18 @@ class Duty:
             chain=self.chain, c=self.c, F_0=self.F_0, omega=self.omega, x_0=self.x_0, v_0=self.v_0
         )  # fmt: skip
 
-    @property
-    def played(self) -> DrivenModes | DampedModes:
-        """The motion from its start: its parts too, where it is solved."""
-        return self.damped if self.c else self.driven
+    def moved(self, end: float) -> FromStart:
+        """The motion from its start over [0, end]; its parts too where they are drawn. ValueError as from_rest_at."""
+        t = self.times(end)
+        if not (self.from_rest and self.solved):
+            return FromStart(t, self.from_rest_at(t))
+        if not self.c:
+            return FromStart(t, *self.driven.apart(t))
+        return FromStart(t, self.from_rest_at(t), self.damped.particular_motion(t), self.damped.complementary(t))
+
+    def times(self, end: float) -> Floats:
+        """So many times in [0, end] as the fastest motion needs to be drawn."""
+        return np.linspace(0.0, end, samples(end, max(self.omega, float(self.driven.free.omega[1]))))
 
     def from_rest_at(self, t: Floats) -> Motion:
         """The motion from its start; ValueError where it takes more time than a picture has."""
@@ -146,7 +168,7 @@ class Duty:
         """The same of the machine alone."""
         return self.bare.split_is_meaningful and not self.from_rest
 
-    @property
+    @cached_property
     def nearest(self) -> tuple[int, float]:
         """Which resonance is the nearest (0 slow, 1 fast), and how far away it is over the speed."""
         with precise():
@@ -158,7 +180,7 @@ class Duty:
     def limits(self) -> tuple[float, float]:
         return self.deflections(SWING), self.deflections(STROKE)
 
-    @property
+    @cached_property
     def met(self) -> tuple[bool, bool, bool]:
         """No resonance near, the machine quiet, the absorber's stroke short."""
         swing, stroke, _ = self.swings
@@ -169,7 +191,7 @@ class Duty:
         """What the swing does from rest at a resonance, or hardly beside it."""
         return "grow" if self.driven.at_resonance else "beat"
 
-    @property
+    @cached_property
     def verdict(self) -> str:
         swing, _, without = self.swings
         if self.loose:
@@ -190,16 +212,14 @@ class Duty:
         if self.c:
             poles.add(Oscillator(m=self.m1 + self.m2, k=self.k1).omega_n)
         ends = [low, *sorted(p for p in poles if low < p < high), high]
-        bend = (1 - np.cos(np.linspace(0, math.pi, SEGMENT))) / 2
-        pieces = [a + (b - a) * bend for a, b in pairwise(ends)]
+        pieces = [a + (b - a) * BEND for a, b in pairwise(ends)]
         marked = [w for w in (self.omega, antiresonance(self.chain), *(self.band or ())) if low < w < high]
         return np.unique(np.concatenate([*pieces, marked]))
 
     def curves(self, w: Floats) -> tuple[Floats, Floats, Floats]:
         """Swing, stroke and swing alone at drive frequencies w."""
-        swing, stroke = swing_and_stroke(self.chain, self.c, self.F_0, w)
-        stroke = np.zeros_like(w) if self.loose else stroke
-        return swing, stroke, np.abs(particular_solution(self.bare.chain, self.F_0, w)[0])
+        swing, stroke, by_itself = machine_curves(self.chain, self.c, self.F_0, w)
+        return (by_itself, np.zeros_like(w), by_itself) if self.loose else (swing, stroke, by_itself)
 
 
 def _bounds(driven: DrivenModes) -> tuple[float, float]:

@@ -11,9 +11,9 @@ from components.axes import Axis, nice_ticks, widest
 from components.numbers import three
 from components.page.blocks import Block
 from components.plots import Room, curve, plot
-from components.scenes.absorber.duty import Duty
+from components.scenes.absorber.duty import Duty, FromStart
 from components.sheet import Paragraph, column, either, term, words
-from components.traces import Columns, samples
+from components.traces import Columns
 from physics.exact import exact, precise
 
 TALLEST = 1e30
@@ -63,16 +63,16 @@ def rest_block() -> Block:
     )
 
 
-def rest_columns(duty: Duty, end: float, unit: Axis) -> tuple[Columns, Axis]:
-    """x1 and its parts over [0, end], on an axis in the unit of `unit`.
+def rest_columns(moved: FromStart | None, duty: Duty, unit: Axis) -> tuple[Columns, Axis]:
+    """x1 and its parts, where they are shown, on an axis in the unit of `unit`.
 
     Next to a natural frequency, where the parts are huge and opposite, x1 alone.
     """
-    fastest = max(duty.omega, float(duty.driven.free.omega[1]))
-    t = np.linspace(0.0, end, samples(end, fastest))
-    columns: Columns = {"t": t, "x1": duty.from_rest_at(t).x[0]}
-    if duty.solved:
-        columns |= {"x1_p": duty.played.particular_motion(t)[0], "x1_c": duty.played.complementary(t)[0]}
+    if moved is None:
+        return {}, replace(unit, start=-unit.end)
+    columns: Columns = {"t": moved.t, "x1": moved.motion.x[0]}
+    if moved.particular is not None and moved.complementary is not None:
+        columns |= {"x1_p": moved.particular[0], "x1_c": moved.complementary[0]}
     low, high = widest(*((float(c.min()), float(c.max())) for name, c in columns.items() if name != "t"))
     if duty.over_deflection(max(-low, high)) > TALLEST:
         raise ValueError("the motion is too large to be drawn beside the static deflection F_0/k1")
