@@ -6,6 +6,7 @@ Formulas are functions of 80-digit decimals and rounded once.
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from decimal import Decimal
+from functools import cached_property
 from math import sin
 from types import SimpleNamespace
 from typing import Any
@@ -65,46 +66,8 @@ class Analogue:
         """The default of every parameter."""
         return {parameter.name: parameter.default for parameter in self.parameters}
 
-    def inertia(self, p: Mapping[str, float]) -> float:
-        """What plays m, for parameters by name."""
-        with precise():
-            return _above_0(f"{self.name}: what plays m", self.inertia_of(self._values(p)))
-
-    def stiffness(self, p: Mapping[str, float]) -> float:
-        """What plays k."""
-        with precise():
-            return _above_0(f"{self.name}: what plays k", self.stiffness_of(self._values(p)))
-
-    def omega_n(self, p: Mapping[str, float]) -> float:
-        """Natural frequency in rad/s."""
-        values = self._values(p)
-        with precise():
-            ratio = self.stiffness_of(values) / self.inertia_of(values)
-            return rounded(f"{self.name}: omega_n", ratio.sqrt())
-
-    def energy(self, p: Mapping[str, float], q_0: float) -> float:
-        """T + V in J of the linear system released at rest from q_0: stiffness q_0^2/2."""
-        check_finite(f"a start in {self.unit}", q_0=q_0)
-        with precise():
-            return rounded("the energy", self.stiffness_of(self._values(p)) * exact(q_0) ** 2 / 2)
-
-    def exact_energy(self, p: Mapping[str, float], q_0: float) -> float:
-        """The same of a pendulum at any angle, stiffness (1 - cos q_0); of a linear system no other."""
-        if self.length_of is None or not q_0:
-            return self.energy(p, q_0)
-        with precise():
-            share = exact(sin(q_0 / 2)) / exact(q_0 / 2)
-            return rounded("the energy", exact(self.energy(p, q_0)) * share**2)
-
-    def pendulum(self, p: Mapping[str, float]) -> Pendulum | None:
-        """The simple pendulum that moves alike at every amplitude; None where the system is linear."""
-        if self.length_of is None:
-            return None
-        values = self._values(p)
-        with precise():
-            return Pendulum(l=rounded("the pendulum's length", self.length_of(values)), g=float(values.g))
-
-    def _values(self, p: Mapping[str, float]) -> SimpleNamespace:
+    def at(self, p: Mapping[str, float]) -> "Tuned":
+        """The system with numbers for its parameters, by name; ValueError for those that cannot be."""
         for parameter in self.parameters:
             value = p[parameter.name]
             check_positive(f"{self.name}, {parameter.unit or 'a number'}", **{parameter.name: value})
@@ -112,7 +75,64 @@ class Analogue:
                 raise ValueError(f"{parameter.name} = {value!r}: only whole numbers from 1 on are allowed")
         numbers = {constant.name: constant.value for constant in self.constants}
         numbers |= {parameter.name: p[parameter.name] for parameter in self.parameters}
-        return SimpleNamespace(**{name: exact(value) for name, value in numbers.items()})
+        return Tuned(self, SimpleNamespace(**{name: exact(value) for name, value in numbers.items()}))
+
+
+@dataclass(frozen=True)
+class Tuned:
+    """One system with a number for each parameter and constant, as decimals by name."""
+
+    system: Analogue
+    values: SimpleNamespace
+
+    @cached_property
+    def _inertia(self) -> Decimal:
+        with precise():
+            return self.system.inertia_of(self.values)
+
+    @cached_property
+    def _stiffness(self) -> Decimal:
+        with precise():
+            return self.system.stiffness_of(self.values)
+
+    @property
+    def inertia(self) -> float:
+        """What plays m."""
+        return _above_0(f"{self.system.name}: what plays m", self._inertia)
+
+    @property
+    def stiffness(self) -> float:
+        """What plays k."""
+        return _above_0(f"{self.system.name}: what plays k", self._stiffness)
+
+    @property
+    def omega_n(self) -> float:
+        """Natural frequency in rad/s."""
+        with precise():
+            return rounded(f"{self.system.name}: omega_n", (self._stiffness / self._inertia).sqrt())
+
+    def energy(self, q_0: float) -> float:
+        """T + V in J of the linear system released at rest from q_0: stiffness q_0^2/2."""
+        check_finite(f"a start in {self.system.unit}", q_0=q_0)
+        with precise():
+            return rounded("the energy", self._stiffness * exact(q_0) ** 2 / 2)
+
+    def exact_energy(self, q_0: float) -> float:
+        """The same of a pendulum at any angle, stiffness (1 - cos q_0); of a linear system no other."""
+        if self.system.length_of is None or not q_0:
+            return self.energy(q_0)
+        with precise():
+            share = exact(sin(q_0 / 2)) / exact(q_0 / 2)
+            return rounded("the energy", exact(self.energy(q_0)) * share**2)
+
+    @property
+    def pendulum(self) -> Pendulum | None:
+        """The simple pendulum that moves alike at every amplitude; None where the system is linear."""
+        if self.system.length_of is None:
+            return None
+        with precise():
+            length = self.system.length_of(self.values)
+        return Pendulum(l=rounded("the pendulum's length", length), g=float(self.values.g))
 
 
 def _above_0(quantity: str, value: Decimal) -> float:

@@ -146,7 +146,8 @@ def _modulus(theta_0: float) -> _Modulus:
 def _modulus_of(theta_0: Decimal) -> _Modulus:
     """The agm in 80 digits; c_{n+1} = c_n^2/(4 a_{n+1}) in place of (a_n - b_n)/2, which cancels."""
     with precise():
-        k, complement = _sine(theta_0 / 2), _sine((PI - theta_0) / 2)
+        k = _sine(theta_0 / 2)
+        complement = ((1 - k) * (1 + k)).sqrt()  # next to pi, too, half of the digits remain
         steps = [(Decimal(1), complement, k)]
         while len(steps) < 2 or steps[-1][2] > CLOSE * steps[1][2]:
             a, b, c = steps[-1]

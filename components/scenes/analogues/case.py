@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from components.axes import Axis, nice_axis
 from components.numbers import MINUS, short
 from components.traces import Columns, Floats, samples, trace
-from physics.analogue import Analogue
+from physics.analogue import Analogue, Tuned
 from physics.oscillator import Oscillator
 from physics.pendulum import Pendulum, PendulumMotion, amplitude_at_excess, excess
 from physics.sampling import Sinusoid, periods
@@ -49,16 +49,20 @@ class AnalogueCase:
     """The window that stands, where it is not the one chosen."""
 
     @cached_property
+    def tuned(self) -> Tuned:
+        return self.system.at(self.p)
+
+    @cached_property
     def spring(self) -> Oscillator:
-        return Oscillator(m=self.system.inertia(self.p), k=self.system.stiffness(self.p))
+        return Oscillator(m=self.tuned.inertia, k=self.tuned.stiffness)
 
     @cached_property
     def omega(self) -> float:
-        return self.system.omega_n(self.p)
+        return self.tuned.omega_n
 
     @cached_property
     def pendulum(self) -> Pendulum | None:
-        return self.system.pendulum(self.p)
+        return self.tuned.pendulum
 
     @cached_property
     def excess(self) -> float:
@@ -89,12 +93,12 @@ class AnalogueCase:
     @cached_property
     def energy(self) -> float:
         """T + V in J of the linear system."""
-        return self.system.energy(self.p, self.q_0)
+        return self.tuned.energy(self.q_0)
 
     @property
     def exact_energy(self) -> float:
         """The same at any angle."""
-        return self.system.exact_energy(self.p, self.q_0) if self.pendulum else self.energy
+        return self.tuned.exact_energy(self.q_0)
 
     @cached_property
     def swings(self) -> Swings:
