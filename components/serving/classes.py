@@ -18,6 +18,7 @@ from components.rooms.store import LIFE, AwayError
 from components.rooms.table import answers_csv
 from components.serving.answers import SENTENCES, RefusedError, Visited
 from components.serving.settings import own_address
+from components.serving.shell import version
 from components.serving.visitors import network_of
 
 if TYPE_CHECKING:
@@ -50,6 +51,7 @@ class ClassAnswer(Visited, Waited):
     async def prepare(self) -> None:
         await super().prepare()
         self.set_header("Cache-Control", "no-store")
+        self.set_header("Lecture-Version", version())  # a page of another one loads anew
         origin = self.request.headers.get("Origin", "")
         if (
             origin

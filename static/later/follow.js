@@ -12,6 +12,8 @@ import {Refusal, Stream, ask} from "./room.js"
 import {Timing} from "./timing.js"
 
 const PATIENCE = 10000 // ms for a sheet
+const RENEWED = "class-renewed" // when a page of another version was last loaded anew
+const PAUSE = 10000 // ms until it may be once more
 const AGAIN = 500 // ms until it is fetched again
 const OVER = "The class is over. Thank you for coming."
 
@@ -55,6 +57,7 @@ export class Following {
       news: news => this.#hear(news),
       refused: refusal => this.#over(this.news.number ? OVER : refusal.message),
       connected: (is, why) => this.bar.connected(is, why),
+      outdated,
     })
   }
 
@@ -151,6 +154,19 @@ export class Following {
     this.host.replaceChildren(
       element("main", {class: "class-wait", role: "status"}, element("h1", {}, sentence), again),
     )
+  }
+}
+
+/** The server has another version of this page. For a while there may be servers of both: it is not asked at once again. */
+function outdated() {
+  try {
+    const last = Number(sessionStorage.getItem(RENEWED))
+    setTimeout(() => {
+      sessionStorage.setItem(RENEWED, String(Date.now()))
+      location.reload()
+    }, last + PAUSE - Date.now())
+  } catch {
+    // a browser that keeps nothing would load without end
   }
 }
 

@@ -68,7 +68,7 @@ const address = path => new URL(`class${path ? "/" : ""}${path}`, document.baseU
 /**
  * All that is new of a room. Where nothing comes through a stream, it asks once a second.
  * @typedef {{news: (news: Partial<page.News>) => void, refused: (refusal: Refusal) => void,
- *   connected: (is: boolean, why?: string) => void}} Ears
+ *   connected: (is: boolean, why?: string) => void, outdated?: () => void}} Ears
  */
 export class Stream {
   /** @type {AbortController} */
@@ -141,6 +141,7 @@ export class Stream {
     const came = this.#expect(control)
     try {
       const answer = await asked(`${this.code}/events?after=${this.number}`, {word: this.word, signal: control.signal})
+      if (answer.headers.get("Lecture-Version") !== document.documentElement.dataset.version) this.ears.outdated?.()
       await heard(answer, text => {
         came()
         this.#hear(JSON.parse(text))

@@ -9,7 +9,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage, Page, Request, sync_playwright
+from playwright.sync_api import Browser, ConsoleMessage, Page, Request, Route, sync_playwright
 
 from tests.browser.chromium import find
 from tests.browser.waiting import unfold
@@ -108,3 +108,9 @@ def _foreign(request: Request, server: Server) -> list[str]:
     address = urlsplit(request.url)
     at_home = address.scheme in ("data", "blob") or address.netloc == urlsplit(server.url).netloc
     return [] if at_home else [f"request to another host: {request.url}"]
+
+
+def another_version(route: Route) -> None:
+    """The page as a later server has it."""
+    answer = route.fetch()
+    route.fulfill(response=answer, body=answer.text().replace('data-version="', 'data-version="x'))

@@ -10,7 +10,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.between import between
 from tests.browser.classroom import draw, joined, taught
-from tests.browser.fixtures import READY
+from tests.browser.fixtures import READY, another_version
 from tests.rooms.caller import call
 from tests.serving.server import Server
 
@@ -75,6 +75,26 @@ def test_the_bound_of_the_clock_holds_its_error(
         told = page.evaluate(SHOWN)
         assert told.startswith("clock within ") and int(told.split()[2]) <= most
         page.close()
+
+
+def test_a_phone_of_another_version_loads_the_page_anew_and_not_again_at_once(server: Server, phone: Phone) -> None:
+    page = phone(server.url, Room(server.url).code)
+    page.wait_for_function("globalThis.oscillations?.timing")
+    page.evaluate("oscillations.timing.measured")
+    loads: list[str] = []
+    page.on("load", lambda page: loads.append(page.evaluate("document.documentElement.dataset.version")))
+    page.route(f"{server.url}?*", another_version)
+    page.reload()
+    page.wait_for_timeout(1500)
+    assert [version[0] for version in loads] == ["x", "x"]
+    page.unroute(f"{server.url}?*", another_version)
+    page.reload()
+    page.wait_for_function("globalThis.oscillations?.timing")
+    page.evaluate("oscillations.timing.measured")
+    page.evaluate("sessionStorage.removeItem('class-renewed')")
+    page.evaluate("oscillations.stream.control.abort()")
+    page.wait_for_timeout(1500)
+    assert len(loads) == 3 and loads[-1][0] != "x"
 
 
 def test_a_proxy_that_holds_streams_back_is_asked_instead(server: Server, phone: Phone) -> None:

@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterator
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, Page, Route, expect
+from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.fixtures import READY
+from tests.browser.fixtures import READY, another_version
 from tests.browser.waiting import unfold
 from tests.reconnect.losses import CONNECTED, LINK, LOSSES, SETTLED, too_late, visit
 from tests.reconnect.site import Site
@@ -161,11 +161,6 @@ def opened(page: Page, server: Server) -> None:
     page.wait_for_function(READY)
     page.wait_for_function(CONNECTED.format("true"))
     unfold(page)
-
-
-def another_version(route: Route) -> None:
-    answer = route.fetch()
-    route.fulfill(response=answer, body=answer.text().replace('data-version="', 'data-version="x'))
 
 
 def test_handles_choices_and_the_window_wait_as_they_were_set(page: Page, server: Server) -> None:
