@@ -22,9 +22,9 @@ _RATES = np.arange(5.0, 2.0 * _TERMS + 7.0, 2.0)  # powers of t that follow the 
 
 def onset(chain: TwoMassChain, F_0: float, omega: float, t: Array) -> Array:
     """x1, x2, x2 - x1, v1, v2 as (5, n) at times t (n,), each within 1.5 u of itself; inf beyond the doubles."""
-    if not np.any(t):
+    if not t.any():
         return np.zeros((5, t.size))
-    exponent = math.frexp(float(np.max(np.abs(t), initial=0.0)))[1]
+    exponent = math.frexp(float(np.abs(t).max()))[1]
     with precise():
         first, ratios = _series(chain, F_0, omega, Decimal(2) ** exponent)
     leading, leading_rest, exponents = (np.array(c)[:, np.newaxis] for c in zip(*map(binary, first), strict=True))
@@ -32,7 +32,7 @@ def onset(chain: TwoMassChain, F_0: float, omega: float, t: Array) -> Array:
     second = two_product(time, time)
     third, fourth = pair_product(second, (time, 0.0)), pair_product(second, second)
     hi, lo = np.stack([third, pair_product(fourth, (time, 0.0)), third, second, fourth], axis=1)
-    powers = np.multiply.accumulate(np.tile(second[0], (_TERMS, 1)))
+    powers = np.multiply.accumulate(np.full((_TERMS, t.size), second[0]))
     values, rest = pair_product((leading, leading_rest), (hi, lo))
     with np.errstate(over="ignore"):
         return shifted(values + (rest + values * (ratios @ powers)), exponents)

@@ -72,7 +72,7 @@ def added(sinusoids: Iterable[ExactSinusoid], t: Array, quantities: Sequence[str
 
     ValueError names the quantity that leaves the range of doubles.
     """
-    reach = exact(np.max(np.abs(t), initial=0.0))
+    reach = exact(np.abs(t).max(initial=0.0))
     kinds: tuple[list[ExactSinusoid], list[ExactSinusoid]] = [], []
     with precise():
         for one in sinusoids:
@@ -143,7 +143,7 @@ def _growing(beat: Beat, t: Array, heads: Array, tails: Array) -> list[Weighted]
 
 def _counted(t: Array) -> tuple[Array, Decimal]:
     """t in a power of two not below the largest of them, and that power."""
-    exponent = math.frexp(np.max(np.abs(t), initial=0.0))[1]
+    exponent = math.frexp(np.abs(t).max(initial=0.0))[1]
     return shifted(t, np.array(-exponent)), _power_of_two(exponent)
 
 
@@ -181,7 +181,7 @@ def _nearest(frequencies: Sequence[Decimal], t: Array) -> tuple[NDArray[np.int_]
     with np.errstate(over="ignore"):
         time = shifted(t, exponents)
     far = np.abs(time) > _FAR
-    any_far = bool(np.any(far))
+    any_far = bool(far.any())
     if any_far:
         time = np.where(far, 0.0, time)
     place, rest = two_product(hi, time)

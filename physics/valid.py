@@ -33,21 +33,21 @@ def finite_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
     array = np.atleast_1d(np.asarray(values, dtype=np.float64))
     if array.ndim != 1:
         raise ValueError(f"{name} has the shape {array.shape}: one dimension is allowed")
-    if not np.all(np.isfinite(array)):
+    if not np.isfinite(array).all():
         raise ValueError(f"{name} = {float(array[~np.isfinite(array)][0])!r}: only finite numbers are allowed")
     return array
 
 
 def in_range(quantity: str, result: NDArray[np.float64]) -> NDArray[np.float64]:
     """A result computed with overflow ignored; ValueError names the quantity where it left the range of doubles."""
-    if not np.all(np.isfinite(result)):
+    if not np.isfinite(result).all():
         raise ValueError(f"{quantity} leaves the range of doubles")
     return result
 
 
 def rows_in_range(quantities: Sequence[str], results: NDArray[np.float64]) -> NDArray[np.float64]:
     """The same for several quantities, a row (n,) each."""
-    if not np.all(np.isfinite(results)):
+    if not np.isfinite(results).all():
         for quantity, row in zip(quantities, results, strict=True):
             in_range(quantity, row)
     return results

@@ -216,6 +216,22 @@ def test_total_is_complementary_plus_particular(omega):
     assert np.max(np.abs(split - modes.motion(t).x)) <= 32 * U * size
 
 
+@pytest.mark.parametrize("omega", [0.0, 0.3, 1.1, 7.0])
+@pytest.mark.parametrize("end", [0.01, 1.0, 40.0])
+def test_motion_and_parts_are_the_same_when_formed_together(omega, end):
+    """From the onset on, with a beat that has not begun, and without a force at all."""
+    t = np.linspace(0.0, end, 200)
+    modes = driven_modes(LECTURE, 2.0, omega, (0.5, -1.0), (0.25, 0.0))
+    motion, x_p, x_c = modes.apart(t)
+    alone = modes.motion(t)
+    pairs = [(motion.x, alone.x), (motion.v, alone.v), (motion.e, alone.e)]
+    pairs += [(x_p, modes.particular_motion(t)), (x_c, modes.complementary(t))]
+    for together, apart in pairs:
+        assert np.max(np.abs(together - apart)) <= U * np.max(np.abs(apart))
+    with pytest.raises(ValueError, match="natural frequency"):
+        driven_modes(LECTURE, 2.0, 1.0).apart(t)
+
+
 def test_the_steady_start_leaves_x_p_alone():
     t = np.linspace(0.0, 40.0, 200)
     x_0, v_0 = steady_start(LECTURE, 2.0, 1.3)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 import numpy as np
 from msgspec.structs import replace
@@ -118,12 +118,13 @@ def _branches(
         first, last = (w if w in poles else w * share for w, share in ((low, 1 + beside), (high, 1 - beside)))
         from_low, from_high = (NEAR if edge in poles else EVEN for edge in (low, high))
         halves.append([first + (last - first) * from_low, last - (last - first) * from_high])
-    rows = np.sort(np.reshape(halves, (len(halves), -1)))
+    rows = np.array(halves).reshape(len(halves), -1)
+    rows.sort(axis=1)
     kept = np.ones(rows.shape, dtype=bool)
     kept[:, 1:] = rows[:, 1:] > rows[:, :-1]
     for pole in poles:
         kept &= rows != pole
-    ends = np.cumsum(kept.sum(axis=1)).tolist()
+    ends = list(accumulate(kept.sum(axis=1).tolist()))
     parts = {i: slice(begin, end) for (_, i), begin, end in zip(edges, [0, *ends], ends, strict=False) if end > begin}
     return rows[kept], parts
 
@@ -182,7 +183,13 @@ def _names(w: Floats, X: Floats, branches: list[slice], across: Axis, up: Axis) 
     low, high, first, last = (axis.place(end) for axis in (up, across) for end in (axis.start, axis.end))
     x = (across.places(w) - first) / (last - first)
     y = np.clip((up.places(X) - low) / (high - low), -1.0, 2.0)
-    beside = np.concatenate([np.clip(x[part] + [[BROAD], [-BROAD]], x[part][0], x[part][-1]) for part in branches], 1)
+    counts = [part.stop - part.start for part in branches]
+    left, right = [part.start for part in branches], [part.stop - 1 for part in branches]
+    before, after = (
+        np.maximum(x - BROAD, np.repeat(x[left], counts)),
+        np.minimum(x + BROAD, np.repeat(x[right], counts)),
+    )
+    beside = np.array([before, after])
     scalars: dict[str, float] = {}
     for i in (0, 1):
         best = int(np.argmax(_room(x, beside, y[i], y[1 - i])))
@@ -194,7 +201,7 @@ def _names(w: Floats, X: Floats, branches: list[slice], across: Axis, up: Axis) 
 def _room(x: Floats, beside: Floats, y: Floats, other: Floats) -> Floats:
     """How good each place of a curve is for its name, from what is `beside` it, (2, n); all are shares of the frame."""
     inside = (x > 0.08) & (x < 0.9) & (y > 0.02) & (y < 0.8)
-    after, before = np.interp(beside, x, y)
+    before, after = np.interp(beside, x, y)
     return np.where(inside, np.minimum(np.abs(other - y), ENOUGH) - np.abs(after - before), -np.inf)
 
 
