@@ -85,11 +85,12 @@ def split(value: Decimal) -> tuple[float, float]:
 
 def snapped(value: Decimal) -> Decimal:
     """The double that value is but for the rounding of its 80 digits, if there is one, else value."""
-    hi = float(value)
-    if math.isinf(hi):
+    near = float(value)
+    if math.isinf(near):
         return value
+    double = Decimal(near)
     with precise():
-        return Decimal(hi) if abs(value - Decimal(hi)) <= NOISE * abs(value) else value
+        return double if abs(value - double) <= NOISE * abs(value) else value
 
 
 def sum_of(a: Decimal, b: Decimal) -> Decimal:

@@ -117,13 +117,9 @@ class DrivenModes:
         """
         if self._amplitudes is None:
             return False
+        drive, pushed = exact(self.omega), (mode for mode in self.chain.exact_modes if mode.shape[0] and self.F_0)
         with precise():
-            shares = [
-                2 * PI * abs(exact(self.omega) - mode.omega)
-                for mode in self.chain.exact_modes
-                if mode.shape[0] and self.F_0
-            ]
-            return all(share >= _CANCELS * exact(self.omega) for share in shares)
+            return all(2 * PI * abs(drive - mode.omega) >= _CANCELS * drive for mode in pushed)
 
     def motion(self, t: ArrayLike) -> Motion:
         """The motion at times t (n,), within 4 u of its envelope at every detuning, phases below 1e15."""
@@ -135,9 +131,9 @@ class DrivenModes:
     @cached_property
     def complementary_modes(self) -> FreeModes:
         """The modes of x_c, the free motion that remains without x_p; ValueError at resonance."""
-        X = self._exact_particular
+        drive, X = exact(self.omega), self._exact_particular
         with precise():
-            v1_0, v2_0 = (v - exact(self.omega) * part for v, part in zip(self.v_0, X, strict=True))
+            v1_0, v2_0 = (v - drive * part for v, part in zip(self.v_0, X, strict=True))
         return started(self.chain, self.x_0, (v1_0, v2_0))
 
     def complementary(self, t: ArrayLike) -> Array:

@@ -31,7 +31,7 @@ def onset(chain: TwoMassChain, F_0: float, omega: float, t: Array) -> Array:
     time = np.ldexp(t, -exponent)
     second = two_product(time, time)
     third, fourth = pair_product(second, (time, 0.0)), pair_product(second, second)
-    hi, lo = np.stack([third, pair_product(fourth, (time, 0.0)), third, second, fourth], axis=1)
+    hi, lo = np.array([third, pair_product(fourth, (time, 0.0)), third, second, fourth]).swapaxes(0, 1)
     powers = np.multiply.accumulate(np.full((_TERMS, t.size), second[0]))
     values, rest = pair_product((leading, leading_rest), (hi, lo))
     with np.errstate(over="ignore"):

@@ -128,10 +128,11 @@ def _response_curve(chain: TwoMassChain, F_0: float, omega: Array) -> Array:
     with precise():
         units = np.array([split(-exact(F_0) / m1), split(exact(F_0) * k2 / (m1 * m2))]).T[..., np.newaxis]
     at_root = D[0] == 0.0
-    D = np.where(at_root, 1.0, D[0]), D[1]
+    D[0][at_root] = 1.0
     above = np.array([over, np.ones_like(omega)]), np.array([over_lo, np.zeros_like(omega)])
-    X = pair_quotient(pair_product((units[0], units[1]), above), D)
-    return np.where(at_root & (X != 0.0), math.inf, X)
+    X: Array = pair_quotient(pair_product((units[0], units[1]), above), D)
+    X[at_root & (X != 0.0)] = math.inf
+    return X
 
 
 def from_roots(omega: Array, roots: Sequence[Decimal]) -> Iterator[DoubleDouble]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from components.axes import Axis
 from components.chain.modes import MODES
 from components.chain.parameters import Pair
@@ -16,28 +18,20 @@ def free_signals(free: FreeModes, size: Axis, time: Axis) -> dict[str, AnySignal
 
     A mode of frequency zero is a drift, counted with the slow part.
     """
-    return {
-        f"x{i + 1}_{mode}": sines(size, time, _term(free, i, j), line=_drift(free, i, j))
-        for i in (0, 1)
-        for j, mode in enumerate(MODES)
-    }
+    return {f"x{part}": sines(size, time, term, line=line) for part, term, line in _parts(free)}
 
 
 def free_rates(free: FreeModes, size: Axis, time: Axis) -> dict[str, AnySignal]:
     """The same of each velocity, in the unit of `size` per unit of time, as v1_slow, ...."""
-    return {
-        f"v{i + 1}_{mode}": rates(size, time, _term(free, i, j), drift=_drift(free, i, j)[1])
-        for i in (0, 1)
-        for j, mode in enumerate(MODES)
-    }
+    return {f"v{part}": rates(size, time, term, drift=line[1]) for part, term, line in _parts(free)}
 
 
-def _term(free: FreeModes, i: int, j: int) -> tuple[float, float, float]:
-    return free.amplitude[j, i], free.omega[j], free.phase[j]
-
-
-def _drift(free: FreeModes, i: int, j: int) -> Pair:
-    return (free.drift_a[i], free.drift_b[i]) if j == 0 else (0.0, 0.0)
+def _parts(free: FreeModes) -> Iterator[tuple[str, tuple[float, float, float], Pair]]:
+    """Name, amplitude, frequency and phase, and drift of the part of each mass in each mode."""
+    modes = list(zip(MODES, free.amplitude.tolist(), free.omega.tolist(), free.phase.tolist(), strict=True))
+    for i, drift in enumerate(zip(free.drift_a.tolist(), free.drift_b.tolist(), strict=True)):
+        for (mode, amplitude, omega, phase), line in zip(modes, (drift, (0.0, 0.0)), strict=True):
+            yield f"{i + 1}_{mode}", (amplitude[i], omega, phase), line
 
 
 def components(free: FreeModes, i: int, modes: tuple[int, ...] = (0, 1)) -> list[Sinusoid]:

@@ -100,7 +100,7 @@ class Forced(Scene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         driven = self._driven()
-        slow, fast = driven.free.chain.modes().omega
+        slow, fast = driven.free.omega.tolist()
         own_window = self.window or time_window(slow, fast)
         end = frame.window or own_window
         fastest = max(fast, self.omega)
@@ -132,7 +132,7 @@ class Forced(Scene):
             live={**_digits(size, push), **pushed.live},
             forms=forms(driven, limit, self.view),
             notes=(*drawn.notes, *notes(driven, self.axes, lecture, self.view == "work" and not work)),
-            spans={"omega": (0.0, 2.5 * float(fast) if fast else 5.0)},
+            spans={"omega": (0.0, 2.5 * fast if fast else 5.0)},
         )
 
     def figures(self) -> tuple[Figure, ...]:

@@ -108,12 +108,11 @@ def energy_columns(driven: DrivenModes, motion: Motion) -> Columns:
 def motion_signals(driven: DrivenModes, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
     """What the clock plays: the free motion of the start plus each mode's response, regular at resonance."""
     signals = free_signals(driven.free, size, time)
-    X, omega = driven.particular, driven.omega
+    X, omega = driven.particular.tolist(), driven.omega
+    coupling, natural = driven.coupling.tolist(), driven.free.omega.tolist()
     for i in (0, 1):
         name = f"x{i + 1}"
-        terms = [
-            (driven.F_0, driven.coupling[j, i], omega, driven.free.omega[j]) for j in (0, 1) if driven.coupling[j, i]
-        ]
+        terms = [(driven.F_0, c[i], omega, omega_n) for c, omega_n in zip(coupling, natural, strict=True) if c[i]]
         signals[f"{name}_driven"] = responses(size, time, *terms)
         signals[name] = total(f"{name}_slow", f"{name}_fast", f"{name}_driven")
         if driven.split_is_meaningful:

@@ -113,12 +113,13 @@ def _branches(
     before = [i for w, i, _ in cuts if w <= start]
     inside = [(w, i) for w, i, _ in cuts if start < w < end]
     edges = [(start, before[-1] if before else 0), *inside, (end, -1)]
-    halves = []
-    for (low, _), (high, _) in pairwise(edges):
-        first, last = (w if w in poles else w * share for w, share in ((low, 1 + beside), (high, 1 - beside)))
-        from_low, from_high = (NEAR if edge in poles else EVEN for edge in (low, high))
-        halves.append([first + (last - first) * from_low, last - (last - first) * from_high])
-    rows = np.array(halves).reshape(len(halves), -1)
+    lows, highs = zip(*((low, high) for (low, _), (high, _) in pairwise(edges)), strict=True)
+    first, last = (
+        np.array([[w if w in poles else w * share] for w in ends])
+        for ends, share in ((lows, 1 + beside), (highs, 1 - beside))
+    )
+    from_low, from_high = (np.array([NEAR if w in poles else EVEN for w in ends]) for ends in (lows, highs))
+    rows = np.concatenate([first + (last - first) * from_low, last - (last - first) * from_high], axis=1)
     rows.sort(axis=1)
     kept = np.ones(rows.shape, dtype=bool)
     kept[:, 1:] = rows[:, 1:] > rows[:, :-1]
@@ -184,12 +185,9 @@ def _names(w: Floats, X: Floats, branches: list[slice], across: Axis, up: Axis) 
     x = (across.places(w) - first) / (last - first)
     y = np.clip((up.places(X) - low) / (high - low), -1.0, 2.0)
     counts = [part.stop - part.start for part in branches]
-    left, right = [part.start for part in branches], [part.stop - 1 for part in branches]
-    before, after = (
-        np.maximum(x - BROAD, np.repeat(x[left], counts)),
-        np.minimum(x + BROAD, np.repeat(x[right], counts)),
-    )
-    beside = np.array([before, after])
+    starts, ends = [part.start for part in branches], [part.stop - 1 for part in branches]
+    left, right = (np.repeat(x[at], counts) for at in (starts, ends))
+    beside = np.array([np.maximum(x - BROAD, left), np.minimum(x + BROAD, right)])
     scalars: dict[str, float] = {}
     for i in (0, 1):
         best = int(np.argmax(_room(x, beside, y[i], y[1 - i])))
