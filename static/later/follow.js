@@ -157,7 +157,7 @@ export class Following {
   }
 }
 
-/** The server has another version of this page. For a while there may be servers of both: it is not asked at once again. */
+/** The server has another version of this page. For a while there may be servers of both: no haste to ask again. */
 function outdated() {
   try {
     const last = Number(sessionStorage.getItem(RENEWED))
