@@ -32,12 +32,39 @@ Datum = Literal["equilibrium", "separate"]
 
 @dataclass(frozen=True, kw_only=True)
 class HangingEnergy:
-    """Energies in J, arrays (n,): spring from its natural length, gravity from x = 0, V by the datum."""
+    """Energies of states x, v (n,) in J, each (n,) and worked out when it is asked for; V by the datum."""
 
-    T: Array
-    V: Array
-    spring: Array
-    gravity: Array
+    system: "HangingMass"
+    x: Array
+    v: Array
+    datum: Datum
+
+    @cached_property
+    def T(self) -> Array:
+        return half_square("T", self.system.m, self.v)
+
+    @cached_property
+    def V(self) -> Array:
+        return self.system.well(self.x, self.datum)
+
+    @cached_property
+    def spring(self) -> Array:
+        """From its natural length."""
+        m, k, g = exact(self.system.m), exact(self.system.k), exact(self.system.g)
+        with precise():
+            deflection, rest = split(snapped(m * g / k))
+        with np.errstate(over="ignore", invalid="ignore"):
+            stretch, error = two_sum(self.x, deflection)
+            stretch += error + rest
+        return half_square("of the spring", self.system.k, stretch)
+
+    @cached_property
+    def gravity(self) -> Array:
+        """From x = 0."""
+        with precise():
+            weight = rounded("the weight m g", exact(self.system.m) * exact(self.system.g))
+        with np.errstate(over="ignore"):
+            return in_range("the energy of gravity", -weight * self.x)
 
     @property
     def total(self) -> Array:
@@ -67,13 +94,13 @@ class HangingMass:
         """Natural frequency in rad/s."""
         return self.oscillator.omega_n
 
-    @property
+    @cached_property
     def delta_st(self) -> float:
         """Static deflection m g/k in m, rounded once."""
         with precise():
             return rounded("the static deflection", exact(self.m) * exact(self.g) / exact(self.k))
 
-    @property
+    @cached_property
     def datum_shift(self) -> float:
         """V counted apart less V counted from equilibrium: k delta_st^2/2 = (m g)^2/(2 k) in J."""
         with precise():
@@ -96,21 +123,4 @@ class HangingMass:
 
     def energies(self, x: ArrayLike, v: ArrayLike, datum: Datum = "equilibrium") -> HangingEnergy:
         """Energies of states x, v (n,)."""
-        x, v = finite_array("x", x), finite_array("v", v)
-        with precise():
-            deflection, rest = split(snapped(exact(self.m) * exact(self.g) / exact(self.k)))
-            weight = rounded("the weight m g", exact(self.m) * exact(self.g))
-        with np.errstate(over="ignore", invalid="ignore"):
-            stretch, error = two_sum(x, deflection)
-            stretch += error + rest
-        return HangingEnergy(
-            T=half_square("T", self.m, v),
-            V=self.well(x, datum),
-            spring=half_square("of the spring", self.k, stretch),
-            gravity=_weight_times_height(-weight, x),
-        )
-
-
-def _weight_times_height(weight: float, height: Array) -> Array:
-    with np.errstate(over="ignore"):
-        return in_range("the energy of gravity", weight * height)
+        return HangingEnergy(system=self, x=finite_array("x", x), v=finite_array("v", v), datum=datum)

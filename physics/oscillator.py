@@ -73,7 +73,7 @@ class Oscillator:
         """Natural frequency in rad/s, rounded once."""
         return float(self.frequency)
 
-    @property
+    @cached_property
     def period(self) -> float:
         """tau = 2 pi/omega_n in s, rounded once; infinite at k = 0."""
         with precise():

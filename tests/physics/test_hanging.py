@@ -103,4 +103,8 @@ def test_what_leaves_the_range_of_doubles_is_named():
     with pytest.raises(ValueError, match="static deflection"):
         _ = HangingMass(m=1e300, k=1e-300, g=9.81).delta_st
     with pytest.raises(ValueError, match="T leaves the range"):
-        MASS.energies([0.0], [1e200])
+        _ = MASS.energies([0.0], [1e200]).T
+    with pytest.raises(ValueError, match="of the spring leaves the range"):
+        _ = MASS.energies([1e200], [0.0]).spring
+    with pytest.raises(ValueError, match="the weight m g = "):
+        _ = HangingMass(m=1e200, k=1.0, g=1e200).energies([0.0], [0.0]).gravity

@@ -200,18 +200,19 @@ def _signals(case: HangingCase, axes: dict[str, Axis]) -> dict[str, AnySignal]:
     """x, and the energies from the sine and cosine of the phase."""
     time, energy, phi = axes["t"], axes["E"], case.constants.phi
     sine, cosine = var("sine"), var("cosine")
+    sine_squared = sine * sine
     E, shift, weight, constant = (energy.place(v) for v in (case.E, case.shift, case.weight, case.constant))
     return {
         "x": sines(axes["x"], time, (case.constants.C, case.omega, phi)),
         "sine": sines(ONE, time, (1.0, case.omega, phi)),
         "cosine": sines(ONE, time, (1.0, case.omega, phi + QUARTER)),
         "T": derived(E * cosine * cosine),
-        "V": derived(E * sine * sine + shift),
-        "spring": derived(E * sine * sine + weight * sine + constant),
+        "V": derived(E * sine_squared + shift),
+        "spring": derived(E * sine_squared + weight * sine + constant),
         "gravity": derived(-weight * sine),
         "constant": derived(-constant),
         "total": derived(E + shift),
-        "V_share": derived(_share(case.E, case.total) * sine * sine + _share(case.shift, case.total)),
+        "V_share": derived(_share(case.E, case.total) * sine_squared + _share(case.shift, case.total)),
     }
 
 

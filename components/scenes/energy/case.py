@@ -85,7 +85,8 @@ def case_axes(case: HangingCase) -> dict[str, Axis]:
     """The energies over time have the axis of the well, whose level has its number there alone."""
     energy = _energy_axis(case)
     beside = replace(energy, labels=tuple("" if "J" in label else label for label in energy.labels))
-    return {"t": time_axis(case.own_end), "x": _x_axis(case), "x_well": _well_axis(case), "E": energy, "E_time": beside}
+    x = _x_axis(case)
+    return {"t": time_axis(case.own_end), "x": x, "x_well": _well_axis(case, x), "E": energy, "E_time": beside}
 
 
 def _x_axis(case: HangingCase) -> Axis:
@@ -99,9 +100,8 @@ def _x_axis(case: HangingCase) -> Axis:
     return replace(bare, ticks=nice_ticks(bare.place(-high), bare.place(0.95 * low), 2))
 
 
-def _well_axis(case: HangingCase) -> Axis:
+def _well_axis(case: HangingCase, x: Axis) -> Axis:
     """The same unit; the well is drawn a little beyond the turning points."""
-    x = _x_axis(case)
     end = 1.18 * case.constants.C or x.start
     ticks = nice_ticks(x.place(-end), x.place(end), 2)
     C = case.constants.C

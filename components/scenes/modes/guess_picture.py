@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from decimal import Decimal
+from functools import cached_property
 
 import numpy as np
 from msgspec.structs import replace
@@ -20,7 +21,7 @@ from components.scene import Picture
 from components.traces import Columns
 from physics.coupled import Modes, TwoMassChain
 from physics.exact import precise, within_an_ulp
-from physics.modes import Trial, TrialForces, determinant_curve, quadratic, row_curves, trial, trial_forces
+from physics.modes import Trial, TrialForces, determinant_curve, row_curves, trial, trial_forces
 from physics.sampling import NOTHING_OSCILLATES, periods
 
 ROWS = ("need", "give", "add")
@@ -57,6 +58,13 @@ class Guess:
         scaled = float(value.scaleb(-self.exponent))
         return self.det.place(scaled if abs(scaled) < 1e30 else 1e30)
 
+    @cached_property
+    def at_rest(self) -> Decimal:
+        """D at omega = 0."""
+        _, _, k1, k2 = self.system.exact_parameters
+        with precise():
+            return k1 * k2
+
     @property
     def w_in(self) -> float:
         return inside(self.frequency, self.omega)
@@ -92,11 +100,12 @@ def picture(system: TwoMassChain, omega: float, ratio: float, window: float | No
         det=axes["D"],
         exponent=exponent,
     )
+    known = _known(guess)
     return Picture(
         columns=columns,
         axes=axes,
         signals=_signals(push, omega, axes["t"]),
-        scalars=_swing_scalars(push) | _force_scalars(push) | _known(guess) | _tried(guess),
+        scalars=_swing_scalars(push) | _force_scalars(push) | known | _tried(guess, known),
         pace=pace(omega, omega),
         values=_values(guess) | _force_values(push),
         forms=_forms(guess),
@@ -180,7 +189,7 @@ def _known(guess: Guess) -> dict[str, float]:
     scalars = {
         "zero": 0.0,
         "w0": 0.0,
-        "D0": guess.place_D(quadratic(system).constant),
+        "D0": guess.place_D(guess.at_rest),
         "D0_in": float(system.k1 > 0 < system.k2),
         "w_held": guess.frequency.place(math.sqrt(system.k2) / math.sqrt(system.m2)),
         "D_held": guess.place_D(least),
@@ -193,7 +202,7 @@ def _known(guess: Guess) -> dict[str, float]:
     return scalars
 
 
-def _tried(guess: Guess) -> dict[str, float]:
+def _tried(guess: Guess, known: dict[str, float]) -> dict[str, float]:
     """The same of the trial point, of what both rows ask for there, and of D; and where labels would collide."""
     frequency, shape, D = guess.frequency, guess.shape, guess.asked.determinant
     w = frequency.place(min(guess.omega, 2 * frequency.end))
@@ -206,7 +215,7 @@ def _tried(guess: Guess) -> dict[str, float]:
         ends.append(place)
         scalars |= {f"row{i}": place, f"row{i}_in": guess.w_in * (row is not None and inside(shape, row))}
     scalars |= {"gap": guess.w_in * (None not in guess.asked.rows), "gap_low": ends[0], "gap_high": ends[1]}
-    return scalars | _clear(guess, scalars["w"], scalars["D"], _known(guess))
+    return scalars | _clear(guess, scalars["w"], scalars["D"], known)
 
 
 def _clear(guess: Guess, w: float, D: float, known: dict[str, float]) -> dict[str, float]:
@@ -228,7 +237,7 @@ def _values(guess: Guess) -> dict[str, str]:
     values["square"] = three(Decimal(guess.omega) ** 2)
     if asked.apart is not None:
         values |= {"apart": three(asked.apart), "distance": three(abs(asked.apart))}
-    values |= {"k1k2": three(quadratic(guess.system).constant), "k2k2": three(-(Decimal(guess.system.k2) ** 2))}
+    values |= {"k1k2": three(guess.at_rest), "k2k2": three(-(Decimal(guess.system.k2) ** 2))}
     for i, row in enumerate(asked.rows, start=1):
         values[f"row{i}"] = "" if row is None else signed(row)
     for mode, w, r in zip(MODES, modes.omega, modes.ratio, strict=True):

@@ -73,11 +73,12 @@ class Oscillation:
         """Whether there is an arrow to turn: neither a free mass nor one at rest."""
         return self.omega > 0 and self.constants.C > 0
 
-    def amplitude(self, row: str) -> float:
-        """C, omega C or omega^2 C; of a free mass, its constant speed."""
+    @cached_property
+    def amplitudes(self) -> dict[str, float]:
+        """C, omega C and omega^2 C; of a free mass, its constant speed."""
         if not self.omega:
-            return {"x": abs(self.x_0), "v": abs(self.v_0), "a": 0.0}[row]
-        return scaled(0, self.constants.C, *[self.omega] * list(LEADS).index(row))
+            return {"x": abs(self.x_0), "v": abs(self.v_0), "a": 0.0}
+        return {row: scaled(0, self.constants.C, *[self.omega] * i) for i, row in enumerate(LEADS)}
 
 
 class OscillatorScene(Scene):
@@ -128,7 +129,7 @@ class OscillatorScene(Scene):
         t = np.linspace(0.0, swing.end, samples(swing.end, swing.omega))
         curves, bands = _motion_columns(swing, t)
         axes = framed(frame, _axes(swing, curves))
-        reach = max(swing.amplitude("x"), abs(self.x_0))
+        reach = max(swing.amplitudes["x"], abs(self.x_0))
         pull = force(self.k, reach, axes["x"]) if self.view == "force" else Force()
         values = _values(swing, axes) | pull.values
         return Picture(
@@ -168,7 +169,7 @@ def _motion_columns(swing: Oscillation, t: Floats) -> tuple[Columns, Columns]:
     bands: Columns = {}
     for name, shift in LEADS.items():
         exact = getattr(motion, name)
-        parts = [Sinusoid(swing.amplitude(name), swing.omega, swing.constants.phi + shift)] if swing.omega else []
+        parts = [Sinusoid(swing.amplitudes[name], swing.omega, swing.constants.phi + shift)] if swing.omega else []
         curve, band = trace(name, parts, t, None if parts else exact, exact)
         curves |= curve
         bands |= band
@@ -180,7 +181,7 @@ def _axes(swing: Oscillation, curves: Columns) -> dict[str, Axis]:
     axes = {"t": time_axis(swing.own_end)}
     for name, room in ROOM.items():
         marked = swing.turns and name != "x"
-        axes[name] = _amplitude_axis(swing.amplitude(name), UNITS[name], *room, 0.95 * room[1] if marked else 1.0)
+        axes[name] = _amplitude_axis(swing.amplitudes[name], UNITS[name], *room, 0.95 * room[1] if marked else 1.0)
     if not swing.omega and swing.v_0:
         low, high = min(0.0, float(curves["x"].min())), max(0.0, float(curves["x"].max()))
         power_unit(2 * (high - low))
@@ -204,7 +205,7 @@ def _loop(swing: Oscillation, curves: Columns) -> Columns:
     if not swing.omega:
         return {name: curves[name][[0, -1]] for name in LEADS}
     turn = np.linspace(0.0, 2 * math.pi, 145)
-    return {name: swing.amplitude(name) * np.sin(turn + shift) for name, shift in LEADS.items()}
+    return {name: swing.amplitudes[name] * np.sin(turn + shift) for name, shift in LEADS.items()}
 
 
 def _signals(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, AnySignal]:
@@ -213,11 +214,9 @@ def _signals(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, AnySignal]:
     if not omega:
         lines = {"x": (swing.x_0, swing.v_0), "v": (swing.v_0, 0.0), "a": (0.0, 0.0)}
         return {name: sines(axes[name], time, line=line) for name, line in lines.items()}
-    motions = {
-        name: sines(axes[name], time, (swing.amplitude(name), omega, phi + shift)) for name, shift in LEADS.items()
-    }
+    sizes = swing.amplitudes
     return {
-        **motions,
+        **{name: sines(axes[name], time, (sizes[name], omega, phi + shift)) for name, shift in LEADS.items()},
         "cosine": sines(ONE, time, (1.0, omega, phi + QUARTER)),
         "sine": sines(ONE, time, (1.0, omega, phi)),
     }
@@ -237,8 +236,8 @@ def _scalars(swing: Oscillation, axes: dict[str, Axis], t: Floats) -> dict[str, 
         return scalars
     exponent = axes["x"].exponent - axes["v"].exponent
     scalars |= {"per_v": scaled(exponent, 1 / swing.omega), "x_start": axes["x"].place(swing.x_0)}
-    scalars |= {"v_start": axes["v"].place(swing.v_0)}
-    scalars |= {"turns": 1.0, "C": axes["x"].place(swing.constants.C), "phi": phi}
+    scalars |= {"v_start": axes["v"].place(swing.v_0), "turns": 1.0}
+    scalars |= {"C": axes["x"].place(swing.constants.C), "phi": phi}
     scalars |= {"start_cosine": math.cos(phi), "start_sine": math.sin(phi)}
     scalars |= {"middle_cosine": math.cos(phi / 2.6), "middle_sine": math.sin(phi / 2.6)}
     scalars |= {"under": math.copysign(1, phi), "outside": math.copysign(1, math.cos(phi))}
@@ -254,10 +253,10 @@ def _leads(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, float]:
     tau = swing.oscillator.period
     first_peak = ((QUARTER - swing.constants.phi) % (2 * math.pi)) / (2 * math.pi)
     peak = first_peak + math.floor(swing.end / tau - first_peak)
-    if peak < 0.5 or swing.end > MOST_SWINGS * tau or any(swing.amplitude(name) > axes[name].end for name in LEADS):
+    if peak < 0.5 or swing.end > MOST_SWINGS * tau or any(swing.amplitudes[name] > axes[name].end for name in LEADS):
         return {}
     peaks = {f"peak_{name}": axes["t"].place((peak - i / 4) * tau) for i, name in enumerate(LEADS)}
-    tops = {f"top_{name}": axes[name].place(swing.amplitude(name)) for name in LEADS}
+    tops = {f"top_{name}": axes[name].place(swing.amplitudes[name]) for name in LEADS}
     return {"leads": 1.0, **peaks, **tops}
 
 
@@ -279,7 +278,7 @@ def _values(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, str]:
         "tau": three(swing.oscillator.period) if swing.omega else "",
         "ratio": three(scaled(0, swing.omega, swing.omega)),
         "x_unit": axes["x"].full_unit,
-        **{f"top_{name}": three(swing.amplitude(name)) for name in LEADS},
+        **{f"top_{name}": three(swing.amplitudes[name]) for name in LEADS},
     }
 
 
