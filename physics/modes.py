@@ -15,14 +15,14 @@ Both hold for a motion that is not rest only where they are the same equation, w
 vanishes. The same said with forces: to move with X sin(omega t) mass j needs -m_j omega^2 X_j, the springs give
 -k1 X1 + k2 (X2 - X1) and -k2 (X2 - X1), and what is missing a hand would have to add.
 
-What depends on one trial omega is worked out from exact rationals and rounded once to 80 digits, so that it is zero
-only at a mode, and right beside one, for every positive double; it does not overflow. Curves are in float64.
+What depends on one trial omega is worked out from sums and products without error and rounded once to 80 digits, so
+that it is zero only at a mode, and right beside one, for every positive double; it does not overflow. Curves are in
+float64.
 """
 
 from __future__ import annotations
 
-from decimal import Decimal
-from fractions import Fraction
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, Inexact, localcontext
 from typing import NamedTuple
 
 import numpy as np
@@ -31,6 +31,9 @@ from numpy.typing import ArrayLike
 from physics.coupled import TwoMassChain, Vector, free_modes
 from physics.exact import Array, exact, precise
 from physics.valid import check_finite, check_not_negative
+
+_WHOLE = Context(prec=10_000, Emin=MIN_EMIN, Emax=MAX_EMAX, traps=[Inexact])
+"""No sum or product here has more digits: D of doubles has 8300 at most."""
 
 
 class Trial(NamedTuple):
@@ -74,69 +77,73 @@ class Quadratic(NamedTuple):
 
 def trial(chain: TwoMassChain, omega: float) -> Trial:
     """What the two equations say at a trial omega in rad/s."""
-    k2 = Fraction(chain.k2)
-    one, two = _diagonal(chain, omega)
-    return Trial(
-        matrix=((_decimal(one), _decimal(k2)), (_decimal(k2), _decimal(two))),
-        determinant=_decimal(one * two - k2**2),
-        rows=(_fixed(-one, k2), _fixed(k2, -two)),
-        apart=_decimal(-one / k2 + k2 / two) if k2 and two else None,
-    )
+    k2 = exact(chain.k2)
+    with localcontext(_WHOLE):
+        one, two = _diagonal(chain, omega)
+        first, second, D, both = -one, -two, one * two - k2 * k2, -k2 * two
+    with precise():
+        return Trial(
+            matrix=((+one, +k2), (+k2, +two)),
+            determinant=+D,
+            rows=(_fixed(first, k2), _fixed(k2, second)),
+            apart=D / both if both else None,
+        )
 
 
-def _diagonal(chain: TwoMassChain, omega: float) -> tuple[Fraction, Fraction]:
+def _diagonal(chain: TwoMassChain, omega: float) -> Vector:
+    """A11 and A22, in the precision that is set."""
     check_not_negative("an angular frequency in rad/s", omega=omega)
-    square, k2 = Fraction(omega) ** 2, Fraction(chain.k2)
-    return Fraction(chain.m1) * square - Fraction(chain.k1) - k2, Fraction(chain.m2) * square - k2
+    m1, m2, k1, k2 = chain.exact_parameters
+    square = exact(omega) * exact(omega)
+    return m1 * square - k1 - k2, m2 * square - k2
 
 
-def _fixed(over: Fraction, under: Fraction) -> Decimal | None:
+def _fixed(over: Decimal, under: Decimal) -> Decimal | None:
     """The shape X2/X1 = over/under."""
     if under:
-        return _decimal(over / under)
+        return _over(over, under)
     return Decimal("inf") if over else None
 
 
-def _decimal(value: Fraction) -> Decimal:
+def _over(value: Decimal, unit: Decimal) -> Decimal:
+    """value/unit, and a zero without a sign."""
     with precise():
-        return Decimal(value.numerator) / Decimal(value.denominator)
+        return +(value / unit)
 
 
 def trial_forces(chain: TwoMassChain, omega: float, ratio: float) -> TrialForces:
     """The forces in a motion of the shape X2/X1 = ratio at omega; the larger amplitude is 1 m."""
     check_finite("a ratio", ratio=ratio)
-    one, two = _diagonal(chain, omega)
-    k1, k2, r = Fraction(chain.k1), Fraction(chain.k2), Fraction(ratio)
-    X1, X2 = (part / max(Fraction(1), abs(r)) for part in (Fraction(1), r))
-    springs = (-k1 * X1 + k2 * (X2 - X1), -k2 * (X2 - X1))
-    missing = (-(one * X1 + k2 * X2), -(k2 * X1 + two * X2))
-    needed = (springs[0] + missing[0], springs[1] + missing[1])
-    return TrialForces(_pair(X1, X2), _pair(*needed), _pair(*springs), _pair(*missing))
-
-
-def _pair(one: Fraction, two: Fraction) -> Vector:
-    return _decimal(one), _decimal(two)
+    _, _, k1, k2 = chain.exact_parameters
+    r, size = exact(ratio), exact(max(1.0, abs(ratio)))
+    with localcontext(_WHOLE):
+        one, two = _diagonal(chain, omega)
+        pull = k2 * (r - 1)
+        springs = (pull - k1, -pull)
+        missing = (-(one + k2 * r), -(k2 + two * r))
+        needed = (springs[0] + missing[0], springs[1] + missing[1])
+    amplitude = (Decimal(1), r)
+    return TrialForces(*((_over(one, size), _over(two, size)) for one, two in (amplitude, needed, springs, missing)))
 
 
 def quadratic(chain: TwoMassChain) -> Quadratic:
     """The coefficients of the equation for omega^2, and its discriminant in both of its forms."""
-    m1, m2, k1, k2 = (Fraction(value) for value in (chain.m1, chain.m2, chain.k1, chain.k2))
-    difference, fourfold = m1 * k2 - m2 * (k1 + k2), 4 * m1 * m2 * k1 * k2
-    coupling = 4 * m1 * m2 * k2**2
-    b = m1 * k2 + m2 * (k1 + k2)
-    Delta = _decimal(b**2 - fourfold)
+    m1, m2, k1, k2 = chain.exact_parameters
+    with localcontext(_WHOLE):
+        leading, constant, fourfold, coupling = m1 * m2, k1 * k2, 4 * m1 * m2 * k1 * k2, 4 * m1 * m2 * k2 * k2
+        b, difference = m1 * k2 + m2 * (k1 + k2), m1 * k2 - m2 * (k1 + k2)
+        Delta = b * b - fourfold
     with precise():
-        root = Delta.sqrt()
-    return Quadratic(
-        leading=_decimal(m1 * m2),
-        b=_decimal(b),
-        constant=_decimal(k1 * k2),
-        fourfold=_decimal(fourfold),
-        difference=_decimal(difference),
-        coupling=_decimal(coupling),
-        Delta=Delta,
-        root=root,
-    )
+        return Quadratic(
+            leading=+leading,
+            b=+b,
+            constant=+constant,
+            fourfold=+fourfold,
+            difference=+difference,
+            coupling=+coupling,
+            Delta=+Delta,
+            root=(+Delta).sqrt(),
+        )
 
 
 def determinant_curve(chain: TwoMassChain, omega: ArrayLike) -> tuple[Array, int]:
