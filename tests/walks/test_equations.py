@@ -100,7 +100,7 @@ def energy_of_one() -> Iterator[tuple[str, bool]]:
 
 
 def analogues_and_aircraft() -> Iterator[tuple[str, bool]]:
-    p = {n: s_.omega_n(s_.defaults) ** 2 for n, s_ in ANALOGUES.items()}
+    p = {n: s_.at(s_.defaults).omega_n ** 2 for n, s_ in ANALOGUES.items()}
     q = {n: {**{c_.name: c_.value for c_ in s_.constants}, **s_.defaults} for n, s_ in ANALOGUES.items()}
     kap = 2 * math.pi / q["wave"]["wavelength"]
     r = q["rocking"]
