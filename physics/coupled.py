@@ -102,7 +102,7 @@ class TwoMassChain:
             gamma = D / (2 * m2 * k2) if k2 else Decimal("-inf")
             delta = S / (2 * m2 * k2) if k2 else Decimal("inf")
             ratio = [b / a if a else Decimal("inf") for a, b in (slow.shape, fast.shape)]
-        hi, lo = np.transpose([split(mode.omega) for mode in self.exact_modes])
+        hi, lo = np.array([split(mode.omega) for mode in self.exact_modes]).T
         return Modes(hi, lo, np.array([float(r) for r in ratio]), float(beat), float(gamma), float(delta))
 
     @cached_property
@@ -212,12 +212,9 @@ class FreeModes:
         return self._drift("the velocity of the drift", self.velocity)
 
     def _drift(self, quantity: str, values: Vector) -> Array:
-        modes = self.chain.exact_modes
+        drifting = [(m.shape, q) for m, q in zip(self.chain.exact_modes, values, strict=True) if not m.omega]
         with precise():
-            sums = [
-                sum((m.shape[i] * q for m, q in zip(modes, values, strict=True) if not m.omega), Decimal(0))
-                for i in (0, 1)
-            ]
+            sums = [sum((shape[i] * q for shape, q in drifting), Decimal(0)) for i in (0, 1)]
         return np.array([rounded(quantity, total) for total in sums])
 
     @cached_property

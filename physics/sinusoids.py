@@ -81,14 +81,14 @@ def added(sinusoids: Iterable[ExactSinusoid], t: Array, quantities: Sequence[str
     return total(t, quantities, *kinds)
 
 
-def apart(sinusoids: Sequence[ExactSinusoid], t: Array, quantities: Sequence[str]) -> list[Array]:
-    """Each of them (quantities, n) as added() has it alone; in one sum, of as many more rows."""
+def apart(sinusoids: Sequence[ExactSinusoid], t: Array, quantities: Sequence[str]) -> Array:
+    """Each of them as added() has it alone, (sinusoids, quantities, n); in one sum, of as many more rows."""
     count, none = len(sinusoids), [_NONE] * len(quantities)
     rows = [
         ExactSinusoid(one.omega, *([*none * i, *part, *none * (count - 1 - i)] for part in (one.cosine, one.sine)))
         for i, one in enumerate(sinusoids)
     ]
-    return np.split(added(rows, t, [*quantities] * count), count)
+    return added(rows, t, [*quantities] * count).reshape(count, len(quantities), t.size)
 
 
 def total(

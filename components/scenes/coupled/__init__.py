@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from itertools import accumulate
 
 import numpy as np
 from numpy.typing import NDArray
@@ -175,7 +176,7 @@ def _energy_columns(view: str, free: FreeModes, whole: Motion) -> tuple[Columns,
         slow, fast = free.energy
         flat = {"E_slow": slow, "E_fast": fast, "E_total": slow + fast}
         return {}, {"t": t[[0, -1]], **{name: np.full(2, level) for name, level in flat.items()}}
-    layers = np.cumsum([np.zeros_like(t), *_energies(free, whole)], axis=0)
+    layers = accumulate([np.zeros_like(t), *_energies(free, whole)])
     return {f"e{i}": edge for i, edge in enumerate(layers)}, {}
 
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from components.axes import Axis
 from components.chain import MODES
 from components.numbers import plus, signed, three
@@ -111,8 +109,8 @@ def _of_mode(free: FreeModes, j: int, mode: str) -> dict[str, str]:
 
 def _beats(free: FreeModes) -> bool:
     """Whether both modes move, and none of them is a drift: one alone has no beat."""
-    sizes = np.sort(np.abs(free.amplitude), axis=0)
-    return bool(free.omega[0] and np.any(sizes[0] > BEATS * sizes[1]))
+    sizes = [sorted(map(abs, of_mass)) for of_mass in free.amplitude.T.tolist()]
+    return bool(free.omega[0]) and any(less > BEATS * more for less, more in sizes)
 
 
 def forms(free: FreeModes) -> dict[str, str]:
