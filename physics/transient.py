@@ -117,16 +117,16 @@ class DampedModes:
         return Motion(t, np.array([x1, x2]), np.array([v1, v2]), np.array([x1, e2]))
 
     def complementary(self, t: ArrayLike) -> Array:
-        """The transient alone, x (2, n), from its terms in doubles."""
+        """The transient alone, x1, x2, x2 - x1 (3, n), from its terms in doubles."""
         t = finite_array("t", t)
-        total = np.zeros((2, t.size))
+        total = np.zeros((3, t.size))
         for exponent, amplitudes in self.transient:
-            total += (polyval(t, amplitudes[:, :2]) * np.exp(exponent * t)).real
+            total += (polyval(t, amplitudes) * np.exp(exponent * t)).real
         return total
 
     def particular_motion(self, t: ArrayLike) -> Array:
-        """x_p (2, n)."""
-        return np.asarray((self.particular[:2, None] * np.exp(1j * self.omega * finite_array("t", t))).imag)
+        """The same of x_p (3, n)."""
+        return np.asarray((self.particular[:, None] * np.exp(1j * self.omega * finite_array("t", t))).imag)
 
     @property
     def _driven(self) -> Driven:

@@ -256,13 +256,12 @@ class Absorber(Scene):
         rest, own = rest_columns(moved if duty.from_rest else None, duty, swing)
         axes |= framed(frame, {"rest": own})
         drawn = data.drawn(duty, moved, end, swing, frame.scale)
-        fastest = max(self.omega, float(duty.driven.free.omega[1])) if not duty.plays else self.omega
         return Picture(
             columns=columns | {"rest": rest},
             axes=axes,
             signals=signals(duty, end, swing, axes["t"], push),
             scalars={**drawn.scalars, **data.marks(duty, axes), **seen},
-            pace=pace(self.omega, fastest),
+            pace=pace(self.omega, self.omega if duty.plays else duty.fastest),
             scale=drawn.scale,
             fits=drawn.fits,
             values={**data.values(duty, axes, push, self.m2, self._lightest), "tick": drawn.tick},

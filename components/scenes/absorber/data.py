@@ -75,8 +75,7 @@ def _reach(duty: Duty, moved: FromStart | None, end: float) -> tuple[float, floa
     if moved is None:
         ways = max(swing, alone), stroke, abs(complex(duty.X[1]))
     else:
-        motion = moved.motion
-        one, two, stretch = (float(np.abs(part).max()) for part in (*motion.x, motion.e[1]))
+        one, two, stretch = np.abs(moved.x).max(axis=1).tolist()
         ways = max(one, alone), stretch, two
     return duty.over_deflection(ways[0]), duty.over_deflection(ways[1]), duty.over_deflection(ways[2])
 

@@ -68,9 +68,9 @@ def pull(duty: Duty) -> float:
 
 def _damped(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> dict[str, AnySignal]:
     """x1, x2 and the pull of spring and damper from rest, as decaying sines; where two decay alike, from a table."""
-    transient = duty.damped.transient
-    if any(len(amplitudes) > 1 for _, amplitudes in transient):
+    if duty.alike:
         return _tables(duty, end, size, time, push)
+    transient = duty.damped.transient
     signals: dict[str, AnySignal] = {}
     for i, X in enumerate(duty.damped.particular[:2].tolist()):
         terms = [_wave(amplitudes[0, i], exponent) for exponent, amplitudes in transient]

@@ -70,7 +70,7 @@ def rest_columns(moved: FromStart | None, duty: Duty, unit: Axis) -> tuple[Colum
     """
     if moved is None:
         return {}, replace(unit, start=-unit.end)
-    columns: Columns = {"t": moved.t, "x1": moved.motion.x[0]}
+    columns: Columns = {"t": moved.t, "x1": moved.x[0]}
     if moved.particular is not None and moved.complementary is not None:
         columns |= {"x1_p": moved.particular[0], "x1_c": moved.complementary[0]}
     low, high = widest(*((float(c.min()), float(c.max())) for name, c in columns.items() if name != "t"))
