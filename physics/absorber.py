@@ -20,7 +20,7 @@ from decimal import Decimal
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import Polynomial
+from numpy.polynomial.polynomial import polyder, polyroots, polyval
 from numpy.typing import ArrayLike, NDArray
 
 from physics.coupled import TwoMassChain
@@ -162,13 +162,15 @@ def highest_peak(mu: float, tuning: float, damping: float) -> float:
     """
     if not damping:
         return math.inf
-    # |X1|^2 = above/below in s = (omega/omega_1)^2.
-    s, square = Polynomial([0.0, 1.0]), (2 * damping) ** 2
-    above = s**2 + (square - 2 * tuning**2) * s + tuning**4
-    below = (s**2 - (1 + (1 + mu) * tuning**2) * s + tuning**2) ** 2 + square * s * ((1 + mu) * s - 1) ** 2
-    roots = (above.deriv() * below - above * below.deriv()).roots()
+    # |X1|^2 = above/below in s = (omega/omega_1)^2, below = free^2 + square s link^2: coefficients, the constant first,
+    # of which a product of polynomials is the convolution.
+    square = (2 * damping) ** 2
+    above = np.array([tuning**4, square - 2 * tuning**2, 1.0])
+    free, link = np.array([tuning**2, -(1 + (1 + mu) * tuning**2), 1.0]), np.array([-1.0, 1 + mu])
+    below = np.convolve(free, free) + square * np.array([0.0, *np.convolve(link, link), 0.0])
+    roots = polyroots(np.convolve(polyder(above), below) - np.convolve(above, polyder(below)))
     at = np.maximum(roots.real[np.abs(roots.imag) < 1e-6 * np.abs(roots)], 0.0)
-    return float(np.sqrt(np.max(above(at) / below(at), initial=1.0)))
+    return float(np.sqrt(np.max(polyval(at, above) / polyval(at, below), initial=1.0)))
 
 
 class _Parts(NamedTuple):

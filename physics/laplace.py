@@ -10,15 +10,16 @@ Coefficients are rational numbers, without error; exponents and residues have th
 """
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import cache, cached_property, lru_cache
 from itertools import zip_longest
 from typing import Any, NamedTuple
 
 from mpmath.ctx_mp import MPContext
 
 from physics.coupled import TwoMassChain
-from physics.roots import mismatch, roots
+from physics.roots import mismatch, roots, taxicab
 
 Polynomial = tuple[Fraction, ...]  # coefficients, the constant first
 Rows = tuple[Any, ...]  # numbers of mpmath for x1, x2, the elongation x2 - x1 and, where they belong, v1 and v2
@@ -54,10 +55,11 @@ class ExponentialTerm(NamedTuple):
     size: Rows
 
 
-class Expansion(NamedTuple):
+@dataclass(frozen=True)
+class Expansion:
     """x = constant + drift t + the sum of terms + Im(steady exp(i omega t)), each of x1, x2 and x2 - x1.
 
-    mismatch is the relative error with which the exponents reproduce P.
+    The exponents are the roots of P/s^k, whose coefficients these are.
     """
 
     ctx: Any
@@ -66,7 +68,13 @@ class Expansion(NamedTuple):
     constant: Rows
     drift: Rows
     steady: Rows
-    mismatch: Any
+    coefficients: list[Any]
+    exponents: list[Any]
+
+    @cached_property
+    def mismatch(self) -> Any:
+        """The relative error with which the exponents reproduce P."""
+        return mismatch(self.coefficients, self.exponents)
 
     def waves(self) -> Iterator[ExponentialTerm]:
         """Every Re(amplitude exp(exponent t)) of the sum; rows of x1, x2, x2 - x1, v1, v2."""
@@ -86,9 +94,9 @@ class Expansion(NamedTuple):
         rest = [pair for term in self.terms for pair in self._both(term)]
         while rest:
             first = rest[0][0]
-            near = [pair for pair in rest if abs(pair[0] - first) < _SAME * abs(first)]
+            near = [pair for pair in rest if taxicab(pair[0] - first) < _SAME * taxicab(first)]
             rest = [pair for pair in rest if pair not in near]
-            mean = self.ctx.fsum(p for p, _ in near) / len(near)
+            mean = self.ctx.fsum(p for p, _ in near) / len(near) if len(near) > 1 else first
             if mean.imag >= 0:
                 yield mean, [self._power(near, mean, j) for j in range(len(near))]
         yield self.ctx.mpc(0), [self.constant, self.drift] if any(self.drift) else [self.constant]
@@ -101,7 +109,10 @@ class Expansion(NamedTuple):
         return [(p, tuple(a / 2 for a in A)), (self.ctx.conj(p), tuple(self.ctx.conj(a) / 2 for a in A))]
 
     def _power(self, near: list[tuple[Any, Rows]], mean: Any, j: int) -> Rows:
-        factors = [(p - mean) ** j / self.ctx.factorial(j) * (2 if mean.imag else 1) for p, _ in near]
+        both = 2 if mean.imag else 1
+        if len(near) == 1:
+            return tuple(both * a for a in near[0][1])
+        factors = [(p - mean) ** j / self.ctx.factorial(j) * both for p, _ in near]
         return tuple(self.ctx.fdot(factors, column) for column in zip(*(A for _, A in near), strict=True))
 
 
@@ -157,7 +168,8 @@ def expansion(driven: Driven, digits: int) -> Expansion:
     return Expansion(
         ctx, omega, terms, constant, drift,
         steady=_steady(ctx, exponents, zeros, P[-1], drive, omega),
-        mismatch=mismatch(P[zeros:], exponents),
+        coefficients=P[zeros:],
+        exponents=exponents,
     )  # fmt: skip
 
 
@@ -200,7 +212,8 @@ def _steady(ctx: Any, exponents: list[Any], zeros: int, leading: Any, drive: lis
 
 
 def _value(polynomial: Sequence[Any], z: Any) -> tuple[Any, Any]:
-    value, size, near = 0 * z, 0 * abs(z), abs(z)
+    near = taxicab(z)
+    value, size = 0 * z, 0 * near
     for a in reversed(polynomial):
         value, size = value * z + a, size * near + abs(a)
     return value, size

@@ -8,6 +8,7 @@ Where m roots nearly coincide, each is known to 1/m of the digits only: a workin
 result serves every quartic, and mismatch() tells how well the roots together reproduce the polynomial.
 """
 
+import cmath
 import math
 import sys
 from collections.abc import Sequence
@@ -30,13 +31,18 @@ def roots(ctx: Any, coefficients: Sequence[Any]) -> list[Any]:
     return _conjugate(ctx, _refined(coefficients, z, ctx.eps))
 
 
+def taxicab(z: Any) -> Any:
+    """|Re z| + |Im z|, at most 1.42 |z|: a size that takes no square root of all the digits."""
+    return abs(z.real) + abs(z.imag)
+
+
 def mismatch(coefficients: Sequence[Any], z: Sequence[Any]) -> Any:
-    """The largest relative error of a coefficient of the product of all z - z_k."""
+    """The largest error of a coefficient of the product of all z - z_k, relative to the sizes it is summed from."""
     product, size = [coefficients[-1]], [abs(coefficients[-1])]
     for root in z:
         product = [b - root * a for a, b in zip([*product, 0], [0, *product], strict=True)]
-        size = [b + abs(root) * a for a, b in zip([*size, 0], [0, *size], strict=True)]
-    return max(abs(a - b) / c for a, b, c in zip(product, coefficients, size, strict=True))
+        size = [b + taxicab(root) * a for a, b in zip([*size, 0], [0, *size], strict=True)]
+    return max(taxicab(a - b) / c for a, b, c in zip(product, coefficients, size, strict=True))
 
 
 def _refined(coefficients: Sequence[Any], z: list[Any], eps: Any) -> list[Any]:
@@ -46,7 +52,7 @@ def _refined(coefficients: Sequence[Any], z: list[Any], eps: Any) -> list[Any]:
     for _ in range(_MOST_STEPS):
         for i in tuple(moving):
             value, slope = _value_and_slope(coefficients, z[i])
-            if abs(value) <= 8 * eps * _value_and_slope(sizes, abs(z[i]))[0]:
+            if taxicab(value) <= 8 * eps * _value(sizes, taxicab(z[i])):
                 moving.remove(i)
                 continue
             crowd = sum(1 / (z[i] - other) for j, other in enumerate(z) if j != i)
@@ -56,6 +62,13 @@ def _refined(coefficients: Sequence[Any], z: list[Any], eps: Any) -> list[Any]:
         if not moving:
             return z
     raise ArithmeticError(f"roots not found in {_MOST_STEPS} steps: {coefficients}")
+
+
+def _value(coefficients: Sequence[Any], z: Any) -> Any:
+    value = coefficients[-1]
+    for a in reversed(coefficients[:-1]):
+        value = value * z + a
+    return value
 
 
 def _value_and_slope(coefficients: Sequence[Any], z: Any) -> tuple[Any, Any]:
@@ -69,16 +82,16 @@ def _value_and_slope(coefficients: Sequence[Any], z: Any) -> tuple[Any, Any]:
 def _starting_points(ctx: Any, coefficients: Sequence[Any]) -> list[Any]:
     """As many on each circle as the polygon has roots of that size; angles that no symmetry of the roots shares."""
     corners: list[tuple[int, float]] = []
-    for corner in ((k, float(ctx.log(abs(a), 2))) for k, a in enumerate(coefficients) if a):
+    for corner in ((k, math.log2(a.man) + a.exp) for k, a in enumerate(coefficients) if a):
         while len(corners) > 1 and _slope(corners[-2], corner) >= _slope(corners[-2], corners[-1]):
             corners.pop()
         corners.append(corner)
     points = []
     for one, two in pairwise(corners):
         count = two[0] - one[0]
-        radius = ctx.mpf(2) ** -_slope(one, two)
+        whole, part = divmod(-_slope(one, two), 1.0)
         angles = (2 * math.pi * i / count + 0.7 + one[0] for i in range(count))
-        points += [radius * ctx.expj(angle) for angle in angles]
+        points += [ctx.ldexp(1, int(whole)) * ctx.mpc(cmath.rect(2.0**part, angle)) for angle in angles]
     return points
 
 
@@ -91,8 +104,8 @@ def _conjugate(ctx: Any, z: list[Any]) -> list[Any]:
     rest, found = list(z), []
     while rest:
         one = rest.pop()
-        other = min(rest, key=lambda candidate: abs(candidate - ctx.conj(one)), default=None)
-        if other is None or abs(2 * one.imag) <= abs(other - ctx.conj(one)):
+        other = min(rest, key=lambda candidate: taxicab(candidate - ctx.conj(one)), default=None)
+        if other is None or abs(2 * one.imag) <= taxicab(other - ctx.conj(one)):
             found.append(ctx.mpc(one.real, 0))
             continue
         rest.remove(other)

@@ -23,6 +23,7 @@ from components.scenes.absorber import data, drawing
 from components.scenes.absorber.about import absorber_about
 from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.goals import goals
+from components.scenes.absorber.moved import moved
 from components.scenes.absorber.played import signals
 from components.scenes.absorber.rest import rest_block, rest_columns
 from components.scenes.absorber.watch import WATCH
@@ -252,10 +253,10 @@ class Absorber(Scene):
         swing = axes["X1"]
         push = nice_axis(0.0, self.F_0, "N")
         columns, seen = data.columns(duty, axes)
-        moved = None if duty.plays else duty.moved(end)
-        rest, own = rest_columns(moved if duty.from_rest else None, duty, swing)
+        motion = None if duty.plays else moved(duty, end)
+        rest, own = rest_columns(motion if duty.from_rest else None, duty, swing)
         axes |= framed(frame, {"rest": own})
-        drawn = data.drawn(duty, moved, end, swing, frame.scale)
+        drawn = data.drawn(duty, motion, end, swing, frame.scale)
         return Picture(
             columns=columns | {"rest": rest},
             axes=axes,

@@ -10,7 +10,8 @@ import numpy as np
 from components.axes import Axis
 from components.motion import round_down
 from components.numbers import short, three
-from components.scenes.absorber.duty import AWAY, Duty, FromStart
+from components.scenes.absorber.duty import AWAY, Duty
+from components.scenes.absorber.moved import FromStart, reach_alone
 from components.scenes.absorber.played import pull
 from components.scenes.absorber.rest import length, rest_texts
 from components.scenes.absorber.words import VERDICTS
@@ -71,7 +72,7 @@ def _reach(duty: Duty, moved: FromStart | None, end: float) -> tuple[float, floa
     """The largest ways of mass 1 (alone too), of mass 2 against it, of mass 2, over the static deflection."""
     swing, stroke, alone = duty.swings
     if not duty.plays_alone:
-        alone = float(np.abs(duty.bare.motion(duty.times(end)).x[0]).max())
+        alone = reach_alone(duty, end)
     if moved is None:
         ways = max(swing, alone), stroke, abs(complex(duty.X[1]))
     else:

@@ -6,13 +6,12 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from components.chain.parameters import Pair
-from components.traces import Floats, samples
+from components.traces import Floats
 from physics.absorber import Band, alone, damped_solution, helped_band, swing_and_stroke
 from physics.absorber_curves import machine_curves
 from physics.coupled import Motion, TwoMassChain
@@ -28,17 +27,6 @@ SAME = 5e-4
 BEND = (1 - np.cos(np.linspace(0, math.pi, 110))) / 2
 """Shares of a way, dense next to both of its ends."""
 LARGEST, SMALLEST = 1e200, 1e-300
-DRAWN = 1e-7
-"""The share of a motion that no drawing shows."""
-
-
-class FromStart(NamedTuple):
-    """x1, x2 and x2 - x1 (3, n) from the start at times t (n,), and x1, x2 of both parts."""
-
-    t: Floats
-    x: Floats
-    particular: Floats | None = None
-    complementary: Floats | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -124,34 +112,15 @@ class Duty:
             chain=self.chain, c=self.c, F_0=self.F_0, omega=self.omega, x_0=self.x_0, v_0=self.v_0
         )  # fmt: skip
 
-    def moved(self, end: float) -> FromStart:
-        """The motion from its start over [0, end]; its parts too where they are drawn. ValueError as from_rest_at."""
-        t = self.times(end)
-        if not (self.from_rest and self.solved):
-            return FromStart(t, _displacements(self.driven.motion(t)))
-        if not self.c:
-            motion, *parts = self.driven.apart(t)
-            return FromStart(t, _displacements(motion), *parts)
-        particular, complementary = self.damped.particular_motion(t), self.damped.complementary(t)
-        x = particular + complementary
-        one, stretch = self.bounds
-        doubt = 2.0**-52 * (1 + self.fastest * end) * np.array([one, one + stretch, stretch])
-        if self.alike or np.any(doubt > DRAWN * np.abs(x).max(axis=1)):  # it is a small difference of large terms
-            x = _displacements(self.from_rest_at(t))
-        return FromStart(t, x, particular, complementary)
-
     @property
     def alike(self) -> bool:
         """Whether two exponents of the damped motion are taken as equal, which is right for what it comes to only."""
-        return any(len(amplitudes) > 1 for _, amplitudes in self.damped.transient)
+        return self.c > 0 and any(len(amplitudes) > 1 for _, amplitudes in self.damped.transient)
 
     @property
     def fastest(self) -> float:
+        """The largest angular frequency of what moves."""
         return max(self.omega, float(self.driven.free.omega[1]))
-
-    def times(self, end: float) -> Floats:
-        """So many times in [0, end] as the fastest motion needs to be drawn."""
-        return np.linspace(0.0, end, samples(end, self.fastest))
 
     def from_rest_at(self, t: Floats) -> Motion:
         """The motion from its start; ValueError where it takes more time than a picture has."""
@@ -238,10 +207,6 @@ class Duty:
         """Swing, stroke and swing alone at drive frequencies w."""
         swing, stroke, by_itself = machine_curves(self.chain, self.c, self.F_0, w)
         return (by_itself, np.zeros_like(w), by_itself) if self.loose else (swing, stroke, by_itself)
-
-
-def _displacements(motion: Motion) -> Floats:
-    return np.array([*motion.x, motion.e[1]])
 
 
 def _bounds(driven: DrivenModes) -> tuple[float, float]:

@@ -11,7 +11,8 @@ from components.axes import Axis, nice_ticks, widest
 from components.numbers import three
 from components.page.blocks import Block
 from components.plots import Room, curve, plot
-from components.scenes.absorber.duty import Duty, FromStart
+from components.scenes.absorber.duty import Duty
+from components.scenes.absorber.moved import FromStart
 from components.sheet import Paragraph, column, either, term, words
 from components.traces import Columns
 from physics.exact import exact, precise
