@@ -47,7 +47,7 @@ def as_json(value: object) -> bytes:
 def packed(told: Told, columns: Sequence[Steps] = (), *, sheet: str = "", usual: bytes = b"") -> Packet:
     """A message made ready; `usual` is the text in the sheet."""
     known = (usual,) if usual else ()
-    deflate = zlib.compressobj(6, zlib.DEFLATED, -15, 9, zlib.Z_DEFAULT_STRATEGY, *known)
+    deflate = zlib.compressobj(6, zlib.DEFLATED, -15, zlib.DEF_MEM_LEVEL, zlib.Z_DEFAULT_STRATEGY, *known)
     data = deflate.compress(as_json(told) + b"\n" + encoded(columns)) + deflate.flush()
     return {"sheet": sheet, "data": data}
 
