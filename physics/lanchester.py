@@ -151,16 +151,20 @@ def _pieces(excess: float) -> Iterator[_Piece]:
 def _taylor(*state: float) -> _Series:
     """Each order of the equations of motion gives the next, that of V^2/2 = 1/2 - h, with dh/dt = w, the speed.
 
-    In plain numbers: there are too few for arrays.
+    In plain numbers: there are too few for arrays. sum(map(mul, a, reversed(b))), written out as it is called eighty
+    times a piece, is the newest coefficient of the product of two series.
     """
     drift, p, w = ([value] for value in state)
     speed = hypot(1 + p[0], w[0])
     q = [(p[0] * (2 + p[0]) + w[0] * w[0]) / (1 + speed)]
+    later: list[float] = []  # q but for its first
     for n in range(ORDER):
         if n > 0:
-            q.append(-(w[n - 1] / n + _product(q[1:], q[1:]) / 2) / speed)
+            later.append(-(w[n - 1] / n + sum(map(mul, later, reversed(later))) / 2) / speed)
+            q.append(later[-1])
         drift.append(p[n] / (n + 1))
-        forward, up = -(w[n] + _product(q, w)) / (n + 1), (p[n] + q[n] + _product(p, q)) / (n + 1)
+        forward = -(w[n] + sum(map(mul, q, reversed(w)))) / (n + 1)
+        up = (p[n] + q[n] + sum(map(mul, p, reversed(q)))) / (n + 1)
         p.append(forward)
         w.append(up)
     return drift, p, w
@@ -170,11 +174,6 @@ def _step(series: _Series, least: float) -> float:
     """How far on the last two terms of p and of w stay below `least`."""
     _, p, w = series
     return float(min((least / max(abs(p[n]), abs(w[n]))) ** (1 / n) for n in (ORDER - 1, ORDER)))
-
-
-def _product(a: Sequence[float], b: Sequence[float]) -> float:
-    """The newest coefficient of the product of two series."""
-    return float(sum(map(mul, a, reversed(b))))
 
 
 def _free_fall(drift: float, p: float, w: float) -> _Series:
