@@ -226,7 +226,7 @@ class FreeModes:
     def parts(self, t: ArrayLike) -> tuple[Motion, Motion]:
         """The motion of each mode at times t (n,), within 2 u of its amplitude."""
         t = finite_array("t", t)
-        slow, fast = (as_motion(t, values) for values in apart(self.sinusoids(), t, QUANTITIES))
+        slow, fast = (as_motion(t, values) for values in apart(self._sinusoids(), t, QUANTITIES))
         return slow, fast
 
     def motion(self, t: ArrayLike) -> Motion:
@@ -236,10 +236,9 @@ class FreeModes:
 
     def values(self, t: Array) -> Array:
         """x1, x2, e2, v1, v2 (5, n)."""
-        return added(self.sinusoids(), t, QUANTITIES)
+        return added(self._sinusoids(), t, QUANTITIES)
 
-    def sinusoids(self) -> list[ExactSinusoid]:
-        """Of x1, x2, e2, v1, v2, one for each mode."""
+    def _sinusoids(self) -> list[ExactSinusoid]:
         return [mode.sinusoid(q, v) for mode, q, v in self.each()]
 
     def each(self) -> list[tuple[Mode, Decimal, Decimal]]:
@@ -261,11 +260,11 @@ def each_mass(name: str, values: ArrayLike) -> Vector:
 
 def started(chain: TwoMassChain, x_0: Vector, v_0: Vector) -> FreeModes:
     """The same from a start in 80 digits."""
-    (x_slow, x_fast), (v_slow, v_fast) = _coordinates(chain, x_0), _coordinates(chain, v_0)
+    (x_slow, x_fast), (v_slow, v_fast) = coordinates(chain, x_0), coordinates(chain, v_0)
     return FreeModes(chain, (x_slow, x_fast), (v_slow, v_fast))
 
 
-def _coordinates(chain: TwoMassChain, values: Vector) -> Vector:
+def coordinates(chain: TwoMassChain, values: Vector) -> Vector:
     """The shares of the modes in displacements or velocities, the modes being orthogonal in the masses.
 
     m1 x1 + m2 r x2 is written with r - 1 in place of r, and for the fast mode with the slow one's, since r =

@@ -27,6 +27,7 @@ from physics.coupled import (
     TwoMassChain,
     Vector,
     as_motion,
+    coordinates,
     each_mass,
     started,
 )
@@ -134,7 +135,7 @@ class DrivenModes:
         drive, X = exact(self.omega), self._exact_particular
         with precise():
             v1_0, v2_0 = (v - drive * part for v, part in zip(self.v_0, X, strict=True))
-        return started(self.chain, self.x_0, (v1_0, v2_0))
+        return FreeModes(self.chain, self.free.coordinate, coordinates(self.chain, (v1_0, v2_0)))
 
     def complementary(self, t: ArrayLike) -> Array:
         """x_c (2, n); ValueError at resonance."""
@@ -149,8 +150,12 @@ class DrivenModes:
         t = finite_array("t", t)
         if not (self._pushes and t.size):
             return self.motion(t), self.particular_motion(t), self.complementary(t)
-        free, swing, none = self.complementary_modes.sinusoids(), self._swing, [NONE] * 2
-        parts = [ExactSinusoid(one.omega, [*none, *one.cosine[:2]], [*none, *one.sine[:2]]) for one in free]
+        swing, none = self._swing, [NONE] * 2
+        with precise():
+            parts = [
+                ExactSinusoid(mode.omega, *([*none, *(part * start for part in mode.shape)] for start in (q, v)))
+                for mode, q, v in self.complementary_modes.each()
+            ]
         parts.append(ExactSinusoid(swing.omega, [*swing.cosine, *none], [*swing.sine, *none]))
         beside = AlsoSummed((*_PARTICULAR, *QUANTITIES[:2]), parts)
         values = driven_values(self.free, self.F_0, self.omega, t, beside)
