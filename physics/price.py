@@ -11,6 +11,9 @@ from physics.solvers import METHODS
 
 LEAST = 1e-17
 """An error of nothing stands here on logarithmic scales: a double has no more digits."""
+ErrorAndRun = tuple[float, Run]
+Offer = tuple[float, float, list[Run]]
+"""Run time, evaluations and the runs that they are read off."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -53,8 +56,10 @@ def price(runs: Sequence[Run], wanted: float) -> Price:
     It is the least run time at which the straight lines from run to run, both axes logarithmic, are good enough.
     """
     good = [run for run in runs if run.error is not None]
-    facts: dict[str, Any] = {"method": good[0].method, "best": min(map(_error, good)), "end": runs[-1].end}
-    offers = [offer for offer in map(_offer, [None, *good], good, repeat(wanted)) if offer]
+    errors = [max(run.error or 0.0, LEAST) for run in good]
+    facts: dict[str, Any] = {"method": good[0].method, "best": min(errors), "end": runs[-1].end}
+    points = list(zip(errors, good, strict=True))
+    offers = [offer for offer in map(_offer, [None, *points], points, repeat(wanted)) if offer]
     if not offers:
         return Price(time=None, evaluations=None, **facts)
     time, evaluations, pair = min(offers, key=lambda offer: offer[0])
@@ -62,20 +67,20 @@ def price(runs: Sequence[Run], wanted: float) -> Price:
     return Price(time=time, evaluations=evaluations, repeats=None if None in told else all(told), **facts)
 
 
-def _offer(before: Run | None, run: Run, wanted: float) -> tuple[float, float, list[Run]] | None:
-    """The cheapest good enough point of the line that ends in a run: time, evaluations and the runs it is read off."""
-    error, error_before = _error(run), _error(before or run)
-    now = (run.time or 0.0, float(run.evaluations), [run])
-    if before is None or (error_before > wanted) == (error > wanted):
-        return now if error <= wanted else None
+def _offer(before: ErrorAndRun | None, point: ErrorAndRun, wanted: float) -> Offer | None:
+    """The cheapest good enough point of the line that ends in a run."""
+    error, run = point
+    if before is None or (before[0] > wanted) == (error > wanted):
+        return _itself(run) if error <= wanted else None
+    error_before, coarser = before
     share = log(error_before / wanted) / log(error_before / error)
-    time = _between(before.time or 0.0, run.time or 0.0, share)
-    there = (time, _between(before.evaluations, run.evaluations, share), [before, run])
-    return there if error > wanted or time < now[0] else now
+    time = _between(coarser.time or 0.0, run.time or 0.0, share)
+    there = (time, _between(coarser.evaluations, run.evaluations, share), [coarser, run])
+    return there if error > wanted or time < (run.time or 0.0) else _itself(run)
 
 
-def _error(run: Run) -> float:
-    return max(run.error or 0.0, LEAST)
+def _itself(run: Run) -> Offer:
+    return run.time or 0.0, float(run.evaluations), [run]
 
 
 def _between(start: float, end: float, share: float) -> float:
