@@ -16,6 +16,8 @@ from itertools import pairwise
 from typing import Any
 
 _MOST_STEPS = 500
+_APART = 0.05  # times a root: no rounding of doubles hides that two roots are one, or takes a pair for two real ones
+_NEARLY = 1e-3  # of half the digits: the step after such a step is below all digits
 _COMFORT = 1e60  # powers of numbers within this and its inverse stay in the range of doubles
 
 
@@ -25,10 +27,13 @@ def roots(ctx: Any, coefficients: Sequence[Any]) -> list[Any]:
     The roots of a pair are conjugate digit for digit, and other roots are real.
     """
     z = _starting_points(ctx, coefficients)
-    plain = [float(a) for a in coefficients]
-    if all(1 / _COMFORT < abs(a) < _COMFORT for a in (*plain, *map(float, map(abs, z))) if a):
-        z = [ctx.mpc(point) for point in _refined(plain, [complex(point) for point in z], sys.float_info.epsilon)]
-    return _conjugate(ctx, _refined(coefficients, z, ctx.eps))
+    if all(1 / _COMFORT < taxicab(a) < _COMFORT for a in (*coefficients, *z) if a):
+        plain = [float(a) for a in coefficients]
+        doubles = _refined(plain, [complex(point) for point in z], sys.float_info.epsilon)
+        if all(abs(one - other) > _APART * abs(one) for i, one in enumerate(doubles) for other in doubles[:i]):
+            return _polished(ctx, coefficients, _conjugate(doubles))
+        z = [ctx.mpc(point) for point in doubles]
+    return _conjugate(_refined(coefficients, z, ctx.eps))
 
 
 def taxicab(z: Any) -> Any:
@@ -62,6 +67,21 @@ def _refined(coefficients: Sequence[Any], z: list[Any], eps: Any) -> list[Any]:
         if not moving:
             return z
     raise ArithmeticError(f"roots not found in {_MOST_STEPS} steps: {coefficients}")
+
+
+def _polished(ctx: Any, coefficients: Sequence[Any], z: Sequence[complex]) -> list[Any]:
+    """By Newton's method, one of each pair, from doubles so far apart that each leads to a root of its own."""
+    found, least = [], ctx.sqrt(ctx.eps) * _NEARLY
+    for point in z:
+        if point.imag < 0:
+            continue
+        root, step = ctx.mpc(point), ctx.one
+        while taxicab(step) > least * taxicab(root):
+            value, slope = _value_and_slope(coefficients, root)
+            step = value / slope
+            root -= step
+        found += [root, ctx.conj(root)] if root.imag else [root]
+    return found
 
 
 def _value(coefficients: Sequence[Any], z: Any) -> Any:
@@ -99,16 +119,16 @@ def _slope(one: tuple[int, float], two: tuple[int, float]) -> float:
     return (two[1] - one[1]) / (two[0] - one[0])
 
 
-def _conjugate(ctx: Any, z: list[Any]) -> list[Any]:
+def _conjugate(z: list[Any]) -> list[Any]:
     """Each root with the one nearest to its mirror image: a pair, or, where that is itself, a real root."""
     rest, found = list(z), []
     while rest:
         one = rest.pop()
-        other = min(rest, key=lambda candidate: taxicab(candidate - ctx.conj(one)), default=None)
-        if other is None or abs(2 * one.imag) <= taxicab(other - ctx.conj(one)):
-            found.append(ctx.mpc(one.real, 0))
+        other = min(rest, key=lambda candidate: taxicab(candidate - one.conjugate()), default=None)
+        if other is None or abs(2 * one.imag) <= taxicab(other - one.conjugate()):
+            found.append(one - 1j * one.imag)
             continue
         rest.remove(other)
-        mean = (one + ctx.conj(other)) / 2
-        found += [mean, ctx.conj(mean)]
+        mean = (one + other.conjugate()) / 2
+        found += [mean, mean.conjugate()]
     return found
