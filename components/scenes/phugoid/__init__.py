@@ -41,6 +41,7 @@ from components.scenes.phugoid.swing import (
     Swing,
     along_path,
     energy_shares,
+    family_velocities,
     flown,
     lift_columns,
     lift_signals,
@@ -193,15 +194,15 @@ class Phugoid(Scene):
         shares = energy_shares(swing, motion.exact) if self.show == "exchange" else {}
         lift, lift_band = lift_columns(swing, motion.exact) if self.show == "lift" else ({}, {})
         bands |= lift_band
-        own, family = velocities(swing) if self.show == "limits" else ({}, {})
+        limits = self.show == "limits"
         reach = np.array([0.0, axes["v_0"].end])
         return Picture(
             columns={
                 **sources_over_time(t, {**curves, **shares, **lift}, bands),
                 "path": path,
                 "path_band": path_band,
-                "velocity": own,
-                "family": family,
+                "velocity": velocities(swing) if limits else {},
+                "family": family_velocities() if limits else {},
                 "periods": {"v_0": reach, "tau": linear_phugoid(1.0, self.g).tau * reach},
             },
             axes=axes,

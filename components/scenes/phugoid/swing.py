@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -193,21 +193,26 @@ def energy_shares(swing: Swing, motion: Flight) -> Columns:
     return shares if swing.excess == 0 else {**shares, "twin": twin}
 
 
-def velocities(swing: Swing) -> tuple[Columns, Columns]:
-    """The tip of the velocity (u - v_0 forward, w up, in v_0): of this flight, exact and linear, and of FAMILY."""
+def velocities(swing: Swing) -> Columns:
+    """The tip of the velocity (u - v_0 forward, w up, in v_0), exact and linear."""
     lap = swing.lap
     turn = np.linspace(0.0, 2 * math.pi, lap.t.size)
-    own = {
+    return {
         "u": lap.u - 1,
         "w": lap.w,
         "u_lin": swing.excess * np.cos(turn),
         "w_lin": math.sqrt(2) * swing.excess * np.sin(turn),
     }
-    others: Columns = {}
+
+
+@cache
+def family_velocities() -> Columns:
+    """The same of FAMILY, exact."""
+    columns: Columns = {}
     for name, excess in FAMILY.items():
         other = lanchester(excess, 121)
-        others |= {f"u_{name}": other.u - 1, f"w_{name}": other.w}
-    return own, others
+        columns |= {f"u_{name}": other.u - 1, f"w_{name}": other.w}
+    return columns
 
 
 def lift_columns(swing: Swing, motion: Flight) -> tuple[Columns, Columns]:
