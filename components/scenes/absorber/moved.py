@@ -11,8 +11,8 @@ from components.traces import Floats, samples
 from physics.coupled import Motion
 from physics.forced import DrivenModes
 
-DRAWN = 1e-7
-"""The share of a motion that no drawing shows."""
+DRAWN = 1e-11
+"""The share of a motion that no drawing shows, nor a table that is taken away."""
 
 
 class FromStart(NamedTuple):
