@@ -31,11 +31,12 @@ def three(value: float | Decimal) -> str:
         return "NaN" if math.isnan(value) else ("∞" if value > 0 else MINUS + "∞")
     if value == 0:
         return "0.00"
-    rounded = Decimal(f"{value:.2e}")
-    if rounded.adjusted() in PLAIN_EXPONENTS:
-        return _fixed(rounded, 2 - rounded.adjusted()).replace("-", MINUS)
-    mantissa = rounded.scaleb(-rounded.adjusted())
-    return f"{mantissa:.2f}".replace("-", MINUS) + ten_to(rounded.adjusted())
+    rounded = f"{value:.2e}"
+    mantissa, _, exponent = rounded.partition("e")
+    power = int(exponent)
+    if power in PLAIN_EXPONENTS:
+        return f"{float(rounded):.{max(0, 2 - power)}f}".replace("-", MINUS)
+    return mantissa.replace("-", MINUS) + ten_to(power)
 
 
 def signed(value: float | Decimal) -> str:
