@@ -172,10 +172,8 @@ class Accuracy(Scene):
 
     def _view_columns(self, system: System, compared: dict[str, Run]) -> dict[str, Columns]:
         """The columns of the other views, while they are seen."""
-        runs = compared if self.view == "growth" else {}
         return {
-            **growth(runs, "error_growth"),
-            **growth(runs, "energy_growth"),
+            **(growth(compared) if self.view == "growth" else {}),
             **(length_columns() if self.view == "length" else {}),
             **(digits_columns() if self.view == "digits" else {}),
             "stability": stability() if self.view == "stability" else {},

@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 
 import numpy as np
 
@@ -92,9 +93,10 @@ def chosen(measured: Known, methods: Iterable[str], equal: str, wanted: float, c
     return {slug: run for slug, run in runs.items() if run is not None}
 
 
-def growth(runs: Mapping[str, Run], of: str) -> dict[str, Columns]:
-    """Per method the worst error (or energy error) so far against simulated time."""
-    return {f"{of}_{slug}": _growth(runs[slug], of) if slug in runs else {} for slug in METHODS}
+def growth(runs: Mapping[str, Run]) -> dict[str, Columns]:
+    """Per method the worst error, and the worst energy error, so far against simulated time."""
+    both = product(("error_growth", "energy_growth"), METHODS)
+    return {f"{of}_{slug}": _growth(runs[slug], of) if slug in runs else {} for of, slug in both}
 
 
 def _growth(run: Run, of: str) -> Columns:
