@@ -113,12 +113,14 @@ docker:
 up: secret
 	docker compose up --build --detach
 
-# The next version, without anybody noticing: as many replicas stand in while the others are replaced.
+# The next version, without anybody noticing: as many replicas stand in while the others are replaced. Where they do not
+# come up, the others stay.
+upgrade: RELIEVED = docker compose --profile relief rm --stop --force relief
 upgrade: secret
 	docker compose build lecture
-	docker compose --profile relief up --detach --no-deps --wait relief
+	docker compose --profile relief up --detach --no-deps --wait relief || { $(RELIEVED); exit 1; }
 	docker compose up --detach --no-deps --wait lecture
-	docker compose --profile relief rm --stop --force relief
+	$(RELIEVED)
 
 # It is mounted as it is: the user of the containers, 1000, must be able to read it.
 secret:
