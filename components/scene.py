@@ -269,8 +269,11 @@ class Scene(Facts, metaclass=_SceneMeta):
             return sendable(drawn_in(self.picture, FITTED))
 
     def _fill_sources(self) -> None:
-        for name, source in vars(self).get("sources", {}).items():
-            source.data = self.shown.columns[name]
+        if "sources" not in vars(self):
+            return
+        columns = self.shown.columns
+        for name in columns.keys() | self.sources.keys():
+            self.sources.setdefault(name, ColumnDataSource()).data = columns.get(name, {})
 
     def _solve(self, names: Iterable[str]) -> None:
         """The picture after a change of these parameters."""

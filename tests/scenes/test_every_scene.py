@@ -103,6 +103,15 @@ def test_what_follows_is_told_of_one_change_alone(scene_class: type[Scene], monk
     assert told == [{first}]
 
 
+def test_sources_hold_what_another_view_draws_and_nothing_of_the_one_before() -> None:
+    scene = SCENES["accuracy"]()
+    assert scene.sources.keys() == scene.shown.columns.keys()
+    for view in ("growth", "stability", "time"):
+        scene.set({"view": view})
+        data = {name: dict(source.data) for name, source in scene.sources.items() if source.data}
+        assert data.keys() == {name for name, columns in scene.shown.columns.items() if columns}
+
+
 @scenes
 def test_a_bad_value_is_told_at_its_control(scene_class: type[Scene]) -> None:
     scene = scene_class()
