@@ -16,7 +16,7 @@ CUTS: dict[str, tuple[str, ...]] = {
     "scripts of Bokeh's for other pages": ("bokeh/server/static/js/*", "bokeh/server/static/css/*"),
     "tests": ("*/tests", "*/*/tests", "*/*/*/tests"),
     "sources and types of scripts": ("panel/models/*.ts", "panel/node_modules", "panel/package-lock.json"),
-    "headers and static libraries for building": ("numpy/_core/include", "numpy/_core/lib", "numpy/f2py", "*/*.pyi"),
+    "headers and static libraries for building": ("numpy/_core/include", "numpy/_core/lib", "*/*.pyi"),
 }
 """What is cut, as patterns below the folder, by what it is."""
 KEPT = ("bokeh/server/static/js/bokeh.min.js",)

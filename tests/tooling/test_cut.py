@@ -1,0 +1,65 @@
+"""What the container's packages are cut of is not missed: the page is made, and every method measures, without it."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from importlib.metadata import PackageNotFoundError, distribution
+from pathlib import Path
+from subprocess import PIPE
+
+import pytest
+
+from components.scenes.accuracy.measuring import LIVE
+from physics.accuracy import SYSTEMS
+from physics.accuracy_worker import encoded_system
+from tests.serving.server import ROOT
+from tools.cut import cut
+
+
+@pytest.fixture(scope="module")
+def packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """What the app asks for, as it is installed here, and cut."""
+    folder = tmp_path_factory.mktemp("packages")
+    for name in re.findall(r"^([a-z0-9-]+)==", (ROOT / "requirements.txt").read_text(), re.M):
+        try:
+            files = distribution(name).files or []
+        except PackageNotFoundError:  # of another system or Python
+            continue
+        for file in files:
+            if file.suffix != ".pyc" and ".." not in file.parts:
+                (folder / file).parent.mkdir(parents=True, exist_ok=True)
+                try:
+                    os.link(str(file.locate()), folder / file)
+                except OSError:  # on another disk
+                    shutil.copyfile(str(file.locate()), folder / file)
+    assert sum(saved for _, saved in cut(folder)) > 100
+    return folder
+
+
+def run(packages: Path, *arguments: str, order: str = "") -> str:
+    """What a Python says that has no other packages than these, to an order on a line that stays open."""
+    environment = {**os.environ, "PYTHONPATH": str(packages), "PYTHONDONTWRITEBYTECODE": "1"}
+    command = [sys.executable, "-S", *arguments]
+    with subprocess.Popen(command, cwd=ROOT, env=environment, stdin=PIPE, stdout=PIPE, text=True) as process:
+        assert process.stdin and process.stdout
+        process.stdin.write(order + "\n")
+        process.stdin.flush()
+        return process.stdout.read()
+
+
+def test_every_scene_is_made(packages: Path) -> None:
+    made = (
+        "import app, components.serving.__main__; from components.scenes import SCENES; [S() for S in SCENES.values()]"
+    )
+    assert run(packages, "-c", made + "; print('made')") == "made\n"
+
+
+def test_every_method_measures(packages: Path) -> None:
+    order = {"system": encoded_system(SYSTEMS["benign"]), "seconds": 0.01, "budget": 60, "methods": list(LIVE)}
+    said = run(packages, "-m", "physics.accuracy_worker", order=json.dumps(order)).splitlines()
+    assert {line["run"]["method"] for line in map(json.loads, said) if "run" in line} == set(LIVE)
