@@ -21,6 +21,8 @@ PATIENCE = 3
 """Looks at a store in which a room is not found until it has ended: its instructor's replica may write it back."""
 TRIES = 5
 """Looks at a room in the store while others change it."""
+FAREWELL = 1.0
+"""Seconds that the end of a replica waits until the store knows that nobody follows there any more."""
 COUNTING = 1.0
 """Seconds between counts of who is here."""
 
@@ -45,7 +47,14 @@ class Upkeep:
         for room in list(self.hall.rooms.values()):
             for ear in list(room.ears):
                 ear.end()
+        with suppress(TimeoutError):
+            async with asyncio.timeout(FAREWELL):
+                await asyncio.gather(*(self._safely(self._left(room)) for room in self.hall.rooms.values()))
         await self.hall.store.close()
+
+    async def _left(self, room: ClassRoom) -> None:
+        """Whoever followed here is counted where they come back."""
+        await self.hall.store.present(room.code, self._replica, 0)
 
     async def _listen(self) -> None:
         back = asyncio.Event()

@@ -141,6 +141,18 @@ def test_who_has_no_stream_learns_who_is_here_and_leads_as_well() -> None:
     in_rooms(test)
 
 
+def test_who_followed_a_replica_that_ends_is_not_counted_there_any_more() -> None:
+    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+        room = await hall.led(code, key)
+        room.polled("a follower's", leads=False)
+        await upkeep._look_at(room)
+        assert await store.present(code, "another", 1) == 2
+        await upkeep.end()
+        assert await store.present(code, "another", 1) == 1
+
+    in_rooms(test)
+
+
 def test_answers_do_not_make_a_deed_forgotten() -> None:
     room = ClassRoom("K7HM", {})
     known = room.number
