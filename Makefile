@@ -111,7 +111,7 @@ docker:
 
 # The lecture behind a proxy: make up REPLICAS=4 SITE=lecture.example
 up: secret
-	docker compose up --build --detach
+	docker compose up --build --wait
 
 # The next version, without anybody noticing: as many replicas stand in while the others are replaced. Where they do not
 # come up, the others stay.

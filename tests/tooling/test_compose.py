@@ -44,6 +44,10 @@ def test_no_container_is_given_the_address_of_the_proxy() -> None:
     assert not any(ip_address(of) in ip_network(pool["ip_range"]) for of in (address, pool["gateway"]))
 
 
+def test_the_proxy_stays_where_replicas_are_replaced() -> None:
+    assert "depends_on" not in COMPOSE["services"]["proxy"]
+
+
 def test_the_store_needs_no_capability_to_start() -> None:
     store = COMPOSE["services"]["store"]
     assert re.fullmatch(r"[1-9]\d*:[1-9]\d*", store["user"]) and store["entrypoint"][0] == "valkey-server"
