@@ -89,6 +89,7 @@ export class Teach {
     if (news.question?.lesson && !wasShown && !isFirst && walk?.card && !walk.lesson && this.#isAsked(walk))
       walk.show(true)
     if (news.answers || news.question || news.lost === false) this.votes.count()
+    else if (news.here !== undefined) this.votes.update()
     if (news.remotes) this.large.wait(news.remotes)
     if (news.deed) this.#obey(news.deed)
   }

@@ -68,6 +68,19 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
     by_another_window(lecture)
 
 
+def test_of_how_many_is_told_anew_when_somebody_comes_or_goes(window: Open) -> None:
+    lecture, code = taught(window, "walk=d34&step=d34-12")
+    votes = lecture.locator(".votes")
+    phone = joined(window, code)
+    expect(votes).to_contain_text("0 of 1 answered")
+    phone.locator(".answers button").first.click()
+    expect(votes).to_contain_text("1 of 1 answered")
+    late = joined(window, code)
+    expect(votes).to_contain_text("1 of 2 answered")
+    late.close()
+    expect(votes).to_contain_text("1 of 1 answered")
+
+
 def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) -> None:
     lecture, code = taught(window, "walk=d34&step=d34-14")
     phones = [joined(window, code) for _ in range(2)]
