@@ -57,7 +57,7 @@ class Upkeep:
         await self.hall.store.present(room.code, self._replica, 0)
 
     async def _listen(self) -> None:
-        back = asyncio.Event()
+        back, told = asyncio.Event(), False
         while True:
             task = asyncio.create_task(self._return(back))
             try:
@@ -68,8 +68,9 @@ class Upkeep:
                 log.exception("The store that replicas share could not be listened to")
             task.cancel()
             back.clear()
-            self.listening = False
-            log.warning("The store that replicas share is away")
+            if self.listening or not told:
+                log.warning("The store that replicas share is away")
+            self.listening, told = False, True
             self._say(lost=True)
             await asyncio.sleep(AGAIN)
 

@@ -153,6 +153,28 @@ def test_who_followed_a_replica_that_ends_is_not_counted_there_any_more() -> Non
     in_rooms(test)
 
 
+def test_a_store_that_stays_away_is_logged_once(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+        asked = 0
+
+        async def listen(*_: object) -> None:
+            nonlocal asked
+            asked += 1
+            raise AwayError("away")
+
+        monkeypatch.setattr(store, "listen", listen)
+        monkeypatch.setattr("components.rooms.upkeep.AGAIN", 0.001)
+        upkeep.start()
+        while asked < 5:
+            await asyncio.sleep(0.001)
+        await upkeep.end()
+
+    in_rooms(test)
+    assert caplog.text.count("is away") == 1
+
+
 def test_answers_do_not_make_a_deed_forgotten() -> None:
     room = ClassRoom("K7HM", {})
     known = room.number
