@@ -21,6 +21,8 @@ COPY app.py ./
 COPY components components
 COPY physics physics
 COPY static static
+# Nothing is written when it runs: what is compiled here is not compiled at each start.
+RUN python -m compileall -q -j 0 app.py components physics
 USER 1000
 
 # The settings are environment variables; docs/deployment.md names them.
