@@ -161,10 +161,13 @@ export class Following {
 function outdated() {
   try {
     const last = Number(sessionStorage.getItem(RENEWED))
-    setTimeout(() => {
-      sessionStorage.setItem(RENEWED, String(Date.now()))
-      location.reload()
-    }, last + PAUSE - Date.now())
+    setTimeout(
+      () => {
+        sessionStorage.setItem(RENEWED, String(Date.now()))
+        location.reload()
+      },
+      last + PAUSE - Date.now(),
+    )
   } catch {
     // a browser that keeps nothing would load without end
   }
