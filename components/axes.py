@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from decimal import Decimal
 from functools import cached_property
+from typing import TypeVar
 
 import numpy as np
 from msgspec import Struct
@@ -17,6 +18,7 @@ from components.page.picture import Digits, Ruler
 TIME_AXIS = "t"
 """The name of the axis that is the time window: the clock runs through it."""
 Range = tuple[float, float]
+Scaled = TypeVar("Scaled", float, NDArray[np.float64])
 
 
 class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as quickly as a dataclass
@@ -63,8 +65,7 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
         """The same of one value: for scalars and marks."""
         if self.log or self.power != 1:
             return float(self.places(value))
-        half = -self.exponent // 2
-        place = float(value / self.factor * 10.0**half * 10.0 ** (-self.exponent - half))
+        place = float(scale_by_ten(value / self.factor, -self.exponent))
         if math.isinf(place) and not math.isinf(value):
             raise OverflowError(f"{value} has no place on an axis in units of {self.factor}e{self.exponent}")
         return place
@@ -120,7 +121,7 @@ def ordered(span: Range) -> Range:
     return min(span), max(span)
 
 
-def scale_by_ten(values: NDArray[np.float64], exponent: int) -> NDArray[np.float64]:
+def scale_by_ten(values: Scaled, exponent: int) -> Scaled:
     """values * 10**exponent, in two steps so that no power of ten leaves the range of doubles."""
     half = exponent // 2
     return values * 10.0**half * 10.0 ** (exponent - half)

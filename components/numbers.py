@@ -35,7 +35,7 @@ def three(value: float | Decimal) -> str:
     mantissa, _, exponent = rounded.partition("e")
     power = int(exponent)
     if power in PLAIN_EXPONENTS:
-        return f"{float(rounded):.{max(0, 2 - power)}f}".replace("-", MINUS)
+        return _fixed(float(rounded), 2 - power).replace("-", MINUS)
     return mantissa.replace("-", MINUS) + ten_to(power)
 
 
@@ -152,7 +152,7 @@ def raised(text: str) -> str:
     return re.sub("[⁺⁻⁰¹²³⁴-⁹]+", lambda match: "^" + match[0], text)
 
 
-def _fixed(number: Decimal, decimals: int) -> str:
+def _fixed(number: float | Decimal, decimals: int) -> str:
     return f"{number:.{max(0, decimals)}f}"
 
 
