@@ -77,24 +77,30 @@ def test_the_bound_of_the_clock_holds_its_error(
         page.close()
 
 
+COUNT = "sessionStorage.setItem('loads', 1 + Number(sessionStorage.getItem('loads')))"
+LOADS = "sessionStorage.getItem('loads')"
+VERSION = "document.documentElement.dataset.version[0]"
+HEARD = "globalThis.oscillations?.news?.number"
+
+
 def test_a_phone_of_another_version_loads_the_page_anew_and_not_again_at_once(server: Server, phone: Phone) -> None:
     page = phone(server.url, Room(server.url).code)
-    page.wait_for_function("globalThis.oscillations?.timing")
-    page.evaluate("oscillations.timing.measured")
-    loads: list[str] = []
-    page.on("load", lambda page: loads.append(page.evaluate("document.documentElement.dataset.version")))
+    page.wait_for_function(HEARD)
+    page.add_init_script(COUNT)
     page.route(f"{server.url}?*", another_version)
-    page.reload()
-    page.wait_for_timeout(1500)
-    assert [version[0] for version in loads] == ["x", "x"]
+    page.reload(wait_until="commit")  # the page loads itself anew, perhaps before all of this one is there
+    page.wait_for_function(f"{LOADS} === '2' && {HEARD}")
+    page.wait_for_timeout(500)
+    assert page.evaluate(f"[{LOADS}, {VERSION}]") == ["2", "x"]
     page.unroute(f"{server.url}?*", another_version)
-    page.reload()
-    page.wait_for_function("globalThis.oscillations?.timing")
-    page.evaluate("oscillations.timing.measured")
+    page.reload(wait_until="commit")
+    page.wait_for_function(f"{LOADS} === '3' && {HEARD}")
     page.evaluate("sessionStorage.removeItem('class-renewed')")
-    page.evaluate("oscillations.stream.control.abort()")
-    page.wait_for_timeout(1500)
-    assert len(loads) == 3 and loads[-1][0] != "x"
+    page.evaluate("Object.assign(oscillations.stream, {last: 0}).control.abort()")
+    page.wait_for_function("oscillations.stream.last")  # a stream of the same version again
+    page.wait_for_timeout(500)
+    assert page.evaluate(LOADS) == "3"
+    assert page.evaluate(VERSION) != "x"
 
 
 def test_a_proxy_that_holds_streams_back_is_asked_instead(server: Server, phone: Phone) -> None:
