@@ -39,7 +39,8 @@ def lesson_of(step: Step, given: Given, scenes: Scenes) -> Lesson:
         case ChoiceStep():
             return _chosen(step, given, lesson, scenes)
         case NumberStep():
-            return replace(lesson, **_numeric(step, parse_number(given.text) if given.text.strip() else None))
+            number = parse_number(given.text) if given.text.strip() else None
+            return replace(lesson, places=step.answer.value, **_numeric(step, number))
         case PointStep():
             return _marked(step, given.value, lesson, scenes)
     return _sketched(step, given, lesson, scenes)

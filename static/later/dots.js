@@ -5,6 +5,7 @@ import {inUnits, set, svg, unitSize} from "../dom.js"
 const R = 3.5
 const WIDTH = 280
 const HEIGHT = 84
+const TOP = 18 // above it the truth is named
 
 export class Dots {
   /** @param {import("./card.js").Card} card @param {page.StepCard} step */
@@ -22,9 +23,13 @@ export class Dots {
   /** @type {page.Tally | null} */
   tally = null
 
-  /** @param {page.Tally} tally @param {boolean} _shown */
-  update(tally, _shown) {
+  /** @type {readonly number[]} the right numbers, as soon as they are shown; on an axis the question marks them */
+  truths = []
+
+  /** @param {page.Tally} tally @param {page.Lesson | null} lesson */
+  update(tally, lesson) {
     this.tally = tally
+    this.truths = lesson?.places ?? []
     this.#draw()
   }
 
@@ -43,7 +48,7 @@ export class Dots {
     })
     const place = this.plot ? this.#onAxis(this.plot) : this.#onLine([...numbers, ...(before?.numbers ?? [])])
     const dots = [...stacked(before?.numbers ?? [], place, "before"), ...stacked(now.numbers, place, "")]
-    this.svg.replaceChildren(...place.marks, ...dots)
+    this.svg.replaceChildren(...place.marks, ...dots, ...place.over)
   }
 
   /** @param {import("../plots.js").Plot} plot */
@@ -54,13 +59,15 @@ export class Dots {
     /** @param {number} value */
     const at = value => (across ? plot.px(value) : plot.py(value))
     const base = across ? top + height : left
-    return {at, across, base, way: across ? -1 : 1, room: (across ? height : width) - R, marks: []}
+    return {at, across, base, way: across ? -1 : 1, room: (across ? height : width) - R, zero: 0, marks: [], over: []}
   }
 
-  /** What lies far off the others is drawn at an end of the line. @param {number[]} numbers */
+  /** What lies far off the others is drawn at an end of the line, but never the truth. @param {number[]} numbers */
   #onLine(numbers) {
     const sorted = numbers.toSorted((a, b) => a - b)
-    const [low, high] = [0.05, 0.95].map(share => sorted[Math.round(share * (sorted.length - 1))] ?? 0)
+    const most = [0.05, 0.95].map(share => sorted[Math.round(share * (sorted.length - 1))] ?? this.truths[0] ?? 0)
+    const low = Math.min(...most, ...this.truths)
+    const high = Math.max(...most, ...this.truths)
     const span = high - low || Math.abs(high) || 1
     const [start, end] = [low - 0.2 * span, high + 0.2 * span]
     set(this.svg, {viewBox: `0 0 ${WIDTH} ${HEIGHT}`})
@@ -68,14 +75,30 @@ export class Dots {
     const at = value => 8 + (WIDTH - 16) * Math.min(Math.max((value - start) / (end - start), 0), 1)
     const base = HEIGHT - 18
     const line = svg("line", {x1: 0, x2: WIDTH, y1: base, y2: base, stroke: "currentColor"})
-    const marks = [line, ...[...new Set([low, high])].map((value, i) => this.#tick(at(value), value, i))]
-    return {at, across: true, base, way: -1, room: base - R, marks}
+    const ends = [...new Set([low, high])].map(value => this.#named(at(value), HEIGHT - 3, value, ""))
+    const over = this.truths.flatMap(value => this.#truth(at(value), value, base))
+    const top = over.length ? TOP : 0
+    return {
+      at,
+      across: true,
+      base,
+      way: -1,
+      room: base - top - R,
+      zero: this.truths.length ? at(this.truths[0]) : 0,
+      marks: [line, ...ends],
+      over,
+    }
   }
 
-  /** @param {number} x @param {number} value @param {number} i */
-  #tick(x, value, i) {
-    const anchor = i ? "end" : "start"
-    return svg("text", {x, y: HEIGHT - 3, class: "t0", "text-anchor": anchor}, `${short(value)} ${this.unit}`)
+  /** @param {number} x @param {number} y @param {number} value @param {string} name */
+  #named(x, y, value, name) {
+    return svg("text", {x, y, class: `t0 ${name}`, "text-anchor": "middle"}, `${short(value)} ${this.unit}`.trim())
+  }
+
+  /** @param {number} x @param {number} value @param {number} base */
+  #truth(x, value, base) {
+    const line = svg("line", {x1: x, x2: x, y1: TOP, y2: base + 4, stroke: "currentColor", "stroke-width": 2})
+    return [line, this.#named(x, TOP - 4, value, "truth")]
   }
 
   leave() {
@@ -85,14 +108,15 @@ export class Dots {
 }
 
 /**
- * Dots of one place lie on each other; where they are too many, closer.
- * @typedef {{at: (value: number) => number, across: boolean, base: number, way: number, room: number}} Place
+ * Dots of one place lie on each other; where they are too many, closer. `zero` is where one column stands.
+ * @typedef {{at: (value: number) => number, across: boolean, base: number, way: number, room: number,
+ *   zero: number}} Place
  * @param {readonly number[]} numbers @param {Place} place @param {string} name
  */
-function stacked(numbers, {at, across, base, way, room}, name) {
+function stacked(numbers, {at, across, base, way, room, zero}, name) {
   /** @type {Map<number, number>} */
   const heights = new Map()
-  const columns = numbers.map(number => Math.round(at(number) / (2 * R)))
+  const columns = numbers.map(number => Math.round((at(number) - zero) / (2 * R)))
   for (const column of columns) heights.set(column, (heights.get(column) ?? 0) + 1)
   const step = Math.min(2 * R, room / Math.max(1, ...heights.values()))
   /** @type {Map<number, number>} */
@@ -100,7 +124,7 @@ function stacked(numbers, {at, across, base, way, room}, name) {
   return columns.map(column => {
     const level = filled.get(column) ?? 0
     filled.set(column, level + 1)
-    const [along, up] = [column * 2 * R, base + way * (R + level * step)]
+    const [along, up] = [zero + column * 2 * R, base + way * (R + level * step)]
     return svg("circle", {class: name, r: R - 0.5, cx: across ? along : up, cy: across ? up : along})
   })
 }

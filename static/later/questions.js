@@ -204,6 +204,7 @@ class Point extends Question {
   /** @param {page.Lesson} lesson */
   teach({right, places}) {
     if (right !== null) this.shown.append(" ", mark(right))
+    else this.shown.textContent = "" // how to mark is of no use any more
     this.marker.teach(places)
   }
 

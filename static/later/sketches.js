@@ -27,15 +27,15 @@ export class Sketches {
     this.themes.observe(document.documentElement, {attributeFilter: ["data-theme"]})
   }
 
-  /** @param {page.Tally} tally @param {boolean} shown */
-  update(tally, shown) {
+  /** @param {page.Tally} tally @param {page.Lesson | null} lesson */
+  update(tally, lesson) {
     this.tally = tally
     const {length} = tally.now.sketches
     this.canvas.setAttribute("aria-label", `${length} sketches of the class`)
-    const kinds = shown ? tally.features.map((name, i) => this.#kind(name, i)) : []
+    const kinds = lesson ? tally.features.map((name, i) => this.#kind(name, i)) : []
     const all = this.#chip(`All ${length}`, this.lit < 0, () => this.#light(-1))
     const band = this.#chip("Middle half", this.band, () => this.#toggle())
-    this.chips.append(...(shown ? [all, ...kinds] : []), band)
+    this.chips.append(...(lesson ? [all, ...kinds] : []), band)
     this.#draw()
   }
 

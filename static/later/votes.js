@@ -113,7 +113,7 @@ export class Votes {
     if (step.kind === "choice") return bars(card, tally, lesson)
     if (step.kind === "sketch") this.layer ??= new Sketches(card, step, this.chips)
     else this.layer ??= new Dots(card, step)
-    this.layer.update(tally, Boolean(lesson))
+    this.layer.update(tally, lesson)
     const headline = lesson ? this.layer.headline(tally) : ""
     this.all.textContent = headline
     if (step.kind === "sketch") card.page.root.classList.add("gallery")

@@ -108,7 +108,23 @@ FAULTS = r"""([least, leastIndex]) => {
 }"""
 
 
+TILTED = """pairs => {
+  const frames = Object.fromEntries(oscillations.plots.map(({block, host, frame, y}) => {
+    const low = host.getBoundingClientRect().top + frame.top
+    return [block.name, {low, high: low + frame.height, start: y.start, end: y.end}]
+  }))
+  const level = (one, other) => one.start === other.start && one.end === other.end &&
+    Math.hypot(one.low - other.low, one.high - other.high) < 1
+  return pairs.filter(pair => pair.every(name => name in frames))
+    .filter(([one, other]) => !level(frames[one], frames[other])).map(pair => `${pair} are not level`)
+}"""
+STACKED = "getComputedStyle(document.querySelector('.paper > .block')).display === 'contents'"
+LINKED = (("v", "plane"), ("a", "law"), ("well", "energy"))
+"""Plots with lines from one to the other, beside it where there is room."""
+
+
 def faults(page: Page, least: float = 12, index: float = 11) -> list[str]:
-    """What overlaps, is cut off, leaves its frame or is too small to read, on the page as it stands: below `least`
-    pixels of the page, an index below `index`."""
-    return cast(list[str], page.evaluate(FAULTS, [least, index]))
+    """What overlaps, is cut off, leaves its frame, is not level or too small to read, on the page as it stands: below
+    `least` pixels of the page, an index below `index`."""
+    tilted = [] if page.evaluate(STACKED) else page.evaluate(TILTED, LINKED)
+    return cast(list[str], [*page.evaluate(FAULTS, [least, index]), *tilted])

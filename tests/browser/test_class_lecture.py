@@ -75,6 +75,7 @@ def number(lecture: Page, phone: Page, remote: Page, screenshot: Take) -> None:
     expect(lecture.locator(".vote-line circle")).to_have_count(1)
     remote.get_by_role("button", name="Show").click()
     expect(lecture.locator(".votes .all")).to_have_text("1 of 1 are right")
+    expect(lecture.locator(".vote-line .truth")).to_have_text("2 s")
     look(lecture, "lecture-number", screenshot)
     remote.get_by_role("button", name="Next").click()
 

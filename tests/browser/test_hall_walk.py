@@ -17,7 +17,7 @@ from tests.serving.server import Server
 pytestmark = pytest.mark.browser
 WALKS = load_walks(())
 SIZES = ((1280, 720), (1366, 768), (1920, 1080), (3840, 2160))
-WORST = ("d31-07", "d31-09", "d34-02", "d34-05", "d34-09", "d34-10", "d34-16", "tour-03")
+WORST = ("d31-02", "d31-07", "d31-09", "d34-02", "d34-05", "d34-09", "d34-10", "d34-16", "tour-03")
 """The steps that need the most room of their kind."""
 ASKED = f"place => oscillations.walks.walk?.place === place && !oscillations.walks.walk.lesson && {READY}"
 UNFOLD = """open => {
