@@ -163,10 +163,25 @@ export class Handles {
    * @param {string} text @param {number} at
    */
   #hidesUnit(text, at) {
+    return this.#touches(this.plot.x.ticks.length - 1, text, at)
+  }
+
+  /**
+   * Whether but a part of a number of the axis could be read, because a handle stands on it.
+   * @param {number} i its place
+   */
+  cuts(i) {
+    const {x} = this.plot
+    const isLast = i === x.ticks.length - 1
+    return this.setters
+      .filter(({element: pill, handle}) => handle.axis === "x" && !pill.hidden && (handle.covering || !isLast))
+      .some(pill => this.#touches(i, pill.element.textContent ?? "", clamp(this.#value(pill), x)))
+  }
+
+  /** @param {number} i @param {string} text of a handle @param {number} at */
+  #touches(i, text, at) {
     const {ticks, labels} = this.plot.x
-    const last = ticks.length - 1
-    const apart = Math.abs(this.plot.px(ticks[last]) - this.plot.px(at))
-    return apart < (textWidth(labels[last]) + textWidth(text)) / 2 + 12
+    return Math.abs(this.plot.px(ticks[i]) - this.plot.px(at)) < (textWidth(labels[i]) + textWidth(text)) / 2 + 12
   }
 
   /** @param {Setter} pill */

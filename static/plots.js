@@ -180,7 +180,8 @@ export class Plot {
     this.figure.setLabels(this.#abscissae())
   }
 
-  // Where numbers would touch, every second one is left out, or more; the last, which carries the unit, stays.
+  // Where numbers would touch, every second one is left out, or more; the last, which carries the unit, stays. So is
+  // what a handle would cut.
   #abscissae() {
     const {ticks, labels} = this.x
     const last = ticks.length - 1
@@ -191,7 +192,7 @@ export class Plot {
     const fits = step => !ticks.some((_, i) => (last - i) % step === 0 && i + step <= last && touch(i, i + step))
     let step = 1
     if (this.box) while (!fits(step)) step++
-    return new Map(ticks.map((tick, i) => [tick, (last - i) % step ? "" : labels[i]]))
+    return new Map(ticks.map((tick, i) => [tick, (last - i) % step || this.handles.cuts(i) ? "" : labels[i]]))
   }
 
   #widen() {

@@ -269,7 +269,8 @@ declare namespace page {
   /** What a step teaches once it has been answered.
    *
    * `right` is None where nothing was answered; `reply` is the sentence of the answer given; `verdicts` are those of the
-   * options, `findings` those of a sketch, `truth` the right number or places with `places` on the axis of the point. */
+   * options, `findings` those of a sketch, `truth` the right number or places; `places` has them in the unit of the
+   * number, or on the axis of the point. */
   interface Lesson {
     title: Html
     explain: Html

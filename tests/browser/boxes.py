@@ -78,14 +78,16 @@ FAULTS = r"""([least, leastIndex]) => {
   const reached = document.head.appendChild(document.createElement("style"))
   reached.textContent = "* { pointer-events: auto !important }"
   const hides = (part, owner) => {
+    if (part instanceof SVGRectElement && !/none|, 0\)/.test(style(part).fill)) return part
     for (; part && !part.contains(owner); part = part.parentElement)
       if (!/, 0\)|transparent/.test(style(part).backgroundColor)) return part
   }
   for (const piece of seen) {
-    const {left, right, bottom, height} = piece.boxes[piece.boxes.length - 1]
-    const over = document.elementFromPoint((left + right) / 2, bottom - height / 3)
-    const cover = over && !piece.owner.contains(over) && hides(over, piece.owner)
-    if (cover && stands(cover)) faults.push(`under ${cover.getAttribute("class")}: ${named(piece)}`)
+    const {left, width, bottom, height} = piece.boxes[piece.boxes.length - 1]
+    const overs = [0.2, 0.5, 0.8].map(share => document.elementFromPoint(left + share * width, bottom - height / 3))
+    const covers = overs.map(over => over && !piece.owner.contains(over) && hides(over, piece.owner))
+    const cover = covers.find(cover => cover && stands(cover))
+    if (cover) faults.push(`under ${cover.getAttribute("class")}: ${named(piece)}`)
   }
   reached.remove()
   const top = ({boxes}) => Math.min(...boxes.map(box => box.top))

@@ -57,6 +57,20 @@ def test_time_is_dragged_and_plays_on(page: Page, open_scene: Open) -> None:
     page.wait_for_function(f"oscillations.clock.t > {held}")
 
 
+READ = """() => {
+  const plot = oscillations.plots.find(plot => plot.block.handles.length && plot.host.checkVisibility())
+  return [...plot.figure.model.below[0].major_label_overrides.values()].filter(Boolean).join()
+}"""
+
+
+@pytest.mark.parametrize(("omega", "read"), [(0.5, "0,1,2 rad/s"), (0.8, "0,2 rad/s"), (1.1, "0,2 rad/s")])
+def test_a_number_of_the_axis_is_read_whole_or_not_at_all(
+    omega: float, read: str, page: Page, open_scene: Open
+) -> None:
+    open_scene(page, scene="forced", omega=omega)
+    assert page.evaluate(READ) == read
+
+
 def test_a_driven_motion_is_handed_over_to_be_measured(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="forced", omega=0.77, x1_0=0.125)
     page.get_by_role("link", name="Error and time").click()
