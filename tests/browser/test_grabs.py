@@ -149,6 +149,7 @@ def test_a_finger_takes_the_drive_over_a_resonance_and_a_mass_along(
     swipe(page, middle(grip), (100, 5))
     page.wait_for_function("oscillations.shown.settings.omega.value > 1 && !oscillations.page.hand.grab")
     open_scene(page, scene="analogues")
+    stopped(page)
     before = page.evaluate("scrollY")
     swipe(page, middle(page.get_by_role("slider", name="Spring's mass, start")), (0, 12))
     page.wait_for_function("oscillations.shown.settings.theta_0.value !== 60 && !oscillations.page.hand.grab")
