@@ -9,6 +9,7 @@ import argparse
 import asyncio
 from collections.abc import Iterator
 from pathlib import Path
+from statistics import median
 
 import psutil
 
@@ -18,6 +19,7 @@ from tests.bench.load import EMPTY_LOG, IDLE, REPORT, busy, machine, panel_servi
 from tests.serving.server import Server
 
 COURSE = REPORT.with_name("course.md")
+ROUNDS = 5
 DEAREST = ("coupled", "forced")
 """The scenes that a class is measured in."""
 
@@ -36,21 +38,22 @@ async def opening(server: Server, query: str, sessions: int) -> tuple[float, flo
 
 
 async def changing(server: Server, slug: str, changes: int) -> tuple[float, float]:
-    """CPU in ms and kB of each change, after as many that warm up."""
+    """CPU in ms and kB of each change: the median of some rounds, after one that warms up."""
     process = psutil.Process(server.process.pid)
     _, (visitor,) = await arrive([server], f"scene={slug}", 1)
     name, low, high = dragged(SCENES[slug])
     values = [low + (high - low) * step / changes for step in range(changes)]
-    for value in values:
-        await visitor.move(name, value)
-    await asyncio.sleep(IDLE)
-    before, sent = busy(process), visitor.traffic.bytes
-    for value in reversed(values):
-        await visitor.move(name, value)
-    await asyncio.sleep(IDLE)
-    cost = 1000 * (busy(process) - before) / changes, (visitor.traffic.bytes - sent) / changes / 1000
+    costs, sizes = [], []
+    for _ in range(1 + ROUNDS):
+        values.reverse()
+        before, sent = busy(process), visitor.traffic.bytes
+        for value in values:
+            await visitor.move(name, value)
+        await asyncio.sleep(IDLE)
+        costs.append(1000 * (busy(process) - before) / changes)
+        sizes.append((visitor.traffic.bytes - sent) / changes / 1000)
     await depart([visitor])
-    return cost
+    return median(costs[1:]), median(sizes[1:])
 
 
 async def crowded(servers: list[Server], slug: str, visitors: int) -> str:
