@@ -254,7 +254,7 @@ def _decimal(value: Any) -> Decimal:
     """A number of mpmath to 80 digits."""
     sign, mantissa, exponent, _ = value._mpf_
     with precise():
-        return Decimal(-mantissa if sign else mantissa) * Decimal(2) ** int(exponent)
+        return Decimal(int(-mantissa if sign else mantissa)) * Decimal(2) ** int(exponent)
 
 
 def _decimals(values: Iterable[Any]) -> StateRow:

@@ -1,6 +1,7 @@
 """The damped chain from any start: against the matrix exponential in many digits, at double roots, in its limits."""
 
 import math
+from types import SimpleNamespace
 
 import mpmath as mp
 import numpy as np
@@ -12,7 +13,7 @@ from scipy.integrate import solve_ivp
 from physics.absorber import damped_solution
 from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
-from physics.transient import DampedModes, damped_motion
+from physics.transient import DampedModes, _decimal, damped_motion
 from tests.physics.chain_cases import chain_with
 from tests.physics.chain_families import FAMILIES, drawn
 from tests.physics.chain_truth import Truth, U, rows, ulps, worst
@@ -211,6 +212,11 @@ def test_nothing_moves_without_a_force():
 def test_refusals_name_the_value(change, words):
     with pytest.raises(ValueError, match=words):
         DampedModes(**({"chain": LECTURE, "c": 1.0, "F_0": 1.0, "omega": 1.0} | change))
+
+
+def test_a_mantissa_may_be_an_integer_of_another_library():
+    """As mpmath's are wherever gmpy2 happens to be installed."""
+    assert _decimal(SimpleNamespace(_mpf_=(1, np.int64(3), np.int64(-1), 2))) == -1.5
 
 
 def test_no_particular_solution_at_an_undamped_resonance():
