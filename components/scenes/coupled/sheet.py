@@ -71,11 +71,10 @@ def _facts() -> Block:
 def _shapes() -> list[Shape]:
     """The motion, and under it the same chain twice more: its slow part and its fast part alone."""
     foot, slow_foot, fast_foot = (share * H for share in FEET)
-    shapes = [chain.standing_wall(0.17 * H, 0.83 * H), *chain.ground(foot)]
+    shapes = [chain.standing_wall(0.17 * H, 0.83 * H)]
     for mass_ in (1, 2):
         shapes.append(line(chain.rest(mass_), foot, chain.rest(mass_), fast_foot, tint="mute", style="eq"))
         shapes += chain.displacement_arrow(mass_, foot)
-    shapes += chain.masses(foot, chain.place(1, "x1"), chain.place(2, "x2"), grabs=(mass_grab(1), mass_grab(2)))
     for mode, base in (("slow", slow_foot), ("fast", fast_foot)):
         shapes.append(line(chain.WALL * W, base, W, base, tint="rule", style="hair"))
         places = [chain.place(i, f"x{i}_{mode}") for i in (1, 2)]
@@ -85,6 +84,8 @@ def _shapes() -> list[Shape]:
             for given_by, grab in (("values", mode_grab(mode, i)), ("modes", swing_grab(mode, i))):
                 held = circle(place, base - var(f"side{i}") * (0.21 * W), 0, grab=grab)
                 shapes += shown_by(f"{mode}_by_{i} by_{given_by}", held)
+    shapes += chain.ground(foot)  # its numbers over the parts, which may pass close below
+    shapes += chain.masses(foot, chain.place(1, "x1"), chain.place(2, "x2"), grabs=(mass_grab(1), mass_grab(2)))
     return shapes + arrows(foot)
 
 
