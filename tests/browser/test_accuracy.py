@@ -25,6 +25,8 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 
 UNDER_WAY = re.compile("It begins|is running")
+STEPPING = re.compile("(Verlet|Newmark|RK4|DOP853|Radau|LSODA) is running")
+"""Those without steps, which come first, have been measured."""
 
 
 def test_who_leaves_makes_room_for_the_next(
@@ -40,6 +42,7 @@ def test_who_leaves_makes_room_for_the_next(
     first.close()
     expect(second.locator(status)).to_contain_text(UNDER_WAY, timeout=30_000)
     expect(second.locator(".count")).to_contain_text("of 60 s", timeout=20_000)
+    expect(second.locator(status)).to_contain_text(STEPPING, timeout=30_000)
     second.get_by_role("button", name="Skip this method").click()
     second.get_by_role("button", name="Cancel").click()
     expect(second.locator(".count")).to_contain_text("methods measured here")

@@ -87,6 +87,8 @@ def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) 
     draw(phones[0], lambda x: 0.2 + 0.6 * x)
     draw(phones[1], lambda x: 0.9 - 0.6 * x)
     expect(lecture.locator(".votes")).to_contain_text("2 of 2 answered")
+    for phone in phones:  # half a sketch may have been sent before the whole
+        expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
     lecture.keyboard.press("PageDown")
     expect(lecture.get_by_role("img", name="2 sketches of the class")).to_be_visible()
     lecture.get_by_role("button", name="Middle half").click()
