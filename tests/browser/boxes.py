@@ -77,10 +77,11 @@ FAULTS = r"""([least, leastIndex]) => {
   // Whatever is clicked through, what lies uppermost at the foot of a text is that text, or can be seen through.
   const reached = document.head.appendChild(document.createElement("style"))
   reached.textContent = "* { pointer-events: auto !important }"
+  const isClear = colour => /^(none|transparent|rgba\(.*, 0\))$/.test(colour)
   const hides = (part, owner) => {
-    if (part instanceof SVGRectElement && !/none|, 0\)/.test(style(part).fill)) return part
+    if (part instanceof SVGRectElement && !isClear(style(part).fill)) return part
     for (; part && !part.contains(owner); part = part.parentElement)
-      if (!/, 0\)|transparent/.test(style(part).backgroundColor)) return part
+      if (!isClear(style(part).backgroundColor)) return part
   }
   for (const piece of seen) {
     const {left, width, bottom, height} = piece.boxes[piece.boxes.length - 1]
