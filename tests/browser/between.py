@@ -5,9 +5,10 @@ from __future__ import annotations
 import asyncio
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 
 NONE = 0.0
+PAUSE = 0.1
 STREAM = b"text/event-stream"
 
 
@@ -19,7 +20,7 @@ class Between:
         self._delay = delay
         self._holds = holds
         self._silent: list[list[bool]] = []
-        self._ends: set[asyncio.StreamWriter] = set()
+        self._ends: list[asyncio.StreamWriter] = []
         self._loop = asyncio.new_event_loop()
         self._started = threading.Event()
         self._thread = threading.Thread(target=self._run, daemon=True)
@@ -47,24 +48,27 @@ class Between:
         self.port = server.sockets[0].getsockname()[1]
         self._started.set()
         self._loop.run_forever()
-        server.close()
-        for end in self._ends:
-            end.transport.abort()
+        # Closing asyncio.Server leaves open what it accepted in the same turn (Server._attach): it turns deaf first.
+        self._loop.remove_reader(server.sockets[0])
         while tasks := asyncio.all_tasks(self._loop):
-            self._loop.run_until_complete(asyncio.wait(tasks))
+            for end in self._ends:
+                end.transport.abort()
+            self._loop.run_until_complete(asyncio.wait(tasks, timeout=PAUSE))
+        server.close()
         self._loop.close()
 
     async def _join(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         there, back = await asyncio.open_connection("127.0.0.1", self._port)
         silent = [False]
         self._silent.append(silent)
-        self._ends |= {writer, back}
+        self._ends += [writer, back]
         ways = self._carry(reader, back, [False]), self._carry(there, writer, silent)
         await asyncio.wait([asyncio.create_task(way) for way in ways], return_when=asyncio.FIRST_COMPLETED)
-        self._silent.remove(silent)
-        self._ends -= {writer, back}
-        back.close()
-        writer.close()
+        for end in (back, writer):
+            end.close()
+            with suppress(ConnectionError):
+                await end.wait_closed()
+            self._ends.remove(end)
 
     async def _carry(self, source: asyncio.StreamReader, sink: asyncio.StreamWriter, silent: list[bool]) -> None:
         """Until the source ends; it is read on while what it said is on its way."""
