@@ -9,17 +9,17 @@ omega^2) the equations of physics.transient give
 Coefficients are rational numbers, without error; exponents and residues have the digits asked for.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache, cached_property, lru_cache
-from itertools import zip_longest
+from itertools import combinations, zip_longest
 from typing import Any, NamedTuple
 
 from mpmath.ctx_mp import MPContext
 
 from physics.coupled import TwoMassChain
-from physics.roots import mismatch, roots, taxicab
+from physics.roots import horner, mismatch, roots, taxicab
 
 Polynomial = tuple[Fraction, ...]  # coefficients, the constant first
 Rows = tuple[Any, ...]  # numbers of mpmath for x1, x2, the elongation x2 - x1 and, where they belong, v1 and v2
@@ -55,65 +55,142 @@ class ExponentialTerm(NamedTuple):
     size: Rows
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Expansion:
     """x = constant + drift t + the sum of terms + Im(steady exp(i omega t)), each of x1, x2 and x2 - x1.
 
-    The exponents are the roots of P/s^k, whose coefficients these are.
+    P, start and drive are the transform's, in numbers of ctx; P is 0 as often at s = 0 as `zeros` says, its other roots
+    are the exponents.
     """
 
     ctx: Any
     omega: Any
-    terms: list[ExponentialTerm]
-    constant: Rows
-    drift: Rows
-    steady: Rows
-    coefficients: list[Any]
+    P: list[Any]
+    start: list[list[Any]]
+    drive: list[list[Any]]
+    zeros: int
     exponents: list[Any]
 
     @cached_property
     def mismatch(self) -> Any:
         """The relative error with which the exponents reproduce P."""
-        return mismatch(self.coefficients, self.exponents)
+        return mismatch(self.P[self.zeros :], self.exponents)
 
-    def waves(self) -> Iterator[ExponentialTerm]:
+    @cached_property
+    def terms(self) -> list[tuple[Any, Rows]]:
+        """Exponents, Im >= 0, and the amplitudes of Re(amplitude exp(exponent t))."""
+        return [(p, self._residues(p)) for p in self.exponents if p.imag >= 0]
+
+    @cached_property
+    def steady(self) -> Rows:
+        """X of x_p = Im(X exp(i omega t)); inf where P(i omega) = 0."""
+        if not any(map(any, self.drive)):
+            return (self.ctx.zero,) * 3
+        at = self.ctx.j * self.omega
+        below = self.P[-1] * at**self.zeros * self.ctx.fprod(at - p for p in self.exponents) * self.omega
+        if not below:
+            return (self.ctx.inf,) * 3
+        over = 1 / below
+        return tuple(horner(polynomial, at) * over for polynomial in self.drive)
+
+    @cached_property
+    def at_rest(self) -> tuple[Rows, Rows]:
+        """What exponents of 0 add: a constant, and a drift where there are two of them."""
+        P, none = self.P, (self.ctx.zero,) * 3
+        if not self.zeros:
+            return none, none
+        square = self.omega**2 or self.ctx.one
+        over = [
+            [a + b / square for a, b in zip_longest(one[:2], two[:2], fillvalue=self.ctx.zero)]
+            for one, two in zip(self.start, self.drive, strict=True)
+        ]
+        first = tuple(row[0] / P[self.zeros] for row in over)
+        if self.zeros == 1:
+            return first, none
+        Q1 = P[3] if len(P) > 3 else self.ctx.zero
+        second = tuple(((row[1] if len(row) > 1 else 0) - b * Q1) / P[2] for row, b in zip(over, first, strict=True))
+        return second, first
+
+    @cached_property
+    def waves(self) -> list[ExponentialTerm]:
         """Every Re(amplitude exp(exponent t)) of the sum; rows of x1, x2, x2 - x1, v1, v2."""
-        for p, A, size in self.terms:
-            yield ExponentialTerm(p, (*A, *(a * p for a in A[:2])), (*size, *(a * abs(p) for a in size[:2])))
+        waves = []
+        for p, A in self.terms:
+            size = self._sizes(p)
+            waves.append(ExponentialTerm(p, (*A, *(a * p for a in A[:2])), (*size, *(a * abs(p) for a in size[:2]))))
         if any(self.steady):
             turning = self.ctx.mpc(0, self.omega)
             A = tuple(-self.ctx.j * X for X in self.steady)
             A = (*A, *(a * turning for a in A[:2]))
-            yield ExponentialTerm(turning, A, tuple(map(abs, A)))
+            waves.append(ExponentialTerm(turning, A, tuple(map(abs, A))))
+        return waves
 
     def distinct(self) -> Iterator[tuple[Any, list[Rows]]]:
         """Exponents, none near another, each with the rows A_j of Re(sum_j A_j t^j exp(exponent t)).
 
         Near exponents m + d_k about their mean m add sum_k A_k exp(d_k t) exp(m t): a polynomial times exp(m t).
         """
-        rest = [pair for term in self.terms for pair in self._both(term)]
+        if self._apart:
+            yield from ((p, [A]) for p, A in self.terms)
+        else:
+            yield from self._gathered()
+        constant, drift = self.at_rest
+        yield self.ctx.mpc(0), [constant, drift] if any(drift) else [constant]
+
+    @property
+    def _apart(self) -> bool:
+        """Whether no exponent is near another: of two with Im >= 0, or of one and its own conjugate."""
+        upper = [p for p, _ in self.terms]
+        meet = any(_near(p, q) for p, q in combinations(upper, 2))
+        return not meet and not any(p.imag and _near(p, self.ctx.conj(p)) for p in upper)
+
+    def _gathered(self) -> Iterator[tuple[Any, list[Rows]]]:
+        rest = [pair for term in self.terms for pair in self._both(*term)]
         while rest:
             first = rest[0][0]
-            near = [pair for pair in rest if taxicab(pair[0] - first) < _SAME * taxicab(first)]
+            near = [pair for pair in rest if _near(first, pair[0])]
             rest = [pair for pair in rest if pair not in near]
             mean = self.ctx.fsum(p for p, _ in near) / len(near) if len(near) > 1 else first
             if mean.imag >= 0:
                 yield mean, [self._power(near, mean, j) for j in range(len(near))]
-        yield self.ctx.mpc(0), [self.constant, self.drift] if any(self.drift) else [self.constant]
 
-    def _both(self, term: ExponentialTerm) -> list[tuple[Any, Rows]]:
+    def _both(self, p: Any, A: Rows) -> list[tuple[Any, Rows]]:
         """A term and its conjugate, of which Re is half the sum."""
-        p, A, _ = term
         if not p.imag:
             return [(p, A)]
         return [(p, tuple(a / 2 for a in A)), (self.ctx.conj(p), tuple(self.ctx.conj(a) / 2 for a in A))]
 
     def _power(self, near: list[tuple[Any, Rows]], mean: Any, j: int) -> Rows:
         both = 2 if mean.imag else 1
-        if len(near) == 1:
-            return tuple(both * a for a in near[0][1])
         factors = [(p - mean) ** j / self.ctx.factorial(j) * both for p, _ in near]
         return tuple(self.ctx.fdot(factors, column) for column in zip(*(A for _, A in near), strict=True))
+
+    def _residues(self, p: Any) -> Rows:
+        over = 1 / self._below(p)
+        rows = (a * over for a in self._above(p, self._shaken(p), horner))
+        return tuple(rows) if p.imag else tuple(self.ctx.mpc(a.real) for a in rows)
+
+    def _sizes(self, p: Any) -> Rows:
+        """What the residues of an exponent were summed from."""
+        over = 1 / abs(self._below(p))
+        return tuple(a * over for a in self._above(p, abs(self._shaken(p)), _size))
+
+    def _above(self, p: Any, shaken: Any, at: Callable[[Sequence[Any], Any], Any]) -> list[Any]:
+        """start + drive/shaken at p, or the same of their sizes."""
+        rows = [at(polynomial, p) for polynomial in self.start]
+        if not any(map(any, self.drive)):
+            return rows
+        over = 1 / shaken
+        return [a + at(polynomial, p) * over for a, polynomial in zip(rows, self.drive, strict=True)]
+
+    def _below(self, p: Any) -> Any:
+        """P'(p), half of it where a conjugate adds the same."""
+        others = self.ctx.fprod(p - other for other in self.exponents if other is not p)
+        return self.P[-1] * p**self.zeros * others / (2 if p.imag else 1)
+
+    def _shaken(self, p: Any) -> Any:
+        """p^2 + omega^2"""
+        return (p - self.ctx.j * self.omega) * (p + self.ctx.j * self.omega)
 
 
 def transform(driven: Driven) -> Transform:
@@ -131,7 +208,7 @@ def transform(driven: Driven) -> Transform:
     drive: tuple[Polynomial, ...] = ((F * k2, F * c, F * m2), (F * k2, F * c), (Fraction(0), Fraction(0), -F * m2))
     P = (k1 * k2, c * k1, m1 * k2 + m2 * k1 + m2 * k2, c * (m1 + m2), m1 * m2)
     shared = min(_power(polynomial) for polynomial in (*start, *drive, P))
-    start, drive = (tuple(polynomial[shared:] or NOTHING for polynomial in many) for many in (start, drive))
+    start, drive = (tuple(_trimmed(polynomial[shared:]) for polynomial in many) for many in (start, drive))
     return Transform(start, drive, P[shared:])
 
 
@@ -145,7 +222,7 @@ def _context(digits: int) -> Any:
 
 @lru_cache(maxsize=16)
 def expansion(driven: Driven, digits: int) -> Expansion:
-    """The sum in numbers of that many digits."""
+    """The sum in numbers of that many digits, worked out as far as it is asked for."""
     ctx = _context(digits)
     exact = transform(driven)
     P = _numbers(ctx, exact.P)
@@ -154,69 +231,15 @@ def expansion(driven: Driven, digits: int) -> Expansion:
     exponents = roots(ctx, P[zeros:]) if len(P) > zeros + 1 else []
     if not driven.c:
         exponents = [ctx.mpc(0, p.imag) for p in exponents]
-    omega, terms = ctx.mpf(driven.omega), []
-    for i, p in enumerate(exponents):
-        if p.imag < 0:
-            continue
-        others = [p - other for j, other in enumerate(exponents) if j != i]
-        below = P[-1] * p**zeros * ctx.fprod(others) / (2 if p.imag else 1)
-        shaken = (p - ctx.j * omega) * (p + ctx.j * omega)
-        pairs = [_at(a, b, p, shaken) for a, b in zip(start, drive, strict=True)]
-        residues = (a / below if p.imag else ctx.mpc((a / below).real) for a, _ in pairs)
-        terms.append(ExponentialTerm(p, tuple(residues), tuple(b / abs(below) for _, b in pairs)))
-    constant, drift = _at_rest(ctx, zeros, P, start, drive, omega)
-    return Expansion(
-        ctx, omega, terms, constant, drift,
-        steady=_steady(ctx, exponents, zeros, P[-1], drive, omega),
-        coefficients=P[zeros:],
-        exponents=exponents,
-    )  # fmt: skip
+    return Expansion(ctx, ctx.mpf(driven.omega), P, start, drive, zeros, exponents)
 
 
-def _at(start: list[Any], drive: list[Any], p: Any, shaken: Any) -> tuple[Any, Any]:
-    """start + drive/shaken at p, and the same of the sizes of all that is added."""
-    free, free_size = _value(start, p)
-    pushed, pushed_size = _value(drive, p)
-    if not pushed_size:
-        return free, free_size
-    return free + pushed / shaken, free_size + pushed_size / abs(shaken)
+def _near(p: Any, other: Any) -> bool:
+    return bool(taxicab(p - other) < _SAME * taxicab(p))
 
 
-def _at_rest(
-    ctx: Any, zeros: int, P: list[Any], start: list[list[Any]], drive: list[list[Any]], omega: Any
-) -> tuple[Rows, Rows]:
-    """What exponents of 0 add: a constant, and a drift where there are two of them."""
-    none = (ctx.zero,) * 3
-    if not zeros:
-        return none, none
-    square = omega**2 or ctx.one
-    over = [
-        [a + b / square for a, b in zip_longest(one[:2], two[:2], fillvalue=ctx.zero)]
-        for one, two in zip(start, drive, strict=True)
-    ]
-    first = tuple(row[0] / P[zeros] for row in over)
-    if zeros == 1:
-        return first, none
-    Q1 = P[3] if len(P) > 3 else ctx.zero
-    second = tuple(((row[1] if len(row) > 1 else 0) - b * Q1) / P[2] for row, b in zip(over, first, strict=True))
-    return second, first
-
-
-def _steady(ctx: Any, exponents: list[Any], zeros: int, leading: Any, drive: list[list[Any]], omega: Any) -> Rows:
-    """X of x_p = Im(X exp(i omega t)); inf where P(i omega) = 0."""
-    if not any(map(any, drive)):
-        return (ctx.zero,) * 3
-    at = ctx.j * omega
-    below = leading * at**zeros * ctx.fprod(at - p for p in exponents) * omega
-    return tuple(_value(over, at)[0] / below if below else ctx.inf for over in drive)
-
-
-def _value(polynomial: Sequence[Any], z: Any) -> tuple[Any, Any]:
-    near = taxicab(z)
-    value, size = 0 * z, 0 * near
-    for a in reversed(polynomial):
-        value, size = value * z + a, size * near + abs(a)
-    return value, size
+def _size(polynomial: Sequence[Any], z: Any) -> Any:
+    return horner([abs(a) for a in polynomial], taxicab(z))
 
 
 def _numbers(ctx: Any, polynomial: Polynomial) -> list[Any]:
@@ -233,6 +256,13 @@ def _product(a: Polynomial, b: Polynomial) -> Polynomial:
 
 def _sum(a: Polynomial, b: Polynomial) -> Polynomial:
     return tuple(one + two for one, two in zip_longest(a, b, fillvalue=Fraction(0)))
+
+
+def _trimmed(polynomial: Polynomial) -> Polynomial:
+    """Without the highest powers where these are 0."""
+    while len(polynomial) > 1 and not polynomial[-1]:
+        polynomial = polynomial[:-1]
+    return polynomial or NOTHING
 
 
 def _power(polynomial: Polynomial) -> int:

@@ -57,7 +57,7 @@ def _refined(coefficients: Sequence[Any], z: list[Any], eps: Any) -> list[Any]:
     for _ in range(_MOST_STEPS):
         for i in tuple(moving):
             value, slope = _value_and_slope(coefficients, z[i])
-            if taxicab(value) <= 8 * eps * _value(sizes, taxicab(z[i])):
+            if taxicab(value) <= 8 * eps * horner(sizes, taxicab(z[i])):
                 moving.remove(i)
                 continue
             crowd = sum(1 / (z[i] - other) for j, other in enumerate(z) if j != i)
@@ -84,7 +84,8 @@ def _polished(ctx: Any, coefficients: Sequence[Any], z: Sequence[complex]) -> li
     return found
 
 
-def _value(coefficients: Sequence[Any], z: Any) -> Any:
+def horner(coefficients: Sequence[Any], z: Any) -> Any:
+    """sum_k coefficients[k] z^k."""
     value = coefficients[-1]
     for a in reversed(coefficients[:-1]):
         value = value * z + a

@@ -185,7 +185,7 @@ def _in_pairs(modes: Expansion, t: Array) -> tuple[Array, NDArray[np.bool_]]:
 
 
 def _waves(modes: Expansion, t: Array) -> Iterator[_Summand]:
-    for p, row, sizes in modes.waves():
+    for p, row, sizes in modes.waves:
         cosine, sine, doubt = _decaying(p, t)
         sizes = _decimals(abs(a) + _LEFT * b for a, b in zip(row, sizes, strict=True))
         yield _Summand(cosine, _decimals(a.real for a in row), sizes, doubt)
@@ -213,7 +213,8 @@ def _decaying(p: Any, t: Array) -> tuple[ScaledCurve, ScaledCurve, Array]:
 
 
 def _drift(modes: Expansion, t: Array) -> Iterator[_Summand]:
-    steady, moving = (*modes.constant, *modes.drift[:2]), (*modes.drift, 0 * modes.omega, 0 * modes.omega)
+    constant, drift = modes.at_rest
+    steady, moving = (*constant, *drift[:2]), (*drift, 0 * modes.omega, 0 * modes.omega)
     for row, values in ((steady, np.ones_like(t)), (moving, t)):
         if any(row):
             sizes = _decimals(map(abs, row))
@@ -233,10 +234,10 @@ def _in_many_digits(driven: Driven, t: float, most: float) -> tuple[list[float],
 
 def _summed(modes: Expansion, t: float) -> list[Any] | None:
     """None where too many digits cancel, or the exponents do not reproduce the equations well enough."""
-    ctx, radians = modes.ctx, 1.0
-    total = [a + b * t for a, b in zip((*modes.constant, *modes.drift[:2]), (*modes.drift, 0, 0), strict=True)]
+    ctx, radians, (constant, drift) = modes.ctx, 1.0, modes.at_rest
+    total = [a + b * t for a, b in zip((*constant, *drift[:2]), (*drift, 0, 0), strict=True)]
     doubt = [abs(a) for a in total]
-    for p, row, sizes in modes.waves():
+    for p, row, sizes in modes.waves:
         turned, radians = ctx.exp(p * t), max(radians, 1 + abs(p) * abs(t))
         total = [a + (b * turned).real for a, b in zip(total, row, strict=True)]
         doubt = [a + b * abs(turned) * (1 + abs(p) * abs(t)) for a, b in zip(doubt, sizes, strict=True)]
