@@ -142,12 +142,12 @@ def ground(foot: Number) -> list[Shape]:
     shapes = [line(WALL * W, foot, W, foot, tint="ink", style="floor")]
     for mass in (1, 2):
         tint = f"m{mass}"
-        shapes.append(text(rest(mass), foot + 17, "0", tint=tint, style="t0"))
+        shapes.append(text(rest(mass), foot + 17, "0", tint=tint, style="t0 halo"))
         shapes.append(line(rest(mass), foot, rest(mass), foot + 5, style="floor"))
     tick = rest(1) + var("tick") * W
     return [
         *shapes,
-        text(tick, foot + 17, "{tick}", tint="m1", style="t0"),
+        text(tick, foot + 17, "{tick}", tint="m1", style="t0 halo"),
         line(tick, foot, tick, foot + 5, style="floor"),
     ]
 

@@ -13,7 +13,7 @@ from components.sheet import choice, column, desk, either, row, stage, table, te
 from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, shown_by, text
 from components.traces import traced
 
-FEET = (0.56, 0.815, 1.0)
+FEET = (0.56, 0.815, 0.99)
 """Where the motion, its slow part and its fast part stand, as fractions of the stage's height."""
 BEAT = either(
     "beat",
