@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable
+from itertools import pairwise
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -114,6 +115,22 @@ def test_a_point_is_marked_by_mouse_and_keys(walk: Callable[..., Page]) -> None:
     show(page)
     expect(page.locator(".card .reply")).to_contain_text("mass 1 alone")
     expect(page.locator(".line-mark.true")).to_have_count(2)
+
+
+@pytest.mark.parametrize("height", [740, 844])
+@pytest.mark.parametrize("step", ["d31-08", "d34-04", "d34-08", "d34-16", "tour-05"])
+def test_a_point_and_its_question_share_the_first_screen_of_a_phone(
+    walk: Callable[..., Page], step: str, height: int
+) -> None:
+    page = walk(step, width=360 if height < 800 else 390, height=height)
+    expect(page.locator(".pill-mark")).to_be_visible()
+    places = page.evaluate(
+        "['.nav', '.block.stage', '.pill-mark', '.card .asks', '.card .foot'].map(name => {"
+        " const part = [...document.querySelectorAll(name)].find(part => part.checkVisibility());"
+        " const {top, bottom} = part.getBoundingClientRect(); return [top, bottom] })"
+    )
+    assert all(above[1] <= below[0] + 1 for above, below in pairwise(places)), places
+    assert places[-1][1] <= height
 
 
 def sketch(page: Page, height: Callable[[float], float], count: int = 120) -> None:

@@ -26,6 +26,8 @@ from components.stage import (
 )
 
 CENTRE = WIDE * 0.5 * W + NARROW * 0.44 * W
+HALF = WIDE * 62 + NARROW * 52
+"""How far the levels reach to either side of it."""
 STRIP, STRIP_LENGTH = 0.79 * W, 0.2 * W
 """On a phone the stage has a small x(t) of its own."""
 SQUARE = "M0 0H1V1H0Z"
@@ -48,17 +50,17 @@ TOP, BOTTOM = height(var("x_top")), height(var("x_bottom"))
 
 
 def shapes() -> list[Shape]:
-    return [*levels(), *body(), *planets(), *bar(), *strip()]
+    return [*bar(), *levels(), *body(), *planets(), *strip()]
 
 
 def levels() -> list[Shape]:
     """Natural length and equilibrium, and delta_st between them."""
     natural, level = height(var("natural")), height(0)
-    left = CENTRE - 68
+    left = CENTRE - HALF - 6
     name = {"anchor": "end", "tint": "mute", "style": "halo"}
     return [
-        line(left + 6, natural, CENTRE + 62, natural, style="eq", tint="mute", show="natural_seen"),
-        line(left + 6, level, CENTRE + 62, level, style="eq", tint="mute"),
+        line(left + 6, natural, CENTRE + HALF, natural, style="eq", tint="mute", show="natural_seen"),
+        line(left + 6, level, CENTRE + HALF, level, style="eq", tint="mute"),
         text(left, natural - 4, "natural", show="natural_seen apart", **name),
         text(left, natural + 11, "length", show="natural_seen apart", **name),
         text(left, TOP + 2, "natural", show="natural_far", **name),
@@ -99,7 +101,7 @@ def body() -> list[Shape]:
 
 def planets() -> list[Shape]:
     """Where the same mass would hang elsewhere."""
-    x = CENTRE + 62
+    x = CENTRE + HALF
     found = []
     for slug, (name, _) in PLANETS.items():
         y = height(var(slug))
