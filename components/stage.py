@@ -36,7 +36,7 @@ Looks: TypeAlias = dict[str, Any]
 """Further attributes of a shape, as its builder takes them: each kind has its own."""
 
 W, H = var("W"), var("H")
-WIDE, NARROW, T = var("wide"), var("narrow"), var("t")
+WIDE, NARROW, LOW, T = var("wide"), var("narrow"), var("low"), var("t")
 
 
 def on_x(plot: str, value: Number) -> Expression:

@@ -14,6 +14,7 @@ from components.chain.parameters import (
 )
 from components.chain.signals import components, free_rates, free_signals
 from components.chain.stage import (
+    BODY,
     EQUILIBRIUM,
     WALL,
     DrawnChain,
@@ -25,6 +26,7 @@ from components.chain.stage import (
     place,
     rest,
     scale,
+    side,
     sides,
     sizes,
     standing_wall,
@@ -37,6 +39,7 @@ FREE = ("m1 x1'' = -k1 x1 - k2 (x1 - x2)", "m2 x2'' = k2 (x1 - x2)")
 DRIVEN = (FREE[0] + " + F_0 sin(omega t)", FREE[1])
 
 __all__ = [
+    "BODY",
     "CHAIN",
     "DRIVEN",
     "EQUILIBRIUM",
@@ -63,6 +66,7 @@ __all__ = [
     "place",
     "rest",
     "scale",
+    "side",
     "sides",
     "sizes",
     "standing_wall",

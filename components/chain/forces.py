@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from components.axes import Axis, nice_axis
-from components.chain.stage import place
+from components.chain.stage import place, side
 from components.motion import derived, scaled
 from components.page.numbers import Number, var
 from components.page.picture import Digits
@@ -63,7 +63,7 @@ def arrows(foot: Number) -> list[Shape]:
     """F_1 and F_2 in ink, from the upper part of each mass."""
     shapes = []
     for i in (1, 2):
-        x, y = place(i, f"x{i}"), foot - 0.78 * var(f"side{i}") * W
+        x, y = place(i, f"x{i}"), foot - 0.78 * side(i)
         tip = x + var("newton") * W * var(f"F{i}")
         shapes.append(arrow(x, y, tip, y, style="thick", head=18, show="forces"))
         shapes.append(text(tip, y - 20, f"*F*_{i}", style="t3 b halo", show="forces"))

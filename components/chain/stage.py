@@ -9,7 +9,7 @@ from components.motion import round_down, scaled
 from components.numbers import short
 from components.page.numbers import Number, var
 from components.page.shapes import Grab
-from components.stage import Looks, Shape, W, arrow, box, line, spring, text, wall, wire
+from components.stage import LOW, Looks, Shape, W, arrow, box, line, spring, text, wall, wire
 from components.traces import Columns
 from physics.coupled import TwoMassChain
 
@@ -25,6 +25,8 @@ MAGNIFIED = 1e308
 STEPS = (1, 2, 3, 5)
 """The digits of drawing scales: a step is seldom more than half as much again."""
 LARGEST, SMALLEST, MARGIN, HOOK = 0.125, 0.02, 0.03, 0.04
+BODY = W * (1 - 0.3 * LOW)
+"""What sides of blocks are fractions of: the width, less in a low window, where arrows stand close over the blocks."""
 
 
 def sides(m1: float, m2: float) -> tuple[float, float]:
@@ -112,8 +114,8 @@ def masses(
     """The chain standing on `foot`, its masses at x1 and x2 (pixels); `small` draws smaller outlines,
     `corner` puts the symbols aside, for what stands on the mass; `grabs` say what a hand does with the masses."""
     size = 0.42 if small else 1.0
-    side1, side2 = var("side1") * W * size, var("side2") * W * size
-    height = foot - var("hook") * W * (0.65 if small else 1)
+    side1, side2 = side(1) * size, side(2) * size
+    height = foot - var("hook") * BODY * (0.65 if small else 1)
     teeth: Looks = {"height": (1 if small else 2) + var("hook") * (125 if small else 275)}
     teeth["style"] = "faint" if small else None
     faces: Looks = {"style": "ghost"} if small else {"corner": True} if corner else {}
@@ -125,6 +127,11 @@ def masses(
         box(x1, foot, side1, "" if small else "*m*_1", tint="m1", grab=grabs[0], **faces),
         box(x2, foot, side2, "" if small else "*m*_2", tint="m2", grab=grabs[1], **faces),
     ]
+
+
+def side(mass: int) -> Number:
+    """Of the block of mass 1 or 2, in pixels."""
+    return var(f"side{mass}") * BODY
 
 
 def rest(mass: int) -> Number:
@@ -157,7 +164,7 @@ def displacement_arrow(mass: int, foot: Number, top: int = 27) -> list[Shape]:
     x, tint = place(mass, f"x{mass}"), f"m{mass}"
     return [
         line(rest(mass), top - 6, rest(mass), foot, tint="mute", style="eq"),
-        line(x, top, x, foot - var(f"side{mass}") * W, tint="mute", style="eq"),
+        line(x, top, x, foot - side(mass), tint="mute", style="eq"),
         arrow(rest(mass), top, x, top, tint=tint),
         text(rest(mass), top - 12, f"*x*_{mass} = {{x{mass}}} {{x_unit}}", tint=tint, style="t2 b"),
     ]

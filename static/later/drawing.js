@@ -161,7 +161,7 @@ export class Drawing {
     const stage = new Stage({shapes, label: ""}, layer)
     stage.leave()
     const [W, H] = [this.host.offsetWidth / unitSize(), this.host.offsetHeight / unitSize()]
-    stage.size = {W, H, narrow: 0, wide: 1, hall: 0, desk: 1}
+    stage.size = {W, H, narrow: 0, wide: 1, hall: 0, desk: 1, low: 0}
     const names = this.page.plots.map(plot => plot.block.name)
     stage.measure(names.map(name => /** @type {any} */ ({geometry: () => this.#geometry(name)})))
     stage.update(this.view.left_out, coveredPlots(this.page.shown.state))

@@ -49,7 +49,7 @@ class Hand:
         """The named quantities at a time in the unit of its axis."""
         named = {name: float(value) for name, value in played(self.scene.shown, t).items()}
         named |= {"W": WIDTH, "H": HEIGHT, "wide": float(self.wide), "narrow": float(not self.wide)}
-        named |= {"hall": 0.0, "desk": 1.0}
+        named |= {"hall": 0.0, "desk": 1.0, "low": 0.0}
         rulers = self.rulers()
         for i, plot in enumerate(block for block in blocks(self.scene.sheet()) if isinstance(block, PlotBlock)):
             if plot.x in rulers and plot.y in rulers:

@@ -22,7 +22,7 @@ from components.scene import Scene
 
 LIVE = re.compile(r'data-value="(\w+)"')
 FRAME = ("left", "right", "top", "bottom", "x0", "x1", "y0", "y1")
-OF_THE_STAGE = {"W", "H", "wide", "narrow", "hall", "desk", "t"}
+OF_THE_STAGE = {"W", "H", "wide", "narrow", "hall", "desk", "low", "t"}
 OF_THE_CLOCK = {"speed"}
 
 

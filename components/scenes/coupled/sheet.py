@@ -80,9 +80,9 @@ def _shapes() -> list[Shape]:
         places = [chain.place(i, f"x{i}_{mode}") for i in (1, 2)]
         shapes += chain.masses(base, *places, small=True)
         for i, place in zip((1, 2), places, strict=True):
-            shapes.append(arrow(chain.rest(i), base - 0.026 * W, place, base - 0.026 * W, tint=mode))
+            shapes.append(arrow(chain.rest(i), base - 0.026 * chain.BODY, place, base - 0.026 * chain.BODY, tint=mode))
             for given_by, grab in (("values", mode_grab(mode, i)), ("modes", swing_grab(mode, i))):
-                held = circle(place, base - var(f"side{i}") * (0.21 * W), 0, grab=grab)
+                held = circle(place, base - 0.21 * chain.side(i), 0, grab=grab)
                 shapes += shown_by(f"{mode}_by_{i} by_{given_by}", held)
     shapes += chain.ground(foot)  # its numbers over the parts, which may pass close below
     shapes += chain.masses(foot, chain.place(1, "x1"), chain.place(2, "x2"), grabs=(mass_grab(1), mass_grab(2)))

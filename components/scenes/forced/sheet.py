@@ -43,7 +43,7 @@ def forced_sheet() -> Block:
 
 def _shapes() -> list[Shape]:
     foot = 0.8 * H
-    push, middle = chain.place(1, "x1"), foot - 0.5 * var("side1") * W
+    push, middle = chain.place(1, "x1"), foot - 0.5 * chain.side(1)
     tip = push + var("push") * W * var("drive")
     return [
         chain.standing_wall(0.2 * H, 0.62 * H),

@@ -190,7 +190,7 @@ def _shapes() -> list[Shape]:
         rest = chain.rest(i)
         shapes += [
             line(rest, lift - 6, rest, last + 8, tint="mute", style="eq"),
-            line(place, lift, place, foot - var(f"side{i}") * W, tint="mute", style="eq"),
+            line(place, lift, place, foot - chain.side(i), tint="mute", style="eq"),
             arrow(rest, lift, place, lift, tint=f"m{i}"),
             text(rest, lift - 12, f"*X*_{i} = {{X{i}}} m", tint=f"m{i}", style="t2 b halo"),
         ]

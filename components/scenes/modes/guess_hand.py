@@ -31,6 +31,6 @@ def full_swing(foot: Number) -> list[Shape]:
     for i, way in ((1, first), (2, second)):
         full = chain.rest(i) + UNIT * var(f"X{i}")
         held = grab(f"Shape: where mass {i} turns", way)
-        shapes.append(box(full, foot, var(f"side{i}") * W, "", tint=f"m{i}", style="ghost full"))
-        shapes += shown_by(f"less{i}", circle(full, foot - var(f"side{i}") * (0.5 * W), 0, grab=held))
+        shapes.append(box(full, foot, chain.side(i), "", tint=f"m{i}", style="ghost full"))
+        shapes += shown_by(f"less{i}", circle(full, foot - 0.5 * chain.side(i), 0, grab=held))
     return shapes

@@ -112,13 +112,13 @@ def _shapes() -> list[Shape]:
         places = [chain.rest(i) + METRE * W * var(f"x{i}_{mode}") for i in (1, 2)]
         for i in (1, 2):
             full = chain.rest(i) + METRE * W * var(f"X{i}_{mode}")
-            shapes.append(box(full, foot, var(f"side{i}") * W, "", tint=f"m{i}", style="ghost full"))
+            shapes.append(box(full, foot, chain.side(i), "", tint=f"m{i}", style="ghost full"))
         shapes += chain.masses(foot, *places)
         for i, place in zip((1, 2), places, strict=True):
             rest, tip = chain.rest(i), axle - METRE * W * var(f"y{i}_{mode}")
             shapes += [
                 line(rest, (top + 0.055) * H, rest, axle, tint="mute", style="eq"),
-                line(place, (top + 0.062) * H, place, foot - var(f"side{i}") * W, tint="mute", style="eq"),
+                line(place, (top + 0.062) * H, place, foot - chain.side(i), tint="mute", style="eq"),
                 arrow(rest, (top + 0.062) * H, place, (top + 0.062) * H, tint=mode),
                 circle(rest, axle, METRE * W * var(f"R{i}_{mode}"), tint=f"m{i}", style="orbit"),
                 line(place, foot, place, tip, tint="mute", style="eq"),
