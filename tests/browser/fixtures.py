@@ -9,7 +9,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage, Page, Request, Route, sync_playwright
+from playwright.sync_api import Browser, ConsoleMessage, Page, Request, Route, expect, sync_playwright
 
 from tests.browser.chromium import find
 from tests.browser.waiting import unfold
@@ -17,6 +17,7 @@ from tests.serving.server import ROOT, Server, serving
 
 SCREENSHOTS = ROOT / "build" / "screenshots"
 READY = "document.documentElement.dataset.ready === 'true'"
+expect.set_options(timeout=30_000)  # as long as Playwright waits for all else: a busy machine is no fault of the page
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

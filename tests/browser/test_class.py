@@ -45,7 +45,7 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
         phone.locator(".answers button").nth(1).click()
     expect(lecture.locator(".vote-count")).to_have_text(["1 → 0", "1 → 2", "0 → 0", "0 → 0"])
     lecture.reload()
-    lecture.wait_for_function(LED)
+    lecture.wait_for_function(f"{CONNECTED} && {LED}")
     assert lecture.evaluate(f"{LED}.room.code") == code
     expect(lecture.locator(".votes")).to_contain_text("2 of 2 answered")
     lecture.keyboard.press("PageDown")
