@@ -1,5 +1,6 @@
 // The menu of the walks: those that there are, one from a file, and what an instructor does with them.
 
+import {element} from "./dom.js"
 import {later} from "./later.js"
 
 export class Menu {
@@ -13,7 +14,11 @@ export class Menu {
     for (const link of document.querySelectorAll("[data-walk]")) if (link instanceof HTMLElement) this.#lead(link)
     const {hall} = walks.lecture
     this.#entry("leave-walk", () => walks.leave())
-    this.#entry("walk-file", async () => (await later("ownwalk")).choose(walks))
+    // A file button that is nowhere seen: held here, or the browser may forget it before a file is chosen; and pressed
+    // at once, as a browser opens files only right after a hand has asked for it.
+    this.file = element("input", {type: "file", accept: ".toml,text/plain"})
+    this.file.addEventListener("change", () => this.#run(this.file.files?.[0]))
+    this.#entry("walk-file", () => this.file.click())
     this.#entry("handout", async () => (await later("handout")).handout(/** @type {any} */ (walks.walk)))
     this.#entry("ask", () => this.#ask())
     this.#entry("teach", () => walks.lecture.classes.begin())
@@ -50,12 +55,18 @@ export class Menu {
   }
 
   /** @param {DragEvent} event */
-  async #drop(event) {
-    const [file] = event.dataTransfer?.files ?? []
+  #drop(event) {
+    const file = event.dataTransfer?.files[0]
+    if (file) event.preventDefault()
+    this.#run(file)
+  }
+
+  /** A walk from a file. @param {File} [file] */
+  async #run(file) {
     if (!file) return
-    event.preventDefault()
     const {run} = await later("ownwalk")
     await run(this.walks, file)
+    this.file.value = "" // the same one, mended, can be chosen again
   }
 
   get names() {

@@ -34,12 +34,3 @@ function nameOf(file) {
     .match(/[a-z0-9]+/g) ?? ["walk"]
   return words.join("-").slice(0, 40).replace(/-$/, "")
 }
-
-/** A file button that is nowhere seen. @param {import("../walks.js").Walks} walks */
-export function choose(walks) {
-  const field = document.createElement("input")
-  field.type = "file"
-  field.accept = ".toml,text/plain"
-  field.addEventListener("change", () => field.files?.[0] && run(walks, field.files[0]))
-  field.click()
-}
