@@ -230,7 +230,7 @@ export class Stage {
     const [W, H] = [box.width / unitSize(), box.height / unitSize()]
     inUnits(this.svg, W, H)
     this.clear.forget()
-    // Whether blocks stand one under the other, are seen in a hall or in a low window, is the style sheets' to say.
+    // Whether blocks stand one under the other, are seen in a hall, or a stage is low, is the style sheets' to say.
     const style = getComputedStyle(this.svg)
     const [narrow, hall, low] = ["--stacked", "--hall", "--low"].map(name => Number(style.getPropertyValue(name)))
     this.size = {W, H, narrow, wide: 1 - narrow, hall, desk: 1 - hall, low}

@@ -26,7 +26,7 @@ STEPS = (1, 2, 3, 5)
 """The digits of drawing scales: a step is seldom more than half as much again."""
 LARGEST, SMALLEST, MARGIN, HOOK = 0.125, 0.02, 0.03, 0.04
 BODY = W * (1 - 0.3 * LOW)
-"""What sides of blocks are fractions of: the width, less in a low window, where arrows stand close over the blocks."""
+"""What sides of blocks are fractions of: the width, less on a low stage, where arrows stand close over the blocks."""
 
 
 def sides(m1: float, m2: float) -> tuple[float, float]:

@@ -148,7 +148,7 @@ def test_a_phone_that_wakes_has_what_was_shown_meanwhile(
         lecture.wait_for_timeout(3000)
         assert page.evaluate("oscillations.page.spec.slug") == "coupled"
         page.evaluate(HIDDEN, False)
-        page.wait_for_function("oscillations.page.spec.slug === 'forced'")
+        page.wait_for_function("oscillations.page.spec.slug === 'forced'", timeout=5000)
         expect(page.locator(".class-bar")).to_contain_text("Following")
         page.close()
 

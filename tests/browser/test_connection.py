@@ -108,7 +108,7 @@ def test_a_proxy_that_refuses_sockets_is_named(page: Page, server: Server) -> No
     page.goto(server.url + LINK)
     page.wait_for_function(READY)
     alert = page.get_by_role("alert").filter(has_text="Not connected.")
-    expect(alert).to_contain_text("refuses WebSockets")
+    expect(alert).to_contain_text("refuses WebSockets", timeout=30_000)
 
 
 def test_a_message_is_numbered_once_and_the_newest_value_wins(page: Page, server: Server) -> None:

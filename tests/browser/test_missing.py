@@ -23,6 +23,7 @@ LACKS = {
     "the selector :has()": "CSS.supports = rule => !rule.includes(':has')",
 }
 """What makes a browser lack a feature, or say so."""
+BY_ANYTHING = 30_000
 
 
 @pytest.fixture
@@ -113,7 +114,7 @@ def test_parts_asked_for_without_a_network_come_with_it(quiet: Quiet, server: Se
     remark = page.get_by_text("A part of this page could not be fetched")
     expect(remark).to_have_count(1)
     page.context.set_offline(False)
-    expect(page.get_by_role("dialog", name="Take a picture")).to_be_visible()
+    expect(page.get_by_role("dialog", name="Take a picture")).to_be_visible(timeout=BY_ANYTHING)
     expect(remark).to_have_count(0)
     page.keyboard.press("Escape")
     expect(page.get_by_role("dialog", name="Keys")).to_be_visible()
@@ -129,5 +130,5 @@ def test_a_walk_asked_for_without_a_network_begins_with_it(quiet: Quiet, server:
     page.locator("[data-walk=d34]").click()
     expect(page.get_by_text("A part of this page could not be fetched")).to_be_visible()
     page.context.set_offline(False)
-    page.wait_for_function("oscillations.walks.walk?.card")
+    page.wait_for_function("oscillations.walks.walk?.card", timeout=BY_ANYTHING)
     expect(page.get_by_role("button", name="Show", exact=True)).to_be_visible()

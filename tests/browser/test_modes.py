@@ -87,7 +87,7 @@ def test_views_on_a_narrow_phone(new_page: Callable[..., Page], open_scene: Open
             assert page.evaluate("document.documentElement.scrollWidth") == 320, (task, values)
         chip = page.get_by_role("button", name="Equal (slide 8)")
         chip.scroll_into_view_if_needed()
-        chip.click()
+        chip.click(timeout=3000)
         page.wait_for_function("oscillations.shown.settings.m1.value === 1")
 
 

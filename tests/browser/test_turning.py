@@ -110,7 +110,7 @@ def test_a_click_for_another_tab_is_the_browsers_own(page: Page, open_scene: Ope
     with page.context.expect_page() as opened:
         page.locator(".nav nav a[data-scene=forced]").click(modifiers=["ControlOrMeta"])
     other = opened.value
-    expect(other.get_by_role("heading", level=1)).to_have_text(SCENES["forced"].headline)
+    expect(other.get_by_role("heading", level=1)).to_have_text(SCENES["forced"].headline, timeout=30_000)
     assert page.evaluate("oscillations.shown.scene") == "coupled"
 
 
