@@ -16,8 +16,8 @@ BOTH_CORES := -n 2 --dist loadscope --no-loadscope-reorder
 # A text browser must not take the terminal: a page is opened only where there is a screen.
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
-.PHONY: run test test-all lint types hooks fast coverage attack audit reconnect load course soak deploy-test class up upgrade accuracy \
-	bench walk protocol readme lock docker clean
+.PHONY: run test test-all lint types hooks fast coverage attack audit digests reconnect load course soak deploy-test class up upgrade accuracy \
+	pictures bench walk protocol readme lock docker clean
 
 run: $(VENV)/run.stamp
 	$(BIN)/python -m components.serving --address $(HOST) --port $(PORT) $(SHOW)
@@ -85,6 +85,11 @@ class: $(VENV)/test.stamp
 audit: $(VENV)/test.stamp
 	$(BIN)/python -m tools.audit
 
+# Before a change that is to keep every picture, and after it: make pictures ARGS="shoot build/before", then
+# ARGS="shoot build/after", then ARGS="compare build/before build/after".
+pictures: $(VENV)/test.stamp
+	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tools.pictures $(ARGS)
+
 accuracy: $(VENV)/test.stamp
 	$(BIN)/python -m tests.bench.accuracy_table $(ARGS)
 
@@ -110,22 +115,27 @@ docker:
 	docker build --tag oscillations .
 
 # The lecture behind a proxy: make up REPLICAS=4 SITE=lecture.example
-up: secret
+up: secret store-password
 	docker compose up --build --wait
 
 # The next version, without anybody noticing: as many replicas stand in while the others are replaced. Where they do not
 # come up, the others stay.
 upgrade: RELIEVED = docker compose --profile relief rm --stop --force relief
-upgrade: secret
+upgrade: secret store-password
 	docker compose build lecture
 	docker compose --profile relief up --detach --no-deps --wait relief || { $(RELIEVED); exit 1; }
 	docker compose up --detach --no-deps --wait lecture
 	$(RELIEVED)
 
-# It is mounted as it is: the user of the containers, 1000, must be able to read it.
-secret:
+# They are mounted as they are: who makes them and the user of the containers, 1000, can read them, nobody else.
+secret store-password:
 	umask 077 && head -c 32 /dev/urandom | base64 > $@
-	chown 1000 $@ 2>/dev/null || chmod a+r $@
+	chown 1000 $@ 2>/dev/null || setfacl -m u:1000:r $@ 2>/dev/null || { rm $@; \
+		echo "Nobody but the user 1000 of the containers may read the file $@: run sudo make $@, or install setfacl."; exit 1; }
+
+# The images of the containers by the digests that their registry has today.
+digests:
+	$(BIN)/python -m tools.digests
 
 clean:
 	rm -rf $(VENV) build node_modules .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache

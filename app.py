@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
@@ -21,10 +22,12 @@ from components.session import Publish, Session
 from components.url import read_query
 from components.view import SceneView
 from components.walks import Query, Walks
+from components.walks.apart import Apart, work
 from components.walks.cards import walk_file
 from components.walks.links import read_link
 from components.walks.registry import all_walks, asked_step
 from components.wire import on_page
+from physics.accuracy_worker import restrain
 
 pn.config.browser_info = False
 # The page has themes of its own; Panel would decode what the link says of one, whatever that is.
@@ -57,7 +60,7 @@ def visited(query: Query, walks: Walks) -> Session:
             return opened(SCENES, link, walks, f"{walk.name}/{step.id}")
     except ValueError as reason:
         problems.append(str(reason))
-    link = read_query(query, SCENES)
+    link = read_query(query, SCENES).as_opened(SCENES)
     return opened(SCENES, replace(link, problems=[*problems, *link.problems]), walks)
 
 
@@ -68,6 +71,12 @@ class Lectured(NamedTuple):
     open_page: Callable[..., None]
     files: dict[str, bytes]
     lessons: Lessons
+
+
+def read_for_others(folders: Iterable[Path]) -> None:
+    """The process that reads strangers' walks for a server: `python -m app FOLDER ...`."""
+    restrain()
+    work(all_walks(folders, SCENES), SCENES, sys.stdin.buffer, sys.stdout.buffer)
 
 
 def walked(folders: Iterable[Path]) -> Lectured:
@@ -83,8 +92,10 @@ def open_page(
     walks: Walks = NO_WALKS,
     listed: Sequence[dict[str, str]] = (),
     lead: Callable[[str, str], Publish] | None = None,
+    apart: Apart | None = None,
 ) -> None:
-    """Fill the document of a new session, which is the current one; `lead` takes what it shows to a live class."""
+    """Fill the document of a new session, which is the current one; `lead` takes what it shows to a live class, `apart`
+    reads walks from files."""
     session = visited(pn.state.session_args, walks)
     scene, first = session.scene, next(iter(SCENES.values()))
     document.title = scene.headline
@@ -100,7 +111,20 @@ def open_page(
         first_sheet=sheet_address(first),
         walks=listed,
     )
+    context = document.session_context
+    session.network = context.token_payload.get("network", "") if context else ""
     session.later = partial(when_open, document)
     session.lead = lead or session.lead
+    session.apart = apart or session.apart
     pn.state.on_session_destroyed(lambda _: session.close())
     SceneView(session).server_doc(document, location=False)
+
+
+ELSEWHERE = """This is the page of *Oscillations*, an interactive lecture.
+It needs more than `panel serve` gives it: files, addresses and a socket of its own. Start it in this folder by
+`make run`, or by `python -m components.serving --show`."""
+
+if __name__ == "__main__":
+    read_for_others(map(Path, sys.argv[1:]))
+elif __name__.startswith("bokeh_app_"):  # so `panel serve` names the file that it runs
+    pn.pane.Markdown(ELSEWHERE).servable(title="Oscillations")  # type: ignore[no-untyped-call]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
 from dataclasses import dataclass
@@ -13,7 +14,7 @@ import numpy as np
 
 from components.numbers import MINUS, PLAIN_EXPONENTS, short, shortest, ten_to, three
 from components.page.messages import AboutNumbers, AboutPoint, AboutTable
-from components.refusals import SORRY, in_words, report
+from components.refusals import SORRY, as_on_screen, in_words, report
 from components.text import rich
 from components.traces import BAND, Columns, Floats, band_columns
 from physics.exact import precise
@@ -23,11 +24,11 @@ SHARES = (0.21, 0.55, 0.93)
 """Where in a column the points are taken: no round places."""
 PLACES = 20
 READING = (
-    "**Drawn**: the double, a number of about 16 digits, behind the curve; SI units, radians. **True**: the same point "
-    "by other formulas, with 40 digits or more. Where the two part they are paler. An **ulp**, a unit in the last "
+    "**Shown**: the computed number that is drawn, a double of about 16 digits, in SI units and radians. **Exact**: "
+    "its value by other formulas, with 40 digits or more. Digits that differ are grey. An **ulp**, a unit in the last "
     "place, is the step from one double to the next: at most 2 in the 16th digit of the size that is named."
 )
-NO_BAND = "Nothing is drawn as an envelope."
+NO_BAND = "All curves are drawn as lines."
 
 
 @dataclass(frozen=True)
@@ -73,7 +74,7 @@ def few(column: Sized) -> list[int]:
 def bounded(names: str, limit: float, of: str, rows: Iterable[CheckedPoint]) -> Table:
     """A table of curves: `names` are the curves, `of` what their errors are measured by; what is said is what holds."""
     limit = float(Context(prec=3, rounding=ROUND_CEILING).create_decimal(limit))
-    bound = f"No point of {names} is off by more than {short(limit)} ulp of {of}."
+    bound = f"The error of {names} is at most {short(limit)} ulp of {of}."
     return Table(bound, limit, tuple(rows))
 
 
@@ -118,19 +119,19 @@ def drift(total: Floats, level: float, what: str = "$T + V$", unit: str = "J") -
     if not level:
         return f"{what} is 0: nothing moves."
     strays = float(np.max(np.abs(total / level - 1)))
-    by = f"strays by at most {short(strays)} of that" if strays else "keeps every digit of that"
-    return f"{what} = {three(level)} {unit} {by} over the window."
+    by = f"changes by at most {short(strays)} of this value" if strays else "keeps every digit"
+    return f"{what} = {three(level)} {unit}; over the window it {by}."
 
 
 def drawn_as_bands(columns: Mapping[str, Columns], names: Mapping[str, str], source: str = BAND) -> str:
     """Which of the named curves are drawn as bands."""
     bands = list(dict.fromkeys(name for key, name in names.items() if band_columns(key)[0] in columns.get(source, {})))
     if not bands:
-        return f"{NO_BAND} Every curve has at least 12 points a swing."
+        return f"{NO_BAND} Each has at least 12 points a swing."
     one = len(bands) == 1
     return (
         f"{listed(bands)} {'is' if one else 'are'} too fast for a line and drawn as an **envelope**: the band that "
-        f"the motion fills. {'It has' if one else 'They have'} no points to recompute."
+        f"the motion fills. {'It has' if one else 'They have'} no single points to recompute."
     )
 
 
@@ -151,13 +152,19 @@ def digits(value: Decimal) -> str:
         return mantissa.replace("-", MINUS) + ten_to(rounded.adjusted())
 
 
+def reason_of(error: ValueError) -> str:
+    """What the physics says, for running text, without its full stop."""
+    text = as_on_screen(str(error)).rstrip(".")
+    return re.sub(r"(?<=\d)e\+?(-?\d+)", lambda found: ten_to(int(found[1])), text)
+
+
 def about_numbers(ask: Callable[[], About | None], answer: int | None = None) -> AboutNumbers:
     """What a scene says about its numbers, for the browser; of one that cannot say, why."""
     try:
         with in_words():
             return _numbers(ask() or About(()), answer)
     except ValueError as reason:
-        note = f"These numbers cannot be recomputed: {str(reason).rstrip('.')}."
+        note = f"These numbers cannot be recomputed: {reason_of(reason)}."
     except Exception as error:
         report(error)
         note = SORRY

@@ -92,7 +92,10 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
     @cached_property
     def ruler(self) -> Ruler:
         """The axis as it is sent."""
-        labels = [ten(round(tick)) if self.log else at_tick(tick) for tick in self.ticks]
+        labels = [at_tick(tick) for tick in self.ticks]
+        if self.log:
+            powers = all(tick.is_integer() for tick in self.ticks)
+            labels = [ten(round(tick)) if powers else at_tick(10.0**tick) for tick in self.ticks]
         if self.labels:
             labels = list(self.labels)
         elif self.ticks and self.unit:
@@ -164,10 +167,17 @@ def nice_ticks(low: float, high: float, count: int) -> tuple[float, ...]:
 
 
 def log_axis(low: float, high: float, unit: str = "", count: int = 5) -> Axis:
-    """A logarithmic axis with ticks at powers of ten."""
-    first, last = math.ceil(math.log10(low) - 1e-9), math.floor(math.log10(high) + 1e-9)
+    """A logarithmic axis with ticks at powers of ten; where fewer than two are seen, at other round numbers."""
+    least, most = math.log10(low) - 1e-9, math.log10(high) + 1e-9
+    first, last = math.ceil(least), math.floor(most)
     step = max(1, math.ceil((last - first) / count))
-    return Axis(low, high, unit, ticks=tuple(float(p) for p in range(first, last + 1, step)), log=True, count=count)
+    ticks = tuple(float(p) for p in range(first, last + 1, step))
+    if len(ticks) < 2:
+        round_ones = (n + math.log10(digit) for n in range(first - 1, last + 1) for digit in (1, 2, 5))
+        ticks = tuple(tick for tick in round_ones if least <= tick <= most)
+    if len(ticks) < 2 and 1e-300 < low < 0.999 * high:
+        ticks = tuple(math.log10(tick) for tick in nice_ticks(low, high, count))
+    return Axis(low, high, unit, ticks=ticks, log=True, count=count)
 
 
 def whole_axis(end: float, unit: str) -> Axis:

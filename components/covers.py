@@ -7,7 +7,8 @@ A cover is named by its kind and its name in the sheet or the picture:
     ticks:x                                                       the numbers at an axis, which round ones replace,
                                                                   over a wider range that is no hint
     numbers:x                                                     the same over the range that stands
-    stage, table                                                  the numbers of the apparatus, which rests; a table
+    stage, table                                                  the numbers of the apparatus, which rests where it
+                                                                  starts; a table
     next                                                          all that each change from now on changes
 """
 
@@ -16,15 +17,17 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any, TypeVar
 
 from msgspec.structs import replace as changed
 
 from components.axes import Axis, nice_ticks
 from components.description import blocks, heading_names, live_names, plots
+from components.motion import derived, starts
 from components.numbers import excerpt
 from components.page.blocks import PlotBlock, StageBlock, TableBlock, WordsBlock
-from components.page.numbers import Expression, names_in
+from components.page.numbers import names_in
 from components.page.plots import Curve, Region
 from components.page.shapes import Label
 from components.page.signals import AnySignal, CosineOf, Derived, SineOf
@@ -67,7 +70,7 @@ def checked_covers(scene: type[Scene], picture: Picture, covered: Iterable[str])
 def refused_covers(scene: type[Scene], picture: Picture, covered: Iterable[str]) -> list[str]:
     """A sentence for each cover that covers nothing."""
     known = coverable(scene, picture)
-    return [f"“{excerpt(name)}” is nothing that can be covered here." for name in covered if name not in known]
+    return [f"“{excerpt(name)}” cannot be covered here." for name in covered if name not in known]
 
 
 def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> tuple[Picture, tuple[str, ...]]:
@@ -89,7 +92,7 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
         picture,
         columns=_columns_less(picture.columns, gone),
         axes={name: _covered(name, axis, covered) for name, axis in picture.axes.items()},
-        signals=_less(picture.signals, names) if STAGE not in covered else _at_rest(picture.signals, names),
+        signals=_at_rest(scene, picture, names) if STAGE in covered else _less(picture.signals, names),
         values=_less(picture.values, texts),
         live=_less(picture.live, texts),
         scalars=_less(picture.scalars, names),
@@ -176,13 +179,24 @@ def _less(given: Mapping[str, Kept], names: set[str]) -> dict[str, Kept]:
     return {name: value for name, value in given.items() if name not in names}
 
 
-def _at_rest(signals: Mapping[str, AnySignal], names: set[str]) -> dict[str, AnySignal]:
-    """The signals, of which those named stand at zero, and what is made of them where that puts it."""
-    made = (Derived, SineOf, CosineOf)
-    rest = Derived(value=Expression(()))
-    return {
-        name: rest if name in names and not isinstance(signal, made) else signal for name, signal in signals.items()
+def _at_rest(scene: type[Scene], picture: Picture, names: set[str]) -> dict[str, AnySignal]:
+    """The signals, of which those named stand where the motion begins if a hand sets that, else at zero, and what is
+    made of them where that puts it."""
+    begun = starts(picture.signals, picture.scalars)
+    rest = {
+        name: derived(begun[name] if name in _held(scene) else 0.0)
+        for name, signal in picture.signals.items()
+        if name in names and (name in _held(scene) or not spoken_of(signal))
     }
+    return {**picture.signals, **rest}
+
+
+@cache
+def _held(scene: type[Scene]) -> frozenset[str]:
+    """The motions that a hand on the stage begins: their start is among what is set, and no secret."""
+    stages = (block for block in blocks(scene.sheet()) if isinstance(block, StageBlock))
+    grabs = (shape.grab for block in stages for shape in block.shapes if shape.grab)
+    return frozenset(begin.of for grab in grabs for begin in grab.start if begin.axis and not begin.per)
 
 
 def _covered(name: str, axis: Axis, covered: tuple[str, ...]) -> Axis:

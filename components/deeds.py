@@ -11,13 +11,15 @@ from components.controls import Choice
 from components.numbers import MINUS, excerpt, tidy
 from components.page.messages import Act, Choose, RunOrder, SetValues, Typed
 from components.parameters import AnyParameter, Quantity, Values
-from components.refusals import in_words
+from components.refusals import as_on_screen, in_words
 from components.scene import Scene
 from components.typed import typed_number
 
 Errors = dict[str, str]
 Deed = SetValues | Typed | Act | Choose | RunOrder
 _MINUS = re.compile(r"(?<![\w)\]])-(?=\.?\d)")
+_SYMBOL = re.compile(r"(?:[b-z]|omega|\w*[\d_]\w*)\b|\w+ =")
+"""What a reason begins with that keeps its own letters: k1 = 0, m g C, omega Xp."""
 _POWER = re.compile(r"(?<=\d)e(?:\+|(-))0*(?=\d)")
 
 
@@ -137,7 +139,8 @@ def _still(scene: Scene, name: str) -> str:
 def sentence(error: ValueError) -> str:
     """What the physics says, its numbers as they are typed: 1e300."""
     text = _MINUS.sub(MINUS, _POWER.sub(r"e\1", str(error)))
-    return text[:1].upper() + text[1:] + ("" if text.endswith((".", "!", "?")) else ".")
+    start = text[:1] if _SYMBOL.match(text) else text[:1].upper()
+    return as_on_screen(start + text[1:]) + ("" if text.endswith((".", "!", "?")) else ".")
 
 
 def _unknown(name: str) -> str:

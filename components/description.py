@@ -29,6 +29,7 @@ def scene_sheet(scene: type[Scene]) -> SceneSheet:
         slug=scene.slug,
         title=scene.title,
         headline=scene.headline,
+        hidden=tuple(scene.param["hidden"].default),
         runs=scene.work is not None,
         about=scene.about is not Scene.about,
         onward=scene.onward,

@@ -32,6 +32,8 @@ class Facts(param.Parameterized):
     presets: ClassVar[Mapping[str, Values]] = {}
     watch: ClassVar[Mapping[str, str]] = {}
     """What to watch in each preset, in a sentence that is said when it is taken."""
+    opens: ClassVar[Values] = {}
+    """What differs from the defaults where a page of it is opened without any parameter."""
     start: ClassVar[str] = "Start from"
     start_folded: ClassVar[bool] = False
     """The title over the presets, and whether they are folded under it."""

@@ -1,17 +1,18 @@
 """The frame that a picture is drawn in: a value, so that a change of parameters need not change it.
 
 A scene's `picture(frame)` keeps to the ranges that a frame names and chooses the others; what it chooses without any is
-the fitted frame. A frame grows where what is drawn would leave it, in steps of 1, 2, 5, and never shrinks.
+the fitted frame. A frame grows where what is drawn would leave it, in steps of 1, 2, 5; an axis that is hardly used is
+fitted anew when a hand lets go.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from msgspec.structs import replace
 
-from components.axes import TIME_AXIS, Axis, Range, log_axis, nice_ticks, ordered
+from components.axes import TIME_AXIS, Axis, Range, log_axis, nice_ticks, ordered, widest
 from components.motion import round_down, round_up
 from components.numbers import excerpt, power_unit
 from components.page.picture import Pace
@@ -19,8 +20,14 @@ from components.page.state import Frame
 
 FITTED = Frame()
 """The frame that leaves everything to the scene."""
+SIZES = ("window", "scale", "speed")
+"""What a frame has beside the ranges of its axes."""
 FEW = 0.3
 """Marks that fill less of a frame than this give way to round numbers."""
+USED = 0.25
+"""An axis of which less than this share is used is fitted anew when a hand lets go."""
+ALIKE, NOISE = 5e-4, 1e-14
+"""Relative difference of numbers in whose place a screen shows the same, and that of roundings, over a range."""
 LARGEST = 1e307
 """As far as a frame grows by steps; beyond it the doubles end."""
 
@@ -29,7 +36,7 @@ def checked(frame: Frame) -> Frame:
     """The frame; ValueError, in words, for one that nothing can be drawn in."""
     for name, (low, high) in frame.ranges.items():
         if not (math.isfinite(low) and math.isfinite(high) and low != high):
-            raise ValueError(f"The range of “{excerpt(name)}” is from {low} to {high}: it must have a size.")
+            raise ValueError(f"The range of “{excerpt(name)}” is from {low} to {high}: its ends must differ.")
     for name, value in (("window", frame.window), ("scale", frame.scale), ("speed", frame.speed)):
         if value is not None and not 0 < value < math.inf:
             raise ValueError(f"The {name} of a frame is {value}: it must be above 0.")
@@ -77,16 +84,22 @@ def _rounded(axis: Axis, named: bool) -> Axis:
     return replace(axis, ticks=ticks, labels=() if named else ("",) * len(ticks))
 
 
-def unfitted(frame: Frame, fitted: Frame) -> Frame:
-    """What of a frame is not as it would be fitted: a picture in the one is a picture in the other."""
-    window = frame.window if frame.window != fitted.window else None
+def unfitted(frame: Frame, fitted: Frame) -> Frame | None:
+    """What of a frame is seen not to be as it would be fitted; None where nothing is."""
     known = {**fitted.ranges, **({TIME_AXIS: (0.0, frame.window)} if frame.window else {})}
-    return Frame(
-        ranges={name: span for name, span in frame.ranges.items() if span != known.get(name)},
-        window=window,
-        scale=frame.scale if frame.scale != fitted.scale else None,
-        speed=frame.speed if frame.speed != fitted.speed else None,
+    sizes = {name: getattr(frame, name) for name in SIZES}
+    rest = Frame(
+        ranges={name: span for name, span in frame.ranges.items() if not _alike(span, known.get(name, ()))},
+        **{name: size for name, size in sizes.items() if size and not _alike((size,), (getattr(fitted, name) or 0.0,))},
     )
+    return replace(rest, given=frame.given) if rest != FITTED else None
+
+
+def _alike(span: Sequence[float], other: Sequence[float]) -> bool:
+    """Whether a screen shows the same in both."""
+    noise = NOISE * abs(span[0] - span[-1])
+    pairs = zip(span, other, strict=False)
+    return len(span) == len(other) and all(math.isclose(*ends, rel_tol=ALIKE, abs_tol=noise) for ends in pairs)
 
 
 def paced(frame: Frame, pace: Pace) -> Pace:
@@ -102,7 +115,29 @@ def grown(frame: Frame, axes: Mapping[str, Axis], scale: float | None = None) ->
     spans = {name: _range_in(frame, name, axis) for name, axis in axes.items()}
     ranges = {name: span if name == TIME_AXIS else _grown(span, axes[name]) for name, span in spans.items()}
     scales = [one for one in (frame.scale, scale) if one is not None]
-    return Frame(ranges=ranges, window=frame.window, scale=min(scales, default=None), speed=frame.speed)
+    return replace(frame, ranges=ranges, scale=min(scales, default=None))
+
+
+def loosened(frame: Frame, fitted: Frame, drawn: Sequence[Mapping[str, Axis]]) -> Frame:
+    """The frame, fitted anew along each axis of which all that is `drawn`, on the axes of one picture or two, uses less
+    than a quarter. The time window stands: curves fill it."""
+    if frame.given:
+        return frame
+    hardly = {name for name in frame.ranges if name != TIME_AXIS and _is_hardly_used(frame, fitted, name, drawn)}
+    ranges = {name: fitted.ranges[name] if name in hardly else span for name, span in frame.ranges.items()}
+    tiny = frame.scale and fitted.scale and frame.scale < USED * fitted.scale
+    return replace(frame, ranges=ranges, scale=fitted.scale if tiny else frame.scale)
+
+
+def _is_hardly_used(frame: Frame, fitted: Frame, name: str, drawn: Sequence[Mapping[str, Axis]]) -> bool:
+    axes = [one[name] for one in drawn if name in one]
+    if name not in fitted.ranges or not axes:
+        return False
+    seen = widest(*(axis.seen for axis in axes))
+    used, whole, wanted = (
+        abs(axes[0].place(high) - axes[0].place(low)) for low, high in (seen, frame.ranges[name], fitted.ranges[name])
+    )
+    return used < USED * whole and wanted < whole
 
 
 def together(frame: Frame, axes: Mapping[str, Axis], scale: float | None) -> Frame:
@@ -132,10 +167,10 @@ def _up(value: float) -> float:
 def refitted(frame: Frame, before: Frame, fitted: Frame) -> Frame:
     """The frame with what another way of showing changes: what fitted otherwise `before` is `fitted` anew."""
     if before.window != fitted.window:
-        frame = Frame(ranges=frame.ranges, scale=frame.scale, window=fitted.window, speed=fitted.speed)
+        frame = replace(frame, window=fitted.window, speed=fitted.speed)
     ranges = {
         name: frame.ranges.get(name, span) if before.ranges.get(name) == span else span
         for name, span in fitted.ranges.items()
     }
     scale = frame.scale if before.scale == fitted.scale else fitted.scale
-    return Frame(ranges=ranges, window=frame.window, scale=scale, speed=frame.speed)
+    return replace(frame, ranges=ranges, scale=scale)

@@ -7,6 +7,7 @@ of the signal's own axis. What is sent is therefore of order one, whatever the p
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from decimal import Decimal
 
 import numpy as np
@@ -15,7 +16,8 @@ from numpy.typing import NDArray
 from components.axes import Axis
 from components.page.numbers import Expression, Number, Product, as_expression
 from components.page.picture import Pace
-from components.page.signals import CosineOf, Derived, Response, Responses, Sampled, Sine, SineOf, Sines
+from components.page.signals import AnySignal, CosineOf, Derived, Response, Responses, Sampled, Sine, SineOf, Sines
+from physics.valid import DOUBLES
 
 QUARTER = math.pi / 2
 """A quarter turn: the sine so much ahead is the cosine."""
@@ -29,7 +31,7 @@ def scaled(exponent: int, *factors: float) -> float:
     else:
         result = float(math.prod(map(Decimal, others), start=Decimal(1).scaleb(-exponent)))
     if math.isinf(result):
-        raise ValueError("the motion does not fit this time window: its numbers leave the range of doubles")
+        raise ValueError(f"the motion does not fit this time window: its numbers leave {DOUBLES}")
     return result
 
 
@@ -110,6 +112,24 @@ def sine_of(name: str) -> SineOf:
 def cosine_of(name: str) -> CosineOf:
     """The cosine of a signal in rad named before it."""
     return CosineOf(of=name)
+
+
+def starts(signals: Mapping[str, AnySignal], scalars: Mapping[str, float]) -> dict[str, float]:
+    """Where the signals stand at first."""
+    named = {"t": 0.0, **scalars}
+    for name, signal in signals.items():
+        match signal:
+            case Sines(sines=terms, line=(first, _)):
+                named[name] = first + math.fsum(one.size * math.sin(one.phase) for one in terms)
+            case Derived(value=Expression(terms=products)):
+                named[name] = math.fsum(one.factor * math.prod(named[of] for of in one.names) for one in products)
+            case Sampled(y=tuple(values)):
+                named[name] = values[0]
+            case SineOf() | CosineOf():
+                named[name] = (math.sin if isinstance(signal, SineOf) else math.cos)(named[signal.of])
+            case _:  # a response begins at rest
+                named[name] = 0.0
+    return named
 
 
 def total(*names: str) -> Derived:

@@ -6,11 +6,12 @@ from collections.abc import Iterator, Mapping
 
 from components.covers import NEXT, coverable, refused_covers
 from components.deeds import sentence
-from components.numbers import excerpt
+from components.page.state import State
 from components.predicting import asked_in, asked_of, standing
 from components.refusals import LINK_LOST, report
 from components.scene import Scene
 from components.session import Session
+from components.states import put, state_in, strange_axes
 from components.url import Link
 from components.walks import Walks
 
@@ -20,7 +21,7 @@ def opened(scenes: Mapping[str, type[Scene]], link: Link, walks: Walks | None = 
     scene, problems = scenes[link.slug](), list(link.problems)
     back = scene.way_back()
     try:
-        problems += _refused(scene, link)
+        problems += _refused(scene, state_in(link, type(scene)))
         covered = [cover for cover in link.covered if cover in coverable(type(scene), scene.shown)]
         session = Session(scene, tuple(problems), scenes=scenes, covered=tuple(covered), walks=walks, step=step)
         if link.before is not None and NEXT in covered:
@@ -35,13 +36,11 @@ def opened(scenes: Mapping[str, type[Scene]], link: Link, walks: Walks | None = 
     return session
 
 
-def _refused(scene: Scene, link: Link) -> Iterator[str]:
+def _refused(scene: Scene, state: State) -> Iterator[str]:
     """Puts the scene where the link wants it; what of that cannot be, in words."""
     try:
-        scene.open(link.values, link.frame, link.held)
+        put(scene, state)
     except ValueError as reason:
         yield f"{sentence(reason)} The link's parameters were not used."
-    for name in link.frame.ranges if link.frame else ():
-        if name not in scene.shown.axes:
-            yield f"frame.{excerpt(name)}: “{excerpt(name)}” is not an axis of this picture."
-    yield from refused_covers(type(scene), scene.shown, link.covered)
+    yield from strange_axes(scene, state)
+    yield from refused_covers(type(scene), scene.shown, state.covered)

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
+from msgspec.structs import replace as changed
+
 from components.axes import TIME_AXIS, Axis
-from components.frames import grown, paced, refitted, together
+from components.frames import grown, loosened, paced, refitted, together
 from components.page.picture import Digits, Pace
 from components.page.signals import AnySignal
 from components.page.state import Frame
@@ -87,7 +89,7 @@ def drawn_in(picture_in: Callable[[Frame], Picture], frame: Frame) -> Framed:
     """The picture in a frame; what the frame leaves open is fitted."""
     picture = picture_in(frame)
     shown = replace(picture, pace=paced(frame, picture.pace))
-    return Framed(shown, frame_of(shown), fitted_to(picture))
+    return Framed(shown, changed(frame_of(shown), given=frame.given), fitted_to(picture))
 
 
 def kept(picture_in: Callable[[Frame], Picture], frame: Frame, before: Frame | None = None) -> Framed:
@@ -104,6 +106,11 @@ def kept(picture_in: Callable[[Frame], Picture], frame: Frame, before: Frame | N
             break
         drawn = drawn_in(picture_in, frame)
     return drawn
+
+
+def let_go(drawn: Framed) -> Frame:
+    """The frame of what is drawn once a hand has let go of it; what is held counts."""
+    return loosened(drawn.frame, drawn.fitted, [one.axes for one in (drawn.picture, drawn.beside) if one])
 
 
 def beside(drawn: Framed, picture_in: Callable[[Frame], Picture], held_in: Callable[[Frame], Picture]) -> Framed:

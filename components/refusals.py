@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import math
+import re
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from traceback import extract_tb
@@ -12,9 +13,15 @@ from typing import Any
 import msgspec
 import numpy as np
 
-BEYOND = "On the way to this picture a number leaves the range of doubles, about 5e-324 to 1.8e308."
-SORRY = "Something went wrong here; everything is as it was."
+from physics.valid import DOUBLES
+
+BEYOND = f"A number that this picture needs lies outside {DOUBLES}."
+SORRY = "Something went wrong on the server; nothing was changed."
 LINK_LOST = "Something went wrong with this link; its parameters were not used."
+_GREEK = {"omega": "ω", "tau": "τ", "theta": "θ", "delta": "δ", "pi": "π"}
+_BELOW = str.maketrans("pnst0123456789+-", "ₚₙₛₜ₀₁₂₃₄₅₆₇₈₉₊₋")
+_SYMBOL = re.compile(rf"(?<![\w“:.])({'|'.join(_GREEK)}|[A-Za-z])(p\d?|\d|_[pn\d+-]|_st)?(_0)?(?![A-Za-z0-9_”])")
+"""A name of the code, but in quotation marks."""
 MOST_KINDS = 500
 """A log that nobody empties has an end: of so many kinds of fault it tells."""
 
@@ -47,6 +54,18 @@ def in_words() -> Iterator[None]:
     except ArithmeticError as error:
         _log.warning("%s: refused in words, %s", _place(error), error)
         raise ValueError(BEYOND) from error
+
+
+def as_on_screen(text: str) -> str:
+    """What the physics says, its symbols as they stand beside the sliders: omega_n is ωₙ."""
+    return _SYMBOL.sub(_symbol, text).replace("sqrt(", "√(").replace("^2", "²")
+
+
+def _symbol(found: re.Match[str]) -> str:
+    letter, below, start = found.groups(default="")
+    if letter not in _GREEK and not below:
+        return found[0]
+    return _GREEK.get(letter, letter) + below.lstrip("_").translate(_BELOW) + ("(0)" if start else "")
 
 
 def check_sendable(value: Any) -> None:

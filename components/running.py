@@ -20,6 +20,8 @@ class Running(ABC):
     def __init__(self, scene: Any) -> None:
         """`scene` is of the class that names this work; each of them knows what it needs of it."""
         self.later: Later = lambda act: act()
+        self.network: Callable[[], str] = lambda: ""
+        """Where the visitor comes from; "" where that is not known."""
 
     @classmethod
     @abstractmethod

@@ -20,7 +20,7 @@ from components.frames import FITTED, unfitted
 from components.page.blocks import Block
 from components.page.state import Frame
 from components.parameters import Quantity, Values
-from components.picture import Framed, Picture, drawn_in, frame_of, kept, sendable, shared
+from components.picture import Framed, Picture, drawn_in, frame_of, kept, let_go, sendable, shared
 from components.refusals import in_words
 from components.units import Unit
 
@@ -176,6 +176,13 @@ class Scene(Facts, metaclass=_SceneMeta):
         """The picture once more, for the same parameters."""
         self._solve(())
 
+    def let_go(self) -> None:
+        """A hand has let go of what it set: an axis that is hardly used is fitted anew."""
+        frame = let_go(self._drawn)
+        if frame != self._drawn.frame:
+            self._frame = frame
+            self._solve(())
+
     def keep_frame(self) -> None:
         """From now on a change of values keeps the frame that stands: of a page, where changes are seen."""
         self._keeps = True
@@ -184,8 +191,7 @@ class Scene(Facts, metaclass=_SceneMeta):
     @property
     def frame(self) -> Frame | None:
         """What of the frame that stands is not as it would be fitted; None where all of it is."""
-        fitted = self._drawn.fitted
-        return unfitted(self._frame, fitted) if self._frame and self._frame != fitted else None
+        return unfitted(self._frame, self._drawn.fitted) if self._frame else None
 
     def way_back(self) -> Callable[[], None]:
         """What makes the scene again what it is now."""

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from concurrent.futures import Future
+from typing import Protocol
 
 from msgspec.structs import replace
 
@@ -26,32 +28,46 @@ from components.page.messages import (
     Said,
     SetValues,
     Shown,
+    Taught,
     Walking,
 )
 from components.page.picture import Held, View
 from components.page.state import Frame, State
-from components.parameters import Values
+from components.parameters import Quantity, Values
 from components.predicting import asked_in, asked_of, covers_after, put_last, standing, told_of, waiting
 from components.refusals import SORRY, report
 from components.running import Later
-from components.scene import Picture, Scene
+from components.scene import Picture, Scene, frame_of
 from components.sent import view_of
 from components.states import before_in, held_in, state_of, stated_own, values_in
 from components.take import as_file
 from components.url import step_query, write_query
 from components.walks import Walks
-from components.walks.cards import walk_sheet
+from components.walks.apart import Apart, Errand, Here, Reading, Replied, Teaching
 from components.walks.judging import taught
-from components.walks.registry import read_own
+from components.walks.types import Step
 from components.wire import Packet, decoded, packed
 
 MOST_MESSAGES = 2**53
 """Messages are numbered below this; beyond it a browser counts no further."""
 
+MOST_OWN = 5
+TOO_MANY = (
+    f"A page keeps {MOST_OWN} walks from files, and this would be one more: "
+    "give it the name of one that it may replace, or open another tab."
+)
+ONE_AT_A_TIME = "A walk from a file is being read or answered. Try again in a moment."
+
 Send = Callable[[Packet], None]
 Problems = tuple[str, ...]
-Publish = Callable[[Callable[[], Packet]], None]
-"""Takes what makes a picture ready for a class, when it is needed."""
+
+
+class Publish(Protocol):
+    """Takes what makes a picture ready for a class, when it is needed, until it is ended."""
+
+    def __call__(self, make: Callable[[], Packet], /) -> None: ...
+
+    def end(self) -> None: ...
 
 
 class Session:
@@ -74,6 +90,12 @@ class Session:
         self.scene = scene
         self.scenes = scenes or {}
         self.walks: Walks = walks or {}
+        self._own: Walks = {}
+        """Walks from the visitor's files."""
+        self.apart: Apart | None = None
+        """Who reads walks from files; without anybody it is done here."""
+        self._apart: tuple[int | None, Future[Replied]] | None = None
+        """What was asked there last, and the number of the message that it answers."""
         self.send: Send = lambda packet: None
         self.first: Packet | None = None
         """What the page opens with, made ready while it was seen whether it can be."""
@@ -86,14 +108,26 @@ class Session:
         self.asked: Scene | None = None
         """The scene from before the change that is to be predicted, which is told in place of the one that stands."""
         self.later: Later = lambda act: act()
+        self.network = ""
+        """Where the visitor comes from, if that is known: a network has one measurement waiting, and one walk."""
         self.lead: Callable[[str, str], Publish | None] = lambda code, key: None
         self._publish: Publish | None = None
         self._take_up(scene)
 
     def close(self) -> None:
         """The visitor has left."""
+        if self._apart:
+            self._apart[1].cancel()
+        self._end_work()
+        self._end_publishing()
+
+    def _end_work(self) -> None:
         if self.scene.running:
             self.scene.running.close()
+
+    def _end_publishing(self) -> None:
+        if self._publish:
+            self._publish.end()
 
     def opening(self) -> Packet:
         """The page as it is shown first, with what was refused of its link."""
@@ -113,11 +147,12 @@ class Session:
             back()
             self._errors = {}
             reply = self._packed(answer, (SORRY,))
-        self.send(reply)
+        if reply:
+            self.send(reply)
         if self.scene.shown is not shown or self._kept is not kept:
             self._tell_class()
 
-    def _heard(self, data: object, answer: int | None) -> Packet:
+    def _heard(self, data: object, answer: int | None) -> Packet | None:
         try:
             said = decoded(data)
         except ValueError as refusal:
@@ -125,20 +160,24 @@ class Session:
             return self._packed(answer)
         return self._reply(said, answer)
 
-    def _reply(self, said: Said, answer: int | None) -> Packet:
-        """What a message asks for, done and told; one that comes again is told only: its first answer was lost."""
+    def _reply(self, said: Said, answer: int | None) -> Packet | None:
+        """What a message asks for, done and told, or None where that comes later; one that comes again is told only:
+        its first answer was lost."""
         match said:
             case AskCsv(page=page):
                 return packed(as_file(self.asked or self.scene, self.picture, page, answer))
             case AskAbout():
                 return packed(about_numbers(self._about, answer))
+            case Given() if step := self._own_step(said):
+                return self._ask_apart(Teaching(said, step), answer)
             case Given():
                 return packed(replace(taught(said, self.walks, self.scenes), answer=answer))
             case Lead(code=code, key=key):
+                self._end_publishing()
                 self._publish = self.lead(code, key) if code else None
                 self._tell_class()
             case RunWalk():
-                return packed(self._walking(said, answer))
+                return self._ask_apart(Reading(said.name, said.text), answer)
         if isinstance(said, Lead) or (answer is not None and answer == self._last):
             return self._packed(answer)
         self._last = answer
@@ -150,16 +189,19 @@ class Session:
         return self._packed(answer)
 
     def _applied(self, deed: Deed) -> Errors:
-        """What a deed does; when a hand lets go, the frame grows where it must."""
+        """What a deed does; when a hand lets go, the frame grows where it must, and what is hardly used of it is fitted
+        anew, but in a step of a walk and while something waits to be predicted."""
         scene, held = self.scene, self.scene.in_hand
         before = self.asked or waiting(scene, self._kept.covered)
-        holding = isinstance(deed, SetValues) and deed.holding
-        scene.in_hand = held or holding  # a flick is the last that a hand does
+        holding = deed.holding if isinstance(deed, SetValues) else None
+        scene.in_hand = held or bool(holding)  # a flick is the last that a hand does
         errors = apply(scene, deed)
-        scene.in_hand = holding
+        scene.in_hand = bool(holding)
         self._predict(before, begins=self.asked is None)
         if held and not holding:
             scene.redraw()
+        if holding is False and not (self._kept.step or self._kept.covered):
+            scene.let_go()
         return errors
 
     def _predict(self, before: Scene | None, begins: bool) -> None:
@@ -170,14 +212,35 @@ class Session:
             covered = covers_after(self.scene, self.asked, put_last(covered) if begins else covered)
             self._kept = replace(self._kept, covered=covered)
 
-    def _walking(self, said: RunWalk, answer: int | None) -> Walking:
-        """One of the visitor's own, which this session alone knows."""
-        try:
-            walk = read_own(said.text, said.name, self.walks, self.scenes)
-        except ValueError as reason:
-            return Walking(answer=answer, sheet=None, refused=str(reason))
-        self.walks = {**self.walks, walk.name: walk}
-        return Walking(answer=answer, sheet=walk_sheet(walk, self.scenes))
+    def _own_step(self, given: Given) -> Step | None:
+        """The step that is answered, where it is of a walk from the visitor's own files."""
+        steps = self._own[given.walk].steps if given.walk in self._own else ()
+        return next((step for step in steps if step.id == given.step), None)
+
+    def _ask_apart(self, asked: Errand, answer: int | None) -> Packet | None:
+        """What a stranger's file asks for is done elsewhere, one thing at a time, and told when it comes."""
+        if self._apart and not self._apart[1].done():
+            return None if self._apart[0] == answer else self._told_apart(asked, Replied(refused=ONE_AT_A_TIME), answer)
+        future = (self.apart or Here(self.walks, self.scenes)).ask(asked, self.network)
+        self._apart = answer, future
+
+        def tell(done: Future[Replied]) -> None:
+            if not done.cancelled():
+                self.later(lambda: self.send(self._told_apart(asked, done.result(), answer)))
+
+        future.add_done_callback(tell)
+        return None
+
+    def _told_apart(self, asked: Errand, replied: Replied, answer: int | None) -> Packet:
+        if isinstance(asked, Teaching):
+            given = asked.given
+            nothing = Taught(walk=given.walk, step=given.step, lesson=None, refused=replied.refused)
+            return packed(replace(replied.taught or nothing, answer=answer))
+        own = {**self._own, **({replied.walk.name: replied.walk} if replied.walk else {})}
+        if len(own) > MOST_OWN:
+            return packed(Walking(answer=answer, sheet=None, refused=TOO_MANY))
+        self._own = own
+        return packed(Walking(answer=answer, sheet=replied.sheet, refused=replied.refused))
 
     def _about(self) -> About | None:
         if self._kept.covered:
@@ -185,16 +248,21 @@ class Session:
         return self.scene.about()
 
     def _turned(self, said: Open) -> Errors:
-        """What goes along is left behind where the scene cannot be shown with it."""
+        """A scene that is gone to without parameters opens as a page of it does; what goes along is left behind where
+        the scene cannot be shown with it."""
         self._shared = taken_along(self.scene, self._shared)
-        if said.carried and said.state.scene in self.scenes and said.state.scene != self.scene.slug:
-            values = brought(self.scenes[said.state.scene], self._shared)
+        state = said.state
+        if said.carried and state.scene in self.scenes:
+            scene = self.scenes[state.scene]
+            if not state.parameters:
+                state = replace(state, parameters={name: stated(value) for name, value in scene.opens.items()})
+            values = brought(scene, self._shared) if state.scene != self.scene.slug else {}
             given = {name: stated(value) for name, value in values.items()}
-            if given and not self._open(replace(said.state, parameters={**given, **said.state.parameters})):
+            if given and not self._open(replace(state, parameters={**given, **state.parameters})):
                 return {}
-        return self._open(said.state)
+        return self._open(state, said.keeps)
 
-    def _open(self, state: State) -> Errors:
+    def _open(self, state: State, keeps: bool = False) -> Errors:
         """Put the session into a state, in one batch, whole or not at all."""
         if state.scene not in self.scenes:
             return {"state": f"“{excerpt(state.scene)}” is not a scene. Still drawn as before."}
@@ -204,6 +272,7 @@ class Session:
             held, before = held_in(type(scene), state), before_in(type(scene), state)
         except ValueError as refusal:
             return {"state": f"{refusal} Still drawn as before."}
+        frame = self._standing(scene, values) if keeps and not frame else frame
         back, old = scene.way_back(), self.asked if scene is self.scene else None
         try:
             asked = self._before(scene, before, frame)
@@ -217,6 +286,12 @@ class Session:
             self._change_to(scene)
         self._predict(asked, begins=state.before is None)
         return {}
+
+    def _standing(self, scene: Scene, values: Values) -> Frame | None:
+        """The frame that stands, for other quantities; another scene, window or way of showing is fitted anew."""
+        moved = [name for name, value in values.items() if value != scene.values[name] and name != "hidden"]
+        alike = all(isinstance(scene.param[name], Quantity) and name != "window" for name in moved)
+        return frame_of(scene.shown) if alike and scene is self.scene else None
 
     def _before(self, scene: Scene, before: Values | None, frame: Frame | None) -> Scene | None:
         """The scene from before a change that is, or may be, to be predicted: of a state, or the one that stands."""
@@ -245,7 +320,7 @@ class Session:
         return told_of(self.scene, self.asked, self._kept.covered)[0]
 
     def _change_to(self, scene: Scene) -> None:
-        self.close()
+        self._end_work()
         self._take_up(scene)
 
     def _take_up(self, scene: Scene) -> None:
@@ -254,6 +329,7 @@ class Session:
         scene.on_picture(self._tell)
         if scene.running:
             scene.running.later = lambda act: self.later(act)
+            scene.running.network = lambda: self.network
 
     def _tell(self, picture: Picture) -> None:
         """A change that no message of this page has asked for is sent at once; the others are with the answer, and a

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 import zipfile
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import chain
+from unicodedata import normalize
 from urllib.parse import quote
 
 from components.axes import Axis
@@ -20,8 +22,11 @@ from components.scene import Picture, Scene
 from components.traces import Columns
 from components.url import write_query
 
-READING = "SI units, that of a column in brackets after its name, 1 for a pure number; every digit of the doubles"
-SI = {"ft": "m", "ft/s": "m/s", "knots": "m/s", "km/h": "m/s", "mm": "m", "°": "rad", "%": ""}
+READING = "SI units; the unit of a column stands in brackets after its name, 1 for a pure number; full precision"
+SI = {
+    "ft": "m", "ft/s": "m/s", "knots": "m/s", "km/h": "m/s", "mm": "m", "°": "rad", "%": "", "√(k₁/m₁)": "rad/s",
+    "F₀/k₁": "m",
+}  # fmt: skip
 """Of units that axes count in though columns do not, what the columns are in."""
 
 
@@ -148,17 +153,17 @@ def _unit(axis: Axis | None) -> str:
     """The unit of a column in SI, whatever the axis counts in; without an axis it is a time."""
     if axis is None:
         return "s"
-    prefixed = axis.exponent and not axis.suffix
-    unit = SI[axis.unit] if axis.factor != 1 or prefixed else axis.unit
+    own = axis.factor == 1 and axis.unit in ("°", "%")  # some columns count in these themselves
+    unit = axis.unit if own else SI.get(axis.unit, axis.unit)
     return in_ascii(unit.removeprefix("(").removesuffix(")²") if axis.power == 2 else unit)
 
 
+_RAISED = re.compile("[⁻⁰¹²³⁴-⁹]+")
 _ASCII = str.maketrans({
-    "²": "^2", "³": "^3", "₀": "_0", "₁": "1", "₂": "2", "√": "sqrt", "°": "deg", "·": " ", "−": "-", "′": "'",
-    "½": "1/2",
+    "₀": "_0", "₁": "1", "₂": "2", "√": "sqrt", "°": "deg", "·": " ", "−": "-", "′": "'", "½": "1/2",
 })  # fmt: skip
 
 
 def in_ascii(text: str) -> str:
     """The same in letters that every program reads."""
-    return text.translate(_ASCII)
+    return _RAISED.sub(lambda power: "^" + normalize("NFKC", power[0]), text).translate(_ASCII)

@@ -15,14 +15,18 @@ In a formula two commands are our own:
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from functools import lru_cache
 from html import escape
 
 from latex2mathml.converter import convert
 
+from components.markup import check_markup
+from components.numbers import excerpt
 from components.page.text import Html, Runs, TextRun
 
-_SENTENCES = 4096  # kept; those with numbers in them, or from anybody's file, have no end
+_SENTENCES = 2048  # kept; those with numbers in them, or from anybody's file, have no end
+_SHORT = 400  # characters of what is kept: a long text is made of its formulas anew
 _VALUE = re.compile(r"\\val\{(\w+)\}")
 _VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
 _THIN = '<mspace width="0.15em" />'
@@ -30,9 +34,10 @@ _FUNCTION = re.compile(r"<mi>([a-z]{2,})</mi>")
 _FRACTION = re.compile(r"<mstyle[^>]*><mfrac><mrow><mn>1</mn></mrow><mrow><mn>([24])</mn></mrow></mfrac></mstyle>")
 _ONE_OVER = {"2": "½", "4": "¼"}  # one sign each, so that a line stays low
 _SIGN = re.compile(r"(<mo>&#x0003D;</mo>)<mo>&#x02212;</mo>")
-# Signs that the converter takes for letters, or whose spaces are too wide.
+# Signs that the converter takes for letters, whose spaces are too wide, or that are another φ than in texts.
 _OPERATORS = {
     "<mi>&#x000B1;</mi>": "<mo>&#x000B1;</mo>",
+    "&#x003D5;": "&#x003C6;",
     '<mo stretchy="false">&#x0007C;</mo>': '<mo stretchy="false" lspace="0" rspace="0">&#x0007C;</mo>',
     "<mo>&#x0002F;</mo>": '<mo lspace="0.1em" rspace="0.1em">&#x0002F;</mo>',
 }
@@ -43,9 +48,30 @@ _TINT = re.compile(r"\\tint\{(\w+)\}")
 _TINT_MATHML = re.compile(r'<mstyle mathcolor="(\w+)">')
 
 
-@lru_cache(maxsize=_SENTENCES)
+def kept(make: Callable[[str], str]) -> Callable[[str], str]:
+    """Remembers what was made of short texts."""
+    remembering = lru_cache(maxsize=_SENTENCES)(make)
+    return lambda text: (remembering if len(text) <= _SHORT else make)(text)
+
+
+@kept
 def mathml(latex: str) -> str:
-    """MathML of a formula; its live numbers are elements with a `data-value` attribute."""
+    """MathML of a formula; its live numbers are elements with a `data-value` attribute.
+
+    ValueError, in words, for what is no formula, or would be more than one.
+    """
+    try:
+        markup = _converted(latex)
+    except Exception as error:  # whatever the converter, made for formulas that are right, stumbles over
+        raise ValueError(f"“{excerpt(latex)}” cannot be set as a formula") from error
+    try:
+        check_markup(markup)
+    except ValueError as reason:
+        raise ValueError(f"“{excerpt(latex)}”: {reason}") from reason
+    return markup
+
+
+def _converted(latex: str) -> str:
     source = _VALUE.sub(r"\\text{@\1@}", latex)
     markup = convert(_TINT.sub(r"\\color{\1}", source))
     markup = _VALUE_MATHML.sub(r'<mn class="n" data-value="\1"></mn>', markup)
@@ -69,9 +95,16 @@ _INLINE = re.compile(
 )
 
 
-@lru_cache(maxsize=_SENTENCES)
+@kept
 def rich(text: str) -> Html:
-    """HTML of a sentence; what is strong or coloured may hold the others."""
+    """HTML of a sentence; what is strong or coloured may hold the others. ValueError, in words, as for a formula, and
+    for a colour that there is not."""
+    html = _set(text)
+    check_markup(html)
+    return html
+
+
+def _set(text: str) -> Html:
     parts, end, symbol_ends = [], 0, -1
     for match in _INLINE.finditer(text):
         parts.append(escape(text[end : match.start()]))
@@ -85,11 +118,11 @@ def _markup(match: re.Match[str], indexed: bool) -> Html:
     if match["formula"]:
         return mathml(match["formula"])
     if match["strong"]:
-        return f"<b>{rich(match['strong'])}</b>"
+        return f"<b>{_set(match['strong'])}</b>"
     if match["coloured"]:
-        return f'<span class="tint {match["tint"]}">{rich(match["coloured"])}</span>'
+        return f'<span class="tint {match["tint"]}">{_set(match["coloured"])}</span>'
     if match["leading"]:
-        return f'<a href="?scene={match["slug"]}">{rich(match["leading"])}</a>'
+        return f'<a href="?scene={match["slug"]}">{_set(match["leading"])}</a>'
     if match["value"]:
         return f'<span class="n" data-value="{match["value"]}"></span>'
     if match["symbol"]:

@@ -66,7 +66,7 @@ def _worked_out(number: str, text: str) -> Decimal:
     if not _TOKENS.fullmatch(plain):
         raise NoNumberError(text)
     if re.search(r"/|\*\*", plain[: max((m.start() for m in _PRODUCT.finditer(plain)), default=0)]):
-        raise ValueError(f"“{excerpt(text)}” can be read in two ways: write every · that multiplies, and brackets.")
+        raise ValueError(f"“{excerpt(text)}” can be read in two ways: write every · that multiplies, and use brackets.")
     expression = _PRODUCT.sub("*", plain)
     try:
         return _value(ast.parse(expression, mode="eval").body, expression)
@@ -110,7 +110,7 @@ def _ratio(given: str, unit: str, text: str) -> Decimal:
     try:
         found = measure(given)
     except ValueError:
-        raise ValueError(f"“{excerpt(given)}” is not a unit that is known here: {wanted}.") from None
+        raise ValueError(f"“{excerpt(given)}” is not a unit known here: {wanted}.") from None
     own = _own(unit)
     if own is None or not found.is_kind_of(own):
         here = f"this is in {unit}" if unit else "this has no unit"

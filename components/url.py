@@ -10,13 +10,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context
 from urllib.parse import urlencode
 
 from msgspec.structs import replace
 
+from components.axes import Range, ordered
 from components.beside import holdable, own_values
 from components.choices import MOST_ITEMS, chosen, word
-from components.frames import FITTED, checked
+from components.frames import FITTED, SIZES, checked
 from components.numbers import MINUS, excerpt, parse_number, shortest
 from components.page.state import Frame
 from components.parameters import AnyParameter, Quantity, Values
@@ -26,11 +28,13 @@ FOREIGN_KEYS = ("bokeh-", "panel-")
 PAGE_KEYS = frozenset({"theme", "projector", "walk", "step"})
 MOST_PROBLEMS = 8
 COVER = "cover"
-FRAME = "frame."
+FRAME, GIVEN = "frame.", Frame(given=True)
 HELD, BEFORE = "held", "before"
 DEFAULT = "default"
-SIZES = ("window", "scale", "speed")
-"""What a frame has beside the ranges of its axes."""
+DIGITS = 4
+"""Of a number of a frame in a link; a range so narrow that these would not tell its ends apart has more."""
+MOST_ROOM = 1.02
+"""By how much a range may be wider in few digits."""
 AUTOMATIC = "auto"
 """The word of a quantity that the scene chooses itself."""
 
@@ -50,6 +54,11 @@ class Link:
     held: Values | None = None
     before: Values | None = None
 
+    def as_opened(self, scenes: Mapping[str, type[Scene]]) -> Link:
+        """The link, or where it has no part of a state, that of the scene as a page of it opens."""
+        bare = self == Link(self.slug)
+        return Link(self.slug, scenes[self.slug].opens) if bare else self
+
 
 def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Scene]]) -> Link:
     """Read a query key by key: what is good is kept, what is bad is named. Without a scene: the first one."""
@@ -66,7 +75,7 @@ def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Sc
             if key == COVER:
                 covered = _read_covers(_only(key, given))
             elif key.startswith(FRAME):
-                frame = _with_part(frame or FITTED, key.removeprefix(FRAME), _only(key, given))
+                frame = _with_part(frame or GIVEN, key.removeprefix(FRAME), _only(key, given))
             elif (other := key.partition(".")[0]) in others:
                 others[other] = {**(others[other] or {}), **_read_other(scenes[slug], key, given)}
             else:
@@ -89,6 +98,8 @@ def write_query(scene: Scene, covered: Sequence[str] = (), asked: Scene | None =
         parts |= _other_parts(HELD, scene.beside.values)
     if asked:
         parts |= _other_parts(BEFORE, own_values(asked))
+    if len(parts) == 1 and not covered:  # alone, the name of a scene opens it otherwise
+        parts |= {name: _written(scene.values[name]) for name in scene.opens}
     return urlencode(parts | ({COVER: ",".join(covered)} if covered else {}), safe=",:")
 
 
@@ -100,9 +111,22 @@ def step_query(step: str) -> str:
 
 def _frame_parts(scene: Scene) -> dict[str, str]:
     frame = scene.frame or FITTED
-    ranges = {FRAME + name: ",".join(map(shortest, span)) for name, span in frame.ranges.items()}
+    ranges = {FRAME + name: ",".join(map(shortest, _brief(span))) for name, span in frame.ranges.items()}
     sizes = {name: getattr(frame, name) for name in SIZES}
-    return ranges | {FRAME + name: shortest(size) for name, size in sizes.items() if size is not None}
+    return ranges | {FRAME + name: shortest(float(f"{size:.{DIGITS}g}")) for name, size in sizes.items() if size}
+
+
+def _brief(span: Range) -> Range:
+    """A range in few digits, with room for all of the other."""
+    low, high = ordered(span)
+    wide = _towards(low, ROUND_FLOOR), _towards(high, ROUND_CEILING)
+    if wide[1] - wide[0] > MOST_ROOM * (high - low):
+        return span
+    return wide if span[0] < span[1] else wide[::-1]
+
+
+def _towards(value: float, way: str) -> float:
+    return float(Context(prec=DIGITS, rounding=way).create_decimal(shortest(value)))
 
 
 def _other_parts(which: str, values: Values) -> dict[str, str]:

@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike, NDArray
 from physics.coupled import TwoMassChain
 from physics.exact import Array, exact, precise, rounded
 from physics.forced import particular_solution
-from physics.valid import check_finite, check_not_negative, check_positive, finite_array
+from physics.valid import DOUBLES, check_finite, check_not_negative, check_positive, finite_array
 
 _BITS = 120  # of a modulus before it is rounded to the 53 of a double
 
@@ -240,7 +240,7 @@ def _ratio(above: int, below: int, omega: float) -> float:
     try:
         return above / below
     except OverflowError:
-        raise ValueError(f"the amplitude Xp at omega = {omega} rad/s leaves the range of doubles") from None
+        raise ValueError(f"the amplitude Xp at omega = {omega:.6g} rad/s leaves {DOUBLES}") from None
 
 
 def _root(above: int, below: int, omega: float) -> float:

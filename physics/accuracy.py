@@ -58,7 +58,9 @@ class System:
         """
         slow, fast = self.rates
         if not fast:
-            raise ValueError("k1 = k2 = 0: two free masses have no period to measure")
+            raise ValueError(
+                "k1 = k2 = 0: two free masses have no period to measure; at least one stiffness above 0 N/m is needed"
+            )
         period = (1 if self.c else 2 * pi) / (slow or fast)
         return self._asked_for(_with_40_bits(period * periods / outputs) * np.arange(outputs + 1.0))
 

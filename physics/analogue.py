@@ -13,7 +13,7 @@ from typing import Any
 
 from physics.exact import exact, precise, rounded
 from physics.pendulum import Pendulum
-from physics.valid import check_finite, check_positive
+from physics.valid import DOUBLES, check_finite, check_positive
 
 Formula = Callable[[Any], Decimal]
 
@@ -72,7 +72,7 @@ class Analogue:
             value = p[parameter.name]
             check_positive(f"{self.name}, {parameter.unit or 'a number'}", **{parameter.name: value})
             if parameter.whole and not float(value).is_integer():
-                raise ValueError(f"{parameter.name} = {value!r}: only whole numbers from 1 on are allowed")
+                raise ValueError(f"{self.name}, {parameter.name} = {value!r}: only whole numbers from 1 on are allowed")
         numbers = {constant.name: constant.value for constant in self.constants}
         numbers |= {parameter.name: p[parameter.name] for parameter in self.parameters}
         return Tuned(self, SimpleNamespace(**{name: exact(value) for name, value in numbers.items()}))
@@ -98,18 +98,20 @@ class Tuned:
     @property
     def inertia(self) -> float:
         """What plays m."""
-        return _above_0(f"{self.system.name}: what plays m", self._inertia)
+        return _above_0(f"{self.system.name}: the role of m", self._inertia)
 
     @property
     def stiffness(self) -> float:
         """What plays k."""
-        return _above_0(f"{self.system.name}: what plays k", self._stiffness)
+        return _above_0(f"{self.system.name}: the role of k", self._stiffness)
 
     @property
     def omega_n(self) -> float:
         """Natural frequency in rad/s."""
         with precise():
-            return rounded(f"{self.system.name}: omega_n", (self._stiffness / self._inertia).sqrt())
+            return rounded(
+                f"{self.system.name}: the natural frequency omega_n", (self._stiffness / self._inertia).sqrt()
+            )
 
     def energy(self, q_0: float) -> float:
         """T + V in J of the linear system released at rest from q_0: stiffness q_0^2/2."""
@@ -138,5 +140,5 @@ class Tuned:
 def _above_0(quantity: str, value: Decimal) -> float:
     """The double nearest to a positive value; ValueError where that is 0 or infinite."""
     if not float(value):
-        raise ValueError(f"{quantity} = {value:.3e} leaves the range of doubles")
+        raise ValueError(f"{quantity} = {value:.3e} leaves {DOUBLES}")
     return rounded(quantity, value)

@@ -31,7 +31,13 @@ from physics.valid import check_not_negative, check_positive, finite_array, in_r
 
 Vector = tuple[Decimal, Decimal]
 Vector3 = tuple[Decimal, Decimal, Decimal]
-QUANTITIES = ("x1", "x2", "the elongation of spring 2", "v1", "v2")
+QUANTITIES = (
+    "the displacement x1",
+    "the displacement x2",
+    "the elongation of spring 2",
+    "the velocity v1",
+    "the velocity v2",
+)
 
 
 class Mode(NamedTuple):

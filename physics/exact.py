@@ -29,6 +29,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from physics.valid import DOUBLES
+
 Array = NDArray[np.float64]
 DoubleDouble = tuple[Array, Array]  # hi, lo: an unevaluated sum
 
@@ -45,7 +47,9 @@ _CONTEXT = Context(
 )
 _STAY: AbstractContextManager[None] = nullcontext()
 _POINTS = 32  # of the circle, with tabulated sine and cosine
-_FAR = 2.0**50  # rad; past it a phase is reduced in decimal, angle by angle
+_FAR = 2.0**50  # rad; past it a phase is reduced in integers, angle by angle
+_MANTISSA = 53  # bits of a double
+FINE = 384  # bits after the point of a phase; a time of 53 bits leaves more than the 80 digits of them
 _FACTORS = 1000  # powers of two up to here, and their inverses, are doubles
 _VELTKAMP = 2.0**27 + 1.0
 
@@ -70,7 +74,7 @@ def rounded(quantity: str, value: Decimal) -> float:
     """The double nearest to value; ValueError names the quantity if there is none."""
     result = float(value)
     if math.isinf(result):
-        raise ValueError(f"{quantity} = {value:.3e} leaves the range of doubles")
+        raise ValueError(f"{quantity} = {value:.3e} leaves {DOUBLES}")
     return result
 
 
@@ -174,6 +178,8 @@ def sin_cos(omega_hi: float, omega_lo: float, t: Array, phase: float = 0.0) -> t
 
 def angle(omega: Decimal, t: Array) -> DoubleDouble:
     """omega t as hi + lo, known to 1e-16 rad up to 1e15 rad; above 2**50 rad modulo 2 pi."""
+    if not omega:
+        return np.zeros_like(t), np.zeros_like(t)
     hi, lo, exponent = binary(omega)
     with np.errstate(over="ignore"):
         scaled = np.ldexp(t, exponent)
@@ -181,22 +187,33 @@ def angle(omega: Decimal, t: Array) -> DoubleDouble:
     scaled = np.where(far, 0.0, scaled)
     theta, rest = two_product(hi, scaled)
     rest = rest + lo * scaled
-    for i in np.flatnonzero(far):
-        theta[i], rest[i] = split(_modulo_turn(omega, t[i]))
+    if far.any():
+        with precise():
+            turns = remainders(omega / (2 * PI), t[far], 1)
+        theta[far], rest[far] = np.transpose([_in_doubles(turn * _TURN >> FINE) for turn in turns])
     return theta, rest
 
 
-def _modulo_turn(omega: Decimal, t: float) -> Decimal:
-    with precise():
-        return remainder(omega / (2 * PI), t, 1) * (2 * PI)
+def _in_doubles(units: int) -> tuple[float, float]:
+    """(hi, lo) of a number below 1024 that is counted in units of 2^-FINE."""
+    hi = units / (1 << FINE)
+    return hi, (units - int(math.ldexp(hi, FINE))) / (1 << FINE)
 
 
-def remainder(rate: Decimal, t: float, whole: int) -> Decimal:
-    """rate t modulo a whole number, however many turns that leaves out."""
-    time = exact(t)
-    with localcontext(_CONTEXT) as context:
-        context.prec += max(0, rate.adjusted() + time.adjusted())
-        return rate * time % whole
+def remainders(rate: Decimal, t: Array, whole: int) -> list[int]:
+    """rate t modulo a whole number, in units of 2^-FINE, however many turns that leaves out.
+
+    A time is an integer below 2^53 times a power of two: the rate is reduced once for each power.
+    """
+    mantissas, exponents = np.frexp(t)
+    above, below = rate.as_integer_ratio()
+    modulus = whole << FINE
+    units: dict[int, int] = {}
+    for e in set(exponents.tolist()):
+        shift = e - _MANTISSA + FINE
+        units[e] = (above << max(0, shift)) // (below << max(0, -shift)) % modulus
+    integers = np.ldexp(mantissas, _MANTISSA).astype(np.int64).tolist()
+    return [integer * units[e] % modulus for integer, e in zip(integers, exponents.tolist(), strict=True)]
 
 
 def on_circle(theta: Array, rest: Array) -> tuple[DoubleDouble, DoubleDouble]:
@@ -281,4 +298,6 @@ def _pairs(values: list[Decimal]) -> DoubleDouble:
 
 
 _STEP = _step()
+with precise():
+    _TURN = int(2 * PI * (1 << FINE))
 SINES, COSINES = _points()

@@ -36,6 +36,7 @@ from physics.driven_motion import NONE, AlsoSummed, driven_values
 from physics.exact import PI, Array, exact, precise, rounded, within_an_ulp
 from physics.particular import (
     antiresonance,
+    at_natural_frequency,
     check_drive,
     determinant,
     exact_amplitudes,
@@ -207,7 +208,7 @@ class DrivenModes:
     @cached_property
     def _exact_particular(self) -> tuple[Decimal, Decimal]:
         if self._amplitudes is None:
-            raise ValueError(f"omega = {self.omega} rad/s is a natural frequency: no particular solution exists")
+            raise at_natural_frequency(self.omega)
         with precise():
             X1, X2 = (Decimal(part.numerator) / Decimal(part.denominator) for part in self._amplitudes)
             return X1, X2
@@ -249,5 +250,7 @@ def steady_start(chain: TwoMassChain, F_0: float, omega: float) -> tuple[tuple[f
     """(x_0, v_0) = (0, omega Xp), from which x_p is the whole motion; ValueError at resonance."""
     modes = driven_modes(chain, F_0, omega)
     with precise():
-        v1_0, v2_0 = (rounded("omega Xp", exact(modes.omega) * part) for part in modes._exact_particular)
+        v1_0, v2_0 = (
+            rounded("the starting velocity omega Xp", exact(modes.omega) * part) for part in modes._exact_particular
+        )
     return REST, (v1_0, v2_0)

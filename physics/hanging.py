@@ -104,7 +104,7 @@ class HangingMass:
     def datum_shift(self) -> float:
         """V counted apart less V counted from equilibrium: k delta_st^2/2 = (m g)^2/(2 k) in J."""
         with precise():
-            return rounded("k delta_st^2/2", (exact(self.m) * exact(self.g)) ** 2 / (2 * exact(self.k)))
+            return rounded("the energy k delta_st^2/2", (exact(self.m) * exact(self.g)) ** 2 / (2 * exact(self.k)))
 
     def motion(self, x_0: float, v_0: float, t: ArrayLike) -> OscillatorMotion:
         """x, v, a (n,) about equilibrium, from x(0) = x_0 downward and x'(0) = v_0."""

@@ -66,7 +66,9 @@ class Stepping:
 def run_fixed(method: str, problem: Problem, steps: float, watch: Watch) -> Trajectory:
     """A whole number of equal steps of a method of STEPPING from one output time to the next."""
     if not (steps >= 1 and steps == int(steps)):
-        raise ValueError(f"steps = {steps!r}: a whole number from one output time to the next")
+        raise ValueError(
+            f"{steps!r} steps from one output time to the next are not possible: a whole number from 1 on is needed"
+        )
     h, end = problem.spacing / steps, float(problem.t[-1])
     if h < ulp(end):
         raise StepTooSmallError(f"step below spacing: h = {h:.3g} s, doubles at {end:.3g} s lie wider", 0.0)

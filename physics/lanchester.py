@@ -77,7 +77,7 @@ def excess_at_period_excess(wanted: float) -> float:
 
     largest = period_excess(CUSP_EXCESS)
     if not 0 <= wanted <= largest:
-        raise ValueError(f"T/T_0 - 1 = {wanted!r}: from 0 at rest to {largest:.4g} at the cusp")
+        raise ValueError(f"T/T_0 - 1 = {wanted!r} is not possible: choose from 0 at rest to {largest:.4g} at the cusp")
     return float(brentq(lambda excess: period_excess(excess) - wanted, 0.0, CUSP_EXCESS, xtol=1e-15))
 
 
@@ -215,4 +215,6 @@ def bottom_excess(excess: float) -> float:
 
 def check_excess(excess: float) -> None:
     if not -1 <= excess <= LARGEST_EXCESS:
-        raise ValueError(f"speed excess = {excess!r} v_0: from -1 (standstill) to {LARGEST_EXCESS:g}")
+        raise ValueError(
+            f"a speed excess of {excess!r} v_0 is not possible: choose from -1 (standstill) to {LARGEST_EXCESS:g}"
+        )

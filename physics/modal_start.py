@@ -47,7 +47,9 @@ def amplitudes_and_phases(free: FreeModes) -> tuple[Pair, Pair]:
     found = []
     for j, (mode, q, v) in enumerate(free.each()):
         if not mode.omega and v:
-            raise ValueError("a drift has no amplitude and no phase: it is given by starting values")
+            raise ValueError(
+                "a mode of frequency 0 rad/s drifts. A drift has no amplitude and no phase: starting values are needed"
+            )
         with precise():
             size = (q**2 + (v / mode.omega) ** 2).sqrt() if mode.omega else abs(q)
         phase = float(free.phase[j]) if mode.omega else math.copysign(QUARTER, q)

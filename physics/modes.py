@@ -204,14 +204,24 @@ def _row_two(chain: TwoMassChain, end: float, largest: float, count: int) -> Bra
     return Branches([pole * np.sqrt(1.0 - 1.0 / below), omega], [below, -np.append(above[:-1], last)])
 
 
-def shares(chain: TwoMassChain, x_0: ArrayLike) -> tuple[float, float]:
-    """The energies of the slow and the fast mode in a motion from rest at x_0 (2,), as parts of their sum.
+class Mixture(NamedTuple):
+    """How far the slow and the fast mode swing in a motion from rest, over both masses, as parts of their sum; and how
+    wide the path in the plane (x1, x2) is over its length, at most. All 0 where nothing moves."""
 
-    (0, 0) where nothing moves. Both are positive numbers of their own, so that a small one keeps its digits.
-    """
-    each = free_modes(chain, x_0, (0.0, 0.0)).each()
+    slow: float
+    fast: float
+    width: float
+
+
+def mixture(chain: TwoMassChain, x_0: ArrayLike) -> Mixture:
+    """The mixture of a motion from rest at x_0 (2,); a small part keeps its digits."""
     with precise():
-        energies = [mode.mass * (mode.omega * q) ** 2 for mode, q, _ in each]
-        whole = sum(energies, Decimal(0))
-        slow, fast = (float(energy / whole) if whole else 0.0 for energy in energies)
-    return slow, fast
+        (a, b), (c, d) = (
+            [q * part if mode.omega else Decimal(0) for part in mode.shape]
+            for mode, q, _ in free_modes(chain, x_0, (0.0, 0.0)).each()
+        )
+        slow, fast = (a * a + b * b).sqrt(), (c * c + d * d).sqrt()
+        if not (slow or fast):
+            return Mixture(0.0, 0.0, 0.0)
+        whole, across = slow + fast, abs(a * d - b * c) / max(slow, fast) ** 2
+        return Mixture(float(slow / whole), float(fast / whole), float(across))

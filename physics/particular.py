@@ -31,7 +31,7 @@ from physics.exact import (
     two_product,
     two_sum,
 )
-from physics.valid import check_finite, check_not_negative, finite_array
+from physics.valid import DOUBLES, check_finite, check_not_negative, finite_array
 
 _COMFORT = Decimal("1e40")  # factors of D within this and its inverse cannot over- or underflow
 
@@ -54,6 +54,14 @@ def particular_solution(chain: TwoMassChain, F_0: float, omega: ArrayLike) -> Ar
 def antiresonance(chain: TwoMassChain) -> float:
     """The frequency sqrt(k2/m2) at which mass 1 stands still, correctly rounded."""
     return float(chain.exact_antiresonance)
+
+
+def at_natural_frequency(omega: float) -> ValueError:
+    """The refusal where no particular solution exists."""
+    return ValueError(
+        f"the drive at omega = {omega:.6g} rad/s is at a natural frequency, where no particular solution exists: "
+        "another frequency is needed"
+    )
 
 
 def check_drive(F_0: float, omega: float) -> None:
@@ -90,14 +98,19 @@ def rounded_amplitudes(chain: TwoMassChain, omega: float, exactly: tuple[Fractio
     if exactly is None:
         return np.array([math.inf, math.inf if chain.k2 else 0.0])
     X1, X2 = exactly
-    return np.array([_nearest(f"Xp1 at omega = {omega} rad/s", X1), _nearest(f"Xp2 at omega = {omega} rad/s", X2)])
+    return np.array(
+        [
+            _nearest(f"the amplitude Xp1 at omega = {omega:.6g} rad/s", X1),
+            _nearest(f"the amplitude Xp2 at omega = {omega:.6g} rad/s", X2),
+        ]
+    )
 
 
 def _nearest(quantity: str, value: Fraction) -> float:
     try:
         return float(value)
     except OverflowError:
-        raise ValueError(f"{quantity} leaves the range of doubles") from None
+        raise ValueError(f"{quantity} leaves {DOUBLES}") from None
 
 
 def _comfortable(chain: TwoMassChain, F_0: float, omega: Array) -> bool:
@@ -152,4 +165,4 @@ def determinant(chain: TwoMassChain, omega: float) -> float:
     try:
         return (one * two - link**2) / scale**2
     except OverflowError:
-        raise ValueError(f"D at omega = {omega} rad/s leaves the range of doubles") from None
+        raise ValueError(f"the determinant D at omega = {omega:.6g} rad/s leaves {DOUBLES}") from None

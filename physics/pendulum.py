@@ -100,7 +100,7 @@ def amplitude_at_excess(wanted: float) -> float:
     """
     largest = excess(HALF_TURN)
     if not 0 <= wanted <= largest:
-        raise ValueError(f"T/T_0 - 1 = {wanted!r}: from 0 at rest to {largest:.4g} next to pi")
+        raise ValueError(f"T/T_0 - 1 = {wanted!r} is not possible: choose from 0 at rest to {largest:.4g} next to pi")
     with precise():
         theta_0 = min(4 * exact(wanted).sqrt(), exact(HALF_TURN))
         step = theta_0
@@ -139,7 +139,9 @@ class _Modulus:
 @lru_cache(maxsize=64)
 def _modulus(theta_0: float) -> _Modulus:
     if not abs(theta_0) <= HALF_TURN:
-        raise ValueError(f"theta_0 = {theta_0!r} rad: a pendulum is released below the top, |theta_0| < pi")
+        raise ValueError(
+            f"an angle of {theta_0!r} rad is not possible: a pendulum is released below the top, at less than pi"
+        )
     return _modulus_of(exact(abs(theta_0)))
 
 

@@ -98,7 +98,9 @@ def linear_phugoid(v_0: float, g: float) -> LinearPhugoid:
     check_positive("gravity in m/s^2", g=g)
     with precise():
         omega = Decimal(2).sqrt() * exact(g) / exact(v_0)
-        return LinearPhugoid(omega=rounded("omega", omega), tau=rounded("the period", 2 * PI / omega))
+        return LinearPhugoid(
+            omega=rounded("the natural frequency omega", omega), tau=rounded("the period", 2 * PI / omega)
+        )
 
 
 def linear_flight(v_0: float, g: float, excess: float, t: ArrayLike) -> Flight:
@@ -134,7 +136,7 @@ def _phase(omega: float, t: Array) -> Array:
 def _in_si(v_0: float, g: float, t: Array, rows: Sequence[Array]) -> Flight:
     """From x and h in v_0^2/g and u, w and V in v_0."""
     with precise():
-        length = rounded("v_0^2/g", exact(v_0) ** 2 / exact(g))
+        length = rounded("the length v_0^2/g", exact(v_0) ** 2 / exact(g))
     names = ("x", "h", "u", "w", "V")
     with np.errstate(over="ignore"):
         results = np.array([[length], [length], [v_0], [v_0], [v_0]]) * np.array(rows)

@@ -32,7 +32,9 @@ class Problem:
 
     def __post_init__(self) -> None:
         if self.c and (self.chain.k2 or self.x_0[1] or self.v_0[1]):
-            raise ValueError(f"c = {self.c:g} N s/m: a dashpot needs k2 = 0 and mass 2 at rest")
+            raise ValueError(
+                f"the damping c = {self.c:g} N s/m is not possible here: k2 = 0 and mass 2 at rest are needed"
+            )
 
     @property
     def start(self) -> MotionState:
@@ -55,7 +57,7 @@ class Problem:
             return slow, fast
         decays = self.damped.decays(1.0, 0.0)
         if len(decays) < 2:
-            raise ValueError(f"c = {self.c:g} N s/m lets the mass swing")
+            raise ValueError(f"the damping c = {self.c:g} N s/m lets the mass swing: more than 2 sqrt(k1 m1) is needed")
         return decays[0].rate, decays[1].rate
 
 

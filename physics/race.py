@@ -24,6 +24,7 @@ from physics.exact import Array
 from physics.problem import CancelledError, OverTimeError, Problem, StoppedError, Trajectory, Watch
 from physics.reference import Reference, reference
 from physics.solvers import METHODS, Method
+from physics.valid import DOUBLES
 
 EXPLODED = 1e3  # times the largest true displacement: a step that gets there is unstable
 SMALLEST_ENERGY = 1e-290  # J: below, doubles run out of digits
@@ -159,7 +160,10 @@ def bench_of(
     problem = problem or system.problem()
     truth = reference(problem)
     if not (truth.size > 0 and SMALLEST_ENERGY < truth.largest_energy < inf):
-        raise ValueError(f"largest displacement {truth.size:g} m, energy {truth.largest_energy:g} J: no scale")
+        raise ValueError(
+            f"the largest displacement is {truth.size:g} m and the largest energy {truth.largest_energy:g} J: "
+            f"errors are compared with both, which must be above 0 m and {SMALLEST_ENERGY:g} J and within {DOUBLES}"
+        )
     return Bench(system, replace(problem, size=truth.size), truth, limits, cancelled, pace)
 
 

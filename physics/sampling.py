@@ -17,6 +17,7 @@ from typing import NamedTuple
 import numpy as np
 
 from physics.exact import Array, sin_cos
+from physics.valid import DOUBLES
 
 SAMPLES_PER_CYCLE = 12  # the least; a peak is then drawn at 97 % or more of its height
 SLOW_PERIODS, BEAT_PERIODS, MOST_PERIODS = 4, 2, 100
@@ -57,7 +58,7 @@ def periods(omega: float, count: float) -> float:
     """count periods of one frequency in s."""
     window = 2.0 * math.pi * count / float(omega) if omega else math.inf
     if not 0.0 < window < math.inf:
-        raise ValueError(f"{count:g} periods at omega = {omega} rad/s leave the range of doubles")
+        raise ValueError(f"a time window of {count:g} periods at omega = {omega:.6g} rad/s leaves {DOUBLES}")
     return window
 
 

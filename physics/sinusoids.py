@@ -25,7 +25,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from physics.curves import ScaledCurve
-from physics.exact import PI, Array, binary, exact, halves, precise, remainder, shifted, split, two_product, two_sum
+from physics.exact import (
+    FINE,
+    PI,
+    Array,
+    binary,
+    exact,
+    halves,
+    precise,
+    remainders,
+    shifted,
+    split,
+    two_product,
+    two_sum,
+)
 from physics.valid import rows_in_range
 
 SLOW = 0.0625  # rad; sin(x)/x and cos(x) are 1 + small up to here
@@ -33,8 +46,9 @@ SLOW = 0.0625  # rad; sin(x)/x and cos(x) are 1 + small up to here
 _POINTS = 4096
 _HEAD = 22  # bits of a sine in the table
 _COEFFICIENT, _REST = 26, 50  # bits of the head of a coefficient, and after it
-_FAR = 2.0**51  # points; past it a phase is reduced in decimal, angle by angle
+_FAR = 2.0**51  # points; past it a phase is reduced in integers, angle by angle
 _MASK = (1 << _REST) - 1
+_HALF = 1 << (FINE - 1)  # in units of 2^-FINE
 _NONE = Decimal(0)
 _NOTHING = -(10**8)  # the exponent of 0
 
@@ -188,16 +202,12 @@ def _nearest(frequencies: Sequence[Decimal], t: Array) -> tuple[NDArray[np.int_]
     whole = np.rint(place)
     part = (place - whole) + (rest + lo * time)
     if any_far:
-        for j, n in np.argwhere(far):
-            whole[j, n], part[j, n] = _modulo_turn(speeds[j], float(t[n]))
+        for j in np.flatnonzero(far.any(axis=1)):
+            places = remainders(speeds[j], t[far[j]], _POINTS)
+            nearest = [(place + _HALF) >> FINE for place in places]
+            whole[j, far[j]] = nearest
+            part[j, far[j]] = [(place - (n << FINE)) / (_HALF << 1) for place, n in zip(places, nearest, strict=True)]
     return whole.astype(np.int64) & (_POINTS - 1), part * _STEP
-
-
-def _modulo_turn(speed: Decimal, t: float) -> tuple[float, float]:
-    with precise():
-        place = remainder(speed, t, _POINTS)
-        whole = place.to_integral_value()
-        return float(whole), float(place - whole)
 
 
 def _summed(

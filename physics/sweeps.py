@@ -69,7 +69,7 @@ def _not_zero(values: Array) -> Array:
 
 def _swept(chain: TwoMassChain, name: str, values: Array) -> list[Array]:
     if name not in PARAMETERS:
-        raise ValueError(f"name = {name!r}: one of {', '.join(PARAMETERS)} is swept")
+        raise ValueError(f"“{name}” cannot be swept: choose one of {', '.join(PARAMETERS)}")
     return [values if name == each else np.full_like(values, getattr(chain, each)) for each in PARAMETERS]
 
 

@@ -37,6 +37,8 @@ from physics.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential,
 from physics.exact import Array, angle, pair_product, precise, rounded
 from physics.forced import REST, forced_motion
 from physics.laplace import Driven, Expansion, expansion
+from physics.particular import at_natural_frequency
+from physics.roots import taxicab
 from physics.valid import check_finite, check_not_negative, finite_array, in_range
 
 Complexes = NDArray[np.complex128]
@@ -44,10 +46,12 @@ StateRow = tuple[Decimal, ...]  # of x1, x2, x2 - x1, v1, v2
 
 DIGITS = 120
 _MOST_DIGITS = 10000
-_QUICK_DIGITS, _QUICK_WORK = 960, 12000  # for one instant and for all, where there is no time for more: some 0.1 s
+_QUICK_DIGITS, _QUICK_WORK = 960, 6000  # for one instant and for all, where there is no time for more: some 0.05 s
 _IN_PAIRS = 2.0**-101  # error of a term in pairs of doubles, relative to its size, for each radian of its phase
 _SURE = 2.0**-60  # relative error of a sum that, once rounded, is within 0.51 ulp
+_DRAWN = 2.0**-41  # the same where it is drawn, of the largest of its curve
 _NEGLIGIBLE = 1e-260  # exp(SMALLEST_EXPONENT)
+_DIED_OUT = -1e5  # of an exponent: no digits that are asked for tell 1e-43429 from 0, and mpmath would raise e to it
 _REPRODUCED = 1e-24  # largest error of a coefficient of P, and for each radian of phase
 _LEFT = 1e-85  # of the sizes that a residue was summed from, what can be wrong with it
 
@@ -99,7 +103,8 @@ class DampedModes:
     def motion(self, t: ArrayLike, *, quick: bool = False) -> Motion:
         """The motion at times t (n,): with damping every number is within 0.51 ulp, without see forced_motion.
 
-        It takes as long as it takes; `quick`: ValueError where that would be more than a fraction of a second.
+        It takes as long as it takes. `quick`, to draw it: within 1e-12 of the largest of its curve; ValueError where
+        that would take more than a fraction of a second.
         """
         t = finite_array("t", t)
         if not self.c:
@@ -107,7 +112,7 @@ class DampedModes:
         if self._stays:
             still = np.repeat(np.array(self._start)[:, None], t.size, axis=1)
             return Motion(t, still[:2], still[3:], still[[0, 2]])
-        values, sure = _in_pairs(expansion(self._driven, DIGITS), t)
+        values, sure = _in_pairs(expansion(self._driven, DIGITS), t, quick)
         most, left = (_QUICK_DIGITS, _QUICK_WORK) if quick else (_MOST_DIGITS, math.inf)
         for n in np.flatnonzero(~sure & (t != 0.0)):
             values[:, n], spent = _in_many_digits(self._driven, float(t[n]), min(most, left))
@@ -146,7 +151,7 @@ class DampedModes:
 
     def _check_particular(self) -> None:
         if self.F_0 and np.any(np.isinf(damped_solution(self.chain, self.c, self.F_0, self.omega))):
-            raise ValueError(f"omega = {self.omega} rad/s is a natural frequency: no particular solution exists")
+            raise at_natural_frequency(self.omega)
 
 
 def damped_motion(
@@ -171,8 +176,8 @@ class _Summand(NamedTuple):
     doubt: Array
 
 
-def _in_pairs(modes: Expansion, t: Array) -> tuple[Array, NDArray[np.bool_]]:
-    """x1, x2, x2 - x1, v1, v2 as (5, n), and where they are sure."""
+def _in_pairs(modes: Expansion, t: Array, drawn: bool) -> tuple[Array, NDArray[np.bool_]]:
+    """x1, x2, x2 - x1, v1, v2 as (5, n), and where they are sure; if `drawn`, beside the largest of each row."""
     summands = [*_waves(modes, t), *_drift(modes, t)]
     rows = list(zip(*(summand.row for summand in summands), strict=True))
     with np.errstate(over="ignore", invalid="ignore"):
@@ -180,7 +185,10 @@ def _in_pairs(modes: Expansion, t: Array) -> tuple[Array, NDArray[np.bool_]]:
         doubt = np.zeros_like(values[0])
         for summand in summands:
             doubt += _scaled(summand.sizes, exponents) * summand.doubt
-        sure = np.all(doubt <= _SURE * np.abs(values[0]), axis=0)
+        enough = _SURE * np.where(np.isfinite(values[0]), np.abs(values[0]), 0.0)
+        if drawn:
+            enough = _DRAWN / _SURE * enough.max(axis=1, keepdims=True, initial=0.0)
+        sure = np.all(doubt <= enough, axis=0)
         return rounded_once(values, exponents), sure & bool(modes.mismatch < _REPRODUCED)
 
 
@@ -229,7 +237,10 @@ def _in_many_digits(driven: Driven, t: float, most: float) -> tuple[list[float],
         if values is not None:
             return [rounded(name, _decimal(value)) for name, value in zip(QUANTITIES, values, strict=True)], spent
         digits *= 2
-    raise ValueError(f"the motion at t = {t:.3g} s takes more digits than there is time for")
+    raise ValueError(
+        f"the motion at t = {t:.3g} s takes more digits than there is time for: "
+        f"{_QUICK_WORK} for all times of a picture are allowed"
+    )
 
 
 def _summed(modes: Expansion, t: float) -> list[Any] | None:
@@ -238,9 +249,11 @@ def _summed(modes: Expansion, t: float) -> list[Any] | None:
     total = [a + b * t for a, b in zip((*constant, *drift[:2]), (*drift, 0, 0), strict=True)]
     doubt = [abs(a) for a in total]
     for p, row, sizes in modes.waves:
-        turned, radians = ctx.exp(p * t), max(radians, 1 + abs(p) * abs(t))
+        turned = ctx.exp(p * t) if p.real * t > _DIED_OUT else ctx.zero
+        turns = 1 + taxicab(p) * abs(t)
+        reach, radians = taxicab(turned) * turns, max(radians, turns)
         total = [a + (b * turned).real for a, b in zip(total, row, strict=True)]
-        doubt = [a + b * abs(turned) * (1 + abs(p) * abs(t)) for a, b in zip(doubt, sizes, strict=True)]
+        doubt = [a + b * reach for a, b in zip(doubt, sizes, strict=True)]
     sure = all(1e5 * ctx.eps * a <= _SURE * abs(b) for a, b in zip(doubt, total, strict=True))
     return total if sure and modes.mismatch * radians < _REPRODUCED else None
 

@@ -6,6 +6,9 @@ from math import isfinite
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+DOUBLES = "the range of doubles, about 5e-324 to 1.8e308 in SI units"
+"""What can be computed with."""
+
 
 def check_positive(kind: str, **values: float) -> None:
     """For example check_positive("a mass in kg", m=m): finite and above 0."""
@@ -41,7 +44,7 @@ def finite_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
 def in_range(quantity: str, result: NDArray[np.float64]) -> NDArray[np.float64]:
     """A result computed with overflow ignored; ValueError names the quantity where it left the range of doubles."""
     if not np.isfinite(result).all():
-        raise ValueError(f"{quantity} leaves the range of doubles")
+        raise ValueError(f"{quantity} leaves {DOUBLES}")
     return result
 
 

@@ -1,6 +1,6 @@
 // Texts of a picture keep clear of each other: of two that would overlap the later one moves up or down, or leaves.
 
-import {unitSize} from "./dom.js"
+import {surface, unitSize} from "./dom.js"
 
 /**
  * @typedef {{left: number, right: number, top: number, bottom: number}} Box in units
@@ -41,9 +41,7 @@ export class Clear {
    */
   measure(host, picture, under) {
     this.standing = under ? this.#boxes(under) : []
-    // On a phone paper and panel are one column: they have no boxes of their own.
-    const surfaces = [host.closest(".paper, .panel"), host.closest(".page")]
-    const paper = surfaces.map(one => one?.getBoundingClientRect()).find(box => box?.width)
+    const paper = surface(host)
     if (!paper) return
     const [left, right] = [paper.left, paper.right].map(x => (x - picture.left) / unitSize())
     this.room = {left, right, bottom: picture.height / unitSize()}

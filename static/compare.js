@@ -3,9 +3,11 @@
 
 import {element} from "./dom.js"
 import {later, using} from "./later.js"
+import {toSI} from "./ruler.js"
 import {evaluate, roots} from "./signals.js"
 
 const LINGER = 1500 // ms for which the curves from before a drag lie there after letting go
+const LAST = 500 // ms after a key until it is taken for the last one
 
 /**
  * Columns that are drawn under the live ones, on axes that may have been others, and what they are called.
@@ -33,17 +35,25 @@ export class Compare {
   /** @type {number | undefined} */
   ending
 
+  /** @type {number | undefined} until the server hears that a hand or a key has let go */
+  leaving
+
+  deed = "" // of undo: what the frame does when a hand lets go belongs to it
+
+  /** @type {Drawn | null} */
+  last = null
+
   /** @param {import("./page.js").Page} page */
   constructor(page) {
     this.page = page
-    this.hold = chip("Hold", "Keep this picture under the next ones (H)", () => this.toggle())
-    this.predict = chip("Predict", "Cover something, and say what you expect", () => this.#predict())
+    this.hold = chip("Hold", "Keep these curves for comparison (H)", () => this.toggle())
+    this.predict = chip("Predict", "Hide a picture and guess it first", () => this.#predict())
     this.gone = new AbortController()
     for (const event of ["pointerdown", "keydown"]) this.#on(event, () => (this.pressed = true))
-    for (const event of ["pointerup", "pointercancel", "keyup"]) this.#on(event, () => this.#released())
+    for (const event of ["pointerup", "pointercancel", "keyup"]) this.#on(event, released => this.#released(released))
   }
 
-  /** @param {string} event @param {() => void} act */
+  /** @param {string} event @param {(event: any) => void} act */
   #on(event, act) {
     addEventListener(event, act, {capture: true, signal: this.gone.signal})
   }
@@ -75,20 +85,44 @@ export class Compare {
     return [this.hold, this.predict]
   }
 
-  /** A value is set by a press of a pointer or a key: what was drawn before it is remembered. @param {string} press */
-  set(press) {
+  /**
+   * A value is set by a press of a pointer or a key: what was drawn before it is remembered.
+   * @param {string} press @param {string} deed of undo; one of several messages @param {page.Said} message
+   */
+  set(press, deed, message) {
+    if (!deed) return
     const goesOn = press === this.press || (this.before && press.startsWith("key") && this.press.startsWith("key"))
     if (!goesOn || !this.before) this.before = this.page.shown
     this.press = press
+    this.deed = "holding" in message ? "" : deed // a hand on a grip says itself when it lets go
     clearTimeout(this.ending)
+    clearTimeout(this.leaving)
     if (!this.pressed) this.#released()
   }
 
-  #released() {
+  /** @param {PointerEvent | KeyboardEvent} [event] */
+  #released(event) {
     this.pressed = false
     if (!this.before) return
     clearTimeout(this.ending)
     this.ending = setTimeout(() => this.#forget(), LINGER)
+    clearTimeout(this.leaving)
+    const isLast = !this.press.startsWith("key") || (event instanceof KeyboardEvent && event.key === "Enter")
+    this.leaving = setTimeout(() => this.#letGo(), isLast ? 0 : LAST)
+  }
+
+  /** A slider or a key has been let go; what the frame then does is one change with what has been set. */
+  #letGo() {
+    const {deed} = this
+    if (deed) this.page.lecture.line.send({type: "set", values: {}, holding: false}, {deed})
+    Object.assign(this, {deed: "", press: ""})
+  }
+
+  /** What is shown next is another picture to be compared with this one, in whose frame it is drawn. */
+  keep() {
+    this.before = this.page.shown
+    this.press = ""
+    clearTimeout(this.ending)
   }
 
   #forget() {
@@ -105,7 +139,8 @@ export class Compare {
     const isAsked = Boolean(state.before)
     if (isAsked) clock.playing = false
     if (isAsked === Boolean(this.still)) return
-    transport.element.inert = isAsked
+    // All but the sentence why, which is heard.
+    for (const part of transport.element.children) part.toggleAttribute("inert", isAsked && part !== transport.note)
     const {t} = clock
     this.still = isAsked ? {...roots(signals, evaluate(signals, scalars, t, hand.named)), t} : null
     if (!isAsked) clock.restart()
@@ -120,8 +155,12 @@ export class Compare {
     return named
   }
 
-  /** @param {Drawn} shown */
-  update({held, state}) {
+  /** @param {Drawn} shown @param {{deed?: string} | null} asked */
+  update(shown, asked) {
+    const {held, state} = shown
+    if (asked && !asked.deed) this.before = null
+    if (this.last && isCloser(shown, this.last)) clearTimeout(this.ending) // until the next change
+    this.last = shown
     const isHeld = Boolean(state.held)
     this.hold.textContent = isHeld ? "Release" : "Hold"
     this.hold.setAttribute("aria-pressed", String(isHeld))
@@ -131,6 +170,14 @@ export class Compare {
     this.predict.hidden = Boolean(state.step)
     if (held || this.before) this.coming ??= this.#come()
     this.#draw()
+  }
+
+  /** What is covered by the visitor, and how it comes back. @param {page.State} state */
+  says({covered, before, step}) {
+    if (step || !covered.length) return ""
+    if (before) return "Covered: what do you expect? Press Reveal to see it and to play."
+    if (covered.includes("next")) return "The next change is covered until you press Reveal: change something."
+    return "Covered until you press Reveal."
   }
 
   async #come() {
@@ -160,8 +207,17 @@ export class Compare {
   leave() {
     this.gone.abort()
     clearTimeout(this.ending)
+    clearTimeout(this.leaving)
   }
 }
+
+/** Whether an axis shows less than it did: it has been fitted anew. @param {Drawn} shown @param {Drawn} before */
+function isCloser({view: {axes}}, {view: {axes: old}}) {
+  return Object.keys(axes).some(name => name in old && size(axes[name]) < 0.999 * size(old[name]))
+}
+
+/** @param {page.Ruler} ruler */
+const size = ruler => Math.abs(toSI(ruler, ruler.end) - toSI(ruler, ruler.start))
 
 /** @param {string} name @param {string} title @param {() => void} act */
 function chip(name, title, act) {

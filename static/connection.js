@@ -24,6 +24,8 @@ export class Connection {
   tries = -1 // without a steady connection, but for the first
   refused = 0 // tries in which the page came and no socket opened
   since = 0
+  token = "" // the last that was signed for this page, by which it is known when it comes back
+  ticket = "" // its place in the line, where all places are taken
 
   /** @type {number | undefined} */
   timer
@@ -47,6 +49,7 @@ export class Connection {
 
   /** @param {string} token @param {boolean} anew */
   async #open(token, anew) {
+    this.token = token
     await bokeh()
     const opened = connect(
       token,
@@ -104,11 +107,21 @@ export class Connection {
   }
 
   async #renew() {
-    const {token, version} = await served(this.options.link())
+    const {token, version} = await this.#served(this.options.link())
     if (version === versionOf(document)) return this.#open(token, true)
     this.isOutdated = true
     this.status.outdated()
     this.options.outdated()
+  }
+
+  /** The token of a new session, and the version of the page that it is for. @param {string} link */
+  async #served(link) {
+    const headers = {"Page-Token": this.token, "Page-Ticket": this.ticket}
+    const answer = await fetch(link, {cache: "no-store", headers, signal: AbortSignal.timeout(PATIENCE)})
+    this.ticket = answer.headers.get("Page-Ticket") ?? ""
+    const page = new DOMParser().parseFromString(await answer.text(), "text/html")
+    const {token} = JSON.parse(page.getElementById("opening")?.textContent ?? "")
+    return {token, version: versionOf(page)}
   }
 
   /** @param {() => Promise<void>} attempt */
@@ -125,14 +138,6 @@ export class Connection {
     this.tries++
     if (!this.wire && !this.isOutdated) this.#pause()
   }
-}
-
-/** The token of a new session, and the version of the page that it is for. @param {string} link */
-async function served(link) {
-  const answer = await fetch(link, {cache: "no-store", signal: AbortSignal.timeout(PATIENCE)})
-  const page = new DOMParser().parseFromString(await answer.text(), "text/html")
-  const {token} = JSON.parse(page.getElementById("opening")?.textContent ?? "")
-  return {token, version: versionOf(page)}
 }
 
 /** The scripts, and the sheets of all scenes. @param {Document} page */

@@ -4,6 +4,8 @@
 import {element, marked, svg} from "./dom.js"
 import {Slider, problemElement, symbol} from "./slider.js"
 
+const TYPING = "A digit begins a number in its field; Enter sets it, Escape takes it back."
+
 /**
  * What builds a choice of small pictures; only some scenes have one, and fetch it.
  * @typedef {typeof import("./later/picker.js").buildPicker} BuildPicker
@@ -184,6 +186,8 @@ class Controls {
     const slider = new Slider(row, this.send)
     this.sliders.set(row.name, slider)
     this.help(slider.element, row.name)
+    const says = `${row.symbol.replace("_", "")} ${row.says} ${TYPING}`
+    slider.element.append(element("span", {class: "heard", id: `help-${row.name}`}, says))
     host.append(slider.element)
   }
 

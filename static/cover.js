@@ -44,7 +44,8 @@ export class Cover {
     const {block, host} = this.plot
     const isCovered = covered.includes(`plot:${block.name}`)
     if (isCovered && !this.element) {
-      const reveal = element("button", {type: "button", class: "chip"}, "Reveal")
+      const name = `Reveal ${block.title}`
+      const reveal = element("button", {type: "button", class: "chip", "aria-label": name}, "Reveal")
       reveal.addEventListener("click", () => this.plot.page.compare.reveal(`plot:${block.name}`))
       this.element = element("div", {class: "cover"}, element("span", {}, "Covered. What do you expect?"), reveal)
       host.append(this.element)

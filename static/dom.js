@@ -90,6 +90,10 @@ const RUNS = {
 /** @param {page.Runs} runs */
 export const words = runs => runs.flatMap(({kind, text}) => RUNS[kind](text))
 
+/** The box of the surface that a part stands on: paper or panel, and on a phone, where these have none, the page. */
+export const surface = (/** @type {Element} */ part) =>
+  [".paper, .panel", ".page"].map(kind => part.closest(kind)?.getBoundingClientRect()).find(box => box?.width)
+
 const ruler = /** @type {CanvasRenderingContext2D} */ (document.createElement("canvas").getContext("2d"))
 
 /** Units that a small text takes. @param {string} text */

@@ -6,7 +6,7 @@ import {colour, element, unitSize, units} from "./dom.js"
 const LINES = {sum: "w2", line: "w1", dash: "w1", dots: "w0", thin: "w0"}
 const LENGTHS = ["line_dash", "size"]
 
-const LACK = "What draws the curves could not be fetched. It is asked for again."
+const LACK = "The program that draws the curves could not be loaded. Trying again."
 
 export class Figure {
   /** @type {HTMLElement | undefined} */

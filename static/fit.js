@@ -8,7 +8,7 @@ export class Fit {
   constructor(page) {
     this.element = element(
       "button",
-      {type: "button", class: "chip fit", title: "Axes, window and speed anew (0)"},
+      {type: "button", class: "chip fit", title: "Fit axes, time window and speed (0)"},
       "Fit",
     )
     this.element.addEventListener("click", () => page.lecture.fit())

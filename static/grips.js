@@ -1,6 +1,6 @@
 // What can be grabbed on a stage: an element over each such shape, for mouse, finger, keys and screen readers.
 
-import {element, long, unitSize} from "./dom.js"
+import {element, long, surface, unitSize} from "./dom.js"
 import {brief} from "./handles.js"
 import {polynomial} from "./signals.js"
 
@@ -31,6 +31,7 @@ const HOLDS = {
   arrow: s => [s.x2, s.y2, 0],
 }
 
+/** @typedef {import("./hand.js").Point} Point */
 /** @typedef {{grip: HTMLElement, grab: page.Grab, needs: string[], x: number, y: number, lift: number}} Grip */
 
 export class Grips {
@@ -132,15 +133,22 @@ export class Grips {
     return this.page.shown.settings[name].soft ?? this.page.controls.sliders.get(name)?.spec.soft ?? [0, 1]
   }
 
-  /** @param {PointerEvent} event @param {Grip} grip */
-  #drag(event, grip) {
+  /** Of grips that lie on each other the nearest is meant. @param {PointerEvent} event @param {Grip} hit */
+  #drag(event, hit) {
     if (event.button) return
     event.preventDefault()
     event.stopPropagation()
-    const box = this.element.getBoundingClientRect()
-    /** @param {PointerEvent} event */
-    const at = ({clientX, clientY}) => ({x: (clientX - box.left) / unitSize(), y: (clientY - box.top) / unitSize()})
-    const off = {x: at(event).x - grip.x, y: at(event).y - grip.y}
+    /** Lines that come and go move the stage. @param {PointerEvent} event */
+    const at = ({clientX, clientY}) => {
+      const {left, top} = this.element.getBoundingClientRect()
+      return {x: (clientX - left) / unitSize(), y: (clientY - top) / unitSize()}
+    }
+    const {x, y} = at(event)
+    const far = (/** @type {Grip} */ one) => Math.hypot(x - one.x, y - one.y - one.lift)
+    const under = document.elementsFromPoint(event.clientX, event.clientY)
+    const all = [...this.grips.values()].filter(one => under.includes(one.grip))
+    const grip = all.reduce((best, one) => (far(one) < far(best) ? one : best), hit)
+    const off = {x: x - grip.x, y: y - grip.y}
     grip.grip.focus({preventScroll: true})
     grip.grip.setPointerCapture(event.pointerId)
     grip.grip.classList.add("held")
@@ -163,7 +171,7 @@ export class Grips {
     if (grip.grab.begins && !set(grip.grab).every(name => begun.has(name))) hand.move({x: grip.x, y: grip.y}, this.all)
   }
 
-  /** Where the hand is, no further than the paper or the frame of a plot. @param {{x: number, y: number}} at */
+  /** Where the hand is, no further than the paper or the frame of a plot. @param {Point} at */
   #move({x, y}) {
     const {hand} = this.page
     const {left, right, top, bottom} = hand.grab?.inside ? this.#frame(hand.grab.inside) : this.#paper()
@@ -172,7 +180,7 @@ export class Grips {
 
   #paper() {
     const own = this.element.getBoundingClientRect()
-    const {left, right, top, bottom} = this.page.paper.getBoundingClientRect()
+    const {left, right, top, bottom} = surface(this.element) ?? own
     const [x, y] = [own.left, own.top]
     const [start, end, first, last] = [left - x, right - x, top - y, bottom - y].map(far => far / unitSize())
     return {left: start, right: end, top: first, bottom: last}

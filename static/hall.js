@@ -74,7 +74,7 @@ export class Hall {
 
   /** Only a key or a press may fill the screen: after a page is loaded anew, as some clickers have it, the next one. */
   #offer() {
-    this.offer = element("p", {class: "offer", role: "status"}, "The next key brings back the full screen.")
+    this.offer = element("p", {class: "offer", role: "status"}, "Press a key to go back to full screen.")
     document.body.append(this.offer)
     const end = (/** @type {KeyboardEvent | PointerEvent} */ event) => {
       for (const kind of ["keydown", "pointerdown"]) removeEventListener(kind, /** @type {any} */ (end), true)

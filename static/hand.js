@@ -220,7 +220,8 @@ function placed(way, at, all, ruler) {
  * @param {Named} all @param {page.Ruler} ruler @returns {Placed}
  */
 function onLine(way, place, pixel, all, ruler) {
-  const inside = Math.min(Math.max(place, way.least ?? -Infinity), way.most ?? Infinity)
+  const [least, most] = [way.least, way.most].map(end => (end === null ? end : toPlace(ruler, end)))
+  const inside = Math.min(Math.max(place, least ?? -Infinity), most ?? Infinity)
   const [si, beside] = [inside, inside + pixel].map(one => toSI(ruler, one))
   if (way.kind === "along") return {si, value: si, pixel: Math.abs(beside - si)}
   if (way.kind === "quotient") {

@@ -39,7 +39,7 @@ export class Handles {
    */
   help(controls) {
     for (const {element: pill, handle} of this.setters) {
-      pill.setAttribute("aria-describedby", "controls-says")
+      if (controls.sliders.has(handle.parameter)) pill.setAttribute("aria-describedby", `help-${handle.parameter}`)
       controls.help(pill, handle.parameter)
     }
   }

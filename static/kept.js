@@ -2,7 +2,7 @@
 
 import {note} from "./notes.js"
 
-const NOTHING = "This browser keeps nothing for this page: what you chose or answered lasts until the page is closed."
+const NOTHING = "This browser stores nothing for this page: your choices and answers are lost when it is closed."
 
 let told = false
 
@@ -23,4 +23,11 @@ export function keep(name, text) {
     if (!told) note(NOTHING)
     told = true
   }
+}
+
+/** Light in place of dark or dark in place of light, from now on. */
+export function turnTheme() {
+  const {dataset} = document.documentElement
+  dataset.theme = dataset.theme === "dark" ? "light" : "dark"
+  keep("theme", dataset.theme)
 }

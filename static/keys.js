@@ -3,6 +3,7 @@
 
 import {kept, keep} from "./kept.js"
 import {using} from "./later.js"
+import {BEGINS_NUMBER} from "./numbers.js"
 
 /**
  * A key by what the event calls it, as it is shown, what it does in words, and the deed; what matches `own` and has the
@@ -13,13 +14,13 @@ import {using} from "./later.js"
  */
 
 const PRESSED = "button, a, summary, input, select, [role=slider], [role=application]"
-const MOVED = "input, [role=slider], [role=application]"
+const MOVED = "input, [role=slider], [role=application], [role=menuitem]"
 const OPEN = ".walks[open], .scene-menu[open], .card .follows[open], dialog.keys"
 const OFF = "single-keys"
 
 /** @param {Lecture} lecture @param {() => void} act on a clock that is not held by a question */
 function timed({page}, act) {
-  if (!page.transport.element.inert && !page.transport.element.classList.contains("idle")) act()
+  if (!page.compare.still && !page.transport.element.inert && !page.transport.element.classList.contains("idle")) act()
 }
 
 /** @param {number} n @returns {Key["act"]} */
@@ -36,21 +37,31 @@ export const KEYS = [
   {keys: ["["], shown: "[", does: "Step back in time", act: l => timed(l, () => l.clock.step(-1))},
   {keys: ["]"], shown: "]", does: "Step forward in time", act: l => timed(l, () => l.clock.step(1))},
   {keys: ["Home"], shown: "Home", does: "Restart", own: MOVED, act: l => timed(l, () => l.clock.seek(0))},
-  {keys: ["0"], shown: "0", does: "Fit axes, window and speed", act: l => l.fit()},
-  {keys: ["PageDown"], shown: "Page Down", does: "In a walk: Show, then Next", act: l => l.walks.walk?.forward(true)},
-  {keys: ["PageUp"], shown: "Page Up", does: "In a walk: Back", act: l => l.walks.walk?.back()},
+  {keys: ["0"], shown: "0", does: "Fit axes, time window and speed", act: l => l.fit()},
+  {
+    keys: ["PageDown"],
+    shown: "Page Down",
+    does: "In a walk: show the answer, then go on",
+    act: l => l.walks.walk?.forward(true),
+  },
+  {keys: ["PageUp"], shown: "Page Up", does: "In a walk: one step back", act: l => l.walks.walk?.back()},
   ...[1, 2, 3, 4].map(n => ({keys: [`${n}`], shown: `${n}`, does: `Answer ${n}, or preset ${n}`, act: numbered(n)})),
-  {keys: ["h", "H"], shown: "H", does: "Hold this picture, or release it", act: l => l.page.compare.toggle()},
-  {keys: ["w", "W"], shown: "W", does: "Walk: choose one, or leave it", act: l => l.walks.toggle()},
+  {
+    keys: ["h", "H"],
+    shown: "H",
+    does: "Hold: keep these curves for comparison, or release them",
+    act: l => l.page.compare.toggle(),
+  },
+  {keys: ["w", "W"], shown: "W", does: "Choose a walk, or leave it", act: l => l.walks.toggle()},
   {keys: ["r", "R"], shown: "R", does: "Reveal what is covered", act: l => l.walks.reveal()},
-  {keys: ["c", "C"], shown: "C", does: "Controls: fold them away, or bring them back", act: l => l.hall.fold()},
-  {keys: ["p", "P"], shown: "P", does: "Projector: large type for a hall", act: l => l.hall.toggle()},
+  {keys: ["c", "C"], shown: "C", does: "Hide the controls, or show them again", act: l => l.hall.fold()},
+  {keys: ["p", "P"], shown: "P", does: "Projector: large type for a lecture hall", act: l => l.hall.toggle()},
   {keys: ["f", "F"], shown: "F", does: "Full screen", act: l => l.hall.full()},
-  {keys: ["t", "T"], shown: "T", does: "Teach: open a class", act: l => void (l.classes.led ?? l.classes.begin())},
-  {keys: ["j", "J"], shown: "J", does: "Join code of the class, large", act: l => l.classes.led?.large.toggle()},
+  {keys: ["t", "T"], shown: "T", does: "Start a live class", act: l => void (l.classes.led ?? l.classes.begin())},
+  {keys: ["j", "J"], shown: "J", does: "Show the code of the class, large", act: l => l.classes.led?.large.toggle()},
   {keys: [".", "b", "B"], shown: "B or .", does: "Blank the screen; any key brings it back", act: () => blank()},
   {keys: ["Escape"], shown: "Esc", does: "Close what is open", act: close, shared: true},
-  {keys: ["?"], shown: "?", does: "This list", act: list},
+  {keys: ["?"], shown: "?", does: "Show this list", act: list},
 ]
 
 const isLetter = (/** @type {string} */ key) => /^[a-z.]$/i.test(key)
@@ -104,7 +115,9 @@ function acts(event, {own}) {
   if (document.querySelector("dialog:modal") || (singles.off && isLetter(key))) return false
   if (!(target instanceof HTMLElement)) return true
   const isTyped = key.length === 1 || key === "Home"
-  return !(isTyped && isTyping(target)) && !(own && target.matches(own))
+  if (isTyped && isTyping(target)) return false
+  // A number goes to the field of a slider.
+  return !(BEGINS_NUMBER.test(key) && target.matches("[type=range]")) && !(own && target.matches(own))
 }
 
 /** @param {HTMLElement} target */

@@ -4,7 +4,7 @@ import {note} from "./notes.js"
 
 const PAUSE = 10000 // ms until it is asked for anew; sooner where the network or the server is back
 
-const MISSING = "A part of this page could not be fetched; it comes as soon as the server can be reached."
+const MISSING = "Part of this page could not be loaded; it follows as soon as the server is reached."
 
 const PARTS = {
   about: () => import("./later/about.js"),

@@ -5,8 +5,10 @@ const PATIENCE = 5000 // ms without an answer until a message is sent once more,
 
 /**
  * What is known of a message beside it: whether it is a turn, which the back button returns from, whether the clock
- * starts anew with its answer, whether it is there for a new session alone, and what undo makes of it.
- * @typedef {{turn?: boolean, start?: boolean, anew?: boolean, way?: import("./undo.js").Way, deed?: string}} About
+ * starts anew with its answer, whether it is there for a new session alone, who waits for its answer, and what undo
+ * makes of it.
+ * @typedef {{turn?: boolean, start?: boolean, anew?: boolean, answered?: (told: Told) => void,
+ *   way?: import("./undo.js").Way, deed?: string}} About
  * @typedef {About & {message: page.Said}} Asked
  * @typedef {About & {message: page.Said | ((state: page.State) => page.Said | null)}} Waiting
  */
@@ -95,6 +97,11 @@ export class Line {
     if (before && values) Object.assign(last, about, {message: copy})
     else this.outbox.push({...about, message: copy})
     this.#flush()
+  }
+
+  /** The answer to a message, whatever else is told meanwhile. @param {page.Said} message @returns {Promise<Told>} */
+  ask(message) {
+    return new Promise(answered => this.send(message, {answered}))
   }
 
   /** Of what waits, the newest value of each parameter wins. @param {string[]} names */

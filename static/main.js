@@ -99,7 +99,7 @@ export class Lecture {
 
   /** @param {page.Said} message */
   send(message) {
-    if (message.type === "set") this.page.compare.set(this.undo.press)
+    this.page.compare.set(this.undo.press, this.undo.deed(message), message)
     this.line.send(message, {deed: this.undo.deed(message)})
     this.#wait()
   }
@@ -187,7 +187,7 @@ export class Lecture {
     if (told.type === "shown") this.undo.record(told.state, asked ?? {})
     if (told.type === "about") this.page.about?.show(told)
     if (told.type === "file") download(told)
-    if (told.type === "taught" || told.type === "walking") this.walks.told(told, asked)
+    asked?.answered?.(told)
     // What goes wrong with one picture does not keep the next from being shown.
     const show = () => (told.type === "shown" ? this.#show(told, asked) : undefined)
     this.turning = this.turning.then(show, show)
@@ -197,7 +197,7 @@ export class Lecture {
   async #show(shown, asked) {
     if (shown.scene === this.page?.spec.slug) {
       this.#wait() // before, so that it is not overwritten, and after for what has been
-      this.page.apply(shown)
+      this.page.apply(shown, asked)
       this.#wait()
     } else if (!(await this.#turn(shown))) return
     const refused = Object.keys(shown.errors).length > 0

@@ -1,17 +1,24 @@
 // The menu of the walks: those that there are, one from a file, and what an instructor does with them.
 
 import {element} from "./dom.js"
+import {kept} from "./kept.js"
 import {later} from "./later.js"
+
+const VISITED = "visited"
 
 export class Menu {
   /** @type {Map<string, string>} the addresses of the sheets by name */
   sheets = new Map()
+
+  /** @type {HTMLElement | null} the link that offers it beside the menu */
+  tour = document.querySelector(".new-here")
 
   /** @param {import("./walks.js").Walks} walks */
   constructor(walks) {
     this.walks = walks
     this.element = document.querySelector(".walks")
     for (const link of document.querySelectorAll("[data-walk]")) if (link instanceof HTMLElement) this.#lead(link)
+    this.#offer()
     const {hall} = walks.lecture
     this.#entry("leave-walk", () => walks.leave())
     // A file button that is nowhere seen: held here, or the browser may forget it before a file is chosen; and pressed
@@ -36,9 +43,20 @@ export class Menu {
     })
   }
 
+  /** The tour is offered on the first visit, until a walk is entered. */
+  #offer() {
+    const isFirst = !kept(VISITED) && !new URLSearchParams(location.search).has("walk") && self === top
+    if (this.tour) this.tour.hidden = !isFirst
+    try {
+      localStorage.setItem(VISITED, "yes")
+    } catch {
+      // A browser that keeps nothing is offered it again.
+    }
+  }
+
   /** A question is asked of a scene: a step of a walk is one already. */
   async #ask() {
-    if (this.walks.walk) this.walks.lecture.page.notify(["Leave the walk first: a question is asked of a scene."])
+    if (this.walks.walk) this.walks.lecture.page.notify(["Leave the walk first: a question is written on a scene."])
     else (await later("ask")).ask(this.walks)
   }
 
@@ -61,7 +79,7 @@ export class Menu {
     this.#run(file)
   }
 
-  /** A walk from a file. @param {File} [file] */
+  /** One's own walk, from a file. @param {File} [file] */
   async #run(file) {
     if (!file) return
     const {run} = await later("ownwalk")
@@ -76,6 +94,7 @@ export class Menu {
   /** @param {boolean} isWalked */
   walked(isWalked) {
     this.element?.classList.toggle("walked", isWalked)
+    if (isWalked && this.tour) this.tour.hidden = true
   }
 
   close() {

@@ -1,5 +1,8 @@
 // Numbers as a person reads and types them: the same texts as components/numbers.py writes.
 
+/** A key that begins a number. */
+export const BEGINS_NUMBER = /^[\d.,+\u2212-]$/
+
 export const MINUS = "−"
 const SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 

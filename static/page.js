@@ -104,12 +104,14 @@ export class Page {
 
   #tools() {
     const link = copyButton(() => this.link)
-    const csv = element("button", {type: "button", class: "chip"}, "CSV")
+    const title = "The numbers of all plots as a CSV file; several tables come in one ZIP file"
+    const csv = element("button", {type: "button", class: "chip", title}, "CSV")
     csv.addEventListener("click", () => this.send({type: "csv", page: location.origin + location.pathname}))
     const pictures = element("button", {type: "button", class: "chip"}, "Pictures")
     pictures.addEventListener("click", () => this.#take())
-    for (const stage of this.sheet.stages.filter(({svg}) => svg.role === "img")) this.#takeable(stage.host, stage)
-    for (const plot of this.plots) this.#takeable(plot.host.parentElement, plot)
+    for (const stage of this.sheet.stages.filter(({svg}) => svg.role === "img"))
+      this.#takeable(stage.host, stage, stage.svg.getAttribute("aria-label") ?? "")
+    for (const plot of this.plots) this.#takeable(plot.host.parentElement, plot, plot.block.title)
     const chips = element(
       "div",
       {class: "chips"},
@@ -118,18 +120,19 @@ export class Page {
       pictures,
       ...this.spec.onward.map(way => this.#onward(way)),
     )
-    const away = element("details", {class: "fold away"}, element("summary", {}, "Take away"), chips)
+    const away = element("details", {class: "fold away"}, element("summary", {}, "Save and share"), chips)
     return element("div", {class: "tools"}, ...this.compare.buttons, away)
   }
 
   /**
    * A button on a plot or a stage, for the pointer; the keys have that among the tools.
-   * @param {HTMLElement | null} host @param {Subject} subject
+   * @param {HTMLElement | null} host @param {Subject} subject @param {string} name
    */
-  #takeable(host, subject) {
-    const button = element("button", {type: "button", class: "take", tabindex: -1, title: "Picture, table"})
+  #takeable(host, subject, name) {
+    const title = "Save the picture, or read its table"
+    const button = element("button", {type: "button", class: "take", tabindex: -1, title})
     button.innerHTML = SAVE
-    button.setAttribute("aria-label", "Picture, table")
+    button.setAttribute("aria-label", `${title}: ${name}`)
     button.addEventListener("click", () => this.#take(subject))
     host?.append(button)
   }
@@ -155,8 +158,8 @@ export class Page {
     this.lecture.send(message)
   }
 
-  /** @param {Drawn} shown */
-  apply(shown) {
+  /** @param {Drawn} shown @param {{deed?: string} | null} [asked] what it is the answer to */
+  apply(shown, asked = null) {
     this.shown = shown
     const {view, state} = shown
     this.compare.stand(shown)
@@ -175,7 +178,7 @@ export class Page {
     for (const plot of this.plots) plot.update(shown)
     if (this.plots.some(plot => plot.waits)) this.join()
     this.controls.update(shown)
-    this.compare.update(shown)
+    this.compare.update(shown, asked)
     this.measured = false
     this.clock.update(view.axes[view.time], view.pace)
     this.transport.update(shown)
@@ -186,6 +189,11 @@ export class Page {
     requestAnimationFrame(() =>
       requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("oscillations:painted"))),
     )
+  }
+
+  /** The curves switched off, by group. */
+  get hidden() {
+    return this.shown.state.hidden ?? this.spec.hidden
   }
 
   get link() {

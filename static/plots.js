@@ -59,7 +59,7 @@ export class Plot {
   #dot(curve) {
     const dot = svg("circle", {class: `dot ${curve.tint}`, r: 4.5})
     this.over.append(dot)
-    return {curve, dot}
+    return {curve, dot, covers: [curve.y, curve.group].map(name => `curve:${this.block.name}.${name}`)}
   }
 
   /** The figure joins what stands: its names, marks and handles have their places already. */
@@ -157,7 +157,7 @@ export class Plot {
     this.asked = {x: this.handles.ruler(this.block.x), y: this.handles.ruler(this.block.y)}
     this.x = this.asked.x ?? this.x
     this.y = this.asked.y ?? this.y
-    this.hidden = new Set(shown.state.hidden)
+    this.hidden = new Set(this.page.hidden)
     if (this.host.parentElement)
       this.host.parentElement.hidden = Boolean(this.block.form) && !view.forms[this.block.form]
     this.cover.update(shown.state.covered)
@@ -278,10 +278,12 @@ export class Plot {
       set(this.cursor, {x1: x, x2: x, y1: top, y2: top + height})
       this.handles.placeTime(t, timeText)
     }
-    for (const {curve, dot} of this.dots) {
+    const {covered} = this.shown.state
+    for (const {curve, dot, covers} of this.dots) {
       const x = this.px(curve.signal_x ? named[curve.signal_x] : t)
       const y = this.py(named[curve.signal])
-      const isShown = !this.hidden.has(curve.group) && isWithin(this.frame, x, y, 1, 2)
+      const isCovered = this.hidden.has(curve.group) || covers.some(name => covered.includes(name))
+      const isShown = !isCovered && isWithin(this.frame, x, y, 1, 2)
       dot.style.display = isShown ? "" : "none"
       if (isShown) set(dot, {cx: x, cy: y})
     }

@@ -113,7 +113,7 @@ export class Sheet {
 
   /** @param {string} curve */
   #switch(curve) {
-    const hidden = new Set(this.page.shown.state.hidden)
+    const hidden = new Set(this.page.hidden)
     if (!hidden.delete(curve)) hidden.add(curve)
     this.page.send({type: "choose", name: "hidden", value: [...hidden]})
   }
@@ -152,7 +152,7 @@ export class Sheet {
   }
 
   /** @param {Drawn} shown */
-  update({view: {forms}, settings, state: {hidden, covered}}) {
+  update({view: {forms}, settings, state: {covered}}) {
     for (const {term, part, variants} of this.headings) {
       const wanted = forms[term.form] ?? "formula"
       let shown = false
@@ -161,7 +161,7 @@ export class Sheet {
         shown ||= !text.hidden && text.innerHTML !== ""
       }
       part.style.display = wanted === "" || !shown ? "none" : ""
-      const off = hidden.includes(term.curve)
+      const off = this.page.hidden.includes(term.curve)
       part.classList.toggle("off", off)
       if (term.curve) part.setAttribute("aria-pressed", String(!off))
     }

@@ -1,7 +1,7 @@
 // What stands around a scene: the navigation, the title of the document, light and dark.
 
 import {element} from "./dom.js"
-import {keep} from "./kept.js"
+import {turnTheme} from "./kept.js"
 import {using} from "./later.js"
 
 export class Shell {
@@ -78,9 +78,7 @@ export class Shell {
   }
 
   #theme() {
-    const root = document.documentElement
-    root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark"
-    keep("theme", root.dataset.theme)
+    turnTheme()
     this.lecture.page.theme()
   }
 }

@@ -3,7 +3,7 @@
 import {element} from "./dom.js"
 import {fitting} from "./fitting.js"
 import {Finger, keyed} from "./grip.js"
-import {tidy, withTrueMinus} from "./numbers.js"
+import {BEGINS_NUMBER, tidy, withTrueMinus} from "./numbers.js"
 import {sliderPlace, sliderValue, stepped} from "./scales.js"
 
 const STEPS = 1000 // of a slider moved by arrow keys
@@ -145,7 +145,7 @@ export class Slider {
   #stepSlider(event) {
     const {key, ctrlKey, metaKey, altKey} = event
     if (ctrlKey || metaKey || altKey) return
-    if (key === "Enter" || /^[\d.,+-]$/.test(key)) return this.field.select()
+    if (key === "Enter" || BEGINS_NUMBER.test(key)) return this.field.select()
     const soft = this.#shownSoft()
     const value = keyed(key, this.spec.scale, this.#shown(this.#atSlider()), soft, direction => this.#next(direction))
     if (value === null) return
@@ -256,9 +256,9 @@ export class Slider {
   }
 
   #describe() {
-    const bad = this.problem.textContent
-    this.field.setAttribute("aria-describedby", bad ? `${this.problem.id} controls-says` : "controls-says")
-    this.slider.setAttribute("aria-describedby", "controls-says")
+    const help = `help-${this.spec.name}`
+    this.field.setAttribute("aria-describedby", this.problem.textContent ? `${this.problem.id} ${help}` : help)
+    this.slider.setAttribute("aria-describedby", help)
   }
 
   // A slider goes in round numbers of the unit shown.

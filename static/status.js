@@ -3,9 +3,8 @@
 import {element, svg} from "./dom.js"
 
 const MOMENT = 4000 // ms for which it is said that all is well again
-const LOST = "What you see still plays; changes wait."
-const REFUSED =
-  "Something on the way to the server refuses WebSockets. What you see still plays; nothing can be changed."
+const LOST = "The picture still plays; your changes wait."
+const REFUSED = "A proxy or firewall blocks WebSockets to the server. The picture still plays; nothing can be changed."
 
 export class Status {
   due = 0
@@ -51,7 +50,7 @@ export class Status {
   /** The server has another version of the page. */
   outdated() {
     clearInterval(this.countdown)
-    this.next.textContent = "The page is loaded anew as soon as no hand is on it."
+    this.next.textContent = "There is a new version: the page reloads as soon as you pause."
   }
 
   /** All is well, and that is said where it was not. */

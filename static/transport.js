@@ -55,7 +55,7 @@ export class Transport {
     const {clock} = page
     this.play = button("Pause", icon("pause"), () => clock.toggle(), "icon play")
     this.auto = button("Auto speed", "Auto", () => clock.auto(), "")
-    this.factor = element("span", {class: "factor", title: "Simulated time over real time"})
+    this.factor = element("span", {class: "factor", title: "Seconds of motion shown in one second"})
     this.window = element("input", {
       name: "window",
       inputmode: "decimal",
@@ -96,10 +96,10 @@ export class Transport {
     const axis = axes[time]
     // Where nothing moves there is nothing to play.
     this.element.classList.toggle("idle", !axis)
-    this.notes = [this.page.controls.presets.watch(shown.preset), ...notes]
+    this.notes = [this.page.compare.says(shown.state), this.page.controls.presets.watch(shown.preset), ...notes]
     const error = errors.window
     this.window.classList.toggle("bad", Boolean(error))
-    this.window.title = error ?? "Empty: the scene chooses"
+    this.window.title = error ?? "Leave empty for automatic"
     this.problem = error
     if (document.activeElement !== this.window || !error) {
       if (!error && !this.page.waiting.has("window")) this.window.value = settings.window.text

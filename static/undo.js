@@ -26,7 +26,7 @@ export class Undo {
   constructor(send, reset) {
     this.send = send
     this.buttons = {past: this.#button("Undo", "past"), future: this.#button("Redo", "future")}
-    this.reset = drawn("Reset", "Reset: the scene as it opens", RESET)
+    this.reset = drawn("Reset", "Reset: everything as the scene opened", RESET)
     this.reset.addEventListener("click", reset)
     this.element = element("div", {class: "undo"}, this.reset, this.buttons.past, this.buttons.future)
     addEventListener("pointerdown", () => this.#press("pointer"), true)
@@ -90,7 +90,7 @@ export class Undo {
       story.deed = ""
     } else advance(story, state, deed)
     story.now = state
-    this.reset.disabled = Boolean(state.step) || isSame(state, {...state, parameters: {}, frame: null, hidden: []})
+    this.reset.disabled = Boolean(state.step) || isSame(state, {...state, parameters: {}, frame: null, hidden: null})
     for (const one of /** @type {Way[]} */ (["past", "future"])) this.buttons[one].disabled = !story[one].length
   }
 }

@@ -6,6 +6,7 @@ import {Menu} from "./menu.js"
 /** @typedef {import("./later/walk.js").Walk} Walk */
 
 const OWN = "own-walks"
+const NOT_READ = "the server could not read this file. Nothing has changed."
 
 export class Walks {
   /** @type {Walk | null} the one that is walked */
@@ -13,9 +14,6 @@ export class Walks {
 
   /** @type {Map<string, page.WalkSheet>} walks that only this session knows */
   own = new Map()
-
-  /** @type {((told: page.Walking) => void)[]} who waits for what is said of a walk's file */
-  waiting = []
 
   /** @param {import("./main.js").Lecture} lecture */
   constructor(lecture) {
@@ -101,9 +99,9 @@ export class Walks {
    * @param {string} name @param {string} text @returns {Promise<string>}
    */
   async check(name, text) {
-    const told = new Promise(done => this.waiting.push(done))
-    this.lecture.line.send({type: "walk", name, text})
-    const {sheet, refused} = /** @type {page.Walking} */ (await told)
+    const told = await this.lecture.line.ask({type: "walk", name, text})
+    if (told.type !== "walking") return NOT_READ
+    const {sheet, refused} = told
     if (!sheet) return refused
     this.own.set(name, sheet)
     this.texts[name] = text
@@ -132,12 +130,6 @@ export class Walks {
     const place = this.own.get(name)?.steps.findIndex(step => step.id === id) ?? 0
     page.notice.hidden = true
     await this.enter(name, Math.max(place, 0))
-  }
-
-  /** @param {page.Taught | page.Walking} told @param {import("./line.js").Asked | null} asked */
-  told(told, asked) {
-    if (told.type === "taught") this.walk?.taught(told)
-    else if (!asked?.anew) this.waiting.shift()?.(told)
   }
 }
 

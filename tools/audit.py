@@ -23,7 +23,7 @@ def findings(report: dict[str, Any]) -> Iterator[str]:
     packages = report["dependencies"]
     unknown = [package["name"] for package in packages if "skip_reason" in package]
     if len(unknown) == len(packages):
-        yield "The data of the audit cannot be reached: nothing is known of any package."
+        yield "The audit could not be asked: nothing is known of any package."
     elif unknown:
         yield f"Not looked up: {', '.join(unknown)}."
     for package in packages:
@@ -38,8 +38,8 @@ def main() -> None:
         said = list(findings(json.loads(ran.stdout)))
     except ValueError:
         reason = (ran.stderr.strip().splitlines() or ["pip-audit says nothing"])[-1]
-        said = [f"The data of the audit cannot be reached: {reason}"]
-    print("\n".join(said) or f"Nothing is known against the packages of {LOCK}.")
+        said = [f"The audit could not be asked: {reason}"]
+    print("\n".join(said) or f"The audit was asked: nothing is known against the packages of {LOCK}.")
     sys.exit(bool(said))
 
 

@@ -13,12 +13,14 @@ declare namespace page {
     number?: number
   }
 
-  /** Quantities by name, in SI: from sliders and handles. While a hand is `holding` on to what is drawn, its frame
-   * stands as it is. */
+  /** Quantities by name, in SI: from sliders and handles.
+   *
+   * While a hand is `holding` on to what is drawn, its frame stands as it is; when it is not any more, or a slider or
+   * key has been let go, an axis that is hardly used is fitted anew. Where nothing is said of it a value is on its way. */
   interface SetValues extends FromBrowser {
     type: "set"
     values: Record<Name, number | null>
-    holding?: boolean
+    holding?: boolean | null
   }
 
   /** The text of a field, in the unit that it shows. */
@@ -48,11 +50,13 @@ declare namespace page {
   }
 
   /** Put the session into this state; another scene then has what it shares with those before, where that is asked to
-   * be `carried`. */
+   * be `carried`. In a picture that is to be compared with the one that stands, other quantities of one scene, the frame
+   * that stands `keeps` its place. */
   interface Open extends FromBrowser {
     type: "open"
     state: State
     carried?: boolean
+    keeps?: boolean
   }
 
   /** The answer to a step of a walk: an option by its place, the text of a number, a place on the axis, or curves. */
@@ -178,12 +182,14 @@ declare namespace page {
 
   /** All that the browser must know of a scene once, the same for every visitor: an immutable file.
    *
-   * Messages about the scene are deflated with `usual` before them, which they refer to. `spoken` are the numbers that
-   * are read aloud after a change: by what they are called, texts with {live numbers}. */
+   * Messages about the scene are deflated with `usual` before them, which they refer to. `hidden` are the curves that it
+   * opens without, `spoken` the numbers that are read aloud after a change: by what they are called, texts with {live
+   * numbers}. */
   interface SceneSheet {
     slug: string
     title: string
     headline: string
+    hidden: string[]
     runs: boolean
     about: boolean
     onward: Onward[]
@@ -197,17 +203,18 @@ declare namespace page {
   type Value = number | string | string[] | null
 
   /** What a picture is drawn in: the ranges of its axes by name, its time window in s, the scale of its stage, and
-   * its speed, simulated over real seconds. */
+   * its speed, simulated over real seconds. One that came with a link is `given`: no hand that lets go fits it anew. */
   interface Frame {
     ranges: Record<string, [number, number]>
     window: number | null
     scale: number | null
     speed: number | null
+    given: boolean
   }
 
   /** A scene, what of its parameters is not at its default, its frame where it is not the fitted one, the parameters
    * held for comparison, the plots and values covered, the parameters from before the change that is to be predicted,
-   * the curves switched off, and the step of a walk. */
+   * the curves switched off where they are not those that the scene opens without, and the step of a walk. */
   interface State {
     scene: string
     parameters: Record<string, Value>
@@ -215,7 +222,7 @@ declare namespace page {
     held: Record<string, Value> | null
     covered: string[]
     before: Record<string, Value> | null
-    hidden: string[]
+    hidden: string[] | null
     step: string
   }
 
@@ -223,8 +230,8 @@ declare namespace page {
    *
    * `place` says where in the lecture it is, `given` stands over the question, `options` are the answers of a choice,
    * `unit` that of a number; `plot` is where a point is marked or a sketch drawn, `axis` the one of the point, `curves`
-   * what is drawn, by name. `opens` is the state that the question is asked of, `reveals` the one of the answer, where
-   * the parameters in `controls` may be moved. */
+   * what is drawn, by name, and `frame` the axes x and y of a sketch that a class shares. `opens` is the state that the
+   * question is asked of, `reveals` the one of the answer, where the parameters in `controls` may be moved. */
   interface StepCard {
     id: string
     kind: "choice" | "number" | "point" | "sketch"
@@ -241,6 +248,7 @@ declare namespace page {
     plot: string
     axis: "" | "x" | "y"
     curves: string[]
+    frame: [Ruler, Ruler] | null
   }
 
   /** A walk from its first step to its last. */
@@ -270,7 +278,7 @@ declare namespace page {
    *
    * `right` is None where nothing was answered; `reply` is the sentence of the answer given; `verdicts` are those of the
    * options, `findings` those of a sketch, `truth` the right number or places; `places` has them in the unit of the
-   * number, or on the axis of the point. */
+   * number, or on the axis of the point. `shows` is the state of the answer where that is not the card's `reveals`. */
   interface Lesson {
     title: Html
     explain: Html
@@ -281,6 +289,7 @@ declare namespace page {
     verdicts: Verdict[]
     findings: Finding[]
     truth: string
+    shows: State | null
     places: number[]
   }
 
@@ -399,12 +408,14 @@ declare namespace page {
     has: boolean[]
   }
 
-  /** The answers to one vote: how many, of each option, as numbers or places on the axis of a point, as sketches. */
+  /** The answers to one vote: how many, of each option, as numbers or places on the axis of a point, as sketches: some
+   * hundreds of them, and how many of all have each of the features asked for. */
   interface Counted {
     answered: number
     options: number[]
     numbers: number[]
     sketches: SketchOf[]
+    having: number[]
   }
 
   /** The answers to the question that is put, for the instructor; `before` is the first vote where this is another,
@@ -815,7 +826,7 @@ declare namespace page {
   }
 
   /** A place on a line: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or down; a
-   * hand takes it no lower than `least` and no higher than `most`. */
+   * hand takes it no lower than `least` and no higher than `most`, both in SI. */
   interface Stretch extends Way {
     across: "x" | "y"
     zero: Number

@@ -62,7 +62,7 @@ def modes_table(chain: TwoMassChain) -> Table:
         found.append(CheckedPoint(rf"$\omega_{sign}$", place, float(modes.omega[j]), Point(omega, omega)))
         if ratio is not None and np.isfinite(modes.ratio[j]):
             found.append(CheckedPoint("$X_2/X_1$", place, float(modes.ratio[j]), Point(ratio, abs(ratio))))
-    bound = "Frequencies and shapes of the modes are rounded once: off by at most 0.51 ulp of themselves."
+    bound = "Frequencies and shapes of the modes are rounded once: their error is at most 0.51 ulp of their own value."
     return Table(bound, ROUNDED_ONCE, tuple(found))
 
 

@@ -18,6 +18,7 @@ from components.page.signals import AnySignal
 from components.stage import Shape, W, arrow, text
 from components.traces import Floats
 from physics.coupled import Motion, TwoMassChain
+from physics.valid import DOUBLES
 
 LENGTH = 0.13
 """The length of the arrow of the largest force, over the width of the stage."""
@@ -39,7 +40,7 @@ def on_masses(system: TwoMassChain, motion: Motion, F_0: float = 0.0, omega: flo
         one, two = (k * e for k, e in zip((system.k1, system.k2), motion.e, strict=True))
         result = np.array([two - one + F_0 * np.sin(omega * motion.t), -two])
     if not np.all(np.isfinite(result)):
-        raise ValueError("the forces on the masses leave the range of doubles")
+        raise ValueError(f"the forces on the masses leave {DOUBLES}")
     return result
 
 

@@ -27,11 +27,14 @@ class FromBrowser(Struct, frozen=True, kw_only=True, tag_field="type", forbid_un
 
 
 class SetValues(FromBrowser, frozen=True, kw_only=True, tag="set"):
-    """Quantities by name, in SI: from sliders and handles. While a hand is `holding` on to what is drawn, its frame
-    stands as it is."""
+    """Quantities by name, in SI: from sliders and handles.
+
+    While a hand is `holding` on to what is drawn, its frame stands as it is; when it is not any more, or a slider or
+    key has been let go, an axis that is hardly used is fitted anew. Where nothing is said of it a value is on its way.
+    """
 
     values: Annotated[dict[Name, float | None], Meta(max_length=50)]
-    holding: bool = False
+    holding: bool | None = None
 
 
 class Typed(FromBrowser, frozen=True, kw_only=True, tag="typed"):
@@ -62,10 +65,12 @@ class RunOrder(FromBrowser, frozen=True, kw_only=True, tag="run"):
 
 class Open(FromBrowser, frozen=True, kw_only=True, tag="open"):
     """Put the session into this state; another scene then has what it shares with those before, where that is asked to
-    be `carried`."""
+    be `carried`. In a picture that is to be compared with the one that stands, other quantities of one scene, the frame
+    that stands `keeps` its place."""
 
     state: State
     carried: bool = False
+    keeps: bool = False
 
 
 class Given(FromBrowser, frozen=True, kw_only=True, tag="given"):
@@ -198,13 +203,15 @@ class Onward(Struct, frozen=True, kw_only=True):
 class SceneSheet(Struct, frozen=True, kw_only=True):
     """All that the browser must know of a scene once, the same for every visitor: an immutable file.
 
-    Messages about the scene are deflated with `usual` before them, which they refer to. `spoken` are the numbers that
-    are read aloud after a change: by what they are called, texts with {live numbers}.
+    Messages about the scene are deflated with `usual` before them, which they refer to. `hidden` are the curves that it
+    opens without, `spoken` the numbers that are read aloud after a change: by what they are called, texts with {live
+    numbers}.
     """
 
     slug: str
     title: str
     headline: str
+    hidden: tuple[str, ...]
     runs: bool
     about: bool
     onward: tuple[Onward, ...]

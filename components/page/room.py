@@ -135,12 +135,14 @@ class SketchOf(Struct, frozen=True, kw_only=True):
 
 
 class Counted(Struct, frozen=True, kw_only=True):
-    """The answers to one vote: how many, of each option, as numbers or places on the axis of a point, as sketches."""
+    """The answers to one vote: how many, of each option, as numbers or places on the axis of a point, as sketches: some
+    hundreds of them, and how many of all have each of the features asked for."""
 
     answered: int
     options: tuple[int, ...] = ()
     numbers: tuple[float, ...] = ()
     sketches: tuple[SketchOf, ...] = ()
+    having: tuple[int, ...] = ()
 
 
 class Tally(Struct, frozen=True, kw_only=True):

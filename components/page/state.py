@@ -12,18 +12,19 @@ Value: TypeAlias = float | str | list[str] | None
 
 class Frame(Struct, frozen=True, kw_only=True):
     """What a picture is drawn in: the ranges of its axes by name, its time window in s, the scale of its stage, and
-    its speed, simulated over real seconds."""
+    its speed, simulated over real seconds. One that came with a link is `given`: no hand that lets go fits it anew."""
 
     ranges: Annotated[dict[str, tuple[float, float]], Meta(max_length=50)] = {}
     window: float | None = None
     scale: float | None = None
     speed: float | None = None
+    given: bool = False
 
 
 class State(Struct, frozen=True, kw_only=True):
     """A scene, what of its parameters is not at its default, its frame where it is not the fitted one, the parameters
     held for comparison, the plots and values covered, the parameters from before the change that is to be predicted,
-    the curves switched off, and the step of a walk."""
+    the curves switched off where they are not those that the scene opens without, and the step of a walk."""
 
     scene: str
     parameters: dict[str, Value] = {}
@@ -31,5 +32,5 @@ class State(Struct, frozen=True, kw_only=True):
     held: dict[str, Value] | None = None
     covered: tuple[str, ...] = ()
     before: dict[str, Value] | None = None
-    hidden: tuple[str, ...] = ()
+    hidden: tuple[str, ...] | None = None
     step: str = ""

@@ -6,6 +6,7 @@ from typing import Literal
 
 from msgspec import Struct
 
+from components.page.picture import Ruler
 from components.page.state import State
 from components.page.text import Html
 
@@ -15,8 +16,8 @@ class StepCard(Struct, frozen=True, kw_only=True):
 
     `place` says where in the lecture it is, `given` stands over the question, `options` are the answers of a choice,
     `unit` that of a number; `plot` is where a point is marked or a sketch drawn, `axis` the one of the point, `curves`
-    what is drawn, by name. `opens` is the state that the question is asked of, `reveals` the one of the answer, where
-    the parameters in `controls` may be moved.
+    what is drawn, by name, and `frame` the axes x and y of a sketch that a class shares. `opens` is the state that the
+    question is asked of, `reveals` the one of the answer, where the parameters in `controls` may be moved.
     """
 
     id: str
@@ -34,6 +35,7 @@ class StepCard(Struct, frozen=True, kw_only=True):
     plot: str = ""
     axis: Literal["", "x", "y"] = ""
     curves: tuple[str, ...] = ()
+    frame: tuple[Ruler, Ruler] | None = None
 
 
 class WalkSheet(Struct, frozen=True, kw_only=True):
@@ -67,7 +69,7 @@ class Lesson(Struct, frozen=True, kw_only=True):
 
     `right` is None where nothing was answered; `reply` is the sentence of the answer given; `verdicts` are those of the
     options, `findings` those of a sketch, `truth` the right number or places; `places` has them in the unit of the
-    number, or on the axis of the point.
+    number, or on the axis of the point. `shows` is the state of the answer where that is not the card's `reveals`.
     """
 
     title: Html
@@ -79,4 +81,5 @@ class Lesson(Struct, frozen=True, kw_only=True):
     verdicts: tuple[Verdict, ...] = ()
     findings: tuple[Finding, ...] = ()
     truth: str = ""
+    shows: State | None = None
     places: tuple[float, ...] = ()

@@ -6,6 +6,7 @@ import hmac
 from base64 import urlsafe_b64encode
 from hashlib import sha256
 from secrets import choice, token_urlsafe
+from time import time
 
 SIGNS = "23456789ABCDEFGHJKMNPRSTUVWXYZ"
 """Letters and digits of which none is taken for another: no 0 O Q, no 1 I L."""
@@ -26,6 +27,11 @@ def new_key() -> str:
     return token_urlsafe(24)
 
 
+def join_key(key: str) -> str:
+    """What a room's QR code carries beside the code: known to who has its key, and guessed by nobody."""
+    return sha256(f"join {key}".encode()).hexdigest()[:12]
+
+
 def digest(key: str) -> bytes:
     """What is kept of a key."""
     return sha256(key.encode()).hexdigest().encode()
@@ -42,7 +48,8 @@ class Tokens:
         self._secret = secret.encode()
 
     def new(self, code: str) -> str:
-        return self._signed(code, token_urlsafe(9))
+        """Its name begins with the time, so that the newest of some is the greatest."""
+        return self._signed(code, f"{int(1000 * time()):011x}{token_urlsafe(6)}")
 
     def voter(self, code: str, token: str) -> str:
         """The name under which an answer of theirs is kept; "" for a token that is not of this room."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from secrets import token_hex
 from time import monotonic, time
 
@@ -20,16 +21,19 @@ from components.page.room import (
     Vote,
     Withdraw,
 )
-from components.rooms.codes import digest, is_key, new_code, new_key
+from components.rooms.codes import digest, is_key, join_key, new_code, new_key
 from components.rooms.lessons import Judged, Lessons
+from components.rooms.pauses import by_and_by
 from components.rooms.remotes import decided
 from components.rooms.room import NOTHING_PUT, ClassRoom
-from components.rooms.store import AwayError, Parts, Store
+from components.rooms.store import MOST_VOTES, AwayError, Parts, Store
 
 MOST_AHEAD, MOST_BEHIND = 200.0, 5000.0
 """Milliseconds by which an instructor's clock may be ahead of its message's arrival, and behind."""
 FIRST, LAST = 1, 9
 """Votes on one question."""
+SPARE = 50
+"""Answers to a vote besides two of each phone that has been here: some change their phones, none casts thousands."""
 MOST_OWN = 5
 """Walks from files that a room keeps."""
 
@@ -58,22 +62,22 @@ class Hall:
         key = new_key()
         for _ in range(20):
             code = new_code()
-            if await self.store.open(code, {"key": digest(key)}):
+            if await self.store.open(code, {"key": digest(key), "join": digest(join_key(key))}):
                 return code, key
-        raise ClosedError("There are as many classes as this server has room for. Try again later.")
+        raise ClosedError("This server has no room for another class now. Try again later.")
 
     async def room(self, code: str) -> ClassRoom:
         """ClosedError where there is none."""
         room = await self._found(code)
         if not room.parts:
-            raise ClosedError("There is no class with this code now. Codes are four letters and digits.")
+            raise ClosedError("No class has this code now. A code has four letters and digits.")
         return self._asked(room)
 
     async def led(self, code: str, key: str) -> ClassRoom:
         """The room of an instructor; ClosedError for who is none, which does not tell whether there is such a room."""
         room = await self._found(code)
         if not is_key(key, room.parts.get("key", b"")):
-            raise ClosedError("This page is not in a class of this code now.")
+            raise ClosedError("The class was lost. Press T: the phones come back.")
         return self._asked(room)
 
     async def _found(self, code: str) -> ClassRoom:
@@ -99,15 +103,15 @@ class Hall:
         there.asked = monotonic()
         return there
 
-    async def obey(self, room: ClassRoom, order: Order) -> None:
-        """Do what the instructor's page asks; ValueError, in words, for what cannot be."""
+    async def obey(self, room: ClassRoom, order: Order, network: str = "") -> None:
+        """Do what the instructor's page asks; ValueError, in words, for what cannot be. `network` is where it is."""
         match order:
             case RunClock():
                 now = 1000 * time()
                 at = min(max(order.at, now - MOST_BEHIND), now + MOST_AHEAD)
                 await self._keep(room, clock=msgspec.structs.replace(order, at=at))
             case HandWalk(name=name, text=text):
-                await self._take(room, name, text)
+                await self._take(room, name, text, network)
             case PutQuestion(walk=walk, step=step, vote=asked):
                 put = room.question
                 same = (put.walk, put.step) == (walk, step)
@@ -117,7 +121,7 @@ class Hall:
             case ShowAnswer():
                 put = room.question
                 if not put.step:
-                    raise ValueError("No question is open.")
+                    raise ValueError("No question is open now.")
                 lesson = self.lessons_of(room).lesson(put.walk, put.step)
                 await self._keep(room, question=msgspec.structs.replace(put, lesson=lesson))
             case Withdraw():
@@ -128,21 +132,33 @@ class Hall:
     async def show(self, room: ClassRoom, picture: SentPicture) -> None:
         await self._keep(room, picture=picture)
 
-    async def _take(self, room: ClassRoom, name: str, text: str) -> None:
+    async def _take(self, room: ClassRoom, name: str, text: str, network: str) -> None:
         """A walk from the instructor's file, once; ValueError, in words, for what is none."""
         own = {**room.own, name: text}
         if own == room.own:
             return
         if len(own) > MOST_OWN:
-            raise ValueError(f"A class keeps {MOST_OWN} walks from files, and this would be one more.")
-        self.lessons.try_own(name, text)
-        await self._keep(room, walks=own)
+            raise ValueError(f"A class can keep {MOST_OWN} walks from files; this is one too many.")
+        asked = name, text
+        if not room.reading:
+            room.reading = asked, asyncio.ensure_future(self.lessons.try_own(name, text, network))
+        elif room.reading[0] != asked:
+            raise ValueError("Another walk is being read. Try again in a moment.")
+        reading = room.reading[1]  # one that is asked for again, since no answer came, is waited for
+        try:
+            walk = await reading
+        finally:
+            if room.reading and room.reading[1] is reading:
+                room.reading = None
+        room.walks = {**room.walks, (name, text): walk}
+        await self._keep(room, walks={**room.own, name: text})
 
     def lessons_of(self, room: ClassRoom) -> Lessons:
         """The server's walks, and those that the instructor has handed to the room."""
         own = room.parts.get("walks", b"")
         if not room.lessons or room.lessons[0] != own:
-            room.lessons = own, self.lessons.taking(room.own) if own else self.lessons
+            room.walks = self.lessons.read_own(room.own, room.walks)
+            room.lessons = own, self.lessons.taking(room.walks) if own else self.lessons
         return room.lessons[1]
 
     async def _keep(self, room: ClassRoom, **parts: object) -> None:
@@ -171,14 +187,28 @@ class Hall:
         room.unsaved = {name: part for name, part in room.unsaved.items() if parts.get(name) is not part}
 
     async def vote(self, room: ClassRoom, voter: str, vote: Vote) -> None:
-        """Keep an answer; ValueError, in words, for one that comes too late or is none."""
+        """Keep an answer; ValueError, in words, for one that comes too late or is none.
+
+        Where there are more answers than phones may be here, the newest token that is not here any more makes way.
+        """
         put = room.question
         if (put.walk, put.step, put.vote) != (vote.walk, vote.step, vote.vote) or put.lesson:
             raise ValueError("This question is closed.")
-        self.lessons_of(room).check(vote)
-        if not await self.store.vote(room.code, _question(put), voter, msgspec.json.encode(vote)):
-            raise ValueError("This vote is full.")
+        judged = self.lessons_of(room).judge(vote)
+        question, answer = _question(put), msgspec.json.encode(judged)
+        room.peak = max(room.peak, room.followers)
+        most = min(MOST_VOTES, SPARE + 2 * room.peak)
+        if not await self.store.vote(room.code, question, voter, answer, most):
+            gone = set(await self.store.votes(room.code, question)) - room.names - await self.store.named(room.code)
+            if not gone:
+                raise ValueError("No more answers can be counted for this question.")
+            await self.store.unvote(room.code, question, max(gone))
+            await self.store.vote(room.code, question, voter, answer, most)
         await self.store.tell(room.code, {"answers": b"true"})
+
+    async def follows(self, room: ClassRoom, name: str) -> bool:
+        """Whether somebody follows, here or at another replica."""
+        return room.follows(name) or name in await self.store.named(room.code)
 
     async def given(self, room: ClassRoom, question: str) -> list[Judged]:
         """The answers to a vote; those known last where the store is away."""
@@ -187,8 +217,8 @@ class Hall:
         except AwayError:
             if question not in room.votes:
                 raise
-        read = map(self.lessons_of(room).read, room.votes[question].values())
-        return [one for one in read if one]
+        lessons = self.lessons_of(room)
+        return [one async for kept in by_and_by(room.votes[question].values()) if (one := lessons.read(kept))]
 
     async def tally(self, room: ClassRoom) -> Tally | None:
         put = room.question

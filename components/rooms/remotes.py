@@ -40,7 +40,7 @@ def new_digits(taken: Container[str]) -> str:
     """Two, to be compared on two screens; ValueError where as many phones wait as there are."""
     free = [digits for digits in map(str, range(10, 100)) if digits not in taken]
     if not free:
-        raise ValueError("Too many remote controls wait. Within a minute there is place for another.")
+        raise ValueError("Too many remote controls are waiting. Try again in a minute.")
     return SystemRandom().choice(free)
 
 
@@ -54,7 +54,7 @@ def decided(parts: Parts, digits: str, is_in: bool) -> Parts:
     """The parts by which it is let in or sent away; ValueError, in words, where none waits with these digits."""
     one = waiting(parts).get(digits)
     if one is None:
-        raise ValueError("No remote control waits with these digits.")
+        raise ValueError("No remote control with these digits is waiting.")
     return {WAITS + digits: b""} | ({CONTROL: one.key.encode()} if is_in else {})
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections import deque
 from secrets import token_hex
 from time import monotonic
@@ -10,9 +11,10 @@ from typing import Any, Protocol, TypeVar
 import msgspec
 
 from components.page.room import News, PutTo, RunClock, SentPicture
-from components.rooms.lessons import Lessons
+from components.rooms.lessons import Lessons, ReadWalks
 from components.rooms.remotes import WAITS, waiting
 from components.rooms.store import Parts
+from components.walks.types import Walk
 
 SILENCE = 15.0
 """Seconds after which those who follow hear something, whatever happens."""
@@ -49,20 +51,29 @@ class ClassRoom:
         self.parts: dict[str, bytes] = dict(parts)
         self.ears: set[Ear] = set()
         self.streams: dict[str, list[Ear]] = {}
-        """The same by the words of those who have them."""
+        """The same by the names of those who have them."""
         self.polls: dict[str, float] = {}
-        """When each of those who have no stream has asked last."""
+        """When each of those who have no stream has asked last, by name."""
+        self.seen: dict[str, float] = {}
+        """When each stream has begun or ended, by the name of who had it."""
         self.asked = monotonic()
         """When somebody has asked for it last."""
         self.here = 0
+        self.peak = 0
+        """The most that have been here at once."""
         self.lost = False
         self.missed = 0
         """How often in a row it was not found in the store."""
         self.unsaved: dict[str, bytes] = {}
         """Parts that the store has not taken as yet: newer than what it has."""
         self.votes: dict[str, Parts] = {}
+        self._decoded: dict[str, tuple[bytes, Any]] = {}
         self.lessons: tuple[bytes, Lessons] | None = None
         """Those of walks from files, beside the part that they were read from."""
+        self.walks: ReadWalks = {}
+        """Walks from files, as they were read."""
+        self.reading: tuple[tuple[str, str], asyncio.Future[Walk]] | None = None
+        """The walk from a file that is being read for it: its name and text, and what it will be."""
         self._replica = token_hex(3)
         self._count = 0
         self._own: deque[tuple[float, News]] = deque(maxlen=KEPT)
@@ -87,6 +98,17 @@ class ClassRoom:
         return sum(not ear.leads for ear in self.ears) + len(self.polls)
 
     @property
+    def names(self) -> set[str]:
+        """Who follows here, or has until a moment ago: a phone between two streams is not gone."""
+        now = monotonic()
+        self.seen = {one: seen for one, seen in self.seen.items() if now - seen < 2 * SILENCE}
+        return {*self.streams, *self.polls, *self.seen}
+
+    def follows(self, name: str) -> bool:
+        late = monotonic() - 2 * SILENCE
+        return name in self.streams or max(self.polls.get(name, 0.0), self.seen.get(name, 0.0)) > late
+
+    @property
     def is_led(self) -> bool:
         """Whether a page of the instructor's is here: it keeps the room alive, and a store that forgot it hears it
         anew."""
@@ -98,7 +120,14 @@ class ClassRoom:
         return tuple(waiting(self.parts))
 
     def part(self, name: str, kind: type[Kind]) -> Kind | None:
-        return msgspec.json.decode(self.parts[name], type=kind) if name in self.parts else None
+        """As it is now; decoded once, however many ask."""
+        part = self.parts.get(name)
+        if part is None:
+            return None
+        known = self._decoded.get(name)
+        if known is None or known[0] is not part:
+            known = self._decoded[name] = part, msgspec.json.decode(part, type=kind)
+        return known[1]
 
     @property
     def question(self) -> PutTo:
@@ -119,7 +148,7 @@ class ClassRoom:
         if leads:
             self._led = monotonic()
         else:
-            self.polls[word[:16]] = monotonic()
+            self.polls[name_of(word)] = monotonic()
 
     def untold(self, number: str) -> list[News]:
         """What the instructor's page alone was told after a state that it knows."""
@@ -158,6 +187,7 @@ class ClassRoom:
         self._count += 1
         for name, fact in facts.items():
             setattr(self, name, fact)
+        self.peak = max(self.peak, self.here)
         self.say(News(number=self.number, **facts))
 
     def _say_waiting(self) -> None:
@@ -175,6 +205,11 @@ class ClassRoom:
         self.say(News(number=self.number, ended=True))
         for ear in list(self.ears):
             ear.end()
+
+
+def name_of(word: str) -> str:
+    """The name of a follower in a token; a key is its own."""
+    return word.partition(".")[0]
 
 
 def as_event(news: News) -> bytes:

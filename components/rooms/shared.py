@@ -5,18 +5,35 @@ What must not happen twice or in halves is a script, which the store runs as one
 
 from __future__ import annotations
 
-from collections.abc import AsyncIterator, Callable
+import re
+from collections.abc import AsyncIterator, Callable, Collection
 from contextlib import asynccontextmanager
 from time import time
 from typing import Any
+from urllib.parse import urlsplit
 
 import msgspec
 from redis.asyncio import Redis
 from redis.asyncio.retry import Retry
 from redis.backoff import NoBackoff
-from redis.exceptions import ConnectionError, RedisError, TimeoutError
+from redis.exceptions import ConnectionError, OutOfMemoryError, RedisError, TimeoutError
 
-from components.rooms.store import LIFE, MOST_ROOMS, MOST_VOTES, SEEN, AwayError, Hear, Parts, Store
+from components.rooms.store import (
+    ALONE,
+    LIFE,
+    MOST_BYTES,
+    MOST_ROOMS,
+    MOST_VOTES,
+    OF_A_ROOM,
+    OF_THE_STORE,
+    QUIET,
+    SEEN,
+    AwayError,
+    FullError,
+    Hear,
+    Parts,
+    Store,
+)  # fmt: skip
 
 CHANNEL = "class"
 """On which all that is new of all rooms is published."""
@@ -25,60 +42,117 @@ PATIENCE = 2.0
 PULSE = 5.0
 """Seconds of silence after which a connection that only listens is asked whether it is there, and for its answer."""
 
+SLICE = 500
+"""Answers that are read at once."""
+
+OF_A_ROOM_KEYS = """
+local function keys_of(code)
+  local keys = {}
+  for _, kind in ipairs({'room', 'led', 'here', 'names', 'size', 'questions'}) do
+    keys[#keys + 1] = 'class:' .. kind .. ':' .. code
+  end
+  for _, question in ipairs(redis.call('zrange', 'class:questions:' .. code, 0, -1)) do
+    keys[#keys + 1] = 'class:votes:' .. code .. ':' .. question
+  end
+  return keys
+end
+local function lives(code, ms, now)
+  local led = 'class:led:' .. code
+  ms = math.min(ms, redis.call('pttl', led))
+  if ms <= 0 then return end
+  for _, key in ipairs(keys_of(code)) do if key ~= led then redis.call('pexpire', key, ms) end end
+  redis.call('zadd', 'class:rooms', now + ms / 1000, code)
+end
+local function forget(code)
+  redis.call('del', unpack(keys_of(code)))
+  redis.call('zrem', 'class:rooms', code)
+end
+"""
+"""What the scripts below have in common: all that there is of a room ends at the same time."""
 OPEN = """
-redis.call('zremrangebyscore', 'class:rooms', '-inf', ARGV[1])
-if redis.call('zcard', 'class:rooms') >= tonumber(ARGV[3]) or redis.call('exists', KEYS[1]) == 1 then return 0 end
-redis.call('hset', KEYS[1], unpack(ARGV, 5))
-redis.call('pexpire', KEYS[1], ARGV[4])
-redis.call('zadd', 'class:rooms', ARGV[2], KEYS[1])
+local code, now, most, life, alone, quiet = unpack(ARGV, 1, 6)
+redis.call('setrange', 'class:room:', 0, '') -- writes nothing, and is refused by a store that is full
+redis.call('zremrangebyscore', 'class:rooms', '-inf', now)
+if redis.call('zcard', 'class:rooms') >= tonumber(most) then
+  local found = redis.call('zrangebyscore', 'class:rooms', '-inf', now + alone / 1000 - quiet, 'LIMIT', 0, 1)
+  if found[1] then forget(found[1]) end
+end
+if redis.call('zcard', 'class:rooms') >= tonumber(most) or redis.call('exists', KEYS[1]) == 1 then return 0 end
+forget(code)
+redis.call('hset', KEYS[1], unpack(ARGV, 7))
+redis.call('set', 'class:led:' .. code, '1', 'PX', life)
+lives(code, tonumber(alone), now)
 return 1
 """
 KEEP = """
+local code, now, life, alone, news = unpack(ARGV, 1, 5)
 if redis.call('exists', KEYS[1]) == 0 then return 0 end
-if #ARGV > 3 then redis.call('hset', KEYS[1], unpack(ARGV, 4)) end
-redis.call('pexpire', KEYS[1], ARGV[1])
-redis.call('zadd', 'class:rooms', ARGV[2], KEYS[1])
-if ARGV[3] ~= '' then redis.call('publish', 'class', ARGV[3]) end
+if #ARGV > 5 then redis.call('hset', KEYS[1], unpack(ARGV, 6)) end
+redis.call('set', 'class:led:' .. code, '1', 'PX', life)
+lives(code, tonumber(alone), now)
+if news ~= '' then redis.call('publish', 'class', news) end
 return 1
 """
+END = "forget(ARGV[1])"
 VOTE = """
+local voter, answer, most, question, size = unpack(ARGV, 1, 5)
 if redis.call('exists', KEYS[1]) == 0 then return 0 end
-local known = redis.call('hexists', KEYS[2], ARGV[1]) == 1
-if not known and redis.call('hlen', KEYS[2]) >= tonumber(ARGV[3]) then return 0 end
-redis.call('hset', KEYS[2], ARGV[1], ARGV[2])
-redis.call('pexpire', KEYS[2], ARGV[4])
-redis.call('zadd', KEYS[3], 'NX', redis.call('zcard', KEYS[3]), ARGV[5])
-redis.call('pexpire', KEYS[3], ARGV[4])
+local before = redis.call('hstrlen', KEYS[2], voter)
+if before == 0 and redis.call('hlen', KEYS[2]) >= tonumber(most) then return 0 end
+local more = #answer - before
+if tonumber(redis.call('get', KEYS[4]) or 0) + more > tonumber(size) then return -1 end
+redis.call('hset', KEYS[2], voter, answer)
+redis.call('zadd', KEYS[3], 'NX', redis.call('zcard', KEYS[3]), question)
+redis.call('incrby', KEYS[4], more)
+for i = 2, 4 do redis.call('pexpire', KEYS[i], redis.call('pttl', KEYS[1])) end
 return 1
+"""
+UNVOTE = """
+redis.call('decrby', KEYS[2], redis.call('hstrlen', KEYS[1], ARGV[1]))
+redis.call('hdel', KEYS[1], ARGV[1])
+"""
+PRESENT = """
+local code, now, alone, replica, count, until_ = unpack(ARGV, 1, 6)
+if redis.call('exists', KEYS[1]) == 0 then return {} end
+redis.call('hset', KEYS[2], replica, count .. ' ' .. until_)
+if tonumber(count) > 0 and redis.call('pttl', KEYS[1]) < alone - math.min(alone / 10, 15000) then
+  lives(code, tonumber(alone), now)
+end
+return redis.call('hvals', KEYS[2])
 """
 
 
 class SharedStore(Store):
     """For any number of replicas; `url` as redis://host:6379/0."""
 
-    def __init__(self, url: str, life: float = LIFE, rooms: int = MOST_ROOMS) -> None:
-        self._life = int(1000 * life)
-        self._most = rooms
+    def __init__(
+        self, url: str, life: float = LIFE, rooms: int = MOST_ROOMS, alone: float = ALONE, size: int = MOST_BYTES
+    ) -> None:
+        self._life, self._alone = int(1000 * life), int(1000 * min(alone, life))
+        self._most, self._size = rooms, size
         self._redis = _client(url, retries=1)  # on a new connection, where the store has come back
         # What was published while this one was lost has to be looked up: so that is an error at once.
         self._listener = _client(url, retries=0)
-        self._open = self._redis.register_script(OPEN)
-        self._keep = self._redis.register_script(KEEP)
+        self._open, self._keep, self._present, self._end = (
+            self._redis.register_script(OF_A_ROOM_KEYS + script) for script in (OPEN, KEEP, PRESENT, END)
+        )
         self._vote = self._redis.register_script(VOTE)
+        self._unvote = self._redis.register_script(UNVOTE)
 
     async def open(self, code: str, parts: Parts) -> bool:
-        end, now = time() + self._life / 1000, time()
+        given: list[Any] = [code, time(), self._most, self._life, self._alone, QUIET, *_flat(parts)]
         async with _asked():
-            return bool(await self._open([_room(code)], [now, end, self._most, self._life, *_flat(parts)]))
+            return bool(await self._open([_room(code)], given))
 
     async def parts(self, code: str) -> Parts:
         async with _asked():
             return _named(await self._redis.hgetall(_room(code)))
 
     async def keep(self, code: str, parts: Parts) -> bool:
-        end, news = time() + self._life / 1000, _published(code, parts) if parts else b""
+        news = _published(code, parts) if parts else b""
         async with _asked():
-            return bool(await self._keep([_room(code)], [self._life, end, news, *_flat(parts)]))
+            given = [code, time(), self._life, self._alone, news, *_flat(parts)]
+            return bool(await self._keep([_room(code)], given))
 
     async def tell(self, code: str, parts: Parts) -> None:
         async with _asked():
@@ -86,19 +160,29 @@ class SharedStore(Store):
 
     async def end(self, code: str) -> None:
         async with _asked():
-            questions = [_question(code, question) for question in await self.questions(code)]
-            await self._redis.delete(_room(code), _here(code), _questions(code), *questions)
-            await self._redis.zrem("class:rooms", _room(code))
+            await self._end([], [code])
         await self.tell(code, {})
 
-    async def vote(self, code: str, question: str, voter: str, answer: bytes) -> bool:
-        keys = [_room(code), _question(code, question), _questions(code)]
+    async def rooms(self) -> int:
         async with _asked():
-            return bool(await self._vote(keys, [voter, answer, MOST_VOTES, self._life, question]))
+            return int(await self._redis.zcount("class:rooms", time(), "+inf"))
+
+    async def vote(self, code: str, question: str, voter: str, answer: bytes, most: int = MOST_VOTES) -> bool:
+        keys = [_room(code), _question(code, question), _questions(code), _size(code)]
+        async with _asked():
+            found = int(await self._vote(keys, [voter, answer, most, question, self._size]))
+        if found < 0:
+            raise FullError(OF_A_ROOM)
+        return bool(found)
+
+    async def unvote(self, code: str, question: str, voter: str) -> None:
+        async with _asked():
+            await self._unvote([_question(code, question), _size(code)], [voter])
 
     async def votes(self, code: str, question: str) -> Parts:
         async with _asked():
-            return _named(await self._redis.hgetall(_question(code, question)))
+            found = self._redis.hscan_iter(_question(code, question), count=SLICE)
+            return {voter.decode(): answer async for voter, answer in found}
 
     async def questions(self, code: str) -> list[str]:
         async with _asked():
@@ -108,16 +192,28 @@ class SharedStore(Store):
     async def present(self, code: str, replica: str, count: int) -> int:
         now = time()
         async with _asked():
-            pipe = self._redis.pipeline()
-            pipe.hset(_here(code), replica, f"{count} {now + SEEN}")
-            pipe.pexpire(_here(code), int(2000 * SEEN))
-            pipe.hvals(_here(code))
-            told = [each.split() for each in (await pipe.execute())[-1]]
+            given: list[Any] = [code, now, self._alone, replica, count, now + SEEN]
+            told = [each.split() for each in await self._present([_room(code), _here(code)], given)]
         return sum(int(number) for number, until in told if float(until) > now)
+
+    async def name(self, code: str, replica: str, names: Collection[str]) -> None:
+        async with _asked():
+            pipe = self._redis.pipeline()
+            pipe.hset(_names(code), replica, msgspec.msgpack.encode((time() + SEEN, list(names))))
+            pipe.pexpire(_names(code), int(2000 * SEEN))
+            await pipe.execute()
+
+    async def named(self, code: str) -> set[str]:
+        async with _asked():
+            told: Any = await self._redis.hvals(_names(code))
+        known = [msgspec.msgpack.decode(each, type=tuple[float, list[str]]) for each in told]
+        return {name for until, names in known if until > time() for name in names}
 
     async def count(self, name: str, seconds: float, more: int = 1) -> int:
         key = f"class:count:{name}:{int(time() // seconds)}"
         async with _asked():
+            if not more:  # which is read of a full store too
+                return int(await self._redis.get(key) or 0)
             pipe = self._redis.pipeline()
             pipe.incrby(key, more)
             pipe.pexpire(key, int(1000 * seconds))
@@ -131,6 +227,12 @@ class SharedStore(Store):
         async with _asked():
             value: Any = await self._redis.getdel(f"class:lent:{name}")
             return value or b""
+
+    async def time(self) -> float:
+        begun = time()
+        async with _asked():
+            seconds, micros = await self._redis.time()
+        return float(seconds + micros / 1e6 + (time() - begun) / 2)
 
     async def listen(self, hear: Hear, ready: Callable[[], None]) -> None:
         async with _asked(), self._listener.pubsub() as heard:
@@ -159,13 +261,26 @@ def _client(url: str, retries: int) -> Redis:
     return Redis.from_url(url, socket_timeout=PATIENCE, socket_connect_timeout=PATIENCE, retry=retry)
 
 
+def check_url(url: str) -> None:
+    """ValueError where there can be no store at an address; none is asked."""
+    found = urlsplit(url)
+    if found.scheme != "unix" and not re.fullmatch(r"/?\d*", found.path):
+        raise ValueError("The name of a store is a number.")
+    try:
+        Redis.from_url(url).connection_pool.make_connection()  # type: ignore[no-untyped-call]  # redis' own
+    except (TypeError, AttributeError, RedisError) as error:  # of an option that there is not
+        raise ValueError(str(error)) from error
+
+
 @asynccontextmanager
 async def _asked() -> AsyncIterator[None]:
     try:
         yield
     except (ConnectionError, TimeoutError, OSError) as error:
         raise AwayError("The store that replicas share does not answer.") from error
-    except RedisError as error:  # while it starts, or where it is full: it may answer later
+    except OutOfMemoryError as error:
+        raise FullError(OF_THE_STORE) from error
+    except RedisError as error:  # while it starts: it may answer later
         raise AwayError(f"The store that replicas share refuses: {error}.") from error
 
 
@@ -175,6 +290,14 @@ def _room(code: str) -> str:
 
 def _here(code: str) -> str:
     return f"class:here:{code}"
+
+
+def _names(code: str) -> str:
+    return f"class:names:{code}"
+
+
+def _size(code: str) -> str:
+    return f"class:size:{code}"
 
 
 def _questions(code: str) -> str:

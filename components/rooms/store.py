@@ -4,15 +4,22 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from asyncio import Event
-from collections.abc import Callable, Mapping
-from time import monotonic
+from collections.abc import Callable, Collection, Mapping
+from dataclasses import dataclass, field
+from time import monotonic, time
 from typing import NamedTuple
 
 LIFE = 4 * 3600.0
-"""Seconds after the last sign of its instructor, after which a room ends."""
+"""Seconds after the last sign of its instructor, after which a room ends, whoever follows."""
+ALONE = 20 * 60.0
+"""Seconds after which a room ends that nobody leads or follows: a break is shorter."""
+QUIET = 60.0
+"""Seconds of it after which the room makes way for another where all are taken."""
 MOST_ROOMS = 500
 MOST_VOTES = 5000
 """Answers to one vote."""
+MOST_BYTES = 8 * 2**20
+"""All answers of a room: thousands of sketches."""
 SEEN = 30.0
 """Seconds for which a replica's word on how many follow it holds."""
 
@@ -26,12 +33,21 @@ class AwayError(Exception):
     """The store does not answer."""
 
 
+class FullError(ValueError):
+    """There is no place for more; the sentence says where."""
+
+
+OF_A_ROOM = "The server keeps no more answers of this class. Those already given are kept."
+OF_THE_STORE = "The record of live classes is full: changes do not reach everybody until a class ends."
+
+
 class Store(ABC):
     """Rooms under their codes. A room that is not there has no parts, and nothing can be kept in it."""
 
     @abstractmethod
     async def open(self, code: str, parts: Parts) -> bool:
-        """A new room; False where there is one of that code, or no place for any."""
+        """A new room, in place of one that is alone where all are taken; False where there is one of that code, or no
+        place for any."""
 
     @abstractmethod
     async def parts(self, code: str) -> Parts: ...
@@ -50,8 +66,17 @@ class Store(ABC):
         """Forget the room and all answers; who listens is told no parts."""
 
     @abstractmethod
-    async def vote(self, code: str, question: str, voter: str, answer: bytes) -> bool:
-        """Keep an answer in place of the voter's last to the same question; False where there is no place for it."""
+    async def rooms(self) -> int:
+        """How many there are."""
+
+    @abstractmethod
+    async def vote(self, code: str, question: str, voter: str, answer: bytes, most: int = MOST_VOTES) -> bool:
+        """Keep an answer in place of the voter's last to the same question; False where there are so many. FullError
+        where the room has too many bytes of them."""
+
+    @abstractmethod
+    async def unvote(self, code: str, question: str, voter: str) -> None:
+        """Forget an answer."""
 
     @abstractmethod
     async def votes(self, code: str, question: str) -> Parts:
@@ -63,7 +88,15 @@ class Store(ABC):
 
     @abstractmethod
     async def present(self, code: str, replica: str, count: int) -> int:
-        """Note how many follow a replica, and how many follow in all."""
+        """Note how many follow a replica, and how many follow in all; they keep the room alive."""
+
+    @abstractmethod
+    async def name(self, code: str, replica: str, names: Collection[str]) -> None:
+        """Note who follows a replica."""
+
+    @abstractmethod
+    async def named(self, code: str) -> set[str]:
+        """Who follows any replica."""
 
     @abstractmethod
     async def count(self, name: str, seconds: float, more: int = 1) -> int:
@@ -75,6 +108,10 @@ class Store(ABC):
 
     @abstractmethod
     async def take(self, name: str) -> bytes: ...
+
+    @abstractmethod
+    async def time(self) -> float:
+        """The clock that replicas can compare theirs with: seconds since 1970."""
 
     @abstractmethod
     async def listen(self, hear: Hear, ready: Callable[[], None]) -> None:
@@ -90,40 +127,61 @@ class _Kept(NamedTuple):
     until: float
 
 
+@dataclass
+class _Room:
+    parts: dict[str, bytes]
+    led: float
+    """Until when the last sign of its instructor holds."""
+    ends: float
+    votes: dict[str, dict[str, bytes]] = field(default_factory=dict)
+    here: dict[str, tuple[int, float]] = field(default_factory=dict)
+    names: dict[str, set[str]] = field(default_factory=dict)
+    size: int = 0
+    """Bytes of all answers."""
+
+
 class MemoryStore(Store):
     """For one process, with nothing installed."""
 
-    def __init__(self, life: float = LIFE, rooms: int = MOST_ROOMS, clock: Callable[[], float] = monotonic) -> None:
-        self._life = life
-        self._most = rooms
+    def __init__(
+        self,
+        life: float = LIFE,
+        rooms: int = MOST_ROOMS,
+        clock: Callable[[], float] = monotonic,
+        alone: float = ALONE,
+        size: int = MOST_BYTES,
+    ) -> None:
+        self._life, self._alone = life, min(alone, life)
+        self._most, self._size = rooms, size
         self._clock = clock
-        self._rooms: dict[str, dict[str, bytes]] = {}
-        self._ends: dict[str, float] = {}
-        self._votes: dict[str, dict[str, dict[str, bytes]]] = {}
-        self._here: dict[str, dict[str, tuple[int, float]]] = {}
+        self._rooms: dict[str, _Room] = {}
         self._counts: dict[tuple[str, int], int] = {}
         self._lent: dict[str, _Kept] = {}
         self._ears: list[Hear] = []
 
     async def open(self, code: str, parts: Parts) -> bool:
         self._forget()
+        now = self._clock()
+        if len(self._rooms) >= self._most:
+            quietest = min(self._rooms, key=lambda one: self._rooms[one].ends)
+            if self._rooms[quietest].ends <= now + self._alone - QUIET:
+                del self._rooms[quietest]
         if code in self._rooms or len(self._rooms) >= self._most:
             return False
-        self._rooms[code] = dict(parts)
-        self._votes[code] = {}
-        self._ends[code] = self._clock() + self._life
+        self._rooms[code] = _Room(dict(parts), now + self._life, now + self._alone)
         return True
 
     async def parts(self, code: str) -> Parts:
         self._forget()
-        return dict(self._rooms.get(code, {}))
+        return dict(self._rooms[code].parts) if code in self._rooms else {}
 
     async def keep(self, code: str, parts: Parts) -> bool:
         self._forget()
         if code not in self._rooms:
             return False
-        self._rooms[code].update(parts)
-        self._ends[code] = self._clock() + self._life
+        room, now = self._rooms[code], self._clock()
+        room.parts.update(parts)
+        room.led, room.ends = now + self._life, now + self._alone
         if parts:
             await self.tell(code, parts)
         return True
@@ -133,31 +191,55 @@ class MemoryStore(Store):
             hear(code, parts)
 
     async def end(self, code: str) -> None:
-        for kept in (self._rooms, self._ends, self._votes, self._here):
-            kept.pop(code, None)
+        self._rooms.pop(code, None)
         await self.tell(code, {})
 
-    async def vote(self, code: str, question: str, voter: str, answer: bytes) -> bool:
+    async def rooms(self) -> int:
+        self._forget()
+        return len(self._rooms)
+
+    async def vote(self, code: str, question: str, voter: str, answer: bytes, most: int = MOST_VOTES) -> bool:
         self._forget()
         if code not in self._rooms:
             return False
-        answers = self._votes[code].setdefault(question, {})
-        if voter not in answers and len(answers) >= MOST_VOTES:
+        room = self._rooms[code]
+        answers = room.votes.setdefault(question, {})
+        if voter not in answers and len(answers) >= most:
             return False
+        more = len(answer) - len(answers.get(voter, b""))
+        if room.size + more > self._size:
+            raise FullError(OF_A_ROOM)
+        room.size += more
         answers[voter] = answer
         return True
 
+    async def unvote(self, code: str, question: str, voter: str) -> None:
+        if code in self._rooms:
+            room = self._rooms[code]
+            room.size -= len(room.votes.get(question, {}).pop(voter, b""))
+
     async def votes(self, code: str, question: str) -> Parts:
-        return dict(self._votes.get(code, {}).get(question, {}))
+        return dict(self._rooms[code].votes.get(question, {})) if code in self._rooms else {}
 
     async def questions(self, code: str) -> list[str]:
-        return list(self._votes.get(code, {}))
+        return list(self._rooms[code].votes) if code in self._rooms else []
 
     async def present(self, code: str, replica: str, count: int) -> int:
         now = self._clock()
-        here = self._here.setdefault(code, {}) if code in self._rooms else {}
-        here[replica] = count, now + SEEN
-        return sum(number for number, until in here.values() if until > now)
+        if code not in self._rooms:
+            return 0
+        room = self._rooms[code]
+        room.here[replica] = count, now + SEEN
+        if count:
+            room.ends = max(room.ends, min(now + self._alone, room.led))
+        return sum(number for number, until in room.here.values() if until > now)
+
+    async def name(self, code: str, replica: str, names: Collection[str]) -> None:
+        if code in self._rooms:
+            self._rooms[code].names[replica] = set(names)
+
+    async def named(self, code: str) -> set[str]:
+        return set().union(*self._rooms[code].names.values()) if code in self._rooms else set()
 
     async def count(self, name: str, seconds: float, more: int = 1) -> int:
         now = self._clock()
@@ -175,6 +257,9 @@ class MemoryStore(Store):
         kept = self._lent.pop(name, None)
         return kept.value if kept and kept.until > self._clock() else b""
 
+    async def time(self) -> float:
+        return time()
+
     async def listen(self, hear: Hear, ready: Callable[[], None]) -> None:
         self._ears.append(hear)
         ready()
@@ -184,13 +269,12 @@ class MemoryStore(Store):
             self._ears.remove(hear)
 
     async def close(self) -> None:
-        self._rooms.clear()
+        """There are none."""
 
     def _forget(self) -> None:
-        """Rooms whose instructor has given no sign for so long."""
+        """Rooms that nobody has given a sign of for so long."""
         now = self._clock()
-        for code in [code for code, end in self._ends.items() if end <= now]:
-            for kept in (self._rooms, self._ends, self._votes, self._here):
-                kept.pop(code, None)
+        for code in [code for code, room in self._rooms.items() if min(room.ends, room.led) <= now]:
+            del self._rooms[code]
             for hear in self._ears:
                 hear(code, {})

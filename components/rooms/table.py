@@ -4,11 +4,17 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 
-from components.page.room import Vote
+from components.numbers import shortest
 from components.rooms.hall import Hall
+from components.rooms.lessons import Judged
+from components.rooms.pauses import by_and_by
 from components.rooms.room import ClassRoom
 
+FORMULAS = ("=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠")
+"""Beginnings of a cell that a spreadsheet works out, or does in some language or when the file is saved again."""
+NUMBER = re.compile(r"-?\d+(\.\d+)?(e[+-]?\d+)?")
 HEAD = ("walk", "step", "vote", "answer", "right")
 
 
@@ -19,19 +25,25 @@ async def answers_csv(hall: Hall, room: ClassRoom) -> str:
     writer.writerow(HEAD)
     for question in await hall.store.questions(room.code):
         judged = await hall.given(room, question)
-        rows = [(said(one.vote), "yes" if one.right else "no") for one in judged]
+        rows = [(said(one), "yes" if one.right else "no") async for one in by_and_by(judged)]
         walk, step, vote = question.split("/")
-        writer.writerows((walk, step, vote, *row) for row in sorted(rows))
+        async for row in by_and_by(sorted(rows)):
+            writer.writerow(map(cell, (walk, step, vote, *row)))
     return text.getvalue()
 
 
-def said(vote: Vote) -> str:
+def said(one: Judged) -> str:
     """An answer in one cell: options count from 1, a sketch has its heights in thousandths of the frame."""
-    if vote.option is not None:
-        return str(vote.option + 1)
-    if vote.curves:
-        return "; ".join(f"{name}: {' '.join(map(_height, curve))}" for name, curve in vote.curves.items())
-    return vote.text or f"{vote.value:.6g}"
+    if one.option is not None:
+        return str(one.option + 1)
+    if one.curves:
+        return "; ".join(f"{name}: {' '.join(map(_height, curve))}" for name, curve in one.curves.items())
+    return shortest(one.number) if one.text else f"{one.value:.6g}"
+
+
+def cell(text: str) -> str:
+    """A text that no spreadsheet takes for a formula; a negative number is a number."""
+    return f"'{text}" if text.startswith(FORMULAS) and not NUMBER.fullmatch(text) else text
 
 
 def _height(height: int | None) -> str:

@@ -7,11 +7,12 @@ import logging
 from collections.abc import Awaitable
 from contextlib import suppress
 from secrets import token_hex
+from time import monotonic, time
 
 from components.page.room import News
 from components.rooms.hall import ClosedError, Hall
 from components.rooms.room import SILENCE, ClassRoom
-from components.rooms.store import AwayError, Parts
+from components.rooms.store import AwayError, FullError, Parts
 
 log = logging.getLogger(__name__)
 
@@ -25,6 +26,8 @@ FAREWELL = 1.0
 """Seconds that the end of a replica waits until the store knows that nobody follows there any more."""
 COUNTING = 1.0
 """Seconds between counts of who is here."""
+SKEW = 0.2
+"""Seconds by which the clocks of replicas may differ: followers of another one see the instructor's so much off."""
 
 
 class Upkeep:
@@ -35,7 +38,14 @@ class Upkeep:
         self._replica = token_hex(6)
         self._tasks: list[asyncio.Task[None]] = []
         self._round = 0
+        self._named: dict[str, frozenset[str]] = {}
+        """Who follows here, by room, as the store was told last."""
+        self._full = False
         self.listening = False
+        self.rooms = 0
+        """How many the store has."""
+        self.skew = 0.0
+        """Seconds by which this machine's clock is ahead of the store's."""
 
     def start(self) -> None:
         self._tasks = [asyncio.create_task(self._listen()), asyncio.create_task(self._look())]
@@ -57,20 +67,21 @@ class Upkeep:
         await self.hall.store.present(room.code, self._replica, 0)
 
     async def _listen(self) -> None:
-        back, told = asyncio.Event(), False
+        back, lost = asyncio.Event(), 0.0
         while True:
-            task = asyncio.create_task(self._return(back))
+            task, reason = asyncio.create_task(self._return(back, lost)), "nothing is said"
             try:
                 await self.hall.store.listen(self._hear, back.set)
-            except AwayError:
-                pass
+            except AwayError as error:
+                reason = str(error.__cause__ or error)
             except Exception:
                 log.exception("The store that replicas share could not be listened to")
             task.cancel()
             back.clear()
-            if self.listening or not told:
-                log.warning("The store that replicas share is away")
-            self.listening, told = False, True
+            if self.listening or not lost:
+                log.warning("The store that replicas share is away: %s", reason)
+                lost = monotonic()
+            self.listening = False
             self._say(lost=True)
             await asyncio.sleep(AGAIN)
 
@@ -81,10 +92,12 @@ class Upkeep:
         except Exception:
             log.exception("News of a live class could not be read")
 
-    async def _return(self, back: asyncio.Event) -> None:
+    async def _return(self, back: asyncio.Event, lost: float) -> None:
         """What was said meanwhile is looked up; what the store has forgotten it is told by who leads the room."""
         await back.wait()
         self.listening = True
+        if lost:
+            log.warning("The store that replicas share is back after %.1f s", monotonic() - lost)
         for room in list(self.hall.rooms.values()):
             await self._safely(self._restore(room))
         self._say(lost=False)
@@ -129,6 +142,8 @@ class Upkeep:
         while True:
             await asyncio.sleep(COUNTING)
             self._round += 1
+            if self._round % int(SILENCE / COUNTING) == 1:
+                await self._safely(self._look_at_store())
             for room in list(self.hall.rooms.values()):
                 await self._safely(self._look_at(room))
 
@@ -138,8 +153,20 @@ class Upkeep:
             await act
         except (AwayError, ClosedError):
             pass
+        except FullError as reason:
+            if not self._full:
+                log.warning("%s", reason)
+            self._full = True
         except Exception:
             log.exception("A live class could not be looked after")
+
+    async def _look_at_store(self) -> None:
+        """How many rooms it has, and whether its clock and this machine's agree."""
+        self.rooms = await self.hall.store.rooms()
+        skew = time() - await self.hall.store.time()
+        if abs(skew) > SKEW >= abs(self.skew):
+            log.warning("This machine's clock is %+.1f s off the store's: replicas show a class different times", skew)
+        self.skew = skew
 
     async def _look_at(self, room: ClassRoom) -> None:
         """Who is here, told where it has changed, and to all who might wonder whether anybody speaks at all."""
@@ -150,8 +177,15 @@ class Upkeep:
         if turn and room.is_led:
             await self.hall.store.keep(room.code, {})
         here = await self.hall.store.present(room.code, self._replica, room.followers)
+        names = frozenset(room.names)
+        if turn or names != self._named.get(room.code, frozenset()):
+            await self.hall.store.name(room.code, self._replica, names)
+            self._named[room.code] = names
         if here != room.here:
             room.change(here=here)
         elif turn:
             room.say(News(number=room.number, here=here))
+        self._full = False
         self.hall.leave(room)
+        if room.code not in self.hall.rooms:
+            self._named.pop(room.code, None)

@@ -15,5 +15,5 @@ from components.scenes.phugoid import Phugoid
 
 SCENES: dict[str, type[Scene]] = {
     scene.slug: scene
-    for scene in (OscillatorScene, Energy, Analogues, Phugoid, Coupled, ModesScene, Forced, Absorber, Accuracy)
+    for scene in (OscillatorScene, Energy, Analogues, Phugoid, ModesScene, Coupled, Forced, Absorber, Accuracy)
 }

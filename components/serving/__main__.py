@@ -15,6 +15,7 @@ from pathlib import Path
 from app import FIGURES, SHEETS, walked
 from components.rooms.hall import Hall
 from components.rooms.store import MemoryStore, Store
+from components.serving.apart import ReadingProcess
 from components.serving.logs import set_up
 from components.serving.publisher import Publisher
 from components.serving.server import Server
@@ -35,10 +36,13 @@ def store_at(url: str) -> Store:
 
 async def serve(settings: Settings) -> None:
     """Serve until the process is asked to end."""
-    lecture = walked([Path(settings.walks)] if settings.walks else [])
-    hall = Hall(store_at(settings.redis_url), lecture.lessons)
-    open_page = partial(lecture.open_page, lead=partial(Publisher, hall))
-    server = Server(open_page, settings, FIGURES, {**SHEETS, **lecture.files}, hall)
+    folders = [settings.walks] if settings.walks else []
+    lecture, apart = walked(map(Path, folders)), ReadingProcess("app", *folders)
+    hall = Hall(store_at(settings.store), lecture.lessons)
+    lecture.lessons.apart = apart
+    open_page = partial(lecture.open_page, lead=partial(Publisher, hall), apart=apart)
+    figures = {**FIGURES, "readings": ("Walks from files that are read or wait", lambda: len(apart))}
+    server = Server(open_page, settings, figures, {**SHEETS, **lecture.files}, hall)
     asked: asyncio.Queue[float] = asyncio.Queue()
     for name, notice in ((signal.SIGTERM, settings.notice_seconds), (signal.SIGINT, 0.0)):
         with suppress(NotImplementedError):  # on Windows Ctrl+C comes as an exception
@@ -48,6 +52,7 @@ async def serve(settings: Settings) -> None:
     if settings.show:
         webbrowser.open(address)
     await server.end(await asked.get())
+    apart.close()
     log.info("The lecture has ended")
 
 

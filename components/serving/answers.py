@@ -13,7 +13,7 @@ from tornado.web import HTTPError, RequestHandler
 
 from components.serving.headers import SAFE, policy
 from components.serving.hosts import answers_to
-from components.serving.visitors import visitor
+from components.serving.visitors import address_of
 
 if TYPE_CHECKING:
     from components.serving.server import Lecture
@@ -25,7 +25,7 @@ SENTENCES = {
     403: "This is not open to visitors.",
     404: "There is no such page here.",
     405: "This page can only be read.",
-    500: "Something went wrong here, and has been noted. The page may open if it is asked for again.",
+    500: "Something went wrong on the server and was logged. The page may open if you try again.",
 }
 
 
@@ -64,9 +64,7 @@ class Answer(RequestHandler):
     @property
     def visitor(self) -> str:
         """The address that the request comes from."""
-        request = self.request
-        forwarded = ",".join(request.headers.get_list("X-Forwarded-For"))
-        return visitor(request.remote_ip or "", forwarded, self.settings["trusted_proxies"])
+        return address_of(self.request, self.settings["trusted_proxies"])
 
     def log_exception(self, kind: Any, error: Any, trace: Any) -> None:
         """Once, without the visitor's address and query; what was refused is in the line of the request."""
@@ -90,7 +88,7 @@ class Visited(Answer):
         host = self.request.headers.get("Host", "")
         if not answers_to(host, self.application.websocket_origins):
             raise RefusedError(
-                403, "This server does not go by that name. Who runs it can name more of them: ALLOWED_ORIGIN."
+                403, "This server is not known by this address. Whoever runs it can allow it with ALLOWED_ORIGIN."
             )
         await super().prepare()  # type: ignore[misc]
 

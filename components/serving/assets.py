@@ -40,6 +40,7 @@ SHEETS = (
     "about",
     "take",
     "ask",
+    "menu",
     "walk",
     "answers",
     "sketch",
@@ -145,7 +146,7 @@ class AssetFiles(Answer):
         asset = assets().get(name) or self._more.get(name)
         if asset is None:
             raise RefusedError(
-                404, "This file is of another version of the page; loading the page anew brings the right one."
+                404, "This file belongs to another version of the page; reload the page to get the right one."
             )
         self.set_header("Content-Type", asset.type)
         self.set_header("Cache-Control", f"public, max-age={YEAR}, immutable")

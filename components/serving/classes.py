@@ -5,16 +5,17 @@ from __future__ import annotations
 import io
 from collections.abc import Awaitable
 from typing import TYPE_CHECKING, Any, TypeVar
+from urllib.parse import unquote
 
 import msgspec
 import segno
 from tornado.web import RequestHandler
 
 from components.page.room import Opened, Order, Tally
-from components.rooms.codes import as_code
+from components.rooms.codes import as_code, digest, is_key, join_key
 from components.rooms.hall import ClosedError
 from components.rooms.room import ClassRoom
-from components.rooms.store import LIFE, AwayError
+from components.rooms.store import ALONE, AwayError
 from components.rooms.table import answers_csv
 from components.serving.answers import SENTENCES, RefusedError, Visited
 from components.serving.settings import own_address
@@ -28,9 +29,12 @@ LONGEST = 8000
 """Bytes of a message to a room: two sketches are a quarter of it."""
 LONGEST_ORDER = 64_000
 """The same from the instructor's page, which may hand over a walk's file."""
-AWAY = "The store that replicas share does not answer now. What you see stays; try again in a moment."
+AWAY = "The server cannot reach its record of the class now. What you see stays; try again in a moment."
 MOST_OPENED = 100
-"""Rooms that one network may open in the life of one."""
+"""Rooms that one network may open in the time for which one lives alone."""
+
+ASKED = "Opening a class here needs the instructors' passphrase."
+WRONG = "This is not the instructors' passphrase. Whoever runs this server has set it."
 
 Body = TypeVar("Body")
 Answered = TypeVar("Answered")
@@ -67,10 +71,10 @@ class ClassAnswer(Visited, Waited):
 
     def body(self, kind: type[Body], longest: int = LONGEST) -> Body:
         if len(self.request.body) > longest:
-            raise RefusedError(413, "This is more than a class is told at once.")
+            raise RefusedError(413, "This message is too long.")
         try:
             return msgspec.json.decode(self.request.body, type=kind)
-        except (msgspec.DecodeError, RecursionError) as error:
+        except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
             raise RefusedError(400, "This is not what the lecture's page sends.") from error
 
     def reply(self, value: object) -> None:
@@ -90,7 +94,7 @@ class ClassAnswer(Visited, Waited):
 
     def often(self, name: str) -> None:
         if seconds := self.application.class_rate.admit(name):
-            raise RefusedError(429, "This is more often than a class can be told. A moment later it will do.", seconds)
+            raise RefusedError(429, "Too many messages at once. Try again in a moment.", seconds)
 
     async def led(self, code: str) -> ClassRoom:
         """The room, for its instructor alone; what others ask does not count, or they could silence an instructor."""
@@ -118,7 +122,7 @@ class ClassAnswer(Visited, Waited):
         return path.rstrip("/") if path.startswith("/") and path.isascii() and len(path) < 200 else ""
 
     def opened(self, code: str, key: str) -> Opened:
-        address = self.address(f"class={code}")
+        address = self.address(f"class={code}&join={join_key(key)}")
         return Opened(code=code, key=key, address=address, square=square(address))
 
     def write_error(self, status_code: int, **more: Any) -> None:
@@ -144,14 +148,25 @@ class OpenClass(ClassAnswer):
     """A new room."""
 
     async def post(self) -> None:
+        phrase = self.application.asked.class_passphrase
+        if not phrase or not is_key(unquote(self.word), digest(phrase)):  # who knows it waits for nobody who does not
+            await self._admit()
+            if phrase:
+                raise RefusedError(401, WRONG if self.word else ASKED)
+        self.reply(self.opened(*await self.asked(self.application.hall.open())))
+
+    async def _admit(self) -> None:
         name = f"opened {network_of(self.visitor)}"
         if seconds := self.application.openings.admit(self.visitor):
             raise RefusedError(
-                429, "This network has opened many classes lately. A moment later it may again.", seconds
+                429, "Many classes were opened from this network just now. Try again in a moment.", seconds
             )
-        if await self.asked(self.application.hall.store.count(name, LIFE)) > MOST_OPENED:
-            raise RefusedError(429, f"This network has opened {MOST_OPENED} classes. Within hours it may again.", LIFE)
-        self.reply(self.opened(*await self.asked(self.application.hall.open())))
+        if await self.asked(self.application.hall.store.count(name, ALONE)) > MOST_OPENED:
+            raise RefusedError(
+                429,
+                f"{MOST_OPENED} classes were opened from this network. Try again in {ALONE / 60:.0f} minutes.",
+                ALONE,
+            )
 
 
 class LeadClass(ClassAnswer):
@@ -164,7 +179,7 @@ class LeadClass(ClassAnswer):
     async def post(self, code: str) -> None:
         room = await self.led(code)
         order: Order = self.body(Order, LONGEST_ORDER)  # type: ignore[arg-type]  # a union of types
-        await self.asked(self.application.hall.obey(room, order))
+        await self.asked(self.application.hall.obey(room, order, str(network_of(self.visitor))))
         self.set_status(204)
 
 

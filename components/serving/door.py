@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Hashable, Mapping
 from secrets import token_urlsafe
 from time import monotonic
+from typing import NamedTuple, TypeVar
+
+Key = TypeVar("Key", bound=Hashable)
 
 ASK_AGAIN = 20
 """Seconds, after which a waiting page asks again."""
@@ -12,34 +16,91 @@ FORGOTTEN = 2.5 * ASK_AGAIN
 """Seconds without a question, after which a place in the line is given up."""
 LONGEST = 2000
 """Of a line; who comes after that has no place in it, and may come again."""
+OF_A_NETWORK = LONGEST // 4
+"""Tickets that one network may have of it."""
+IDLE = 600.0
+"""Seconds without a word, after which a visitor gives way where all places are taken."""
+SHARE = 0.75
+"""Of the places, that one network keeps where others want some: with more, its quietest visitor gives way."""
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
+
+
+class Guest(NamedTuple):
+    """A visitor who is in: where from, and when they said something last."""
+
+    network: str
+    heard: float
+
+
+class InLine(NamedTuple):
+    """A ticket: where it was given to, and when it was last seen."""
+
+    network: str
+    seen: float
 
 
 class Door:
     """Lets in as many as there are places for; the others have tickets, and are let in by turns."""
 
-    def __init__(self, places: int, taken: Callable[[], int], clock: Callable[[], float] = monotonic) -> None:
+    def __init__(
+        self,
+        places: int,
+        taken: Callable[[], int],
+        clock: Callable[[], float] = monotonic,
+        make_way: Callable[[str], bool] = lambda network: False,
+        held: Callable[[], Mapping[str, int]] = dict,
+    ) -> None:
+        """`held` says how many places each network has; `make_way` frees one for a visitor of a network, if it can."""
         self.places = places
         self._taken = taken
         self._clock = clock
-        self._line: dict[str, float] = {}
-        """When each ticket was last seen, in the order in which they came."""
+        self._make_way = make_way
+        self._held = held
+        self._line: dict[str, InLine] = {}
+        """By ticket, in the order in which they came."""
 
-    def knock(self, ticket: str) -> tuple[int, str]:
+    def __len__(self) -> int:
+        """How many wait, or have left without a word."""
+        return len(self._line)
+
+    def knock(self, ticket: str, network: str = "") -> tuple[int, str]:
         """The place in the line of who shows a ticket, or none, and the ticket for next time; 0 is to come in."""
         now = self._clock()
-        self._line = {other: seen for other, seen in self._line.items() if now - seen < FORGOTTEN}
+        self._line = {other: one for other, one in self._line.items() if now - one.seen < FORGOTTEN}
         if ticket not in self._line:
             ticket = token_urlsafe(9)
-        if ticket in self._line or len(self._line) < LONGEST:
-            self._line[ticket] = now
+            has = sum(one.network == network for one in self._line.values())
+            if len(self._line) < LONGEST and has < OF_A_NETWORK:
+                self._line[ticket] = InLine(network, now)
+        else:
+            self._line[ticket] = self._line[ticket]._replace(seen=now)
         free = max(0, self.places - self._taken())
-        before = list(self._line).index(ticket) if ticket in self._line else len(self._line)
-        if before < free:
-            del self._line[ticket]
+        before = self._before(ticket)
+        if before < free or (before == free and ticket in self._line and self._make_way(network)):
+            self._line.pop(ticket, None)
             return 0, ""
         return before - free + 1, ticket
+
+    def _before(self, ticket: str) -> int:
+        """How many are let in earlier: those of networks with fewer places, and of each who came first."""
+        turns = Counter(self._held())
+        order = []
+        for place, (other, one) in enumerate(self._line.items()):
+            order.append((turns[one.network], place, other))
+            turns[one.network] += 1
+        return next((i for i, (*_, other) in enumerate(sorted(order)) if other == ticket), len(order))
+
+
+def gives_way(guests: Mapping[Key, Guest], places: int, network: str, now: float) -> Key | None:
+    """Who is sent away, where all places are taken, for a visitor of a network: who has said nothing for long; else the
+    quietest of another network that has more than its share."""
+    quietest = sorted(guests, key=lambda key: guests[key].heard)
+    if quietest and now - guests[quietest[0]].heard >= IDLE:
+        return quietest[0]
+    held = Counter(guest.network for guest in guests.values())
+    large = {one for one, count in held.items() if count > SHARE * places and one != network}
+    return next((key for key in quietest if guests[key].network in large), None)
 
 
 def ordinal(number: int) -> str:

@@ -12,8 +12,8 @@ from tornado.iostream import IOStream, StreamClosedError
 
 from components.page.messages import Taught
 from components.page.room import Entered, Vote
-from components.rooms.codes import as_code
-from components.rooms.room import LEADERS, ClassRoom, Ear, as_event
+from components.rooms.codes import as_code, is_key
+from components.rooms.room import LEADERS, ClassRoom, Ear, as_event, name_of
 from components.serving.answers import RefusedError
 from components.serving.classes import ClassAnswer
 from components.serving.visitors import network_of
@@ -23,6 +23,9 @@ MOST_FOLLOWERS = 5000
 MISSES = 300
 """Codes that are none, from one network in a minute: with 10 rooms among 30^4 codes, 0.9 hits are to be expected of
 all that may be guessed in 4 hours, while a class that mistypes comes in."""
+ALL_MISSES = 3000
+"""The same from all networks: who has many of them finds one class in half an hour at best, and may only follow it."""
+TOO_MANY = "Many wrong codes were typed. The QR code opens the class at once, the right code within a minute."
 MINUTE = 60.0
 BUFFER = 2**14
 """Bytes that the system may hold back for who reads slowly, some of which it doubles: a few updates."""
@@ -54,18 +57,31 @@ class Enter(ClassAnswer):
     """A token for a code: given to whoever has one, but not to who tries many."""
 
     async def post(self, code: str) -> None:
-        hall, name = self.application.hall, f"miss {network_of(self.visitor)}"
-        if await self.asked(hall.store.count(name, MINUTE, 0)) >= MISSES:
-            raise RefusedError(
-                429, "Many wrong codes came from this network. Within a minute the right one opens the class.", MINUTE
-            )
+        room = await self._shown(code) or await self._typed(code)
+        self.reply(Entered(code=room.code, token=self.application.tokens.new(room.code)))
+
+    async def _shown(self, code: str) -> ClassRoom | None:
+        """The room whose QR code was read, which is no guess: whatever others of the network type, it opens."""
         try:
-            room = await self.asked(hall.room(as_code(code)))
+            room = await self.asked(self.application.hall.room(as_code(code) if self.word else ""))
         except RefusedError as refusal:
             if refusal.status_code == 404:
-                await self.asked(hall.store.count(name, MINUTE))
+                return None
             raise
-        self.reply(Entered(code=room.code, token=self.application.tokens.new(room.code)))
+        return room if is_key(self.word, room.parts.get("join", b"")) else None
+
+    async def _typed(self, code: str) -> ClassRoom:
+        store, names = self.application.hall.store, {f"miss {network_of(self.visitor)}": MISSES, "miss": ALL_MISSES}
+        for name, most in names.items():
+            if await self.asked(store.count(name, MINUTE, 0)) >= most:
+                raise RefusedError(429, TOO_MANY, MINUTE)
+        try:
+            return await self.asked(self.application.hall.room(as_code(code)))
+        except RefusedError as refusal:
+            if refusal.status_code == 404:
+                for name in names:
+                    await self.asked(store.count(name, MINUTE))
+            raise
 
 
 class Events(Follower):
@@ -92,12 +108,14 @@ class Events(Follower):
             return
         self._pipe.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
         self._pipe.set_nodelay(True)
+        room.polls.pop(name_of(self.word), None)  # it is counted once
+        room.seen[name_of(self.word)] = monotonic()
         room.ears.add(self)  # before the first pause: what is told in it is not missed
         try:
             self.write(self._all())
             await asyncio.wait_for(self.flush(), GIVEN_UP)
             self._catch_up()
-            await self._stay(room.streams.setdefault(self.word, []))
+            await self._stay(room.streams.setdefault(name_of(self.word), []))
         except (TimeoutError, StreamClosedError):
             self._pipe.close()
         finally:
@@ -113,7 +131,8 @@ class Events(Follower):
         finally:
             own.remove(self)
             if not own:
-                self._room.streams.pop(self.word, None)
+                self._room.streams.pop(name_of(self.word), None)
+            self._room.seen[name_of(self.word)] = monotonic()
 
     def _all(self) -> bytes:
         """The room as it is, and what an instructor's page alone is told, from where it knows the room."""
@@ -190,6 +209,10 @@ class Answers(Follower):
         room = await self.entered(code)
         voter = self.application.tokens.voter(room.code, self.word)
         self.often(f"vote {voter}")
+        if not await self.asked(self.application.hall.follows(room, voter)):
+            raise RefusedError(
+                503, "This phone does not follow the class at the moment. Its answer counts when it does.", 1
+            )
         await self.asked(self.application.hall.vote(room, voter, self.body(Vote)))
         self.set_status(204)
 
@@ -201,11 +224,11 @@ class Answers(Follower):
             self.set_status(204)  # the lecture has gone on: nothing more is said of it
             return
         if put.lesson is None:
-            raise RefusedError(409, "The answer has not been shown.")
+            raise RefusedError(409, "The answer has not been shown yet.")
         try:
             lesson = self.application.hall.lessons_of(room).judged(vote)
         except ValueError as reason:
-            raise RefusedError(400, "This is no answer to that question.") from reason
+            raise RefusedError(400, "This answer does not fit the question.") from reason
         self.reply(Taught(walk=vote.walk, step=vote.step, lesson=lesson))
 
 

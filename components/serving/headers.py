@@ -11,6 +11,7 @@ from hashlib import sha256
 from jinja2 import Template
 
 SAFE = {
+    "Permissions-Policy": "camera=(), geolocation=(), microphone=(), payment=(), usb=()",
     "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",  # a link carries what its visitor set
 }

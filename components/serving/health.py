@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import logging
+from ipaddress import ip_address
 from typing import TYPE_CHECKING
 
 from prometheus_client import CONTENT_TYPE_LATEST
+from tornado.web import HTTPError
 
 from components.serving.answers import Answer
 
@@ -44,6 +46,16 @@ class Readiness(Health):
 
 
 class Figures(Health):
+    """For this machine and those that METRICS_FOR names; for others there is no such page."""
+
+    def prepare(self) -> None:
+        super().prepare()
+        asked_by, headers = self.visitor, self.request.headers
+        # Of whom a proxy speaks that is not trusted, nothing is known.
+        unknown = asked_by == self.request.remote_ip and "X-Forwarded-For" in headers
+        if unknown or not any(ip_address(asked_by) in network for network in self.settings["metrics_for"]):
+            raise HTTPError(404)
+
     def get(self) -> None:
         self.set_header("Content-Type", CONTENT_TYPE_LATEST)
         self.write(self.application.metrics.text())

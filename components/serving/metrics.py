@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import asyncio
+import logging
 from collections.abc import Callable, Mapping
+from time import monotonic
 
-from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, ProcessCollector, generate_latest
+from prometheus_client import CollectorRegistry, Counter, Gauge, Histogram, Info, ProcessCollector, generate_latest
 
 BUCKETS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.5, 1.0, 2.0, 5.0)
+
+BETWEEN = 0.1
+"""Seconds between looks at how late the event loop is."""
 
 Looked = Mapping[str, tuple[str, Callable[[], float]]]
 """Figures that are looked up when they are asked for, by name, each with what it says."""
@@ -15,7 +21,7 @@ Looked = Mapping[str, tuple[str, Callable[[], float]]]
 class Metrics:
     """Each server has its own, so that two in one process do not mix."""
 
-    def __init__(self, **now: tuple[str, Callable[[], float]]) -> None:
+    def __init__(self, version: str, **now: tuple[str, Callable[[], float]]) -> None:
         """What is counted as it happens; `now` are figures that are looked up when they are asked for."""
         self._registry = CollectorRegistry()
         ProcessCollector(registry=self._registry)
@@ -32,5 +38,35 @@ class Metrics:
             "oscillations_refused", "Requests and sockets refused, by status or code", ["what"], registry=self._registry
         )
 
+        self.lag = Histogram(
+            "oscillations_loop_lag_seconds",
+            "How late the event loop comes to what it is to do",
+            buckets=BUCKETS,
+            registry=self._registry,
+        )
+        errors = Counter(
+            "oscillations_errors", "Errors in the log; of one place a visitor's are told once", registry=self._registry
+        )
+        self.errors = _Counting(errors)
+        Info("oscillations_build", "What is served", registry=self._registry).info({"version": version})
+
+    async def watch(self) -> None:
+        """Measure, until it is cancelled, how long the event loop is held."""
+        while True:
+            due = monotonic() + BETWEEN
+            await asyncio.sleep(BETWEEN)
+            self.lag.observe(max(0.0, monotonic() - due))
+
     def text(self) -> bytes:
         return generate_latest(self._registry)
+
+
+class _Counting(logging.Handler):
+    """Counts what comes to the log as an error."""
+
+    def __init__(self, counter: Counter) -> None:
+        super().__init__(logging.ERROR)
+        self._counter = counter
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self._counter.inc()

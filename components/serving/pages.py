@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from secrets import token_urlsafe
 from typing import TYPE_CHECKING
 
 from bokeh.application.handlers.handler import Handler
@@ -11,6 +12,7 @@ from bokeh.document import Document
 from bokeh.server.session import ServerSession
 from bokeh.server.views.session_handler import SessionHandler
 from panel.io.state import set_curdoc
+from tornado.httputil import HTTPServerRequest
 from tornado.web import HTTPError
 
 from components.serving.answers import RefusedError, Visited, templates
@@ -18,6 +20,8 @@ from components.serving.door import ASK_AGAIN, ordinal
 from components.serving.headers import policy, scripts_of
 from components.serving.mended import patch_curdoc
 from components.serving.shell import follow_template
+from components.serving.tokens import page_name
+from components.serving.visitors import Network, address_of, network_of
 
 if TYPE_CHECKING:
     from components.serving.server import Lecture
@@ -27,7 +31,10 @@ log = logging.getLogger(__name__)
 LONGEST_LINK = 8000
 """Characters: the query is in the token, and the token in a header of the WebSocket, with room for the others."""
 
-TOO_MANY = "Too many pages were opened from this network within a minute. A moment later this one opens too."
+TOO_MANY = "Too many pages were opened from this network within a minute. Try again in a moment."
+
+OWN_TOKEN, TICKET = "Page-Token", "Page-Ticket"
+"""Headers of a page that fetches itself anew: the token that it has had, and its place in the line."""
 
 OpenPage = Callable[[Document], None]
 
@@ -35,9 +42,17 @@ OpenPage = Callable[[Document], None]
 class Filled(Handler):  # type: ignore[misc]  # Bokeh's are not looked into
     """Fills the document of a new session. One that fails is left empty: what went wrong is for the log alone."""
 
-    def __init__(self, open_page: OpenPage) -> None:
+    def __init__(self, open_page: OpenPage, trusted: Sequence[Network], secret: bytes) -> None:
         super().__init__()
         self._open_page = open_page
+        self._secret = secret
+        self._trusted = trusted
+
+    def process_request(self, request: HTTPServerRequest) -> dict[str, object]:
+        """Goes into the page's token, by which each replica knows where the visitor comes from and which page it is: it
+        keeps its name where it fetches itself anew."""
+        page = page_name(request.headers.get(OWN_TOKEN, ""), self._secret) or token_urlsafe(9)
+        return {"network": str(network_of(address_of(request, self._trusted))), "page": page}
 
     def modify_document(self, doc: Document) -> None:
         # Reconnecting and telling of it are the page's own business.
@@ -70,14 +85,16 @@ class Page(Visited, SessionHandler):  # type: ignore[misc]  # Bokeh's are not lo
         if "class" in self.request.arguments:
             self._follow()
             return
-        shown = self.request.arguments.pop("ticket", [b""])[0]  # is between door and visitor, no part of the link
-        place, ticket = self.application.door.knock(shown.decode("latin-1"))
+        asked = self.request.arguments.pop("ticket", [b""])[0]  # is between door and visitor, no part of the link
+        shown = self.request.headers.get(TICKET) or asked.decode("latin-1")
+        place, ticket = self.application.door.knock(shown, str(network_of(self.visitor)))
         if place:
             self._wait(place, ticket)
             return
-        if seconds := self.application.arrivals.admit(self.visitor):
+        if seconds := self._counted():
             raise RefusedError(429, TOO_MANY, after=seconds)
         session = await self.get_session()
+        self.application.heard(session)
         if not session.document.roots:
             raise HTTPError(500)
         self.application.metrics.arrivals.inc()
@@ -86,6 +103,14 @@ class Page(Visited, SessionHandler):  # type: ignore[misc]  # Bokeh's are not lo
         self.set_header("Cache-Control", "no-store")
         self.set_header("Content-Security-Policy", policy(self.settings["frame_ancestors"], scripts))
         self.write(page_of(session))
+
+    def _counted(self) -> float:
+        """In how many seconds the page may be opened. One that comes back, and not too often, is no stranger."""
+        application = self.application
+        page = page_name(self.request.headers.get(OWN_TOKEN, ""), application.secret_key)
+        if page and not application.returns.admit(page) and not application.returning.admit(self.visitor):
+            return 0.0
+        return application.arrivals.admit(self.visitor)
 
     def _follow(self) -> None:
         """A page without a session: all that it shows comes from the class."""
@@ -101,6 +126,7 @@ class Page(Visited, SessionHandler):  # type: ignore[misc]  # Bokeh's are not lo
         self.application.metrics.refused.labels("full").inc()
         self.set_status(503)
         self.set_header("Retry-After", str(ASK_AGAIN))
+        self.set_header(TICKET, ticket)
         self.set_header("Cache-Control", "no-store")
         self.set_header("Content-Security-Policy", policy(self.settings["frame_ancestors"], scripts_of(page)))
         address = "?" + "&".join([*parts, f"ticket={ticket}"])

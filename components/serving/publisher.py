@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 from components.page.room import SentPicture
 from components.rooms.hall import ClosedError, Hall
-from components.rooms.store import AwayError
+from components.rooms.store import AwayError, FullError
 from components.wire import Packet
 
 log = logging.getLogger(__name__)
@@ -34,6 +34,12 @@ class Publisher:
         if self._task is None:
             self._task = asyncio.create_task(self._run())
 
+    def end(self) -> None:
+        """Nothing more is told: not even what waits for a store that is away."""
+        self._make = None
+        if self._task:
+            self._task.cancel()
+
     async def _run(self) -> None:
         try:
             while make := self._make:
@@ -52,8 +58,8 @@ class Publisher:
             await self._hall.show(room, SentPicture(**make()))
         except AwayError:
             return False
-        except ClosedError:
-            pass  # the instructor's page is told by the room's own news
+        except (ClosedError, FullError):
+            pass  # the instructor's page is told by the room's own news; a full store is looked after
         except Exception:
             log.exception("A picture could not be made ready for a class")
         return True

@@ -13,7 +13,7 @@ from components.serving.classes import ClassAnswer, square
 
 TICKET = 60.0
 """Seconds for which a code lets a phone in."""
-NOT_IN = "The first screen has not let this remote control in. It shows a code for a new one when it is asked."
+NOT_IN = "The lecturer's screen has not confirmed this phone. Press Remote control there for a new code."
 
 
 class LetIn(ClassAnswer):
@@ -53,7 +53,7 @@ class RemoteControl(ClassAnswer):
         kept = await self.asked(hall.store.take(f"ticket {digest(ticket.address).decode()}"))
         if not kept or kept.decode() != as_code(code):
             raise RefusedError(
-                403, "This code has been used, or is older than a minute. The first screen shows a new one."
+                403, "This code has been used, or is older than a minute. The lecturer's screen shows a new one."
             )
         room = await self.asked(hall.room(as_code(code)))
         try:

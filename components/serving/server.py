@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import asyncio
+import logging
+from collections import Counter
 from collections.abc import Mapping
 from contextlib import suppress
+from time import monotonic
 from typing import Any
 from urllib.parse import urlsplit
+from weakref import WeakKeyDictionary
 
+from bokeh.server.session import ServerSession
 from bokeh.server.tornado import BokehTornado
 from bokeh.server.util import bind_sockets
+from bokeh.util.token import get_token_payload
 from panel.io.application import Application
 from tornado.httpserver import HTTPServer
 from tornado.ioloop import IOLoop, PeriodicCallback
@@ -22,7 +28,7 @@ from components.rooms.upkeep import Upkeep
 from components.serving.answers import Missing, Moved
 from components.serving.assets import AssetFiles, assets, packed_files
 from components.serving.classroutes import class_routes
-from components.serving.door import Door
+from components.serving.door import Door, Guest, gives_way
 from components.serving.health import Figures, Liveness, Readiness
 from components.serving.hosts import is_named
 from components.serving.incoming import MOST_BYTES
@@ -31,6 +37,7 @@ from components.serving.mended import mend
 from components.serving.metrics import Looked, Metrics
 from components.serving.pages import Filled, OpenPage, Page
 from components.serving.settings import Settings
+from components.serving.shell import version
 from components.serving.sockets import Socket
 from components.serving.visitors import Arrivals, Rate, networks
 
@@ -40,6 +47,8 @@ PATIENCE = 10.0
 """Seconds for the whole of a request, and for the next one on the same connection."""
 OF_A_CLASS = 1200
 """Messages a minute of one instructor, follower or remote control."""
+RETURNS = 10
+"""Times that one page may come back in a minute, not counted among strangers; of a network so many for each arrival."""
 OPENINGS = 60
 """Classes that one network may open in a minute."""
 ENDING = 9.0
@@ -62,8 +71,9 @@ class Lecture(BokehTornado):  # type: ignore[misc]  # Bokeh's are not looked int
         self.ending = False
         self._sheets = packed_files(sheets)
         mend()
+        filled = Filled(open_page, networks(settings.trusted_proxies), settings.bokeh_secret_key.encode())
         super().__init__(
-            {"/": Application(Filled(open_page))},  # type: ignore[no-untyped-call]  # Panel's own has no types
+            {"/": Application(filled)},  # type: ignore[no-untyped-call]  # Panel's own has no types
             extra_websocket_origins=settings.hosts(port),
             secret_key=settings.bokeh_secret_key.encode(),
             sign_sessions=True,
@@ -79,6 +89,7 @@ class Lecture(BokehTornado):  # type: ignore[misc]  # Bokeh's are not looked int
             frame_ancestors=settings.frame_ancestors,
             log_visitors=settings.log_visitors,
             trusted_proxies=networks(settings.trusted_proxies),
+            metrics_for=networks(("127.0.0.0/8", "::1", *settings.metrics_for)),
         )
         self.asked = settings
         self.hall = hall
@@ -87,12 +98,24 @@ class Lecture(BokehTornado):  # type: ignore[misc]  # Bokeh's are not looked int
         self.class_rate = Rate(OF_A_CLASS)
         self.openings = Arrivals(OPENINGS)
         self.arrivals = Arrivals(settings.arrivals)
-        self.door = Door(settings.sessions, taken=self._taken)
+        self.returns = Rate(RETURNS)
+        self.returning = Arrivals(RETURNS * settings.arrivals)
+        self.guests: WeakKeyDictionary[ServerSession, Guest] = WeakKeyDictionary()
+        self.door = Door(settings.sessions, taken=self._taken, make_way=self._make_way, held=self._held)
         self.metrics = Metrics(
+            version(),
+            line=("Visitors who wait for a place", lambda: len(self.door)),
+            answers=(
+                "Answers of live classes that were looked up here",
+                lambda: sum(len(votes) for room in hall.rooms.values() for votes in room.votes.values()),
+            ),
             sessions=("Sessions, with and without a visitor", self._taken),
             sockets=("Visitors who are connected", lambda: len(self.sockets)),
             rooms=("Live classes that somebody here leads or follows", lambda: len(hall.rooms)),
             followers=("Those who follow one", lambda: hall.followers),
+            store_rooms=("Live classes that the store has, of all replicas", lambda: self.upkeep.rooms),
+            store_up=("1 while the store of live classes answers, else 0", lambda: self.upkeep.listening),
+            store_skew_seconds=("By how much this clock is ahead of the store's", lambda: self.upkeep.skew),
             **figures,
         )
         # What Bokeh and Panel register (autoload.js, metadata, components, extensions, ...) lies behind the last of
@@ -119,15 +142,41 @@ class Lecture(BokehTornado):  # type: ignore[misc]  # Bokeh's are not looked int
         return is_named(urlsplit(origin).netloc, self.websocket_origins)
 
     def _taken(self) -> int:
-        return len(self.get_sessions("/"))
+        return sum(not session.expiration_requested for session in self.get_sessions("/"))
+
+    def heard(self, session: ServerSession) -> None:
+        """A visitor has come in, or said something."""
+        guest = self.guests.get(session)
+        network = guest.network if guest else get_token_payload(session.token).get("network", "")
+        self.guests[session] = Guest(network, monotonic())
+
+    def _here(self) -> dict[ServerSession, Guest]:
+        return {session: guest for session, guest in self.guests.items() if not session.expiration_requested}
+
+    def _held(self) -> Counter[str]:
+        return Counter(guest.network for guest in self._here().values())
+
+    def _make_way(self, network: str) -> bool:
+        """Send somebody away for a visitor of a network; False where nobody gives way."""
+        leaves = gives_way(self._here(), self.door.places, network, monotonic())
+        if leaves is None:
+            return False
+        leaves.request_expiration()
+        for socket in [one for one in self.sockets if one.connection and one.connection.session is leaves]:
+            socket.drop(1013, "All places are taken, and others wait.")
+        return True
 
     def start(self) -> None:
         super().start()
         self._pulse.start()
+        self._watch = asyncio.create_task(self.metrics.watch())
+        logging.getLogger().addHandler(self.metrics.errors)
         self.upkeep.start()
 
     def stop(self, wait: bool = True) -> None:
         self._pulse.stop()
+        self._watch.cancel()
+        logging.getLogger().removeHandler(self.metrics.errors)
         super().stop(wait)
 
     def _feel_pulses(self) -> None:
@@ -171,7 +220,7 @@ class Server:
         self._http.stop()
         sockets = list(self.lecture.sockets)
         for socket in sockets:
-            socket.drop(1001, "The server goes away.")
+            socket.drop(1001, "The server is shutting down.")
         with suppress(TimeoutError):
             async with asyncio.timeout(ENDING - notice):
                 await asyncio.gather(*(socket.gone.wait() for socket in sockets))

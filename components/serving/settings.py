@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import re
 import socket
 from collections.abc import Mapping, Sequence
+from itertools import pairwise
 from pathlib import Path
 from secrets import token_urlsafe
 from typing import Annotated, Any, Literal, get_type_hints
+from urllib.parse import quote
 
 import msgspec
 from bokeh.server.util import create_hosts_allowlist
@@ -16,10 +19,11 @@ from msgspec import Meta
 from components.serving.visitors import networks
 
 SECRET = "bokeh_secret_key"
-"""The one that is no option: every user of a machine can read the command line of a process."""
-SECRET_FILE = "BOKEH_SECRET_KEY_FILE"
-"""The variable with the path of a file that has the secret in it."""
-LISTS = ("allowed_origin", "trusted_proxies")
+SECRETS = (SECRET, "redis_password", "class_passphrase")
+"""Those that are no options: every user of a machine can read the command line of a process. Each may stand in a file,
+whose path is in a variable of the same name and _FILE."""
+LISTS = ("allowed_origin", "trusted_proxies", "metrics_for")
+GUESSED = re.compile("secret|passw(or[dt])?|passphrase|change|default|example|bokeh|lecture|oscillations")
 
 
 class Settings(msgspec.Struct, frozen=True, kw_only=True):
@@ -34,7 +38,12 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
         Meta(description="the names that visitors know the server by, as host or host:port, with commas between them"),
     ] = ()
     bokeh_secret_key: Annotated[
-        str, Meta(min_length=16, description="at least 16 characters, the same for all replicas")
+        str,
+        Meta(
+            min_length=16,
+            description="at least 16 characters that nobody guesses, as `make secret` makes them, the same for all "
+            "replicas",
+        ),
     ] = msgspec.field(default_factory=token_urlsafe)
     trusted_proxies: Annotated[
         tuple[str, ...],
@@ -50,7 +59,14 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
             description="whose frames may show the page: * for anybody's, 'self', 'none', or https://course.example "
             "and more with spaces between them",
         ),
-    ] = "*"
+    ] = "'self'"
+    metrics_for: Annotated[
+        tuple[str, ...],
+        Meta(
+            description="the addresses and networks that may read /metrics, besides this machine, with commas between "
+            "them"
+        ),
+    ] = ()
     sessions: Annotated[
         int, Meta(ge=1, le=100_000, description="visitors at once, 1 to 100000; the next ones wait in a line")
     ] = 1000
@@ -85,6 +101,15 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
             "redis://store:6379/0; where empty, this process keeps its own",
         ),
     ] = ""
+    class_passphrase: Annotated[
+        str,
+        Meta(
+            pattern=r"^(.{12,})?$",
+            description="the instructors' passphrase, at least 12 characters, without which nobody opens a live class; "
+            "where empty, everybody may",
+        ),
+    ] = ""
+    redis_password: Annotated[str, Meta(description="its password, where REDIS_URL has none")] = ""
     walks: Annotated[str, Meta(description="a folder of more guided walks, none where empty")] = ""
     show: Annotated[bool, Meta(description="true opens the page in a browser, false does not")] = False
 
@@ -93,6 +118,14 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
         own = ("localhost", "127.0.0.1", *([here] if self.everywhere and (here := own_address()) else []))
         known: list[str] = create_hosts_allowlist(self.allowed_origin or [f"{name}:{port}" for name in own], port)
         return known
+
+    @property
+    def store(self) -> str:
+        """The address of the store that replicas share, with its password."""
+        kind, _, place = self.redis_url.partition("://")
+        if not place or "@" in place or not self.redis_password:
+            return self.redis_url
+        return f"{kind}://:{quote(self.redis_password, safe='')}@{place}"
 
     @property
     def everywhere(self) -> bool:
@@ -121,13 +154,18 @@ def read_settings(arguments: Sequence[str], environment: Mapping[str, str]) -> S
     ValueError, in a sentence, for a value that is not allowed.
     """
     given = {name: environment[name.upper()] for name in HINTS if environment.get(name.upper())}
-    if (path := environment.get(SECRET_FILE)) and SECRET not in given:
-        given[SECRET] = _secret_in(path)
+    for name in SECRETS:
+        variable = f"{name.upper()}_FILE"
+        if (path := environment.get(variable)) and name not in given:
+            given[name] = _secret_in(variable, path)
     given |= {name: text for name, text in vars(_options().parse_args(arguments)).items() if text is not None}
     settings = Settings(**{name: _converted(name, text) for name, text in given.items()})
     for name, check in (
         ("allowed_origin", lambda: settings.hosts(settings.port)),
         ("trusted_proxies", lambda: networks(settings.trusted_proxies)),
+        ("metrics_for", lambda: networks(settings.metrics_for)),
+        ("redis_url", lambda: _check_store(settings.redis_url)),
+        (SECRET, lambda: _check_secret(settings.bokeh_secret_key)),
     ):
         try:
             check()
@@ -136,12 +174,28 @@ def read_settings(arguments: Sequence[str], environment: Mapping[str, str]) -> S
     return settings
 
 
-def _secret_in(path: str) -> str:
+def _check_store(url: str) -> None:
+    """The client of a shared store is read only where there is one."""
+    if url:
+        from components.rooms.shared import check_url
+
+        check_url(url)
+
+
+def _secret_in(variable: str, path: str) -> str:
     """The secret in a file, which is how container engines hand one over."""
     try:
         return Path(path).read_text(encoding="utf-8").strip()
     except (OSError, UnicodeDecodeError) as error:
-        raise ValueError(f"{SECRET_FILE} names “{path}”, which cannot be read.") from error
+        raise ValueError(f"{variable} names “{path}”, which cannot be read.") from error
+
+
+def _check_secret(secret: str) -> None:
+    """ValueError for one that can be guessed: words that stand in every list, few characters, characters in a row."""
+    rest = GUESSED.sub("", secret.lower())
+    steps = {ord(after) - ord(before) for before, after in pairwise(secret)}
+    if len(rest) < 10 or len(set(secret)) < 8 or len(steps) < 8:
+        raise ValueError("This secret can be guessed.")
 
 
 def table() -> str:
@@ -171,7 +225,7 @@ def _options() -> argparse.ArgumentParser:
         description="Serves the lecture. Each option can be given as an environment variable too: PORT for --port.",
     )
     for name in HINTS:
-        if name != SECRET:
+        if name not in SECRETS:
             flag = {"nargs": "?", "const": "true"} if isinstance(getattr(PLAIN, name), bool) else {}
             parser.add_argument(f"--{name.replace('_', '-')}", help=describe(name), **flag)  # type: ignore[arg-type]
     return parser
@@ -186,5 +240,5 @@ def _converted(name: str, text: str) -> Any:
 
 
 def _refusal(name: str, text: str) -> str:
-    shown = "not what it should be" if name == SECRET else f"“{text}”"
+    shown = "not what it should be" if name in SECRETS or "@" in text else f"“{text}”"  # a URL may have a password
     return f"{name.upper()} is {shown}. Allowed: {describe(name)}."

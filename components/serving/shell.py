@@ -44,12 +44,18 @@ def follow_template() -> Template:
     return templates().get_template("follow.html", globals=files)
 
 
+LECTURES = {"D31": "Linear Harmonic Oscillator", "D34": "Coupled Oscillators"}
+"""The lectures of the MIT course 16.07, Dynamics, that the scenes follow, by number."""
+
+
 def navigation(scenes: Mapping[str, type[Scene]], here: str) -> list[dict[str, object]]:
     """The scenes in lecture order, grouped under the lecture they belong to."""
     groups: list[dict[str, object]] = []
     for slug, scene in scenes.items():
         if not groups or groups[-1]["lecture"] != scene.lecture:
-            groups.append({"lecture": scene.lecture, "scenes": []})
+            title = LECTURES.get(scene.lecture)
+            about = f"Lecture {scene.lecture} of the MIT course 16.07, Dynamics: {title}" if title else ""
+            groups.append({"lecture": scene.lecture, "about": about, "scenes": []})
         entry = {"slug": slug, "title": scene.title, "sheet": sheet_address(scene), "here": slug == here}
         groups[-1]["scenes"].append(entry)  # type: ignore[attr-defined]
     return groups

@@ -27,6 +27,8 @@ log = logging.getLogger(__name__)
 
 MOST_WAITING = 8
 """Messages that may wait. The page has one in flight at a time; a queue that its visitor has left is dropped."""
+MOST_PINGS = 30
+"""Of a visitor, between two of ours."""
 MOST_MISSED = 2
 """Pings that may go without an answer."""
 
@@ -41,14 +43,16 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
         self._incoming = Incoming()
         self._waiting: deque[tuple[float, Message[Any]]] = deque()
         self._work: asyncio.Task[None] | None = None
-        self._missed = 0
+        self._missed = self._pinged = 0
+        self._rests = 0.0
+        """Until when: a visitor waits for as long as the last answer took, so that the others have half of the time."""
         self.gone = asyncio.Event()
 
     async def prepare(self) -> None:
         await super().prepare()
         name, _, token = self.request.headers.get("Sec-WebSocket-Protocol", "").partition(",")
         if name.strip() != "bokeh" or not opens_session(token.strip(), self.application.secret_key):
-            raise RefusedError(403, "This page is no longer known here; open it anew.")
+            raise RefusedError(403, "The server no longer knows this page; reload it.")
 
     def check_origin(self, origin: str) -> bool:
         """Tornado asks where the page is not from the host that it connects to."""
@@ -69,6 +73,18 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
             self.application.client_lost(self.connection)
         elif not self.connection.session.document.roots:
             self.drop(1011, "This page could not be opened.")
+        elif self.connection.session.expiration_requested:
+            self.drop(1013, "This page's place has been given to another visitor.")
+        else:
+            self.application.heard(self.connection.session)
+            self._be_the_only_one()
+
+    def _be_the_only_one(self) -> None:
+        """A page has one socket; what was told would go to each of its session's."""
+        assert self.connection is not None
+        for other in list(self.connection.session._subscribed_connections):
+            if other is not self.connection:
+                other._socket.drop(1008, "This page is connected anew.")
 
     def on_message(self, frame: str | bytes) -> None:
         """Read on at once, whatever waits: so the end of a flood is seen when it comes."""
@@ -78,9 +94,7 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
             if message := self._incoming.take(frame):
                 self._admit(message)
         except ViolationError as violation:
-            log.warning("A socket is closed: %s", violation.reason)
-            self.application.metrics.refused.labels(f"socket {violation.code}").inc()
-            self.drop(violation.code, violation.reason)
+            self._refuse(violation)
 
     def on_close(self) -> None:
         self.gone.set()
@@ -98,11 +112,23 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
             self.drop(1001, "No answer to two pings.")
             return
         self._missed += 1
+        self._pinged = 0
         with suppress(WebSocketClosedError):  # on_close is about to be called
             self.ping(b"")
 
     def on_pong(self, data: bytes) -> None:
         self._missed = 0
+
+    def on_ping(self, data: bytes) -> None:
+        """Browsers send none; each is answered at once, past the queue."""
+        self._pinged += 1
+        if self._pinged == MOST_PINGS:
+            self._refuse(ViolationError("Too many pings."))
+
+    def _refuse(self, violation: ViolationError) -> None:
+        log.warning("A socket is closed: %s", violation.reason)
+        self.application.metrics.refused.labels(f"socket {violation.code}").inc()
+        self.drop(violation.code, violation.reason)
 
     def _admit(self, message: Message[Any]) -> None:
         if self.connection is None:
@@ -115,9 +141,15 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
 
     async def _work_off(self) -> None:
         while self._waiting:
+            await asyncio.sleep(self._rests - monotonic())
+            if not self._waiting:  # who has been sent away meanwhile
+                break
             arrived, message = self._waiting.popleft()
+            begun = monotonic()
             await self._answer(message)
-            if isinstance(message, patch_doc):
+            self._rests = 2 * monotonic() - begun
+            if isinstance(message, patch_doc) and self.connection:
+                self.application.heard(self.connection.session)
                 self.application.metrics.change.observe(monotonic() - arrived)
         self._work = None
 
@@ -129,7 +161,7 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
             elif document := await ServerSession.pull(message, self.connection):
                 await self.send_message(document)
         except UnknownReferenceError:
-            self.drop(1008, "This message speaks of something that is not on the page.")
+            self.drop(1008, "This message refers to something that is not on the page.")
         except Exception:
             log.exception("A message could not be answered")
-            self.drop(1011, "Something went wrong here, and has been noted.")
+            self.drop(1011, "Something went wrong on the server and was logged.")

@@ -5,12 +5,24 @@ from __future__ import annotations
 import hmac
 import time
 from base64 import urlsafe_b64encode
+from typing import Any
 
 from bokeh.util.token import check_token_signature, get_token_payload
 
 
 def opens_session(token: str, secret: bytes) -> bool:
-    """Whether the token was signed with the secret, for a session of ours, and has not expired.
+    """Whether the token was signed with the secret, for a session of ours, and has not expired."""
+    expiry = _told(token, secret).get("session_expiry")
+    return isinstance(expiry, int | float) and time.time() < expiry
+
+
+def page_name(token: str, secret: bytes) -> str:
+    """The name of the page that has this token, expired or not; "" where none has."""
+    return str(_told(token, secret).get("page", ""))
+
+
+def _told(token: str, secret: bytes) -> dict[str, Any]:
+    """What stands in a token that was signed with the secret.
 
     Nothing of a token is decoded before its signature is known to be good: what a stranger writes there may be
     anything.
@@ -18,9 +30,9 @@ def opens_session(token: str, secret: bytes) -> bool:
     text, _, signature = token.partition(".")
     expected = urlsafe_b64encode(hmac.digest(secret, text.encode(), "sha256")).rstrip(b"=")
     if not hmac.compare_digest(expected, signature.encode()):
-        return False
+        return {}
     try:
-        expiry: float = get_token_payload(token)["session_expiry"]
-        return check_token_signature(token, secret_key=secret, signed=True) and time.time() < expiry
+        told: dict[str, Any] = get_token_payload(token)
+        return told if check_token_signature(token, secret_key=secret, signed=True) else {}
     except (ValueError, KeyError, TypeError):  # a session's id, which is signed as tokens are
-        return False
+        return {}

@@ -6,6 +6,8 @@ from collections.abc import Callable, Sequence
 from ipaddress import IPv4Network, IPv6Network, ip_address, ip_network
 from time import monotonic
 
+from tornado.httputil import HTTPServerRequest
+
 Network = IPv4Network | IPv6Network
 
 MINUTE = 60.0
@@ -32,6 +34,11 @@ def visitor(peer: str, forwarded: str, trusted: Sequence[Network]) -> str:
         if not any(address in network for network in trusted):
             break
     return found
+
+
+def address_of(request: HTTPServerRequest, trusted: Sequence[Network]) -> str:
+    """The address that a request comes from."""
+    return visitor(request.remote_ip or "", ",".join(request.headers.get_list("X-Forwarded-For")), trusted)
 
 
 class Rate:

@@ -7,9 +7,12 @@ from hashlib import sha256
 
 import msgspec
 
+from components.page.picture import Ruler
 from components.page.walk import StepCard, WalkSheet
 from components.text import rich
-from components.walks.links import Scenes, answer_state, opening_state
+from components.walks.curves import pad_axes
+from components.walks.links import Scenes, answer_state, opening_state, scene_at
+from components.walks.texts import FORMULA
 from components.walks.types import ChoiceStep, NumericStep, PointStep, SketchStep, Step, Walk, kind_of, minutes_of
 
 SENTENCE = re.compile(r"(?<=[.?!]) (?=[A-ZΑ-Ω*√½\"“])")
@@ -47,12 +50,19 @@ def step_card(walk: str, step: Step, scenes: Scenes) -> StepCard:
         plot=step.plot if isinstance(step, (PointStep, SketchStep)) else "",
         axis=step.which if isinstance(step, PointStep) else "",
         curves=step.curves if isinstance(step, SketchStep) else (),
+        frame=_pad(step, scenes) if isinstance(step, SketchStep) else None,
     )
+
+
+def _pad(step: SketchStep, scenes: Scenes) -> tuple[Ruler, Ruler]:
+    field = pad_axes(step, scene_at(step.state, scenes))
+    return field.x.ruler, field.y.ruler
 
 
 def parted(question: str) -> tuple[str, str]:
     """What is given, and what is asked: from the first sentence that asks to the end."""
-    sentences = SENTENCE.split(question)
+    whole = FORMULA.sub(lambda match: match[0].replace(" ", "\0"), question)
+    sentences = [sentence.replace("\0", " ") for sentence in SENTENCE.split(whole)]
     first = next((i for i, sentence in enumerate(sentences) if ASKS.search(sentence)), 0)
     return " ".join(sentences[:first]), " ".join(sentences[first:])
 

@@ -8,10 +8,11 @@ from functools import partial
 from components.covers import coverable
 from components.numbers import excerpt
 from components.scene import Scene
+from components.text import rich
 from components.walks.curves import axes_of, place_of, true_curves
 from components.walks.links import Scenes, scene_at
 from components.walks.sketch import seen
-from components.walks.texts import check_formula, check_formulas, live_names
+from components.walks.texts import line, live_names
 from components.walks.types import BaseStep, ChoiceStep, NumericStep, PointStep, SketchStep, Walk
 
 
@@ -33,9 +34,7 @@ def _of_step(step: BaseStep, scenes: Scenes) -> Iterator[str]:
             return
     before, after = opened
     known = coverable(type(before), before.shown)
-    yield from (
-        f"cover: “{excerpt(name)}” is nothing that can be covered here." for name in step.cover if name not in known
-    )
+    yield from (f"cover: “{excerpt(name)}” cannot be covered here." for name in step.cover if name not in known)
     yield from (f"controls: “{excerpt(name)}” is not a parameter." for name in step.controls if name not in after.param)
     spoken = set(live_names(step.explain))
     yield from (
@@ -47,11 +46,11 @@ def _of_step(step: BaseStep, scenes: Scenes) -> Iterator[str]:
 
 def _of_texts(step: BaseStep) -> Iterator[str]:
     for field, text in step.sentences():
-        yield from _refused(field, lambda text=text: check_formulas(text))  # type: ignore[misc]
+        yield from _refused(field, partial(rich, text))
         if field != "explain" and any(live_names(text)):
             yield f"{field}: live numbers can stand in explain only."
-    for i, line in enumerate(step.equations):
-        yield from _refused(f"follows, line {i + 1}", lambda line=line: check_formula(line))  # type: ignore[misc]
+    for i, latex in enumerate(step.equations):
+        yield from _refused(f"follows, line {i + 1}", partial(line, latex))
 
 
 def _refused(field: str, act: Callable[[], object]) -> Iterator[str]:
@@ -64,9 +63,9 @@ def _refused(field: str, act: Callable[[], object]) -> Iterator[str]:
 def _of_question(step: BaseStep, scene: Scene, scenes: Scenes) -> Iterator[str]:
     if isinstance(step, ChoiceStep):
         if sum(option.right for option in step.options) != 1:
-            yield "options: one of them, and only one, is right."
+            yield "options: exactly one must be right."
         lost = (i for i, option in enumerate(step.options) if not option.right and not option.reply)
-        yield from (f"options[{i}].reply: a wrong answer has a sentence of its own." for i in lost)
+        yield from (f"options[{i}].reply: a wrong answer needs a reply." for i in lost)
         for i, option in enumerate(step.options):
             if option.where:
                 yield from _refused(f"options[{i}].where", partial(scene_at, option.where, scenes))
@@ -85,6 +84,8 @@ def _of_number(step: NumericStep) -> Iterator[str]:
 
 
 def _of_point(step: PointStep, scene: Scene) -> Iterator[str]:
+    if step.sets and step.sets not in scene.linked():
+        yield f"sets: “{excerpt(step.sets)}” is not a parameter."
     try:
         field = axes_of(scene, step.plot)
     except ValueError as reason:
@@ -111,4 +112,6 @@ def _of_sketch(step: SketchStep, scene: Scene) -> Iterator[str]:
             yield f"must[{i}]: the scene's own curve does not have this feature."
     kinds = {str(feature.__struct_config__.tag) for feature in step.must}
     for i, wrong in enumerate(step.wrong):
+        strange = [feature.on for feature in wrong.has if (feature.on or step.curve) not in true]
+        yield from (f"wrong[{i}].has: “{excerpt(on)}” is not drawn." for on in strange)
         yield from (f"wrong[{i}].fails: “{kind}” is not in must." for kind in wrong.fails if kind not in kinds)

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 from components.axes import Axis
+from components.covers import without
 from components.description import plots
 from components.page.blocks import PlotBlock
 from components.page.messages import Stroke
@@ -67,20 +69,34 @@ def axes_of(scene: Scene, plot: str) -> PlotAxes:
     return PlotAxes(scene.shown.axes[block.x], scene.shown.axes[block.y])
 
 
+def pad_axes(step: SketchStep, scene: Scene) -> PlotAxes:
+    """The empty axes that a sketch is drawn on, over the ranges that the step's covers leave them: the frame that a
+    class shares, whatever a screen shows."""
+    block = plot_of(scene, step.plot)
+    axes = without(type(scene), scene.shown, step.cover)[0].axes
+    return PlotAxes(axes[block.x], axes[block.y])
+
+
 def true_curves(step: SketchStep, scene: Scene) -> dict[str, Sketch]:
     """The curves that a sketch is asked for; ValueError for one that the plot does not have."""
     return axes_of(scene, step.plot).drawn({name: _stroke(scene, step.plot, name) for name in step.curves}, step.curves)
 
 
 def _stroke(scene: Scene, plot: str, name: str) -> Stroke:
-    """A curve as it is drawn, all its pieces one after the other."""
+    """A curve as it is drawn, all its pieces one after the other; over time with the points where it truly turns, which
+    lie between those drawn."""
     block = plot_of(scene, plot)
     x, y = scene.shown.axes[block.x], scene.shown.axes[block.y]
     stroke: Stroke = []
     for curve in block.curves:
         columns = scene.shown.columns.get(curve.source, {})
         if curve.y == name and name in columns:
-            stroke += zip(x.places(columns[curve.x]).tolist(), y.places(columns[name]).tolist(), strict=True)
+            across, up = x.places(columns[curve.x]), y.places(columns[name])
+            stroke += zip(across.tolist(), up.tolist(), strict=True)
+            if block.time:
+                smooth = CubicSpline(across, up)  # within 1e-7 of a motion that is drawn in 32 points a cycle
+                turns = smooth.derivative().roots(extrapolate=False)
+                stroke += zip(turns.tolist(), smooth(turns).tolist(), strict=True)
     if not stroke:
         raise ValueError(f"the plot “{plot}” draws no curve “{name}”")
     return stroke

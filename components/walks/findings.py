@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from components.axes import Axis
 from components.numbers import short
@@ -28,6 +28,11 @@ COARSE = 2  # digits of what a hand has drawn
 NOTHING = 1e-4  # of an axis: what is nearer to zero is zero
 
 
+def has_all(step: SketchStep, features: Iterable[Feature], drawn: Mapping[str, Sketch]) -> bool:
+    """Whether what was drawn has all of the features."""
+    return all(seen(feature, drawn[feature.on or step.curve]).has for feature in features)
+
+
 def findings(
     step: SketchStep, drawn: Mapping[str, Sketch], true: Mapping[str, Sketch], axes: PlotAxes
 ) -> tuple[Finding, ...]:
@@ -35,7 +40,10 @@ def findings(
     found = []
     for feature in step.must:
         curve = feature.on or step.curve
-        found.append(_finding(feature, seen(feature, drawn[curve]), seen(feature, true[curve]), axes))
+        exact = seen(feature, true[curve])
+        if isinstance(feature, Period):  # of a motion that grows or beats, its crossings tell another one
+            exact = exact._replace(number=feature.value)
+        found.append(_finding(feature, seen(feature, drawn[curve]), exact, axes))
     return tuple(found)
 
 
@@ -51,7 +59,7 @@ def _words(feature: Feature, yours: Seen, true: Seen, axes: PlotAxes) -> str:
     if isinstance(feature, Slope):
         way = {"up": "upwards", "down": "downwards"}[feature.way]
         return f"yours goes {way}" if yours.has else f"missed: it goes {way}"
-    lead = "" if yours.has else "missed: " if yours.number is not None else "missed: nothing of it is drawn, "
+    lead = "" if yours.has else "missed: " if yours.number is not None else "missed: not drawn, "
     drawn = f"yours {_measured(feature, yours, axes, COARSE)}, " if yours.number is not None else ""
     return f"{lead}{drawn}true {_measured(feature, true, axes, 3)}"
 
@@ -78,11 +86,11 @@ def called(feature: Feature, axes: PlotAxes) -> str:
         case ValueAt(at=at):
             return f"The height at {_written(at, axes.x, 3)}"
         case Slope(at=at):
-            return f"The way from {_written(at, axes.x, 3)} on"
+            return f"The direction after {_written(at, axes.x, 3)}"
         case Zero(at=at):
             return f"The zero at {_written(at, axes.x, 3)}"
         case Pole(at=at):
-            return f"Out of the frame at {_written(at, axes.x, 3)}"
+            return f"Leaves the frame at {_written(at, axes.x, 3)}"
         case Peak(at=at):
             return f"The peak at {_written(at, axes.x, 3)}"
         case Extreme(at=at):

@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TypedDict
 
 from msgspec.structs import replace
 
-from components.numbers import excerpt, parse_number, three
+from components.numbers import excerpt, three
 from components.page.messages import Given, Taught
 from components.page.state import State
 from components.page.walk import Lesson, Verdict
 from components.text import rich
+from components.typed import typed_number
 from components.walks import Walks
 from components.walks.curves import axes_of, number_at, place_of, true_curves
-from components.walks.findings import findings
-from components.walks.links import Scenes, scene_at, state_of_link
+from components.walks.findings import findings, has_all
+from components.walks.links import Scenes, answer_state, scene_at, state_of_link
+from components.walks.sketch import Sketch
 from components.walks.texts import line
 from components.walks.types import ChoiceStep, NumberStep, NumericStep, PointStep, SketchStep, Step
 
@@ -39,10 +42,10 @@ def lesson_of(step: Step, given: Given, scenes: Scenes) -> Lesson:
         case ChoiceStep():
             return _chosen(step, given, lesson, scenes)
         case NumberStep():
-            number = parse_number(given.text) if given.text.strip() else None
+            number = typed_number(given.text, step.answer.unit) if given.text.strip() else None
             return replace(lesson, places=step.answer.value, **_numeric(step, number))
         case PointStep():
-            return _marked(step, given.value, lesson, scenes)
+            return _marked(step, given, lesson, scenes)
     return _sketched(step, given, lesson, scenes)
 
 
@@ -50,9 +53,15 @@ def taught(given: Given, walks: Walks, scenes: Scenes) -> Taught:
     """What a step teaches and what is said of its answer, which is forgotten here."""
     steps = walks[given.walk].steps if given.walk in walks else ()
     step = next((step for step in steps if step.id == given.step), None)
+    if step is None:
+        refused = f"There is no step “{excerpt(given.step)}” in the walk “{excerpt(given.walk)}”."
+        return Taught(walk=given.walk, step=given.step, lesson=None, refused=refused)
+    return told_of(given, step, scenes)
+
+
+def told_of(given: Given, step: Step, scenes: Scenes) -> Taught:
+    """What is told of an answer to a step: a lesson, or in words why there is none."""
     try:
-        if step is None:
-            raise ValueError(f"There is no step “{excerpt(given.step)}” in the walk “{excerpt(given.walk)}”.")
         lesson, refused = lesson_of(step, given, scenes), ""
     except ValueError as reason:
         lesson, refused = None, str(reason)
@@ -81,29 +90,39 @@ def _numeric(step: NumericStep, value: float | None) -> Judgement:
     truth = " or ".join(f"{three(one)}{gap}{unit}" for one in step.answer.value)
     if value is None:
         return {"truth": truth}
-    right = any(abs(value - one) <= step.answer.tol for one in step.answer.value)
+    right = step.is_right(value)
     hit = [] if right else [miss.reply for miss in step.misses if abs(value - miss.value) <= step.answer.tol]
     return {"truth": truth, "right": right, "reply": rich(hit[0]) if hit else ""}
 
 
-def _marked(step: PointStep, place: float | None, lesson: Lesson, scenes: Scenes) -> Lesson:
+def _marked(step: PointStep, given: Given, lesson: Lesson, scenes: Scenes) -> Lesson:
+    place, walk = given.value, given.walk
     field = axes_of(scene_at(step.state, scenes), step.plot)
     axis = field.x if step.which == "x" else field.y
     places = tuple(place_of(axis, one) for one in step.answer.value)
-    return replace(lesson, places=places, **_numeric(step, None if place is None else number_at(axis, place)))
+    number = None if place is None else number_at(axis, place)
+    shows = None if number is None or not step.sets else _set(step, number * axis.factor, walk, scenes)
+    return replace(lesson, places=places, shows=shows, **_numeric(step, number))
+
+
+def _set(step: PointStep, value: float, walk: str, scenes: Scenes) -> State:
+    """The state of the answer, with what was marked."""
+    state = answer_state(walk, step, scenes)
+    return replace(state, parameters={**state.parameters, step.sets: value})
 
 
 def _sketched(step: SketchStep, given: Given, lesson: Lesson, scenes: Scenes) -> Lesson:
     scene = scene_at(step.state, scenes)
     field = axes_of(scene, step.plot)
-    found = findings(step, field.drawn(given.curves, step.curves), true_curves(step, scene), field)
+    drawn = field.drawn(given.curves, step.curves)
+    found = findings(step, drawn, true_curves(step, scene), field)
     if not any(given.curves.values()):
         return replace(lesson, findings=found)
     missed = {str(feature.__struct_config__.tag) for feature, one in zip(step.must, found, strict=True) if not one.has}
-    return replace(lesson, findings=found, right=not missed, reply=_reply(step, missed))
+    return replace(lesson, findings=found, right=not missed, reply=_reply(step, drawn, missed))
 
 
-def _reply(step: SketchStep, missed: set[str]) -> str:
-    """The sentence of that wrong sketch which fails most of what this one fails."""
-    alike = [wrong for wrong in step.wrong if missed.issuperset(wrong.fails)]
+def _reply(step: SketchStep, drawn: Mapping[str, Sketch], missed: set[str]) -> str:
+    """The sentence of that wrong sketch which has only what this one has, and fails most of what this one fails."""
+    alike = [wrong for wrong in step.wrong if missed.issuperset(wrong.fails) and has_all(step, wrong.has, drawn)]
     return rich(max(alike, key=lambda wrong: len(wrong.fails)).reply) if alike else ""

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from urllib.parse import parse_qs
 
 from msgspec.structs import replace
 
-from components.choices import stated
 from components.page.state import State
 from components.scene import Scene
+from components.states import put, state_in, strange_axes, strange_curves
 from components.url import Link, read_query
 from components.walks.types import BaseStep
 
@@ -18,27 +18,38 @@ Scenes = Mapping[str, type[Scene]]
 
 def read_link(link: str, scenes: Scenes) -> Link:
     """What a step's link asks for; ValueError, in words, for one that asks for what is not there."""
-    args = {key: [value.encode() for value in values] for key, values in parse_qs(link.removeprefix("?")).items()}
+    query = parse_qs(link.removeprefix("?"), keep_blank_values=True)
+    args = {key: [value.encode() for value in values] for key, values in query.items()}
     if "scene" not in args:
         raise ValueError("a link names its scene: ?scene=coupled&k2=3")
     found = read_query(args, scenes)
-    if found.problems:
-        raise ValueError(" ".join(found.problems))
+    if problems := [*found.problems, *_of_the_page(found)]:
+        raise ValueError(" ".join(problems))
     return found
 
 
+def _of_the_page(link: Link) -> Iterator[str]:
+    """A sentence for each part that a page's link has and a step's has not."""
+    if link.covered:
+        yield "cover: name what is covered in the step's own field, cover."
+    if link.before is not None:
+        yield "before: a step begins with no prediction that waits. Reveal it, and copy the link then."
+
+
 def scene_at(link: str, scenes: Scenes) -> Scene:
-    """The scene of a link."""
-    found = read_link(link, scenes)
-    scene = scenes[found.slug]()
-    scene.set(found.values)
+    """The scene of a link, in its frame, with what is held beside it."""
+    state = state_of_link(link, scenes)
+    scene = scenes[state.scene]()
+    put(scene, state)
+    if strange := [*strange_axes(scene, state), *strange_curves(scene, state)]:
+        raise ValueError(" ".join(strange))
     return scene
 
 
 def state_of_link(link: str, scenes: Scenes) -> State:
     """The state of a link, as a message carries it."""
     found = read_link(link, scenes)
-    return State(scene=found.slug, parameters={name: stated(value) for name, value in found.values.items()})
+    return state_in(found, scenes[found.slug])
 
 
 def opening_state(walk: str, step: BaseStep, scenes: Scenes) -> State:

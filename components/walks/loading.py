@@ -11,6 +11,7 @@ from typing import Any
 import msgspec
 
 from components.numbers import excerpt
+from components.typed import typed_number
 from components.walks.types import Step, Walk
 
 OWN = Path(__file__).parent / "content"
@@ -18,8 +19,10 @@ OWN = Path(__file__).parent / "content"
 ORDER = ("d31", "d34", "tour")
 LARGEST = 48_000
 """Bytes of a file."""
-MOST_STEPS = 60
+MOST_STEPS = MOST_LINKS = 60
 PLACE = re.compile(r"^(?P<what>.*?) - at `\$\.?(?P<field>.*?)`$")
+DEEP = re.compile(r"""^[ \t\[{]*(?:[\w"'-]+[ \t]*\.[ \t]*){8}""", re.MULTILINE)
+"""A dotted key takes the square of its length to be read."""
 NAME = re.compile(r"[a-z0-9][a-z0-9-]{0,39}")
 
 KnownSteps = Mapping[str, Step]
@@ -36,11 +39,14 @@ def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
     """
     if not NAME.fullmatch(name):
         raise WalkError(f"{excerpt(name)}: a walk's name has small letters, digits and hyphens, at most 40.")
-    if len(text.encode()) > LARGEST:
-        raise WalkError(f"{name}: the file has {len(text.encode())} bytes; {LARGEST} are the most.")
+    size = len(text.encode(errors="replace"))
+    if size > LARGEST:
+        raise WalkError(f"{name}: the file has {size} bytes; {LARGEST} are the most.")
+    if deep := DEEP.search(text):
+        raise WalkError(f"{name}: “{excerpt(deep[0].strip())}” is no field of a walk: its name has too many dots.")
     try:
         data = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise WalkError(f"{name}: this is not TOML: {error}.") from error
     title, entries = data.pop("title", None), data.pop("step", None)
     if data:
@@ -50,6 +56,8 @@ def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
     if not isinstance(entries, list) or not 1 <= len(entries) <= MOST_STEPS:
         raise WalkError(f"{name}: a walk has 1 to {MOST_STEPS} steps, each under [[step]].")
     steps = tuple(_step(entry, f"{name}, step {i}", known or {}) for i, entry in enumerate(entries, 1))
+    if len({link for step in steps for link in step.links()}) > MOST_LINKS:
+        raise WalkError(f"{name}: a walk has at most {MOST_LINKS} different links.")
     for i, step in enumerate(steps):
         if step.id in {before.id for before in steps[:i]}:
             raise WalkError(f"{name}, step {i + 1}: the id “{step.id}” was given to a step before.")
@@ -62,8 +70,8 @@ def _step(entry: Any, where: str, known: KnownSteps) -> Step:
     given = {**_base(entry, where, known), **{key: value for key, value in entry.items() if key != "from"}}
     if isinstance(entry.get("id"), str):
         where += f" ({excerpt(entry['id'])})"
-    if isinstance(answer := given.get("answer"), dict) and not isinstance(answer.get("is"), (list, tuple)):
-        given["answer"] = {**answer, "is": [answer.get("is")]}
+    if isinstance(answer := given.get("answer"), dict):
+        given["answer"] = {**answer, **_numbers(answer, where)}
     try:
         step: Step = msgspec.convert(given, Step)
     except msgspec.ValidationError as error:
@@ -71,11 +79,26 @@ def _step(entry: Any, where: str, known: KnownSteps) -> Step:
     return step
 
 
+def _numbers(answer: dict[str, Any], where: str) -> dict[str, Any]:
+    """What is right and how far off still counts; a text is read as one that is typed into a field."""
+    unit, right = answer.get("unit"), answer.get("is")
+    rights = right if isinstance(right, (list, tuple)) else [right]
+    try:
+        read = {"is": [_number(one, unit) for one in rights], "tol": _number(answer.get("tol"), unit)}
+    except ValueError as error:
+        raise WalkError(f"{where}, answer: {error}") from error
+    return {name: number for name, number in read.items() if name in answer}
+
+
+def _number(given: Any, unit: Any) -> Any:
+    return typed_number(given, unit if isinstance(unit, str) else "") if isinstance(given, str) else given
+
+
 def _base(entry: dict[str, Any], where: str, known: KnownSteps) -> dict[str, Any]:
     origin = entry.get("from")
     if origin is None:
         return {}
-    if origin not in known:
+    if not isinstance(origin, str) or origin not in known:
         raise WalkError(f"{where}, from: “{excerpt(str(origin))}” is no step that is known.")
     fields = msgspec.to_builtins(known[origin])
     return dict(fields)

@@ -36,7 +36,10 @@ def check(walk: Walk, scenes: Scenes) -> Walk:
 
 
 def read_own(text: str, name: str, walks: Walks, scenes: Scenes) -> Walk:
-    """A visitor's own walk from a file's text; WalkError with the first few things that are wrong with it."""
+    """A visitor's own walk from a file's text; WalkError with the first few things that are wrong with it, or where
+    one of the server's has its name."""
+    if name in walks:
+        raise WalkError(f"there is a walk “{name}” here already: give the file another name.")
     walk = read_walk(text, name, steps_of(walks.values()))
     if found := list(islice(problems(walk, scenes), MOST_PROBLEMS)):
         raise WalkError(" ".join(found))

@@ -13,6 +13,8 @@ from msgspec import Meta, Struct, field
 
 Slug: TypeAlias = Annotated[str, Meta(pattern=r"^[a-z0-9][a-z0-9-]*$", max_length=40)]
 Sentence: TypeAlias = Annotated[str, Meta(min_length=1, max_length=600)]
+Address: TypeAlias = Annotated[str, Meta(max_length=8000)]
+"""A link, as long as a server takes one: components/serving/pages.py."""
 Slide: TypeAlias = Annotated[str, Meta(pattern=r"^[A-Z0-9]+-N?\d+$")]
 Above0: TypeAlias = Annotated[float, Meta(gt=0)]
 
@@ -29,7 +31,7 @@ class OptionEntry(Entry, frozen=True, kw_only=True):
     right: bool = False
     idea: str = ""
     reply: str = ""
-    where: str = ""
+    where: Address = ""
 
 
 class AnswerEntry(Entry, frozen=True, kw_only=True):
@@ -49,9 +51,11 @@ class Miss(Entry, frozen=True, kw_only=True):
 
 
 class Wrong(Entry, frozen=True, kw_only=True):
-    """A sketch that is often drawn: the kinds of features that it fails, and the sentence that is its own."""
+    """A sketch that is often drawn: the features that it has, the kinds of those asked for that it fails, and the
+    sentence that is its own."""
 
     draws: Sentence
+    has: tuple[Feature, ...] = ()
     fails: Annotated[tuple[str, ...], Meta(min_length=1)]
     idea: Sentence
     reply: Sentence
@@ -159,12 +163,12 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     id: Slug
     title: Sentence
     question: Sentence
-    state: Sentence
+    state: Address
     explain: Sentence
-    follows: str = ""
+    follows: Annotated[str, Meta(max_length=2000)] = ""
     next: str = ""
     slides: tuple[Slide, ...] = ()
-    reveal: str = ""
+    reveal: Address = ""
     cover: tuple[str, ...] = ()
     controls: Annotated[tuple[str, ...], Meta(max_length=3)] = ()
     minutes: float | None = None
@@ -173,6 +177,10 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     def shown(self) -> str:
         """The link of what is shown with the answer."""
         return self.reveal or self.state
+
+    def links(self) -> Iterator[str]:
+        """Every link."""
+        yield from (self.state, self.shown)
 
     @property
     def equations(self) -> tuple[str, ...]:
@@ -190,6 +198,10 @@ class ChoiceStep(BaseStep, frozen=True, kw_only=True, tag="choice"):
 
     options: Annotated[tuple[OptionEntry, ...], Meta(min_length=2, max_length=5)]
 
+    def links(self) -> Iterator[str]:
+        yield from super().links()
+        yield from (option.where for option in self.options if option.where)
+
     def sentences(self) -> Iterator[tuple[str, str]]:
         yield from super().sentences()
         for i, option in enumerate(self.options):
@@ -203,6 +215,9 @@ class NumericStep(BaseStep, frozen=True, kw_only=True):
     answer: AnswerEntry
     misses: tuple[Miss, ...] = ()
 
+    def is_right(self, number: float) -> bool:
+        return any(abs(number - one) <= self.answer.tol for one in self.answer.value)
+
     def sentences(self) -> Iterator[tuple[str, str]]:
         yield from super().sentences()
         for i, miss in enumerate(self.misses):
@@ -214,9 +229,13 @@ class NumberStep(NumericStep, frozen=True, kw_only=True, tag="number"):
 
 
 class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
-    """A place to mark on an axis of a plot: `axis` is "swing.x" for the horizontal one of the plot swing."""
+    """A place to mark on an axis of a plot: `axis` is "swing.x" for the horizontal one of the plot swing.
+
+    With the answer the parameter that it `sets` is shown at the place that was marked.
+    """
 
     axis: Annotated[str, Meta(pattern=r"^\w+\.[xy]$")]
+    sets: str = ""
 
     @property
     def plot(self) -> str:

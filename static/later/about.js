@@ -70,8 +70,8 @@ function points(rows) {
     "tr",
     {},
     element("td", {}),
-    element("th", {scope: "col"}, "drawn, true"),
-    element("th", {scope: "col"}, "off, ulp"),
+    element("th", {scope: "col"}, "shown, exact"),
+    element("th", {scope: "col"}, "error, ulp"),
   )
   const lines = rows.flatMap((row, i) => [
     ...(row.place !== rows[i - 1]?.place

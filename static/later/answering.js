@@ -90,12 +90,9 @@ export class AskedPut {
   /** @returns {page.Vote | null} */
   #vote() {
     const {walk, step, vote} = /** @type {page.PutTo} */ (this.question)
-    const question = /** @type {any} */ (this.card?.question)
-    const given = question?.given()
-    if (!given) return null
-    const {option = null, text = "", value = null} = given
-    const {pad} = question
-    return {walk, step, vote, option, text, value, curves: pad ? pad.sent : {}}
+    const question = this.card?.question
+    if (!question?.given()) return null
+    return {walk, step, vote, option: null, text: "", value: null, curves: {}, ...question.vote}
   }
 
   /** What is sent, one after the other: an answer never takes the place of a newer one. @type {Promise<unknown>} */
@@ -119,7 +116,7 @@ export class AskedPut {
     } catch (reason) {
       if (!(reason instanceof Refusal)) throw reason
       if (card !== this.card || card?.walk.lesson) return
-      this.status.textContent = reason.status ? reason.message : "Not sent yet; it is tried again."
+      this.status.textContent = reason.status ? reason.message : "Not sent yet; trying again."
       if (reason.passes) this.timer = setTimeout(() => this.#send(), 2000)
     }
   }

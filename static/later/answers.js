@@ -43,7 +43,7 @@ export class Answers {
       const answered = steps.filter(step => this.of(step.id))
       return answered.length ? [title, "", ...answered.flatMap(step => this.#lines(step)), ""] : []
     })
-    return lines.length ? lines.join("\n") : "Nothing was answered yet.\n"
+    return lines.length ? lines.join("\n") : "No question has been answered yet.\n"
   }
 
   /** @param {page.StepCard} step */
@@ -52,7 +52,7 @@ export class Answers {
     return [
       `${step.place} (${step.id})`,
       `  ${plain(step.given)} ${plain(step.question)}`.trimEnd(),
-      `  You: ${said}${right ? ", right" : ""}`,
+      `  Your answer: ${said}${right ? ", right" : ""}`,
       `  ${plain(title)}`,
     ]
   }

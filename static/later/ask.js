@@ -3,6 +3,7 @@
 
 import {element} from "../dom.js"
 import {Asked} from "./asked.js"
+import {parts, sentences} from "./coverable.js"
 import {features} from "./features.js"
 import {save} from "../save.js"
 
@@ -21,21 +22,21 @@ const KINDS = {
   },
   number: {
     label: "Number",
-    fields: () => [labelled("Right answer", "is"), labelled("Unit", "unit"), labelled("Off by at most", "tol")],
-    read: ({form}) => ({answer: {is: number(form, "is"), unit: text(form, "unit"), tol: number(form, "tol")}}),
+    fields: () => [labelled("Right answer", "is"), labelled("Unit", "unit"), labelled("Tolerance (±)", "tol")],
+    read: ({form}) => ({answer: answerIn(form, text(form, "unit"))}),
   },
   point: {
     label: "Point on an axis",
     fields: ({plots}) => [
       chooser("Axis", "axis", plots.flatMap(axesOf)),
       labelled("Right place", "is"),
-      labelled("Off by at most", "tol"),
+      labelled("Tolerance (±)", "tol"),
     ],
     read: ({form, plots}) => {
       const [name, which] = text(form, "axis").split(".")
       const {x, y} = plotOf(plots, name)
       const {unit} = which === "x" ? x : y
-      return {axis: `${name}.${which}`, answer: {is: number(form, "is"), unit, tol: number(form, "tol")}}
+      return {axis: `${name}.${which}`, answer: answerIn(form, unit)}
     },
   },
   sketch: {
@@ -59,6 +60,9 @@ const plotOf = (plots, name) => /** @type {Plot} */ (plots.find(({block}) => blo
 export const ask = walks => new Ask(walks).open()
 
 class Ask {
+  /** @type {string[]} what is covered already and is not offered here */
+  covered = []
+
   asked = new Asked()
 
   /** @param {import("../walks.js").Walks} walks */
@@ -67,7 +71,7 @@ class Ask {
     this.page = walks.lecture.page
     this.plots = this.page.plots.filter(plot => !plot.absent && plot.host.offsetParent !== null)
     this.kind = chooser(
-      "Kind",
+      "Kind of answer",
       "kind",
       Object.entries(KINDS).map(([value, {label}]) => ({value, label})),
     )
@@ -76,7 +80,7 @@ class Ask {
     this.problem = element("p", {class: "problem", role: "alert"})
     this.list = element("ol", {})
     const title = labelled("Title of the walk", "walk", this.asked.title)
-    const add = element("button", {class: "act filled"}, "Add this step")
+    const add = element("button", {class: "act filled"}, "Add this question")
     this.form = element("form", {class: "ask-form"}, ...this.#parts(), this.problem, add)
     this.form.addEventListener("submit", event => this.#add(event))
     title.addEventListener("input", () => {
@@ -85,8 +89,8 @@ class Ask {
       this.#show()
     })
     this.tools = element("div", {class: "tools"}, ...this.#tools())
-    this.element = element("dialog", {class: "asking", "aria-label": "Ask"})
-    this.element.append(element("h1", {}, "Ask about what is shown"), this.form, title, this.list, this.tools)
+    this.element = element("dialog", {class: "asking", "aria-label": "Write a question"})
+    this.element.append(element("h1", {}, "Write a question on this picture"), this.form, title, this.list, this.tools)
     this.element.addEventListener("close", () => this.element.remove())
     document.body.append(this.element)
   }
@@ -98,28 +102,29 @@ class Ask {
   }
 
   #parts() {
-    const covers = this.plots.map(({block}) => box("cover", `plot:${block.name}`, block.title.split(/[,:]/)[0]))
-    const others = [box("cover", "stage", "Numbers and arrows of the apparatus")]
+    const covers = [...parts(this.page), ...sentences(this.page)]
+    const {covered} = this.page.shown.state
+    const boxes = covers.map(({cover, text}) => box("cover", cover, text, covered.includes(cover)))
+    this.covered = covered.filter(name => !covers.some(({cover}) => cover === name)) // they have no box, and stay
     return [
       labelled("Question, ending with ? or beginning with Sketch or Mark", "question", "", true),
       this.kind,
       this.answers,
-      element("fieldset", {}, element("legend", {}, "Covered until the answer"), ...covers, ...others),
-      labelled("More that is covered: value:tau, form:why, ...", "covers"),
-      labelled("The claim, shown with the answer", "title", "", true),
-      labelled("What it means", "explain", "", true),
+      element("fieldset", {}, element("legend", {}, "Covered until the answer is shown"), ...boxes),
+      labelled("Title of the answer", "title", "", true),
+      labelled("Explanation", "explain", "", true),
     ]
   }
 
   #tools() {
-    const entries = /** @type {[string, () => void][]} */ ([
-      ["Download the walk", () => save("my-walk.toml", this.asked.file(), "application/toml")],
-      ["Try it", () => this.#try()],
-      ["Remove all", () => this.#remove()],
-      ["Close", () => this.element.close()],
+    const entries = /** @type {[string, string, () => void][]} */ ([
+      ["Save the walk as a file", "of-steps", () => save("my-walk.toml", this.asked.file(), "application/toml")],
+      ["Try it", "of-steps", () => this.#try()],
+      ["Remove all questions", "of-steps", () => this.#remove()],
+      ["Close", "", () => this.element.close()],
     ])
-    return entries.map(([name, act]) => {
-      const button = element("button", {type: "button", class: "chip"}, name)
+    return entries.map(([name, style, act]) => {
+      const button = element("button", {type: "button", class: `chip ${style}`.trim()}, name)
       button.addEventListener("click", act)
       return button
     })
@@ -132,8 +137,8 @@ class Ask {
   /** The steps that there are. */
   #show() {
     this.list.replaceChildren(...this.asked.steps.map((step, i) => this.#row(step, i)))
-    for (const tool of this.tools.children)
-      if (tool.textContent !== "Close") tool.toggleAttribute("disabled", !this.asked.steps.length)
+    for (const tool of this.tools.querySelectorAll(".of-steps"))
+      tool.toggleAttribute("disabled", !this.asked.steps.length)
   }
 
   /** @param {Fields} step @param {number} i */
@@ -155,7 +160,6 @@ class Ask {
   async #add(event) {
     event.preventDefault()
     const step = this.#read()
-    if (JSON.stringify(step).includes(":null")) return void (this.problem.textContent = "An answer is a number.")
     const refused = await this.walks.check(NAME, this.asked.file([step]))
     this.problem.textContent = refused.replaceAll(`${NAME}, step 1 (${step.id}), `, "")
     if (refused) return
@@ -170,10 +174,7 @@ class Ask {
   #read() {
     const {form} = this
     const boxes = [...form.querySelectorAll("input[name=cover]:checked")].map(one => one.getAttribute("value") ?? "")
-    const more = text(form, "covers")
-      .split(/[\s,]+/)
-      .filter(Boolean)
-    const parts = this.page.shown.query.split("&").filter(part => !part.startsWith("cover="))
+    const query = this.page.shown.query.split("&").filter(part => !part.startsWith("cover="))
     const kind = text(form, "kind")
     const asks = KINDS[kind].read(this)
     const drawn = kind === "sketch" ? [`plot:${asks.plot}`] : [] // it would be traced
@@ -181,8 +182,8 @@ class Ask {
       id: this.asked.nextId,
       kind,
       title: text(form, "title"),
-      state: `?${parts.join("&")}`,
-      cover: [...new Set([...boxes, ...more, ...drawn])],
+      state: `?${query.join("&")}`,
+      cover: [...new Set([...this.covered, ...boxes, ...drawn])],
       question: text(form, "question"),
       ...asks,
       explain: text(form, "explain"),
@@ -207,9 +208,11 @@ function chooser(label, name, options) {
   return element("label", {}, element("span", {}, label), select)
 }
 
-/** @param {string} name @param {string} value @param {string} label */
-const box = (name, value, label) =>
-  element("label", {class: "ask-box"}, element("input", {type: "checkbox", name, value}), ` ${label}`)
+/** @param {string} name @param {string} value @param {string} label @param {boolean} isSet */
+const box = (name, value, label, isSet) => {
+  const input = element("input", {type: "checkbox", name, value, checked: isSet ? "" : undefined})
+  return element("label", {class: "ask-box"}, input, ` ${label}`)
+}
 
 /** The right one needs no reply. @param {number} n */
 const optionRow = n =>
@@ -226,8 +229,8 @@ const optionRow = n =>
     element("input", {name: `text-${n}`, placeholder: `Answer ${n}`, "aria-label": `Answer ${n}`, autocomplete: "off"}),
     element("input", {
       name: `reply-${n}`,
-      placeholder: "What is said of it",
-      "aria-label": `What is said of answer ${n}`,
+      placeholder: "Reply to those who choose it",
+      "aria-label": `Reply to those who choose answer ${n}`,
     }),
   )
 
@@ -258,5 +261,8 @@ const field = label => /** @type {HTMLInputElement} */ (label.querySelector("inp
 /** @param {HTMLFormElement} form @param {string} name */
 const text = (form, name) => String(new FormData(form).get(name) ?? "").trim()
 
-/** As it is typed, with a comma or a true minus, too. @param {HTMLFormElement} form @param {string} name */
-const number = (form, name) => Number(text(form, name).replace(",", ".").replace("−", "-") || NaN)
+/**
+ * Its numbers as they are typed: the session reads them as it reads a field.
+ * @param {HTMLFormElement} form @param {string} unit
+ */
+const answerIn = (form, unit) => ({is: text(form, "is"), unit, tol: text(form, "tol")})

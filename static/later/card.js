@@ -4,6 +4,7 @@ import {element, marked} from "../dom.js"
 import {claim, withhold} from "./claim.js"
 import {questionOf} from "./questions.js"
 
+export const ANSWER_FIRST = "Answer first: a guess is fine"
 const CHOSEN = ".seg, .tiles, .window" // what sets a parameter and is no slider
 const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // what waits for the answer
 const GRABBED = ".grip, .handles [data-grab]" // what sets a value by hand
@@ -26,7 +27,7 @@ export class Card {
     this.back = element("button", {type: "button", class: "act", "data-key": "PageUp"}, "Back")
     this.back.disabled = walk.place === 0
     this.back.addEventListener("click", () => walk.back())
-    this.forward = element("button", {type: "button", class: "act filled"}, "Show")
+    this.forward = element("button", {type: "button", class: "act filled"}, "Show the answer")
     this.forward.addEventListener("click", () => walk.forward())
     const asks = marked("h2", {class: "asks", tabindex: -1}, step.question)
     this.body = element("div", {class: "card-body"}, this.#head(), ...given(step), asks, this.question.element)
@@ -71,7 +72,7 @@ export class Card {
   #ready() {
     const isReady = this.walk.lesson !== null || this.question.given() !== null
     this.forward.classList.toggle("waiting", !isReady)
-    this.forward.title = isReady ? "" : "First an answer: a guess counts"
+    this.forward.title = isReady ? "" : ANSWER_FIRST
     this.refusal.textContent = ""
   }
 

@@ -14,7 +14,7 @@ export function claim({heading, spec}, html) {
  * @param {import("../page.js").Page} page @param {page.Html} question
  */
 export function withhold({heading}, question) {
-  const covered = element("span", {class: "on-desk"}, "Hidden until Show")
+  const covered = element("span", {class: "on-desk"}, "Title hidden until you press Show the answer")
   heading.classList.add("waits")
   heading.replaceChildren(covered, marked("span", {class: "in-hall"}, question))
 }

@@ -12,7 +12,7 @@ export class Contents {
   /** @param {import("./walk.js").Walk} walk */
   constructor(walk) {
     this.walk = walk
-    this.element = element("dialog", {class: "contents", "aria-label": "Contents of the walks"})
+    this.element = element("dialog", {class: "contents", "aria-label": "Steps of this lecture"})
     document.body.append(this.element)
     this.element.addEventListener("click", event => {
       if (event.target === this.element) this.close()
@@ -36,14 +36,15 @@ export class Contents {
 
   #fill() {
     const {sheets} = this
-    const head = element("h1", {}, "What the walk has shown, and what it asks next")
+    const close = this.#button("Close", () => this.close())
+    const head = element("header", {}, element("h1", {}, "Steps of this lecture"), close)
+    const hint = element("p", {class: "hint"}, "The number before a step is its slide, or its page of the notes.")
     const columns = element("div", {class: "columns"}, ...sheets.map(sheet => this.#column(sheet)))
     const tools = [
-      this.#button("Export as text", () => this.#export(sheets)),
-      this.#button("Clear the answers", () => this.#clear()),
-      this.#button("Close", () => this.close()),
+      this.#button("Save as text", () => this.#export(sheets)),
+      this.#button("Delete my answers", () => this.#clear()),
     ]
-    this.element.replaceChildren(head, columns, element("div", {class: "tools"}, ...tools))
+    this.element.replaceChildren(head, hint, columns, element("div", {class: "tools"}, ...tools))
   }
 
   /** @param {string} name @param {() => void} act */
@@ -62,7 +63,7 @@ export class Contents {
   /** @param {page.WalkSheet} sheet @param {page.StepCard} step @param {number} i */
   #row(sheet, step, i) {
     const kept = this.walk.answers.of(step.id)
-    const said = kept ? `${step.scene}, you: ${kept.said}` : `${step.scene}, ${step.minutes} minutes`
+    const said = kept ? `${step.scene}, your answer: ${kept.said}` : `${step.scene}, ${step.minutes} minutes`
     const claim = marked("span", {class: "claim"}, kept ? kept.title : step.question)
     const slide = element("span", {class: "slide"}, step.place.replace(/^\S+ slide |^\S+ notes /, ""))
     const parts = [slide, claim, element("span", {class: "said"}, said), ...(kept ? [mark(kept.right)] : [])]

@@ -2,16 +2,18 @@
 
 import {element} from "../dom.js"
 import {short} from "../numbers.js"
+import {evaluate} from "../signals.js"
 import {indexed, plain} from "./plain.js"
 
 const STEPS = 2 ** 16 - 1 // of three heights of the frame, in which columns are sent: components/places.py
-const BEYOND = "beyond the frame"
+const BEYOND = "outside the frame"
+const HALVINGS = 40 // of the way between two points, in which a curve turns
 const ROWS = 25 // of a table: enough to follow a curve by ear
 
 /** @typedef {import("../plots.js").Plot} Plot */
 /**
  * What is drawn of a curve within the window, from one piece or several; `lines` counts those that lie side by side.
- * @typedef {{name: string, xs: number[], ys: number[], lines: number}} Trace
+ * @typedef {{name: string, xs: number[], ys: number[], lines: number, motion: ((t: number) => number) | null}} Trace
  */
 
 /**
@@ -51,10 +53,10 @@ const span = axis => `${measured(axis, axis.start)} to ${measured(axis, axis.end
 /** @param {Plot} plot */
 export function description(plot) {
   const {block, shown} = plot
-  if (shown.state.covered.includes(`plot:${block.name}`)) return `${block.title}. Covered, until it is revealed.`
+  if (shown.state.covered.includes(`plot:${block.name}`)) return `${block.title}. Covered until you press Reveal.`
   const {x, y} = axes(plot)
   const told = [...traces(plot).map(trace => course(trace, x, y)), ...bands(plot), ...layers(plot)]
-  return [`${block.title}.`, `Across ${span(x)}, up ${span(y)}.`, ...told].join(" ")
+  return [`${block.title}.`, `Horizontal axis ${span(x)}, vertical axis ${span(y)}.`, ...told].join(" ")
 }
 
 /** The curves that are seen; pieces of one curve are one. @param {Plot} plot @returns {Trace[]} */
@@ -69,13 +71,38 @@ export function traces(plot) {
     const seen = [...xs.keys()].filter(i => isWithin(x, xs[i]))
     if (!seen.length) continue
     const name = nameOf(curve, plot)
-    const trace = found.get(name) ?? {name, xs: [], ys: [], lines: 1}
+    const trace = found.get(name) ?? {name, xs: [], ys: [], lines: 1, motion: motionOf(curve, plot)}
     if (xs[seen[0]] < (trace.xs.at(-1) ?? -Infinity)) trace.lines++
     trace.xs.push(...seen.map(i => xs[i]))
     trace.ys.push(...seen.map(i => ys[i]))
     found.set(name, trace)
   }
   return [...found.values()]
+}
+
+/**
+ * What a curve over time is drawn of: its signal at an instant, where it has one.
+ * @param {page.Curve} curve @param {Plot} plot
+ */
+function motionOf({signal, signal_x: across}, {block, view}) {
+  const {signals, scalars} = view
+  if (!block.time || across || !(signal in signals)) return null
+  return (/** @type {number} */ t) => evaluate(signals, scalars, t)[signal]
+}
+
+/**
+ * Where a curve truly turns next to its highest point that is drawn, or its lowest: between the points beside it.
+ * @param {Trace} trace @param {number} i @param {1 | -1} sign @returns {[number, number]}
+ */
+function turned({xs, ys, motion}, i, sign) {
+  if (!motion || i === 0 || i === xs.length - 1) return [xs[i], ys[i]]
+  let [low, high] = [xs[i - 1], xs[i + 1]]
+  for (let n = 0; n < HALVINGS; n++) {
+    const [a, b] = [low + (high - low) / 3, high - (high - low) / 3]
+    if (sign * motion(a) < sign * motion(b)) low = a
+    else high = b
+  }
+  return [(low + high) / 2, motion((low + high) / 2)]
 }
 
 /**
@@ -95,17 +122,18 @@ const words = runs => runs.map(({text}) => text).join("")
  * Where a curve goes: from, to, its lowest and highest point.
  * @param {Trace} trace @param {page.Ruler} x @param {page.Ruler} y
  */
-function course({name, xs, ys, lines}, x, y) {
+function course(trace, x, y) {
+  const {name, xs, ys, lines} = trace
   const [lowest, highest] = [Math.min, Math.max].map(most => ys.indexOf(ys.reduce((a, b) => most(a, b))))
   const last = ys.length - 1
   /** @param {number} i */
   const height = i => (isWithin(y, ys[i]) ? measured(y, ys[i]) : BEYOND)
-  /** @param {number} i */
-  const at = i => (isWithin(y, ys[i]) ? `${height(i)} at ${measured(x, xs[i])}` : BEYOND)
-  const ends = `lowest ${at(lowest)}, highest ${at(highest)}`
+  /** @param {[number, number]} place */
+  const at = ([across, up]) => (isWithin(y, up) ? `${measured(y, up)} at ${measured(x, across)}` : BEYOND)
+  const ends = `lowest ${at(turned(trace, lowest, -1))}, highest ${at(turned(trace, highest, 1))}`
   const [from, to] = [height(0), height(last)]
   if (lines > 1) return `${name}, ${lines} lines: ${ends}.`
-  if (!last) return `${name}: ${at(0)}.`
+  if (!last) return `${name}: ${at([xs[0], ys[0]])}.`
   if (height(lowest) === height(highest)) return `${name}: ${from} throughout.`
   const steps = ys.slice(1).map((value, i) => value - ys[i])
   if (steps.every(step => step >= 0)) return `${name}: rises from ${from} to ${to}.`
@@ -121,7 +149,7 @@ function bands(plot) {
     const {[low]: lows, [high]: highs} = view.columns[source] ?? {}
     if (!of || !lows?.length || !highs?.length || hidden.has(group)) return []
     const ends = `${measured(y, Math.min(...lows))} and ${measured(y, Math.max(...highs))}`
-    return [`${indexed(of)}: too fast for a line, it fills the band between ${ends}.`]
+    return [`${indexed(of)}: too fast to be drawn as a line; it fills the band between ${ends}.`]
   })
 }
 
@@ -179,5 +207,5 @@ function spread(all) {
 function near({xs, ys}, place, y) {
   const i = xs.indexOf(place)
   if (i < 0) return ""
-  return isWithin(y, ys[i]) ? digits(y, ys[i]) : "beyond"
+  return isWithin(y, ys[i]) ? digits(y, ys[i]) : "outside"
 }

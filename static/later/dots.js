@@ -44,7 +44,7 @@ export class Dots {
     const numbers = now.numbers.toSorted((a, b) => a - b)
     const middle = numbers[Math.floor(numbers.length / 2)]
     set(this.svg, {
-      "aria-label": numbers.length ? `${numbers.length} numbers, the middle one ${short(middle)}` : "none",
+      "aria-label": numbers.length ? `${numbers.length} numbers, median ${short(middle)}` : "no answers yet",
     })
     const place = this.plot ? this.#onAxis(this.plot) : this.#onLine([...numbers, ...(before?.numbers ?? [])])
     const dots = [...stacked(before?.numbers ?? [], place, "before"), ...stacked(now.numbers, place, "")]

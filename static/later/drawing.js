@@ -19,21 +19,23 @@ let clips = 0
 
 export class Drawing {
   /**
-   * `host` is an element of the page as large as the plot with its margins; `frame` lies in it.
-   * @param {import("../plots.js").Plot} plot @param {HTMLElement} host @param {Frame} frame
+   * `host` is an element of the page as large as the plot with its margins; `frame` lies in it. `alone`, it has the
+   * numbers that on the page stand beside other plots.
+   * @param {import("../plots.js").Plot} plot @param {HTMLElement} host @param {Frame} frame @param {boolean} [alone]
    */
-  constructor(plot, host, frame) {
-    this.block = plot.block
+  constructor(plot, host, frame, alone = false) {
+    this.crossed = plot.block.plain
+    this.block = alone ? {...plot.block, plain: false} : plot.block
     this.view = plot.view
     this.hidden = plot.hidden
     this.under = plot.ghost?.under
     this.page = plot.page
     this.host = host
     this.frame = frame
-    const {x, y} = axes(plot)
+    const {x, y} = numbered(plot)
     const scale = Math.max((x.end - x.start) / frame.width, (y.end - y.start) / frame.height)
     this.x = this.block.square ? widened(x, scale * frame.width) : x
-    this.y = this.block.square ? widened(y, scale * frame.height) : whole(y)
+    this.y = this.block.square ? widened(y, scale * frame.height) : y
     this.over = svg("g")
     this.controls = document.createElement("div")
     host.append(this.controls)
@@ -99,7 +101,7 @@ export class Drawing {
       ? []
       : this.x.ticks.map(tick => ({x1: this.px(tick), x2: this.px(tick), y1: top, y2: top + height}))
     const zeros = [{x1: left, x2: left + width, y1: this.py(0), y2: this.py(0)}]
-    if (bare) zeros.push({x1: this.px(0), x2: this.px(0), y1: top, y2: top + height})
+    if (this.crossed) zeros.push({x1: this.px(0), x2: this.px(0), y1: top, y2: top + height})
     const numbers = bare ? [] : this.x.ticks.map((tick, i) => this.#number(this.px(tick), this.x.labels[i]))
     const seen = zeros.filter(({y1, x1}) => y1 >= top - 1 && y1 <= top + height + 1 && x1 >= left - 1)
     return [
@@ -249,14 +251,24 @@ function dotAt(point, marker) {
 }
 
 /**
- * With the number and the unit that on the page stand beside another plot.
- * @param {page.Ruler} ruler
+ * The axes of a plot with the numbers and the unit that on the page stand beside another.
+ * @param {import("../plots.js").Plot} plot
  */
+export function numbered(plot) {
+  const {x, y} = axes(plot)
+  return {x: whole(x), y: whole(y)}
+}
+
+/** @param {page.Ruler} ruler */
 function whole(ruler) {
   const {labels, ticks, unit} = ruler
-  if (!labels.some(Boolean) || labels.some(label => label.endsWith(unit))) return ruler
-  const told = labels.map((label, i) => label || measured(ruler, ticks[i]))
-  return Object.assign({}, ruler, {labels: told})
+  if (labels.some(label => label.endsWith(unit))) return ruler
+  const last = ticks.length - 1
+  const bare = labels.some(Boolean) ? unit : ""
+  return {
+    ...ruler,
+    labels: labels.map((label, i) => label || measured({...ruler, unit: i === last ? unit : bare}, ticks[i])),
+  }
 }
 
 /** An axis around the same middle that spans `size`. @param {page.Ruler} ruler @param {number} size */

@@ -2,6 +2,7 @@
 
 import {unpacked} from "../columns.js"
 import {element} from "../dom.js"
+import {turnTheme} from "../kept.js"
 import {inWords} from "../notes.js"
 import {Page, frame} from "../page.js"
 import {extrasFor} from "../main.js"
@@ -150,7 +151,7 @@ export class Following {
     this.bar.over()
     this.page?.leave()
     forget(this.code)
-    const again = element("a", {class: "chip", href: "./"}, "To the lecture")
+    const again = element("a", {class: "chip", href: "./"}, "Look around on your own")
     this.host.replaceChildren(
       element("main", {class: "class-wait", role: "status"}, element("h1", {}, sentence), again),
     )
@@ -173,12 +174,12 @@ function outdated() {
   }
 }
 
-/** The token that this browser keeps, or a new one. @param {string} typed */
-async function entered(typed) {
+/** The token that this browser keeps, or a new one. @param {string} typed @param {string} word of the QR code */
+async function entered(typed, word) {
   const code = typed.toUpperCase().replace(/[\s-]/g, "")
   const token = mine(code)?.token
   if (token) return {code, token}
-  const found = await ask(`${encodeURIComponent(code)}/token`, {method: "POST"})
+  const found = await ask(`${encodeURIComponent(code)}/token`, {method: "POST", word})
   enter(found.code, found.token)
   return found
 }
@@ -193,7 +194,7 @@ async function begin() {
   }
   try {
     if (!/^[\s-]*([0-9a-z][\s-]*){4}$/i.test(typed)) throw new Refusal("A code has four letters and digits.", 404)
-    const {code, token} = await entered(typed)
+    const {code, token} = await entered(typed, query.get("join") ?? "")
     globalThis.oscillations = new Following(code, token)
   } catch (reason) {
     wait(inWords(reason))
@@ -215,8 +216,7 @@ function wait(sentence) {
 
 function theme() {
   document.querySelector("#theme")?.addEventListener("click", () => {
-    const root = document.documentElement
-    root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark"
+    turnTheme()
     globalThis.oscillations?.page?.theme()
   })
 }

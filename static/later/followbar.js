@@ -36,11 +36,12 @@ export class Bar {
     const {news, shown, code} = this.following
     const {bound} = this.following.timing
     this.state.textContent = this.away ? "Not connected" : "Following"
-    this.within.textContent = this.away || bound === Infinity ? "" : `clock within ${Math.ceil(bound)} ms`
-    const behind = news.lost ? "The lecture's server is being looked for; this is its last state." : ""
+    this.within.textContent =
+      this.away || bound === Infinity ? "" : `clock within ${Math.ceil(bound)} ms of the lecture`
+    const behind = news.lost ? "The lecturer's page is not connected; this is what it showed last." : ""
     const calm = news.question?.place || "the lecture"
     this.line.textContent = this.away
-      ? this.why || "What you see still plays; it comes back by itself."
+      ? this.why || "The picture still plays; the connection comes back by itself."
       : behind || calm
     this.here.textContent = [code, news.here ? `${news.here} here` : ""].filter(Boolean).join(", ")
     if (shown) this.own.href = `./?${shown.query}`

@@ -30,7 +30,7 @@ export class Ghosts {
     this.plots = page.plots.map(plot => new PlotGhost(plot))
     this.stages = page.sheet.stages.map(stage => new StageGhost(stage))
     this.thumbs = [...page.controls.sliders.values()].map(slider => new Thumb(slider))
-    this.ledger = element("section", {class: "group ledger", "aria-label": "Held, and now", hidden: ""})
+    this.ledger = element("section", {class: "group ledger", "aria-label": "Held and now", hidden: ""})
     const {sections, says} = page.controls
     const last = sections[sections.length - 1] ?? says
     last.after(this.ledger)
@@ -43,7 +43,7 @@ export class Ghosts {
     for (const stage of this.stages) stage.show(Boolean(held))
     for (const thumb of this.thumbs) thumb.update(held)
     this.ledger.hidden = !held
-    if (held) this.ledger.replaceChildren(element("h2", {}, "Held, and now"), table(held.ledger))
+    if (held) this.ledger.replaceChildren(element("h2", {}, "Held and now"), table(held.ledger))
     this.page.redraw()
   }
 

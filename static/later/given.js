@@ -18,7 +18,10 @@ export function parameters({spec, panel, shown: {settings, view}}) {
     const [symbol, , number, unit] = [...row.children].map(cell => plain(cell).trim())
     return `${symbol} = ${counted(number, unit)}`
   })
-  return [...facts, ...set]
+  const lines = [...panel.querySelectorAll("section:not([hidden], :has(.control)) .cells-1")].map(row =>
+    plain(row).replace(/,$/, ""),
+  )
+  return [...facts, ...lines, ...set]
 }
 
 /** @param {string} number @param {string} unit */

@@ -21,7 +21,7 @@ export async function handout(walk) {
   const answers = element("section", {class: "handout-answers"}, element("h1", {}, "Answers"))
   try {
     await go(walk, 0, i => {
-      progress.textContent = `The handout is made: ${i + 1} of ${sheet.steps.length}.`
+      progress.textContent = `Preparing the handout: step ${i + 1} of ${sheet.steps.length}.`
       return [questions, answers]
     })
   } finally {
@@ -63,7 +63,7 @@ async function go(walk, i, sections) {
 async function until(isSo, end = performance.now() + LONGEST) {
   await frame()
   if (isSo()) return
-  if (performance.now() > end) throw new Error("A step is not shown.")
+  if (performance.now() > end) throw new Error("A step could not be shown.")
   await until(isSo, end)
 }
 
@@ -116,7 +116,7 @@ function seen({svg}) {
 function room({kind, options, unit}) {
   if (kind === "choice") return element("ul", {class: "boxes"}, ...options.map(option => marked("li", {}, option)))
   if (kind === "number") return element("p", {class: "to-fill"}, unit)
-  return element("p", {class: "small"}, kind === "sketch" ? "Draw into the picture." : "Mark it in the picture.")
+  return element("p", {class: "small"}, kind === "sketch" ? "Draw in the picture." : "Mark it in the picture.")
 }
 
 /** @param {Walk} walk @param {number} n */

@@ -54,12 +54,12 @@ export class Hint {
     const over = getComputedStyle(host).position === "sticky" ? 0 : OVER
     const taken = this.#taken(host.getBoundingClientRect(), over)
     const to = grip.getBoundingClientRect()
-    for (const share of [1, 0.6]) {
+    const stands = [1, 0.6].some(share => {
       if (share < 1) this.element.style.width = `${share * this.element.offsetWidth}px`
-      if (this.#stand(host, taken, to)) return
-    }
-    this.element.hidden = true
-    this.aside = WORDS
+      return this.#stand(host, taken, to)
+    })
+    this.element.hidden = !stands
+    this.aside = stands ? "" : WORDS
     this.page.clock.touch()
   }
 

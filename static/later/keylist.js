@@ -11,7 +11,8 @@ export function toggleList(lecture) {
   const rows = KEYS.map(key => row(key, lecture))
   const close = element("button", {type: "button", class: "chip"}, "Close")
   close.addEventListener("click", () => dialog.remove())
-  dialog.append(element("h2", {}, "Keys"), element("ul", {}, ...rows, arrows()), choice(), close)
+  const head = element("header", {}, element("h2", {}, "Keys"), close)
+  dialog.append(head, element("ul", {}, ...rows, arrows()), choice())
   document.body.append(dialog)
   dialog.show()
   close.focus()
@@ -29,11 +30,15 @@ function row({shown, does, act}, lecture) {
 
 /** They have no deed of their own. */
 const arrows = () =>
-  element("li", {}, element("p", {}, element("kbd", {}, "Arrows"), element("span", {}, "Move what has the focus")))
+  element(
+    "li",
+    {},
+    element("p", {}, element("kbd", {}, "Arrows"), element("span", {}, "Move the slider or mark that has the focus")),
+  )
 
 function choice() {
   const box = element("input", {type: "checkbox"})
   box.checked = !singles.off
   box.addEventListener("change", () => singles.set(!box.checked))
-  return element("label", {class: "singles"}, box, " Keys of a single letter act")
+  return element("label", {class: "singles"}, box, " Single-letter shortcuts on")
 }

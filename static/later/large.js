@@ -21,6 +21,8 @@ export class Large {
 
   said = element("p", {class: "done", role: "status"})
 
+  ends = false // a second press of the button ends the class
+
   /** @param {import("./teach.js").Teach} teach */
   constructor(teach) {
     this.teach = teach
@@ -69,7 +71,7 @@ export class Large {
       ["End the class", () => this.#end()],
     ])
     const chips = deeds.map(([name, act]) => button(name, "chip", act))
-    return [...chips, button("Close, J", "act filled", () => this.close())]
+    return [...chips, button("Close (J)", "act filled", () => this.close())]
   }
 
   /** @param {number} here */
@@ -79,12 +81,14 @@ export class Large {
 
   /** A second press ends it. */
   #end() {
-    if (this.said.textContent?.startsWith("Press again")) this.teach.end()
-    else this.#say("problem", "Press again to end the class: code and answers are forgotten.")
+    if (this.ends) return this.teach.end()
+    this.#say("problem", "Press again to end the class: the code and all answers are deleted.")
+    this.ends = true
   }
 
   /** @param {"done" | "problem"} kind @param {string} sentence */
   #say(kind, sentence) {
+    this.ends = false
     this.said.className = kind
     this.said.textContent = sentence
   }
@@ -117,7 +121,7 @@ export class Large {
     square.innerHTML = ticket.square
     square.setAttribute("aria-label", "QR code of the remote control")
     const words = element("div", {class: "class-words"}, element("b", {class: "at"}, "A remote control"))
-    words.append(element("span", {}, "One phone, within a minute. It shows two digits, which are asked for here."))
+    words.append(element("span", {}, "Scan it with one phone within a minute, then confirm its two digits here."))
     this.dialog?.querySelector(".class-words")?.replaceWith(words)
   }
 
@@ -137,8 +141,8 @@ export class Large {
         await ask(`${code}/tickets`, {method, body: {digits}, word: key})
         this.#say("done", done)
       })
-    const yes = button("Yes, let it in", "act filled", () => decide("PUT", "The remote control is in."))
-    const no = button("No", "act", () => decide("DELETE", "It was not let in."))
+    const yes = button("Yes, connect it", "act filled", () => decide("PUT", "The remote control is connected."))
+    const no = button("No", "act", () => decide("DELETE", "The phone was turned away."))
     const words = element("span", {}, "Does the phone in your hand show ", element("b", {}, digits), "?")
     return element("p", {}, words, yes, no)
   }

@@ -21,7 +21,8 @@ export function ownWay(code) {
   }
   const stream = new Stream(code, token, {
     news: ({question, ended}) => {
-      if (question) line.textContent = question.step && !question.lesson ? `the lecture asks, ${question.place}` : code
+      if (question)
+        line.textContent = question.step && !question.lesson ? `a question is open: ${question.place}` : code
       if (ended) over()
     },
     refused: () => over(),

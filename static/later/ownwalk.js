@@ -5,6 +5,7 @@ const SENT = 60_000 // bytes of a message that carries it
 
 /** What cannot be run is refused in a sentence. @param {import("../walks.js").Walks} walks @param {File} file */
 export async function run(walks, file) {
+  walks.lecture.page.notice.hidden = true // it was of the file before
   const refusal = await read(file).then(
     text => walks.run(nameOf(file.name), text),
     (/** @type {Error} */ error) => error.message,

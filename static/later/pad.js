@@ -2,6 +2,7 @@
 // replaces it. What leaves the frame is kept; gaps stay gaps.
 
 import {element, inUnits, long, set, svg, unitSize} from "../dom.js"
+import {toPlace, toSI} from "../ruler.js"
 import {mark} from "./questions.js"
 
 /** @typedef {Record<string, [number, number][]>} Strokes curves by name: places on both axes */
@@ -9,7 +10,7 @@ import {mark} from "./questions.js"
 const COLUMNS = 200 // across the frame
 const SLACK = 12 // units around the frame that a hand may go to
 const STEP = 0.02 // of the frame, by an arrow key with Shift
-const EACH = 2 // columns from one height to the next, as a class is sent a sketch
+const SENT = 101 // heights of a curve, as a class is sent a sketch
 
 export class Pad {
   /** @type {Map<string, (number | null)[]>} heights by curve */
@@ -28,7 +29,10 @@ export class Pad {
    * @param {import("../page.js").Page} page
    * @param {page.StepCard} step @param {Strokes} before @param {() => void} drawn
    */
-  constructor(page, {plot, curves}, before, drawn) {
+  constructor(page, {plot, curves, frame}, before, drawn) {
+    const [across, up] = /** @type {[page.Ruler, page.Ruler]} */ (frame)
+    this.across = across
+    this.up = up
     this.plot = /** @type {import("../plots.js").Plot} */ (page.plots.find(({block}) => block.name === plot))
     this.drawn = drawn
     this.before = before
@@ -45,7 +49,7 @@ export class Pad {
       class: "drawing",
       tabindex: 0,
       role: "application",
-      "aria-label": "Drawing: arrows move the pen, Enter sets it down and lifts it",
+      "aria-label": "Drawing: arrows move the pen, Enter lowers or lifts it",
     })
     this.layer.append(this.ink)
     this.plot.host.append(this.layer)
@@ -163,16 +167,26 @@ export class Pad {
     return points
   }
 
-  /** What a class is sent: heights in thousandths of the frame, evenly from its left to its right. */
+  /** What a class is sent: heights in thousandths of the frame that all share, evenly from its left to its right. */
   get sent() {
-    const {start, end} = this.plot.y
-    /** @param {number | null} y */
-    const share = y =>
-      y === null ? null : Math.min(Math.max(Math.round((1000 * (y - start)) / (end - start)), -100), 1100)
-    const drawn = [...this.heights].filter(([, heights]) => heights.some(y => y !== null))
-    return Object.fromEntries(
-      drawn.map(([name, heights]) => [name, heights.filter((_, i) => i % EACH === 0).map(share)]),
-    )
+    const {start, end} = this.up
+    const {y} = this.plot
+    /** @param {number | null | undefined} height */
+    const share = height => {
+      if (height === null || height === undefined) return null
+      const place = toPlace(this.up, toSI(y, height))
+      return Math.min(Math.max(Math.round((1000 * (place - start)) / (end - start)), -100), 1100)
+    }
+    const drawn = [...this.heights].filter(([, heights]) => heights.some(height => height !== null))
+    const columns = Array.from({length: SENT}, (_, i) => Math.round(this.#column(i / (SENT - 1))))
+    return Object.fromEntries(drawn.map(([name, heights]) => [name, columns.map(column => share(heights[column]))]))
+  }
+
+  /** Where a share of the width of the frame that all share is in this one. @param {number} share */
+  #column(share) {
+    const {start, end} = this.across
+    const place = toPlace(this.plot.x, toSI(this.across, start + share * (end - start)))
+    return ((place - this.span.start) / (this.span.end - this.span.start)) * COLUMNS
   }
 
   /**
@@ -180,12 +194,16 @@ export class Pad {
    * @param {Record<string, (number | null)[]>} sent
    */
   restore(sent) {
-    const {start, end} = this.plot.y
+    const {start, end} = this.up
+    const [first, last] = [this.#column(0), this.#column(1)]
     for (const [name, shares] of Object.entries(sent)) {
-      const ys = shares.map(share => (share === null ? null : start + (share / 1000) * (end - start)))
+      const ys = shares.map(share =>
+        share === null ? null : toPlace(this.plot.y, toSI(this.up, start + (share / 1000) * (end - start))),
+      )
       const heights = this.heights.get(name)?.map((_, i) => {
-        const [low, high] = [ys[Math.floor(i / EACH)] ?? null, ys[Math.ceil(i / EACH)] ?? null]
-        return low === null || high === null ? null : (low + high) / 2
+        const at = Number((((i - first) / (last - first)) * (SENT - 1)).toFixed(6))
+        const [low, high] = [ys[Math.floor(at)] ?? null, ys[Math.ceil(at)] ?? null]
+        return low === null || high === null ? null : low + (high - low) * (at % 1)
       })
       if (heights) this.heights.set(name, heights)
     }

@@ -2,7 +2,7 @@
 
 import {element, long, set, svg, textWidth, unitSize} from "../dom.js"
 import {evaluate} from "../signals.js"
-import {Drawing} from "./drawing.js"
+import {Drawing, numbered} from "./drawing.js"
 import {held, instant, link, parameters} from "./given.js"
 import {plain} from "./plain.js"
 
@@ -125,11 +125,11 @@ export function plotPicture(plot, captioned = true, wide = WIDE) {
   host.style.width = long(wide)
   host.style.height = long(frame.top + frame.height + 30)
   easel.host.append(host)
-  const drawing = new Drawing(plot, host, frame)
+  const drawing = new Drawing(plot, host, frame, true)
   set(drawing.over, {transform: `translate(0 ${easel.y})`})
   easel.svg.append(drawing.over)
   drawing.draw(evaluate(view.signals, view.scalars, page.clock.t))
-  easel.y += frame.top + frame.height + (block.plain ? 8 : 26)
+  easel.y += frame.top + frame.height + 26
   if (captioned) easel.caption(page)
   return easel.done(block.title)
 }
@@ -138,8 +138,9 @@ export function plotPicture(plot, captioned = true, wide = WIDE) {
  * The room around the frame: for its numbers, names and flags, which on the page may stand out of it.
  * @param {Plot} plot @param {number} wide
  */
-function frameFor({frame, host, block}, wide) {
-  const left = frame.left + 10
+function frameFor(plot, wide) {
+  const {frame, host, block} = plot
+  const left = Math.max(frame.left, ...numbered(plot).y.labels.map(label => textWidth(label) + 7)) + 10
   const names = block.curves.map(({label}) => 1.15 * textWidth(label.map(({text}) => text).join("")) + 14)
   const right = Math.max(host.clientWidth / unitSize() - frame.left - frame.width, 40, ...names)
   const most = wide - left - right
@@ -175,7 +176,7 @@ function sample(key) {
  * @param {Stage} stage @param {Page} page @param {boolean} [captioned] @returns {Picture}
  */
 export function stagePicture(stage, page, captioned = true) {
-  const under = page.plots.filter(plot => plot.box && isSeen(plot) && (beside(plot, stage) || writesInto(stage, plot)))
+  const under = plotsUnder(stage, page)
   const written = [...stage.svg.querySelectorAll("text")].filter(text => text.getBoundingClientRect().width)
   const box = around([stage.host, ...under.map(plot => plot.host), ...written])
   const easel = new Easel(Math.max(Math.ceil(box.width) + 4 * EDGE, WIDE))
@@ -190,6 +191,10 @@ export function stagePicture(stage, page, captioned = true) {
   if (captioned) easel.caption(page, instant(page))
   return easel.done(page.spec.headline)
 }
+
+/** The plots in the picture of a stage. @param {Stage} stage @param {Page} page */
+export const plotsUnder = (stage, page) =>
+  page.plots.filter(plot => plot.box && isSeen(plot) && (beside(plot, stage) || writesInto(stage, plot)))
 
 /** What a question hides is not in its picture. @param {SVGElement} drawn */
 function seenOf(drawn) {

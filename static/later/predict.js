@@ -1,6 +1,7 @@
 // What a visitor can cover until a prediction has been made: what the next change shows, a plot, a number.
 
 import {element} from "../dom.js"
+import {parts} from "./coverable.js"
 
 /** The list, beside its button; a second press, Escape or a press elsewhere closes it. */
 class Menu {
@@ -8,7 +9,8 @@ class Menu {
   constructor(page, button) {
     this.page = page
     this.button = button
-    this.element = element("div", {class: "predict", role: "menu", "aria-label": "Cover until Reveal"})
+    this.element = element("div", {class: "predict", role: "menu", "aria-label": "Hide until you press Reveal"})
+    this.element.addEventListener("keydown", event => this.#move(event))
     button.setAttribute("aria-expanded", "true")
     button.after(this.element)
     this.#fill()
@@ -19,15 +21,8 @@ class Menu {
   }
 
   #fill() {
-    const {plots, spec, stages} = this.page
-    this.#add("next", "All that the next change changes")
-    for (const {block, host, absent} of plots)
-      if (!absent && host.offsetParent) this.#add(`plot:${block.name}`, block.title)
-    for (const [name, text] of Object.entries(spec.spoken)) {
-      const values = [...text.matchAll(/\{(\w+)\}/g)].map(([, value]) => `value:${value}`)
-      if (values.length) this.#add(values[0], `Number: ${name}`)
-    }
-    if (stages.some(stage => stage.svg.role === "img")) this.#add("stage", "The motion of the apparatus")
+    this.#add("next", "Everything that changes next")
+    for (const {cover, text} of parts(this.page)) this.#add(cover, text)
     const [first] = this.element.children
     if (first instanceof HTMLElement) first.focus()
   }
@@ -40,6 +35,18 @@ class Menu {
       this.close(true)
     })
     this.element.append(item)
+  }
+
+  /** @param {KeyboardEvent} event */
+  #move(event) {
+    const items = [...this.element.children]
+    const here = items.findIndex(item => item === document.activeElement)
+    const to = {ArrowDown: here + 1, ArrowUp: here - 1, Home: 0, End: -1}[event.key]
+    if (to === undefined) return
+    event.preventDefault()
+    event.stopPropagation()
+    const item = items.at(to % items.length)
+    if (item instanceof HTMLElement) item.focus()
   }
 
   /** @param {PointerEvent} event */

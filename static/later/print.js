@@ -2,7 +2,7 @@
 
 import {element} from "../dom.js"
 import {instant, link, parameters} from "./given.js"
-import {plotPicture, stagePicture} from "./picture.js"
+import {plotPicture, plotsUnder, stagePicture} from "./picture.js"
 import {things} from "./things.js"
 
 export class Print {
@@ -26,16 +26,18 @@ export class Print {
     if (document.querySelector(".handout")) return
     const {page} = this
     const {stages, plots} = things(page)
-    const drawn = plots.filter(plot => !stages.some(stage => isUnder(plot, stage)))
+    const under = stages.map(stage => plotsUnder(stage, page))
+    const style = under.flat().length ? "wide" : ""
+    const drawn = plots.filter(plot => !under.flat().includes(plot))
     const pictures = [
-      ...stages.map(stage => stagePicture(stage, page, false)),
-      ...drawn.map(plot => plotPicture(plot, false)),
+      ...stages.map(stage => shown(stagePicture(stage, page, false), style)),
+      ...drawn.map(plot => shown(plotPicture(plot, false))),
     ]
     this.sheet = element(
       "div",
       {class: "printed", "data-theme": "light"},
       element("h1", {}, page.spec.headline),
-      element("div", {class: "printed-pictures"}, ...pictures.map(shown)),
+      element("div", {class: "printed-pictures"}, ...pictures),
       element("div", {class: "printed-words"}, ...words(page.paper)),
       element("p", {}, [instant(page), ...parameters(page)].filter(Boolean).join(", ")),
       element("p", {}, link(page)),
@@ -44,15 +46,9 @@ export class Print {
   }
 }
 
-/**
- * @param {import("../plots.js").Plot} plot
- * @param {import("../stage.js").Stage} stage
- */
-const isUnder = (plot, stage) => plot.host.closest(".column") === stage.host.parentElement
-
-/** @param {import("./picture.js").Picture} picture */
-function shown({svg}) {
-  const host = element("div", {})
+/** @param {import("./picture.js").Picture} picture @param {string} [style] */
+function shown({svg}, style) {
+  const host = element("div", {class: style})
   host.innerHTML = svg
   for (const attribute of ["width", "height"]) host.firstElementChild?.removeAttribute(attribute)
   return host

@@ -15,7 +15,7 @@ export function mark(right) {
   const sign = right ? "M5.5 10.200l3 3 6-6.400" : "M6.500 6.500l7 7m0-7l-7 7"
   const parts = [svg("circle", {cx: 10, cy: 10, r: 8.5}), svg("path", {d: sign})]
   return svg("svg", {viewBox: "0 0 20 20", class: right ? "judged right" : "judged", role: "img",
-    "aria-label": right ? "right" : "not this"}, ...parts) // prettier-ignore
+    "aria-label": right ? "right" : "wrong"}, ...parts) // prettier-ignore
 }
 
 class Question {
@@ -45,7 +45,13 @@ class Question {
     return null
   }
 
-  /** What was answered before. @param {page.Vote} _vote */
+  /** The answer as it is restored. @returns {Partial<page.Vote>} */
+  get vote() {
+    const {text = "", option = null, value = null} = this.given() ?? {}
+    return {text, option, value}
+  }
+
+  /** What was answered before. @param {Partial<page.Vote>} _vote */
   restore(_vote) {}
 
   /** @param {page.Lesson} _lesson */
@@ -109,7 +115,7 @@ class Choice extends Question {
     return this.chosen < 0 ? null : {option: this.chosen}
   }
 
-  /** @param {page.Vote} vote */
+  /** @param {Partial<page.Vote>} vote */
   restore({option}) {
     this.choose(option ?? -1)
   }
@@ -121,9 +127,9 @@ class Choice extends Question {
     for (const [i, {right, reply, where}] of verdicts.entries()) {
       const {row, line, yours} = this.rows[i]
       row.classList.toggle("told", i === this.chosen)
-      line.innerHTML = where ? `${reply} <u>Show where</u>` : reply
+      line.innerHTML = where ? `${reply} <u>Show a case where this is right</u>` : reply
       this.rows[i].where = where
-      yours.textContent = i === this.chosen ? "yours" : ""
+      yours.textContent = i === this.chosen ? "your answer" : ""
       if (right || i === this.chosen) row.append(mark(right))
     }
   }
@@ -136,7 +142,6 @@ class Numeric extends Question {
     this.unit = unit
     this.field = element("input", {
       name: "answer",
-      inputmode: "decimal",
       autocomplete: "off",
       "aria-label": "Your answer",
     })
@@ -149,14 +154,15 @@ class Numeric extends Question {
   }
 
   said() {
-    return `${this.field.value.trim()} ${this.unit}`.trim()
+    const text = this.field.value.trim()
+    return /^[-−+]?[\d.,]+$/.test(text) ? `${text} ${this.unit}`.trim() : text
   }
 
   given() {
     return this.field.value.trim() ? {text: this.field.value} : null
   }
 
-  /** @param {page.Vote} vote */
+  /** @param {Partial<page.Vote>} vote */
   restore({text = ""}) {
     this.field.value = text
   }
@@ -164,7 +170,7 @@ class Numeric extends Question {
   /** @param {page.Lesson} lesson */
   teach({right}) {
     this.field.readOnly = true
-    this.yours.textContent = right === null ? "" : "yours"
+    this.yours.textContent = right === null ? "" : "your answer"
     if (right !== null) this.yours.after(mark(right))
   }
 }
@@ -196,7 +202,7 @@ class Point extends Question {
     return this.marker.value === null ? null : {value: this.marker.value}
   }
 
-  /** @param {page.Vote} vote */
+  /** @param {Partial<page.Vote>} vote */
   restore({value}) {
     if (typeof value === "number") this.marker.put(value)
   }
@@ -231,7 +237,7 @@ class Sketch extends Question {
     this.clear.addEventListener("click", () => this.pad.clear())
     this.pens = step.curves.map(name => this.#pen(name))
     this.tools = element("div", {class: "chips"}, ...(this.pens.length > 1 ? this.pens : []), this.clear)
-    const hint = "Draw over the empty axes. By keys: arrows move the pen, Enter sets it down and lifts it."
+    const hint = "Draw on the empty axes. With keys: arrows move the pen, Enter lowers or lifts it."
     this.hint = element("p", {class: "hint"}, hint)
     this.element.append(this.hint, this.pad.status, this.tools)
     this.#take(step.curves[0])
@@ -263,7 +269,11 @@ class Sketch extends Question {
     return Object.values(strokes).some(stroke => stroke.length > 1) ? {curves: strokes} : null
   }
 
-  /** @param {page.Vote} vote */
+  get vote() {
+    return {curves: this.pad.sent}
+  }
+
+  /** @param {Partial<page.Vote>} vote */
   restore({curves = {}}) {
     this.pad.restore(curves)
   }

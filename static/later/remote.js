@@ -57,7 +57,7 @@ class Remote {
     this.state = element("p", {role: "status"})
     this.host.replaceChildren(
       element("h1", {class: "digits"}, paired.digits),
-      element("p", {}, "Let this phone in on the first screen, where the same two digits stand."),
+      element("p", {}, "Confirm on the lecturer's screen: it shows these two digits."),
     )
   }
 
@@ -76,14 +76,14 @@ class Remote {
     if (question !== undefined) this.doubts = 0
     if (question === null) this.state.textContent = "" // it waits
     if (question && !this.isIn) this.#enter()
-    if (question) this.state.textContent = question.place || "No question is open."
+    if (question) this.state.textContent = question.place || "No question is open now."
     setTimeout(() => this.#look(), ASKING)
   }
 
   #enter() {
     this.isIn = true
     const deeds = /** @type {[string, page.Done["deed"]][]} */ ([
-      ["Next", "next"], ["Back", "back"], ["Show", "show"], ["Close", "close"],
+      ["Next", "next"], ["Back", "back"], ["Show the answer", "show"], ["Close the QR code", "close"],
     ]) // prettier-ignore
     const buttons = deeds.map(([name, deed]) => {
       const button = element("button", {type: "button", class: deed === "next" ? "act filled" : "act"}, name)

@@ -52,7 +52,7 @@ export async function asked(path, {method = "GET", body, word = "", signal = Abo
     const how = {method: method ?? "GET", headers, body: json, cache: /** @type {RequestCache} */ ("no-store"), signal}
     answer = await fetch(address(path), how)
   } catch (reason) {
-    throw new Refusal(`Nobody answers: ${inWords(reason)}.`, 0)
+    throw new Refusal(`The server does not answer: ${inWords(reason)}.`, 0)
   }
   if (answer.ok) return answer
   const said = await answer.json().catch(() => ({}))

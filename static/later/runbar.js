@@ -13,7 +13,7 @@ export class RunBar {
     this.name = element("b", {})
     this.count = element("span", {class: "count"})
     this.bar = element("progress", {max: 1, value: 0, "aria-label": "Runs done"})
-    this.now = element("span", {class: "note", role: "status"})
+    this.note = element("span", {class: "note", role: "status"})
     this.skip = element("button", {type: "button", class: "chip"}, "Skip this method")
     this.skip.addEventListener("click", () => page.send({type: "run", order: "skip"}))
     this.fit = new Fit(page)
@@ -24,7 +24,7 @@ export class RunBar {
       this.name,
       this.count,
       this.bar,
-      this.now,
+      this.note,
       this.skip,
       this.fit.element,
     )
@@ -45,7 +45,9 @@ export class RunBar {
     this.count.textContent = total ? `${done} of ${total} ${unit}` : ""
     this.bar.value = total ? done / total : 0
     const watch = this.busy ? "" : this.page.controls.presets.watch(shown.preset)
-    this.now.textContent = [watch || text, errors.run, ...notes].filter(Boolean).join(" ")
+    this.note.textContent = [this.page.compare.says(shown.state), watch || text, errors.run, ...notes]
+      .filter(Boolean)
+      .join(" ")
     this.skip.hidden = state !== "running"
   }
 }

@@ -1,6 +1,7 @@
 // The sketches of a class over each other, in faint ink, so that agreement is darkness; the true curve lies over them.
 
 import {element, unitSize, units} from "../dom.js"
+import {toPlace, toSI} from "../ruler.js"
 
 const FAINT = 0.1
 const PASSED = 0.03 // what the chip in force leaves out
@@ -30,42 +31,37 @@ export class Sketches {
   /** @param {page.Tally} tally @param {page.Lesson | null} lesson */
   update(tally, lesson) {
     this.tally = tally
-    const {length} = tally.now.sketches
-    this.canvas.setAttribute("aria-label", `${length} sketches of the class`)
+    const {answered, sketches} = tally.now
+    const some = sketches.length < answered ? `${sketches.length} of ` : ""
+    this.canvas.setAttribute("aria-label", `${some}${answered} sketches of the class`)
     const kinds = lesson ? tally.features.map((name, i) => this.#kind(name, i)) : []
-    const all = this.#chip(`All ${length}`, this.lit < 0, () => this.#light(-1))
-    const band = this.#chip("Middle half", this.band, () => this.#toggle())
-    this.chips.append(...(lesson ? [all, ...kinds] : []), band)
+    const all = chip(`All ${answered}`, this.lit < 0, () => this.#light(-1))
+    const band = chip("Middle 50 %", this.band, () => {
+      this.#toggle()
+      band.setAttribute("aria-pressed", String(this.band))
+    })
+    const lights = [all, ...kinds]
+    for (const light of lights)
+      light.addEventListener("click", () => {
+        for (const other of lights) other.setAttribute("aria-pressed", String(other === light))
+      })
+    this.chips.append(...(lesson ? lights : []), band)
     this.#draw()
   }
 
   /** What the class drew, in numbers. @param {page.Tally} tally */
   headline({features, now}) {
-    const counts = features.map((name, i) => ({name, count: now.sketches.filter(({has}) => has[i]).length}))
+    const counts = features.map((name, i) => ({name, count: now.having[i] ?? 0}))
     const sorted = counts.toSorted((a, b) => b.count - a.count)
     const [best, worst] = [sorted[0], sorted[sorted.length - 1]]
-    if (!best.count) return `None of ${now.sketches.length} drew any of what was looked for`
-    return `${best.count} of ${now.sketches.length} drew “${plain(best.name)}”, ${worst.count} “${plain(worst.name)}”`
+    const all = `${now.answered} sketch${now.answered === 1 ? "" : "es"}`
+    const first = `“${plain(best.name)}” is right in ${best.count} of ${all}`
+    return best === worst ? first : `${first}, “${plain(worst.name)}” in ${worst.count}`
   }
 
   /** @param {page.Html} name @param {number} i */
   #kind(name, i) {
-    const count = this.tally?.now.sketches.filter(({has}) => has[i]).length
-    return this.#chip(`${plain(name)} ${count}`, this.lit === i, () => this.#light(i))
-  }
-
-  /** @param {string} words @param {boolean} pressed @param {() => void} act */
-  #chip(words, pressed, act) {
-    const chip = element("button", {type: "button", class: "chip", "aria-pressed": pressed}, words)
-    chip.addEventListener("click", () => {
-      act()
-      const {parentElement} = chip
-      for (const other of parentElement?.querySelectorAll("[aria-pressed]") ?? [])
-        if (words !== "Middle half" && !other.textContent?.startsWith("Middle"))
-          other.setAttribute("aria-pressed", "false")
-      chip.setAttribute("aria-pressed", String(words === "Middle half" ? this.band : true))
-    })
-    return chip
+    return chip(`${plain(name)} ${this.tally?.now.having[i] ?? 0}`, this.lit === i, () => this.#light(i))
   }
 
   /** @param {number} feature */
@@ -100,10 +96,12 @@ export class Sketches {
     if (this.band) this.#middle(ink)
   }
 
-  /** @param {number} i @param {number} count @param {number} height */
+  /** A place of the frame that all share. @param {number} i @param {number} count @param {number} height */
   #point(i, count, height) {
-    const {left, top, width, height: tall} = this.plot.frame
-    return /** @type {[number, number]} */ ([left + (width * i) / (count - 1), top + tall * (1 - height / 1000)])
+    const [across, up] = /** @type {[page.Ruler, page.Ruler]} */ (this.step.frame)
+    const {plot} = this
+    const [x, y] = [between(across, i / (count - 1)), between(up, height / 1000)]
+    return /** @type {[number, number]} */ ([plot.px(toPlace(plot.x, x)), plot.py(toPlace(plot.y, y))])
   }
 
   /** Gaps stay gaps. @param {CanvasRenderingContext2D} ink @param {(number | null)[]} heights */
@@ -144,6 +142,16 @@ export class Sketches {
     this.canvas.remove()
   }
 }
+
+/** @param {string} words @param {boolean} pressed @param {() => void} act */
+function chip(words, pressed, act) {
+  const button = element("button", {type: "button", class: "chip", "aria-pressed": pressed}, words)
+  button.addEventListener("click", act)
+  return button
+}
+
+/** The quantity in SI at a share of an axis. @param {page.Ruler} ruler @param {number} share */
+const between = (ruler, share) => toSI(ruler, ruler.start + share * (ruler.end - ruler.start))
 
 /** A name without its markup. @param {page.Html} html */
 function plain(html) {

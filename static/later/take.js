@@ -62,7 +62,7 @@ class Taking {
     this.dialog = element(
       "dialog",
       {class: "taking", "aria-labelledby": "taking"},
-      element("header", {}, element("h2", {id: "taking"}, "Take a picture or its numbers"), close),
+      element("header", {}, element("h2", {id: "taking"}, "Save a picture or its numbers"), close),
       element("div", {class: "chips", role: "group", "aria-label": "Of"}, ...this.choices.map(({chip}) => chip)),
       element("div", {class: "chips"}, this.#save("PNG", ".png"), this.#save("SVG", ".svg")),
       this.image,

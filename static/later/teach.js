@@ -233,7 +233,7 @@ function forget() {
 
 /** The room that this browser has the key of, or a new one. @param {import("../main.js").Lecture} lecture */
 export async function teach(lecture) {
-  const room = (await kept()) ?? (await ask("", {method: "POST"}))
+  const room = (await kept()) ?? (await opened())
   try {
     localStorage.setItem(KEPT, JSON.stringify(room))
     sessionStorage.setItem(KEPT, "open") // this tab comes back to it by itself
@@ -241,6 +241,39 @@ export async function teach(lecture) {
     // A browser that keeps nothing loses the room with the page.
   }
   return new Teach(lecture, room)
+}
+
+/** A new room, with the instructors' passphrase where the server asks for one. @returns {Promise<page.Opened>} */
+async function opened(phrase = "") {
+  try {
+    return await ask("", {method: "POST", word: encodeURIComponent(phrase)})
+  } catch (reason) {
+    if (!(reason instanceof Refusal) || reason.status !== 401) throw reason
+    const typed = await passphrase(reason.message)
+    if (!typed) throw new Refusal("No class was opened.", 401)
+    return opened(typed)
+  }
+}
+
+/** What is typed; nothing where it is given up. @param {string} sentence @returns {Promise<string>} */
+function passphrase(sentence) {
+  const field = element("input", {type: "password", name: "passphrase", autocomplete: "current-password"})
+  const label = element("label", {}, element("span", {}, "Passphrase"), field)
+  const tools = element("div", {class: "tools"}, element("button", {class: "act filled"}, "Open the class"))
+  const cancel = element("button", {type: "button", class: "chip"}, "Cancel")
+  tools.append(cancel)
+  const form = element("form", {class: "ask-form", method: "dialog"}, label, tools)
+  const dialog = element("dialog", {class: "asking", "aria-label": "Passphrase"}, element("h1", {}, sentence), form)
+  return new Promise(done => {
+    cancel.addEventListener("click", () => dialog.close("given up"))
+    dialog.addEventListener("cancel", () => (dialog.returnValue = "given up"))
+    dialog.addEventListener("close", () => {
+      dialog.remove()
+      done(dialog.returnValue ? "" : field.value)
+    })
+    document.body.append(dialog)
+    dialog.showModal()
+  })
 }
 
 /** @returns {Promise<page.Opened | null>} */

@@ -58,7 +58,7 @@ export class Voice {
 }
 
 /**
- * "slow mode 1.22 rad/s, was 1.00 rad/s; fast mode as before".
+ * "slow mode 1.22 rad/s, was 1.00 rad/s; unchanged: fast mode".
  * @param {Map<string, string>} before @param {Map<string, string>} now
  */
 export function said(before, now) {
@@ -66,7 +66,7 @@ export function said(before, now) {
   const moved = names.filter(name => now.get(name) !== before.get(name))
   const still = names.filter(name => !moved.includes(name))
   const told = moved.map(name => `${name} ${now.get(name)}${before.has(name) ? `, was ${before.get(name)}` : ""}`)
-  if (still.length) told.push(`${still.join(", ")} as before`)
+  if (still.length) told.push(`unchanged: ${still.join(", ")}`)
   const sentence = told.join("; ")
   return sentence && `${sentence[0].toUpperCase()}${sentence.slice(1)}.`
 }

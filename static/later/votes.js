@@ -27,7 +27,7 @@ export class Votes {
     this.teach = teach
     this.status = element("p", {role: "status"})
     this.all = element("p", {class: "all"})
-    this.once = element("button", {type: "button", class: "chip"}, "Ask again")
+    this.once = element("button", {type: "button", class: "chip"}, "Vote again")
     this.once.addEventListener("click", () => teach.again())
     this.hide = element("button", {type: "button", class: "chip"}, "Hide the votes")
     this.hide.addEventListener("click", () => this.#close())
@@ -94,11 +94,13 @@ export class Votes {
     const {walk} = this.teach.lecture.walks
     if (!card || !walk) return
     const here = this.teach.news.here ?? 0
-    const before = tally?.before ? ", outlined before the talk" : ""
+    const before = tally?.before ? ", outlined: first vote" : ""
     const answered = tally?.now.answered ?? 0
     const of = answered > here ? "" : ` of ${here}` // some have left since
-    this.status.textContent = `${answered}${of} answered${this.isOpen ? before : ""}`
-    if (!walk.lesson) card.forward.textContent = this.waits ? "Votes" : "Show"
+    const drawn = tally?.now.sketches.length ?? 0
+    const some = drawn && drawn < answered ? `, ${drawn} of them drawn here` : "" // more would be one dark area
+    this.status.textContent = `${answered}${of} have answered${this.isOpen ? some + before : ""}`
+    if (!walk.lesson) card.forward.textContent = this.waits ? "Show the votes" : "Show the answer"
     if (!walk.lesson) card.forward.classList.remove("waiting")
     const tools = this.isOpen ? [this.hide, ...(walk.lesson ? [] : [this.once])] : []
     this.chips.replaceChildren(...tools)

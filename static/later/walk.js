@@ -1,7 +1,8 @@
 // A guided walk: from step to step, from the question to what it means.
 
+import {answered, forgetAnswered, keepAnswered} from "./answered.js"
 import {Answers} from "./answers.js"
-import {Card} from "./card.js"
+import {ANSWER_FIRST, Card} from "./card.js"
 import {Contents} from "./contents.js"
 
 export class Walk {
@@ -18,6 +19,8 @@ export class Walk {
   contents = null
 
   unfolded = false
+
+  known = answered() // of the step that stood when the page was loaded anew
 
   /** @type {import("./pad.js").Strokes} the sketch that was drawn before, when one draws again */
   before = {}
@@ -57,6 +60,7 @@ export class Walk {
   }
 
   #putAway() {
+    forgetAnswered()
     this.lesson = null
     this.before = {}
     this.card?.leave()
@@ -80,8 +84,24 @@ export class Walk {
     this.place = place
     if (!this.step) return
     this.card = new Card(this, this.lecture.page)
-    if (this.lesson) this.card.teach(this.lesson)
-    else this.#hold()
+    if (this.lesson) return this.card.teach(this.lesson)
+    this.#hold()
+    if (this.known) this.#restore(this.known)
+    this.known = null
+  }
+
+  /**
+   * What was answered before the page was loaded anew is shown again.
+   * @param {import("./answered.js").Answered} known
+   */
+  #restore({step, given}) {
+    if (step !== this.#name) return
+    this.card?.question.restore(given)
+    this.show(true)
+  }
+
+  get #name() {
+    return `${this.sheet.name}/${this.step.id}`
   }
 
   /** Nothing moves before the answer. */
@@ -105,9 +125,11 @@ export class Walk {
   }
 
   /** @param {boolean} always */
-  show(always) {
+  async show(always) {
     const given = this.card?.question.given()
-    if (given || always) this.lecture.line.send({type: "given", walk: this.sheet.name, step: this.step.id, ...given})
+    if (!given && !always) return this.card?.refuse(`${ANSWER_FIRST}.`)
+    const told = await this.lecture.line.ask({type: "given", walk: this.sheet.name, step: this.step.id, ...given})
+    if (told.type === "taught") this.#taught(told)
   }
 
   next() {
@@ -120,16 +142,19 @@ export class Walk {
   }
 
   /** @param {page.Taught} told */
-  taught({step, lesson, refused}) {
-    if (!this.card || step !== this.step.id) return
+  #taught({step, lesson, refused}) {
+    if (!this.card || this.lesson || step !== this.step.id) return
     if (!lesson) return this.card.refuse(refused)
     this.lesson = lesson
     if (lesson.right !== null) {
       this.answers.keep(step, {said: this.card.question.said(), right: lesson.right, title: lesson.title})
     }
+    keepAnswered({step: this.#name, given: this.card.question.vote})
     this.card.teach(lesson)
     this.lecture.classes.led?.walked(this)
-    this.lecture.line.send({type: "open", state: this.step.reveals}, {start: true})
+    this.lecture.page.compare.keep()
+    const state = lesson.shows ?? this.step.reveals
+    this.lecture.line.send({type: "open", state, keeps: true}, {start: true, deed: `reveal ${step}`})
   }
 
   /** The contents of all walks. */

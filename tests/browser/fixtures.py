@@ -11,6 +11,7 @@ from urllib.parse import urlsplit
 import pytest
 from playwright.sync_api import Browser, ConsoleMessage, Page, Request, Route, expect, sync_playwright
 
+from components.scenes import SCENES
 from tests.browser.chromium import find
 from tests.browser.waiting import unfold
 from tests.serving.server import ROOT, Server, serving
@@ -77,10 +78,14 @@ def page(new_page: Callable[..., Page]) -> Page:
 def open_scene(server: Server) -> Callable[..., Page]:
     """Opens a link on a page and waits until the scene is drawn: `open_scene(page, scene="forced", k2=3)`.
 
-    All controls of the panel are unfolded; `folded=True` leaves the page as a visitor meets it.
+    All controls of the panel are unfolded, and a scene alone is opened at its defaults; `folded=True` leaves the page
+    as a visitor meets it.
     """
 
     def go(page: Page, *, folded: bool = False, **query: object) -> Page:
+        if not folded and query.keys() <= {"scene", "projector", "theme"}:
+            scene = SCENES[str(query.get("scene", next(iter(SCENES))))]
+            query = {"scene": scene.slug, **{name: scene().values[name] for name in scene.opens}, **query}
         page.goto(server.url + "?" + "&".join(f"{name}={value}" for name, value in query.items()))
         page.wait_for_function(READY)
         if not folded:

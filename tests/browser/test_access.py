@@ -7,6 +7,8 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, expect
 
+from components.scenes import SCENES
+
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 
@@ -42,3 +44,32 @@ def test_forced_colours_tell_apart_what_is_pressed_and_where_one_is(
         assert one != another, pressed
     adjusted = "one => getComputedStyle(one).forcedColorAdjust"
     assert page.locator("input[type=range]").first.evaluate(adjusted) == "none", "its track has its colours"
+
+
+NAMES = """() => [...document.querySelectorAll("button, [role=slider], input")]
+  .filter(one => one.checkVisibility() && !one.closest(".seg"))
+  .map(one => `${one.localName} ${one.type ?? ""} ${one.getAttribute("aria-label") ?? one.textContent.trim()}`)"""
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_no_two_things_to_press_have_one_name(slug: str, page: Page, open_scene: Open) -> None:
+    """But for the words of a choice, which its group names."""
+    open_scene(page, scene=slug)
+    page.evaluate("oscillations.change(() => ({covered: oscillations.plots.map(p => `plot:${p.block.name}`)}))")
+    page.wait_for_function("oscillations.shown.state.covered.length === oscillations.plots.length")
+    names = page.evaluate(NAMES)
+    assert sorted(names) == sorted(set(names))
+
+
+def test_on_a_phone_the_sliders_stand_between_the_stage_and_the_plots(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = new_page(390, 844, has_touch=True, is_mobile=True)
+    for slug in ("coupled", "forced", "energy"):
+        open_scene(page, scene=slug)
+        sliders = [box for one in page.locator(".panel .control").all() if (box := one.bounding_box())]
+        plots = [box for one in page.locator(".block.plot").all() if (box := one.bounding_box())]
+        stage = page.locator(".block.stage").first.bounding_box()
+        assert sliders and plots and stage
+        assert stage["y"] + stage["height"] <= min(box["y"] for box in sliders)
+        assert max(box["y"] for box in sliders) < min(box["y"] for box in plots)

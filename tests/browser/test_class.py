@@ -34,12 +34,12 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
     for i, phone in enumerate(phones):
         phone.locator(".answers button").nth(i).click()
         expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
-    expect(lecture.locator(".votes")).to_contain_text("2 of 2 answered")
+    expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
     assert lecture.locator(".vote-bar").count() == 0  # first the class sees that it answers, then what
     lecture.keyboard.press("PageDown")
     expect(lecture.locator(".vote-count")).to_have_text(["1", "1", "0", "0"])
-    lecture.get_by_role("button", name="Ask again").click()
-    expect(lecture.locator(".votes")).to_contain_text("0 of 2 answered")
+    lecture.get_by_role("button", name="Vote again").click()
+    expect(lecture.locator(".votes")).to_contain_text("0 of 2 have answered")
     for phone in phones:
         phone.wait_for_function("oscillations.asked.question.vote === 2 && oscillations.asked.card")
         phone.locator(".answers button").nth(1).click()
@@ -47,12 +47,12 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
     lecture.reload()
     lecture.wait_for_function(f"{CONNECTED} && {LED}")
     assert lecture.evaluate(f"{LED}.room.code") == code
-    expect(lecture.locator(".votes")).to_contain_text("2 of 2 answered")
+    expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
     lecture.keyboard.press("PageDown")
     lecture.keyboard.press("PageDown")
     for phone in phones:
         expect(phone.locator("h1")).to_have_text("Undamped motion never becomes steady")
-        expect(phone.locator(".answers button").nth(1)).to_contain_text("yours")
+        expect(phone.locator(".answers button").nth(1)).to_contain_text("your answer")
     screenshot(lecture, "class-votes")
     lecture.wait_for_function("oscillations.clock.playing")
     phones[0].wait_for_function("oscillations.clock.playing")
@@ -72,13 +72,13 @@ def test_of_how_many_is_told_anew_when_somebody_comes_or_goes(window: Open) -> N
     lecture, code = taught(window, "walk=d34&step=d34-12")
     votes = lecture.locator(".votes")
     phone = joined(window, code)
-    expect(votes).to_contain_text("0 of 1 answered")
+    expect(votes).to_contain_text("0 of 1 have answered")
     phone.locator(".answers button").first.click()
-    expect(votes).to_contain_text("1 of 1 answered")
+    expect(votes).to_contain_text("1 of 1 have answered")
     late = joined(window, code)
-    expect(votes).to_contain_text("1 of 2 answered")
+    expect(votes).to_contain_text("1 of 2 have answered")
     late.close()
-    expect(votes).to_contain_text("1 of 1 answered")
+    expect(votes).to_contain_text("1 of 1 have answered")
 
 
 def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) -> None:
@@ -86,12 +86,12 @@ def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) 
     phones = [joined(window, code) for _ in range(2)]
     draw(phones[0], lambda x: 0.2 + 0.6 * x)
     draw(phones[1], lambda x: 0.9 - 0.6 * x)
-    expect(lecture.locator(".votes")).to_contain_text("2 of 2 answered")
+    expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
     for phone in phones:  # half a sketch may have been sent before the whole
         expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
     lecture.keyboard.press("PageDown")
     expect(lecture.get_by_role("img", name="2 sketches of the class")).to_be_visible()
-    lecture.get_by_role("button", name="Middle half").click()
+    lecture.get_by_role("button", name="Middle 50 %").click()
     lecture.keyboard.press("PageDown")
     expect(lecture.get_by_role("button", name=re.compile("^The zero between them 0"))).to_be_visible()
     expect(phones[0].locator(".findings li")).to_have_count(5)
@@ -123,11 +123,22 @@ def test_a_remote_control_is_let_in_and_turns_the_pages(window: Open) -> None:
     expect(dialog).to_contain_text(asked)
     lecture.reload()
     expect(dialog).to_contain_text(asked)
-    lecture.get_by_role("button", name="Yes, let it in").click()
+    lecture.get_by_role("button", name="Yes, connect it").click()
     remote.get_by_role("button", name="Close").click()
     expect(lecture.get_by_role("dialog", name="Join the class")).to_have_count(0)
-    remote.get_by_role("button", name="Show").click()
+    remote.get_by_role("button", name="Show the answer").click()
     lecture.wait_for_function("oscillations.walks.walk.lesson")
     remote.get_by_role("button", name="Next").click()
     lecture.wait_for_function("oscillations.shown.state.step === 'd31/d31-02'")
     expect(remote.locator(".class-remote p")).to_contain_text("2 of 16")
+
+
+def test_a_phone_keeps_the_theme_that_it_was_given(window: Open) -> None:
+    _, code = taught(window, "scene=energy")
+    phone = joined(window, code)
+    theme = "document.documentElement.dataset.theme"
+    before = phone.evaluate(theme)
+    phone.locator("#theme").click()
+    phone.reload()
+    phone.wait_for_function(READY)
+    assert {before, phone.evaluate(theme)} == {"light", "dark"}

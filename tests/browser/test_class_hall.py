@@ -39,6 +39,7 @@ def test_a_step_is_seen_whole_beside_the_corner_of_a_class(server: Server, windo
         found += seen(lecture, HEIGHT, f"{step}, before")
         for i, token in enumerate(tokens):
             vote = {"walk": "d34", "step": step, **answer(i)}
+            call(server.url, f"/class/{code}/now", word=token)  # a phone that asks what is new is there
             assert call(server.url, f"/class/{code}/answer", "PUT", vote, token).status == 204
         shown(lecture)
         found += seen(lecture, HEIGHT, f"{step} with votes, before")
@@ -50,5 +51,5 @@ def test_a_step_is_seen_whole_beside_the_corner_of_a_class(server: Server, windo
 
 def shown(lecture: Page) -> None:
     lecture.keyboard.press("PageDown")
-    expect(lecture.locator(".votes")).to_contain_text(f"{MANY} answered")
-    expect(lecture.get_by_role("button", name="Ask again")).to_be_visible()
+    expect(lecture.locator(".votes")).to_contain_text(f"{MANY} have answered")
+    expect(lecture.get_by_role("button", name="Vote again")).to_be_visible()

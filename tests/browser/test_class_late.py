@@ -59,11 +59,11 @@ def test_a_class_is_opened_once_and_no_order_is_overtaken(failing: Open) -> None
     assert len(opened) == lecture.locator(".class-code").count() == 1
     losing(lecture, "/tally$")
     phone.locator(".answers button").nth(0).click()
-    expect(lecture.locator(".votes")).to_contain_text("1 of 1 answered")  # a count that is lost is taken anew
+    expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")  # a count that is lost is taken anew
     losing(lecture, "/tickets$")
     lecture.keyboard.press("j")
     lecture.get_by_role("button", name="Remote control").click()
-    expect(lecture.get_by_role("dialog")).to_contain_text("Nobody answers")
+    expect(lecture.get_by_role("dialog")).to_contain_text("The server does not answer")
 
 
 def test_a_phone_stands_what_is_late_and_what_fails(failing: Open) -> None:
@@ -97,7 +97,7 @@ def test_a_phone_stands_what_is_late_and_what_fails(failing: Open) -> None:
         nowhere.append(route)
         if len(nowhere) > 1:
             return route.continue_()
-        return route.fulfill(status=404, json={"sentence": "There is no class with this code now."})
+        return route.fulfill(status=404, json={"sentence": "No class has this code now."})
 
     phone.route(re.compile("/events"), once)
     phone.reload()  # while the store that replicas share is filled anew, no replica knows the room

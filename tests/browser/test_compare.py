@@ -27,7 +27,7 @@ def test_what_is_held_stays_until_it_is_released(page: Page, open_scene: Open) -
     page.keyboard.press("h")
     page.wait_for_function("oscillations.shown.state.held")
     type_in(page, "m", "4")
-    ledger = page.get_by_role("region", name="Held, and now")
+    ledger = page.get_by_role("region", name="Held and now")
     expect(ledger.get_by_role("row", name="m 1.00 → 4.00 kg × 4")).to_be_visible()
     expect(ledger.get_by_role("row", name="k 39.4 = 39.4 N/m same")).to_be_visible()
     assert page.evaluate(DRAWN, "x") == [301]
@@ -88,16 +88,20 @@ def test_what_the_next_change_shows_waits_for_a_prediction_in_its_place(page: Pa
     open_scene(page, scene="coupled")
     button = page.get_by_role("button", name="Predict")
     button.click()
-    page.get_by_role("menuitem", name="All that the next change changes").click()
+    page.get_by_role("menuitem", name="Everything that changes next").click()
     page.wait_for_function("oscillations.shown.state.covered.length === 1")
     places = page.evaluate(PLACES)
     type_in(page, "k2", "5")
     expect(page.locator(".cover:visible")).to_have_count(4)
     expect(page.locator("[data-value=omega_minus]:visible").first).to_contain_text("?")
     assert page.evaluate(PLACES) == places
-    expect(page.locator(".transport")).to_have_attribute("inert", "")
+    for part, heard in ((".play", False), (".seg", False), (".note", True)):
+        found = page.locator(f".transport {part}")
+        assert found.evaluate("part => !part.closest('[inert]')") is heard, f"{part}: the reason alone is heard"
     stood = page.evaluate(STOOD)
     page.evaluate("document.activeElement.blur()")
+    page.keyboard.press("Space")
+    assert not page.evaluate("oscillations.clock.playing")
     page.evaluate("oscillations.clock.seek(1); new Promise(done => requestAnimationFrame(() => setTimeout(done)))")
     assert page.evaluate(STOOD) == stood, "the stage stands at what it showed"
     page.keyboard.press("r")
@@ -108,6 +112,28 @@ def test_what_the_next_change_shows_waits_for_a_prediction_in_its_place(page: Pa
     expect(page.locator(".cover:visible")).to_have_count(1)
     page.get_by_label("Controls").get_by_role("button", name="Reveal").click()
     expect(page.locator(".cover:visible")).to_have_count(0)
+
+
+def test_arming_a_prediction_is_said_and_its_list_is_walked_by_keys(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    note = page.locator(".transport .note")
+    page.get_by_role("button", name="Predict").press("Enter")
+    items = page.get_by_role("menuitem")
+    expect(items.first).to_be_focused()
+    for key, place in (("ArrowDown", 1), ("ArrowUp", 0), ("ArrowUp", -1), ("ArrowDown", 0), ("End", -1), ("Home", 0)):
+        page.keyboard.press(key)
+        expect(items.nth(place)).to_be_focused()
+    page.keyboard.press("Enter")
+    expect(note).to_contain_text("The next change is covered until you press Reveal")
+    play = page.locator(".transport .play")
+    look = "one => Number(getComputedStyle(one).opacity)"
+    assert play.evaluate(look) == 1
+    type_in(page, "k2", "5")
+    expect(note).to_contain_text("Press Reveal to see it and to play")
+    assert play.evaluate(look) < 0.5, "what does nothing looks so"
+    page.keyboard.press("Escape")
+    page.get_by_label("Controls").get_by_role("button", name="Reveal").click()
+    expect(note).not_to_contain_text("Reveal")
 
 
 def test_what_is_offered_to_be_covered_can_be_and_what_it_begins_cannot_be_taken_in_hand(

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Browser, Page, Route, expect
 
 from tests.browser.fixtures import READY, another_version
 from tests.browser.waiting import unfold
@@ -51,7 +51,7 @@ def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server
     opened(page, server)
     page.context.set_offline(True)
     alert = page.get_by_role("alert").filter(has_text="Not connected.")
-    expect(alert).to_have_text("Not connected. What you see still plays; changes wait.")
+    expect(alert).to_have_text("Not connected. The picture still plays; your changes wait.")
     expect(page.get_by_role("navigation", name="Scenes")).to_be_hidden()
     page.locator("input[name=k2-slider]").fill("0.5")
     expect(page.get_by_text("1 change waits")).to_be_visible()
@@ -65,6 +65,29 @@ def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server
     expect(page.get_by_text("1 change waits")).to_be_hidden()
     expect(page.locator(".control.waits")).to_have_count(0)
     expect(page.get_by_role("navigation", name="Scenes")).to_be_visible()
+
+
+def test_a_page_that_comes_back_shows_its_token_and_its_ticket(page: Page, server: Server) -> None:
+    opened(page, server)
+    token = page.evaluate("oscillations.connection.token")
+    shown: list[tuple[str, str]] = []
+
+    def full_once(route: Route) -> None:
+        headers = route.request.headers
+        shown.append((headers["page-token"], headers["page-ticket"]))
+        if len(shown) == 1:
+            route.fulfill(status=503, headers={"Page-Ticket": "second"}, body="All places are taken")
+        else:
+            route.continue_()
+
+    page.route(server.url + "?*", full_once)
+    page.context.set_offline(True)
+    page.get_by_role("alert").filter(has_text="Not connected.").wait_for()
+    page.context.set_offline(False)
+    page.wait_for_function(SETTLED)
+    assert shown == [(token, ""), (token, "second")]
+    now = page.evaluate("(({token, ticket}) => ({token, ticket}))(oscillations.connection)")
+    assert now["ticket"] == "" and now["token"] != token
 
 
 def test_presets_undo_and_scenes_wait_too(page: Page, server: Server) -> None:
@@ -108,7 +131,7 @@ def test_a_proxy_that_refuses_sockets_is_named(page: Page, server: Server) -> No
     page.goto(server.url + LINK)
     page.wait_for_function(READY)
     alert = page.get_by_role("alert").filter(has_text="Not connected.")
-    expect(alert).to_contain_text("refuses WebSockets", timeout=30_000)
+    expect(alert).to_contain_text("blocks WebSockets", timeout=30_000)
 
 
 def test_a_message_is_numbered_once_and_the_newest_value_wins(page: Page, server: Server) -> None:

@@ -13,7 +13,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.fixtures import READY
 from tests.browser.waiting import UNFOLD
-from tests.serving.server import Server
+from tests.serving.server import Server, serving
 
 pytestmark = pytest.mark.browser
 
@@ -26,8 +26,15 @@ COURSE = """<!DOCTYPE html><title>A course</title><link rel="icon" href="data:,"
 }})</script>"""
 
 
+@pytest.fixture(scope="module")
+def framed(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    """A server whose pages anybody's frames may show."""
+    with serving(tmp_path_factory.mktemp("framed") / "log", environment={"FRAME_ANCESTORS": "*"}) as running:
+        yield running
+
+
 @pytest.fixture
-def course(browser: Browser, server: Server) -> Iterator[Callable[[int], Page]]:
+def course(browser: Browser, framed: Server) -> Iterator[Callable[[int], Page]]:
     """A page of another origin with the lecture in a frame of that width."""
 
     class Course(BaseHTTPRequestHandler):
@@ -36,7 +43,7 @@ def course(browser: Browser, server: Server) -> Iterator[Callable[[int], Page]]:
             self.send_header("Content-Type", "text/html")
             self.end_headers()
             width = urlsplit(self.path).query
-            self.wfile.write(COURSE.format(f"{server.url}?scene=coupled", width).encode())
+            self.wfile.write(COURSE.format(f"{framed.url}?scene=coupled", width).encode())
 
         def log_message(self, *_: object) -> None:
             """Nothing."""
@@ -74,7 +81,7 @@ def test_a_link_is_copied_in_a_frame_and_leads_into_a_tab(course: Callable[[int]
     frame = page.frames[1]
     frame.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
     frame.wait_for_function("oscillations.shown.state.parameters.k2 === 3")
-    frame.get_by_text("Take away").click()
+    frame.get_by_text("Save and share").click()
     frame.get_by_role("button", name="Copy link").click()
     expect(frame.get_by_role("button", name="Copied")).to_be_visible()
     page.get_by_label("Name").press("ControlOrMeta+v")

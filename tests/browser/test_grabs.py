@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
+from components.scenes import SCENES
 from components.scenes.coupled.starting import BY_MODES
-from tests.browser.touch import swipe
+from tests.browser.touch import Finger, Mouse, swipe
+from tests.browser.views import choices
 from tests.browser.waiting import passed
+from tests.scenes.checks import WHOLE
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -32,7 +37,8 @@ FLICKED = """async name => {
   hand.release(all)
   delete performance.now
 }"""
-NEAR = 2  # pixels: the rounding of places
+IDLE = "!oscillations.line.asked && !oscillations.line.outbox.length"
+NEAR = 1  # pixels
 
 
 def middle(of: Locator) -> tuple[float, float]:
@@ -46,64 +52,113 @@ def stopped(page: Page) -> None:
     passed(page)
 
 
-ACROSS, DOWN, BOTH = ((15, 0), (-12, 2)), ((0, 10), (2, -8)), ((10, 5), (-8, -6))
-WAYS = {"x": ACROSS, "y": DOWN, "xy": BOTH, "": ((5, 2), (9, 4))}
-"""Where a hand leads what it follows along x, along y, along both, or around."""
-KINDS: dict[str, tuple[tuple[str, str], ...]] = {
-    "oscillator": (
-        ("Mass", "y"),
-        ("Turning arrow", "xy"),
-        ("Point of the phase plane", "xy"),
-        ("Arrow at the start", "xy"),
-    ),
-    "energy": (("Mass", "y"), ("Ball", "x")),
-    "phugoid": (("Aircraft, height at the", "y"),),
-    "coupled": (
-        ("Mass 1", "x"),
-        ("Slow mode, start, by mass 1", "x"),
-        ("Fast mode, start, by mass 2", "x"),
-        ("Both masses", "xy"),
-    ),
-    "forced": (("Mass 2", "x"), ("Drive frequency, on the curve of mass 1", "x")),
-    "absorber": (("Absorber", "x"), ("Running speed, with the absorber", "x")),
-    "analogues": (("Bob", ""), ("Spring's mass", "y")),
-    "modes": (),
-}
-CHOSEN: dict[str, dict[tuple[str, str], tuple[str, str]]] = {
-    "phugoid": {("show", "limits"): ("Speed at the start", "x")},
-    "modes": {("task", "hunt"): ("Start of both masses", "xy")},
-    "analogues": {
-        ("system", "floating"): ("Floating body", "y"),
-        ("system", "string"): ("String", "y"),
-        ("system", "pipe"): ("Air", "x"),
-        ("system", "shaft"): ("Rotor", ""),
-        ("system", "circuit"): ("Charge", "y"),
-    },
-}
-"""What is there to grab once something else is shown."""
+ACROSS = ((15, 0), (-12, 2))
+SCREENS = {"desk": (1280, 720), "landscape": (568, 320), "wide": (500, 800), "phone": (390, 844), "small": (320, 640)}
+WAYS = ((9, 4), (-6, -7))
+"""Where a hand leads what it has taken, in pixels from where that was."""
+GRIPS = """() => oscillations.stages.flatMap(stage => [...(stage.grips?.grips.values() ?? [])])
+  .filter(({grip}) => !grip.hidden && grip.checkVisibility())
+  .map(({grip, grab}) => (grip.dataset.of = `${grab.label}: ${grab.ways.map(way => way.parameter)}`))"""
+PLACE = """grip => {
+  for (const {grips} of oscillations.stages) {
+    const found = [...(grips?.grips.values() ?? [])].find(one => one.grip === grip)
+    if (!found) continue
+    const {ways, begins} = found.grab
+    const value = number => typeof number === "number" ? number
+      : number.terms.reduce((sum, [size, names]) => names.reduce((part, name) => part * grips.all[name], size) + sum, 0)
+    const {left, top, width, height} = grip.getBoundingClientRect()
+    const own = grips.element.getBoundingClientRect()
+    const turn = ways.find(way => way.kind === "turn")
+    return {x: left + width / 2, y: top + height / 2, begins,
+      along: ways.map(way => way.across ?? (way.kind === "trade" ? "y" : "")).join(""),
+      about: turn && [own.left + value(turn.x), own.top + value(turn.y), turn.tall]}
+  }
+}"""
 
 
-@pytest.mark.parametrize("slug", KINDS)
-def test_the_handle_is_where_the_hand_is_though_answers_are_late(slug: str, page: Page, open_scene: Open) -> None:
-    open_scene(page, scene=slug)
-    page.evaluate(LATE)
-    for name, along in KINDS[slug]:
-        taken(page, name, along)
-    for choice, (name, along) in CHOSEN.get(slug, {}).items():
-        page.evaluate("([name, value]) => oscillations.send({type: 'choose', name, value})", choice)
-        page.wait_for_function("([name, value]) => oscillations.shown.settings[name].value === value", arg=choice)
-        taken(page, name, along)
+def new_grips(page: Page, slug: str) -> Iterator[Locator]:
+    """Every grip of a scene, each once, in the first of its views that has it; nothing plays."""
+    known: set[str] = set()
+    for view in (scene.off_default() for scene in choices(SCENES[slug])):
+        page.evaluate("([scene, parameters]) => oscillations.open({scene, parameters})", [slug, view])
+        page.wait_for_function(
+            "view => Object.entries(view).every(([name, value]) => oscillations.shown.settings[name].value === value)",
+            arg=view,
+        )
+        stopped(page)
+        for name in set(page.evaluate(GRIPS)) - known:
+            known.add(name)
+            yield page.locator(f'.grip[data-of="{name}"]').first
 
 
-def taken(page: Page, name: str, along: str) -> None:
-    """What begins a motion stops time, and plays it when it is let go."""
+HELD_IN = [slug for slug in SCENES if slug != "accuracy"]
+OTHERS = [screen for screen in SCREENS if screen != "phone"]
+TURNS = [*((slug, "phone") for slug in HELD_IN), *zip(HELD_IN[::2], OTHERS, strict=True)]
+"""Every scene on a phone, every second one on another screen too."""
+
+
+@pytest.mark.parametrize(("slug", "screen"), itertools.product(HELD_IN, SCREENS) if WHOLE else TURNS)
+def test_what_a_hand_has_taken_is_where_the_hand_is(
+    slug: str, screen: str, new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    """By mouse on a desk, though answers are late there; by finger on phones."""
+    desk = screen == "desk"
+    page = open_scene(
+        new_page(*SCREENS[screen], **({} if desk else {"has_touch": True, "is_mobile": True})), scene=slug
+    )
+    if desk:
+        page.evaluate(LATE)
+    hand = Mouse(page) if desk else Finger(page)
+    held = [taken(page, hand, grip) for grip in new_grips(page, slug)]
+    assert len(held) > 1
+
+
+def taken(page: Page, hand: Mouse | Finger, grip: Locator) -> None:
+    """A grip follows the hand along its ways; what begins a motion stops time, and plays it when it is let go."""
+    page.wait_for_function(IDLE)  # an answer may move lines
+    grip.evaluate("grip => grip.scrollIntoView({block: 'center'})")
     stopped(page)
-    grip = page.locator(f'.grip[aria-label^="{name}"]:not([hidden])').first
-    drag(page, grip, along, WAYS[along])
-    begins = "begins" in (grip.get_attribute("class") or "")
-    assert not begins or page.evaluate("[oscillations.clock.playing, oscillations.clock.t]") == [False, 0]
-    page.mouse.up()
-    page.wait_for_function(f"(oscillations.clock.playing || {str(not begins).lower()}) && !oscillations.page.hand.grab")
+    was = grip.evaluate(PLACE)
+    hand.down(was["x"], was["y"])
+    for dx, dy in WAYS:
+        hand.move(was["x"] + dx, was["y"] + dy)
+        passed(page, 1)
+        assert off(grip.evaluate(PLACE), was["x"] + dx, was["y"] + dy) < NEAR, grip.get_attribute("data-of")
+    assert not was["begins"] or page.evaluate("[oscillations.clock.playing, oscillations.clock.t]") == [False, 0]
+    hand.up()
+    page.wait_for_function(
+        f"(oscillations.clock.playing || {str(not was['begins']).lower()}) && !oscillations.page.hand.grab"
+    )
+
+
+@pytest.mark.parametrize("slug", ["oscillator", "coupled"])
+def test_on_a_narrow_screen_a_mouse_and_keys_move_what_they_have_taken(
+    slug: str, new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(390, 844), scene=slug)
+    grip = next(new_grips(page, slug))
+    taken(page, Mouse(page), grip)
+    page.wait_for_function(IDLE)
+    stopped(page)
+    was = grip.evaluate(PLACE)
+    key, axis = ("ArrowRight", "x") if "x" in was["along"] else ("ArrowUp", "y")
+    grip.press(key)
+    page.wait_for_function(f"oscillations.page.hand.grab && {IDLE}")
+    passed(page, 1)
+    way = grip.evaluate(PLACE)[axis] - was[axis]
+    assert 0 < (way if axis == "x" else -way) < 40, "a step, not a leap"
+    page.keyboard.press("Enter")
+    page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
+
+
+def off(at: dict[str, Any], x: float, y: float) -> float:
+    """How far what is held stands from the hand at (x, y), along its ways; of what turns about a point, beside the line
+    from there to the hand."""
+    if at["about"]:
+        cx, cy, tall = at["about"]
+        one, other = (at["x"] - cx, (at["y"] - cy) / tall), (x - cx, (y - cy) / tall)
+        return abs(one[0] * other[1] - one[1] * other[0]) / math.hypot(*other)
+    return max(abs(at[axis] - {"x": x, "y": y}[axis]) for axis in at["along"])
 
 
 def drag(page: Page, grip: Locator, along: str, ways: tuple[tuple[int, int], ...]) -> None:
@@ -264,6 +319,16 @@ def test_the_hint_stands_on_the_stage_until_something_is_grabbed(page: Page, ope
     expect(hint).to_have_count(0)
     open_scene(page, scene="coupled")
     expect(page.get_by_text("Drag what moves")).to_have_count(0)
+
+
+def test_the_hint_stands_in_one_place_whatever_the_window(new_page: Callable[..., Page], open_scene: Open) -> None:
+    page = open_scene(new_page(568, 320), scene="oscillator")
+    note, hint = page.locator(".transport .note"), page.locator(".block.stage > .hint")
+    expect(note).to_contain_text("Drag what moves")
+    expect(hint).to_be_hidden()
+    page.set_viewport_size({"width": 1280, "height": 720})
+    expect(hint).to_be_visible()
+    expect(note).not_to_contain_text("Drag what moves")
 
 
 def test_a_step_lets_the_hand_set_what_it_names_alone(page: Page, open_scene: Open) -> None:

@@ -117,7 +117,7 @@ def test_full_screen_comes_back_with_the_next_key(page: Page, open_scene: Callab
     page.wait_for_function(READY)
     if page.evaluate("Boolean(document.fullscreenElement)"):
         return  # this browser keeps it
-    expect(page.get_by_text("The next key brings back the full screen.")).to_be_visible()
+    expect(page.get_by_text("Press a key to go back to full screen.")).to_be_visible()
     page.keyboard.press("PageDown")
     page.wait_for_function("document.fullscreenElement")
     expect(page.locator(".offer")).to_have_count(0)

@@ -89,7 +89,7 @@ def test_a_clicker_leads_through_a_whole_walk(server: Server, page: Page) -> Non
         if place == 1:
             step_back_and_forth(page, place)
         page.keyboard.press("PageDown")
-    contents = page.get_by_role("dialog", name="Contents of the walks")
+    contents = page.get_by_role("dialog", name="Steps of this lecture")
     expect(contents).to_be_visible()
     page.keyboard.press("PageUp")
     expect(contents).to_be_hidden()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable
 
@@ -38,7 +39,7 @@ def test_a_change_is_told_in_one_sentence_of_the_scenes_values(page: Page, open_
     ]
     expect(heard).to_have_text("; ".join(told))
     page.evaluate("oscillations.send({type: 'set', values: {v1_0: 1}})")
-    expect(heard).to_have_text(re.compile(r"^Energy [\d.]+ J, was [\d.]+ J; slow mode, fast mode as before\.$"))
+    expect(heard).to_have_text(re.compile(r"^Energy [\d.]+ J, was [\d.]+ J; unchanged: slow mode, fast mode\.$"))
 
 
 def test_a_covered_number_is_not_told(page: Page, open_scene: Open) -> None:
@@ -49,7 +50,21 @@ def test_a_covered_number_is_not_told(page: Page, open_scene: Open) -> None:
     page.evaluate("oscillations.send({type: 'set', values: {k1: 9}})")
     expect(page.locator(".page > [role=status]")).to_have_text(re.compile("^Fast mode .*"))
     assert "slow" not in (page.locator(".page > [role=status]").text_content() or "").lower()
-    assert described(page, "x2").endswith("Covered, until it is revealed.")
+    assert described(page, "x2").endswith("Covered until you press Reveal.")
+
+
+def test_a_turning_point_is_told_where_the_motion_turns(page: Page, open_scene: Open) -> None:
+    """Not where the nearest point is drawn."""
+    open_scene(page, scene="oscillator")
+    scene = SCENES["oscillator"]()
+    omega_n = math.sqrt(scene.k / scene.m)
+    lowest = (math.pi + math.atan2(scene.v_0 / omega_n, scene.x_0)) / omega_n
+    found = re.search(r"lowest (\S+) m at (\S+) s, highest", described(page, "x"))
+    assert found
+    assert [float(part.replace("−", "-")) for part in found.groups()] == [
+        float(f"{-math.hypot(scene.x_0, scene.v_0 / omega_n):.3g}"),
+        float(f"{lowest:.3g}"),
+    ]
 
 
 @pytest.mark.parametrize("k2", [2.0, 7.0])
@@ -65,7 +80,7 @@ def test_a_plot_is_described_by_its_own_numbers(page: Page, open_scene: Open, k2
     true = [x[0], x[-1], x.min(), x.max()]
     assert np.allclose([*numbers[:3], numbers[4]], true, rtol=5e-3, atol=2e-3), (text, true)
     assert np.allclose(np.interp([numbers[3], numbers[5]], time["t"], x), [x.min(), x.max()], atol=0.02), text
-    assert f"Across 0 s to {short(scene.shown.axes['t'].end)} s" in text
+    assert f"Horizontal axis 0 s to {short(scene.shown.axes['t'].end)} s" in text
     layers = described(page, "energy")
     assert (
         f"T2: between 0 J and {three(float(np.ptp(np.vstack([time['e4'] - time['e3'], 0 * time['t']]).max(0))))[:3]}"
@@ -75,11 +90,12 @@ def test_a_plot_is_described_by_its_own_numbers(page: Page, open_scene: Open, k2
 
 def test_what_leaves_the_frame_is_said_to(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="absorber")
-    assert "highest beyond the frame" in described(page, "stroke")
+    assert "highest outside the frame" in described(page, "stroke")
 
 
 def test_the_figure_has_the_description_as_its_own(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="oscillator")
     described(page, "x")
     figures = page.get_by_role("img", name="Displacement against time")
-    expect(figures).to_have_accessible_description(re.compile(r"^Displacement against time\. Across 0 s to 2 s"))
+    told = re.compile(r"^Displacement against time\. Horizontal axis 0 s to 2 s")
+    expect(figures).to_have_accessible_description(told)

@@ -67,6 +67,24 @@ def test_keys_of_a_scene(page: Page, open_scene: Callable[..., Page]) -> None:
         expect(page.locator(".blank")).to_have_count(count)
 
 
+@pytest.mark.parametrize(
+    ("name", "text", "value"),
+    [("k2", "2.5", 2.5), ("k2", ".5", 0.5), ("k2", "0.3", 0.3), ("x1_0", "-1", -1), ("x1_0", "-0,4", -0.4)],
+)
+def test_a_number_typed_on_a_slider_goes_to_its_field(
+    name: str, text: str, value: float, page: Page, open_scene: Callable[..., Page]
+) -> None:
+    open_scene(page, scene="coupled")
+    before = page.evaluate("oscillations.shown.settings.m1.value")
+    page.locator(f"input[name={name}-slider]").focus()
+    page.keyboard.type(text)
+    assert page.locator(".blank").count() == 0
+    expect(page.locator(f".panel input[name={name}]")).to_have_value(text)
+    page.keyboard.press("Enter")
+    page.wait_for_function("([name, value]) => oscillations.shown.settings[name].value === value", arg=[name, value])
+    assert page.evaluate("oscillations.shown.settings.m1.value") == before
+
+
 def test_none_acts_while_something_is_typed(page: Page, open_scene: Callable[..., Page]) -> None:
     open_scene(page, scene="coupled")
     state = page.evaluate("[oscillations.clock.playing, oscillations.shown.preset]")
@@ -89,17 +107,36 @@ def test_the_list_names_each_key_and_single_letters_can_be_switched_off(
     before = playing(page)
     keys.get_by_role("button", name="Play or pause").click()
     assert playing(page) is not before
-    keys.get_by_label("Keys of a single letter act").uncheck()
+    keys.get_by_label("Single-letter shortcuts on").uncheck()
     keys.get_by_role("button", name="Close", exact=True).click()
     page.keyboard.press("b")
     assert page.locator(".blank").count() == 0
     page.keyboard.press("?")
     expect(keys).to_be_visible()
-    keys.get_by_label("Keys of a single letter act").check()
+    keys.get_by_label("Single-letter shortcuts on").check()
     page.keyboard.press("Escape")
     expect(keys).to_have_count(0)
     page.keyboard.press("b")
     expect(page.locator(".blank")).to_be_visible()
+
+
+def test_lists_open_at_their_beginning_with_the_way_out_in_sight(
+    new_page: Callable[..., Page], open_scene: Callable[..., Page]
+) -> None:
+    page = open_scene(new_page(844, 390), walk="d31", step=3)
+    page.wait_for_function(CARD)
+    for name, button in (("Keys", "Keys"), ("Steps of this lecture", "Contents")):
+        page.get_by_role("button", name=button, exact=True).click()
+        opened = page.get_by_role("dialog", name=name)
+        close = opened.get_by_role("button", name="Close", exact=True)
+        expect(close).to_be_focused()
+        expect(close).to_be_in_viewport(ratio=1)
+        assert opened.evaluate("list => [list.scrollTop, list.scrollHeight > list.clientHeight]") == [0, True]
+        opened.evaluate("list => list.scrollTo(0, 1000)")
+        if button == "Contents":  # what covers the page is left from anywhere
+            expect(close).to_be_in_viewport(ratio=1)
+        close.click()
+        expect(opened).to_be_hidden()
 
 
 def test_the_full_screen_stays_when_the_scene_changes(page: Page, open_scene: Callable[..., Page]) -> None:

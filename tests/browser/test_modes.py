@@ -25,10 +25,10 @@ def test_guess_with_the_knobs_and_the_flags(page: Page, open_scene: Open, screen
     page.get_by_role("slider", name="Trial shape X2/X1", exact=True).press("ArrowUp")
     page.wait_for_function("oscillations.shown.settings.ratio.value > -0.8")
     page.get_by_role("button", name="Go to the fast mode").click()
-    expect(page.get_by_text("One and the same equation: the fast mode.")).to_be_visible()
-    page.get_by_role("button", name="As mass 1 wants").click()
+    expect(page.get_by_text("Both equations agree: the fast mode.")).to_be_visible()
+    page.get_by_role("button", name="Use equation 1").click()
     page.wait_for_function("oscillations.shown.settings.ratio.value === -1")
-    expect(page.get_by_text("nothing: a mode")).to_be_visible()
+    expect(page.get_by_text("no extra force: a mode")).to_be_visible()
     page.wait_for_url(re.compile("omega=2"))
 
 

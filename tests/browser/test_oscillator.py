@@ -77,7 +77,7 @@ def test_gravity_and_datum(page: Page, open_scene: Open) -> None:
     page.get_by_role("button", name="Moon", exact=True).click()
     expect(page.locator("input[name=g]")).to_have_value("1.62")
     expect(page.locator("[data-value=omega]").first).to_have_text(omega)
-    told = page.get_by_text("a constant more, and the same motion")
+    told = page.get_by_text("a constant more; the motion does not change")
     expect(told).to_be_hidden()
     page.get_by_role("button", name="Spring + gravity").click()
     expect(told).to_be_visible()
@@ -129,7 +129,7 @@ def test_the_planet_in_force_is_pressed(page: Page, open_scene: Open) -> None:
     [
         ("oscillator", "v", r"^v −?\d[\d.]* m/s$"),
         ("energy", "well", r"^V \d[\d.]* J$"),
-        ("analogues", "late", r"^late by \d[\d.]* %$"),
+        ("analogues", "late", r"^longer by \d[\d.]* %$"),
         ("phugoid", "period", r"^τ \d[\d.]* s$"),
     ],
 )

@@ -17,6 +17,7 @@ from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
 
 pytestmark = pytest.mark.browser
+COVERED = {"plot:x2", "value:omega_minus", "form:beat"}
 MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 DRAWN = """(() => {
   const {x, y} = oscillations.plots.find(({block}) => block.name === "x1")
@@ -36,7 +37,7 @@ def chosen(page: Page, name: str, content: bytes) -> None:
     """The file, chosen from the menu."""
     page.locator(".walks summary").click()
     with page.expect_file_chooser() as chooser:
-        page.get_by_role("button", name="A walk from a file").click()
+        page.get_by_role("button", name="Open my own walk").click()
     chooser.value.set_files(FilePayload(name=name, mimeType="text/plain", buffer=content))
 
 
@@ -47,10 +48,13 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
         ("big.toml", b"#" * 48_001, "big.toml: the file has 48001 bytes; 48000 are the most."),
         ("latin.toml", b'title = "\xe9"', "latin.toml: this is no UTF-8 text."),
         ("My notes.toml", b"hello", "My notes.toml: my-notes: this is not TOML"),
-        ("cover.toml", MINE.encode() + b'cover = ["plot:z"]', "step 1 (one), cover: “plot:z” is nothing that"),
+        ("cover.toml", MINE.encode() + b'cover = ["plot:z"]', "step 1 (one), cover: “plot:z” cannot be covered"),
     ):
         chosen(page, name, content)
         expect(notice).to_contain_text(said)
+    chosen(page, "here.toml", MINE.replace("d31-03", "d31-07").encode())  # a step of the scene that is shown
+    page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'here' && {READY}")
+    expect(page.locator(".notice")).to_be_hidden()
     drop(page, "My walk.toml", f"{MINE}#".ljust(48_000, "x"))  # as large as may be
     page.wait_for_function(f"oscillations.walks.walk?.sheet.name === 'my-walk' && {READY}")
     expect(page.locator(".card .asks")).to_contain_text("How long does one swing take?")
@@ -61,11 +65,36 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
     page.keyboard.press("1")
     page.keyboard.press("PageDown")
     expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
+    page.reload()  # what has been answered is not asked again
+    page.wait_for_function("oscillations.walks.walk?.lesson")
+    expect(page.locator(".answers button").first).to_contain_text("your answer")
+    expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
+    page.get_by_role("button", name="Answer again").click()
+    page.wait_for_function("oscillations.shown.state.covered.length && !oscillations.walks.walk.lesson")
+    page.reload()
+    page.wait_for_function(f"oscillations.walks.walk?.card && {READY}")
+    assert page.evaluate("oscillations.walks.walk.lesson === null && !oscillations.walks.walk.card.question.given()")
+
+
+def test_an_answer_goes_to_the_file_that_it_is_of(page: Page, open_scene: Callable[..., Page]) -> None:
+    """A file that is no message is answered with a picture; the one after it is read."""
+    open_scene(page, scene="energy")
+    both = """mine => Promise.all([
+      oscillations.walks.check("big", "#".repeat(49_000)),
+      oscillations.walks.check("mine", mine),
+      oscillations.walks.check("d31", mine),
+    ])"""
+    assert page.evaluate(both, MINE) == [
+        "the server could not read this file. Nothing has changed.",
+        "",
+        "there is a walk “d31” here already: give the file another name.",
+    ]
+    assert page.evaluate("[...oscillations.walks.own.keys()]") == ["mine"]
 
 
 def asked(page: Page, question: str, kind: str, **fields: str) -> None:
     """A step, asked of what is shown."""
-    dialog = page.get_by_role("dialog", name="Ask")
+    dialog = page.get_by_role("dialog", name="Write a question")
     dialog.locator("[name=question]").fill(question)
     dialog.locator("[name=kind]").select_option(kind)
     for name, value in {**fields, "title": "A claim", "explain": 'What it "means".'}.items():
@@ -74,21 +103,24 @@ def asked(page: Page, question: str, kind: str, **fields: str) -> None:
             field.select_option(value)
         else:
             field.fill(value)
-    dialog.get_by_role("button", name="Add this step").click()
+    dialog.get_by_role("button", name="Add this question").click()
 
 
 def ask_each_kind(page: Page) -> Locator:
     """A step of each kind; the dialog in which they were asked."""
     page.locator(".walks summary").click()
-    page.get_by_role("button", name="Ask about what is shown").click()
-    dialog = page.get_by_role("dialog", name="Ask")
-    dialog.get_by_label("Displacement of mass 2 against time").check()
+    page.get_by_role("button", name="Write a question on this picture").click()
+    dialog = page.get_by_role("dialog", name="Write a question")
+    for part in ("Displacement of mass 2 against time", "Number: slow mode", "Text: No beat"):
+        dialog.get_by_label(part).check()
     choice = {"text-1": "Both", "text-2": "Neither"}
     asked(page, "Which one swings?", "choice", **choice)
-    expect(dialog.locator(".problem")).to_contain_text("a wrong answer has a sentence of its own")
+    expect(dialog.locator(".problem")).to_contain_text("a wrong answer needs a reply")
     asked(page, "Which one swings?", "choice", **choice, **{"reply-2": "It is right at rest."})
     expect(dialog.locator("li")).to_have_count(1)
-    asked(page, "How long does a beat take?", "number", **{"is": "2,5", "unit": "s", "tol": "0.1"})
+    asked(page, "How long does a beat take?", "number", **{"is": "soon", "unit": "s", "tol": "0.1"})
+    expect(dialog.locator(".problem")).to_contain_text("answer: “soon” is not a number")
+    asked(page, "How long is {beat:null}?", "number", **{"is": "2500 ms", "unit": "s", "tol": "0,1"})
     expect(dialog.locator("li")).to_have_count(2)
     asked(page, "Sketch mass 1.", "sketch", curve="x1.x1")
     expect(dialog.locator("li")).to_have_count(3)
@@ -100,17 +132,19 @@ def ask_each_kind(page: Page) -> Locator:
 def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
     page: Page, open_scene: Callable[..., Page], tmp_path: Path
 ) -> None:
-    open_scene(page, scene="coupled", k2=3)
+    shown = {"hidden": "x1_slow", "frame.window": 40, "held.k2": 20}
+    open_scene(page, scene="coupled", k2=3, cover="value:omega_plus", **shown)
     drawn = page.evaluate(DRAWN)
     dialog = ask_each_kind(page)
     with page.expect_download() as download:
-        dialog.get_by_role("button", name="Download the walk").click()
+        dialog.get_by_role("button", name="Save the walk as a file").click()
     file = tmp_path / download.value.suggested_filename
     download.value.save_as(file)
     walk = load_walk(file, {})
     assert not list(problems(walk, SCENES))
-    assert [step.cover for step in walk.steps] == [("plot:x2",), (), ("plot:x1",), ()]
-    assert walk.steps[0].state == "?scene=coupled&k2=3"
+    covers = [COVERED, set(), {"plot:x1"}, set()]
+    assert [{*step.cover} for step in walk.steps] == [{"value:omega_plus"} | more for more in covers]
+    assert walk.steps[0].state == "?scene=coupled&hidden=x1_slow&k2=3&frame.window=40&held.k2=20"
     assert isinstance(walk.steps[3], PointStep) and walk.steps[3].answer.unit == "m"
     dialog.get_by_role("button", name="Close").click()
     drop(page, file.name, file.read_text(encoding="utf-8"))
@@ -118,6 +152,10 @@ def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
         page.wait_for_function(f"place => oscillations.walks.walk?.place === place && {READY}", arg=place)
         page.wait_for_function("oscillations.walks.walk.card?.page === oscillations.page")
         expect(page.locator(".card .asks")).to_have_text(walk.steps[place].question)
+        hidden, held, window = page.evaluate(
+            "[({hidden, held, frame: {window}}) => [hidden, held, window]][0](oscillations.shown.state)"
+        )
+        assert (hidden, held, window) == (["x1_slow"], {"k2": 20}, 40)
         answer(page)
         page.keyboard.press("PageDown")
         page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")

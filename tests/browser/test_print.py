@@ -30,3 +30,20 @@ def test_a_scene_is_one_sheet_in_ink(new_page: Callable[..., Page], open_scene: 
     expect(page.locator(".nav")).to_be_hidden()
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     expect(sheet).to_have_count(0)
+
+
+def test_the_absorber_s_sheet_says_its_machine_and_has_each_plot_once_and_wide(
+    page: Page, open_scene: Callable[..., Page]
+) -> None:
+    open_scene(page, scene="absorber")
+    page.wait_for_function("oscillations.page.print && oscillations.plots.filter(({box}) => box).length === 2")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    sheet = page.locator(".printed")
+    for told in ("m₁ = 100 kg", "k₁ = 250 kN/m", "F₀ = 500 N", "ω = 48.0 rad/s", "m₂ = 16.0 kg"):
+        expect(sheet.locator("> p").first).to_contain_text(told)
+    resonances = sheet.locator(".printed-pictures text").filter(has_text="ω₊")
+    expect(resonances).to_have_count(1)
+    share = "one => one.closest('div').clientWidth / one.closest('.printed').clientWidth"
+    assert resonances.evaluate(share) == pytest.approx(1, abs=0.01)
+    page.evaluate("dispatchEvent(new Event('afterprint'))")

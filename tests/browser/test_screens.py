@@ -81,3 +81,19 @@ def test_a_finger_hits_what_it_aims_at(
     passed(finger)
     assert small_targets(finger, 44) == []
     assert small_targets(open_scene(new_page(1280, 590), scene=slug), 24) == []
+
+
+@pytest.mark.parametrize(("size", "text"), [((844, 390), "100%"), ((1280, 720), "200%")])
+def test_in_a_low_window_the_bar_goes_under_the_stage(
+    size: tuple[int, int], text: str, new_page: Callable[..., Page], open_scene: Callable[..., Page]
+) -> None:
+    page = open_scene(new_page(*size), scene="oscillator")
+    page.evaluate("size => { document.documentElement.style.fontSize = size }", text)
+    passed(page)
+    page.evaluate("scrollBy(0, document.querySelector('.transport').getBoundingClientRect().top - 60)")
+    passed(page)
+    assert page.evaluate("""() => {
+      const {x, y, width, height} = document.querySelector(".transport .play").getBoundingClientRect()
+      const [over] = document.elementsFromPoint(x + width / 2, y + height / 2)
+      return Boolean(over.closest(".block.stage")) && scrollY > 0
+    }""")

@@ -24,8 +24,10 @@ pytestmark = pytest.mark.browser
 
 def test_csv_comes_as_a_file_whose_link_leads_back(page: Page, open_scene: Callable[..., Page]) -> None:
     open_scene(page, scene="coupled", k2=3)
+    csv = page.get_by_role("button", name="CSV")
+    expect(csv).to_have_accessible_description(re.compile("several tables come in one ZIP file"))
     with page.expect_download() as waiting:
-        page.get_by_role("button", name="CSV").click()
+        csv.click()
     assert waiting.value.suggested_filename == "coupled.zip"
     with zipfile.ZipFile(Path(waiting.value.path())) as packed:
         content = packed.read("coupled-time.csv")
@@ -97,6 +99,32 @@ def test_a_picture_has_the_curve_of_the_plot_on_any_screen(
     assert "= 0.333" not in "".join(picture.itertext()) and "m₁ = 2.00 kg" in "".join(picture.itertext())
 
 
+@pytest.mark.parametrize(
+    ("link", "plot", "ends"),
+    [
+        ({"scene": "oscillator", "view": "motion"}, "Phase plane", (" m", " m/s")),
+        ({"scene": "oscillator", "view": "force"}, "The law", (" m", " m/s²")),
+        ({"scene": "coupled"}, "Displacement of mass 2 against that of mass 1", (" m", " m")),
+    ],
+)
+def test_a_picture_has_the_numbers_and_units_that_on_the_page_stand_beside_another(
+    link: dict[str, str], plot: str, ends: tuple[str, str], page: Page, open_scene: Callable[..., Page]
+) -> None:
+    open_scene(page, **link)
+    page.get_by_role("button", name="Pictures").click()
+    page.get_by_role("dialog").get_by_role("button", name=plot).click()
+    picture = ElementTree.fromstring(drawn(page))
+    numbers = [
+        ("".join(part.itertext()), part.get("text-anchor"))
+        for part in picture.iter(f"{SVG}text")
+        if re.match(r"[−\d][\d.]*( m(/s²?)?)?$", "".join(part.itertext()))
+    ]
+    for anchor, unit in zip(("middle", "end"), ends, strict=True):
+        along = [text for text, stands in numbers if stands == anchor]
+        assert len(along) >= 3 and along[-1].endswith(unit), numbers
+        assert all(text.replace("−", "-").removesuffix(unit).strip("-.0123456789") == "" for text in along)
+
+
 def test_a_picture_has_what_is_held(page: Page, open_scene: Callable[..., Page]) -> None:
     for slug, values, plot, held in (
         ("oscillator", {"m": 4, "view": "force"}, "Displacement against time", "m = 1.00 kg"),
@@ -124,7 +152,7 @@ def test_a_png_is_twice_the_size_and_a_press_on_a_plot_takes_that_plot(
     open_scene(page, scene="forced")
     plot = page.locator(".block.plot", has=page.locator(".figure")).nth(1)
     plot.hover()
-    plot.get_by_role("button", name="Picture, table").click()
+    plot.get_by_role("button", name="Save the picture, or read its table").click()
     image = page.get_by_role("dialog").locator("img")
     width = image.evaluate("image => image.naturalWidth")
     download = saved(page, "PNG")

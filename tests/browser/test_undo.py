@@ -79,7 +79,8 @@ def test_a_field_that_is_typed_in_undoes_its_own_text(page: Page, open_scene: Op
     field.focus()
     page.keyboard.type("5")
     page.keyboard.press("Control+z")
-    assert page.evaluate("oscillations.line.number") == 1
+    page.wait_for_function("!oscillations.line.asked && !oscillations.page.compare.deed")
+    assert page.evaluate("(({past, future}) => [past.length, future.length])(oscillations.undo.story)") == [1, 0]
     expect(field).to_have_value("2.00")
 
 

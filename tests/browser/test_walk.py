@@ -31,7 +31,7 @@ def walk(server: Server, new_page: Callable[..., Page]) -> Callable[..., Page]:
 
 
 def show(page: Page) -> None:
-    page.get_by_role("button", name="Show", exact=True).click()
+    page.get_by_role("button", name="Show the answer", exact=True).click()
     page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
 
 
@@ -42,16 +42,18 @@ def arrived(page: Page, step: str) -> None:
 
 def test_a_choice_is_asked_answered_and_explained(walk: Callable[..., Page]) -> None:
     page = walk("d31-03")
-    expect(page.locator("h1")).to_contain_text("Hidden until Show")
+    expect(page.locator("h1")).to_contain_text("Title hidden until you press Show the answer")
     expect(page.locator(".card .asks")).to_have_text("How long does one swing take?")
     assert page.evaluate("[oscillations.clock.playing, oscillations.clock.t]") == [False, 0]
     expect(page.locator(".transport")).to_have_attribute("inert", "")
     assert page.locator(".panel [name=k]").is_hidden()
-    page.get_by_role("button", name="Show", exact=True).click()  # without an answer nothing is shown
+    page.get_by_role("button", name="Show the answer", exact=True).click()
+    expect(page.locator(".card .problem")).to_have_text("Answer first: a guess is fine.")
     page.get_by_role("button", name=re.compile("Longer: the way is longer")).click()
+    expect(page.locator(".card .problem")).to_have_text("")
     show(page)
     expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
-    expect(page.locator(".answers button").nth(1)).to_contain_text("It would be right at the same speed")
+    expect(page.locator(".answers button").nth(1)).to_contain_text("That would be right at the same speed")
     expect(page.locator(".card .why")).to_contain_text("the same 1.00 s")
     assert page.locator(".card input[name=x_0]").input_value() == "0.200"
     assert page.locator(".panel [name=k]").is_hidden()
@@ -89,12 +91,12 @@ def test_answers_stay_in_the_browser(walk: Callable[..., Page], init: str) -> No
     page.get_by_role("button", name="Contents", exact=True).first.click()
     row = page.locator(".contents li").nth(1)
     expect(row).to_contain_text("Four times the mass, twice the period")
-    expect(row).to_contain_text("you: 2 s")
+    expect(row).to_contain_text("your answer: 2 s")
     with page.expect_download() as download:
-        page.get_by_role("button", name="Export as text").click()
+        page.get_by_role("button", name="Save as text").click()
     text = download.value.path().read_text(encoding="utf-8")
-    assert "You: 2 s, right" in text and "How long does one swing take now?" in text
-    page.get_by_role("button", name="Clear the answers").click()
+    assert "Your answer: 2 s, right" in text and "How long does one swing take now?" in text
+    page.get_by_role("button", name="Delete my answers").click()
     expect(row).not_to_contain_text("you:")
     page.locator(".contents li").nth(2).get_by_role("button").click()
     arrived(page, "d31-03")
@@ -163,11 +165,14 @@ def test_a_sketch_is_judged_by_its_features(walk: Callable[..., Page]) -> None:
     rows = page.locator(".findings li")
     expect(rows).to_have_count(5)
     assert [row.get_attribute("aria-label") for row in page.locator(".findings .judged").all()] == [
-        "right", "right", "not this", "right", "right"
+        "right", "right", "wrong", "right", "right"
     ]  # fmt: skip
     expect(rows.nth(2)).to_contain_text("missed")
     expect(page.locator(".card .reply")).to_contain_text("with friction")
     expect(page.locator(".strokes .judged")).to_have_count(5)
+    page.reload()  # what has been drawn is not asked again
+    expect(rows).to_have_count(5)
+    expect(rows.nth(2)).to_contain_text("missed")
     page.get_by_role("button", name="Draw again").click()
     page.wait_for_function("oscillations.shown.state.covered.length")
     expect(page.locator(".strokes .old")).to_have_count(1)
@@ -263,3 +268,33 @@ def test_no_heading_says_what_is_asked(walk: Callable[..., Page], step: str, tol
     page.evaluate("oscillations.walks.walk.show(true)")
     page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
     assert told in page.locator(".paper").inner_text()
+
+
+def test_the_first_visit_is_offered_the_tour_and_told_of_the_lectures(
+    page: Page, open_scene: Callable[..., Page]
+) -> None:
+    open_scene(page, scene="coupled")
+    offer = page.get_by_role("link", name="New here? Ten-minute tour")
+    expect(offer).to_be_visible()
+    page.locator(".walks summary").click()
+    expect(page.locator(".walks p")).to_contain_text("D31 and D34 are two lectures of the MIT course 16.07, Dynamics")
+    page.keyboard.press("p")
+    expect(offer).to_be_hidden()
+    page.keyboard.press("p")
+    offer.click()
+    page.wait_for_function("oscillations.walks.walk?.step?.id === 'tour-01'")
+    expect(offer).to_be_hidden()
+    open_scene(page, scene="coupled")
+    expect(offer).to_be_hidden()
+
+
+def test_a_covered_curve_has_no_dot_where_it_begins(walk: Callable[..., Page]) -> None:
+    """Its motion stands on the stage still."""
+    page = walk("d31-09")
+    plot = "oscillations.page.plots.find(plot => plot.block.name === 'energy')"
+    energies = f"{plot}.dots.filter(one => 'TV'.includes(one.curve.y))"
+    shown = f"{energies}.map(({{dot}}) => dot.style.display !== 'none')"
+    assert page.evaluate(shown) == [False, False]
+    page.evaluate("oscillations.change(() => ({covered: []}))")
+    page.wait_for_function("!oscillations.shown.state.covered.length")
+    page.wait_for_function(f"{shown}.every(Boolean)")

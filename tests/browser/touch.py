@@ -11,3 +11,39 @@ def swipe(page: Page, start: tuple[float, float], way: tuple[int, int], end: str
     for kind, share in (("touchStart", 0.0), ("touchMove", 0.5), ("touchMove", 1.0), (end, None)):
         points = [] if share is None else [{"x": start[0] + share * way[0], "y": start[1] + share * way[1]}]
         browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+
+class Finger:
+    """One finger, moved by hand."""
+
+    def __init__(self, page: Page) -> None:
+        self.browser = page.context.new_cdp_session(page)
+
+    def _send(self, kind: str, *points: dict[str, float]) -> None:
+        self.browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+
+    def down(self, x: float, y: float) -> None:
+        self._send("touchStart", {"x": x, "y": y})
+
+    def move(self, x: float, y: float) -> None:
+        self._send("touchMove", {"x": x, "y": y})
+
+    def up(self) -> None:
+        self._send("touchEnd")
+
+
+class Mouse:
+    """A mouse with its button, as a `Finger` is moved."""
+
+    def __init__(self, page: Page) -> None:
+        self.mouse = page.mouse
+
+    def down(self, x: float, y: float) -> None:
+        self.mouse.move(x, y)
+        self.mouse.down()
+
+    def move(self, x: float, y: float) -> None:
+        self.mouse.move(x, y)
+
+    def up(self) -> None:
+        self.mouse.up()

@@ -137,7 +137,7 @@ def test_a_session_keeps_its_frame_until_it_must_grow() -> None:
 @pytest.mark.parametrize(
     ("frame", "says"),
     [
-        ({"ranges": {"x": [1.0, 1.0]}}, "it must have a size"),
+        ({"ranges": {"x": [1.0, 1.0]}}, "its ends must differ"),
         ({"window": 0.0}, "window of a frame"),
         ({"speed": -1.0}, "speed of a frame"),
         ({"scale": 0.0}, "scale of a frame"),

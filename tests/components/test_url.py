@@ -73,7 +73,7 @@ def test_link_carries_what_is_covered_and_what_of_the_frame_is_not_fitted() -> N
         SCENES,
     )
     assert link.covered == ("plot:x2", "value:tau")
-    assert link.frame == Frame(ranges={"x": (-2.0, 2.5), "t": (1e-3, 0.0)}, window=12.0, speed=0.5)
+    assert link.frame == Frame(ranges={"x": (-2.0, 2.5), "t": (1e-3, 0.0)}, window=12.0, speed=0.5, given=True)
     assert link.problems == []
 
 
@@ -81,10 +81,10 @@ def test_bad_parts_of_a_frame_are_named_and_good_ones_kept() -> None:
     link = read_query(
         query("frame.x=1&frame.y=1,1&frame.z=a,2&frame.u=1e400,2&frame.window=-3&frame.scale=big&frame.v=3,4"), SCENES
     )
-    assert link.frame == Frame(ranges={"v": (3.0, 4.0)})
+    assert link.frame == Frame(ranges={"v": (3.0, 4.0)}, given=True)
     assert link.problems == [
         "frame.x: “1” is not a range: give two numbers, such as -1,1.",
-        "frame.y: The range of “y” is from 1.0 to 1.0: it must have a size.",
+        "frame.y: The range of “y” is from 1.0 to 1.0: its ends must differ.",
         "frame.z: “a” is not a number: type one such as 2.5 or 1e-3.",
         "frame.u: 1e400 is too large: the largest number that can be held is about 1.8e308.",
         "frame.window: The window of a frame is -3.0: it must be above 0.",

@@ -12,11 +12,15 @@ from pathlib import Path
 from tests.serving.server import ROOT, Server, free_port, serving
 
 SECRET = "a secret of more than thirty-two letters"
+COOKIE_SECRET = "another of more than thirty-two letters"
 COPIED = ("app.py", "components", "physics", "static")
 
 
 class Site:
     """The lecture at `url`; its replicas end and start one by one."""
+
+    front: Server
+    """The proxy."""
 
     def __init__(self, folder: Path, replicas: int, more: Mapping[str, str]) -> None:
         self.folder = folder
@@ -64,10 +68,16 @@ class Site:
         """The variables of the Caddyfile."""
         return {
             "SITE": f"http://127.0.0.1:{self.port}",
+            "COOKIE_SECRET": COOKIE_SECRET,
             "UPSTREAMS": " ".join(f"127.0.0.1:{port}" for port in self.ports),
             "XDG_DATA_HOME": str(self.folder),
             "XDG_CONFIG_HOME": str(self.folder),
         }
+
+
+def caddy() -> str:
+    """The proxy's program, of the package for tests."""
+    return str(Path(sys.executable).with_name("caddy"))
 
 
 @contextmanager
@@ -75,7 +85,7 @@ def deployed(folder: Path, codes: Sequence[Path] = (ROOT, ROOT), **more: str) ->
     """A site that serves, each replica the code of a folder; `more` are settings of all of them."""
     site = Site(folder, len(codes), more)
     command = (
-        str(Path(sys.executable).with_name("caddy")),
+        caddy(),
         "run",
         "--config",
         str(ROOT / "Caddyfile"),
@@ -87,7 +97,7 @@ def deployed(folder: Path, codes: Sequence[Path] = (ROOT, ROOT), **more: str) ->
             site.start(number, code)
         with serving(
             folder / "proxy.log", port=site.port, command=(*command, "--adapter", "caddyfile"), environment=site.proxy()
-        ):
+        ) as site.front:
             yield site
     finally:
         site.close()

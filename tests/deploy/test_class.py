@@ -38,12 +38,12 @@ async def lesson(site: Site) -> None:
     streams = [await room.follow(url) for url in direct]
     through = await room.follow()
     await again(room, "put", **CHOICE)
-    tokens = [await room.token() for _ in range(4)]
-    for i, token in enumerate(tokens):
-        assert (await room.vote(token, direct[i % 2], **CHOICE, option=i % 2)).status == 204
     for stream in (*streams, through):
         await stream.until(lambda event: event.get("question"))
         await stream.until(lambda event: event.get("here") == 3)
+    voters = [await room.follow(direct[i % 2]) for i in range(4)]
+    for i, voter in enumerate(voters):
+        assert (await room.vote(voter.word, direct[i % 2], **CHOICE, option=i % 2)).status == 204
     assert "X-Accel-Buffering: no" in through.headers
     site.kill(0)
     async with asyncio.timeout(10):
@@ -57,7 +57,7 @@ async def lesson(site: Site) -> None:
         await stream.until(lambda event: event.get("question", {}).get("lesson"))
     tally = (await called(direct[1], f"/class/{room.code}/tally", word=room.key)).json
     assert tally["now"]["options"] == [2, 2, 0]
-    for stream in (*streams, through, back):
+    for stream in (*streams, *voters, through, back):
         await stream.close()
 
 

@@ -18,7 +18,9 @@ def go(page: Page, scene: str, **state: Any) -> dict[str, Any]:
     wanted = {"scene": scene, **state}
     told = page.say({"type": "open", "state": wanted, "carried": True, "number": len(page.packets) + 1})
     assert told["errors"] == {} and told["scene"] == scene
-    return dict(told["state"]["parameters"])
+    parameters, opens = told["state"]["parameters"], SCENES[scene].opens
+    assert state.get("parameters") or opens.items() <= parameters.items(), "it opens as a page of it does"
+    return {name: value for name, value in parameters.items() if name not in opens}
 
 
 def test_the_chain_goes_along_to_every_scene_of_it_and_back() -> None:

@@ -62,7 +62,7 @@ def test_every_plot_and_number_can_be_covered(slug: str) -> None:
 def test_what_is_nothing_to_cover_is_refused() -> None:
     page = Page(SCENES["coupled"]())
     told = covering(page, "plot:x9")
-    assert told["errors"]["state"] == "“plot:x9” is nothing that can be covered here. Still drawn as before."
+    assert told["errors"]["state"] == "“plot:x9” cannot be covered here. Still drawn as before."
     assert told["state"]["covered"] == []
 
 

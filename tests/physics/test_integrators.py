@@ -231,7 +231,7 @@ def test_modes_by_eigh_at_resonance():
 
 
 def test_a_dashpot_needs_one_mass_that_does_not_swing():
-    with pytest.raises(ValueError, match="needs k2 = 0"):
+    with pytest.raises(ValueError, match="k2 = 0 and mass 2 at rest are needed"):
         replace(FREE, c=1.0)
     with pytest.raises(ValueError, match="lets the mass swing"):
         replace(DAMPED, c=1.0).rates  # noqa: B018
@@ -257,5 +257,5 @@ def test_steps_are_counted_and_checked():
     run_fixed("yoshida4", FREE, 2, watch)
     assert (watch.steps, watch.evaluations) == (120, 360)
     for steps in (0, 1.5, -3):
-        with pytest.raises(ValueError, match=f"steps = {steps}"):
+        with pytest.raises(ValueError, match=f"^{steps} steps from one output time to the next"):
             run_fixed("verlet", FREE, steps, Watch())

@@ -1,4 +1,4 @@
-"""Looking for the modes: determinant, readings, forces, the quadratic, sweeps and limits, shares of the energy."""
+"""Looking for the modes: determinant, readings, forces, the quadratic, sweeps and limits, the mixture of a start."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from physics.coupled import TwoMassChain, free_modes
-from physics.modes import determinant_curve, quadratic, row_curves, shares, trial, trial_forces
+from physics.modes import determinant_curve, mixture, quadratic, row_curves, trial, trial_forces
 from physics.sweeps import PARAMETERS, limit, sweep
 
 U = 2.0**-53
@@ -269,20 +269,23 @@ def test_only_a_parameter_is_swept() -> None:
 
 
 @pytest.mark.parametrize(
-    ("start", "slow"), [((1, 2), 1.0), ((-0.5, -1), 1.0), ((1, -1), 0.0), ((1, 0), 1 / 9), ((1, 0.5), 1 / 3)]
+    ("start", "slow"), [((1, 2), 1.0), ((-0.5, -1), 1.0), ((1, -1), 0.0), ((1, 0), 5**0.5 / (5**0.5 + 8**0.5))]
 )
-def test_book_values_of_the_shares(start: tuple[float, float], slow: float) -> None:
-    assert shares(GOOD, start) == pytest.approx((slow, 1 - slow), abs=1e-15)
+def test_book_values_of_a_mixture(start: tuple[float, float], slow: float) -> None:
+    assert mixture(GOOD, start)[:2] == pytest.approx((slow, 1 - slow), abs=1e-15)
 
 
 @thorough
 @given(usual_chains, st.floats(-2, 2), st.floats(-2, 2))
-def test_shares_are_those_of_the_energies(chain: TwoMassChain, x1: float, x2: float) -> None:
+def test_shares_are_those_of_the_amplitudes(chain: TwoMassChain, x1: float, x2: float) -> None:
     assume(max(abs(x1), abs(x2)) > 1e-3)
-    energy = free_modes(chain, (x1, x2), (0.0, 0.0)).energy
-    np.testing.assert_allclose(shares(chain, (x1, x2)), energy / energy.sum(), rtol=1e-14, atol=1e-300)
+    amplitude = free_modes(chain, (x1, x2), (0.0, 0.0)).amplitude
+    sizes = np.hypot(*amplitude.T)
+    *parts, width = mixture(chain, (x1, x2))
+    np.testing.assert_allclose(parts, sizes / sizes.sum(), rtol=1e-13, atol=1e-300)
+    assert width == pytest.approx(abs(np.linalg.det(amplitude)) / sizes.max() ** 2, rel=1e-9, abs=1e-15)
 
 
 def test_nothing_has_a_share_at_rest() -> None:
-    assert shares(GOOD, (0, 0)) == (0.0, 0.0)
-    assert shares(NO_WALL, (1, 1)) == (0.0, 0.0)
+    assert mixture(GOOD, (0, 0)) == (0.0, 0.0, 0.0)
+    assert mixture(NO_WALL, (1, 1)) == (0.0, 0.0, 0.0)

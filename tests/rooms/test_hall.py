@@ -13,6 +13,7 @@ from components.page.room import (
     EndRoom,
     HandWalk,
     PutQuestion,
+    PutTo,
     RunClock,
     SentPicture,
     ShowAnswer,
@@ -21,11 +22,15 @@ from components.page.room import (
     Withdraw,
 )
 from components.rooms import hall as hall_of
+from components.rooms import lessons as lessons_of
+from components.rooms import pauses
+from components.rooms import room as room_of
 from components.rooms.codes import SIGNS, Tokens, as_code, new_code
 from components.rooms.hall import ClosedError, Hall
 from components.rooms.room import ClassRoom
-from components.rooms.table import answers_csv
+from components.rooms.table import answers_csv, cell
 from components.rooms.upkeep import Upkeep
+from components.walks.loading import read_walk
 from tests.rooms.listening import CHOICE, LESSONS, Listener, until
 from tests.rooms.stores import KINDS, Valkey, made, valkey_running
 
@@ -159,6 +164,11 @@ def test_numbers_points_and_sketches(in_class: Callable[[Test], None]) -> None:
             await hall.vote(room, "one", msgspec.convert({"walk": walk, "step": step, **good}, Vote))
             with pytest.raises(ValueError):
                 await hall.vote(room, "two", msgspec.convert({"walk": walk, "step": step, **bad}, Vote))
+            for more in ({"text": "=cmd"}, {"option": 0}, {"value": 0.5}, {"curves": {"Xp1": drawn}}):
+                if more.keys() != good.keys():  # a field of another kind goes along into the table of answers
+                    with pytest.raises(ValueError, match="does not fit"):
+                        fields = {"walk": walk, "step": step, **good, **more}
+                        await hall.vote(room, "three", msgspec.convert(fields, Vote))
             tally = await hall.tally(room)
             assert isinstance(tally, Tally) and tally.now.answered == 1
             if step == SKETCH[1]:
@@ -170,12 +180,118 @@ def test_numbers_points_and_sketches(in_class: Callable[[Test], None]) -> None:
     in_class(test)
 
 
+def test_an_answer_is_judged_once_and_a_vote_reads_its_question_once(
+    in_class: Callable[[Test], None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    read: list[type] = []
+    decode = msgspec.json.decode
+    monkeypatch.setattr(
+        room_of.msgspec.json, "decode", lambda part, type: (read.append(type), decode(part, type=type))[1]
+    )
+
+    async def test(hall: Hall, room: ClassRoom) -> None:
+        judged: list[object] = []
+        seen = hall.lessons._seen
+        monkeypatch.setattr(hall.lessons, "_seen", lambda *given: (judged.append(given), seen(*given))[1])
+        walk, step = SKETCH
+        await hall.obey(room, PutQuestion(walk=walk, step=step))
+        await until(lambda: PutTo in read)
+        read.clear()
+        for voter in map(str, range(20)):
+            await hall.vote(room, voter, Vote(walk=walk, step=step, curves={"Xp1": [int(voter)] * 101}))
+        assert read.count(PutTo) <= 1
+        for _ in range(3):
+            tally = await hall.tally(room)
+        assert tally and tally.now.answered == 20 and len(judged) == 20
+        assert tally.now.having == tuple(sum(one.has[i] for one in tally.now.sketches) for i in range(5))
+        assert len((await answers_csv(hall, room)).splitlines()) == 21 and len(judged) == 20
+
+    in_class(test)
+
+
+def test_of_a_large_room_all_sketches_are_counted_and_some_are_told(
+    in_class: Callable[[Test], None], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(lessons_of, "MOST_SKETCHES", 3)
+    monkeypatch.setattr(pauses, "SLICE", 0.0)
+
+    async def test(hall: Hall, room: ClassRoom) -> None:
+        walk, step = SKETCH
+        await hall.obey(room, PutQuestion(walk=walk, step=step))
+        for voter in "abcde":
+            await hall.vote(room, voter, Vote(walk=walk, step=step, curves={"Xp1": [500] * 101}))
+        turns, ended = 0, asyncio.Event()
+
+        async def others() -> None:
+            nonlocal turns
+            while not ended.is_set():
+                turns += 1
+                await asyncio.sleep(0)
+
+        beside = asyncio.create_task(others())
+        await asyncio.sleep(0)
+        before = turns
+        judged = await hall.given(room, f"{walk}/{step}/1")
+        assert turns - before >= len(judged) == 5  # others have their turns between the answers
+        ended.set()
+        await beside
+        tally = await hall.tally(room)
+        assert tally and (tally.now.answered, len(tally.now.sketches)) == (5, 3)
+
+    in_class(test)
+
+
+@pytest.mark.parametrize(
+    ("text", "safe"),
+    [
+        ("=1+1", "'=1+1"), ("@SUM(A1)", "'@SUM(A1)"), ("+1", "'+1"), ("-2+3", "'-2+3"), ("\t=1", "'\t=1"),
+        ("\r=1", "'\r=1"), ("＝1", "'＝1"), ("-1.5", "-1.5"), ("-1e-300", "-1e-300"), ("2", "2"), ("Xp1: 5", "Xp1: 5"),
+    ],
+)  # fmt: skip
+def test_no_spreadsheet_works_a_cell_out(text: str, safe: str) -> None:
+    assert cell(text) == safe
+
+
+def test_a_number_is_written_as_one(in_class: Callable[[Test], None]) -> None:
+    async def test(hall: Hall, room: ClassRoom) -> None:
+        walk, step = NUMBER
+        await hall.obey(room, PutQuestion(walk=walk, step=step))
+        for voter, text in enumerate(("−2", "-1,5", "+3", "-10^3", "2")):
+            await hall.vote(room, str(voter), Vote(walk=walk, step=step, text=text))
+        rows = [line.split(",")[3:] for line in (await answers_csv(hall, room)).splitlines()[1:]]
+        assert rows == sorted([["-2", "no"], ["-1.5", "no"], ["3", "no"], ["-1000", "no"], ["2", "yes"]])
+
+    in_class(test)
+
+
 def test_a_walk_that_the_server_does_not_know_is_refused(in_class: Callable[[Test], None]) -> None:
     async def test(hall: Hall, room: ClassRoom) -> None:
         with pytest.raises(ValueError, match="does not know its walk"):
             await hall.obey(room, PutQuestion(walk="mine", step="one"))
         with pytest.raises(ValueError, match="No question"):
             await hall.obey(room, ShowAnswer())
+
+    in_class(test)
+
+
+def test_a_walk_from_a_file_is_read_once(in_class: Callable[[Test], None], monkeypatch: pytest.MonkeyPatch) -> None:
+    """Not again after each other one that is handed over; where the store alone has them, each once."""
+    text, read = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n', list[str]()
+    monkeypatch.setattr(lessons_of, "read_walk", lambda *given: (read.append(given[1]), read_walk(*given))[1])
+
+    async def test(hall: Hall, room: ClassRoom) -> None:
+        for n in range(hall_of.MOST_OWN):
+            await hall.obey(room, HandWalk(name=f"mine-{n}", text=text))
+            await hall.obey(room, PutQuestion(walk=f"mine-{n}", step="one"))
+        assert read == [] and room.walks == hall.lessons.read_own(room.own, {})
+        read.clear()
+        elsewhere = ClassRoom(room.code, dict(room.parts))
+        for _ in range(2):
+            assert hall.lessons_of(elsewhere).step("mine-0", "one")
+        assert sorted(read) == sorted(name for name, _ in room.walks)
+        elsewhere.parts["walks"] = b'{"mine-0":' + msgspec.json.encode(text + "# mended") + b"}"
+        hall.lessons_of(elsewhere)
+        assert read[-1] == "mine-0" and len(read) == hall_of.MOST_OWN + 1 and len(elsewhere.walks) == 1
 
     in_class(test)
 
@@ -204,7 +320,7 @@ def test_a_walk_from_a_file_is_asked_as_any_other(in_class: Callable[[Test], Non
         assert tally and tally.now.answered == 0
         for n in range(hall_of.MOST_OWN - 1):
             await hall.obey(room, HandWalk(name=f"more-{n}", text=text))
-        with pytest.raises(ValueError, match="one more"):
+        with pytest.raises(ValueError, match="one too many"):
             await hall.obey(room, HandWalk(name="too-many", text=text))
 
     in_class(test)

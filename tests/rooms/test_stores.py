@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import time
 from collections.abc import Awaitable, Callable, Coroutine
 
 import pytest
@@ -11,7 +12,7 @@ import redis
 from components.rooms import shared, store
 from components.rooms.codes import new_code
 from components.rooms.store import Parts, Store
-from tests.rooms.stores import KINDS, Valkey, made
+from tests.rooms.stores import KINDS, Valkey, made, valkey_running
 
 Test = Callable[[Store], Coroutine[None, None, None]]
 
@@ -79,20 +80,101 @@ def test_a_room_ends_some_time_after_the_last_sign_of_its_instructor(on: Callabl
     on(test, life=0.8)
 
 
-def test_one_answer_for_a_voter_and_no_more_than_there_is_place_for(
+def test_a_room_that_nobody_leads_or_follows_ends_soon(on: Callable[..., None]) -> None:
+    async def test(kept: Store) -> None:
+        followed, alone = new_code(), new_code()
+        for code in (followed, alone):
+            await kept.open(code, {"key": b"1"})
+            await kept.vote(code, "d31/a/1", "one", b"1")
+        assert await kept.rooms() == 2
+
+        async def over() -> bool:
+            await kept.present(followed, "here", 1)
+            await kept.present(alone, "here", 0)
+            return await kept.parts(alone) == {}
+
+        await until(over)
+        assert await kept.parts(followed) and await kept.votes(followed, "d31/a/1")
+        assert await kept.votes(alone, "d31/a/1") == {} and await kept.rooms() == 1
+
+    on(test, alone=0.6)
+
+
+def test_where_all_rooms_are_taken_one_that_is_alone_makes_way(
     on: Callable[..., None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for module in (store, shared):
-        monkeypatch.setattr(module, "MOST_VOTES", 2)
+        monkeypatch.setattr(module, "QUIET", 0.3)
 
+    async def test(kept: Store) -> None:
+        assert await kept.open("AAAA", {"key": b"1"}) and await kept.open("BBBB", {"key": b"1"})
+        assert not await kept.open("CCCC", {"key": b"1"})
+        await asyncio.sleep(0.5)
+        await kept.keep("AAAA", {})
+        assert await kept.open("CCCC", {"key": b"1"})
+        assert await kept.parts("AAAA") and not await kept.parts("BBBB")
+        assert not await kept.open("BBBB", {"key": b"1"})
+
+    on(test, rooms=2)
+
+
+def test_a_room_has_so_many_bytes_of_answers_and_says_so(on: Callable[..., None]) -> None:
     async def test(kept: Store) -> None:
         code = new_code()
         await kept.open(code, {"key": b"1"})
-        assert [await kept.vote(code, "b", voter, b"1") for voter in ("one", "two", "three")] == [True, True, False]
+        assert await kept.vote(code, "a", "one", b"x" * 60)
+        with pytest.raises(store.FullError, match="keeps no more answers"):
+            await kept.vote(code, "b", "two", b"x" * 60)
+        assert await kept.vote(code, "a", "one", b"x" * 30)  # in place of the longer one
+        assert await kept.vote(code, "b", "two", b"x" * 60)
+        await kept.unvote(code, "b", "two")
+        assert await kept.vote(code, "b", "three", b"x" * 60)
+
+    on(test, size=100)
+
+
+def test_a_full_store_says_so_and_forgets_no_class() -> None:
+    async def test(url: str) -> None:
+        async with made("valkey", url) as kept:
+            await kept.open("AAAA", {"key": b"1"})
+            await kept.vote("AAAA", "a", "one", b"1")
+            with redis.Redis.from_url(url) as client:
+                client.config_set("maxmemory", 1)
+            for act in (kept.keep("AAAA", {"clock": b"1"}), kept.open("BBBB", {"key": b"1"}), kept.count("x", 60)):
+                with pytest.raises(store.FullError, match="record of live classes is full"):
+                    await act
+            assert await kept.count("x", 60, 0) == 0
+            assert await kept.parts("AAAA") == {"key": b"1"} and await kept.votes("AAAA", "a") == {"one": b"1"}
+
+    with valkey_running() as server:
+        asyncio.run(test(server.url))
+
+
+def test_who_follows_is_known_to_all_replicas(on: Callable[..., None]) -> None:
+    async def test(kept: Store) -> None:
+        code = new_code()
+        await kept.open(code, {"key": b"1"})
+        await kept.name(code, "a", ["one", "two"])
+        await kept.name(code, "b", {"three"})
+        await kept.name(code, "a", ["two"])
+        assert await kept.named(code) == {"two", "three"}
+        assert abs(await kept.time() - time.time()) < 5
+
+    on(test)
+
+
+def test_one_answer_for_a_voter_and_no_more_than_there_is_place_for(on: Callable[..., None]) -> None:
+    async def test(kept: Store) -> None:
+        code = new_code()
+        await kept.open(code, {"key": b"1"})
+        assert [await kept.vote(code, "b", voter, b"1", 2) for voter in ("one", "two", "three")] == [True, True, False]
         assert await kept.vote(code, "b", "one", b"2")
         assert await kept.votes(code, "b") == {"one": b"2", "two": b"1"}
         assert await kept.vote(code, "a", "three", b"1")
         assert await kept.questions(code) == ["b", "a"]
+        await kept.unvote(code, "b", "two")
+        assert await kept.vote(code, "b", "three", b"3", 2)
+        assert await kept.votes(code, "b") == {"one": b"2", "three": b"3"}
 
     on(test)
 

@@ -198,7 +198,7 @@ def test_off_is_counted_in_steps_of_the_size() -> None:
 @pytest.mark.parametrize(("limit", "said"), [(4, "4 ulp"), (1511.2, "1520 ulp"), (123456, "1.24·10⁵ ulp")])
 def test_the_bound_that_is_said_is_not_below_the_one_that_holds(limit: float, said: str) -> None:
     found = bounded("x", limit, "itself", ())
-    assert f"more than {said} of itself" in found.bound and found.limit >= limit
+    assert f"at most {said} of itself" in found.bound and found.limit >= limit
 
 
 def test_twenty_digits() -> None:
@@ -209,15 +209,18 @@ def test_twenty_digits() -> None:
 
 
 def test_drift() -> None:
-    assert drift(np.array([2.0, 2.0]), 2.0) == "$T + V$ = 2.00 J keeps every digit of that over the window."
-    assert "strays by at most 0.5 of that" in drift(np.array([2.0, 3.0]), 2.0)
+    assert drift(np.array([2.0, 2.0]), 2.0) == "$T + V$ = 2.00 J; over the window it keeps every digit."
+    assert "it changes by at most 0.5 of this value" in drift(np.array([2.0, 3.0]), 2.0)
     assert drift(np.zeros(2), 0.0) == "$T + V$ is 0: nothing moves."
 
 
 def test_an_energy_out_of_range_does_not_take_the_points_along() -> None:
     about = opened("oscillator", {"x_0": 1e300}).about()
     assert about is not None and about.tables[0].rows
-    assert about.energy == "$T + V$ cannot be followed: the energy T leaves the range of doubles."
+    assert about.energy == (
+        "$T + V$ cannot be computed over the window: the energy T leaves the range of doubles, about 5·10⁻³²⁴ to "
+        "1.8·10³⁰⁸ in SI units."
+    )
 
 
 def test_the_hunt_keeps_its_answer() -> None:

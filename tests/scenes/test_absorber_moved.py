@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 from typing import Any
 
 import numpy as np
@@ -21,6 +23,9 @@ CASES: list[dict[str, Any]] = [
     {"c": 1e-3},
 ]
 
+SLIDERS = [(10.0, 1000.0), (1e4, 1e7), (0.01, 1.0), (0.0, 0.16, 0.8), (4e-6, 4e-4, 0.4), (0.2, 2.0)]
+"""The ends of m1 and k1; of m2/m1, k2/k1, c/sqrt(k1 m1) and of the speed over the machine's own."""
+
 
 @pytest.mark.parametrize("end", [1e-3, 1.0, 40.0])
 @pytest.mark.parametrize("values", CASES, ids=str)
@@ -28,7 +33,7 @@ def test_what_is_drawn_is_the_motion(values: dict[str, Any], end: float) -> None
     """In the shortest window x2 is a small difference of its parts."""
     duty = Duty(**{**MACHINE, **values})
     found = moved(duty, end)
-    motion = duty.from_rest_at(found.t)
+    motion = duty.damped.motion(found.t) if duty.c else duty.driven.motion(found.t)
     for row, true in zip(found.x, (*motion.x, motion.e[1]), strict=True):
         np.testing.assert_allclose(row, true, rtol=0.0, atol=DRAWN * np.abs(true).max())
     assert found.x[:2, 0].tolist() == list(duty.x_0)
@@ -45,6 +50,16 @@ def test_without_damping_both_parts_are_the_ones_of_the_physics(values: dict[str
             (found.complementary, duty.driven.complementary(found.t)),
         ):
             np.testing.assert_allclose(part[row], true[row], rtol=0.0, atol=1e-13 * max(np.abs(true[row]).max(), 1e-9))
+
+
+@pytest.mark.parametrize("window", [1e-3, 0.1, 1.0, 8.0, 300.0], ids="{} turns".format)
+def test_no_state_of_the_sliders_takes_more_time_than_there_is(window: float) -> None:
+    """Also in the window of another machine, a thousand times as fast or slow."""
+    for m1, k1, ratio, stiff, damped, speed in itertools.product(*SLIDERS):
+        own = math.sqrt(k1 / m1)
+        machine = {"m1": m1, "k1": k1, "F_0": 500.0, "omega": speed * own, "m2": ratio * m1, "k2": stiff * k1}
+        duty = Duty(**machine, c=damped * own * m1, from_rest=True)
+        assert np.all(np.isfinite(moved(duty, 2 * math.pi * window / duty.omega).x))
 
 
 @pytest.mark.parametrize("omega", [48.0, 50.0])

@@ -194,7 +194,7 @@ def test_too_fast_to_draw_is_a_band() -> None:
 @pytest.mark.parametrize(
     ("name", "text", "said"),
     [
-        ("theta_0", "180", "the top itself left out"),
+        ("theta_0", "180", "not 180° itself"),
         ("string_n", "1.5", "whole number"),
         ("pendulum_l", "0", "above 0"),
         ("circuit_C", "-1", "above 0"),

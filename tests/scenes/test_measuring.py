@@ -128,6 +128,23 @@ def test_a_full_queue_says_so_and_stays_as_it_is(full: Full) -> None:
     queue.leave(jobs[5], late)
 
 
+def test_a_network_has_one_measurement_waiting(full: Full) -> None:
+    queue, jobs, people = full
+    for job, one in list(zip(jobs, people, strict=True))[4:]:
+        queue.leave(job, one)
+    ours, other, again = visitors(3)
+    systems = [replace(BENIGN, slug=name) for name in ("a", "b", "c")]
+    job = queue.ask(systems[0], 30.0, ours, "192.0.2.0/24")
+    with pytest.raises(ValueError, match="from this network waits already"):
+        queue.ask(systems[1], 30.0, other, "192.0.2.0/24")
+    assert queue.ask(systems[0], 30.0, other, "192.0.2.0/24") is job  # the same one is shared
+    theirs = queue.ask(systems[1], 30.0, again, "198.51.100.0/24")
+    queue.leave(job, other)
+    changed = queue.ask(systems[2], 30.0, ours, "192.0.2.0/24")  # in place of one's own
+    for each, one in ((changed, ours), (theirs, again)):
+        queue.leave(each, one)
+
+
 def test_who_waits_may_ask_for_something_else(full: Full) -> None:
     queue, jobs, people = full
     gone, jobs[3] = jobs[3], queue.ask(SYSTEMS["wide"], 30.0, people[3])
@@ -151,7 +168,7 @@ def test_a_worker_that_does_not_end_is_ended(tmp_path: Path, monkeypatch: pytest
     worker = tmp_path / "worker"
     worker.write_text("#!/bin/sh\nexec sleep 600\n")
     worker.chmod(0o755)
-    monkeypatch.setattr("components.scenes.accuracy.measuring.sys.executable", str(worker))
+    monkeypatch.setattr("components.processes.sys.executable", str(worker))
     monkeypatch.setattr("components.scenes.accuracy.measuring.GRACE", 0.2)
     queue = Measuring(budget=0.1)
     job = queue.ask(BENIGN, 1.0, nothing)
@@ -210,7 +227,7 @@ def test_a_worker_that_dies_while_it_writes_does_not_stop_the_queue(
     worker = tmp_path / "worker"
     worker.write_text("""#!/bin/sh\nread order\nprintf '{"method": "verl'\n""")
     worker.chmod(0o755)
-    monkeypatch.setattr("components.scenes.accuracy.measuring.sys.executable", str(worker))
+    monkeypatch.setattr("components.processes.sys.executable", str(worker))
     queue = Measuring()
     jobs = [queue.ask(SYSTEMS[slug], 1.0, one) for slug, one in zip(("benign", "beats"), visitors(2), strict=True)]
     wait(lambda: all(job.state == "done" for job in jobs))

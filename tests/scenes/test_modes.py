@@ -65,7 +65,7 @@ def test_at_a_mode_the_rows_are_one_equation_and_nothing_is_to_be_added(mode: st
     assert shown.forms["agree"] == f"same_{mode}"
     assert shown.values["D"] == "0.00"
     assert [shown.values[f"add{i}_N"] for i in (1, 2)] == ["+0.00 N", "+0.00 N"]
-    assert shown.values["you_add"] == "nothing: a mode"
+    assert shown.values["you_add"] == "no extra force: a mode"
 
 
 def test_the_flag_leads_to_a_mode_that_no_double_holds() -> None:
@@ -83,7 +83,7 @@ def test_the_flag_leads_to_a_mode_that_no_double_holds() -> None:
 def test_nearly_a_mode_is_said_to_be_near() -> None:
     shown = ModesScene(omega=1.0005).shown
     assert shown.forms["agree"] == "near_slow"
-    assert shown.values["you_add"] == "what you must add"
+    assert shown.values["you_add"] == "force of your hand"
 
 
 def test_names_of_known_values_give_way_to_the_number_at_the_guess() -> None:

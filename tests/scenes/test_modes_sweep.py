@@ -41,7 +41,7 @@ def test_the_held_frequencies_cross_where_the_lecture_says() -> None:
 def test_without_coupling_there_are_no_ratios_to_draw() -> None:
     scene = ModesScene(task="sweep", k2=0.0, swept="m1")
     assert scene.sources["ratio_sweep"].data == {}
-    assert scene.shown.forms["low"] == "apart"
+    assert scene.shown.forms["low"] == "loose"
 
 
 # Hunt
@@ -83,7 +83,7 @@ def test_a_straight_line_is_marked(start: tuple[float, float], verdict: str) -> 
 
 def test_shares_are_told() -> None:
     values = ModesScene(task="hunt", x1_0=1.0, x2_0=0.0).shown.values
-    assert (values["share_slow"], values["share_fast"]) == ("11.1 %", "88.9 %")
+    assert (values["share_slow"], values["share_fast"]) == ("44.2 %", "55.8 %")
 
 
 def test_the_answer_is_nowhere_before_it_is_asked_for() -> None:

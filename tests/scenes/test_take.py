@@ -8,6 +8,8 @@ import io
 import re
 import zipfile
 from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
 from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
@@ -21,9 +23,11 @@ from components.description import plots
 from components.scene import Scene
 from components.scenes import SCENES
 from components.states import state_of
+from components.take import as_csv, tables
+from components.take import comments as comments_of
 from components.url import read_query
 from tests.page.told import Page
-from tests.scenes.checks import as_arguments
+from tests.scenes.checks import as_arguments, quantities
 
 HERE = "http://lectures.example/oscillations/"
 scenes = pytest.mark.parametrize("slug", SCENES)
@@ -105,6 +109,44 @@ def test_units_are_si_whatever_the_axes_count_in() -> None:
     assert list(pd.read_csv(io.BytesIO(pendulum), comment="#"))[2] == "q [rad]"
     rows = taken(SCENES["modes"]())["modes-det.csv"]
     assert list(pd.read_csv(io.BytesIO(rows), comment="#")) == ["w [rad/s]", "D [N^2/m^2]"]
+
+
+@scenes
+def test_every_choice_at_every_end_of_every_slider_can_be_taken(slug: str) -> None:
+    """And, as the scene opens, where doubles end."""
+    for beyond, scene in [((5e-324, 1e300), SCENES[slug]()), *(((), scene) for scene in views(slug))]:
+        standing = dict(scene.values)
+        for name, quantity in quantities(SCENES[slug]).items():
+            for end in (*scene.shown.spans.get(name, quantity.softbounds), *beyond):
+                with suppress(ValueError):  # not every number is possible
+                    scene.set({**standing, name: end})
+                head = comments_of(scene, scene.shown)
+                for table in tables(SCENES[slug], scene.shown):
+                    assert as_csv(replace(table, rows=table.rows[:1]), head)
+
+
+def test_units_of_the_slide_are_told_in_si() -> None:
+    for values in ({}, {"m1": 10.0}):
+        for content in taken(SCENES["forced"](axes="lecture", **values)).values():
+            names = set(pd.read_csv(io.BytesIO(content), comment="#"))
+            assert not {name for name in names if "k1" in name}
+            assert {"omega [rad/s]", "Xp1 [m]"} <= names or "omega" not in " ".join(names)
+
+
+def test_powers_of_ten_of_a_unit_are_written_out() -> None:
+    for values, unit in (({"m1": 5e-324}, "D [10^324 N^2/m^2]"), ({"k2": 1e300}, "D [10^600 N^2/m^2]")):
+        assert unit in list(pd.read_csv(io.BytesIO(taken(SCENES["modes"](**values))["modes-det.csv"]), comment="#"))
+
+
+def test_a_resonance_is_taken_in_its_full_height() -> None:
+    """Far above the frame, and beside a frequency without an amplitude."""
+    for values in ({}, {"damping": "added", "c": 0.5}, {"tuning": "detached"}):
+        scene = SCENES["absorber"](**values)
+        read = (pd.read_csv(io.BytesIO(content), comment="#") for content in taken(scene).values())
+        table = next(table for table in read if "alone [m]" in table)
+        w, alone = table["w [rad/s]"].to_numpy(), table["alone [m]"].to_numpy()
+        np.testing.assert_allclose(alone, np.abs(scene.F_0 / (scene.k1 - scene.m1 * w**2)), rtol=1e-9)
+        assert alone.max() > 20 * scene.shown.axes["X1"].end
 
 
 def test_what_is_covered_is_not_in_the_files() -> None:

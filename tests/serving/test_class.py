@@ -9,6 +9,7 @@ import socket
 
 import pytest
 
+from components.rooms.codes import join_key
 from components.serving import followers
 from components.serving.server import Server
 from tests.bench.visitor import Visitor
@@ -74,7 +75,8 @@ def test_a_follower_answers_once_and_learns_what_is_said_of_it_when_it_is_shown(
         token = await lesson.token()
         assert (await lesson.vote(token, **CHOICE, option=1)).status == 204
         assert (await lesson.vote(token, **CHOICE, option=0)).status == 204
-        assert (await lesson.tally())["now"] == {"answered": 1, "options": [1, 0, 0], "numbers": [], "sketches": []}
+        now = (await lesson.tally())["now"]
+        assert (now["answered"], now["options"]) == (1, [1, 0, 0])
         path = f"/class/{lesson.code}/answer"
         assert (await called(url, path, "POST", {**CHOICE, "option": 0}, token)).status == 409
         gone = await called(url, path, "POST", {**CHOICE, "step": "d31-02", "text": "2"}, token)
@@ -154,6 +156,12 @@ def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkeypatch:
         assert [await enter(wrong, f"198.51.100.{i}") for i in range(6)] == [404] * 4 + [429] * 2
         assert await enter(lesson.code, "198.51.100.9") == 429  # nor does the right one tell that it is right
         assert await enter(lesson.code.lower(), "203.0.113.9") == 200
+        path, secret = f"/class/{lesson.code}/token", lesson.opened["address"].partition("join=")[2]
+        for word, status in ((secret, 200), (lesson.key, 429), ("x" * 12, 429), ("", 429)):  # the QR code is no guess
+            assert (await called(url, path, "POST", word=word, X_Forwarded_For="198.51.100.9")).status == status
+        monkeypatch.setattr(followers, "ALL_MISSES", 6)
+        assert [await enter(wrong, f"192.0.{i}.1") for i in range(3)] == [404, 404, 429]
+        assert await enter(lesson.code, "203.0.113.9") == 429
 
     run(test, trusted_proxies=("127.0.0.1",))
 
@@ -212,7 +220,7 @@ def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> None:
         other = (await called(url, path, "PUT", {"address": ticket["address"].partition("remote=")[2]})).json
         assert (await called(url, tickets, "DELETE", {"digits": other["digits"]}, lesson.key)).status == 204
         refused = await called(url, path, word=other["key"])
-        assert refused.status == 403 and refused.json["sentence"].startswith("The first screen has not let")
+        assert refused.status == 403 and refused.json["sentence"].startswith("The lecturer's screen has not")
         for stream in (leader, late):
             await stream.close()
 
@@ -246,7 +254,7 @@ def test_the_page_of_a_follower_has_no_session_and_another_site_leads_nothing() 
         answer = await called(url, "/class", "POST", Origin="https://elsewhere.example")
         assert answer.status == 403
         lesson = await Class.open(url)
-        assert lesson.opened["address"] == f"{url}?class={lesson.code}"
+        assert lesson.opened["address"] == f"{url}?class={lesson.code}&join={join_key(lesson.key)}"
         assert "<script" not in lesson.opened["square"] and lesson.opened["square"].startswith("<svg")
 
     run(test)
@@ -255,6 +263,23 @@ def test_the_page_of_a_follower_has_no_session_and_another_site_leads_nothing() 
 def test_the_address_to_join_at_is_the_public_one() -> None:
     async def test(server: Server, url: str) -> None:
         lesson = await Class.open(url)
-        assert lesson.opened["address"] == f"https://lecture.example/osc/?class={lesson.code}"
+        assert (
+            lesson.opened["address"] == f"https://lecture.example/osc/?class={lesson.code}&join={join_key(lesson.key)}"
+        )
 
     run(test, public_url="https://lecture.example/osc/")
+
+
+def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_one() -> None:
+    async def test(server: Server, url: str) -> None:
+        server.lecture.openings.most = 2
+        for word, sentence in (("", "Opening a class here needs"), ("wrong%20words", "This is not the instructors'")):
+            answer = await called(url, "/class", "POST", word=word)
+            assert answer.status == 401 and answer.json["sentence"].startswith(sentence)
+        assert (await called(url, "/class", "POST", word="wrong")).status == 429
+        for _ in range(3):  # whoever guesses from this network does not hold up who knows it
+            opened = await called(url, "/class", "POST", word="swinging%20%C3%BCber%20springs")
+            assert opened.status == 200
+        assert await server.lecture.hall.store.rooms() == 3
+
+    run(test, class_passphrase="swinging über springs")

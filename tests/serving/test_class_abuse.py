@@ -7,6 +7,9 @@ import socket
 
 import pytest
 
+from components.rooms import hall
+from components.rooms import room as rooms
+from components.rooms.room import name_of
 from components.serving import classes, followers
 from components.serving.server import Server
 from tests.rooms.caller import Class, Stream, called
@@ -128,6 +131,53 @@ def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyPatch) 
                 room[lesson.code].tell({"picture": b'{"sheet":"s","data":"%s"}' % (b"A" * 4000)})
                 await asyncio.sleep(0.01)
         mute.close()
+
+    run(test)
+
+
+def test_a_vote_is_of_somebody_who_follows(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rooms, "SILENCE", 0.05)
+
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        await lesson.order("put", **CHOICE)
+        stranger = (await called(url, f"/class/{lesson.code}/token", "POST")).json["token"]
+        refused = await lesson.vote(stranger, **CHOICE, option=0)
+        assert refused.status == 503 and refused.json["sentence"].startswith("This phone does not follow")
+        token = await lesson.token()
+        stream = await Stream(url, lesson.code, token).open()
+        await asyncio.sleep(0.2)
+        assert (await lesson.vote(token, **CHOICE, option=0)).status == 204
+        await stream.close()
+        room = server.lecture.hall.rooms[lesson.code]
+        async with asyncio.timeout(10):
+            while room.follows(name_of(token)):
+                await asyncio.sleep(0.01)
+        assert (await lesson.vote(token, **CHOICE, option=1)).status == 503
+        await server.lecture.hall.store.name(lesson.code, "another replica", [name_of(token)])
+        assert (await lesson.vote(token, **CHOICE, option=1)).status == 204
+        assert (await lesson.tally())["now"]["options"] == [0, 1, 0]
+
+    run(test)
+
+
+def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hall, "SPARE", 2)
+
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        await lesson.order("put", **CHOICE)
+        early, late = await lesson.token(), await lesson.token()
+        assert (await lesson.vote(early, **CHOICE, option=1)).status == 204
+        room = server.lecture.hall.rooms[lesson.code]
+        for _ in range(20):  # comes in, votes, and is gone
+            token = await lesson.token()
+            assert (await lesson.vote(token, **CHOICE, option=0)).status == 204
+            del room.polls[name_of(token)]
+        del room.polls[name_of(early)]  # a phone that sleeps
+        assert (await lesson.vote(late, **CHOICE, option=2)).status == 204
+        now = (await lesson.tally())["now"]
+        assert now["answered"] <= 2 + 2 * 3 and now["options"][1:] == [1, 1]
 
     run(test)
 

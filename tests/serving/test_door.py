@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import re
 from collections.abc import Callable, Iterator
 from html import unescape
@@ -10,8 +11,11 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from components.serving.door import FORGOTTEN, LONGEST, Door, ordinal
-from tests.attack.caller import ask, contents, token_of
+from app import SHEETS, open_page
+from components.serving.door import FORGOTTEN, IDLE, LONGEST, OF_A_NETWORK, Door, Guest, gives_way, ordinal
+from components.serving.server import Server as Serving
+from components.serving.settings import Settings
+from tests.attack.caller import Caller, Reply, ask, connect, contents, token_of
 from tests.serving.server import Server, serving
 
 
@@ -61,10 +65,62 @@ def test_tickets_are_ours_and_the_line_has_an_end() -> None:
     house = House(1)
     house.knock()
     assert house.knock("mine")[1] != "mine"
-    for _ in range(LONGEST + 5):
-        place, ticket = house.knock()
+    for n in range(LONGEST + 5):
+        place, ticket = house.door.knock("", str(n))
     assert place == LONGEST + 1
-    assert house.knock(ticket)[0] == LONGEST + 1
+    assert house.door.knock(ticket, "new")[0] == LONGEST + 1
+
+
+def test_networks_take_turns_and_one_of_them_does_not_fill_the_line() -> None:
+    house = House(1)
+    house.knock()
+    flood = [house.door.knock("", "a") for _ in range(2100)]
+    assert house.door.knock("", "b")[0] == 2
+    assert sum(house.door.knock(ticket, "a")[0] <= LONGEST for _, ticket in flood[:600]) >= OF_A_NETWORK
+    house.door.places = 31  # places are free: who comes from elsewhere is in
+    assert house.door.knock("", "c") == (0, "")
+
+
+def test_who_has_been_silent_for_long_gives_way_and_else_the_quietest_of_a_network_that_has_most_places() -> None:
+    now = 1000.0
+    guests = {n: Guest("a", now - n) for n in range(8)} | {n: Guest("b", now - n) for n in (8, 9)}
+    assert gives_way(guests, 10, "c", now) == 7
+    assert gives_way(guests, 10, "a", now) is None
+    assert gives_way({n: guest for n, guest in guests.items() if n}, 10, "c", now) is None  # of ten places it has seven
+    assert gives_way({**guests, 10: Guest("b", now - IDLE)}, 11, "a", now) == 10
+    assert gives_way({}, 10, "a", now) is None
+
+
+def test_idle_visitors_of_one_network_do_not_keep_all_others_out() -> None:
+    async def go() -> None:
+        settings = Settings(address="127.0.0.1", port=0, sessions=4, trusted_proxies=("127.0.0.1",))
+        server = Serving(open_page, settings, sheets=SHEETS)
+        url = f"http://127.0.0.1:{server.port}/"
+
+        async def page(address: str) -> Reply:
+            return await asyncio.to_thread(ask, url, "/?scene=coupled", **{"X-Forwarded-For": address})
+
+        first = await page("192.0.2.1")
+        socket = await connect(url, token_of(first.text))
+        assert [(await page("192.0.2.1")).status for _ in range(4)] == [200] * 3 + [503]
+        assert [(await page(f"198.51.100.{n}")).status for n in (1, 2)] == [200, 503]
+        gone = next(session for session in server.lecture.get_sessions("/") if session.expiration_requested)
+        back = await connect(url, gone.token)
+        while await back.read_message() is not None:
+            pass
+        assert back.close_code == 1013  # the place is another's by now
+        back.close()
+        server.lecture.guests = type(server.lecture.guests)(
+            {session: guest._replace(heard=guest.heard - IDLE) for session, guest in server.lecture.guests.items()}
+        )
+        server.lecture.heard(next(s for s in server.lecture.get_sessions("/") if s.token == token_of(first.text)))
+        tickets = [await page(f"203.0.{n}.1") for n in range(5)]
+        assert sum(reply.status == 200 for reply in tickets) == 3  # who has spoken stays
+        assert socket.close_code is None
+        await Caller(socket).depart()
+        await server.end()
+
+    asyncio.run(go())
 
 
 @pytest.mark.parametrize(

@@ -21,7 +21,8 @@ def test_every_answer_has_the_headers_and_names_no_version(server: Server, path:
     headers = ask(server.url, path).headers
     assert headers["X-Content-Type-Options"] == "nosniff"
     assert headers["Referrer-Policy"] == "no-referrer"
-    assert headers["Content-Security-Policy"].endswith("frame-ancestors *")
+    assert headers["Content-Security-Policy"].endswith("frame-ancestors 'self'")
+    assert headers["Permissions-Policy"].startswith("camera=(), ")
     assert "Server" not in headers
 
 
@@ -55,7 +56,7 @@ def test_a_scene_needs_nothing_that_its_page_does_not_allow(
         about.click()
         expect(page.locator("details.about table").first).to_be_visible()
     page.locator("#theme").click()
-    page.get_by_text("Take away").click()
+    page.get_by_text("Save and share").click()
     with page.expect_download():
         page.get_by_role("button", name="CSV").click()
 

@@ -13,7 +13,7 @@ from prometheus_client.parser import text_string_to_metric_families
 
 from tests.attack.caller import Caller, ask, said
 from tests.bench.visitor import Visitor
-from tests.serving.server import Server, serving
+from tests.serving.server import ROOT, Server, serving
 
 
 @pytest.mark.parametrize("name", ["liveness", "readiness"])
@@ -40,6 +40,9 @@ def test_figures_count_what_happens(tmp_path: Path) -> None:
         assert now["oscillations_change_seconds_count"] == 2  # that the page is ready is the other
         assert (now["oscillations_sessions"], now["oscillations_sockets"]) == (2, 1)
         assert now["oscillations_measurements"] == 0
+        assert now["oscillations_loop_lag_seconds_count"] > before["oscillations_loop_lag_seconds_count"]
+        assert (now["oscillations_line"], now["oscillations_errors_total"], now["oscillations_answers"]) == (0, 0, 0)
+        assert now["oscillations_build_info"] == 1
         assert now["process_resident_memory_bytes"] > 1e7
         text = ask(server.url, "/metrics").text
         assert 'oscillations_refused_total{what="socket 1008"} 1.0' in text
@@ -50,6 +53,34 @@ def test_figures_count_what_happens(tmp_path: Path) -> None:
         asyncio.run(go(server))
 
 
+def test_each_figure_has_its_alert_in_the_documentation(server: Server) -> None:
+    told = {family.name for family in text_string_to_metric_families(ask(server.url, "/metrics").text)}
+    listed = set(re.findall(r"^\| `(\w+?)(?:_total)?` \|", (ROOT / "docs" / "deployment.md").read_text("utf-8"), re.M))
+    alerts = {name for name in listed if name.startswith(("oscillations_", "process_"))}
+    assert alerts <= told
+    assert {name for name in told if name.startswith("oscillations_") and not name.endswith("_created")} <= alerts
+
+
+def test_figures_are_for_this_machine_and_those_who_are_named(tmp_path: Path) -> None:
+    environment = {"TRUSTED_PROXIES": "127.0.0.1", "METRICS_FOR": "198.51.100.0/24, 2001:db8::7"}
+    with serving(tmp_path / "log", environment=environment) as server:
+        for address, status in (
+            ("198.51.100.9", 200),
+            ("2001:db8::7", 200),
+            ("203.0.113.9", 404),
+            ("2001:db8::8", 404),
+        ):
+            assert ask(server.url, "/metrics", X_Forwarded_For=address).status == status
+        refused = ask(server.url, "/metrics", X_Forwarded_For="203.0.113.9")
+        assert "There is no such page here." in refused.text and "oscillations_" not in refused.text
+        assert ask(server.url, "/liveness", X_Forwarded_For="203.0.113.9").status == 200
+
+
+def test_figures_are_not_for_who_comes_by_a_proxy_of_which_nothing_is_known(server: Server) -> None:
+    assert ask(server.url, "/metrics").status == 200
+    assert ask(server.url, "/metrics", X_Forwarded_For="127.0.0.1").status == 404
+
+
 def test_the_end_is_announced_then_visitors_are_sent_away_then_all_is_over(tmp_path: Path) -> None:
     async def go(server: Server) -> None:
         caller = await Caller.arrive(server.url)
@@ -57,7 +88,7 @@ def test_the_end_is_announced_then_visitors_are_sent_away_then_all_is_over(tmp_p
         while ask(server.url, "/readiness").status == 200:
             await asyncio.sleep(0.01)
         assert ask(server.url, "/liveness").status == 200
-        assert await caller.closed() == (1001, "The server goes away.")
+        assert await caller.closed() == (1001, "The server is shutting down.")
 
     with serving(tmp_path / "log", options=("--notice-seconds", "1")) as server:
         asyncio.run(go(server))

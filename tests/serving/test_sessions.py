@@ -7,6 +7,7 @@ import logging
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from socket import IPPROTO_TCP, TCP_NODELAY
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -19,7 +20,7 @@ from bokeh.util.token import generate_jwt_token, generate_session_id
 from app import SHEETS, open_page
 from components.serving.server import Server
 from components.serving.settings import Settings
-from components.serving.sockets import MOST_MISSED
+from components.serving.sockets import MOST_MISSED, MOST_PINGS, Socket
 from components.serving.tokens import opens_session
 from tests.attack.caller import Caller, Reply, ask, connect, contents, event, header, patch, refused, said, token_of
 from tests.bench.visitor import Visitor
@@ -127,7 +128,7 @@ def test_a_page_that_fails_says_so_in_a_sentence_and_the_log_says_why(caplog: py
         async with served(broken, bokeh_secret_key=SECRET) as server, served(bokeh_secret_key=SECRET) as sound:
             page = await page_of(server)
             assert page.status == 500
-            assert "Something went wrong here" in page.text
+            assert "Something went wrong on the server" in page.text
             assert page.quiet
             assert "the word" not in page.text
             caller = Caller(await connect(url(server), token_of((await page_of(sound)).text)))
@@ -172,7 +173,7 @@ def test_a_message_that_fails_closes_the_socket_and_the_log_says_why_once(
             await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
             code, reason = await caller.closed()
             assert code == 1011
-            assert "Something went wrong here" in reason
+            assert "Something went wrong on the server" in reason
 
     asyncio.run(go())
     assert [record.levelno for record in caplog.records if record.exc_info] == [logging.ERROR]
@@ -226,6 +227,59 @@ def test_a_socket_that_misses_two_pings_is_dropped() -> None:
             await caller.depart()
 
     asyncio.run(go())
+
+
+def test_a_page_has_one_socket() -> None:
+    async def go() -> None:
+        async with served() as server:
+            token = token_of((await page_of(server)).text)
+            first, second = Caller(await connect(url(server), token)), Caller(await connect(url(server), token))
+            assert await first.closed() == (1008, "This page is connected anew.")
+            await until(lambda: len(server.lecture.sockets) == 1)
+            for _ in range(3):  # the welcome
+                await second.hear()
+            await second.say(header("PULL-DOC-REQ"), "{}", "{}")
+            assert await second.hear()
+            await second.depart()
+
+    asyncio.run(go())
+
+
+def test_pings_without_end_close_their_socket() -> None:
+    async def go() -> None:
+        async with served() as server:
+            caller = await Caller.arrive(url(server))
+            for _ in range(MOST_PINGS):
+                caller.socket.ping(b"")
+            assert await caller.closed() == (1008, "Too many pings.")
+
+    asyncio.run(go())
+
+
+def test_a_visitor_waits_as_long_as_the_last_answer_took(monkeypatch: pytest.MonkeyPatch) -> None:
+    now, slept = [100.0], list[float]()
+
+    async def answer(self: Socket, message: object) -> None:
+        now[0] += 3.0
+
+    async def sleep(seconds: float) -> None:
+        slept.append(seconds)
+        now[0] += max(0.0, seconds)
+
+    async def go() -> None:
+        async with served() as server:
+            caller = await Caller.arrive(url(server))
+            (socket,) = server.lecture.sockets
+            monkeypatch.setattr(Socket, "_answer", answer)
+            monkeypatch.setattr("components.serving.sockets.monotonic", lambda: now[0])
+            monkeypatch.setattr("components.serving.sockets.asyncio", SimpleNamespace(sleep=sleep))
+            socket._waiting.extend([(0.0, None)] * 3)
+            await socket._work_off()
+            monkeypatch.undo()
+            await caller.depart()
+
+    asyncio.run(go())
+    assert slept == [-100.0, 3.0, 3.0]
 
 
 def test_answers_are_not_held_back() -> None:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
+from secrets import token_hex, token_urlsafe
 
 import pytest
 
-from components.serving.settings import HINTS, SECRET, SECRET_FILE, describe, read_settings, table
+from components.serving.settings import HINTS, SECRETS, describe, read_settings, table
 from tests.serving.server import ROOT, START
 
 
@@ -56,10 +59,16 @@ WRONG = [
     ("ALLOWED_ORIGIN", "https://lecture.example"),
     ("TRUSTED_PROXIES", "proxy.example"),
     ("TRUSTED_PROXIES", "10.0.0.1/24"),
+    ("METRICS_FOR", "prometheus"),
     ("PUBLIC_URL", "lecture.example"),
     ("REDIS_URL", "http://store"),
+    ("REDIS_URL", "redis://store:99999/0"),
+    ("REDIS_URL", "redis://store:port/0"),
+    ("REDIS_URL", "redis://store/lecture"),
+    ("REDIS_URL", "redis://store/0?colour=red"),
+    ("REDIS_URL", "redis://[store/0"),
 ]
-OTHERWISE = {"address", "walks", SECRET}
+OTHERWISE = {"address", "walks", *SECRETS}
 """An address is tried, a folder read, and a secret not repeated."""
 
 
@@ -78,6 +87,29 @@ def test_a_refused_secret_is_not_repeated() -> None:
     with pytest.raises(ValueError, match="BOKEH_SECRET_KEY is not what") as refusal:
         read_settings([], {"BOKEH_SECRET_KEY": "too short"})
     assert "too short" not in str(refusal.value)
+    with pytest.raises(ValueError, match="REDIS_URL is not what") as refusal:
+        read_settings([], {"REDIS_URL": "http://:pass@store"})
+    assert "pass@" not in str(refusal.value)
+
+
+GUESSED = [
+    *("passwordpassword", "changemechangeme", "my-secret-password", "abcdefghijklmnop", "1234567890123456"),
+    *("aaaaaaaaaaaaaaaaaaaaaaaa", "oscillations-lecture-secret"),
+]
+
+
+@pytest.mark.parametrize("secret", GUESSED)
+def test_a_secret_that_can_be_guessed_is_refused_in_words(secret: str) -> None:
+    with pytest.raises(ValueError, match=r"BOKEH_SECRET_KEY is not what .* that nobody guesses") as refusal:
+        read_settings([], {"BOKEH_SECRET_KEY": secret})
+    assert secret not in str(refusal.value)
+
+
+@pytest.mark.parametrize("make", [partial(token_hex, 16), partial(token_urlsafe, 16), partial(token_urlsafe, 32)])
+def test_a_secret_made_at_random_is_taken(make: Callable[[], str]) -> None:
+    for _ in range(40):
+        secret = make()
+        assert read_settings([], {"BOKEH_SECRET_KEY": secret}).bokeh_secret_key == secret
 
 
 def test_a_wrong_value_stops_the_start_with_a_sentence() -> None:
@@ -91,9 +123,23 @@ def test_a_wrong_value_stops_the_start_with_a_sentence() -> None:
 def test_the_secret_may_stand_in_a_file(tmp_path: Path) -> None:
     path = tmp_path / "secret"
     path.write_text("a secret of sixteen letters\n")
-    assert read_settings([], {SECRET_FILE: str(path)}).bokeh_secret_key == "a secret of sixteen letters"
-    with pytest.raises(ValueError, match="BOKEH_SECRET_KEY_FILE names “/nowhere/secret”"):
-        read_settings([], {SECRET_FILE: "/nowhere/secret"})
+    assert read_settings([], {"BOKEH_SECRET_KEY_FILE": str(path)}).bokeh_secret_key == "a secret of sixteen letters"
+    for name in ("BOKEH_SECRET_KEY_FILE", "REDIS_PASSWORD_FILE"):
+        with pytest.raises(ValueError, match=f"{name} names “/nowhere/secret”"):
+            read_settings([], {name: "/nowhere/secret"})
+
+
+@pytest.mark.parametrize(
+    ("url", "asked"),
+    [
+        ("redis://store:6379/0", "redis://:a%2Fb%2B%3D@store:6379/0"),
+        ("redis://:own@store:6379/0", "redis://:own@store:6379/0"),
+        ("", ""),
+    ],
+)
+def test_the_stores_password_stands_in_a_file_and_its_addresss_own_wins(tmp_path: Path, url: str, asked: str) -> None:
+    (tmp_path / "password").write_text("a/b+=\n")
+    assert read_settings([], {"REDIS_URL": url, "REDIS_PASSWORD_FILE": str(tmp_path / "password")}).store == asked
 
 
 def test_the_table_of_settings_is_current() -> None:

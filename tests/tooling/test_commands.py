@@ -131,6 +131,17 @@ def test_ci_runs_the_tests_of_the_readme() -> None:
     assert os.access(ROOT / ".ci" / "run", os.X_OK)
 
 
+def test_cis_log_says_what_the_audit_says_which_fails_no_run(tmp_path: Path) -> None:
+    """What becomes known of a package today is no fault of the change that is looked at."""
+    (tmp_path / ".ci").mkdir()
+    shutil.copy(ROOT / ".ci" / "run", tmp_path / ".ci")
+    (tmp_path / "Makefile").write_text("test:\n\t@echo tested\naudit:\n\t@echo The audit could not be asked; exit 1\n")
+    ran = subprocess.run([tmp_path / ".ci" / "run"], capture_output=True, text=True)
+    assert (ran.returncode, ran.stdout.split("\n")[:2]) == (0, ["tested", "The audit could not be asked"])
+    (tmp_path / "Makefile").write_text("test:\n\t@false\n")
+    assert subprocess.run([tmp_path / ".ci" / "run"], capture_output=True).returncode
+
+
 # The container: there may be no engine, so its recipe is linted and its steps are walked in a clean folder.
 
 
@@ -168,7 +179,7 @@ def test_an_audit_that_could_look_nothing_up_says_so() -> None:
     skipped = [{"name": name, "skip_reason": "not found"} for name in ("a", "b")]
     fault = {"name": "c", "version": "1", "vulns": [{"id": "CVE-1", "fix_versions": ["2"]}]}
     assert list(findings({"dependencies": skipped})) == [
-        "The data of the audit cannot be reached: nothing is known of any package."
+        "The audit could not be asked: nothing is known of any package."
     ]
     assert list(findings({"dependencies": [*skipped, fault]})) == ["Not looked up: a, b.", "c 1: CVE-1; mended in 2."]
     assert list(findings({"dependencies": [{"name": "d", "version": "1", "vulns": []}]})) == []

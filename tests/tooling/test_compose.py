@@ -4,16 +4,22 @@ from __future__ import annotations
 
 import os
 import re
+import shutil
 import subprocess
+import sys
 from ipaddress import ip_address, ip_network
 from pathlib import Path
 from typing import Any
 
+import psutil
 import pytest
+import redis
 import yaml
 
-from components.serving.settings import HINTS, SECRET_FILE
-from tests.serving.server import ROOT
+from components.serving.settings import HINTS, SECRETS, read_settings
+from tests.rooms.stores import valkey_binary
+from tests.serving.server import ROOT, free_port, serving
+from tools.digests import pin
 
 COMPOSE: dict[str, Any] = yaml.safe_load((ROOT / "compose.yaml").read_text())
 
@@ -25,14 +31,39 @@ def test_compose_confines_every_container_and_names_settings_that_there_are() ->
         assert service["security_opt"] == ["no-new-privileges:true"]
     lecture, relief, proxy = (COMPOSE["services"][name] for name in ("lecture", "relief", "proxy"))
     assert relief == {**lecture, "profiles": ["relief"]} and COMPOSE["name"] == "oscillations"
-    script = proxy["command"][-1].replace("$$", "$").replace("exec caddy", "echo $UPSTREAMS #")
-    named = subprocess.run(["sh", "-c", script], env={"REPLICAS": "2"}, capture_output=True, text=True)
-    assert named.stdout.split() == [f"oscillations-{of}-{i}:5006" for i in (1, 2) for of in ("lecture", "relief")]
-    assert set(lecture["environment"]) <= {name.upper() for name in HINTS} | {SECRET_FILE}
+    script = proxy["command"][-1].replace("$$", "$").replace("exec caddy", "echo $COOKIE_SECRET $UPSTREAMS #")
+    started = [
+        subprocess.run(["sh", "-c", script], env={"REPLICAS": "2"}, capture_output=True, text=True) for _ in "ab"
+    ]
+    (secret, *named), (another, *_) = (one.stdout.split() for one in started)
+    assert len(secret) == len(another) == 44 and secret != another
+    assert named == [f"oscillations-{of}-{i}:5006" for i in (1, 2) for of in ("lecture", "relief")]
+    assert set(lecture["environment"]) <= {name.upper() for name in HINTS} | {
+        f"{name.upper()}_FILE" for name in SECRETS
+    }
     assert (lecture["volumes"], "walks" in COMPOSE["volumes"]) == (["${WALKS:-walks}:/walks:ro"], True)
     assert lecture["deploy"]["replicas"] == proxy["environment"]["REPLICAS"] == "${REPLICAS:-2}"
     used = set(re.findall(r"\{\$([A-Z_]+)", (ROOT / "Caddyfile").read_text()))
     assert used <= {*proxy["environment"], "UPSTREAMS", "COOKIE_SECRET"}
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no sh here")
+@pytest.mark.parametrize("given", ["", "CLASS_PASSPHRASE", "CLASS_PASSPHRASE_FILE"])
+def test_the_instructors_passphrase_reaches_the_replicas(tmp_path: Path, given: str) -> None:
+    """Compose puts in variables as sh does."""
+    (tmp_path / "phrase").write_text("a phrase of the class\n")
+    outside = {"": {}, "CLASS_PASSPHRASE": {given: "a phrase of the class"}}.get(given, {given: f"{tmp_path}/phrase"})
+
+    def with_variables(text: str) -> str:
+        return subprocess.run(["sh", "-c", f'printf %s "{text}"'], env=outside, capture_output=True, text=True).stdout
+
+    lecture, mounted = COMPOSE["services"]["lecture"], COMPOSE["secrets"]["class_passphrase"]["file"]
+    assert "class_passphrase" in lecture["secrets"] and Path(with_variables(mounted)).exists()
+    environment = {name: with_variables(text) for name, text in lecture["environment"].items() if "PASSPHRASE" in name}
+    if path := environment["CLASS_PASSPHRASE_FILE"]:
+        assert path == "/run/secrets/class_passphrase"
+        environment["CLASS_PASSPHRASE_FILE"] = with_variables(mounted)
+    assert read_settings([], environment).class_passphrase == ("a phrase of the class" if given else "")
 
 
 def test_no_container_is_given_the_address_of_the_proxy() -> None:
@@ -50,12 +81,92 @@ def test_the_proxy_stays_where_replicas_are_replaced() -> None:
 
 def test_the_store_needs_no_capability_to_start() -> None:
     store = COMPOSE["services"]["store"]
-    assert re.fullmatch(r"[1-9]\d*:[1-9]\d*", store["user"]) and store["entrypoint"][0] == "valkey-server"
+    assert re.fullmatch(r"[1-9]\d*:[1-9]\d*", store["user"])
+    assert re.search(r"^exec valkey-server - ", store["command"][-1], re.M)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no Valkey here")
+def test_the_store_wants_its_password_refuses_when_full_and_shows_the_password_to_nobody(tmp_path: Path) -> None:
+    (tmp_path / "password").write_text("one/of+these=\n")
+    port, store = free_port(), COMPOSE["services"]["store"]
+    script = store["command"][-1].replace("$$", "$").replace("/run/secrets/store_password", str(tmp_path / "password"))
+    script = script.replace("valkey-server -", f"{valkey_binary()} - --port {port}", 1)
+    with serving(tmp_path / "log", port=port, command=(*store["entrypoint"], script)) as running:
+        with redis.Redis(port=port, password="one/of+these=") as client:
+            assert client.config_get("maxmemory-policy") == {"maxmemory-policy": "noeviction"}
+        with redis.Redis(port=port) as stranger, pytest.raises(redis.exceptions.AuthenticationError):
+            stranger.ping()
+        assert "one/of+these=" not in " ".join(psutil.Process(running.process.pid).cmdline())
+
+
+def test_none_but_replicas_reach_the_store_and_none_but_the_proxy_is_reached() -> None:
+    within = {name: set(service["networks"]) for name, service in COMPOSE["services"].items()}
+    assert {name for name, of in within.items() if "shared" in of} == {"lecture", "relief", "store"}
+    assert {name for name, of in within.items() if "outer" in of} == {"proxy"} and within["store"] == {"shared"}
+    assert [COMPOSE["networks"][name].get("internal", False) for name in ("outer", "inner", "shared")] == [0, 1, 1]
+    assert [name for name, service in COMPOSE["services"].items() if "ports" in service] == ["proxy"]
+
+
+def test_a_visitor_over_ipv6_keeps_an_address_of_their_own() -> None:
+    """The engine hides no address of IPv6 where the network that ports lead to has such addresses."""
+    assert [name for name, network in COMPOSE["networks"].items() if network.get("enable_ipv6")] == ["outer"]
+
+
+def test_networks_do_not_overlap() -> None:
+    pools = [pool for network in COMPOSE["networks"].values() for pool in network.get("ipam", {}).get("config", ())]
+    subnets = [ip_network(pool["subnet"]) for pool in pools]
+    assert len(subnets) == 2 and not subnets[0].overlaps(subnets[1])
+
+
+def test_every_image_of_others_is_named_by_its_digest() -> None:
+    images = [service["image"] for service in COMPOSE["services"].values() if "build" not in service]
+    assert len(images) == 2 and all(re.fullmatch(r"[\w./-]+:[\w.-]+@sha256:[0-9a-f]{64}", name) for name in images)
+
+
+@pytest.mark.parametrize("reached", [True, False])
+def test_digests_are_written_all_or_none(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, reached: bool) -> None:
+    for name in ("compose.yaml", "Dockerfile"):
+        shutil.copy(ROOT / name, tmp_path)
+    before = {path: path.read_text() for path in tmp_path.iterdir()}
+    digest = "sha256:" + 64 * "0"
+    engine = tmp_path / "bin" / "docker"
+    engine.parent.mkdir()
+    engine.write_text(
+        f'#!/bin/sh\ncase "$*" in *{"nothing" if reached else "valkey"}*) echo away >&2; exit 1;; esac\necho {digest}\n'
+    )
+    engine.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{engine.parent}{os.pathsep}{os.environ['PATH']}")
+    if reached:
+        pin(tmp_path)
+    else:
+        with pytest.raises(RuntimeError, match="valkey/valkey:8-alpine: away"):
+            pin(tmp_path)
+    pinned = re.compile("sha256:[0-9a-f]{64}")
+    assert {path: path.read_text() for path in before} == {
+        path: pinned.sub(digest, text) if reached else text for path, text in before.items()
+    }
+
+
+@pytest.mark.parametrize("name", ["secret", "store-password"])
+def test_a_secret_is_never_for_everybody(tmp_path: Path, name: str) -> None:
+    for refused in ("chown", "setfacl"):
+        command = tmp_path / refused
+        command.write_text("#!/bin/sh\nexit 1\n")
+        command.chmod(0o755)
+    command = ["make", "--silent", "--file", str(ROOT / "Makefile"), name]
+    environment = {**os.environ, "PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}"}
+    refused = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True)
+    assert refused.returncode and f"may read the file {name}" in refused.stdout and not (tmp_path / name).exists()
+    (tmp_path / "chown").write_text("#!/bin/sh\nexit 0\n")
+    subprocess.run(command, cwd=tmp_path, env=environment, check=True)
+    assert (tmp_path / name).stat().st_mode & 0o077 == 0
+    assert len((tmp_path / name).read_text().strip()) == 44
 
 
 @pytest.mark.parametrize("fails", ["", "relief", "lecture"])
 def test_an_upgrade_that_does_not_come_up_leaves_who_serves(tmp_path: Path, fails: str) -> None:
-    (tmp_path / "secret").touch()
+    for name in ("secret", "store-password"):
+        (tmp_path / name).touch()
     engine = tmp_path / "docker"
     engine.write_text(f'#!/bin/sh\necho "$@"\ntest -z "{fails}" || case "$*" in *"--wait {fails}") exit 1;; esac\n')
     engine.chmod(0o755)

@@ -72,6 +72,17 @@ ANSWERS: dict[str, tuple[list[float], list[float]]] = {
 }
 ANSWERS["tour-03"], ANSWERS["tour-05"] = ANSWERS["d34-08"], ANSWERS["d34-16"]
 
+# The periods of sketched curves; of a beat, or of a swing that grows, that of what swings.
+slow, fast = free_modes(beats, (0.2, 0.0), (0.0, 0.0)).omega.tolist()
+PERIODS: dict[str, float] = {
+    "d31-04": spring.period,
+    "d31-09": spring.period / 2,
+    "d31-15": 150 * FT / 9.80665 * 2 * half_a_period,
+    "d34-10": 4 * math.pi / (slow + fast),
+    "d34-15": 2 * math.pi / 1.0,
+}
+PERIODS["tour-04"] = PERIODS["d34-10"]
+
 # Numbers in the texts that are no parameter and no live value of the step's scene.
 STATED: dict[str, dict[str, float]] = {
     "d31-02": {"1.00": spring.period, "157.6": 4 * 39.4},

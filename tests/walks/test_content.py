@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from decimal import Decimal
 from typing import Any
 
 import numpy as np
 import pytest
 
+from components.numbers import three
+from components.page.messages import Given
 from components.scenes import SCENES
+from components.text import rich
 from components.walks.checking import problems
-from components.walks.curves import axes_of, true_curves
+from components.walks.curves import axes_of, place_of, true_curves
+from components.walks.judging import lesson_of
 from components.walks.links import scene_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.sketch import Sketch, seen, sketch
 from components.walks.texts import FORMULA
-from components.walks.types import ChoiceStep, NumericStep, SketchStep, Step, minutes_of
+from components.walks.types import ChoiceStep, NumericStep, Period, SketchStep, Step, minutes_of
 from tests.walks.drawings import WRONG
-from tests.walks.facts import ANSWERS, STATED
+from tests.walks.facts import ANSWERS, PERIODS, STATED
 
 WALKS = load_walks(())
 STEPS = steps_of(WALKS.values())
@@ -122,18 +127,49 @@ def missed(step: SketchStep, curves: dict[str, Sketch]) -> set[str]:
     }
 
 
+def half_of_its_last_digit(stated: float) -> float:
+    return 0.5 * 10.0 ** int(Decimal(repr(stated)).as_tuple().exponent)
+
+
 @every_sketch
 def test_a_feature_states_what_the_true_curve_has(step: SketchStep) -> None:
     curves = true_curves(step, scene_at(step.state, SCENES))
     for feature in step.must:
         found = seen(feature, curves[feature.on or step.curve])
         assert found.has
-        for stated, true in ((getattr(feature, "value", None), found.number), (getattr(feature, "at", None), found.x)):
-            if stated is not None and true is not None and hasattr(feature, "tol"):
-                unit = (
-                    getattr(feature, "tol_y", feature.tol) if stated is getattr(feature, "value", None) else feature.tol
-                )
-                assert abs(true - stated) <= 0.25 * unit, feature
+        number = PERIODS[step.id] if isinstance(feature, Period) else found.number
+        for stated, true in ((getattr(feature, "value", None), number), (getattr(feature, "at", None), found.x)):
+            if stated is not None and true is not None:
+                assert abs(true - stated) <= half_of_its_last_digit(stated), (feature, true)
+                assert not isinstance(feature, Period) or three(stated) == three(true), "it is said to be the true one"
+
+
+def judged(step: SketchStep, draw: Callable[[Any], Any]) -> tuple[bool | None, str]:
+    """Whether a sketch is right, and what is said of it."""
+    axes = axes_of(scene_at(step.state, SCENES), step.plot)
+    x = np.linspace(*axes.frame.x, 201)
+    drawn = draw(x)
+    heights = drawn if isinstance(drawn, dict) else {step.curve: drawn}
+    places = {
+        name: [(place_of(axes.x, float(a)), place_of(axes.y, float(b))) for a, b in zip(x, y, strict=True)]
+        for name, y in heights.items()
+    }
+    lesson = lesson_of(step, Given(walk="", step=step.id, curves=places), SCENES)
+    return lesson.right, lesson.reply
+
+
+def level(step: SketchStep, height: float) -> Callable[[Any], Any]:
+    return lambda x: dict.fromkeys(step.curves, 0 * x + height)
+
+
+@every_sketch
+def test_a_wrong_sketch_is_told_what_it_is_and_nothing_else_is(step: SketchStep) -> None:
+    assert all(wrong.has for wrong in step.wrong)
+    for described, draw in zip(step.wrong, WRONG[step.id], strict=True):
+        assert judged(step, draw) == (False, rich(described.reply)), described.draws
+    low, high = axes_of(scene_at(step.state, SCENES), step.plot).frame.y
+    for share in (0.5, 0.75, 0.97):
+        assert judged(step, level(step, low + share * (high - low))) == (False, ""), share
 
 
 @every_sketch

@@ -5,14 +5,21 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from msgspec import to_builtins
+from msgspec.structs import replace
 
+from app import visited
+from components.page.state import Frame
+from components.scene import frame_of
 from components.scenes import SCENES
+from components.session import Session
+from components.text import mathml
 from components.walks.cards import parted, walk_sheet
 from components.walks.checking import problems
+from components.walks.links import scene_at
 from components.walks.loading import LARGEST, WalkError, load_walks, read_walk, steps_of
 from components.walks.registry import all_walks, asked_step, read_own
-from components.walks.texts import check_formula
-from components.walks.types import ChoiceStep, Walk
+from components.walks.types import ChoiceStep, NumberStep, Walk
 
 OWN = load_walks(())
 GOOD = """
@@ -75,17 +82,42 @@ def test_a_complaint_names_file_step_and_field(old: str, new: str, says: str) ->
         ("k2=3", "k2=-3", "state: k2: "),
         ("scene=coupled", "scene=moon", "state: scene: “moon” is not a scene"),
         ("?scene=coupled&", "?", "state: a link names its scene"),
-        ("value:omega_minus", "plot:x9", "cover: “plot:x9” is nothing that can be covered here."),
+        ("value:omega_minus", "plot:x9", "cover: “plot:x9” cannot be covered here."),
         ('controls = ["k2"]', 'controls = ["k9"]', "controls: “k9” is not a parameter."),
+        ("k2=3", "k2=", "state: k2: Nothing is typed here"),
+        ("k2=3", "k2=3&frame.fruit=1,2", "state: frame.fruit: “fruit” is not an axis of this picture."),
+        ("k2=3", "k2=3&frame.x=1", "state: frame.x: “1” is not a range"),
+        ("k2=3", "k2=3&hidden=x1,fruit", "state: hidden: “fruit” is no curve of this scene."),
+        ("k2=3", "k2=3&held.fruit=1", "state: “fruit” is not a parameter of this scene."),
+        ("k2=3", "k2=3&cover=plot:x2", "state: cover: name what is covered in the step's own field"),
+        ("k2=3", "k2=3&before.k2=2", "state: before: a step begins with no prediction that waits."),
         ("{omega_minus}", "{omega_9}", "explain: there is no live number “omega_9”."),
-        ("right = true", "right = false", "options: one of them, and only one, is right."),
-        (', reply = "It is right for a **single** mass."', "", "options[1].reply: a wrong answer has a sentence"),
+        ("right = true", "right = false", "options: exactly one must be right."),
+        (', reply = "It is right for a **single** mass."', "", "options[1].reply: a wrong answer needs a reply"),
         ("rise?", "rise, $\\\\left($?", "question: “\\left(” cannot be set as a formula."),
         ("Stiffer is", "{tau} is", "title: live numbers can stand in explain only."),
     ],
 )
 def test_a_check_names_the_field(old: str, new: str, says: str) -> None:
     assert any(problem.startswith(f"mine, step 1 (first), {says}") for problem in found(old, new)), found(old, new)
+
+
+def test_a_step_holds_all_that_its_link_says() -> None:
+    """One function makes the state: for the card, the checker, and the page that is opened at the step."""
+    link = "?scene=coupled&k2=3&frame.x=-4,4&frame.window=50&held.k2=20&hidden=x1_slow"
+    walk = changed("?scene=coupled&k2=3", link)
+    assert not list(problems(walk, SCENES))
+    (card,) = walk_sheet(walk, SCENES).steps
+    for state in (card.opens, card.reveals):
+        assert (state.parameters, state.held, state.hidden) == ({"k2": 3.0}, {"k2": 20.0}, ("x1_slow",))
+        assert state.frame == Frame(ranges={"x": (-4.0, 4.0)}, window=50.0, given=True)
+    at_address = visited({"walk": [b"mine"], "step": [b"1"]}, {"mine": walk}).state
+    session = Session(SCENES["oscillator"](), scenes=SCENES)
+    session.hear({"type": "open", "number": 1, "state": to_builtins(card.opens)})
+    assert at_address == session.state == replace(card.opens, frame=session.state.frame)
+    assert session.state.frame and session.state.frame.ranges["x"] == (-4.0, 4.0)
+    scene = scene_at(link, SCENES)
+    assert frame_of(scene.shown) == frame_of(session.scene.shown) and scene.shown_beside and scene.hidden == ["x1_slow"]
 
 
 def test_no_text_becomes_html() -> None:
@@ -105,7 +137,7 @@ def test_no_text_becomes_html() -> None:
 )
 def test_a_formula_brings_nothing_but_mathml(latex: str) -> None:
     with pytest.raises(ValueError, match="“"):
-        check_formula(latex)
+        mathml(latex)
 
 
 def test_a_step_may_stand_on_one_that_is_known() -> None:
@@ -113,6 +145,45 @@ def test_a_step_may_stand_on_one_that_is_known() -> None:
         'title = "t"\n[[step]]\nid = "again"\nfrom = "d31-03"\nquestion = "How long?"', "mine", steps_of(OWN.values())
     ).steps
     assert (step.id, step.question, step.title) == ("again", "How long?", "Twice as far takes just as long")
+
+
+def test_an_answer_may_be_written_as_it_is_typed_into_a_field() -> None:
+    text = (
+        'title = "t"\n[[step]]\nid = "one"\nkind = "number"\ntitle = "t"\nquestion = "q"\nexplain = "e"\n'
+        'state = "?scene=energy"\nanswer = { is = ["1/4", 2.5, "2000 ms"], unit = "s", tol = "0,1" }\n'
+    )
+    (step,) = read_walk(text, "mine").steps
+    assert isinstance(step, NumberStep) and (step.answer.value, step.answer.tol) == ((0.25, 2.5, 2.0), 0.1)
+    for old, new, says in (
+        ("1/4", "", "answer: Nothing is typed here"),
+        ("1/4", "1 kg", "answer: “1 kg” is in kg"),
+        ('tol = "0,1"', "tolerance = 1", "answer: object contains unknown field"),
+    ):
+        with pytest.raises(WalkError, match=says):
+            read_walk(text.replace(old, new), "mine")
+
+
+def test_what_a_mark_sets_is_a_parameter() -> None:
+    steps = steps_of(OWN.values())
+    walk = read_walk('title = "t"\n[[step]]\nid = "one"\nfrom = "d34-08"\nsets = "x9_0"', "mine", steps)
+    assert list(problems(walk, SCENES)) == ["mine, step 1 (one), sets: “x9_0” is not a parameter."]
+
+
+@pytest.mark.parametrize(
+    ("has", "says"),
+    [
+        ("", []),
+        ('has = [{ f = "least", on = "V", is = 0.0, tol = 0.1 }], ', []),
+        (
+            'has = [{ f = "least", on = "W", is = 0.0, tol = 0.1 }], ',
+            ["mine, step 1 (one), wrong[0].has: “W” is not drawn."],
+        ),
+    ],
+)
+def test_what_a_wrong_sketch_has_is_of_a_curve_that_is_drawn(has: str, says: list[str]) -> None:
+    wrong = f'{{ draws = "d", {has}fails = ["period"], idea = "i", reply = "r" }}'
+    text = f'title = "t"\n[[step]]\nid = "one"\nfrom = "d31-09"\nwrong = [{wrong}]'
+    assert list(problems(read_walk(text, "mine", steps_of(OWN.values())), SCENES)) == says
 
 
 def test_two_steps_of_one_id_and_too_large_a_file_are_refused() -> None:
@@ -165,3 +236,31 @@ def test_the_walk_in_the_docs_is_right() -> None:
     docs = (Path(__file__).parents[2] / "docs" / "writing-a-walk.md").read_text(encoding="utf-8")
     example = docs.split("```toml\n")[1].split("```")[0]
     assert list(problems(read_walk(example, "docs"), SCENES)) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        ('title = "t"\n[[step]]\nfrom = []', "mine, step 1, from: “[]” is no step"),
+        ('title = "t"\nx = ' + "[" * 3000, "mine: this is not TOML"),
+        ("a." * 20_000 + "a = 1", "mine: “a.a.a.a.a.a.a.a.” is no field of a walk"),
+        ('[["a". b . c.d.e.f.g.h.i]]', "is no field of a walk: its name has too many dots"),
+        ("title = '\ud800'", "mine: the title is missing|is not TOML|1 to 60 steps"),
+    ],
+)
+def test_files_that_mean_harm_are_refused_in_a_sentence(text: str, says: str) -> None:
+    with pytest.raises(WalkError, match=says.replace("[", r"\[").replace("]", r"\]")):
+        read_walk(text, "mine")
+
+
+def test_a_walk_has_so_many_links_and_so_much_that_follows() -> None:
+    steps = [f'[[step]]\nid = "s{i}"\nfrom = "d31-03"\nstate = "?scene=energy&m={1 + i}"' for i in range(31)]
+    known = steps_of(OWN.values())
+    reveals = [f'\nreveal = "?scene=energy&k={1 + i}"' for i in range(31)]
+    read_walk(
+        "\n".join(['title = "t"', *(a + b for a, b in zip(steps[:30], reveals[:30], strict=True))]), "mine", known
+    )
+    with pytest.raises(WalkError, match="mine: a walk has at most 60 different links"):
+        read_walk("\n".join(['title = "t"', *(a + b for a, b in zip(steps, reveals, strict=True))]), "mine", known)
+    with pytest.raises(WalkError, match="follows: "):
+        read_walk(f'title = "t"\n{steps[0]}\nfollows = "{"x" * 2001}"', "mine", known)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
+from components.text import mathml
 from components.walks.loading import load_walks, steps_of
-from components.walks.texts import check_formula, line, pieces
+from components.walks.texts import line, pieces
 
 EQUATIONS = [equation for step in steps_of(load_walks(()).values()).values() for equation in step.equations]
 
@@ -36,5 +37,5 @@ def test_a_line_ends_between_its_pieces(latex: str, expected: list[str]) -> None
 def test_the_pieces_are_formulas_that_make_the_whole(latex: str) -> None:
     assert "".join(pieces(latex)) == latex
     for piece in pieces(latex):
-        check_formula(piece)
+        mathml(piece)
     assert line(latex).count("<math") == len(pieces(latex))

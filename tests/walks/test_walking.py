@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
+import numpy as np
 import pytest
 
 from app import visited
 from components.description import plots
+from components.page.room import Vote
+from components.rooms.lessons import Lessons
 from components.scenes import SCENES
 from components.walks.cards import walk_sheet
+from components.walks.curves import true_curves
 from components.walks.links import scene_at
 from components.walks.loading import load_walks
 from components.walks.types import SketchStep
 from tests.page.told import Page, unpacked
+from tests.walks.strokes import strokes
 
 WALKS = load_walks(())
 SHEETS = {name: walk_sheet(walk, SCENES) for name, walk in WALKS.items()}
@@ -88,6 +94,11 @@ def test_a_choice_gets_the_sentence_that_is_its_own(page: Page) -> None:
         ("4.0", False, "root of m"),
         ("0.5", False, "trade places"),
         ("9", False, ""),
+        ("4/2", True, ""),
+        ("2 s", True, ""),
+        ("2000 ms", True, ""),
+        ("sqrt(4) s", True, ""),
+        ("1 + 3 s", False, "root of m"),
     ],
 )
 def test_a_number_is_right_within_its_tolerance(page: Page, text: str, right: bool, reply: str) -> None:
@@ -96,9 +107,24 @@ def test_a_number_is_right_within_its_tolerance(page: Page, text: str, right: bo
     assert reply in lesson["reply"] and bool(lesson["reply"]) == bool(reply)
 
 
-def test_what_is_no_number_is_refused_in_words(page: Page) -> None:
-    told = given(page, "d31-02", text="two")
-    assert told["lesson"] is None and "two" in told["refused"]
+@pytest.mark.parametrize(("text", "says"), [("two", "“two” is not a number"), ("2 kg", "“2 kg” is in kg, and this is")])
+def test_what_is_no_number_is_refused_in_words(page: Page, text: str, says: str) -> None:
+    told = given(page, "d31-02", text=text)
+    assert told["lesson"] is None and told["refused"].startswith(says)
+
+
+def test_a_class_reads_a_number_as_its_page_does() -> None:
+    lessons = Lessons(WALKS, SCENES)
+
+    def vote(text: str) -> Vote:
+        return Vote(walk="d34", step="d34-01", vote=1, text=text)
+
+    for text in ("-4 N", "−12/3", "-4000 mN"):
+        assert lessons.judge(vote(text)).right and lessons.judged(vote(text)).right
+    with pytest.raises(ValueError, match="this is in N"):
+        lessons.judge(vote("-4 m"))
+    judged = [lessons.judge(vote(text)) for text in ("-6 N", "1/2", "2,5")]
+    assert lessons.counted("d34", "d34-01", judged).numbers == (-6.0, 0.5, 2.5)
 
 
 @pytest.mark.parametrize(
@@ -109,20 +135,14 @@ def test_a_point_is_a_place_on_the_axis(page: Page, step: str, place: float, rig
     assert lesson["right"] is right and len(lesson["places"]) == 2
 
 
-def strokes(step: SketchStep) -> dict[str, list[tuple[float, float]]]:
-    """The true curves, as a hand would draw them: some hundred places on the axes."""
-    scene = scene_at(step.state, SCENES)
-    (plot,) = (plot for plot in plots(type(scene)) if plot.name == step.plot)
-    axes, found = scene.shown.axes, {}
-    for name in step.curves:
-        points: list[tuple[float, float]] = []
-        for curve in plot.curves:
-            columns = scene.shown.columns.get(curve.source, {})
-            if curve.y == name and name in columns:
-                x, y = axes[plot.x].places(columns[curve.x]), axes[plot.y].places(columns[name])
-                points += zip(x.tolist(), y.tolist(), strict=True)
-        found[name] = points[:: len(points) // 200]
-    return found
+@pytest.mark.parametrize(("name", "step"), [("d34", "d34-08"), ("tour", "tour-03")])
+@pytest.mark.parametrize("place", [1.6, -0.9])
+def test_what_was_marked_is_what_is_played(page: Page, name: str, step: str, place: float) -> None:
+    said = {"type": "given", "walk": name, "step": step, "number": 1, "value": place}
+    shows = page.say(said)["lesson"]["shows"]
+    told = page.say({"type": "open", "state": shows, "number": 2})
+    assert told["errors"] == {} and told["state"]["step"] == f"{name}/{step}"
+    assert page.session.state.parameters["x2_0"] == place
 
 
 @pytest.mark.parametrize(
@@ -178,9 +198,26 @@ cover = ["plot:z"]
 options = [{ text = "a", right = true, where = "?scene=no" }, { text = "b", reply = "c" }]
 """
     refused = page.say({"type": "walk", "name": "mine3", "text": wrong, "number": 4})["refused"]
-    assert "mine3, step 1 (one), cover: “plot:z” is nothing" in refused
+    assert "mine3, step 1 (one), cover: “plot:z” cannot be covered" in refused
     assert "mine3, step 1 (one), options[0].where: " in refused
     assert "mine" not in WALKS
+
+
+def test_a_session_keeps_five_walks_of_its_own_and_none_that_has_the_name_of_the_lecture_s(page: Page) -> None:
+    text = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
+
+    def refusal(name: str) -> str:
+        said = {"type": "walk", "name": name, "text": text, "number": 1 + len(page.packets)}
+        return str(page.say(said)["refused"])
+
+    assert refusal("d31") == "there is a walk “d31” here already: give the file another name."
+    assert given(page, "d31-03", option=0)["lesson"]["right"]
+    assert [refusal(f"mine-{i}") for i in range(5)] == [""] * 5
+    assert refusal("mine-5").startswith("A page keeps 5 walks from files, and this would be one more")
+    assert refusal("mine-3") == ""  # mended
+    asked = {"type": "given", "step": "one", "option": 0}
+    known = [page.say({**asked, "walk": f"mine-{i}", "number": 100 + i})["lesson"] is not None for i in range(6)]
+    assert known == [True] * 5 + [False]
 
 
 def test_a_page_can_open_at_a_step() -> None:
@@ -188,3 +225,28 @@ def test_a_page_can_open_at_a_step() -> None:
     assert (session.state.step, session.state.covered) == ("d34/d34-07", SHEETS["d34"].steps[6].opens.covered)
     (problem,) = unpacked(visited({"walk": [b"d34"], "step": [b"99"]}, WALKS).opening())["problems"]
     assert problem.startswith("step: the walk d34 has no step “99”")
+
+
+def test_what_is_called_true_of_a_turning_point_is_the_motions() -> None:
+    """Not the nearest point that is drawn: to a millionth of the period."""
+    steps = {step.id: step for walk in WALKS.values() for step in walk.steps}
+    for name, of, turns in (("d31-04", "x", (0.5, 1.0)), ("d31-06", "v", (0.25, 0.75))):
+        step = steps[name]
+        assert isinstance(step, SketchStep)
+        scene = scene_at(step.state, SCENES)
+        omega_n = math.sqrt(scene.k / scene.m)
+        phase = math.atan2(scene.v_0 / omega_n, scene.x_0)  # x = C cos(omega_n t - phase)
+        expected = [(2 * math.pi * turn + phase) / omega_n for turn in turns]
+        (curve,) = true_curves(step, scene).values()
+        low, high = np.argmin(curve.y), np.argmax(curve.y)
+        found = sorted(float(curve.x[i]) % (2 * math.pi / omega_n) for i in (low, high))
+        np.testing.assert_allclose(found, sorted(t % (2 * math.pi / omega_n) for t in expected), rtol=1e-6)
+        C = math.hypot(scene.x_0, scene.v_0 / omega_n) * (omega_n if of == "v" else 1.0)
+        np.testing.assert_allclose([curve.y[low], curve.y[high]], [-C, C], rtol=1e-7)
+
+
+def test_the_period_of_a_push_is_the_pushs(page: Page) -> None:
+    (step,) = (step for step in WALKS["d34"].steps if step.id == "d34-15")
+    assert isinstance(step, SketchStep)
+    found = given(page, step.id, curves=strokes(step))["lesson"]["findings"]
+    assert found[-1]["words"].endswith("true 6.28 s")

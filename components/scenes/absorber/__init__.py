@@ -84,7 +84,7 @@ class Absorber(Scene):
         Group(
             "Your absorber",
             ("m2", "k2", "tuning"),
-            facts=((r"Mass ratio $\mu = m_2/m_1 = \val{mu}$",), ("Lightest that met every goal: {lightest}",)),
+            facts=((r"Mass ratio $\mu = m_2/m_1 = \val{mu}$",), ("Your lightest solution: {lightest}",)),
         ),
         Group("", ("damping",), "Beyond the lecture: damping", folded=True),
         Group("", ("c",), actions=(("optimum", "Den Hartog's optimum"),), form="damped"),

@@ -28,5 +28,5 @@ def absorber_about(picture: Picture, duty: Duty) -> About:
     if duty.loose:
         del names["stroke"]
     found = rows(names, columns, sizes, at, FREQUENCY)
-    bound = bounded("$|X_1|$, with the absorber or alone, or of $|X_2 - X_1|$", 6, "itself", found)
-    return About((bound,), envelope=f"{NO_BAND} Curves end far above the frame, towards a resonance without limit.")
+    bound = bounded("$|X_1|$, with the absorber or alone, or of $|X_2 - X_1|$", 6, "its own value", found)
+    return About((bound,), envelope=f"{NO_BAND} Where a resonance is infinite no point is drawn.")

@@ -32,29 +32,20 @@ ROOM = (0.22, 0.2, 0.28)
 
 
 def columns(duty: Duty, axes: dict[str, Axis]) -> tuple[dict[str, Columns], dict[str, float]]:
-    """The curves, cut far above the frame, and where the names in the plots stand."""
-    low, high = axes["w"].start, axes["w"].end
-    caps = 6 * axes["X1"].end, 6 * axes["X2"].end
-    w = duty.frequencies(low, high)
-    swing, stroke, alone = (
-        np.minimum(c, cap) for c, cap in zip(duty.curves(w), (caps[0], caps[1], caps[0]), strict=True)
-    )
+    """The curves at all frequencies that have an amplitude, and where the names in the plots stand."""
+    w = duty.frequencies(axes["w"].start, axes["w"].end)
+    curves = [*duty.curves(w), *(machine_curves(duty.chain, 0.0, duty.F_0, w)[:2] if duty.c else ())]
+    known = np.isfinite(curves).all(axis=0)
+    w, (swing, stroke, alone, *free) = w[known], np.asarray(curves)[:, known]
     sources: dict[str, Columns] = {
         "sweep": {"w": w, "swing": swing, "stroke": stroke, "alone": alone},
         "helped": {},
-        "compare": {},
+        "compare": {"w": w, "free": free[0], "free2": free[1]} if free else {},
     }
     labels = _labels(axes, duty.driven.free.omega.tolist(), w, swing, stroke)
     if duty.band is not None:
         inside = (w >= duty.band[0]) & (w <= duty.band[1])
         sources["helped"] = {"w": w[inside], "helped_lo": swing[inside], "helped_hi": alone[inside]}
-    if duty.c:
-        free = machine_curves(duty.chain, 0.0, duty.F_0, w)
-        sources["compare"] = {
-            "w": w,
-            "free": np.minimum(free[0], caps[0]),
-            "free2": np.minimum(free[1], caps[1]),
-        }
     return sources, labels
 
 
@@ -202,8 +193,8 @@ def values(duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: f
     }  # fmt: skip
     texts |= {f"goal{i}": text for i, text in enumerate((
         f"Resonances {short(100 * AWAY)} % away",
-        f"Machine within {short(X1.place(duty.limits[0]))} {X1.full_unit}",
-        f"Stroke within {short(X2.place(duty.limits[1]))} {X2.full_unit}",
+        f"Machine's xₚ within {short(X1.place(duty.limits[0]))} {X1.full_unit}",
+        f"Stroke in xₚ within {short(X2.place(duty.limits[1]))} {X2.full_unit}",
     ))}  # fmt: skip
     near = f"{('ω₋', 'ω₊')[j]} {three(float((slow, fast)[j]))} rad/s"
     texts["found0"] = f"nearest is {_percent(share)} % away: {near}"

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from components.chain.parameters import Pair
+from components.numbers import three
 from components.traces import Floats
 from physics.absorber import Band, alone, damped_solution, helped_band, swing_and_stroke
 from physics.absorber_curves import machine_curves
@@ -22,10 +23,16 @@ from physics.transient import DampedModes
 
 SWING, STROKE, AWAY = 0.5, 7.5, 0.2
 """The goals: swing and stroke over the static deflection F_0/k1, share of the speed free of resonances."""
-SAME = 5e-4
-"""How near to the speed the absorber's own frequency counts as tuned to it: the same three digits."""
+EXACT, SAME = 4e-16, 5e-4
+"""How near to the speed the absorber's own frequency is tuned to it, but for rounding, and almost: to three digits."""
+LEFT = 0.01
+"""The share of the machine's swing alone that may be left where the absorber is almost tuned."""
+SMALL = 10.0
+"""Static deflections: a machine that swings no more of a mode at which the drive is has a small part in it."""
 BEND = (1 - np.cos(np.linspace(0, math.pi, 110))) / 2
 """Shares of a way, dense next to both of its ends."""
+TOLD = 1e-15
+"""Of a frequency: so near to a resonance a drive is not told from it within the times whose phases a double tells."""
 LARGEST, SMALLEST = 1e200, 1e-300
 
 
@@ -75,7 +82,9 @@ class Duty:
         with precise():
             deflection = rounded("the static deflection F_0/k1", exact(count) * exact(self.F_0) / exact(self.k1))
         if deflection < SMALLEST:
-            raise ValueError(f"the static deflection F_0/k1 = {deflection:.3g} m is too small to draw by")
+            raise ValueError(
+                f"the static deflection F_0/k1 = {deflection:.3g} m cannot be drawn: at least {SMALLEST:g} m is needed"
+            )
         return deflection
 
     def over_deflection(self, way: float) -> float:
@@ -83,7 +92,9 @@ class Duty:
         with precise():
             ratio = exact(way) * exact(self.k1) / exact(self.F_0)
         if ratio > LARGEST:
-            raise ValueError("the motion is too large to be drawn beside the static deflection F_0/k1")
+            raise ValueError(
+                f"the motion is too large to be drawn: at most {LARGEST:g} static deflections F_0/k1 are allowed"
+            )
         return float(ratio)
 
     @cached_property
@@ -91,12 +102,12 @@ class Duty:
         if self.c:
             return damped_solution(self.chain, self.c, self.F_0, self.omega)
         X = self.driven.particular.astype(complex)
-        return np.where(X != 0, np.inf, X) if self.driven.at_resonance else X
+        return np.where(X != 0, np.inf, X) if self.resonates else X
 
     @cached_property
     def swings(self) -> tuple[float, float, float]:
         """The machine's swing, the absorber's stroke, the machine's swing alone, in x_p, in m; inf at a resonance."""
-        grows = self.driven.at_resonance and not self.c
+        grows = self.resonates and not self.c
         with_it = (math.inf,) * 2 if grows else swing_and_stroke(self.chain, self.c, self.F_0, self.omega)
         by_itself = math.inf if self.bare.at_resonance else abs(float(self.bare.particular[0]))
         return float(with_it[0]), 0.0 if self.loose else float(with_it[1]), by_itself
@@ -132,7 +143,7 @@ class Duty:
         if self.c:
             with_it = _damped_bounds(self.damped)
         else:
-            with_it = (math.inf, math.inf) if self.driven.at_resonance else _bounds(self.driven)
+            with_it = (math.inf, math.inf) if self.resonates else _bounds(self.driven)
         return with_it[0], 0.0 if self.loose else with_it[1]
 
     @cached_property
@@ -173,10 +184,26 @@ class Duty:
         swing, stroke, _ = self.swings
         return self.nearest[1] >= AWAY, swing <= self.limits[0], stroke <= self.limits[1]
 
+    @cached_property
+    def aside(self) -> bool:
+        """Whether of the resonance that the drive is next to the machine has a small part: then mass 2 grows alone."""
+        j = self.nearest[0]
+        with precise():
+            detuning, omega = abs(exact(self.driven.detuning[j])), exact(self.omega)
+            off = max(detuning, exact(TOLD) * omega) * (omega + exact(self.driven.free.omega[j]))
+            part = exact(self.F_0) * exact(self.driven.coupling[j, 0])
+            small = part <= exact(SMALL * self.deflections(1.0)) * off
+        return not self.solved and detuning > 0 and small
+
+    @property
+    def resonates(self) -> bool:
+        """Whether the machine's swing grows without limit, as far as doubles tell."""
+        return self.driven.at_resonance and not self.aside
+
     @property
     def unsolved(self) -> str:
         """What the swing does from rest at a resonance, or hardly beside it."""
-        return "grow" if self.driven.at_resonance else "beat"
+        return "aside" if self.aside else "grow" if self.resonates else "beat"
 
     @cached_property
     def verdict(self) -> str:
@@ -185,9 +212,22 @@ class Duty:
             return "detached"
         if not self.solved:
             return self.unsolved
-        if not self.c and abs(antiresonance(self.chain) - self.omega) < SAME * self.omega:
+        tuned = antiresonance(self.chain)
+        if not self.c and math.isclose(tuned, self.omega, rel_tol=EXACT):
             return "still"
-        return "less" if swing < without else "more"
+        if not self.c and math.isclose(tuned, self.omega, rel_tol=SAME) and swing <= LEFT * without:
+            return "almost"
+        if three(swing) == three(without):
+            return "same"
+        return "less" if swing < without else self._harm
+
+    @property
+    def _harm(self) -> str:
+        """Why the machine swings more: a resonance is near, spring 2 pulls with the drive, or too hard against it."""
+        if self.nearest[1] < AWAY:
+            return "more"
+        slow, fast = self.driven.detuning.tolist()
+        return "adds" if (slow > 0) == (fast > 0) else "over"
 
     @cached_property
     def band(self) -> Band | None:

@@ -19,7 +19,7 @@ from physics.exact import exact, precise
 
 TALLEST = 1e30
 """What is drawn from a start, over the static deflection: a number in its unit is a float32."""
-_NEVER = "never dies: nothing damps."
+_NEVER = "does not die out: nothing damps it."
 SENTENCES: list[Paragraph] = [
     either(
         "why_rest",
@@ -27,9 +27,12 @@ SENTENCES: list[Paragraph] = [
         f"$\\omega_-$ and {{part2}} {{x_unit}} at $\\omega_+$, {_NEVER}",
         alone="The particular solution is {swing} {x_unit}. The complementary part, {part2} {x_unit} at its "
         f"own frequency, {_NEVER}",
-        grow="The drive meets a natural frequency: no particular solution exists, the swing grows like the time.",
-        beat="Next to a natural frequency both parts are huge and opposite: the swing grows like the time for long.",
-        damped="The particular solution, {swing} {x_unit}, is what remains. The complementary part dies: "
+        grow="The drive meets a natural frequency: no particular solution exists, the swing grows in "
+        "proportion to time.",
+        beat="Next to a natural frequency the machine's swing grows for long in proportion to time, then it beats.",
+        aside="Next to a natural frequency at which almost mass 2 alone swings its swing grows for long, the machine's "
+        "stays within {rest1} {x_unit}.",
+        damped="The particular solution, {swing} {x_unit}, is what remains. The complementary part dies out: "
         "after {dies} at most 1 % of it is left.",
     ),
 ]
@@ -76,7 +79,9 @@ def rest_columns(moved: FromStart | None, duty: Duty, unit: Axis) -> tuple[Colum
         columns |= {"x1_p": moved.particular[0], "x1_c": moved.complementary[0]}
     low, high = widest(*((float(c.min()), float(c.max())) for name, c in columns.items() if name != "t"))
     if duty.over_deflection(max(-low, high)) > TALLEST:
-        raise ValueError("the motion is too large to be drawn beside the static deflection F_0/k1")
+        raise ValueError(
+            f"the motion is too large to be drawn: at most {TALLEST:g} static deflections F_0/k1 are allowed"
+        )
     room = 0.08 * (high - low)
     ticks = nice_ticks(unit.place(low), unit.place(high), 3) if high > low else (0.0,)
     return columns, replace(unit, start=low - room, end=high + room or unit.end, ticks=ticks)

@@ -1,7 +1,7 @@
 """What to watch in each preset, in a sentence."""
 
 WATCH = {
-    "Below": "Below the machine's own frequency: watch what a tuned absorber leaves of its swing.",
+    "Below": "Below the machine's own frequency: see how much vibration is left with a tuned absorber.",
     "Resonant": "At the machine's own frequency: without an absorber it would swing further and further.",
     "Above": "Above the machine's own frequency: watch between which resonances its speed lies.",
     "Own": "Your own machine: set it first, then its absorber.",

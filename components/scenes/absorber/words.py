@@ -7,15 +7,18 @@ from components.sheet import Paragraph, either
 TASK = "Meet all three goals, then meet them with less mass."
 
 HELPED = {
-    "band": "helped from {help_low} to {help_high}",
-    "above": "helped above {help_low}",
-    "never": "helped nowhere",
+    "band": "less vibration from {help_low} to {help_high} rad/s",
+    "above": "less vibration above {help_low} rad/s",
+    "never": "no improvement",
 }
 
 VERDICTS = {
     "still": "Tuned, it stands still",
+    "almost": "Nearly tuned, it hardly moves",
+    "same": "With it, hardly a change",
     "less": "With it, it shakes less",
-    "more": "With it, it shakes more",
+    **dict.fromkeys(("more", "adds", "over"), "With it, it shakes more"),
+    "aside": "By a resonance of mass 2",
     "grow": "At a resonance, it grows",
     "beat": "By a resonance, it beats",
     "detached": "Detached, it shakes",
@@ -37,29 +40,39 @@ _SECOND = either(
     undamped=r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = \val{Xp2}}$ [m2|{x_unit}]",
     damped="",
 )
+_BOTH = "alone the machine swings {alone} {x_unit}, with it {swing} {x_unit}."
 _WHY = either(
     "why",
     still=(
         r"$k_2 = m_2 \omega^2$: spring 2 pulls exactly as hard as the drive pushes, and nothing is left to move the "
-        "machine. From rest it swings all the same, within {rest1} {x_unit}: that part never dies."
+        "machine. From rest it still swings up to {rest1} {x_unit}: nothing damps that part."
     ),
     less=(
         r"$k_2 \ne m_2 \omega^2$: spring 2 pulls with {pull} {F_unit} at the most, the drive pushes with "
         "{push}. What is left moves the machine."
     ),
-    more=(
-        "Here the absorber does harm: alone the machine swings {alone} {x_unit}, with it {swing} {x_unit}. "
-        "A resonance is too near."
+    almost=(
+        r"$k_2 \approx m_2 \omega^2$: spring 2 pulls almost as hard as the drive pushes, and {swing} {x_unit} are "
+        "left. From rest it swings up to {rest1} {x_unit}: nothing damps that part."
     ),
+    same=f"Here the absorber hardly changes anything: {_BOTH}",
+    more=f"Here the absorber does harm: {_BOTH} A resonance is too near.",
+    adds=f"Here spring 2 pulls with the drive: the absorber only adds to it. {_BOTH[0].upper()}{_BOTH[1:]}",
+    over=f"Here spring 2 pulls against the drive, more than twice as hard as that pushes: {_BOTH}",
     grow=(
-        "The drive meets a natural frequency: no particular solution exists. From rest the swing grows like the time."
+        "The drive meets a natural frequency: no particular solution exists. From rest the swing grows in "
+        "proportion to time."
     ),
     beat=(
-        "The drive is next to a natural frequency, and the particular solution is huge. From rest the swing grows "
-        "like the time for long, then it beats."
+        "The drive is next to a natural frequency: from rest the machine's swing grows for long in proportion to "
+        "time, then it beats."
+    ),
+    aside=(
+        "The drive is next to a natural frequency at which almost mass 2 alone swings: from rest its swing grows for "
+        "long, the machine's stays within {rest1} {x_unit}."
     ),
     detached="Nothing pulls back: the machine takes the whole drive.",
-    damped=(r"$\kappa = k_2 + i c \omega$ takes the place of $k_2$. $P$ and $Q$ are the same for every $c$."),
+    damped=(r"$\kappa = k_2 + i c \omega$ takes the place of $k_2$. $P$ and $Q$ do not depend on $c$."),
 )
 _OPTIMUM = either(
     "optimum",

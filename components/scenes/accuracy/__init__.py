@@ -83,7 +83,7 @@ class Accuracy(Scene):
         label="error",
         softbounds=(1e-15, 1.0),
         scale="log",
-        says="is the error that is good enough. The list says what it costs.",
+        says="is the accepted error. The list says what it costs.",
     )
     limit = positive(
         1.0,
@@ -94,7 +94,7 @@ class Accuracy(Scene):
         bounds=(0.01, 60.0),
         inclusive_bounds=(True, True),
         allowed="the time limit of a run is 0.01 to 60 s",
-        says="is how long one run may take. A method that takes longer is a row with its reason.",
+        says="is the time limit per run. Slower methods are listed with the reason why they stopped.",
     )
     cost = positive(
         0.1,

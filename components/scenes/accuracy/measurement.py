@@ -61,7 +61,7 @@ class Measurement(Running):
 
     def obey(self, order: str) -> None:
         if order == "start":
-            self._job = queue().ask(*self._wanted(), self._heard)
+            self._job = queue().ask(*self._wanted(), self._heard, self.network())
             self._heard()
         elif order == "skip" and self._job:
             queue().skip(self._job)

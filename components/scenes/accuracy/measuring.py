@@ -8,23 +8,20 @@ measured before comes at once. A visitor has one measurement at a time, and few 
 from __future__ import annotations
 
 import json
-import os
 import subprocess
-import sys
 from collections import OrderedDict
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from functools import cache
-from pathlib import Path
 from threading import RLock, Thread, Timer
 from time import monotonic
 from typing import Any, Literal
 
+from components.processes import started
 from physics.accuracy import Run, System, entered
 from physics.accuracy_worker import encoded_system
 
-ROOT = Path(__file__).parents[3]
 KEPT = 64
 """How many finished measurements are remembered."""
 LIVE = ("closed", "eigh", "verlet", "newmark", "rk4", "dop853", "radau", "lsoda")
@@ -35,7 +32,6 @@ BUDGET = 60.0
 """Seconds that one measurement may take in all."""
 GRACE = 5.0
 """Seconds after which a worker that does not keep to its budget is ended."""
-ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 
 Listener = Callable[[], None]
 Json = dict[str, Any]
@@ -59,7 +55,8 @@ class Job:
     skipped: set[str] = field(default_factory=set)
     reason: str = ""
     listeners: list[Listener] = field(default_factory=list)
-    process: subprocess.Popen[str] | None = None
+    process: subprocess.Popen[bytes] | None = None
+    network: str = ""
 
     @property
     def runs(self) -> tuple[Run, ...]:
@@ -82,17 +79,17 @@ class Measuring:
         self._active: Job | None = None
         self._done: OrderedDict[tuple[System, float], Job] = OrderedDict()
 
-    def ask(self, system: System, seconds: float, listener: Listener) -> Job:
+    def ask(self, system: System, seconds: float, listener: Listener, network: str = "") -> Job:
         """The measurement of a system with so many seconds a run: remembered, shared, or put at the end of the queue.
 
         It takes the place of what the listener has waited for so far. ValueError, and all as it was, where the system
-        has nothing to measure or where too many wait already.
+        has nothing to measure, where too many wait already, or another from the same network.
         """
         with self._lock:
             job, before = self._find(system, seconds), self._of(listener)
             if job is None:
                 system.problem()
-                job = Job(system, seconds, entered(system, LIVE))
+                job = Job(system, seconds, entered(system, LIVE), network=network)
                 self._line_up(job, before if before and before.listeners == [listener] else None)
             if before and before is not job:
                 self.leave(before, listener)
@@ -126,7 +123,7 @@ class Measuring:
             if job.process and job.process.stdin and job.method and job.method not in job.skipped:
                 job.skipped.add(job.method)
                 with suppress(OSError):  # it has just come to its end
-                    job.process.stdin.write(json.dumps({"skip": job.method}) + "\n")
+                    job.process.stdin.write(json.dumps({"skip": job.method}).encode() + b"\n")
                     job.process.stdin.flush()
 
     def __len__(self) -> int:
@@ -156,7 +153,10 @@ class Measuring:
 
     def _line_up(self, job: Job, going: Job | None) -> None:
         """Put a measurement at the end of the queue, which the one that is `going` will leave."""
-        if len([each for each in self._waiting if each is not going]) >= WAITING:
+        others = [each for each in self._waiting if each is not going]
+        if job.network and job.network in [each.network for each in others]:
+            raise ValueError("A measurement from this network waits already: press Run again when it has begun.")
+        if len(others) >= WAITING:
             raise ValueError(f"{WAITING} measurements wait already: press Run again in a few minutes.")
         self._waiting.append(job)
 
@@ -177,14 +177,7 @@ class Measuring:
 
     def _measure(self, job: Job) -> bool:
         """Read a worker until nothing more comes; whether it has come to its end."""
-        command = [sys.executable, "-m", "physics.accuracy_worker"]
-        environment = {**os.environ, **ONE_THREAD}
-        with (
-            subprocess.Popen(
-                command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, cwd=ROOT, env=environment
-            ) as process,
-            self._ending(job),
-        ):
+        with started("physics.accuracy_worker") as process, self._ending(job):
             assert process.stdin and process.stdout
             order = {
                 "system": encoded_system(job.system),
@@ -192,14 +185,14 @@ class Measuring:
                 "budget": self.budget,
                 "methods": job.methods,
             }
-            process.stdin.write(json.dumps(order) + "\n")
+            process.stdin.write(json.dumps(order).encode() + b"\n")
             process.stdin.flush()
             with self._lock:
                 job.process = process
                 if job.reason:  # everybody has left while it started
                     process.kill()
             for line in process.stdout:
-                if not line.endswith("\n"):  # killed while it wrote
+                if not line.endswith(b"\n"):  # killed while it wrote
                     break
                 ended = self._take(job, json.loads(line))
                 self._tell(job)

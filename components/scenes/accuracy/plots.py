@@ -48,9 +48,9 @@ def work_plot() -> Block:
         curves=(*_recorded(), *_front()),
         x_column="time",
         heading=(phrase("", "none", "ink", formula="**Error against run time**"), *KEYS),
-        handles=(Handle(parameter="wanted", label="Error that is good enough", tint="mute", axis="y"),),
+        handles=(Handle(parameter="wanted", label="Accepted error", tint="mute", axis="y"),),
         marks=(
-            Mark(at="wanted_at", label="good enough", axis="y"),
+            Mark(at="wanted_at", label="accepted error", axis="y"),
             Mark(at="rounding_at", tint="mute", label="one rounding", axis="y", style="dashed"),
             Mark(at="limit_at", tint="mute", label="time limit", style="dashed"),
         ),

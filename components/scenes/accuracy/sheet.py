@@ -20,7 +20,9 @@ def paper() -> Block:
         when("time", row(column(desk(_system_words()), work_plot()), _price_column())),
         when("growth", words("{compared} [mute|{missing}]", style="plain", phone=9)),
         growth_plot("error_growth", "Error of the motion, worst so far", "growth"),
-        growth_plot("energy_growth", "Error of the energy, worst so far: it does not certify the phase", "growth"),
+        growth_plot(
+            "energy_growth", "Error of the energy, worst so far: a small one does not prove the phase right", "growth"
+        ),
         length_view(),
         digits_view(),
         stability_view(),

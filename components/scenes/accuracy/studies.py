@@ -136,7 +136,7 @@ def _digits_plot(sweep: str, title: str) -> Block:
         curves=curves,
         x_column="place",
         heading=(phrase("", "none", "ink", formula=f"**{title}**"),),
-        marks=(Mark(at="wanted_at", tint="mute", label="good enough", axis="y", style="dashed"),),
+        marks=(Mark(at="wanted_at", tint="mute", label="accepted error", axis="y", style="dashed"),),
         room=Room(54, 12),
         phone=10,
         height=300,
@@ -260,7 +260,7 @@ def _steps_plot() -> Block:
         "explosion",
         x="ratio",
         y="steps",
-        title="Steps in a slow period that stability asks for, against k2/k1",
+        title="Steps in a slow period that stability requires, against k2/k1",
         curves=tuple(
             curve(f"steps_{slug}", source="explosion", x="ratio", width="line", label=ALIKE[slug])
             for slug in BOUNDED
@@ -268,7 +268,7 @@ def _steps_plot() -> Block:
         ),
         x_column="ratio",
         heading=(
-            phrase("", "none", "ink", formula="**Steps in a slow period** that stability asks for, against $k_2/k_1$"),
+            phrase("", "none", "ink", formula="**Steps in a slow period** that stability requires, against $k_2/k_1$"),
         ),
         room=Room(54, 190),
         phone=11,

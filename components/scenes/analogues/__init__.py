@@ -59,6 +59,7 @@ class Analogues(Scene):
     start_folded = True
     watch = WATCH
     presets = {
+        "10°": {"theta_0": 10.0},
         "60°": {},
         "Clock": {"pendulum_l": 0.994, "theta_0": 3.0},
         "Nearly over": {"theta_0": 179.0},
@@ -67,6 +68,7 @@ class Analogues(Scene):
         "Swell": {"system": "wave", "wave_wavelength": 200.0},
         "Cavendish": {"system": "shaft", "shaft_J": 1.25, "shaft_k_t": 7e-5},
     }
+    opens = presets["10°"]
 
     system = one_of(
         default="pendulum",
@@ -218,7 +220,7 @@ def _values(case: AnalogueCase, size: Axis, energy: Axis) -> dict[str, str]:
         "late": three(3 * (case.spring.period * case.excess)),
         "late_percent": three(100 * case.excess),
         "end_right": f"{degrees}°",
-        "end_left": f"−{degrees}°",
+        "end_left": f"−{degrees}°" if case.q_0 else "0°",
         "level_unit": _unit(size, "") if case.pendulum else _unit(size),
         "system_name": system.name,
         "m": three(case.spring.m),
@@ -242,6 +244,7 @@ def _forms(case: AnalogueCase) -> dict[str, str]:
     kind = "swinging" if case.pendulum else "linear"
     forms = {
         "system": slug,
+        "reach": slug if case.q_0 else "rest",
         slug: "shown",
         kind: "shown",
         "q": slug,

@@ -27,7 +27,7 @@ def analogue_about(picture: Picture, case: AnalogueCase) -> About:
     names = {"q": symbol, "x": "spring"} if case.pendulum else {"q": symbol}
     found = rows(names, columns, true, at)
     return About(
-        (bounded(f"{symbol} over $t$", 4, "its amplitude, once what plays $m$ and $k$ is rounded to doubles", found),),
+        (bounded(f"{symbol} over $t$", 4, "its amplitude, with the roles of $m$ and $k$ rounded to doubles", found),),
         _analogue_drift(case, columns["t"]),
         drawn_as_bands(picture.columns, names),
     )
@@ -46,4 +46,4 @@ def _analogue_drift(case: AnalogueCase, t: np.ndarray) -> str:
         swing = case.spring.motion(case.q_0, 0.0, t)
         share = (swing.v / case.omega / case.q_0) ** 2 + (swing.x / case.q_0) ** 2
     level = case.exact_energy
-    return drift(level * share, level)
+    return drift(level * share, level, unit="J/m²" if case.system.slug == "wave" else "J")

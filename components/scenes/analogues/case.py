@@ -17,6 +17,7 @@ from physics.analogue import Analogue, Tuned
 from physics.oscillator import Oscillator
 from physics.pendulum import Pendulum, PendulumMotion, amplitude_at_excess, excess
 from physics.sampling import Sinusoid, periods
+from physics.valid import DOUBLES
 
 DEGREE = math.pi / 180
 SWINGS = 3.5
@@ -74,7 +75,7 @@ class AnalogueCase:
         """ValueError where it leaves the range of doubles."""
         period = self.pendulum.period(self.q_0) if self.pendulum else self.spring.period
         if math.isinf(period):
-            raise ValueError("the period leaves the range of doubles")
+            raise ValueError(f"the period leaves {DOUBLES}")
         return period
 
     @cached_property

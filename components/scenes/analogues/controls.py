@@ -66,30 +66,30 @@ _WHAT = {
 }
 
 _SAYS = {
-    "spring_m": "is the mass: more of it, slower.",
-    "spring_k": "is the stiffness of the spring: more of it, faster.",
-    "shaft_J": "is the rotor's moment of inertia. It plays the mass.",
-    "shaft_k_t": "is the torque for a twist of one radian. It plays the stiffness.",
+    "spring_m": "is the mass. A larger one swings more slowly.",
+    "spring_k": "is the stiffness of the spring. A stiffer one swings faster.",
+    "shaft_J": "is the rotor's moment of inertia. It has the role of the mass.",
+    "shaft_k_t": "is the torque for a twist of one radian. It has the role of the stiffness.",
     "pendulum_l": "is the length of the rod. Four times as long swings half as fast.",
     "pendulum_g": "is gravity: 1.62 on the Moon, 9.81 here, 24.8 on Jupiter.",
-    "pendulum_m": "is the mass of the bob. It plays in m and in k alike and drops out: try it.",
+    "pendulum_m": "is the mass of the bob. It is a factor of m and of k, so it drops out: try it.",
     "rocking_m": "is the mass of the body. It drops out: try it.",
     "rocking_d": "is how far the centre of mass is from the pivot.",
     "rocking_r": "is the radius of gyration about the centre of mass.",
     "floating_m": "is the mass of the body; the water that moves along is left out.",
     "floating_A": "is the area that the waterline cuts.",
     "floating_rho": "is the density of the water.",
-    "circuit_L": "is the inductance. It plays the mass.",
-    "circuit_C": "is the capacitance; 1/C plays the stiffness.",
+    "circuit_L": "is the inductance. It has the role of the mass.",
+    "circuit_C": "is the capacitance; 1/C has the role of the stiffness.",
     "string_L": "is the length between the ends.",
-    "string_T": "is the tension; the string has 0.4 g to the metre.",
-    "string_n": "is how many bellies the string has. Type any whole number from 1 up.",
-    "wave_wavelength": "is from crest to crest, in water deeper than half of it.",
+    "string_T": "is the tension; the string has 0.4 g per metre.",
+    "string_n": "is the number of half waves on the string. Type any whole number from 1 up.",
+    "wave_wavelength": "is the wavelength, crest to crest; the water is deeper than half of it.",
     "wave_g": "is gravity, which pulls the crests down.",
     "wave_rho": "is the density of the water. It drops out: try it.",
     "pipe_L": "is the length between the closed ends.",
-    "pipe_c": "is the speed of sound: 343 in air, 972 in helium.",
-    "pipe_n": "counts half waves in the pipe. Type any whole number from 1 up.",
+    "pipe_c": "is the speed of sound: 343 in air, 1007 in helium, both at 20 °C.",
+    "pipe_n": "is the number of half waves in the pipe. Type any whole number from 1 up.",
 }
 
 _PULLS = {
@@ -159,7 +159,7 @@ def _start(system: Analogue) -> Quantity:
         unit=system.unit,
         softbounds=(0.0, LARGEST * system.swing),
         tint="m1",
-        says="is where it starts, at rest. Large or small, the period stays: this system is linear.",
+        says="is where it starts, at rest. The period does not depend on it: this model is linear.",
     )
 
 
@@ -172,8 +172,8 @@ def start_angle() -> Quantity:
         unit="°",
         bounds=(-180.0, 180.0),
         inclusive_bounds=(False, False),
-        allowed="the angle at the start is between −180° and 180°, the top itself left out",
+        allowed="choose an angle between −180° and 180°, not 180° itself",
         softbounds=(0.0, 179.0),
         tint="m1",
-        says="is the angle at the start. Small swings keep time; large ones come late.",
+        says="is the angle at the start. The period of a large swing is longer than that of a small one.",
     )

@@ -40,13 +40,22 @@ REACHES = {
 """By system and parameter."""
 
 REMARKS = {
-    "pendulum": "Small angles only; the mass drops out.",
-    "rocking": "d from the pivot to the centre of mass, r the radius of gyration about it. Small angles only.",
     "floating": "The water that moves along (added mass) is left out.",
     "circuit": "The current is the velocity; resistance is left out.",
     "string": "The tension is written T here; the kinetic energy is that of mode n alone.",
-    "wave": "A standing wave, η its height where it is largest; energies are means over the surface, by unit of it; "
+    "wave": "A standing wave, η its height where it is largest; energies are averages per unit of surface; "
     "κ = 2π/λ, the water deeper than half a wavelength.",
     "pipe": "Closed at both ends; q is the displacement of the air where it is largest.",
 }
 """Of some systems."""
+
+IN_TRUTH = {
+    "spring": "while the force of the spring is −k x.",
+    "shaft": "while the shaft stays elastic.",
+    "floating": "while its walls at the waterline are upright, and neither its bottom nor its top gets there.",
+    "circuit": "while L and C do not depend on the current and the charge.",
+    "string": "while the slope of the string, π n q/L at most, is small.",
+    "wave": "while its height from trough to crest, 2η, is far below λ/7.",
+    "pipe": "while q is far below L/n.",
+}
+"""As long as what the model of a linear system holds."""

@@ -10,18 +10,18 @@ from components.page.plots import Handle, Mark
 from components.plots import Room, curve, plot
 from components.scenes.analogues.case import LIMITS
 from components.scenes.analogues.controls import SWINGING
-from components.scenes.analogues.reach import REMARKS
+from components.scenes.analogues.reach import IN_TRUTH, REMARKS
 from components.scenes.analogues.stage import over_lateness, over_motion, shapes
 from components.sheet import Paragraph, column, desk, either, row, stage, table, term, when, words
 from components.traces import traced
 from physics.analogues import ANALOGUES
 from physics.pendulum import amplitude_at_excess
 
-TASK = "Choose a system: what in it plays the mass, and what the spring?"
+TASK = "Choose a system: what has the role of the mass, and what that of the spring?"
 AIRCRAFT: list[Paragraph] = [
-    "as does",
+    "compare",
     r"$\omega_n = \sqrt{2} \, g / v_0$ of",
-    "[scene:phugoid|an aircraft left alone]",
+    "[scene:phugoid|an aircraft]",
 ]
 """The lecture's tenth system: it has a scene of its own."""
 EXACT_V = {"pendulum": r"m g l (1 - \cos \theta)", "rocking": r"m g d (1 - \cos \theta)"}
@@ -34,6 +34,7 @@ EQUATIONS = {
     "pipe": r"\tfrac{1}{2} \rho A L \, \ddot{q}_n + \rho c^2 A \tfrac{n^2 \pi^2}{2 L} q_n = 0",
 }
 """Equations of motion where they are not the formulas of the table put together."""
+
 
 _STARTS = {slug: rf"{system.coordinate.replace('_n', '')}_0" for slug, system in ANALOGUES.items()}
 
@@ -117,7 +118,7 @@ def _roles() -> Block:
         ),
     ]
     omega = {slug: rf"${s.omega_formula} = \val{{omega}}$ rad/s" for slug, s in systems}
-    rows.append([r"gives $\omega_n$", r"$\sqrt{k/m} = \val{omega}$ rad/s", either("system", **omega)])
+    rows.append(["natural frequency", r"$\sqrt{k/m} = \val{omega}$ rad/s", either("system", **omega)])
     rows.append(AIRCRAFT)
     return table(*rows, head=["", "Spring and mass", "{system_name}"], phone=30, style="roles")
 
@@ -129,7 +130,7 @@ def _role(
     value = {"T": "T_x", "V": "V_x"}.get(symbol, symbol)
     suffix = f"{{{unit}}}" if unit.endswith("_unit") else f"\N{NO-BREAK SPACE}{unit}"
     return [
-        f"plays ${symbol}$",
+        f"role of ${symbol}$",
         f"[{tint}|${formula} = \\val{{{value}}}$" + suffix + "]",
         either(
             "system",
@@ -151,7 +152,9 @@ def _equation() -> Block:
         either(
             "system",
             **{
-                slug: f"**The same equation{', for small angles' * (slug in SWINGING)}:** ${equation}$"
+                slug: rf"**Exactly** ${equation}$; **for small angles** $\sin \theta \approx \theta$"
+                if slug in SWINGING
+                else f"**Equation:** ${equation}$"
                 for slug, equation in equations.items()
             },
         ),
@@ -163,7 +166,7 @@ def _equation() -> Block:
 def _lateness() -> Block:
     """T/T_0 - 1 against the amplitude, which is a handle; flags go where it passes 0.1, 1 and 5 percent."""
     late = (
-        r"\text{How late: } \tau / \tau_0 - 1, \; \tau = \val{period} \text{ s}, \; "
+        r"\text{Longer by } \tau / \tau_0 - 1, \; \tau = \val{period} \text{ s}, \; "
         r"\tau_0 = \val{small_period} \text{ s}"
     )
     handle = Handle(parameter="theta_0", symbol="θ₀", label="Angle at the start, °", tint="m1", unit="°")
@@ -171,9 +174,9 @@ def _lateness() -> Block:
         "late",
         x="angle",
         y="late",
-        title="How late a large swing is, in percent of the small period, against the angle at the start",
+        title="How much longer the period is than that of small swings, in percent, against the angle at the start",
         curves=(
-            curve("excess", source="late", x="angle", tint="ink", width="sum", read="late by"),
+            curve("excess", source="late", x="angle", tint="ink", width="sum", read="longer by"),
             *(
                 curve("excess", source=name, x="angle", tint=tint, width="none", marker="disc", group=name)
                 for name, tint in (("limits", "ink"), ("here", "m1"))
@@ -199,7 +202,7 @@ def _flag(name: str, excess: float) -> Mark:
         tint="mute",
         style="dashed",
         html=f"<b>{100 * excess:g} %</b><span>{start}</span>",
-        label=f"Start from {start}, where the swing is {100 * excess:g} % late",
+        label=f"Start from {start}, where the period is {100 * excess:g} % longer",
         set="theta_0",
     )
 
@@ -211,7 +214,15 @@ def _formula() -> Block:
         either("system", **omega),
         r"$= \val{omega}$ rad/s",
         "{frequency} Hz, one swing takes {period} s",
-        "**Linear at any size:** the spring's dashed line stays under the curve, however large the start.",
+        either(
+            "reach",
+            rest="**Nothing moves:** it is let go where it rests.",
+            **{
+                slug: "**This model is linear at any size:** the spring's dashed line stays under the curve, however "
+                f"large the start. That is true {reason}"
+                for slug, reason in IN_TRUTH.items()
+            },
+        ),
         either("note", **REMARKS),
         style="omega",
         grow=1,

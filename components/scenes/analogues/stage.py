@@ -131,7 +131,7 @@ def over_motion() -> tuple[Shape, ...]:
     y = on_y(PLOT, var("amplitude")) - 9
     found = [circle(on_x(PLOT, var("t")), on_y(PLOT, var("rule")), 5, style="ghost", tint="m1", show="rule_seen")]
     for show, start, end, words in (
-        ("late_seen", "third_rule", "third_swing", "3 swings, {late} s late"),
+        ("late_seen", "third_rule", "third_swing", "after 3 swings {late} s behind"),
         ("period_seen", "first_peak", "second_peak", "one swing {period} s"),
     ):
         a, b = on_x(PLOT, var(start)), on_x(PLOT, var(end))

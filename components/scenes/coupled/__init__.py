@@ -190,8 +190,8 @@ def _energies(free: FreeModes, whole: Motion) -> list[NDArray[np.float64]]:
 def _notes(fast: float, t: NDArray[np.float64]) -> list[str]:
     if drawable(2 * fast, t):
         return []
-    band = "" if drawable(fast, t) else "The fast motion fills the band that is drawn, too fast for a line. "
-    return [f"{band}Energies are means over a fast swing."]
+    band = "" if drawable(fast, t) else "The fast motion is too fast for a line and fills the band that is drawn. "
+    return [f"{band}Energies are averages over a fast swing."]
 
 
 def _mode_lines(free: FreeModes, size: Axis) -> Columns:

@@ -18,8 +18,10 @@ FEET = (0.56, 0.815, 0.99)
 BEAT = either(
     "beat",
     both="Beat period {beat_period}",
-    one="No beat: one mode alone",
-    drift="No beat: one part is a drift",
+    apart="No beat: the two frequencies are too far apart",
+    one="No beat: only one mode is seen to move",
+    rest="Nothing moves",
+    drift="No beat: the slow mode is a drift",
 )
 
 

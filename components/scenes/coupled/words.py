@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from components.axes import Axis
 from components.chain import MODES
 from components.numbers import plus, signed, three
 from components.sheet import Paragraph, either
 from physics.coupled import FreeModes
 
-TASK = "Pull mass 1 and let go: which part of the motion dies out?"
+TASK = "Pull mass 1, hold mass 2, let go of both: does any part of the motion die out?"
 
 SIGN = {"slow": "minus", "fast": "plus"}
 BEATS = 1e-3
 """A mode smaller than this share of the other leaves no beat that is seen."""
+CLOSE = 0.2
+"""The difference of the frequencies over their sum up to which two sines are seen to beat."""
 
 
 def captions(mode: str) -> list[Paragraph]:
@@ -41,7 +45,7 @@ CONSTANTS: list[Paragraph] = [
     either(
         "constants",
         shapes=r"$X_{1j} \sin \phi_j = \dfrac{m_1 x_1 + m_2 r_j x_2}{M_j}$",
-        loose="Without spring 2 each mass has its own two.",
+        loose="Without spring 2 each mass has two of its own.",
     ),
     either(
         "constants",
@@ -71,6 +75,7 @@ FORCES: list[Paragraph] = [
     r"$F_1 =$ {F1} {force_unit}",
     r"$\tint{m2}{m_2 \ddot{x}_2} = \tint{k}{k_2 (x_1 - x_2)}$",
     r"$F_2 =$ {F2} {force_unit}",
+    "[small|That $T + V$ stays constant is one equation: two masses need two.]",
 ]
 
 
@@ -82,7 +87,7 @@ def values(free: FreeModes, energy: Axis) -> dict[str, str]:
     for i in (1, 2):
         texts[f"a{i}"], texts[f"b{i}"] = three(free.drift_a[i - 1]), plus(free.drift_b[i - 1])
     beat = free.chain.modes().beat
-    texts["beat_period"] = f"{three(2 * math.pi / beat)} s" if _beats(free) else "none"
+    texts["beat_period"] = f"{three(2 * math.pi / beat)} s" if beating(free) == "both" else "none"
     texts["E_total"], texts["E_unit"] = energy.number(float(free.energy.sum())), energy.full_unit
     return texts
 
@@ -107,10 +112,17 @@ def _of_mode(free: FreeModes, j: int, mode: str) -> dict[str, str]:
     return texts
 
 
-def _beats(free: FreeModes) -> bool:
-    """Whether both modes move, and none of them is a drift: one alone has no beat."""
+def beating(free: FreeModes) -> str:
+    """Whether the motion beats: both modes move, none is a drift, their frequencies are close; or why it does not."""
+    if not (np.any(free.amplitude) or np.any(free.drift_b)):
+        return "rest"
+    slow, fast = free.omega.tolist()
+    if not slow:
+        return "drift"
     sizes = [sorted(map(abs, of_mass)) for of_mass in free.amplitude.T.tolist()]
-    return bool(free.omega[0]) and any(less > BEATS * more for less, more in sizes)
+    if not any(less > BEATS * more for less, more in sizes):
+        return "one"
+    return "both" if free.chain.modes().beat <= CLOSE * (slow + fast) else "apart"
 
 
 def forms(free: FreeModes) -> dict[str, str]:
@@ -120,7 +132,7 @@ def forms(free: FreeModes) -> dict[str, str]:
     kind = "sine" if slow else ("two" if not fast else "free" if loose else "drift")
     chosen = {"slow_fact": kind, "fast_fact": "sine" if fast else "", "constants": "loose" if loose else "shapes"}
     chosen |= {"slow_omega": kind if kind in ("sine", "two") else "drift", "fast_omega": "sine" if fast else ""}
-    chosen["beat"] = "both" if _beats(free) else "drift" if not slow else "one"
+    chosen["beat"] = beating(free)
     for i in (1, 2):
         chosen[f"x{i}_slow"] = "sine" if slow else "drift"
         chosen[f"x{i}_fast"] = "sine" if fast else ""

@@ -22,7 +22,7 @@ from components.page.state import Frame
 from components.parameters import Values, displacement, mass, not_negative, one_of, positive, velocity
 from components.scene import Picture, Scene
 from components.scenes.energy.about import energy_about
-from components.scenes.energy.case import HangingCase, case_axes
+from components.scenes.energy.case import HangingCase, case_axes, claim
 from components.scenes.energy.hanging import PLANETS
 from components.scenes.energy.sheet import hanging_sheet
 from components.scenes.energy.watch import WATCH
@@ -37,7 +37,7 @@ class Energy(Scene):
     title = "Energy"
     lecture = "D31"
     points = "points 4 to 6"
-    headline = "Energy swings between motion and spring; the sum stands still"
+    headline = "Energy swings between motion and position; the sum stays constant"
     spoken = {
         "natural frequency": "{omega} rad/s",
         "period": "{tau} s",
@@ -54,7 +54,7 @@ class Energy(Scene):
         Group("Start", ("x_0",)),
         Group("", ("v_0",), "Start velocity", folded=True),
         Group("", ("g",), "Gravity", actions=tuple((slug, name) for slug, (name, _) in PLANETS.items()), folded=True),
-        Group("V counted from", ("datum",)),
+        Group("V is counted from", ("datum",)),
     )
     places = tuple(PLANETS)
     shares = {"mass": "m", "stiffness": "k"}
@@ -134,7 +134,7 @@ class Energy(Scene):
                 **{name: axes["E"].digits() for name in ("T", "V", "spring")},
                 **{name: axes["E"].digits(signed=True) for name in ("gravity", "constant")},
             },
-            forms={"datum": case.datum, "place": "said"},
+            forms={"datum": case.datum, "claim": claim(case), "place": "said"},
         )
 
     def figures(self) -> tuple[Figure, ...]:
@@ -234,7 +234,8 @@ def _scalars(case: HangingCase, axes: dict[str, Axis], t: NDArray[np.float64]) -
         "natural_seen": float(not far),
         "natural_far": float(far),
         "apart": float(delta > 0.1 * span),
-        "together": float(delta <= 0.1 * span),
+        "close": float(0 < delta <= 0.1 * span),
+        "together": float(not delta),
         "has_energy": float(case.total > 0),
         "swinging": float(C > 0),
         "shift": axes["E"].place(case.shift),

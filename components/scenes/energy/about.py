@@ -22,7 +22,7 @@ def energy_about(picture: Picture, system: HangingMass, x_0: float, v_0: float, 
     levels = {name: [point[name] for point in each] for name in energies}
     tables = (
         bounded("$x(t)$", 4, "its amplitude", rows({"x": "$x$"}, columns, true, at)),
-        bounded("an energy", 12, "its largest", rows(energies, columns, levels, at)),
+        bounded("an energy", 12, "its largest value", rows(energies, columns, levels, at)),
     )
     motion = system.motion(x_0, v_0, columns["t"])
     total = system.energies(motion.x, motion.v).total

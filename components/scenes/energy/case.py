@@ -78,7 +78,15 @@ class HangingCase:
     def weight(self) -> float:
         """m g C, the largest of the energy of gravity."""
         with precise():
-            return rounded("m g C", exact(self.system.m) * exact(self.system.g) * exact(self.constants.C))
+            return rounded("the energy m g C", exact(self.system.m) * exact(self.system.g) * exact(self.constants.C))
+
+
+def claim(case: HangingCase) -> str:
+    """Which sentence on the largest T and V holds: none swings at rest, and without weight both ways of counting V
+    are one."""
+    if not case.constants.C:
+        return "rest_apart" if case.shift else "rest"
+    return "weightless" if case.separate and not case.shift else case.datum
 
 
 def case_axes(case: HangingCase) -> dict[str, Axis]:

@@ -31,8 +31,12 @@ HALF = WIDE * 62 + NARROW * 52
 STRIP, STRIP_LENGTH = 0.79 * W, 0.2 * W
 """On a phone the stage has a small x(t) of its own."""
 SQUARE = "M0 0H1V1H0Z"
-NO_WEIGHT = ((-15, "equilibrium"), (0, "= natural"), (15, "length"))
-"""Lines of text, and how far below their middle."""
+BESIDE = {
+    "together": ("equilibrium", "= natural", "length"),
+    "close": ("equilibrium,", "{delta_st} below", "natural length"),
+}
+"""What the equilibrium is called where it is the natural length, and where it is too close below for a name of its
+own."""
 BAR = WIDE * 22 + NARROW * 12
 PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.81), "jupiter": ("Jupiter", 24.8)}
 """Names and gravities in m/s^2."""
@@ -66,7 +70,11 @@ def levels() -> list[Shape]:
         text(left, TOP + 2, "natural", show="natural_far", **name),
         text(left, TOP + 17, "length ↑", show="natural_far", **name),
         text(left, level + 5, "equilibrium", show="apart", **name),
-        *[text(left, level + 5 + dy, line_, show="together", **name) for dy, line_ in NO_WEIGHT],
+        *[
+            text(left, level - 10 + 15 * n, line_, show=show, **name)
+            for show, lines in BESIDE.items()
+            for n, line_ in enumerate(lines)
+        ],
         arrow(CENTRE - 44, natural, CENTRE - 44, level, tint="k", head=9, show="apart"),
         text(CENTRE - 54, (natural + level) * 0.5 + 6, "*δ*_{st} {delta_st}", "end", style="b halo", show="apart"),
     ]

@@ -12,7 +12,7 @@ from components.traces import traced
 UPPER, LOWER, BETWEEN, ABOVE = 300, 190, 44, 78
 """Shares of the height, pixels between the rows, and the share over x(t) where the spring hangs."""
 DATUM = "datum"
-TASK = "Pull the mass down and let go: where is all the energy motion, and where none of it?"
+TASK = "Pull the mass down and let go: where is all the energy kinetic, and where none of it?"
 
 
 def hanging_sheet() -> Block:
@@ -50,11 +50,15 @@ def _between() -> Block:
     """What the datum of V decides."""
     return words(
         either(
-            DATUM,
+            "claim",
             equilibrium=r"$T_{\mathrm{max}} = V_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
             r"all $T$ at equilibrium, where $v = \omega_n x_{\mathrm{max}} = \val{v_max}$ m/s; all $V$ where it turns.",
-            separate=r"$V_{\mathrm{max}} = \val{V_max}$ {E_unit} is not $T_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
-            "a constant more, and the same motion.",
+            separate=r"$V_{\mathrm{max}} = T_{\mathrm{max}} + \tfrac{1}{2} k \delta_{\mathrm{st}}^2 "
+            r"= \val{T_max} + $ {shift}: a constant more; the motion does not change.",
+            weightless="Without weight both ways of counting $V$ are one: "
+            r"$V_{\mathrm{max}} = T_{\mathrm{max}} = \val{T_max}$ {E_unit}.",
+            rest="Nothing moves: it rests in equilibrium, where $T$ and $V$ stay 0.",
+            rest_apart="Nothing moves: it rests in equilibrium, $T$ stays 0 and $V$ stays {shift}.",
             slide=r"Three terms, and because $k \delta_{\mathrm{st}} = m g$ their sum is $\tfrac{1}{2} k x^2$: "
             "gravity drops out of the motion.",
         ),
@@ -166,6 +170,7 @@ def _law() -> Block:
             slide=r"$\dot{x} (m \ddot{x} + k (x + \delta_{\mathrm{st}}) - m g) = 0$",
         ),
         r"[boxed|$m \ddot{x} + k x = 0$]",
+        "[small|Energy alone gives the equation of motion: Lagrange's method.]",
         style="derivation",
         grow=LOWER,
         basis=52,

@@ -1,7 +1,7 @@
 """What to watch in each preset, in a sentence."""
 
 WATCH = {
-    "Pulled down": "T is largest where x passes 0, V where the mass turns; the sum stands still.",
+    "Pulled down": "T is largest where x passes 0, V where the mass turns; the sum stays constant.",
     "Pushed up": "As far up as it was pulled down: the same energy.",
     "Kicked at equilibrium": "It starts with its largest T; a quarter period later T is 0.",
     "Heavy": "Twice the mass hangs twice as deep, and swings more slowly with the same T at its largest.",

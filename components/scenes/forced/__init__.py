@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from functools import cache
 
 import numpy as np
@@ -25,10 +24,11 @@ from components.scenes.forced.driven import energy_columns, limit_columns, motio
 from components.scenes.forced.response import response_curves
 from components.scenes.forced.sheet import forced_sheet
 from components.scenes.forced.watch import WATCH
-from components.scenes.forced.words import forms, notes, values
+from components.scenes.forced.words import forms, notes, sizes, values
 from components.traces import Columns, samples, sources_over_time
 from physics.coupled import Motion
 from physics.forced import DrivenModes, driven_modes, steady_start
+from physics.particular import at_natural_frequency
 from physics.sampling import drawable, time_window
 
 SLOW, FAST = (5**0.5 - 1) / 2, (5**0.5 + 1) / 2
@@ -94,7 +94,7 @@ class Forced(Scene):
             return dict.fromkeys(chain.START.names, 0.0)
         system = chain.of_scene(self)
         if driven_modes(system, self.F_0, self.omega).at_resonance:
-            raise ValueError("the drive is at a natural frequency: no particular solution exists to start on")
+            raise at_natural_frequency(self.omega)
         x_0, v_0 = steady_start(system, self.F_0, self.omega)
         return dict(zip(chain.START.names, (*x_0, *v_0), strict=True))
 
@@ -137,8 +137,7 @@ class Forced(Scene):
 
     def figures(self) -> tuple[Figure, ...]:
         driven = self._driven()
-        sizes = [math.inf, math.inf] if driven.at_resonance else driven.particular.tolist()
-        amplitudes = [Figure(f"Xp{i}", f"X_{{p{i}}}", X, "m", f"m{i}") for i, X in enumerate(sizes, start=1)]
+        amplitudes = [Figure(f"Xp{i}", f"X_{{p{i}}}", X, "m", f"m{i}") for i, X in enumerate(sizes(driven), start=1)]
         return (*amplitudes, *chain.mode_figures(driven.chain, "omega_{sign} mark_{sign}", "ratio_{sign}"))
 
     def about(self) -> About:

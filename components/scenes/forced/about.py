@@ -28,8 +28,8 @@ def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) ->
     swings = {"Xp1": r"$X_{\mathrm{p}1}$", "Xp2": r"$X_{\mathrm{p}2}$"}
     true = dict(zip(swings, points, strict=True))
     tables = (
-        bounded("$x_1(t)$ or $x_2(t)$", 4, "the most it can have reached by then", motion),
-        bounded("the particular solution", 2, "itself", rows(swings, sweep, true, at, DRIVE)),
+        bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement possible by then", motion),
+        bounded("the particular solution", 2, "its own value", rows(swings, sweep, true, at, DRIVE)),
     )
     return About(tables, _work_gap(driven, columns["t"]), drawn_as_bands(picture.columns, BANDS))
 

@@ -58,7 +58,7 @@ def _shapes() -> list[Shape]:
 
 
 def _motion(i: int) -> Block:
-    """x_i(t) with its particular and complementary parts; near resonance the envelope and line of growth instead."""
+    """x_i(t) with its particular and complementary parts; near resonance the swing of the resonant part instead."""
     traces = (
         traced(f"x{i}_c", tint="xc", width="dash", read="complementary", signal=f"x{i}_c"),
         traced(f"x{i}_p", tint="xp", read="particular", signal=f"x{i}_p"),
@@ -66,7 +66,7 @@ def _motion(i: int) -> Block:
     )
     limit = {"source": "limit", "group": f"x{i}_limit"}
     envelope = (
-        curve(f"x{i}_beat", tint="xp", label="envelope", **limit),
+        curve(f"x{i}_beat", tint="xp", label="resonant", **limit),
         curve(f"x{i}_fall", tint="xp", **limit),
         curve(f"x{i}_growth", tint="mute", width="dots", label="line", **limit),
     )
@@ -85,8 +85,8 @@ def _motion(i: int) -> Block:
                 f"x{i}_limit",
                 "line",
                 "xp",
-                grows=f"envelope: {{growth{i}}} m more every second",
-                beats=f"envelope, a long beat: at first {{growth{i}}} m more every second",
+                grows=f"resonant part: its swing grows by {{growth{i}}} m a second",
+                beats=f"resonant part, a long beat: its swing first grows by {{growth{i}}} m a second",
             ),
         ),
         x_labels=i == 2,

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from components.numbers import signed, three
 from components.scenes.forced.driven import growth_rate, resonant
 from components.sheet import Paragraph, either
@@ -17,30 +19,40 @@ _ROWS = (
     r" \begin{pmatrix} X_{\mathrm{p}1} \\ X_{\mathrm{p}2} \end{pmatrix}"
     r" = \begin{pmatrix} -F_0 \\ 0 \end{pmatrix}$]"
 )
-_GROWS = "from rest $x_1$ grows by {growth1} m a second, $x_2$ by {growth2} m."
+_GROWS = "from rest the swing of $x_1$ grows by {growth1} m a second, that of $x_2$ by {growth2} m."
+UNDRIVEN = ("none", "idle", "rest")
+"""Where nothing is driven, in the words of the particular solution."""
 
 SOLUTION: list[Paragraph] = [
     either("rows", sign=_ROWS),
     either(
         "steady",
         finite=r"$\tint{m1}{X_{\mathrm{p}1} = \dfrac{(k_2 - m_2 \omega^2) F_0}{D} = \val{Xp1}}$ [m1|m, {way1}]",
-        none=r"**No drive:** at $\omega = 0$ the force is 0 at all times.",
+        loose=r"$\tint{m1}{X_{\mathrm{p}1} = \dfrac{F_0}{k_1 - m_1 \omega^2} = \val{Xp1}}$ [m1|m, {way1}]",
+        none=r"**No drive:** at $\omega = 0$ the force is 0 at all times, and the motion is that of the start alone.",
+        idle=r"**No drive:** $F_0 = 0$, so the particular solution is 0, and the motion is that of the start alone.",
+        rest="**Nothing moves:** no force at any time, and a start at rest with no spring stretched.",
         resonance=f"**Drive at a natural frequency:** no such solution exists; {_GROWS}",
         near=rf"**Next to a natural frequency,** where $D = 0$: at first, {_GROWS}",
     ),
     either(
         "steady",
         finite=r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = \val{Xp2}}$ [m2|m, {way2}]",
-        none="",
-        resonance="",
-        near="",
+        loose=r"[m2|$X_{\mathrm{p}2} = 0$:] without spring 2 nothing moves mass 2.",
+        **dict.fromkeys((*UNDRIVEN, "resonance", "near"), ""),
     ),
     either(
         "steady",
         finite=r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = \val{D}$]",
-        none="",
         resonance=r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = 0$]",
         near=r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = \val{D}$]",
+        **dict.fromkeys((*UNDRIVEN, "loose"), ""),
+    ),
+    either(
+        "steady",
+        finite=r"[small|$X_{\mathrm{p}1} = 0$ at $\omega = \sqrt{k_2/m_2} = \val{mark_still}$ rad/s: mass 1 is then "
+        "a wall for mass 2, which swings on $k_2$ alone.]",
+        **dict.fromkeys((*UNDRIVEN, "loose", "resonance", "near"), ""),
     ),
 ]
 """The particular solution: both rows, both amplitudes, or why there are none."""
@@ -58,25 +70,48 @@ MOTION: list[Paragraph] = [
 def values(driven: DrivenModes) -> dict[str, str]:
     at_resonance = driven.at_resonance
     texts = {"omega": three(driven.omega), "D": three(0.0 if at_resonance else determinant(driven.chain, driven.omega))}
-    for i, X in enumerate([math.inf, math.inf] if at_resonance else driven.particular.tolist()):
+    for i, X in enumerate(sizes(driven)):
         texts[f"X{i + 1}"] = texts[f"Xp{i + 1}"] = signed(X)
         texts[f"way{i + 1}"] = f"{'with' if X > 0 else 'against'} F" if X else "at rest"
         texts[f"growth{i + 1}"] = three(growth_rate(driven, i)) if resonant(driven) else ""
     return texts
 
 
+def sizes(driven: DrivenModes) -> list[float]:
+    """Xp1 and Xp2; at resonance infinite, but for a mass 2 that no spring ties."""
+    if not driven.at_resonance:
+        one, two = driven.particular.tolist()
+        return [one, two]
+    return [math.inf, math.inf if driven.chain.k2 else 0.0]
+
+
+def steady(driven: DrivenModes) -> str:
+    """What is to be said of the particular solution: its formulas, or why they do not stand."""
+    if not (driven.F_0 and driven.omega):
+        free = driven.free
+        moves = np.any(free.amplitude) or np.any(free.drift_b)
+        return "none" if moves and driven.F_0 else "idle" if moves else "rest"
+    if driven.at_resonance:
+        return "resonance"
+    return "near" if resonant(driven) else "finite" if driven.chain.k2 else "loose"
+
+
 def forms(driven: DrivenModes, limit: Columns, view: str) -> dict[str, str]:
     """Close to a natural frequency the two parts are huge and opposite: there the envelope stands in their place."""
     split = driven.split_is_meaningful
-    steady = "near" if resonant(driven) else "finite"
-    if driven.at_resonance:
-        steady = "resonance" if driven.omega else "none"
     parts = {f"x{i}_{part}": "formula" if split else "" for i in (1, 2) for part in "pc"}
     kind = ("beats" if "x1_growth" in limit else "grows") if limit else ""
     limits = {f"x{i}_limit": kind for i in (1, 2)}
     offered = driven.chain.k1 > 0 and driven.F_0 > 0
     shown = {view: "shown", "solution": "" if view == "forces" else "shown"}
-    return {"steady": steady, "rows": "sign", **parts, **limits, **shown, "lecture": "offered" if offered else ""}
+    return {
+        "steady": steady(driven),
+        "rows": "sign",
+        **parts,
+        **limits,
+        **shown,
+        "lecture": "offered" if offered else "",
+    }
 
 
 def notes(driven: DrivenModes, units: str, lecture: bool, too_fast: bool) -> list[str]:

@@ -22,12 +22,12 @@ from physics.coupled import TwoMassChain
 from physics.sweeps import PARAMETERS
 
 TASKS = {
-    "guess": "Drag the point: where does your hand have nothing to add?",
+    "guess": "Drag the point: where is no extra force needed?",
     "solve": "Change the chain: can the two frequencies ever meet?",
     "sweep": "Sweep one value: which frequency follows it, and where do the two come near?",
     "hunt": "Drag the start: from where is the path a straight line?",
 }
-VIEWS = {"guess": "Guess", "solve": "Solve", "sweep": "Sweep", "hunt": "Hunt"}
+VIEWS = {"hunt": "Hunt", "guess": "Guess", "solve": "Solve", "sweep": "Sweep"}
 ROW_OF = {"row1": 1, "row2": 2}
 """The equation, that of mass 1 or of mass 2, which an action takes the shape from."""
 SOURCES = (
@@ -58,7 +58,7 @@ class ModesScene(Scene):
             "Guess",
             ("omega", "ratio"),
             form="guess",
-            actions=tuple((action, f"As mass {row} wants") for action, row in ROW_OF.items()),
+            actions=tuple((action, f"Use equation {row}") for action, row in ROW_OF.items()),
         ),
         Group("Start, from rest", ("x1_0", "x2_0"), "or drag the ring", form="hunt"),
         chain.CHAIN,
@@ -72,13 +72,14 @@ class ModesScene(Scene):
         "No wall": {"k1": 0.0},
         "Loose": {"k2": 0.1},
     }
+    opens = {"task": "hunt"}
 
     task = one_of(default="guess", objects=list(VIEWS), label="View")
     m1, m2, k1, k2 = chain.masses_and_springs(2.0, 1.0, 4.0, 2.0)
     omega = angular_frequency(
         1.7,
         softbounds=(0.0, 2.4),
-        says="moves the point sideways, X₂/X₁ up and down. Find the points that leave your hand nothing to add.",
+        says="moves the point sideways, X₂/X₁ up and down. Find the points where no extra force is needed.",
     )
     ratio = finite(
         -0.8,
@@ -129,9 +130,9 @@ class ModesScene(Scene):
         row = ROW_OF[name]
         wanted = guess_picture.said(chain.of_scene(self), self.omega).rows[row - 1]
         if wanted is None:
-            raise ValueError(f"row {row} is 0 = 0 here: any shape will do")
+            raise ValueError(f"equation {row} is 0 = 0 here: any shape satisfies it")
         if not wanted.is_finite():
-            raise ValueError(f"row {row} asks for X₁ = 0 here: no ratio X₂/X₁ says that")
+            raise ValueError(f"equation {row} requires X₁ = 0 here: no ratio X₂/X₁ expresses that")
         return {"ratio": float(wanted)}
 
     def figures(self) -> tuple[Figure, ...]:

@@ -22,7 +22,7 @@ def guess_about(picture: Picture, chain: TwoMassChain) -> About:
     D = [value.scaleb(-exponent) for value in determinants(chain, columns["w"][at].tolist())]
     name = f"$D$ / {ten(exponent)}" if exponent else "$D$"
     found = rows({"D": name}, columns, {"D": [Point(value, abs(value)) for value in D]}, at, FREQUENCY)
-    return About((modes_table(chain), bounded("$D$, next to its zeros too,", 32, "itself", found)))
+    return About((modes_table(chain), bounded("$D$, next to its zeros too,", 32, "its own value", found)))
 
 
 def solve_about(chain: TwoMassChain) -> About:
@@ -38,7 +38,7 @@ def sweep_about(picture: Picture, chain: TwoMassChain, swept: str) -> About:
     names = {"omega_slow": r"$\omega_-$", "omega_fast": r"$\omega_+$"}
     place = Place("p", f"${swept[0]}_{swept[1]}$", {"m": "kg", "k": "N/m"}[swept[0]])
     found = rows(names, columns, dict(zip(names, pairs, strict=True)), at, place)
-    return About((modes_table(chain), bounded("the curves of the frequencies", 8, "itself", found)))
+    return About((modes_table(chain), bounded("the curves of the frequencies", 8, "their own value", found)))
 
 
 def hunt_about(picture: Picture, chain: TwoMassChain, x_0: Pair) -> About:

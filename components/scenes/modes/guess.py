@@ -28,9 +28,11 @@ class RowWords(NamedTuple):
 
 
 ROWS_SAID = (
-    RowWords({"wide desk": "At full swing it needs −*m* *ω*² *X*", "wide hall": "needs −*m* *ω*² *X*"}, "needs"),
-    RowWords({"wide desk": "= what the springs give", "wide hall": "= springs give"}, "springs"),
-    RowWords({"wide": "+ {you_add}"}, "you add"),
+    RowWords(
+        {"wide desk": "Force needed at full swing: −*m* *ω*² *X*", "wide hall": "needed: −*m* *ω*² *X*"}, "needed"
+    ),
+    RowWords({"wide": "= force of the springs"}, "springs"),
+    RowWords({"wide": "+ {you_add}"}, "hand"),
 )
 
 
@@ -40,7 +42,7 @@ def sheet() -> Block:
             stage(
                 *_shapes(),
                 label="The guess at full swing; under it, on each mass, the force that the motion needs, the springs' "
-                "force and what is missing",
+                "force and that of your hand",
                 grow=590,
                 height=230,
             ),
@@ -74,21 +76,24 @@ def _readings() -> list[Paragraph]:
         lines.append(
             either(
                 f"row{i}_says",
-                number=rf"[m{i}|Row {i} fixes $X_2/X_1$ = **{{row{i}}}**]",
-                pole=rf"[m{i}|Row {i} asks for $X_1$ = **0**]",
-                any=rf"[m{i}|Row {i} is 0 = 0: any shape]",
+                number=rf"[m{i}|Equation {i} requires $X_2/X_1$ = **{{row{i}}}**]",
+                pole=rf"[m{i}|Equation {i} requires $X_1$ = **0**]",
+                any=rf"[m{i}|Equation {i} is 0 = 0: any shape]",
             )
         )
     return [
         *lines,
         either(
             "agree",
-            apart="They are **{distance}** apart. Only rest obeys both rows, except where the curves cross.",
-            pole="Only rest obeys both rows, except where the curves cross.",
-            near_slow=r"Almost one equation: they are **{distance}** apart. $\omega_-$ is {slow_long} rad/s.",
-            near_fast=r"Almost one equation: they are **{distance}** apart. $\omega_+$ is {fast_long} rad/s.",
-            same_slow="[slow|**One and the same equation:** the slow mode.]",
-            same_fast="[fast|**One and the same equation:** the fast mode.]",
+            apart="They differ by **{distance}**. Only rest satisfies both, except where the curves cross.",
+            pole=r"Only rest satisfies both equations, except at $\omega_-$ and $\omega_+$.",
+            alone_1="[fast|**Mass 1 alone** satisfies both equations: the fast mode.]",
+            alone_2="[slow|**Mass 2 alone** satisfies both equations: it is free, and the slow mode is its drift.]",
+            every="**Every shape** satisfies both equations: nothing holds the masses.",
+            near_slow=r"Almost equal: they differ by **{distance}**. $\omega_-$ is {slow_long} rad/s.",
+            near_fast=r"Almost equal: they differ by **{distance}**. $\omega_+$ is {fast_long} rad/s.",
+            same_slow="[slow|**Both equations agree:** the slow mode.]",
+            same_fast="[fast|**Both equations agree:** the fast mode.]",
         ),
     ]
 
@@ -104,7 +109,7 @@ def _determinant_words() -> list[Paragraph]:
             "roots",
             two=r"$D = \text{det } A$ is + at 0, − at $k_2/m_2$, + far out: two zeros, whatever the chain.",
             wall=r"No wall: $D$ is 0 at 0, − at $k_2/m_2$, + far out: one zero is at 0.",
-            loose=r"No coupling: $D = m_2 \omega^2 (m_1 \omega^2 - k_1)$, each row keeps to its own mass.",
+            loose=r"No coupling: $D = m_2 \omega^2 (m_1 \omega^2 - k_1)$, each equation holds one mass only.",
         ),
     ]
 
@@ -123,8 +128,8 @@ def _shape_plot() -> Block:
         ),
         heading=(
             term("", "none", "ink", formula="X_2/X_1"),
-            phrase("row1", "sum", "m1", formula=r"mass 1 wants $(k_1 + k_2 - m_1 \omega^2)/k_2$"),
-            phrase("row2", "sum", "m2", formula=r"mass 2 wants $k_2/(k_2 - m_2 \omega^2)$"),
+            phrase("row1", "sum", "m1", formula=r"equation 1 requires $(k_1 + k_2 - m_1 \omega^2)/k_2$"),
+            phrase("row2", "sum", "m2", formula=r"equation 2 requires $k_2/(k_2 - m_2 \omega^2)$"),
         ),
         x_labels=False,
         room=Room(60, 12),

@@ -20,15 +20,16 @@ from components.page.state import Frame
 from components.scene import Picture
 from components.traces import Columns
 from physics.coupled import Modes, TwoMassChain
-from physics.exact import precise, within_an_ulp
+from physics.exact import exact, precise, within_an_ulp
 from physics.modes import Trial, TrialForces, determinant_curve, row_curves, trial, trial_forces
 from physics.sampling import NOTHING_OSCILLATES, periods
+from physics.valid import DOUBLES
 
 ROWS = ("need", "give", "add")
 REACH = 0.17
 """The longest force arrow, as a fraction of the stage's width."""
-NEAR = 1e-3
-"""How near a natural frequency two rows are nearly the same equation."""
+NEAR, ALIKE = 1e-3, Decimal("0.01")
+"""How near a natural frequency is, and how near two rows are, over the larger, to be nearly the same equation."""
 ROUNDING = Decimal("1e-12")
 """A typed ratio is rounded, so at a mode a force of this size, compared with the others, is left: it is shown as 0."""
 LITTLE = Decimal("0.005")
@@ -79,7 +80,7 @@ def picture(system: TwoMassChain, omega: float, ratio: float, window: float | No
     """All of the view for one chain and one guess; ValueError where a curve leaves the range of doubles."""
     modes, push = system.modes(), trial_forces(system, omega, ratio)
     if system.k2 and not np.all(np.isfinite(modes.ratio)):
-        raise ValueError("a mode ratio X2/X1 leaves the range of doubles")
+        raise ValueError(f"a mode ratio X2/X1 leaves {DOUBLES}")
     end = _end(float(modes.omega[1]), omega)
     reach, shape = _shape_axis(modes)
     across = replace(squared_axis(end, "(rad/s)²", 3), drawn=(0.0, max(float(modes.omega[1]), min(omega, end))))
@@ -107,7 +108,7 @@ def picture(system: TwoMassChain, omega: float, ratio: float, window: float | No
         signals=_signals(push, omega, axes["t"]),
         scalars=_swing_scalars(push) | _force_scalars(push) | known | _tried(guess, known),
         pace=pace(omega, omega),
-        values=_values(guess) | _force_values(push),
+        values=_values(guess) | _force_values(guess),
         forms=_forms(guess),
     )
 
@@ -117,7 +118,7 @@ def _shape_axis(modes: Modes) -> tuple[float, Axis]:
     half = 2 * max((abs(float(r)) for r in modes.ratio if r and math.isfinite(r)), default=2.0)
     reach = 3 * half
     if math.isinf(reach):
-        raise ValueError("three times the larger mode ratio X2/X1, as far as it is drawn, leaves the range of doubles")
+        raise ValueError(f"three times the larger mode ratio X2/X1, as far as it is drawn, leaves {DOUBLES}")
     axis = nice_axis(-half, half, "", 4, exact=True)
     return reach, replace(axis, ticks=axis.ticks[1:-1], drawn=(-half / 2, half / 2))
 
@@ -125,8 +126,16 @@ def _shape_axis(modes: Modes) -> tuple[float, Axis]:
 def said(system: TwoMassChain, omega: float) -> Trial:
     """What the two equations say at `omega`; next to a zero, where hardly a double is nearer, what they say at it."""
     asked, none = trial(system, omega), Decimal(0)
-    if any(within_an_ulp(omega, mode.omega) for mode in system.exact_modes):
-        return asked._replace(determinant=none, apart=None if asked.apart is None else none)
+    for mode in system.exact_modes:
+        if not within_an_ulp(omega, mode.omega):
+            continue
+        if not system.k2:
+            if mode.shape[0]:  # mass 1 alone: row 1 is 0 = 0
+                asked = asked._replace(matrix=((none, none), asked.matrix[1]), rows=(None, asked.rows[1]))
+            return asked._replace(determinant=none)
+        with precise():
+            rows = (mode.shape[1] / mode.shape[0],) * 2
+        return asked._replace(determinant=none, rows=rows, apart=none)
     m1, m2, k1, k2 = system.exact_parameters
     with precise():
         alone = ((k1 + k2) / m1).sqrt(), (k2 / m2).sqrt()
@@ -246,16 +255,34 @@ def _values(guess: Guess) -> dict[str, str]:
     return values
 
 
-def _force_values(push: TrialForces) -> dict[str, str]:
-    largest = max(abs(value) for pair in push[1:] for value in pair)
+def _force_values(guess: Guess) -> dict[str, str]:
+    push, left = guess.push, _left(guess)
     values = {f"X{i}": signed(amplitude) for i, amplitude in enumerate(push.amplitude, start=1)}
-    for name, pair in zip(ROWS, push[1:], strict=True):
-        for i, value in enumerate(pair, start=1):
-            values[f"{name}{i}_N"] = f"{signed(value if abs(value) > ROUNDING * largest else Decimal(0))} N"
-    left = max(abs(value) for value in push.missing)
-    if not largest or left > LITTLE * largest:
-        return values | {"you_add": "what you must add"}
-    return values | {"you_add": "nothing: a mode" if left <= ROUNDING * largest else "next to nothing"}
+    for name, pair in zip(ROWS, (push.needed, push.springs, left), strict=True):
+        values |= {f"{name}{i}_N": f"{signed(value)} N" for i, value in enumerate(pair, start=1)}
+    if not any(left):
+        return values | {"you_add": "no extra force: a mode"}
+    little = all(abs(value) <= LITTLE * size for value, size in zip(left, _sizes(push), strict=True))
+    return values | {"you_add": "almost no extra force" if little else "force of your hand"}
+
+
+def _sizes(push: TrialForces) -> list[Decimal]:
+    """The larger of the other two forces on each mass."""
+    return [max(abs(needed), abs(springs)) for needed, springs in zip(push.needed, push.springs, strict=True)]
+
+
+def _left(guess: Guess) -> list[Decimal]:
+    """What is missing on each mass; nothing at a mode, whose frequency and shape few doubles are."""
+    for mode in guess.system.exact_modes:
+        if not mode.shape[0]:
+            continue
+        with precise():
+            ratio = mode.shape[1] / mode.shape[0]
+        alike = abs(ratio - exact(guess.ratio)) <= ROUNDING * abs(ratio)
+        if alike and within_an_ulp(guess.omega, mode.omega):
+            return [Decimal(0)] * 2
+    sizes = zip(guess.push.missing, _sizes(guess.push), strict=True)
+    return [value if abs(value) > ROUNDING * size else Decimal(0) for value, size in sizes]
 
 
 def _forms(guess: Guess) -> dict[str, str]:
@@ -263,13 +290,24 @@ def _forms(guess: Guess) -> dict[str, str]:
     forms: dict[str, str] = {}
     for i, value in enumerate(asked.rows, start=1):
         forms[f"row{i}_says"] = "any" if value is None else "number" if value.is_finite() else "pole"
-    forms["agree"] = "pole" if asked.apart is None else "apart"
-    for mode, w in zip(MODES, guess.modes.omega, strict=True):
-        if abs(guess.omega - w) <= NEAR * w and asked.apart is not None:
-            forms["agree"] = f"near_{mode}"
-    for mode, exactly in zip(MODES, system.exact_modes, strict=True):
-        if within_an_ulp(guess.omega, exactly.omega):
-            forms["agree"] = f"same_{mode}"
+    forms["agree"] = agreement(guess)
     forms["D"] = "value" if asked.apart is None else "product"
     forms["roots"] = "loose" if not system.k2 else "two" if system.k1 else "wall"
     return forms
+
+
+def agreement(guess: Guess) -> str:
+    """Which sentence on both rows holds: how far apart they are, that they are one equation, or what obeys both."""
+    one, two = guess.asked.rows
+    if not guess.system.k2:
+        free = {(True, True): "every", (True, False): "alone_1", (False, True): "alone_2"}
+        return free.get((one is None, two is None), "pole")
+    for mode, exactly in zip(MODES, guess.system.exact_modes, strict=True):
+        if within_an_ulp(guess.omega, exactly.omega):
+            return f"same_{mode}"
+    if guess.asked.apart is None or one is None or two is None:
+        return "pole"
+    for mode, w in zip(MODES, guess.modes.omega, strict=True):
+        if abs(guess.omega - w) <= NEAR * w and abs(guess.asked.apart) <= ALIKE * max(abs(one), abs(two)):
+            return f"near_{mode}"
+    return "apart"

@@ -24,11 +24,12 @@ from components.sheet import Paragraph, choice, column, either, row, stage, when
 from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
 from components.traces import Columns
 from physics.coupled import FreeModes, TwoMassChain, free_modes, free_motion
-from physics.modes import shares
+from physics.modes import Mixture, mixture
 from physics.sampling import time_window
+from physics.valid import DOUBLES
 
-FOUND = 1e-3
-"""As much of the other mode, in parts of the energy, is not seen: the path is then 3 % as wide as long."""
+FOUND = 0.03
+"""Where the lesser mode swings less than this share of the greater one the path is not seen to be wider than a line."""
 SWINGS, PER_SWING, MOST = 40, 96, 1281
 """The path is drawn over so many swings of the fast mode at most, with so many points a swing and in all."""
 
@@ -49,9 +50,7 @@ def sheet() -> Block:
         column(
             words("**Mass 2 against mass 1, let go from rest.**", phone=6),
             when("hunt", words(TASK, style="task", phone=6)),
-            stage(
-                *_shapes(), label="The chain in motion, and how much of the energy is in each mode", grow=1, height=210
-            ),
+            stage(*_shapes(), label="The chain in motion, and how far each mode swings", grow=1, height=210),
             words(_verdict(), _answer(), style="verdict", phone=7),
             choice("answer", {"hidden": "Answer hidden", "shown": "Reveal"}, "The answer", phone=8),
             grow=352,
@@ -63,14 +62,15 @@ def sheet() -> Block:
 def _verdict() -> Paragraph:
     return either(
         "verdict",
+        thin="**Nearly a line, but not one mode:** both modes are in it, so mass 1 and mass 2 do not keep step.",
         mixed="**Not yet:** both modes are in it, so mass 1 and mass 2 do not keep step.",
         slow="[slow|**✓ Found: a straight line, the slow mode.**] Both masses pass 0 together, in phase. "
         "There is another one.",
         fast="[fast|**✓ Found: a straight line, the fast mode.**] Both masses pass 0 together, opposite. "
         "There is another one.",
-        rest="**Nothing moves:** the start is at rest in equilibrium.",
+        rest="**Nothing moves:** it starts at rest, and no spring is stretched.",
         drift="**Every start gives a line here:** with a spring missing the slow mode is a drift, and from rest "
-        "it stands still.",
+        "it does not move.",
     )
 
 
@@ -125,7 +125,7 @@ def _shapes() -> list[Shape]:
     for n, mode in enumerate(chain.MODES):
         y = (0.76 + 0.18 * n) * H
         shapes += [
-            text(0, y - 12, f"{mode} mode {{share_{mode}}} of the energy", "start", tint=mode, style="t1 b"),
+            text(0, y - 12, f"{mode} mode {{share_{mode}}} of the swing", "start", tint=mode, style="t1 b"),
             line(0, y, W, y, tint="rule", style="thick faint"),
             line(0, y, var(f"share_{mode}") * W, y, tint=mode, style="thick", show=f"share_{mode}"),
         ]
@@ -136,7 +136,7 @@ def picture(
     system: TwoMassChain, x_0: tuple[float, float], revealed: bool, window: float | None, frame: Frame = FITTED
 ) -> Picture:
     """All of the view for one chain and one start; the answer is in it only where it was asked for."""
-    modes, free, parts = system.modes(), free_modes(system, x_0, (0.0, 0.0)), shares(system, x_0)
+    modes, free, parts = system.modes(), free_modes(system, x_0, (0.0, 0.0)), mixture(system, x_0)
     slow, fast = (float(w) for w in modes.omega)
     own_window = window or time_window(slow, fast)
     end = frame.window or own_window
@@ -155,14 +155,14 @@ def picture(
             **drawn.scalars,
             "start1": size.place(x_0[0]),
             "start2": size.place(x_0[1]),
-            **{f"share_{mode}": part for mode, part in zip(chain.MODES, parts, strict=True)},
+            **{f"share_{mode}": part for mode, part in zip(chain.MODES, parts, strict=False)},
         },
         pace=pace(slow or fast, fast),
         scale=drawn.scale,
         fits=drawn.fits,
         values={**drawn.values, **_values(system, parts, revealed)},
         live={name: size.digits(signed=True) for name in ("x1", "x2")},
-        forms={"verdict": _found(system, parts), "answer": "shown" if revealed else ""},
+        forms={"verdict": found(system, parts), "answer": "shown" if revealed else ""},
         notes=drawn.notes,
     )
 
@@ -186,7 +186,7 @@ def _size(bound: tuple[float, float, float]) -> Axis:
     """A frame that does not follow every move of the start: it grows in steps of 1, 2, 5."""
     reach = max(bound[:2])
     if not math.isfinite(reach):
-        raise ValueError("the motion leaves the range of doubles")
+        raise ValueError(f"the motion leaves {DOUBLES}")
     half = _round_up(1.05 * reach) if reach else 1.0
     return replace(nice_axis(-half, half, "m", 4, exact=True), drawn=(-reach, reach))
 
@@ -197,18 +197,21 @@ def _round_up(value: float) -> float:
     return value if below == value else min(f * below for f in (2.0, 2.5) if f * below >= value * (1 - 1e-9))
 
 
-def _values(system: TwoMassChain, parts: tuple[float, float], revealed: bool) -> dict[str, str]:
-    values = {f"share_{mode}": f"{three(100 * part)} %" for mode, part in zip(chain.MODES, parts, strict=True)}
+def _values(system: TwoMassChain, parts: Mixture, revealed: bool) -> dict[str, str]:
+    values = {f"share_{mode}": f"{three(100 * part)} %" for mode, part in zip(chain.MODES, parts, strict=False)}
     if revealed:
         ratios = zip(chain.MODES, system.modes().ratio.tolist(), strict=True)
         values |= {f"answer_{mode}": signed(ratio) for mode, ratio in ratios}
     return values
 
 
-def _found(system: TwoMassChain, parts: tuple[float, float]) -> str:
-    if not sum(parts):
+def found(system: TwoMassChain, parts: Mixture) -> str:
+    """Whether the path is a line, judged by how far each mode swings."""
+    slow, fast, width = parts
+    if not (slow or fast):
         return "rest"
     if not (system.k1 and system.k2):
         return "drift"
-    slow, fast = parts
-    return "slow" if fast <= FOUND else "fast" if slow <= FOUND else "mixed"
+    if min(slow, fast) <= FOUND * max(slow, fast):
+        return "slow" if fast < slow else "fast"
+    return "thin" if width <= FOUND else "mixed"

@@ -61,8 +61,9 @@ def _formulas() -> list[Paragraph]:
         ),
         either(
             "below",
-            wall=r"**$\sqrt{\Delta} < b$:** $\val{root} < \val{b}$, as $4 m_1 m_2 k_1 k_2 = \val{fourfold} > 0$ was "
-            r"taken off $b^2$. So both $\omega^2$ are positive and $\omega$ is real.",
+            wall=r"**$\sqrt{\Delta} < b$:** $\val{root}$ is less than $b$ by $\val{gap}$, as "
+            r"$4 m_1 m_2 k_1 k_2 = \val{fourfold} > 0$ is subtracted from $b^2$. "
+            r"So both $\omega^2$ are positive and $\omega$ is real.",
             zero=r"**$\sqrt{\Delta} = b$** $= \val{b}$, as $4 m_1 m_2 k_1 k_2 = 0$. So $\omega_-$ = 0: a drift.",
         ),
         r"[slow|$\omega_-^2 = \val{slow_square}$, $\omega_- = \val{slow_omega}$ rad/s]",
@@ -93,8 +94,8 @@ def _ratios() -> list[Paragraph]:
         either("product", shown=r"Their product is $-m_1/m_2 = \val{product}$, whatever the springs."),
         either(
             "arrows",
-            shown=r"**The arrows** are the notes' $X_j e^{i \omega t}$, each mass above the tip of its own. A real "
-            r"ratio $X_2/X_1$ means that they point the same way or opposite ways.",
+            shown=r"**The arrows** are the $X_j e^{i \omega t}$ of the notes of D34, each mass above the tip of its "
+            r"own. A real ratio $X_2/X_1$ means that they point the same way or opposite ways.",
         ),
     ]
 
@@ -164,6 +165,8 @@ def picture(system: TwoMassChain, window: float | None, frame: Frame = FITTED) -
 def _equation_values(system: TwoMassChain) -> dict[str, str]:
     """The terms of the quadratic for omega^2, and of its discriminant as a sum of squares."""
     equation = quadratic(system)
+    with precise():
+        gap = equation.fourfold / (equation.b + equation.root) if equation.b else Decimal(0)
     return {
         "m1m2": three(equation.leading),
         "b": three(equation.b),
@@ -172,6 +175,7 @@ def _equation_values(system: TwoMassChain) -> dict[str, str]:
         "difference": three(equation.difference),
         "coupling": three(equation.coupling),
         "root": three(equation.root),
+        "gap": three(gap),
         "fourfold": three(equation.fourfold),
     }
 

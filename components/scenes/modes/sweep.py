@@ -22,6 +22,7 @@ from components.text import rich
 from components.traces import Columns
 from physics.coupled import TwoMassChain
 from physics.sweeps import PARAMETERS, Sweep, limit, sweep
+from physics.valid import DOUBLES
 
 DECADES = 6
 UNITS = {"m": "kg", "k": "N/m"}
@@ -30,7 +31,21 @@ PARTNER = {"m1": "m2", "m2": "m1", "k1": "k2", "k2": "k1"}
 """The parameter of the same kind: a sweep is centred where both are alike."""
 
 LIMITS = {
-    "apart": ("two oscillators of their own", r"\sqrt{k_2/m_2}", r"k_1/k_2", r"\sqrt{k_1/m_1}", r"-m_1 k_2/(m_2 k_1)"),
+    "free": (
+        "no wall, so the pair drifts as one block; the masses against each other",
+        "0",
+        "1",
+        r"\sqrt{k_2 (1/m_1 + 1/m_2)}",
+        "-m_1/m_2",
+    ),
+    "loose": (
+        "no coupling, so each mass moves on its own",
+        "0",
+        r"\infty \text{: mass 2 alone}",
+        r"\sqrt{k_1/m_1}",
+        r"0 \text{: mass 1 alone}",
+    ),
+    "apart": ("two separate oscillators", r"\sqrt{k_2/m_2}", r"k_1/k_2", r"\sqrt{k_1/m_1}", r"-m_1 k_2/(m_2 k_1)"),
     "rigid": (
         "one block on the wall's spring; the masses against each other",
         r"\sqrt{k_1/(m_1 + m_2)}",
@@ -70,9 +85,14 @@ def sheet() -> Block:
             r"[fast|$\omega_+ = \val{now_fast}$ rad/s, $X_2/X_1 = \val{now_ratio_fast}$]",
             *_limits("low"),
             *_limits("high"),
-            "**The thin lines** are each mass on its springs while the other is held. Where they cross, the modes "
-            "avoid each other: one keeps below both, the other above.",
-            r"The two shapes mirror each other: $|X_2/X_1|_- \cdot |X_2/X_1|_+ = m_1/m_2$.",
+            either(
+                "tied",
+                shown="**The thin lines** are the frequency of one mass with the other one fixed. Where they cross, "
+                "the modes avoid each other: one stays below both, the other above.",
+                loose="**The thin lines** are the frequency of one mass with the other one fixed: without spring 2 "
+                "they are the modes.",
+            ),
+            either("tied", shown=r"The two shapes mirror each other: $|X_2/X_1|_- \cdot |X_2/X_1|_+ = m_1/m_2$."),
             grow=288,
             phone=20,
         ),
@@ -122,13 +142,13 @@ def _frequencies() -> Block:
         curves=held + _curves("omega"),
         heading=(
             term("", "none", "ink", formula=r"\omega_\pm"),
-            term("held", "line", "mute", formula=r"\text{held: } \sqrt{(k_1 + k_2)/m_1},\ \sqrt{k_2/m_2}"),
+            term("held", "line", "mute", formula=r"\text{fixed: } \sqrt{(k_1 + k_2)/m_1},\ \sqrt{k_2/m_2}"),
             term("limits", "dash", "mute", formula=r"\text{limits}"),
         ),
         x_labels=False,
         room=Room(72, 60, top=30),
         handles=_handles(bare=True),
-        marks=(Mark(at="cross", tint="mute", style="dashed", html=rich("the held ones cross"), lift=0),),
+        marks=(Mark(at="cross", tint="mute", style="dashed", html=rich("these cross"), lift=0),),
         phone=10,
         height=230,
     )
@@ -171,14 +191,14 @@ def picture(system: TwoMassChain, swept: str, frame: Frame = FITTED) -> Picture:
     values = np.geomspace(*_range(system, swept), 241)
     run = sweep(system, swept, values)
     if not np.all(np.isfinite(run.omega)):
-        raise ValueError("a natural frequency leaves the range of doubles in this sweep")
+        raise ValueError(f"a natural frequency in this sweep leaves {DOUBLES}")
     shown = bool(system.k2 or swept == "k2")
     if shown and not np.all(np.isfinite(run.ratio)):
-        raise ValueError("a mode ratio X2/X1 leaves the range of doubles in this sweep")
+        raise ValueError(f"a mode ratio X2/X1 in this sweep leaves {DOUBLES}")
     kinds, columns = {}, _columns(run)
     for end, name, part in ((0, "low", slice(None, 121)), (1, "high", slice(120, None))):
         tends = limit(system, swept, end, values[part])
-        kinds[name] = tends.kind
+        kinds[name] = _kind(system, swept, tends.kind)
         columns |= _pair(name, values[part], tends.omega, tends.ratio)
     modes = system.modes()
     columns |= _pair("now", np.array([getattr(system, swept)]), modes.omega[:, None], modes.ratio[:, None])
@@ -195,8 +215,15 @@ def picture(system: TwoMassChain, swept: str, frame: Frame = FITTED) -> Picture:
             "low_name": f"{SYMBOLS[swept]} → 0",
             "high_name": f"{SYMBOLS[swept]} → ∞",
         },
-        forms={**kinds, f"swept_{swept}": "shown"},
+        forms={**kinds, f"swept_{swept}": "shown", "tied": "shown" if shown else "loose"},
     )
+
+
+def _kind(system: TwoMassChain, swept: str, kind: str) -> str:
+    """The words of a limit: a spring that is missing all along has its own."""
+    if swept != "k2" and not system.k2:
+        return "loose"
+    return "free" if swept != "k1" and not system.k1 else kind
 
 
 def _range(system: TwoMassChain, swept: str) -> tuple[float, float]:

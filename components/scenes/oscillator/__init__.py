@@ -104,6 +104,7 @@ class OscillatorScene(Scene):
         "Rest": {"x_0": 0.0, "v_0": 0.0},
         "No spring": {"k": 0.0, "v_0": 0.02},
     }
+    opens = {**presets["Pulled"], "view": "swing"}
 
     m = mass(
         1.0, symbol="m", tint="m1", says="is the mass. Four times the mass swings half as fast. Any value above 0."
@@ -117,7 +118,11 @@ class OscillatorScene(Scene):
         -0.8, symbol="v_0", tint="T", softbounds=(-2.0, 2.0),
         says="is the velocity at the start, positive away from the wall. Any number.",
     )  # fmt: skip
-    view = one_of(default="motion", objects={"Motion": "motion", "Force": "force"}, label="What the stage shows")
+    view = one_of(
+        default="motion",
+        objects={"Motion": "swing", "Formulas": "motion", "Force": "force"},
+        label="What is shown beside the motion",
+    )
 
     @classmethod
     @cache
@@ -143,7 +148,11 @@ class OscillatorScene(Scene):
             pace=pace(swing.omega, swing.omega),
             values=values,
             live={"x": axes["x"].digits(signed=True), **pull.live},
-            forms=_forms(swing, values) | {"force": "shown" if self.view == "force" else ""},
+            forms=_forms(swing, values)
+            | {
+                "force": "shown" if self.view == "force" else "",
+                "idea" if self.view == "swing" else "formulas": "shown",
+            },
         )
 
     def _swing(self, frame: Frame = FITTED) -> Oscillation:
@@ -285,7 +294,8 @@ def _values(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, str]:
 def _forms(swing: Oscillation, values: dict[str, str]) -> dict[str, str]:
     """Which sentences stand; the second form of x is left out where its numbers are too long for the line."""
     if not swing.omega:
-        return {"kind": "drift", "why": "drift", "B": "drift", "C": "", "phi": "", "parts": "left_out"}
+        why = "drift" if swing.v_0 else "still"
+        return {"kind": "drift", "why": why, "B": "drift", "C": "", "phi": "", "parts": "left_out"}
     start = "wrong" if swing.v_0 < 0 else "right" if swing.v_0 > 0 else "zero"
     length = sum(len(values[name]) for name in ("A_plain", "B_plus", "omega", "omega"))
     parts = "shown" if length <= LONGEST else "left_out"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from components.about import About, bounded, drawn_as_bands, drift, few, rows
+from components.about import About, bounded, drawn_as_bands, drift, few, reason_of, rows
 from components.scene import Picture
 from physics.energy import half_square
 from physics.hanging import HangingMass
@@ -33,4 +33,4 @@ def _oscillator_drift(oscillator: Oscillator, x_0: float, v_0: float, t: np.ndar
             return drift(total, float(total[0]))
         return drift(total, HangingMass(m=oscillator.m, k=oscillator.k, g=0.0).total_energy(x_0, v_0))
     except ValueError as reason:
-        return f"$T + V$ cannot be followed: {reason}."
+        return f"$T + V$ cannot be computed over the window: {reason_of(reason)}."

@@ -5,7 +5,7 @@ from __future__ import annotations
 from components.page.blocks import Block
 from components.plots import HEADING, NUMBERS, Room, curve, plot
 from components.scenes.oscillator.turning import FIRST, first, hero, lead, planes
-from components.sheet import column, desk, either, phrase, row, stage, term, words
+from components.sheet import column, desk, either, phrase, row, stage, term, when, words
 from components.stage import Shape
 from components.traces import traced
 
@@ -34,6 +34,22 @@ CONSTANTS = (
 )
 
 
+IDEA = (
+    either(
+        "why",
+        **dict.fromkeys(
+            ("right", "wrong", "zero"),
+            "The tip of the turning arrow is as high as [m1|$x$]. An arrow a quarter turn ahead is as high as "
+            r"[T|$v/\omega_n$], one half a turn ahead as [F|$a/\omega_n^2$].",
+        ),
+        rest="The mass rests: nothing moves, and there is no arrow.",
+        drift="No spring, no swing: the mass keeps its velocity.",
+        still="No spring, and a start at rest: nothing moves.",
+    ),
+)
+"""In place of the formulas: the scene's idea in words."""
+
+
 def oscillator_sheet() -> Block:
     over_plane, over_law = planes()
     label = "Mass on a spring, and the turning arrow whose height is its displacement"
@@ -41,18 +57,22 @@ def oscillator_sheet() -> Block:
     paper = row(
         column(
             stage(*hero(), label=label, grow=300, height=206),
-            row(_why(), start, grow=176, gap=GAP),
-            row(
-                words(*CONSTANTS[0], style="constants", phone=32),
-                words(*CONSTANTS[1], style="constants", phone=32),
-                grow=0,
-                basis=54,
-                gap=10,
+            when("idea", words(*IDEA, style="facts", grow=176, phone=30)),
+            when("formulas", row(_why(), start, grow=176, gap=GAP)),
+            when(
+                "formulas",
+                row(
+                    words(*CONSTANTS[0], style="constants", phone=32),
+                    words(*CONSTANTS[1], style="constants", phone=32),
+                    grow=0,
+                    basis=54,
+                    gap=10,
+                ),
             ),
             grow=344,
         ),
         column(*(_row(name) for name in TINTS), grow=400),
-        column(_law_words(), _plane(over_plane), _law(over_law), grow=168),
+        when("formulas", column(_law_words(), _plane(over_plane), _law(over_law), grow=168)),
         gap=0,
     )
     return column(desk(words(TASK, style="task", phone=0)), paper)
@@ -63,13 +83,14 @@ def _why() -> Block:
     return words(
         either(
             "why",
-            right=r"**At** $t = 0$: $\mathrm{atan}(A / B)$ is the same here: it is right for $v_0 > 0$, "
+            right=r"**At** $t = 0$: $\mathrm{atan}(A / B)$ gives the right angle here: it is right for $v_0 > 0$, "
             r"$\mathrm{atan2}$ always.",
             wrong=r"**At** $t = 0$: $\mathrm{atan}(A / B) = \val{atan}$ points the other way: "
             r"it is right only for $v_0 > 0.$",
             zero=r"**At** $t = 0$: $\mathrm{atan}(A / B)$ would divide by zero: it is right only for $v_0 > 0.$",
-            rest="The mass rests: there is no arrow, and no phase.",
+            rest="The mass rests: nothing moves, there is no arrow, and no phase.",
             drift="No spring, no swing: the mass keeps its velocity.",
+            still="No spring, and a start at rest: nothing moves.",
         ),
         style="small",
         basis=FIRST - GAP,
@@ -115,8 +136,14 @@ def _row(name: str) -> Block:
 def _law_words() -> Block:
     return words(
         either("force", shown=r"[F|$F = -k x =$ {F} {F_unit}]"),
-        r"$m \ddot{x} + k x = 0$",
+        either("kind", turn=r"$m \ddot{x} + k x = 0$ with $k > 0$", drift=r"$m \ddot{x} = 0$ as $k = 0$"),
         r"$\ddot{x} + \omega_n^2 x = 0$",
+        either(
+            "kind",
+            turn=r"[small|$x = C \sin(\omega t + \phi)$ put in: "
+            r"$(\omega_n^2 - \omega^2) x = 0$, so $\omega = \omega_n$]",
+            drift="",
+        ),
         r"$\omega_n = \sqrt{\frac{k}{m}} = \val{omega}$ rad/s",
         either("kind", turn=r"$\tau = 2 \pi / \omega_n = \val{tau}$ s", drift="no period"),
         style="facts proof",

@@ -158,7 +158,10 @@ def right_angles(centre: StageVector) -> list[Shape]:
     for one, other in (("x", "v"), ("v", "a")):
         a, b = unit(one), unit(other)
         corner = at(centre, (a[0] + b[0], a[1] + b[1]), 13)
-        found += [line(*at(centre, a, 13), *corner, style="floor"), line(*corner, *at(centre, b, 13), style="floor")]
+        found += [
+            line(*at(centre, a, 13), *corner, style="floor told"),
+            line(*corner, *at(centre, b, 13), style="floor told"),
+        ]
     return found
 
 

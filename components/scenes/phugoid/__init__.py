@@ -89,7 +89,7 @@ class Phugoid(Scene):
         "to first order: h'' + omega^2 h = 0; omega = sqrt(2) g/v_0; v = -g h/v_0",
     )
     groups = (
-        Group("Excess of speed", ("excess",), "period late by"),
+        Group("Excess of speed", ("excess",), "period longer by"),
         Group("Aircraft", ("v_0", "m")),
         Group(
             "",
@@ -107,6 +107,7 @@ class Phugoid(Scene):
         "Cusp, 0.732": {"excess": CUSP_EXCESS},
         "Loop, 1": {"excess": 1.0},
     }
+    opens = {**presets["Ripple, 0.1"], "show": "lift"}
 
     excess = Quantity(
         0.6, symbol="v′", unit="v₀", label="excess of speed", tint="T",
@@ -121,11 +122,11 @@ class Phugoid(Scene):
     v_0 = positive(
         150 * FOOT, symbol="v_0", unit="m/s", label="speed of steady flight", tint="T",
         scale="log", softbounds=(5.0, 300.0),
-        says="is the speed of steady flight. It alone sets the period.",
+        says="is the speed of steady flight. Of the aircraft it alone sets the period.",
     )  # fmt: skip
     m = mass(
         1100.0, symbol="m", tint="m1", label="mass of the aircraft", softbounds=(1.0, 1e5),
-        says="is the mass. Move it: the flight does not change. Only v₀ and g enter.",
+        says="is the mass. Move it: the flight does not change. Only v₀, g and the disturbance enter.",
     )  # fmt: skip
     g = positive(
         9.80665, symbol="g", unit="m/s²", label="gravity", tint="k", softbounds=(1.0, 30.0),

@@ -32,5 +32,5 @@ def flight_about(picture: Picture, swing: Swing) -> About:
     V, u = motion.V / swing.v_0, motion.u / swing.v_0
     C = invariant(swing.excess)
     strays = float(np.max(np.abs(u - V**3 / 3 - C)))
-    kept = f"The flight's invariant $C = u - V^3/3$ = {three(C)}, {short(strays)} off at most over the window."
+    kept = f"The flight's invariant $C = u - V^3/3$ = {three(C)}, within {short(strays)} over the window."
     return About((bound,), kept, drawn_as_bands(picture.columns, names))

@@ -135,7 +135,7 @@ def lift_plot() -> tuple[Block, ...]:
             height=200,
         ),
         words(
-            r"$m \ddot{h} = L - m g$, to first order $\ddot{h} = 2 g\, v'/v_0$.",
+            r"$m \ddot{h} = L \cos \theta - m g$, to first order $\ddot{h} = 2 g\, v'/v_0$.",
             r"Thrust is drag, so $g\, h' + v_0 v' = 0$: together $\ddot{h} + 2 (g/v_0)^2\, h' = 0$.",
             style="small",
             phone=15,
@@ -146,9 +146,9 @@ def lift_plot() -> tuple[Block, ...]:
 def exchange_plots() -> tuple[Block, ...]:
     """Height against speed beside stretch against motion, as shares of their sum, and why they differ."""
     return (
-        words("**Aircraft:** height and speed trade once a swing (first order)", phone=12),
+        words("**Aircraft:** height and speed exchange energy once a swing (first order)", phone=12),
         _shares("flight_energy", "share", "*m g h*", "½ *m v*²", "Energy of the aircraft: height and speed", False),
-        words("**Spring:** stretch and motion trade twice a swing (second order)", phone=14),
+        words("**Spring:** stretch and motion exchange it twice a swing (second order)", phone=14),
         _shares(
             "spring_energy",
             "twin",
@@ -159,7 +159,7 @@ def exchange_plots() -> tuple[Block, ...]:
         ),
         words(
             r"$\tfrac{1}{2} m\,v^2 = \tfrac{1}{2} m\,v_0^2 + m\,v_0 v' + \tfrac{1}{2} m\,v'^2$: what is traded for "
-            r"$m\,g\,h'$ is the middle term, of first order, at $\omega$. A spring trades squares, "
+            r"$m\,g\,h'$ is the middle term, of first order, at $\omega$. A spring exchanges squares, "
             r"$\tfrac{1}{2} k\,x^2 \propto 1 + \cos 2 \omega t$, at $2 \omega$.",
             style="small",
             phone=16,

@@ -269,12 +269,14 @@ def verdict(swing: Swing) -> str:
     """Where the linear theory stands with a swing of this size."""
     bottom, late = swing.lap.u[0] - 1, three(100 * abs(swing.late))
     right, near = sorted(EXCESS_AT_LATENESS.values())
+    if not swing.excess:
+        return "Steady level flight: nothing swings."
     if swing.lap.loops:
         return "The aircraft loops: linear theory does not apply."
     if bottom >= CUSP_EXCESS - 1e-9:
         return f"The cusp: a standstill at the top, and linear theory {late} % off in the period."
     if bottom <= right:
-        return "Linear theory holds: its period is right to 0.1 %."
+        return "Linear theory: its period is right to 0.1 %, its heights to 8 % of the swing."
     if bottom <= near:
         return f"Linear theory is {late} % off in the period, more in the shape."
     return f"Linear theory fails in the shape, though it is only {late} % off in the period."

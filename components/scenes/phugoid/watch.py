@@ -1,8 +1,8 @@
 """What to watch in each preset, in a sentence."""
 
 WATCH = {
-    "Ripple, 0.1": "After a small disturbance exact flight and linear theory hardly differ.",
-    "Deep, 0.6": "The tops are sharper than the valleys: this is no sine any more.",
+    "Ripple, 0.1": "After a small disturbance exact flight and linear theory differ by 5 % of the swing at most.",
+    "Deep, 0.6": "The tops are sharper than the valleys, so the path is not a sine.",
     "Cusp, 0.732": "At the top the speed falls to 0: there the path has a cusp.",
-    "Loop, 1": "It flies over its back: the path crosses itself.",
+    "Loop, 1": "It flies loops: the path crosses itself.",
 }

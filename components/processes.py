@@ -1,0 +1,22 @@
+"""Python processes of our own beside the server, for what takes long: one thread, and no more memory than it needs."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+
+
+def started(module: str, *arguments: str) -> subprocess.Popen[bytes]:
+    """A module that runs as a program, whose standard input and output are pipes."""
+    return subprocess.Popen(
+        [sys.executable, "-m", module, *arguments],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        cwd=ROOT,
+        env={**os.environ, **ONE_THREAD},
+    )

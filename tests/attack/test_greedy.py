@@ -1,0 +1,135 @@
+"""A bounded form of what `make attack` measures of one client who asks for what costs most: how much work that is."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from concurrent.futures import Future
+from decimal import Decimal
+from typing import Any
+
+import numpy as np
+import pytest
+
+from components.opening import opened
+from components.refusals import SORRY
+from components.scenes import SCENES
+from components.serving.apart import ReadingProcess
+from components.session import ONE_AT_A_TIME, Session
+from components.url import Link
+from components.walks.apart import Errand, Replied
+from physics import exact, sinusoids, transient
+from physics.transient import DampedModes
+from tests.attack.extremes import Values
+from tests.attack.protocol import GREEDY
+from tests.page.told import unpacked
+
+WALKS = [name for name, message in GREEDY.items() if message["type"] == "walk"]
+ABSORBER: Values = {"damping": "added"}
+CHANGES = [name for name in GREEDY if name not in WALKS]
+
+
+@pytest.fixture(scope="module")
+def process() -> Iterator[ReadingProcess]:
+    one = ReadingProcess("app")
+    yield one
+    one.close()
+
+
+class Counted:
+    """Hands on what is asked, and keeps it."""
+
+    def __init__(self, process: ReadingProcess) -> None:
+        self.process = process
+        self.replies: list[Future[Replied]] = []
+
+    def ask(self, asked: Errand, network: str = "") -> Future[Replied]:
+        self.replies.append(self.process.ask(asked, network))
+        return self.replies[-1]
+
+
+def page(slug: str = "absorber", values: Values = ABSORBER) -> tuple[Session, list[dict[str, Any]]]:
+    """What the greedy client has open, and what it is told."""
+    session, told = opened(SCENES, Link(slug, values)), list[dict[str, Any]]()
+    session.send = lambda packet: told.append(unpacked(packet))
+    return session, told
+
+
+@pytest.mark.parametrize("name", WALKS)
+def test_a_huge_walk_costs_one_reading_elsewhere_and_gets_its_sentence(process: ReadingProcess, name: str) -> None:
+    """While it is read it may be said as often as one likes."""
+    session, told = page()
+    session.apart = apart = Counted(process)
+    held: list[Any] = []
+    session.later = held.append
+    for number in (1, *[1] * 20, *range(2, 22)):
+        session.hear({**GREEDY[name], "number": number})
+    assert len(apart.replies) == 1
+    assert [(one["answer"], one["refused"]) for one in told] == [(number, ONE_AT_A_TIME) for number in range(2, 22)]
+    reply = apart.replies[0].result(120)
+    assert (reply.sheet is None) == bool(reply.refused)
+    assert reply.refused != SORRY and (not reply.refused or reply.refused.endswith("."))
+    (tell,) = held
+    tell()
+    assert told[-1]["answer"] == 1 and len(process) == 0
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_a_change_takes_a_bounded_number_of_digits(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It is drawn, or refused in a sentence with everything as it was."""
+    motions: list[list[int]] = []
+    motion, expansion = DampedModes.motion, transient.expansion
+
+    def moved(modes: DampedModes, t: Any, *, quick: bool = False) -> Any:
+        assert quick, "a picture has no time for more"
+        motions.append([])
+        return motion(modes, t, quick=quick)
+
+    def expanded(driven: Any, digits: int) -> Any:
+        motions[-1].append(digits)
+        return expansion(driven, digits)
+
+    session, told = page()
+    monkeypatch.setattr(DampedModes, "motion", moved)
+    monkeypatch.setattr(transient, "expansion", expanded)
+    for number in (1, 2, 3):
+        motions[:] = [[]]
+        session.hear({**GREEDY[name], "values": {**GREEDY[name]["values"], "x2_0": number / 1e3}, "number": number})
+        assert told[-1]["answer"] == number and SORRY not in told[-1]["problems"]
+        assert all(" Still drawn " in said for said in told[-1]["errors"].values())
+        assert motions != [[]] and len(motions) < 6
+        assert max(map(sum, motions)) <= transient._QUICK_WORK + 2 * transient._QUICK_DIGITS
+
+
+class Rate:
+    """A frequency that counts how often it is reduced."""
+
+    def __init__(self, rate: Decimal, reduced: list[int]) -> None:
+        self.rate, self.reduced = rate, reduced
+
+    def as_integer_ratio(self) -> tuple[int, int]:
+        above, below = self.rate.as_integer_ratio()
+        reduced = self.reduced
+
+        class Above(int):
+            def __lshift__(self, count: int) -> int:
+                reduced.append(count)
+                return int(self) << count
+
+        return Above(above), below
+
+
+def test_a_far_window_reduces_a_frequency_once_for_each_binary_exponent(monkeypatch: pytest.MonkeyPatch) -> None:
+    reduced, points, exponents = list[int](), list[int](), list[int]()
+    remainders = exact.remainders
+
+    def counted(rate: Decimal, t: Any, whole: int) -> list[int]:
+        points.append(len(t))
+        exponents.append(len(set(np.frexp(t)[1].tolist())))
+        return remainders(Rate(rate, reduced), t, whole)  # type: ignore[arg-type]
+
+    for module in (exact, sinusoids):
+        monkeypatch.setattr(module, "remainders", counted, raising=False)
+    session, told = page("coupled", {})
+    session.hear({**GREEDY["an enormous window"], "number": 1})
+    assert told[-1]["answer"] == 1
+    assert len(reduced) == sum(exponents) and 10 * sum(exponents) < sum(points)

@@ -1,0 +1,82 @@
+"""A class sketches: an exact curve from a phone is judged right there and in the lecture, and lies on the true one."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from components.scenes import SCENES
+from components.walks.curves import pad_axes
+from components.walks.links import scene_at
+from components.walks.loading import load_walks
+from components.walks.types import SketchStep
+from tests.browser.classroom import Open, joined, taught
+from tests.walks.strokes import strokes
+
+pytestmark = pytest.mark.browser
+TOLD = "asked => oscillations.asked.question?.step === asked && oscillations.asked.card?.question.pad"
+PLACES = """points => { const {plot} = oscillations.asked.card.question.pad
+  const b = plot.host.getBoundingClientRect(), f = plot.frame
+  return points.filter(([x]) => x >= plot.x.start && x <= plot.x.end).map(([x, y]) => [
+    b.left + plot.px(x), b.top + Math.min(Math.max(plot.py(y), f.top - 10), f.top + f.height + 10)]) }"""
+INKED = """points => { const {plot, canvas} = oscillations.classes.led.votes.layer
+  const ink = canvas.getContext("2d"), scale = devicePixelRatio * plot.unit, f = plot.frame
+  const places = points.map(([x, y]) => [plot.px(x), plot.py(y)])
+  const seen = places.filter(([x, y]) => x > f.left + 4 && x < f.left + f.width - 4
+    && y > f.top + 4 && y < f.top + f.height - 4)
+  const inked = seen.filter(([x, y]) => ink.getImageData(scale * x - 5, scale * y - 5, 11, 11).data.some(Boolean))
+  return seen.length && inked.length > 0.95 * seen.length }"""
+WALKS = load_walks(())
+SKETCHED = [(walk, i) for walk in WALKS.values() for i, step in enumerate(walk.steps) if isinstance(step, SketchStep)]
+
+
+def drawn(phone: Page, points: list[tuple[float, float]]) -> None:
+    phone.locator(".drawing").scroll_into_view_if_needed()
+    places = phone.evaluate(PLACES, points)
+    phone.mouse.move(*places[0])
+    phone.mouse.down()
+    for place in places:
+        phone.mouse.move(*place)
+    phone.mouse.up()
+
+
+@pytest.mark.timeout(300)  # eight questions to a class
+def test_the_exact_curve_from_a_phone_is_right(window: Open) -> None:
+    lecture, code = taught(window, "walk=d31&step=d31-01")
+    phone = joined(window, code)
+    for walk, place in SKETCHED:
+        step: Any = walk.steps[place]
+        lecture.evaluate("([name, step]) => oscillations.walks.enter(name, step)", [walk.name, place])
+        phone.wait_for_function(TOLD, arg=step.id)
+        curves = strokes(step)
+        for name, points in curves.items():
+            if len(curves) > 1:
+                phone.get_by_role("button", name=f"Draw {name}", exact=True).click()
+            drawn(phone, points)
+        expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
+        expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
+        lecture.keyboard.press("PageDown")
+        lecture.keyboard.press("PageDown")
+        lecture.wait_for_function("oscillations.walks.walk.lesson")
+        lecture.wait_for_function(f"oscillations.classes.led.votes.tally?.step === '{step.id}'")
+        tally = lecture.evaluate("oscillations.classes.led.votes.tally.now.sketches")
+        assert [one["has"] for one in tally] == [[True] * len(step.must)], step.id
+        expect(phone.locator(".findings li")).to_have_count(len(step.must))
+        expect(phone.locator(".findings")).to_contain_text("yours")
+        assert "missed" not in phone.locator(".findings").inner_text(), step.id
+        lecture.wait_for_function("!oscillations.shown.state.covered.length")
+        lecture.wait_for_function(INKED, arg=[point for points in curves.values() for point in points])
+
+
+def test_covers_leave_the_pad_a_frame_of_its_own() -> None:
+    """So what is checked above is no accident of equal frames."""
+    wide = []
+    for walk, place in SKETCHED:
+        step: Any = walk.steps[place]
+        scene = scene_at(step.state, SCENES)
+        pad, shown = pad_axes(step, scene).y, scene.shown.axes
+        if all((axis.start, axis.end) != (pad.start, pad.end) for axis in shown.values()):
+            wide.append(step.id)
+    assert {"d31-04", "d31-06", "d31-15", "d34-10", "d34-15", "tour-04"} <= set(wide)

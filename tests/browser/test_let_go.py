@@ -1,0 +1,151 @@
+"""A hand or a key lets go: axes that have become too wide are fitted anew, with the curves of before as ghosts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+END = "oscillations.shown.view.axes.x.end"
+WIDTH = "(({start, end}) => end - start)(oscillations.shown.view.axes.x)"
+GHOSTS = (
+    """() => oscillations.plots.find(({block}) => block.name === 'x').host.querySelectorAll('.ghosts path').length"""
+)
+LINGERED = "since => performance.now() > since + 1700"  # longer than the curves from before a drag stay by themselves
+QUIET = "!oscillations.line.asked && !oscillations.line.outbox.length"
+
+
+def opened(page: Page, open_scene: Open) -> float:
+    open_scene(page, scene="oscillator")
+    end: float = page.evaluate(END)
+    return end
+
+
+def is_wide(page: Page) -> None:
+    page.wait_for_function(f"{WIDTH} > 2")
+
+
+def is_fitted(page: Page) -> None:
+    page.wait_for_function(f"{WIDTH} < 1")
+
+
+def typed(page: Page, name: str, text: str) -> None:
+    field = page.locator(f"input[name={name}]")
+    field.fill(text)
+    field.press("Enter")
+
+
+def ghosts_stand(page: Page) -> None:
+    page.wait_for_function(f"({GHOSTS})() > 0")
+    page.wait_for_function(LINGERED, arg=page.evaluate("performance.now()"))
+    assert page.evaluate(GHOSTS) > 0, "until the next change"
+
+
+def test_a_sweep_by_mouse_is_one_change(page: Page, open_scene: Open) -> None:
+    opens = opened(page, open_scene)
+    box = page.locator("input[name=k-slider]").bounding_box()
+    assert box
+    y, width = box["y"] + box["height"] / 2, box["width"]
+    page.mouse.move(box["x"] + 0.5 * width, y)
+    page.mouse.down()
+    page.mouse.move(box["x"] - 20, y, steps=5)
+    is_wide(page)
+    page.mouse.move(box["x"] + 0.6 * width, y, steps=5)
+    page.wait_for_function(f"oscillations.shown.settings.k.value > 10 && {QUIET}")
+    is_wide(page)  # a drag only widens it
+    page.mouse.up()
+    is_fitted(page)
+    ghosts_stand(page)
+    page.get_by_role("button", name="Undo", exact=True).click()
+    page.wait_for_function(f"{END} === {opens} && !oscillations.shown.state.frame")
+    expect(page.get_by_role("button", name="Undo", exact=True)).to_be_disabled()
+    page.wait_for_function(f"({GHOSTS})() === 0")
+    page.get_by_role("button", name="Redo", exact=True).click()
+    page.wait_for_function(f"oscillations.shown.settings.k.value > 10 && {END} < 0.5")
+
+
+def test_keys_let_go_when_they_rest(page: Page, open_scene: Open) -> None:
+    opened(page, open_scene)
+    page.locator("input[name=k-slider]").focus()
+    for _ in range(9):
+        page.keyboard.press("PageDown")
+    is_wide(page)
+    for _ in range(12):
+        page.keyboard.press("PageUp")
+    is_fitted(page)
+    ghosts_stand(page)
+
+
+def test_typed_values_let_go(page: Page, open_scene: Open) -> None:
+    opened(page, open_scene)
+    typed(page, "k", "0.001")
+    is_wide(page)
+    typed(page, "k", "40")
+    is_fitted(page)
+    ghosts_stand(page)
+    page.keyboard.press("Control+Shift+Z")  # of the field: nothing of ours
+    page.locator("input[name=m]").blur()
+    typed(page, "m", "1.5")
+    page.wait_for_function("oscillations.shown.settings.m.value === 1.5")
+    page.wait_for_function(f"({GHOSTS})() > 0")
+    page.wait_for_function(f"({GHOSTS})() === 0")
+
+
+def test_a_finger_lets_go(new_page: Callable[..., Page], open_scene: Open) -> None:
+    page = new_page(width=390, height=844, has_touch=True)
+    opened(page, open_scene)
+    slider = page.locator("input[name=k-slider]")
+    slider.scroll_into_view_if_needed()
+    box = slider.bounding_box()
+    assert box
+    y, width = box["y"] + box["height"] / 2, box["width"]
+    browser = page.context.new_cdp_session(page)
+    shares = (0.5, 0.3, -0.2, -0.2, 0.4, 0.6, 0.6)
+    for i, share in enumerate(shares):
+        kind = "touchMove" if i else "touchStart"
+        points = [{"x": max(box["x"] + share * width, 1), "y": y}]
+        browser.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        if share < 0:
+            is_wide(page)
+    page.wait_for_function("oscillations.shown.settings.k.value > 10")
+    browser.send("Input.dispatchTouchEvent", {"type": "touchEnd", "touchPoints": []})
+    is_fitted(page)
+
+
+def test_a_grip_lets_go(page: Page, open_scene: Open) -> None:
+    opened(page, open_scene)
+    typed(page, "x_0", "9")
+    is_wide(page)
+    page.wait_for_function(QUIET)
+    page.locator("[data-grab*=x_0]").first.focus()
+    page.keyboard.press("Home")
+    page.wait_for_function("Math.abs(oscillations.shown.settings.x_0.value) < 1")
+    assert page.evaluate(END) > 9, "held, it stands"
+    page.keyboard.press("Enter")
+    page.wait_for_function(f"{END} < 2")
+
+
+def test_a_frame_of_a_link_stands(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="oscillator", **{"frame.x": "-9,9"})
+    page.locator("input[name=m-slider]").focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function(f"oscillations.shown.settings.m.value !== 1 && {QUIET}")
+    page.wait_for_function("!oscillations.page.compare.deed")  # the key has been let go
+    page.wait_for_function(QUIET)
+    assert page.evaluate(END) == 9
+
+
+def test_twice_as_far_is_seen_to_be_twice_as_far(page: Page, open_scene: Open) -> None:
+    open_scene(page, walk="d31", step="d31-03", folded=True)
+    expect(page.locator("h1")).to_be_visible()
+    start = page.evaluate(END)
+    page.evaluate("oscillations.walks.walk.show(true)")
+    page.wait_for_function("oscillations.walks.walk.lesson && oscillations.shown.settings.x_0.value === 0.2")
+    assert page.evaluate(END) > 1.5 * start, "it has grown"
+    ghosts_stand(page)
+    typed(page, "x_0", "0.15")
+    page.wait_for_function("oscillations.shown.settings.x_0.value === 0.15")
+    assert page.evaluate(END) > 1.5 * start, "no step of a walk is fitted anew by a hand"

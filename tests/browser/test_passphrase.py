@@ -1,0 +1,49 @@
+"""A server on which instructors alone open classes: the page asks for their passphrase in words."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from tests.browser.classroom import CONNECTED, LED
+from tests.browser.fixtures import READY
+from tests.serving.server import serving
+
+pytestmark = pytest.mark.browser
+PHRASE = "swinging über springs"
+
+
+def test_who_opens_a_class_is_asked_for_the_passphrase_and_the_qr_code_lets_phones_in(
+    tmp_path: Path, browser: Browser, screenshot: Callable[[Page, str], object]
+) -> None:
+    with serving(tmp_path / "log", environment={"CLASS_PASSPHRASE": PHRASE}) as server:
+        page = browser.new_page(viewport={"width": 1280, "height": 800}, bypass_csp=True)
+        page.goto(f"{server.url}?scene=coupled")
+        page.wait_for_function(CONNECTED)
+        page.keyboard.press("t")
+        dialog = page.get_by_role("dialog", name="Passphrase")
+        expect(dialog.get_by_role("heading")).to_have_text("Opening a class here needs the instructors' passphrase.")
+        dialog.get_by_label("Passphrase").fill("another one")
+        page.keyboard.press("Enter")
+        expect(dialog.get_by_role("heading")).to_have_text(re.compile("^This is not the instructors' passphrase"))
+        screenshot(page, "passphrase")
+        dialog.get_by_role("button", name="Cancel").click()
+        expect(page.get_by_text("No class was opened.")).to_be_visible()
+        page.keyboard.press("t")
+        dialog.get_by_label("Passphrase").fill(PHRASE)
+        dialog.get_by_role("button", name="Open the class").click()
+        page.wait_for_function(LED)
+        phone = browser.new_page(viewport={"width": 390, "height": 844}, bypass_csp=True)
+        asked: list[str] = []
+        phone.on("request", lambda request: asked.append(request.headers.get("authorization", "")))
+        address = page.evaluate(f"{LED}.room.address")
+        phone.goto(f"{server.url}{address[address.index('?') :]}")
+        phone.wait_for_function(f"{READY} && Boolean(oscillations.clock.lead)")
+        assert f"Bearer {address.partition('join=')[2]}" in asked
+        phone.close()
+        page.close()
+        assert not server.complaints()

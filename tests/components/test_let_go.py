@@ -1,0 +1,186 @@
+"""When a hand lets go: what is hardly used of a frame is fitted anew, once, and nothing else is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import msgspec
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from msgspec.structs import replace
+
+from components.axes import TIME_AXIS, Axis, nice_axis, widest
+from components.frames import FITTED, loosened, unfitted
+from components.page.state import Frame
+from components.scene import Picture, frame_of
+from components.scenes import SCENES
+from components.url import read_query
+from tests.page.told import Page
+from tests.scenes.checks import as_arguments, quantities
+
+MOVING = [slug for slug in SCENES if slug != "accuracy"]
+
+
+def say(page: Page, **message: Any) -> dict[str, Any]:
+    return page.say({**message, "number": len(page.packets) + 1})
+
+
+def sweep(page: Page, name: str, *values: float) -> None:
+    for value in values:
+        say(page, type="set", values={name: value})
+
+
+def let_go(page: Page) -> dict[str, Any]:
+    return say(page, type="set", values={}, holding=False)
+
+
+def share(axis: Axis, seen: tuple[float, float]) -> float:
+    """How much of an axis is used."""
+    low, high = (axis.place(end) for end in seen)
+    start, end = axis.place(axis.start), axis.place(axis.end)
+    return abs(high - low) / abs(end - start)
+
+
+def check_used(shown: Picture, held: Picture | None = None) -> None:
+    """Every axis is used to a quarter, or is no longer than the one that would be chosen."""
+    for name, axis in shown.axes.items():
+        used = share(axis, widest(axis.seen, *([held.axes[name].seen] if held and name in held.axes else [])))
+        assert name == TIME_AXIS or used >= 0.25 or share(axis, axis.chosen) >= 0.999, (name, axis)
+
+
+@pytest.mark.parametrize("slug", MOVING)
+def test_after_a_sweep_of_any_slider_nothing_is_lost_in_its_axes(slug: str) -> None:
+    for name, quantity in quantities(SCENES[slug]).items():
+        page = Page(SCENES[slug]())
+        value = getattr(page.scene, name)
+        window = frame_of(page.scene.shown).window
+        sweep(page, name, *page.scene.shown.spans.get(name, quantity.softbounds), value)
+        told = let_go(page)
+        assert told["errors"] == {}
+        check_used(page.scene.shown)
+        assert frame_of(page.scene.shown).window == window, "curves fill the window"
+        frame = frame_of(page.scene.shown)
+        let_go(page)
+        assert frame_of(page.scene.shown) == frame, "once"
+
+
+def test_one_sweep_of_a_stiffness_and_back_shows_the_swing_again() -> None:
+    page = Page(SCENES["oscillator"]())
+    opens = frame_of(page.scene.shown).ranges["x"]
+    sweep(page, "k", 1e-3, 1e6, page.scene.k)
+    assert frame_of(page.scene.shown).ranges["x"][1] > 20 * opens[1], "during the drag it has grown"
+    told = let_go(page)
+    assert frame_of(page.scene.shown).ranges["x"] == pytest.approx(opens)
+    assert "x" not in (told["state"]["frame"] or {"ranges": {}})["ranges"]
+
+
+def test_what_is_used_to_a_quarter_stands() -> None:
+    page = Page(SCENES["oscillator"]())
+    sweep(page, "v_0", 0.0)
+    sweep(page, "x_0", 0.4, 0.14)
+    wide = frame_of(page.scene.shown)
+    let_go(page)
+    assert frame_of(page.scene.shown).ranges["x"] == wide.ranges["x"]
+    sweep(page, "x_0", 0.09)
+    let_go(page)
+    assert frame_of(page.scene.shown).ranges["x"][1] < 0.12
+
+
+def test_curves_held_count() -> None:
+    page = Page(SCENES["oscillator"]())
+    sweep(page, "x_0", 2.0)
+    state = msgspec.to_builtins(page.session.state)
+    say(page, type="open", state={**state, "held": state["parameters"]})
+    sweep(page, "x_0", 0.1)
+    let_go(page)
+    assert frame_of(page.scene.shown).ranges["x"][1] >= 2.0
+    check_used(page.scene.shown, page.scene.shown_beside)
+
+
+@pytest.mark.parametrize("kept", [{"step": "d31/d31-01"}, {"covered": ["next"]}, {"covered": ["plot:v"]}])
+def test_a_step_of_a_walk_and_what_waits_to_be_predicted_keep_their_frame(kept: Mapping[str, Any]) -> None:
+    page = Page(SCENES["oscillator"]())
+    say(page, type="open", state={"scene": "oscillator", **kept})
+    sweep(page, "x_0", 5.0, 0.1)
+    wide = frame_of(page.scene.shown)
+    let_go(page)
+    assert frame_of(page.scene.shown) == wide
+
+
+def test_a_frame_of_a_link_stands_and_undo_brings_one_back() -> None:
+    page = Page(SCENES["oscillator"]())
+    link = read_query(as_arguments("scene=oscillator&frame.x=-9,9"), SCENES)
+    state = {"scene": "oscillator", "frame": msgspec.to_builtins(link.frame)}
+    told = say(page, type="open", state=state)
+    sweep(page, "k", 1.0, page.scene.k)
+    wide = frame_of(page.scene.shown).ranges["x"]
+    told = let_go(page)
+    assert frame_of(page.scene.shown).ranges["x"] == wide, "the visitor's own"
+    assert told["state"]["frame"]["given"]
+    say(page, type="open", state={"scene": "oscillator", "parameters": {"v_0": 0.0}})
+    sweep(page, "x_0", 0.3)
+    before = let_go(page)["state"]
+    sweep(page, "x_0", 0.01)
+    assert frame_of(page.scene.shown).ranges["x"][1] > 0.2
+    let_go(page)
+    say(page, type="open", state=before)  # as undo does
+    assert frame_of(page.scene.shown).ranges["x"][1] >= 0.3
+    sweep(page, "x_0", 0.01)
+    let_go(page)
+    assert frame_of(page.scene.shown).ranges["x"][1] < 0.2, "what undo brought back is no frame of the visitor's own"
+
+
+def test_a_picture_to_compare_keeps_the_frame_that_stands() -> None:
+    """Twice as far is seen to be twice as far, and so is half; another way of showing is fitted."""
+    page = Page(SCENES["oscillator"]())
+    start = {"scene": "oscillator", "parameters": {"x_0": 0.1, "v_0": 0.0}, "step": "d31/d31-03"}
+    say(page, type="open", state=start)
+    standing = frame_of(page.scene.shown)
+    say(page, type="open", keeps=True, state={**start, "parameters": {"x_0": 0.2, "v_0": 0.0}})
+    grown = frame_of(page.scene.shown)
+    assert grown.window == standing.window
+    assert (standing.ranges["x"][1], grown.ranges["x"][1]) == (0.125, 0.5), "in steps of 1, 2, 5"
+    say(page, type="open", keeps=True, state={**start, "parameters": {"x_0": 0.1, "v_0": 0.0, "window": 9.0}})
+    assert page.session.state.frame is None
+    say(page, type="open", keeps=True, state={"scene": "coupled"})
+    assert page.session.state.frame is None
+
+
+@given(st.floats(1e-6, 1e6), st.floats(0.01, 100.0))
+def test_loosening_is_pure_and_the_second_time_does_nothing(size: float, wide: float) -> None:
+    axis = nice_axis(-size, size)
+    frame, fitted = Frame(ranges={"x": (-wide * size, wide * size)}), Frame(ranges={"x": axis.chosen})
+    drawn = [{"x": replace(axis, start=-wide * size, end=wide * size, own=axis.chosen)}]
+    loose = loosened(frame, fitted, drawn)
+    assert loose == (fitted if wide > 4 else frame)
+    assert loosened(loose, fitted, drawn) == loose
+    assert loosened(replace(frame, given=True), fitted, drawn) == replace(frame, given=True)
+    assert loosened(frame, fitted, [*drawn, {"x": nice_axis(-wide * size, 0.0)}]) == frame
+
+
+def test_what_a_screen_does_not_tell_apart_is_no_frame_of_its_own() -> None:
+    fitted = Frame(ranges={"x": (-1.0, 2.0), "w": (1e-4, 1e3)}, window=10.0)
+    assert unfitted(Frame(ranges={"x": (-1.0001, 2.0)}, window=10.001), fitted) is None
+    other = Frame(ranges={"w": (2e-4, 1e3)}, window=10.1, given=True)
+    assert unfitted(other, fitted) == other
+    assert unfitted(FITTED, fitted) is None
+
+
+@pytest.mark.parametrize("slug", MOVING)
+def test_a_link_has_four_digits_and_shows_all_that_was_seen(slug: str) -> None:
+    for name, quantity in quantities(SCENES[slug]).items():
+        page = Page(SCENES[slug]())
+        _, high = page.scene.shown.spans.get(name, quantity.softbounds)
+        sweep(page, name, high / 3 or 1.0)
+        told = let_go(page)
+        parts = [part for part in told["query"].split("&") if part.startswith("frame.")]
+        numbers = [number for part in parts for number in part.partition("=")[2].split(",")]
+        assert all(len(number.partition("e")[0].strip("-0.").replace(".", "")) <= 4 for number in numbers), parts
+        link = read_query(as_arguments(told["query"]), SCENES)
+        again = SCENES[slug]()
+        again.open(link.values, link.frame)
+        for axis, span in frame_of(page.scene.shown).ranges.items():
+            own = again.shown.axes[axis]
+            assert share(replace(own, start=span[0], end=span[1]), (own.start, own.end)) == pytest.approx(1, abs=0.03)

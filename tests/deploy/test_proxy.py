@@ -1,0 +1,105 @@
+"""The real proxy by itself: what it says of its pages, whom it waits for, and how it ends."""
+
+from __future__ import annotations
+
+import asyncio
+import hmac
+import json
+import subprocess
+from collections.abc import Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from components.serving.assets import assets
+from components.serving.headers import SAFE
+from tests.attack.caller import Reply, ask
+from tests.deploy.site import COOKIE_SECRET, Site, caddy, deployed
+from tests.rooms.caller import Class
+from tests.serving.server import ROOT
+
+ASSET = f"/assets/{next(iter(assets()))}"
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
+    with deployed(tmp_path_factory.mktemp("site"), (ROOT,)) as running:
+        yield running
+
+
+def says(reply: Reply) -> dict[str, str]:
+    return {name: reply.headers.get(name, "") for name in SAFE}
+
+
+def test_the_proxys_own_pages_say_of_themselves_what_the_lectures_do(site: Site) -> None:
+    own = ask(site.url, "/metrics")
+    assert own.status == 404 and says(own) == says(ask(site.url, "/")) == SAFE
+    assert own.headers["Content-Security-Policy"].startswith("default-src 'none'")
+    assert "frame-ancestors" in ask(site.url, "/").headers["Content-Security-Policy"]
+
+
+def test_the_cookie_of_a_replica_cannot_be_written_and_stands_on_no_file_that_caches_keep(site: Site) -> None:
+    assert ask(site.url, "/").headers["Set-Cookie"].startswith("replica=")
+    file = ask(site.url, ASSET)
+    assert (file.status, "Set-Cookie" in file.headers) == (200, False)
+    assert "immutable" in file.headers["Cache-Control"]
+    written = hmac.new(COOKIE_SECRET.encode(), f"127.0.0.1:{site.ports[0]}".encode(), "sha256").hexdigest()
+    assert ask(site.url, "/").headers["Set-Cookie"].startswith(f"replica={written};")
+
+
+@pytest.mark.timeout(240)
+def test_the_proxy_waits_for_no_slow_request_and_no_stream_holds_back_its_end(tmp_path: Path) -> None:
+    """A request that comes letter by letter is given up; who listens to a class goes on."""
+
+    async def go(site: Site) -> None:
+        room = await Class.open(site.url)
+        stream = await room.follow()
+        slow = [
+            b"GET / HTTP/1.1\r\nHost: x\r\nX-Slow: ",
+            b"POST /class HTTP/1.1\r\nHost: x\r\nContent-Length: 999\r\n\r\n",
+        ]
+        begun = [asyncio.create_task(given_up(site.port, start)) for start in slow]
+        await asyncio.wait_for(asyncio.gather(*begun), 40)
+        assert (await room.order("put", walk="d31", step="d31-03")).status == 204
+        await stream.until(lambda event: event.get("question"))
+        site.front.process.terminate()
+        assert await asyncio.to_thread(site.front.process.wait, 9) == 0
+        await stream.close()
+
+    with deployed(tmp_path, (ROOT,)) as site:
+        asyncio.run(go(site))
+
+
+async def given_up(port: int, start: bytes) -> None:
+    """Until the proxy closes a connection on which a request never ends."""
+    reader, writer = await asyncio.open_connection("127.0.0.1", port)
+    writer.write(start)
+    with suppress(ConnectionError):
+        while not reader.at_eof():
+            with suppress(TimeoutError):
+                await asyncio.wait_for(reader.read(4096), 0.5)
+            writer.write(b"x")
+            await writer.drain()
+    writer.close()
+
+
+def parts(recipe: Any) -> Iterator[dict[str, Any]]:
+    """All objects of a recipe, whatever they lie in."""
+    if isinstance(recipe, dict):
+        yield recipe
+    for part in recipe.values() if isinstance(recipe, dict) else recipe if isinstance(recipe, list) else ():
+        yield from parts(part)
+
+
+def test_browsers_are_held_to_https_except_on_localhost_where_all_ports_would_share_it() -> None:
+    command = [caddy(), "adapt", "--config", str(ROOT / "Caddyfile"), "--adapter", "caddyfile"]
+    adapted = subprocess.run(command, capture_output=True, text=True, check=True, env={"SITE": "lecture.example"})
+    held = [
+        part["match"]
+        for part in parts(json.loads(adapted.stdout))
+        if "Strict-Transport-Security" in str(part.get("handle", [{}])[0].get("response"))
+    ]
+    assert len(held) == 2  # the lecture's pages, and those of the proxy's own
+    assert all(match == [{"not": [{"host": ["localhost", "127.0.0.1", "::1"]}], "protocol": "https"}] for match in held)

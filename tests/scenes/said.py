@@ -1,0 +1,60 @@
+"""What a scene says in words, as a visitor reads it; and random parameters under which it must hold."""
+
+from __future__ import annotations
+
+import random
+import re
+from collections.abc import Iterator
+from html import unescape
+from typing import Any
+
+from components.scene import Scene
+
+TAG, LIVE = re.compile(r"<[^>]+>"), re.compile(r'<(\w+)[^>]*data-value="(\w+)"[^>]*></\1>')
+
+
+def sentences(scene: Scene) -> list[str]:
+    """The sentences of the sheet that stand, formulas without their markup, live numbers in place."""
+    return [text for block in _standing(scene, scene.sheet()) for text in _texts(scene, block)]
+
+
+def said(scene: Scene) -> str:
+    """All of them, in one text."""
+    return "\n".join(sentences(scene))
+
+
+def read(scene: Scene, html: str) -> str:
+    """The words of a text, with the numbers of the picture."""
+    return unescape(TAG.sub("", LIVE.sub(lambda live: scene.shown.values.get(live[2], ""), html)))
+
+
+def _standing(scene: Scene, block: Any) -> Iterator[Any]:
+    if block.form and not scene.shown.forms.get(block.form):
+        return
+    yield block
+    for child in getattr(block, "blocks", ()):
+        yield from _standing(scene, child)
+
+
+def _texts(scene: Scene, block: Any) -> Iterator[str]:
+    for item in getattr(block, "items", ()):
+        html = item.variants.get(scene.shown.forms.get(item.name, "") if item.name else "")
+        if html:
+            yield read(scene, html)
+
+
+class Draw:
+    """Random parameters, the same in every run: numbers over decades, and sometimes none."""
+
+    def __init__(self, seed: str) -> None:
+        self.pick = random.Random(seed)
+
+    def size(self, low: float = -2.0, high: float = 2.0) -> float:
+        return float(f"{10 ** self.pick.uniform(low, high):.4g}")
+
+    def number(self, low: float = -2.0, high: float = 2.0) -> float:
+        return self.pick.choice((-1, 1)) * self.size(low, high)
+
+    def some(self, value: float, none: float = 0.2) -> float:
+        """The value, or 0 in a share of all draws."""
+        return 0.0 if self.pick.random() < none else value

@@ -1,0 +1,83 @@
+"""The tool that compares pictures before and after a change: what it looks at, and what it lists."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from components.scenes import SCENES
+from components.url import write_query
+from components.walks.registry import all_walks
+from tests.serving.server import ROOT
+from tools.pictures import differing, views
+
+WIDE, HIGH = 200, 100
+
+
+def test_every_scene_preset_and_step_is_looked_at_once() -> None:
+    names = [view.name for view in views()]
+    assert len(names) == len(set(names))
+    presets = {f"scene={slug} preset {label}" for slug, scene in SCENES.items() for label in scene.presets}
+    steps = {f"walk {step.id}" for walk in all_walks((), SCENES).values() for step in walk.steps}
+    assert presets | steps | {write_query(scene()) for scene in SCENES.values()} < set(names)
+    assert {view.name for view in views() if view.asks} == steps
+
+
+def picture(folder: Path, pixels: int = 0, level: int = 0, size: tuple[int, int] = (HIGH, WIDE)) -> None:
+    """A grey picture in which so many pixels are lighter by so much."""
+    folder.mkdir(exist_ok=True)
+    grey = np.full((*size, 3), 100, np.uint8)
+    grey.reshape(-1, 3)[:pixels, 1] += level
+    Image.fromarray(grey).save(folder / "one.png")
+
+
+@pytest.mark.parametrize(
+    ("pixels", "level", "listed"),
+    [
+        (0, 0, []),
+        (WIDE * HIGH, 32, []),
+        (20, 100, []),
+        (21, 33, ["one.png: 0.10% of the pixels, from (0, 0) to (20, 0)"]),
+        (3 * WIDE, 33, ["one.png: 3.00% of the pixels, from (0, 0) to (199, 2)"]),
+    ],
+)
+def test_what_differs_for_the_eye_is_listed(tmp_path: Path, pixels: int, level: int, listed: list[str]) -> None:
+    picture(tmp_path / "before")
+    picture(tmp_path / "after", pixels, level)
+    assert list(differing(tmp_path / "before", tmp_path / "after")) == listed
+
+
+def test_pictures_of_another_size_and_those_that_one_side_lacks_are_listed(tmp_path: Path) -> None:
+    before, after = tmp_path / "before", tmp_path / "after"
+    assert list(differing(before, after)) == ["There are no pictures."]
+    picture(before)
+    picture(after, size=(HIGH, WIDE + 1))
+    assert list(differing(before, after)) == ["one.png: 200 x 100 before, 201 x 100 after"]
+    (after / "one.png").rename(after / "two.png")
+    assert list(differing(before, after)) == ["one.png: only before", "two.png: only after"]
+
+
+def run(*arguments: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "tools.pictures", *arguments]
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+
+
+@pytest.mark.browser
+@pytest.mark.timeout(400)  # two servers start
+def test_two_shoots_of_one_commit_are_alike(browser: object, tmp_path: Path) -> None:
+    folders = [str(tmp_path / name) for name in ("before", "after")]
+    for folder in folders:
+        shot = run("shoot", folder, "--only", "^scene=modes$")
+        assert shot.stdout.startswith("3 pictures in "), shot.stderr
+    same = run("compare", *folders)
+    assert (same.returncode, same.stdout) == (0, "No picture differs.\n")
+    path = tmp_path / "after" / "scene=modes-desk.png"
+    Image.fromarray(255 - np.asarray(Image.open(path))).save(path)
+    other = run("compare", *folders)
+    assert other.returncode == 1 and re.fullmatch(r"scene=modes-desk\.png: \d+\.\d+% of the pixels, .*\n", other.stdout)

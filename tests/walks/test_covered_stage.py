@@ -1,0 +1,70 @@
+"""While the stage is covered its bodies stand where their motion begins, and no motion that would answer is sent."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from components.covers import PLOT, STAGE, without
+from components.description import blocks, plots
+from components.motion import derived, starts
+from components.page.blocks import StageBlock
+from components.page.shapes import Begin
+from components.page.signals import Derived
+from components.scene import Scene
+from components.scenes import SCENES
+from components.walks.links import scene_at
+from components.walks.loading import load_walks
+from components.walks.types import Step
+from tests.page.playing import played
+
+STEPS = [step for walk in load_walks(()).values() for step in walk.steps if STAGE in step.cover]
+every_step = pytest.mark.parametrize("step", STEPS, ids=lambda step: step.id)
+RESTING = {"d31-04": "x v", "d31-06": "x v", "d34-09": "x1 x2", "d34-10": "x1 x2", "tour-04": "x1 x2"}
+"""The motions that rest where a hand began them, of steps whose covers hide them."""
+
+
+def begun(scene: Scene) -> Iterator[tuple[str, float]]:
+    """The bodies of the stage, and where the values of the parameters have them at first, in the unit of their axis."""
+    for block in blocks(type(scene).sheet()):
+        for shape in block.shapes if isinstance(block, StageBlock) else ():
+            for begin in shape.grab.start if shape.grab else ():
+                if isinstance(begin, Begin) and begin.of in scene.shown.signals and not begin.per:
+                    axis = scene.shown.axes.get(begin.axis)
+                    if axis:
+                        yield begin.of, axis.place(float(getattr(scene, begin.parameter))) * begin.size
+
+
+@every_step
+def test_bodies_stand_where_their_motion_begins(step: Step) -> None:
+    scene = scene_at(step.state, SCENES)
+    left, _ = without(type(scene), scene.shown, step.cover)
+    resting = {name: place for name, place in begun(scene) if left.signals[name] != scene.shown.signals[name]}
+    assert resting.keys() >= set(RESTING.get(step.id, "").split())
+    for name, place in resting.items():
+        for t in (0.0, 0.3):
+            assert played(left, t)[name] == pytest.approx(place, rel=1e-12, abs=1e-12), name
+
+
+@every_step
+def test_of_what_is_covered_nothing_but_the_start_of_a_body_is_sent(step: Step) -> None:
+    """Not the parts of a motion either, whose start is an amplitude."""
+    scene = scene_at(step.state, SCENES)
+    left, _ = without(type(scene), scene.shown, step.cover)
+    bodies = {name for name, _ in begun(scene)}
+    for plot in plots(type(scene)):
+        drawn = {curve.signal for curve in plot.curves if PLOT + plot.name in step.cover} & left.signals.keys()
+        for name in drawn - bodies:
+            signal = left.signals[name]
+            assert isinstance(signal, Derived), name
+            assert signal == derived(0.0) or any(term.names for term in signal.value.terms), name
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_starts_are_what_is_played_first(slug: str) -> None:
+    picture = SCENES[slug]().shown
+    first = played(picture, 0.0)
+    for name, start in starts(picture.signals, picture.scalars).items():
+        assert np.isclose(start, first[name], rtol=1e-12, atol=1e-12), name

@@ -1,0 +1,113 @@
+"""What a walk's file makes of the page: words and MathML, whatever stands in it."""
+
+from __future__ import annotations
+
+from html.parser import HTMLParser
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from components.markup import CLASSES, LENGTHS, MATH, NAMES, check_markup
+from components.scenes import SCENES
+from components.text import rich
+from components.walks.cards import parted, walk_sheet
+from components.walks.checking import problems
+from components.walks.loading import load_walks, read_walk
+from components.walks.texts import line
+
+REFRESH = r"\text{<meta http-equiv=refresh content='0;//a.example'>}"
+LINKED = r"\href{https://a.example}{x}"
+PIECES = (
+    *("$", "$$", "*", "**", "_", "{x}", "[m1|", "[notice|", "[scene:modes|", "]", "%", "?", ". Is it", ": ", " ", "a"),
+    *(REFRESH, LINKED, r"\class{notice}{x}", r"\style{position:fixed}{x}", r"\text{", "}", "{", r"\frac", r"\quad "),
+    *(
+        "<!--",
+        "-->",
+        "<![CDATA[",
+        "]]>",
+        "<?a",
+        "&lt;",
+        "&",
+        "'",
+        '"',
+        r"\val{x}",
+        r"\tint{k}",
+        r"\hspace{-900em}",
+        "=",
+    ),
+)
+texts = st.lists(st.sampled_from(PIECES), min_size=1, max_size=9).map("".join)
+
+
+class Found(HTMLParser):
+    """What a browser would make of it, by another parser than the one that checks."""
+
+    def __init__(self, html: str) -> None:
+        super().__init__()
+        self.strange: list[str] = []
+        self.feed(html)
+        self.close()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        if tag not in MATH | {"b", "sub", "span", "a"}:
+            self.strange.append(tag)
+        for name, value in attrs:
+            known = name in NAMES | LENGTHS | {"class"} or (name, tag) in {("href", "a"), ("xmlns", "math")}
+            if not known or (name == "href" and not str(value).startswith("?scene=")):
+                self.strange.append(f"{name}={value}")
+            if name == "class" and not CLASSES.issuperset(str(value).split()):
+                self.strange.append(f"class {value}")
+
+    def handle_comment(self, data: str) -> None:
+        self.strange.append(data)
+
+    handle_decl = handle_pi = unknown_decl = handle_comment
+
+
+@given(texts, texts)
+def test_whatever_is_written_becomes_words_and_formulas(one: str, two: str) -> None:
+    for make, text in ((rich, one + two), (line, one), (rich, f"Let ${one}$ be. Is ${two}$ so?")):
+        try:
+            html = make(text)
+        except ValueError:
+            continue
+        assert Found(html).strange == []
+
+
+@pytest.mark.parametrize(
+    ("field", "text"),
+    [
+        ("explain", f"A *$* sign, {REFRESH}$ and $ again."),
+        ("question", f"Given $a. Is {REFRESH}$ so?"),
+        ("follows", rf"a = b % \quad c = d \quad {REFRESH}"),
+        ("follows", rf"a = b % \quad {LINKED}"),
+        ("explain", f"${LINKED}$"),
+        ("explain", "[notice|words that lie over others]"),
+        ("explain", r"$\hspace{-900em} x$"),
+    ],
+)
+def test_what_is_set_is_checked_not_its_source(field: str, text: str) -> None:
+    step = f'title = "t"\n[[step]]\nid = "one"\nfrom = "d31-03"\n{field} = """{text}"""\n'.replace("\\", "\\\\")
+    known = {step.id: step for walk in load_walks(()).values() for step in walk.steps}
+    walk = read_walk(step, "mine", known)
+    told = list(problems(walk, SCENES))
+    if told:
+        assert told[0].startswith(f"mine, step 1 (one), {field}") and "“" in told[0]
+        return
+    (card,) = walk_sheet(walk, SCENES).steps
+    assert Found(card.given + card.question).strange == []
+    assert all(not Found(line(latex)).strange for latex in walk.steps[0].equations)
+
+
+def test_a_question_is_not_split_inside_a_formula() -> None:
+    assert parted("Given: $a. Is b$ so. Is it?") == ("Given: $a. Is b$ so.", "Is it?")
+
+
+HOSTILE = ("<b>", "a<!--", "<p><![CDATA[<img>]]></p>", "<?a?>", "<b onclick='a()'>x</b>", "<i/>")
+
+
+@pytest.mark.parametrize("html", HOSTILE)
+def test_markup_that_is_not_ours_is_refused(html: str) -> None:
+    with pytest.raises(ValueError, match="“"):
+        check_markup(html)

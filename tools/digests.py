@@ -1,0 +1,38 @@
+"""`make digests` pins the images of compose.yaml and of the Dockerfile anew: each name gets the digest that its
+registry has for it today."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+IMAGE = re.compile(r"^((?: +image: |ARG BASE=))([\w./-]+:[\w.-]+)(?:@sha256:[0-9a-f]{64})?$", re.M)
+"""What a line of a recipe says before the name of an image that has a tag, the name, and the digest."""
+ASK = ("docker", "buildx", "imagetools", "inspect", "--format", "{{.Manifest.Digest}}")
+
+
+def digest(image: str) -> str:
+    """The digest of an image, from its registry; RuntimeError with what Docker says where it cannot be had."""
+    asked = subprocess.run([*ASK, image], capture_output=True, text=True)
+    found = asked.stdout.strip()
+    if not re.fullmatch("sha256:[0-9a-f]{64}", found):
+        raise RuntimeError(f"{image}: {asked.stderr.strip() or 'there is no digest'}")
+    return found
+
+
+def pin(folder: Path) -> None:
+    """Write the digests into the recipes of a folder: all of them or, where one cannot be had, none."""
+    texts = {path: path.read_text(encoding="utf-8") for path in (folder / "compose.yaml", folder / "Dockerfile")}
+    for path, text in texts.items():
+        texts[path] = IMAGE.sub(lambda line: f"{line[1]}{line[2]}@{digest(line[2])}", text)
+    for path, text in texts.items():
+        path.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    try:
+        pin(Path())
+    except (OSError, RuntimeError) as refusal:
+        sys.exit(f"The digests stay as they are: {refusal}")
