@@ -229,21 +229,21 @@ def test_no_particular_solution_at_an_undamped_resonance():
     assert np.all(np.isfinite(modes.motion([100.0]).x))
 
 
-MACHINE = DampedModes(chain=TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0), c=100.0, F_0=500.0, omega=48.0)
+DAMPED = DampedModes(chain=TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0), c=100.0, F_0=500.0, omega=48.0)
 
 
 def test_who_has_no_time_is_refused_what_takes_many_digits():
     """At first, where x2 starts like t^4, all but everything cancels."""
     few, many = np.linspace(0.5e-100, 1e-100, 3), np.linspace(0.5e-100, 1e-100, 500)
-    np.testing.assert_array_equal(MACHINE.motion(few, quick=True).x, MACHINE.motion(few).x)
+    np.testing.assert_array_equal(DAMPED.motion(few, quick=True).x, DAMPED.motion(few).x)
     with pytest.raises(ValueError, match="more digits than there is time for"):
-        MACHINE.motion(many, quick=True)
+        DAMPED.motion(many, quick=True)
 
 
 def test_what_takes_few_digits_is_drawn_after_many_periods():
     t = np.linspace(5e12, 1e13, 50)
-    exact = MACHINE.motion(t).x
-    np.testing.assert_allclose(MACHINE.motion(t, quick=True).x, exact, rtol=0, atol=1e-12 * np.abs(exact).max())
+    exact = DAMPED.motion(t).x
+    np.testing.assert_allclose(DAMPED.motion(t, quick=True).x, exact, rtol=0, atol=1e-12 * np.abs(exact).max())
 
 
 def test_what_died_out_long_ago_is_not_worked_out(monkeypatch):
