@@ -14,8 +14,8 @@ import panel as pn
 from bokeh.document import Document
 
 from components.description import sheet_address, sheet_json
+from components.live_class.question_bank import Lessons
 from components.opening import opened
-from components.rooms.lessons import Lessons
 from components.scenes import SCENES
 from components.serving.shell import navigation, page_template, when_open
 from components.session import Publish, Session

@@ -13,11 +13,11 @@ from functools import partial
 from pathlib import Path
 
 from app import FIGURES, SHEETS, walked
-from components.rooms.hall import Hall
-from components.rooms.store import MemoryStore, Store
+from components.live_class.publisher import Publisher
+from components.live_class.registry import Hall
+from components.live_class.store import MemoryStore, Store
 from components.serving.apart import ReadingProcess
 from components.serving.logs import set_up
-from components.serving.publisher import Publisher
 from components.serving.server import Server
 from components.serving.settings import Settings, read_settings
 from components.walks.loading import WalkError
@@ -29,7 +29,7 @@ def store_at(url: str) -> Store:
     """Where live classes are kept. The client of a shared store is read only where there is one."""
     if not url:
         return MemoryStore()
-    from components.rooms.shared import SharedStore
+    from components.live_class.shared_store import SharedStore
 
     return SharedStore(url)
 

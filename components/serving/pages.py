@@ -15,8 +15,8 @@ from panel.io.state import set_curdoc
 from tornado.httputil import HTTPServerRequest
 from tornado.web import HTTPError
 
+from components.serving.admission import ASK_AGAIN, ordinal
 from components.serving.answers import RefusedError, Visited, templates
-from components.serving.door import ASK_AGAIN, ordinal
 from components.serving.headers import policy, scripts_of
 from components.serving.mended import patch_curdoc
 from components.serving.shell import follow_template

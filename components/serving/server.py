@@ -20,15 +20,15 @@ from panel.io.application import Application
 from tornado.httpserver import HTTPServer
 from tornado.ioloop import IOLoop, PeriodicCallback
 
-from components.rooms.codes import Tokens
-from components.rooms.hall import Hall
-from components.rooms.lessons import Lessons
-from components.rooms.store import MemoryStore
-from components.rooms.upkeep import Upkeep
+from components.live_class.codes import Tokens
+from components.live_class.question_bank import Lessons
+from components.live_class.registry import Hall
+from components.live_class.routes import class_routes
+from components.live_class.store import MemoryStore
+from components.live_class.upkeep import Upkeep
+from components.serving.admission import Door, Guest, gives_way
 from components.serving.answers import Missing, Moved
 from components.serving.assets import AssetFiles, assets, packed_files
-from components.serving.classroutes import class_routes
-from components.serving.door import Door, Guest, gives_way
 from components.serving.health import Figures, Liveness, Readiness
 from components.serving.hosts import is_named
 from components.serving.incoming import MOST_BYTES

@@ -177,7 +177,7 @@ def read_settings(arguments: Sequence[str], environment: Mapping[str, str]) -> S
 def _check_store(url: str) -> None:
     """The client of a shared store is read only where there is one."""
     if url:
-        from components.rooms.shared import check_url
+        from components.live_class.shared_store import check_url
 
         check_url(url)
 

@@ -27,7 +27,7 @@ from tests.bench.followers import Hearing, drag, followed, sizes, values
 from tests.bench.outage import outlived
 from tests.bench.screens import SKETCHED, Phones, chromium, taught, woken
 from tests.bench.visitor import Visitor
-from tests.rooms.caller import Class
+from tests.live_class.caller import Class
 from tests.serving.server import Server, serving
 
 CHOICE = {"walk": "d31", "step": "d31-03"}

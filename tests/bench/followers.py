@@ -14,7 +14,7 @@ from typing import Any
 from urllib.parse import urlsplit
 
 from tests.bench.visitor import USUAL, Visitor
-from tests.rooms.caller import Class
+from tests.live_class.caller import Class
 
 END = b"\n\n\r\n"
 """Of an event that is a chunk of its own; a proxy may join two."""

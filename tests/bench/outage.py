@@ -10,8 +10,8 @@ from urllib.parse import urlsplit
 from tests.bench.followers import Hearing, drag, values
 from tests.bench.visitor import Visitor
 from tests.deploy.site import Site, deployed
-from tests.rooms.caller import Class
-from tests.rooms.stores import valkey_running
+from tests.live_class.caller import Class
+from tests.live_class.stores import valkey_running
 from tests.serving.server import ROOT
 
 AGAIN = 0.2

@@ -12,7 +12,7 @@ from playwright.async_api import Browser, Page, async_playwright
 from tests.bench.network import READY
 from tests.browser.between import between
 from tests.browser.chromium import find
-from tests.rooms.caller import Class
+from tests.live_class.caller import Class
 
 COUNT = 2
 PHONE = {"width": 390, "height": 844}

@@ -12,7 +12,7 @@ from playwright.sync_api import Browser, Page, expect
 from tests.browser.between import between
 from tests.browser.classroom import draw, joined, taught
 from tests.browser.fixtures import READY, another_version
-from tests.rooms.caller import call
+from tests.live_class.caller import call
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser

@@ -11,7 +11,7 @@ from playwright.sync_api import Page, expect
 
 from tests.browser.classroom import LED, Open, taught
 from tests.browser.halls import LAID, TAUGHT, seen
-from tests.rooms.caller import call
+from tests.live_class.caller import call
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser

@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from tests.deploy.site import Site, deployed
-from tests.rooms.caller import Answered, Class, Stream, called
-from tests.rooms.stores import valkey_running
+from tests.live_class.caller import Answered, Class, Stream, called
+from tests.live_class.stores import valkey_running
 from tests.serving.server import ROOT
 
 CHOICE = {"walk": "d31", "step": "d31-03"}

@@ -17,7 +17,7 @@ from components.serving.assets import assets
 from components.serving.headers import SAFE
 from tests.attack.caller import Reply, ask
 from tests.deploy.site import COOKIE_SECRET, Site, caddy, deployed
-from tests.rooms.caller import Class
+from tests.live_class.caller import Class
 from tests.serving.server import ROOT
 
 ASSET = f"/assets/{next(iter(assets()))}"

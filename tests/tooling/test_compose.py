@@ -17,7 +17,7 @@ import redis
 import yaml
 
 from components.serving.settings import HINTS, SECRETS, read_settings
-from tests.rooms.stores import valkey_binary
+from tests.live_class.stores import valkey_binary
 from tests.serving.server import ROOT, free_port, serving
 from tools.digests import pin
 

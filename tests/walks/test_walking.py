@@ -10,8 +10,8 @@ import pytest
 
 from app import visited
 from components.description import plots
+from components.live_class.question_bank import Lessons
 from components.page.room import Vote
-from components.rooms.lessons import Lessons
 from components.scenes import SCENES
 from components.walks.cards import walk_sheet
 from components.walks.curves import true_curves

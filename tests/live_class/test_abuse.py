@@ -7,13 +7,12 @@ import socket
 
 import pytest
 
-from components.rooms import hall
-from components.rooms import room as rooms
-from components.rooms.room import name_of
-from components.serving import classes, followers
+from components.live_class import follower_routes, instructor_routes, registry
+from components.live_class import room as rooms
+from components.live_class.room import name_of
 from components.serving.server import Server
-from tests.rooms.caller import Class, Stream, called
-from tests.rooms.served import CHOICE, run
+from tests.live_class.caller import Class, Stream, called
+from tests.live_class.served import CHOICE, run
 
 SKETCH = {"walk": "d34", "step": "d34-14"}
 
@@ -95,12 +94,12 @@ def test_a_storm_of_streams_takes_no_places() -> None:
     async def test(server: Server, url: str) -> None:
         lesson = await Class.open(url)
         other, token = await lesson.follow(), await lesson.token()
-        streams = [await Stream(url, lesson.code, token).open() for _ in range(3 * followers.MOST_STREAMS)]
+        streams = [await Stream(url, lesson.code, token).open() for _ in range(3 * follower_routes.MOST_STREAMS)]
         room = server.lecture.hall.rooms[lesson.code]
         async with asyncio.timeout(10):
-            while room.followers > 1 + followers.MOST_STREAMS:
+            while room.followers > 1 + follower_routes.MOST_STREAMS:
                 await asyncio.sleep(0.01)
-            while sum(stream.ended for stream in streams) < 2 * followers.MOST_STREAMS:
+            while sum(stream.ended for stream in streams) < 2 * follower_routes.MOST_STREAMS:
                 await asyncio.sleep(0.01)
         assert not streams[-1].ended and not other.ended  # the newest stand, and so does everybody else's
         for stream in streams:
@@ -114,7 +113,7 @@ def test_a_storm_of_streams_takes_no_places() -> None:
 
 
 def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(followers, "GIVEN_UP", 0.3)
+    monkeypatch.setattr(follower_routes, "GIVEN_UP", 0.3)
 
     async def test(server: Server, url: str) -> None:
         lesson = await Class.open(url)
@@ -162,7 +161,7 @@ def test_a_vote_is_of_somebody_who_follows(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(hall, "SPARE", 2)
+    monkeypatch.setattr(registry, "SPARE", 2)
 
     async def test(server: Server, url: str) -> None:
         lesson = await Class.open(url)
@@ -183,7 +182,7 @@ def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) -> Non
 
 
 def test_one_network_does_not_take_all_rooms(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(classes, "MOST_OPENED", 2)
+    monkeypatch.setattr(instructor_routes, "MOST_OPENED", 2)
 
     async def test(server: Server, url: str) -> None:
         async def opened(address: str) -> int:

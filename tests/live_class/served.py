@@ -9,9 +9,9 @@ from functools import partial
 from typing import Any
 
 from app import SHEETS, walked
-from components.rooms.hall import Hall
-from components.rooms.store import MemoryStore
-from components.serving.publisher import Publisher
+from components.live_class.publisher import Publisher
+from components.live_class.registry import Hall
+from components.live_class.store import MemoryStore
 from components.serving.server import Server
 from components.serving.settings import Settings
 

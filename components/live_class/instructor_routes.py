@@ -11,12 +11,12 @@ import msgspec
 import segno
 from tornado.web import RequestHandler
 
+from components.live_class.codes import as_code, digest, is_key, join_key
+from components.live_class.registry import ClosedError
+from components.live_class.room import ClassRoom
+from components.live_class.store import ALONE, AwayError
+from components.live_class.votes_csv import answers_csv
 from components.page.room import Opened, Order, Tally
-from components.rooms.codes import as_code, digest, is_key, join_key
-from components.rooms.hall import ClosedError
-from components.rooms.room import ClassRoom
-from components.rooms.store import ALONE, AwayError
-from components.rooms.table import answers_csv
 from components.serving.answers import SENTENCES, RefusedError, Visited
 from components.serving.settings import own_address
 from components.serving.shell import version

@@ -9,10 +9,10 @@ from collections.abc import Awaitable, Callable, Coroutine
 import pytest
 import redis
 
-from components.rooms import shared, store
-from components.rooms.codes import new_code
-from components.rooms.store import Parts, Store
-from tests.rooms.stores import KINDS, Valkey, made, valkey_running
+from components.live_class import shared_store, store
+from components.live_class.codes import new_code
+from components.live_class.store import Parts, Store
+from tests.live_class.stores import KINDS, Valkey, made, valkey_running
 
 Test = Callable[[Store], Coroutine[None, None, None]]
 
@@ -103,7 +103,7 @@ def test_a_room_that_nobody_leads_or_follows_ends_soon(on: Callable[..., None]) 
 def test_where_all_rooms_are_taken_one_that_is_alone_makes_way(
     on: Callable[..., None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for module in (store, shared):
+    for module in (store, shared_store):
         monkeypatch.setattr(module, "QUIET", 0.3)
 
     async def test(kept: Store) -> None:
@@ -252,7 +252,7 @@ def test_a_store_that_goes_away_is_an_error_of_ours(valkey: Valkey) -> None:
 def test_a_store_that_falls_silent_is_noticed_and_one_that_has_nothing_to_say_is_not(
     valkey: Valkey, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(shared, "PULSE", 0.1)
+    monkeypatch.setattr(shared_store, "PULSE", 0.1)
 
     async def test() -> None:
         async with made("valkey", valkey.url) as kept:

@@ -10,10 +10,10 @@ from typing import Any, Protocol, TypeVar
 
 import msgspec
 
+from components.live_class.question_bank import Lessons, ReadWalks
+from components.live_class.remotes import WAITS, waiting
+from components.live_class.store import Parts
 from components.page.room import News, PutTo, RunClock, SentPicture
-from components.rooms.lessons import Lessons, ReadWalks
-from components.rooms.remotes import WAITS, waiting
-from components.rooms.store import Parts
 from components.walks.types import Walk
 
 SILENCE = 15.0

@@ -9,10 +9,10 @@ from contextlib import suppress
 from secrets import token_hex
 from time import monotonic, time
 
+from components.live_class.registry import ClosedError, Hall
+from components.live_class.room import SILENCE, ClassRoom
+from components.live_class.store import AwayError, FullError, Parts
 from components.page.room import News
-from components.rooms.hall import ClosedError, Hall
-from components.rooms.room import SILENCE, ClassRoom
-from components.rooms.store import AwayError, FullError, Parts
 
 log = logging.getLogger(__name__)
 

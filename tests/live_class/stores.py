@@ -13,8 +13,8 @@ from pathlib import Path
 
 import pytest
 
-from components.rooms.shared import SharedStore
-from components.rooms.store import MemoryStore, Store
+from components.live_class.shared_store import SharedStore
+from components.live_class.store import MemoryStore, Store
 from tests.serving.server import free_port
 
 KINDS = ["memory", pytest.param("valkey", marks=pytest.mark.skipif(sys.platform == "win32", reason="no Valkey here"))]

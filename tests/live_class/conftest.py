@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.rooms.stores import Valkey, valkey_running
+from tests.live_class.stores import Valkey, valkey_running
 
 
 @pytest.fixture(scope="module")

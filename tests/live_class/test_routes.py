@@ -9,13 +9,13 @@ import socket
 
 import pytest
 
-from components.rooms.codes import join_key
-from components.serving import followers
+from components.live_class import follower_routes
+from components.live_class.codes import join_key
 from components.serving.server import Server
 from tests.bench.visitor import Visitor
+from tests.live_class.caller import Class, Stream, called
+from tests.live_class.served import CHOICE, run, served
 from tests.page.columns import inflated
-from tests.rooms.caller import Class, Stream, called
-from tests.rooms.served import CHOICE, run, served
 
 
 def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> None:
@@ -142,9 +142,9 @@ def test_an_instructor_who_gets_no_stream_is_told_what_it_alone_hears_one_by_one
 
 
 def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkeypatch: pytest.MonkeyPatch) -> None:
-    hits = 10 * followers.MISSES * 4 * 60 / 30**4
-    assert hits < 1 and followers.MISSES >= 300
-    monkeypatch.setattr(followers, "MISSES", 4)
+    hits = 10 * follower_routes.MISSES * 4 * 60 / 30**4
+    assert hits < 1 and follower_routes.MISSES >= 300
+    monkeypatch.setattr(follower_routes, "MISSES", 4)
 
     async def test(server: Server, url: str) -> None:
         lesson = await Class.open(url)
@@ -159,7 +159,7 @@ def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkeypatch:
         path, secret = f"/class/{lesson.code}/token", lesson.opened["address"].partition("join=")[2]
         for word, status in ((secret, 200), (lesson.key, 429), ("x" * 12, 429), ("", 429)):  # the QR code is no guess
             assert (await called(url, path, "POST", word=word, X_Forwarded_For="198.51.100.9")).status == status
-        monkeypatch.setattr(followers, "ALL_MISSES", 6)
+        monkeypatch.setattr(follower_routes, "ALL_MISSES", 6)
         assert [await enter(wrong, f"192.0.{i}.1") for i in range(3)] == [404, 404, 429]
         assert await enter(lesson.code, "203.0.113.9") == 429
 

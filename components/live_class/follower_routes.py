@@ -10,12 +10,12 @@ from time import monotonic, time
 from msgspec.structs import replace
 from tornado.iostream import IOStream, StreamClosedError
 
+from components.live_class.codes import as_code, is_key
+from components.live_class.instructor_routes import ClassAnswer
+from components.live_class.room import LEADERS, ClassRoom, Ear, as_event, name_of
 from components.page.messages import Taught
 from components.page.room import Entered, Vote
-from components.rooms.codes import as_code, is_key
-from components.rooms.room import LEADERS, ClassRoom, Ear, as_event, name_of
 from components.serving.answers import RefusedError
-from components.serving.classes import ClassAnswer
 from components.serving.visitors import network_of
 
 MOST_FOLLOWERS = 5000

@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from app import SHEETS, open_page
-from components.serving.door import FORGOTTEN, IDLE, LONGEST, OF_A_NETWORK, Door, Guest, gives_way, ordinal
+from components.serving.admission import FORGOTTEN, IDLE, LONGEST, OF_A_NETWORK, Door, Guest, gives_way, ordinal
 from components.serving.server import Server as Serving
 from components.serving.settings import Settings
 from tests.attack.caller import Caller, Reply, ask, connect, contents, token_of

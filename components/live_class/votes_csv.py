@@ -6,11 +6,11 @@ import csv
 import io
 import re
 
+from components.live_class.pauses import by_and_by
+from components.live_class.question_bank import Judged
+from components.live_class.registry import Hall
+from components.live_class.room import ClassRoom
 from components.numbers import shortest
-from components.rooms.hall import Hall
-from components.rooms.lessons import Judged
-from components.rooms.pauses import by_and_by
-from components.rooms.room import ClassRoom
 
 FORMULAS = ("=", "+", "-", "@", "\t", "\r", "\n", "＝", "＋", "－", "＠")
 """Beginnings of a cell that a spreadsheet works out, or does in some language or when the file is saved again."""

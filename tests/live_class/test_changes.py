@@ -9,16 +9,16 @@ from time import time
 import msgspec
 import pytest
 
+from components.live_class import publisher
+from components.live_class.publisher import Publisher
+from components.live_class.registry import ClosedError, Hall
+from components.live_class.room import KEPT, ClassRoom
+from components.live_class.store import AwayError, FullError, MemoryStore, Parts
+from components.live_class.upkeep import Upkeep
 from components.page.room import PutQuestion, RunClock, SentPicture, Vote
-from components.rooms.hall import ClosedError, Hall
-from components.rooms.room import KEPT, ClassRoom
-from components.rooms.store import AwayError, FullError, MemoryStore, Parts
-from components.rooms.upkeep import Upkeep
 from components.scenes import SCENES
-from components.serving import publisher
-from components.serving.publisher import Publisher
 from components.session import Session
-from tests.rooms.listening import CHOICE, LESSONS, Listener, until
+from tests.live_class.listening import CHOICE, LESSONS, Listener, until
 
 CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)
 CLOCK_PART = msgspec.json.encode(CLOCK)
@@ -202,7 +202,7 @@ def test_a_store_that_stays_away_is_logged_once(
             await asyncio.Event().wait()
 
         monkeypatch.setattr(store, "listen", listen)
-        monkeypatch.setattr("components.rooms.upkeep.AGAIN", 0.001)
+        monkeypatch.setattr("components.live_class.upkeep.AGAIN", 0.001)
         upkeep.start()
         await until(lambda: upkeep.listening)
         await upkeep.end()

@@ -8,13 +8,13 @@ from typing import Any
 
 import pytest
 
-from components.rooms import room as rooms
-from components.rooms.hall import Hall
-from components.rooms.store import MemoryStore
-from components.serving.followers import Events
+from components.live_class import room as rooms
+from components.live_class.follower_routes import Events
+from components.live_class.registry import Hall
+from components.live_class.store import MemoryStore
 from components.serving.server import Server
-from tests.rooms.caller import Class
-from tests.rooms.served import LECTURE, run
+from tests.live_class.caller import Class
+from tests.live_class.served import LECTURE, run
 
 
 def test_what_is_told_while_a_stream_begins_is_heard(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import msgspec
 
+from components.live_class.codes import as_code, digest, new_key
+from components.live_class.instructor_routes import ClassAnswer, square
+from components.live_class.remotes import begun, is_in, new_digits, waits
+from components.live_class.room import ClassRoom
 from components.page.room import Confirmed, Done, Paired, Ticket
-from components.rooms.codes import as_code, digest, new_key
-from components.rooms.remotes import begun, is_in, new_digits, waits
-from components.rooms.room import ClassRoom
 from components.serving.answers import RefusedError
-from components.serving.classes import ClassAnswer, square
 
 TICKET = 60.0
 """Seconds for which a code lets a phone in."""

@@ -8,6 +8,12 @@ from time import monotonic, time
 
 import msgspec
 
+from components.live_class.codes import digest, is_key, join_key, new_code, new_key
+from components.live_class.pauses import by_and_by
+from components.live_class.question_bank import Judged, Lessons
+from components.live_class.remotes import decided
+from components.live_class.room import NOTHING_PUT, ClassRoom
+from components.live_class.store import MOST_VOTES, AwayError, Parts, Store
 from components.page.room import (
     EndRoom,
     HandWalk,
@@ -21,12 +27,6 @@ from components.page.room import (
     Vote,
     Withdraw,
 )
-from components.rooms.codes import digest, is_key, join_key, new_code, new_key
-from components.rooms.lessons import Judged, Lessons
-from components.rooms.pauses import by_and_by
-from components.rooms.remotes import decided
-from components.rooms.room import NOTHING_PUT, ClassRoom
-from components.rooms.store import MOST_VOTES, AwayError, Parts, Store
 
 MOST_AHEAD, MOST_BEHIND = 200.0, 5000.0
 """Milliseconds by which an instructor's clock may be ahead of its message's arrival, and behind."""

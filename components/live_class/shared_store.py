@@ -18,7 +18,7 @@ from redis.asyncio.retry import Retry
 from redis.backoff import NoBackoff
 from redis.exceptions import ConnectionError, OutOfMemoryError, RedisError, TimeoutError
 
-from components.rooms.store import (
+from components.live_class.store import (
     ALONE,
     LIFE,
     MOST_BYTES,

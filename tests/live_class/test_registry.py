@@ -9,6 +9,14 @@ from time import time
 import msgspec
 import pytest
 
+from components.live_class import pauses, question_bank
+from components.live_class import registry as registry_of
+from components.live_class import room as room_of
+from components.live_class.codes import SIGNS, Tokens, as_code, new_code
+from components.live_class.registry import ClosedError, Hall
+from components.live_class.room import ClassRoom
+from components.live_class.upkeep import Upkeep
+from components.live_class.votes_csv import answers_csv, cell
 from components.page.room import (
     EndRoom,
     HandWalk,
@@ -21,18 +29,9 @@ from components.page.room import (
     Vote,
     Withdraw,
 )
-from components.rooms import hall as hall_of
-from components.rooms import lessons as lessons_of
-from components.rooms import pauses
-from components.rooms import room as room_of
-from components.rooms.codes import SIGNS, Tokens, as_code, new_code
-from components.rooms.hall import ClosedError, Hall
-from components.rooms.room import ClassRoom
-from components.rooms.table import answers_csv, cell
-from components.rooms.upkeep import Upkeep
 from components.walks.loading import read_walk
-from tests.rooms.listening import CHOICE, LESSONS, Listener, until
-from tests.rooms.stores import KINDS, Valkey, made, valkey_running
+from tests.live_class.listening import CHOICE, LESSONS, Listener, until
+from tests.live_class.stores import KINDS, Valkey, made, valkey_running
 
 NUMBER, POINT, SKETCH = ("d31", "d31-02"), ("d34", "d34-04"), ("d34", "d34-14")
 Test = Callable[[Hall, ClassRoom], Coroutine[None, None, None]]
@@ -212,7 +211,7 @@ def test_an_answer_is_judged_once_and_a_vote_reads_its_question_once(
 def test_of_a_large_room_all_sketches_are_counted_and_some_are_told(
     in_class: Callable[[Test], None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(lessons_of, "MOST_SKETCHES", 3)
+    monkeypatch.setattr(question_bank, "MOST_SKETCHES", 3)
     monkeypatch.setattr(pauses, "SLICE", 0.0)
 
     async def test(hall: Hall, room: ClassRoom) -> None:
@@ -277,10 +276,10 @@ def test_a_walk_that_the_server_does_not_know_is_refused(in_class: Callable[[Tes
 def test_a_walk_from_a_file_is_read_once(in_class: Callable[[Test], None], monkeypatch: pytest.MonkeyPatch) -> None:
     """Not again after each other one that is handed over; where the store alone has them, each once."""
     text, read = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n', list[str]()
-    monkeypatch.setattr(lessons_of, "read_walk", lambda *given: (read.append(given[1]), read_walk(*given))[1])
+    monkeypatch.setattr(question_bank, "read_walk", lambda *given: (read.append(given[1]), read_walk(*given))[1])
 
     async def test(hall: Hall, room: ClassRoom) -> None:
-        for n in range(hall_of.MOST_OWN):
+        for n in range(registry_of.MOST_OWN):
             await hall.obey(room, HandWalk(name=f"mine-{n}", text=text))
             await hall.obey(room, PutQuestion(walk=f"mine-{n}", step="one"))
         assert read == [] and room.walks == hall.lessons.read_own(room.own, {})
@@ -291,7 +290,7 @@ def test_a_walk_from_a_file_is_read_once(in_class: Callable[[Test], None], monke
         assert sorted(read) == sorted(name for name, _ in room.walks)
         elsewhere.parts["walks"] = b'{"mine-0":' + msgspec.json.encode(text + "# mended") + b"}"
         hall.lessons_of(elsewhere)
-        assert read[-1] == "mine-0" and len(read) == hall_of.MOST_OWN + 1 and len(elsewhere.walks) == 1
+        assert read[-1] == "mine-0" and len(read) == registry_of.MOST_OWN + 1 and len(elsewhere.walks) == 1
 
     in_class(test)
 
@@ -318,7 +317,7 @@ def test_a_walk_from_a_file_is_asked_as_any_other(in_class: Callable[[Test], Non
         await hall.obey(room, HandWalk(name=walk, text=text.replace("d31-03", "d31-02")))  # now it asks for a number
         tally = await hall.tally(room)
         assert tally and tally.now.answered == 0
-        for n in range(hall_of.MOST_OWN - 1):
+        for n in range(registry_of.MOST_OWN - 1):
             await hall.obey(room, HandWalk(name=f"more-{n}", text=text))
         with pytest.raises(ValueError, match="one too many"):
             await hall.obey(room, HandWalk(name="too-many", text=text))

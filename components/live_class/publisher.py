@@ -6,9 +6,9 @@ import asyncio
 import logging
 from collections.abc import Callable
 
+from components.live_class.registry import ClosedError, Hall
+from components.live_class.store import AwayError, FullError
 from components.page.room import SentPicture
-from components.rooms.hall import ClosedError, Hall
-from components.rooms.store import AwayError, FullError
 from components.wire import Packet
 
 log = logging.getLogger(__name__)

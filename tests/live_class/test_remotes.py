@@ -6,13 +6,13 @@ import asyncio
 
 import pytest
 
-from components.rooms import remotes
-from components.rooms.hall import Hall
-from components.rooms.remotes import begun, decided, is_in, new_digits, waits
-from components.rooms.room import ClassRoom
-from components.rooms.upkeep import Upkeep
-from tests.rooms.listening import LESSONS, Listener, until
-from tests.rooms.stores import KINDS, made, valkey_running
+from components.live_class import remotes
+from components.live_class.registry import Hall
+from components.live_class.remotes import begun, decided, is_in, new_digits, waits
+from components.live_class.room import ClassRoom
+from components.live_class.upkeep import Upkeep
+from tests.live_class.listening import LESSONS, Listener, until
+from tests.live_class.stores import KINDS, made, valkey_running
 
 
 def told(listener: Listener) -> list[tuple[str, ...]]:

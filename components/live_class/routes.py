@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from components.serving.classes import CountAnswers, LeadClass, OpenClass, TakeAnswers
-from components.serving.followers import Answers, Enter, Events, Now, TimeOfDay
-from components.serving.remotes import LetIn, RemoteControl
+from components.live_class.follower_routes import Answers, Enter, Events, Now, TimeOfDay
+from components.live_class.instructor_routes import CountAnswers, LeadClass, OpenClass, TakeAnswers
+from components.live_class.remote_routes import LetIn, RemoteControl
 
 CODE = r"([0-9A-Za-z]{4})"
 

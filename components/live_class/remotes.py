@@ -11,8 +11,8 @@ from time import time
 
 import msgspec
 
-from components.rooms.codes import digest, is_key
-from components.rooms.store import Parts
+from components.live_class.codes import digest, is_key
+from components.live_class.store import Parts
 
 WAITS = "waits "
 """What the part of a phone that waits begins with; its digits follow."""
