@@ -14,7 +14,7 @@ import panel as pn
 from bokeh.document import Document
 
 from components.description import sheet_address, sheet_json
-from components.live_class.question_bank import Lessons
+from components.live_class.question_bank import QuestionBank
 from components.opening import opened
 from components.scenes import SCENES
 from components.serving.shell import navigation, page_template, when_open
@@ -65,12 +65,12 @@ def visited(query: Query, walks: Walks) -> Session:
 
 
 class Lectured(NamedTuple):
-    """What the server is given: what opens a page, the files of all walks by their address, and their lessons for a
+    """What the server is given: what opens a page, the files of all walks by their address, and the question bank of a
     live class."""
 
     open_page: Callable[..., None]
     files: dict[str, bytes]
-    lessons: Lessons
+    bank: QuestionBank
 
 
 def read_for_others(folders: Iterable[Path]) -> None:
@@ -84,7 +84,7 @@ def walked(folders: Iterable[Path]) -> Lectured:
     walks = all_walks(folders, SCENES)
     files = {walk: walk_file(walk, SCENES) for walk in walks.values()}
     listed = [{"name": walk.name, "title": walk.title, "sheet": address} for walk, (address, _) in files.items()]
-    return Lectured(partial(open_page, walks=walks, listed=listed), dict(files.values()), Lessons(walks, SCENES))
+    return Lectured(partial(open_page, walks=walks, listed=listed), dict(files.values()), QuestionBank(walks, SCENES))
 
 
 def open_page(

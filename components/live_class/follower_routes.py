@@ -12,7 +12,7 @@ from tornado.iostream import IOStream, StreamClosedError
 
 from components.live_class.codes import as_code, is_key
 from components.live_class.instructor_routes import ClassAnswer
-from components.live_class.room import LEADERS, ClassRoom, Ear, as_event, name_of
+from components.live_class.room import LEADERS, ClassRoom, Listener, as_event, name_of
 from components.page.messages import Taught
 from components.page.room import Entered, Vote
 from components.serving.answers import RefusedError
@@ -43,7 +43,7 @@ class Follower(ClassAnswer):
     async def entered(self, code: str) -> ClassRoom:
         application = self.application
         if application.tokens.voter(code, self.word):
-            return await self.asked(application.hall.room(as_code(code)))
+            return await self.asked(application.registry.room(as_code(code)))
         self.leads = True
         return await self.led(code)
 
@@ -63,7 +63,7 @@ class Enter(ClassAnswer):
     async def _shown(self, code: str) -> ClassRoom | None:
         """The room whose QR code was read, which is no guess: whatever others of the network type, it opens."""
         try:
-            room = await self.asked(self.application.hall.room(as_code(code) if self.word else ""))
+            room = await self.asked(self.application.registry.room(as_code(code) if self.word else ""))
         except RefusedError as refusal:
             if refusal.status_code == 404:
                 return None
@@ -71,12 +71,12 @@ class Enter(ClassAnswer):
         return room if is_key(self.word, room.parts.get("join", b"")) else None
 
     async def _typed(self, code: str) -> ClassRoom:
-        store, names = self.application.hall.store, {f"miss {network_of(self.visitor)}": MISSES, "miss": ALL_MISSES}
+        store, names = self.application.registry.store, {f"miss {network_of(self.visitor)}": MISSES, "miss": ALL_MISSES}
         for name, most in names.items():
             if await self.asked(store.count(name, MINUTE, 0)) >= most:
                 raise RefusedError(429, TOO_MANY, MINUTE)
         try:
-            return await self.asked(self.application.hall.room(as_code(code)))
+            return await self.asked(self.application.registry.room(as_code(code)))
         except RefusedError as refusal:
             if refusal.status_code == 404:
                 for name in names:
@@ -110,7 +110,7 @@ class Events(Follower):
         self._pipe.set_nodelay(True)
         room.polls.pop(name_of(self.word), None)  # it is counted once
         room.seen[name_of(self.word)] = monotonic()
-        room.ears.add(self)  # before the first pause: what is told in it is not missed
+        room.listeners.add(self)  # before the first pause: what is told in it is not missed
         try:
             self.write(self._all())
             await asyncio.wait_for(self.flush(), GIVEN_UP)
@@ -119,9 +119,9 @@ class Events(Follower):
         except (TimeoutError, StreamClosedError):
             self._pipe.close()
         finally:
-            room.ears.discard(self)
+            room.listeners.discard(self)
 
-    async def _stay(self, own: list[Ear]) -> None:
+    async def _stay(self, own: list[Listener]) -> None:
         """Among one's own streams, until it ends."""
         own.append(self)
         for older in own[:-MOST_STREAMS]:
@@ -209,11 +209,11 @@ class Answers(Follower):
         room = await self.entered(code)
         voter = self.application.tokens.voter(room.code, self.word)
         self.often(f"vote {voter}")
-        if not await self.asked(self.application.hall.follows(room, voter)):
+        if not await self.asked(self.application.registry.follows(room, voter)):
             raise RefusedError(
                 503, "This phone does not follow the class at the moment. Its answer counts when it does.", 1
             )
-        await self.asked(self.application.hall.vote(room, voter, self.body(Vote)))
+        await self.asked(self.application.registry.vote(room, voter, self.body(Vote)))
         self.set_status(204)
 
     async def post(self, code: str) -> None:
@@ -226,7 +226,7 @@ class Answers(Follower):
         if put.lesson is None:
             raise RefusedError(409, "The answer has not been shown yet.")
         try:
-            lesson = self.application.hall.lessons_of(room).judged(vote)
+            lesson = self.application.registry.bank_of(room).judged(vote)
         except ValueError as reason:
             raise RefusedError(400, "This answer does not fit the question.") from reason
         self.reply(Taught(walk=vote.walk, step=vote.step, lesson=lesson))

@@ -15,7 +15,7 @@ from components.live_class.codes import as_code, digest, is_key, join_key
 from components.live_class.registry import ClosedError
 from components.live_class.room import ClassRoom
 from components.live_class.store import ALONE, AwayError
-from components.live_class.votes_csv import answers_csv
+from components.live_class.votes_csv import votes_csv
 from components.page.room import Opened, Order, Tally
 from components.serving.answers import SENTENCES, RefusedError, Visited
 from components.serving.settings import own_address
@@ -82,7 +82,7 @@ class ClassAnswer(Visited, Waited):
         self.write(msgspec.json.encode(value))
 
     async def asked(self, question: Awaitable[Answered]) -> Answered:
-        """What the hall says, or why it does not, in a sentence."""
+        """What the registry says, or why it does not, in a sentence."""
         try:
             return await question
         except ClosedError as reason:
@@ -98,7 +98,7 @@ class ClassAnswer(Visited, Waited):
 
     async def led(self, code: str) -> ClassRoom:
         """The room, for its instructor alone; what others ask does not count, or they could silence an instructor."""
-        room = await self.asked(self.application.hall.led(as_code(code), self.word))
+        room = await self.asked(self.application.registry.led(as_code(code), self.word))
         self.often(f"lead {room.code}")
         return room
 
@@ -153,7 +153,7 @@ class OpenClass(ClassAnswer):
             await self._admit()
             if phrase:
                 raise RefusedError(401, WRONG if self.word else ASKED)
-        self.reply(self.opened(*await self.asked(self.application.hall.open())))
+        self.reply(self.opened(*await self.asked(self.application.registry.open())))
 
     async def _admit(self) -> None:
         name = f"opened {network_of(self.visitor)}"
@@ -161,7 +161,7 @@ class OpenClass(ClassAnswer):
             raise RefusedError(
                 429, "Many classes were opened from this network just now. Try again in a moment.", seconds
             )
-        if await self.asked(self.application.hall.store.count(name, ALONE)) > MOST_OPENED:
+        if await self.asked(self.application.registry.store.count(name, ALONE)) > MOST_OPENED:
             raise RefusedError(
                 429,
                 f"{MOST_OPENED} classes were opened from this network. Try again in {ALONE / 60:.0f} minutes.",
@@ -179,7 +179,7 @@ class LeadClass(ClassAnswer):
     async def post(self, code: str) -> None:
         room = await self.led(code)
         order: Order = self.body(Order, LONGEST_ORDER)  # type: ignore[arg-type]  # a union of types
-        await self.asked(self.application.hall.obey(room, order, str(network_of(self.visitor))))
+        await self.asked(self.application.registry.obey(room, order, str(network_of(self.visitor))))
         self.set_status(204)
 
 
@@ -188,7 +188,7 @@ class CountAnswers(ClassAnswer):
 
     async def get(self, code: str) -> None:
         room = await self.led(code)
-        tally: Tally | None = await self.asked(self.application.hall.tally(room))
+        tally: Tally | None = await self.asked(self.application.registry.tally(room))
         self.reply(tally)
 
 
@@ -197,6 +197,6 @@ class TakeAnswers(ClassAnswer):
 
     async def get(self, code: str) -> None:
         room = await self.led(code)
-        text = await self.asked(answers_csv(self.application.hall, room))
+        text = await self.asked(votes_csv(self.application.registry, room))
         self.set_header("Content-Type", "text/csv; charset=utf-8")
         self.write(text)

@@ -6,7 +6,7 @@ import asyncio
 import logging
 from collections.abc import Callable
 
-from components.live_class.registry import ClosedError, Hall
+from components.live_class.registry import ClosedError, Registry
 from components.live_class.store import AwayError, FullError
 from components.page.room import SentPicture
 from components.wire import Packet
@@ -22,8 +22,8 @@ AGAIN = 1.0
 class Publisher:
     """Of one session, for the room that it leads."""
 
-    def __init__(self, hall: Hall, code: str, key: str) -> None:
-        self._hall = hall
+    def __init__(self, registry: Registry, code: str, key: str) -> None:
+        self._registry = registry
         self._code = code
         self._key = key
         self._make: Callable[[], Packet] | None = None
@@ -54,8 +54,8 @@ class Publisher:
     async def _show(self, make: Callable[[], Packet]) -> bool:
         """False where the room is not known here, and the store away: it is to be tried again."""
         try:
-            room = await self._hall.led(self._code, self._key)
-            await self._hall.show(room, SentPicture(**make()))
+            room = await self._registry.led(self._code, self._key)
+            await self._registry.show(room, SentPicture(**make()))
         except AwayError:
             return False
         except (ClosedError, FullError):

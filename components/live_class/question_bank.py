@@ -52,7 +52,7 @@ class Judged(Vote, frozen=True, kw_only=True):
     form: str = ""
 
 
-class Lessons:
+class QuestionBank:
     """All that a room must know of walks."""
 
     def __init__(self, walks: Walks, scenes: Scenes) -> None:
@@ -70,9 +70,9 @@ class Lessons:
         known = steps_of(self._walks.values())
         return {(name, text): before.get((name, text)) or read_walk(text, name, known) for name, text in own.items()}
 
-    def taking(self, own: ReadWalks) -> Lessons:
+    def taking(self, own: ReadWalks) -> QuestionBank:
         """With walks from files."""
-        return Lessons({**self._walks, **{name: walk for (name, _), walk in own.items()}}, self._scenes)
+        return QuestionBank({**self._walks, **{name: walk for (name, _), walk in own.items()}}, self._scenes)
 
     async def try_own(self, name: str, text: str, network: str = "") -> Walk:
         """The walk of a file; WalkError, in words, for what is none to be asked."""

@@ -10,7 +10,7 @@ import msgspec
 
 from components.live_class.codes import digest, is_key, join_key, new_code, new_key
 from components.live_class.pauses import by_and_by
-from components.live_class.question_bank import Judged, Lessons
+from components.live_class.question_bank import Judged, QuestionBank
 from components.live_class.remotes import decided
 from components.live_class.room import NOTHING_PUT, ClassRoom
 from components.live_class.store import MOST_VOTES, AwayError, Parts, Store
@@ -42,12 +42,12 @@ class ClosedError(ValueError):
     """There is no such room, or not for who asks; the sentence says so."""
 
 
-class Hall:
+class Registry:
     """All rooms that somebody of this replica is in."""
 
-    def __init__(self, store: Store, lessons: Lessons) -> None:
+    def __init__(self, store: Store, bank: QuestionBank) -> None:
         self.store = store
-        self.lessons = lessons
+        self.bank = bank
         self.rooms: dict[str, ClassRoom] = {}
         self._coming: dict[str, list[ClassRoom]] = {}
         """Those that the store is being asked for: they hear what is told meanwhile."""
@@ -117,12 +117,12 @@ class Hall:
                 same = (put.walk, put.step) == (walk, step)
                 again = max(put.vote, min(asked, put.vote + 1, LAST))  # the same if it is asked for twice
                 vote = again if asked and same else put.vote if same and put.lesson is None else FIRST
-                await self._keep(room, question=self.lessons_of(room).put(walk, step, vote))
+                await self._keep(room, question=self.bank_of(room).put(walk, step, vote))
             case ShowAnswer():
                 put = room.question
                 if not put.step:
                     raise ValueError("No question is open now.")
-                lesson = self.lessons_of(room).lesson(put.walk, put.step)
+                lesson = self.bank_of(room).lesson(put.walk, put.step)
                 await self._keep(room, question=msgspec.structs.replace(put, lesson=lesson))
             case Withdraw():
                 await self._keep(room, question=NOTHING_PUT)
@@ -141,7 +141,7 @@ class Hall:
             raise ValueError(f"A class can keep {MOST_OWN} walks from files; this is one too many.")
         asked = name, text
         if not room.reading:
-            room.reading = asked, asyncio.ensure_future(self.lessons.try_own(name, text, network))
+            room.reading = asked, asyncio.ensure_future(self.bank.try_own(name, text, network))
         elif room.reading[0] != asked:
             raise ValueError("Another walk is being read. Try again in a moment.")
         reading = room.reading[1]  # one that is asked for again, since no answer came, is waited for
@@ -153,13 +153,13 @@ class Hall:
         room.walks = {**room.walks, (name, text): walk}
         await self._keep(room, walks={**room.own, name: text})
 
-    def lessons_of(self, room: ClassRoom) -> Lessons:
+    def bank_of(self, room: ClassRoom) -> QuestionBank:
         """The server's walks, and those that the instructor has handed to the room."""
         own = room.parts.get("walks", b"")
-        if not room.lessons or room.lessons[0] != own:
-            room.walks = self.lessons.read_own(room.own, room.walks)
-            room.lessons = own, self.lessons.taking(room.walks) if own else self.lessons
-        return room.lessons[1]
+        if not room.bank or room.bank[0] != own:
+            room.walks = self.bank.read_own(room.own, room.walks)
+            room.bank = own, self.bank.taking(room.walks) if own else self.bank
+        return room.bank[1]
 
     async def _keep(self, room: ClassRoom, **parts: object) -> None:
         await self.tell(room, {name: msgspec.json.encode(part) for name, part in parts.items()})
@@ -194,7 +194,7 @@ class Hall:
         put = room.question
         if (put.walk, put.step, put.vote) != (vote.walk, vote.step, vote.vote) or put.lesson:
             raise ValueError("This question is closed.")
-        judged = self.lessons_of(room).judge(vote)
+        judged = self.bank_of(room).judge(vote)
         question, answer = _question(put), msgspec.json.encode(judged)
         room.peak = max(room.peak, room.followers)
         most = min(MOST_VOTES, SPARE + 2 * room.peak)
@@ -217,8 +217,8 @@ class Hall:
         except AwayError:
             if question not in room.votes:
                 raise
-        lessons = self.lessons_of(room)
-        return [one async for kept in by_and_by(room.votes[question].values()) if (one := lessons.read(kept))]
+        bank = self.bank_of(room)
+        return [one async for kept in by_and_by(room.votes[question].values()) if (one := bank.read(kept))]
 
     async def tally(self, room: ClassRoom) -> Tally | None:
         put = room.question
@@ -226,14 +226,14 @@ class Hall:
             return None
         votes = await self.given(room, _question(put))
         first = await self.given(room, _question(msgspec.structs.replace(put, vote=FIRST))) if put.vote > 1 else None
-        lessons = self.lessons_of(room)
+        bank = self.bank_of(room)
         return Tally(
             walk=put.walk,
             step=put.step,
             vote=put.vote,
-            now=lessons.counted(put.walk, put.step, votes),
-            before=None if first is None else lessons.counted(put.walk, put.step, first),
-            features=lessons.features(put.walk, put.step),
+            now=bank.counted(put.walk, put.step, votes),
+            before=None if first is None else bank.counted(put.walk, put.step, first),
+            features=bank.features(put.walk, put.step),
             right=sum(one.right for one in votes),
         )
 

@@ -22,7 +22,7 @@ class LetIn(ClassAnswer):
     async def post(self, code: str) -> None:
         room, ticket = await self.led(code), new_key()
         name = f"ticket {digest(ticket).decode()}"
-        await self.asked(self.application.hall.store.lend(name, room.code.encode(), TICKET))
+        await self.asked(self.application.registry.store.lend(name, room.code.encode(), TICKET))
         address = self.address(f"class={room.code}&remote={ticket}")
         self.reply(Ticket(address=address, square=square(address)))
 
@@ -34,7 +34,7 @@ class LetIn(ClassAnswer):
 
     async def _decide(self, code: str, is_in: bool) -> None:
         room, confirmed = await self.led(code), self.body(Confirmed)
-        await self.asked(self.application.hall.decide(room, confirmed.digits, is_in))
+        await self.asked(self.application.registry.decide(room, confirmed.digits, is_in))
         self.set_status(204)
 
 
@@ -46,22 +46,22 @@ class RemoteControl(ClassAnswer):
         if not self.application.tokens.voter(code, self.word):
             raise RefusedError(403, NOT_IN)
         self.often(f"remote {self.word}")
-        return await self.asked(self.application.hall.room(as_code(code)))
+        return await self.asked(self.application.registry.room(as_code(code)))
 
     async def put(self, code: str) -> None:
-        hall, ticket = self.application.hall, self.body(Ticket)
-        kept = await self.asked(hall.store.take(f"ticket {digest(ticket.address).decode()}"))
+        registry, ticket = self.application.registry, self.body(Ticket)
+        kept = await self.asked(registry.store.take(f"ticket {digest(ticket.address).decode()}"))
         if not kept or kept.decode() != as_code(code):
             raise RefusedError(
                 403, "This code has been used, or is older than a minute. The lecturer's screen shows a new one."
             )
-        room = await self.asked(hall.room(as_code(code)))
+        room = await self.asked(registry.room(as_code(code)))
         try:
             digits = new_digits(taken=room.waiting)
         except ValueError as reason:
             raise RefusedError(429, str(reason), TICKET) from reason
         paired = Paired(digits=digits, key=self.application.tokens.new(code))
-        await self.asked(hall.tell(room, begun(digits, paired.key)))
+        await self.asked(registry.tell(room, begun(digits, paired.key)))
         self.reply(paired)
 
     async def get(self, code: str) -> None:
@@ -78,5 +78,5 @@ class RemoteControl(ClassAnswer):
         room, deed = await self._there(code), self.body(Done)
         if not is_in(room.parts, self.word):
             raise RefusedError(403, NOT_IN)
-        await self.asked(self.application.hall.store.tell(room.code, {"deed": msgspec.json.encode(deed.deed)}))
+        await self.asked(self.application.registry.store.tell(room.code, {"deed": msgspec.json.encode(deed.deed)}))
         self.set_status(204)

@@ -10,7 +10,7 @@ from typing import Any, Protocol, TypeVar
 
 import msgspec
 
-from components.live_class.question_bank import Lessons, ReadWalks
+from components.live_class.question_bank import QuestionBank, ReadWalks
 from components.live_class.remotes import WAITS, waiting
 from components.live_class.store import Parts
 from components.page.room import News, PutTo, RunClock, SentPicture
@@ -31,7 +31,7 @@ OBEYED = 10.0
 Kind = TypeVar("Kind")
 
 
-class Ear(Protocol):
+class Listener(Protocol):
     """Who hears what is told of a room."""
 
     @property
@@ -49,8 +49,8 @@ class ClassRoom:
     def __init__(self, code: str, parts: Parts) -> None:
         self.code = code
         self.parts: dict[str, bytes] = dict(parts)
-        self.ears: set[Ear] = set()
-        self.streams: dict[str, list[Ear]] = {}
+        self.listeners: set[Listener] = set()
+        self.streams: dict[str, list[Listener]] = {}
         """The same by the names of those who have them."""
         self.polls: dict[str, float] = {}
         """When each of those who have no stream has asked last, by name."""
@@ -68,7 +68,7 @@ class ClassRoom:
         """Parts that the store has not taken as yet: newer than what it has."""
         self.votes: dict[str, Parts] = {}
         self._decoded: dict[str, tuple[bytes, Any]] = {}
-        self.lessons: tuple[bytes, Lessons] | None = None
+        self.bank: tuple[bytes, QuestionBank] | None = None
         """Those of walks from files, beside the part that they were read from."""
         self.walks: ReadWalks = {}
         """Walks from files, as they were read."""
@@ -89,13 +89,13 @@ class ClassRoom:
     def used(self) -> bool:
         """Whether anybody is in it, or on the way: one who asks now and then, or whose stream has not begun; or
         something that is not saved."""
-        return bool(self.ears or self.unsaved) or monotonic() - self.asked < 2 * SILENCE
+        return bool(self.listeners or self.unsaved) or monotonic() - self.asked < 2 * SILENCE
 
     @property
     def followers(self) -> int:
         now = monotonic()
         self.polls = {one: seen for one, seen in self.polls.items() if now - seen < 2 * SILENCE}
-        return sum(not ear.leads for ear in self.ears) + len(self.polls)
+        return sum(not listener.leads for listener in self.listeners) + len(self.polls)
 
     @property
     def names(self) -> set[str]:
@@ -112,7 +112,7 @@ class ClassRoom:
     def is_led(self) -> bool:
         """Whether a page of the instructor's is here: it keeps the room alive, and a store that forgot it hears it
         anew."""
-        return monotonic() - self._led < 2 * SILENCE or any(ear.leads for ear in self.ears)
+        return monotonic() - self._led < 2 * SILENCE or any(listener.leads for listener in self.listeners)
 
     @property
     def waiting(self) -> tuple[str, ...]:
@@ -196,15 +196,15 @@ class ClassRoom:
 
     def say(self, news: News, leaders: bool = False) -> None:
         event = as_event(news)
-        for ear in list(self.ears):
-            if ear.leads or not leaders:
-                ear.hear(event)
+        for listener in list(self.listeners):
+            if listener.leads or not leaders:
+                listener.hear(event)
 
     def end(self) -> None:
         """The class is over."""
         self.say(News(number=self.number, ended=True))
-        for ear in list(self.ears):
-            ear.end()
+        for listener in list(self.listeners):
+            listener.end()
 
 
 def name_of(word: str) -> str:

@@ -157,7 +157,7 @@ class MemoryStore(Store):
         self._rooms: dict[str, _Room] = {}
         self._counts: dict[tuple[str, int], int] = {}
         self._lent: dict[str, _Kept] = {}
-        self._ears: list[Hear] = []
+        self._listeners: list[Hear] = []
 
     async def open(self, code: str, parts: Parts) -> bool:
         self._forget()
@@ -187,7 +187,7 @@ class MemoryStore(Store):
         return True
 
     async def tell(self, code: str, parts: Parts) -> None:
-        for hear in self._ears:
+        for hear in self._listeners:
             hear(code, parts)
 
     async def end(self, code: str) -> None:
@@ -261,12 +261,12 @@ class MemoryStore(Store):
         return time()
 
     async def listen(self, hear: Hear, ready: Callable[[], None]) -> None:
-        self._ears.append(hear)
+        self._listeners.append(hear)
         ready()
         try:
             await Event().wait()
         finally:
-            self._ears.remove(hear)
+            self._listeners.remove(hear)
 
     async def close(self) -> None:
         """There are none."""
@@ -276,5 +276,5 @@ class MemoryStore(Store):
         now = self._clock()
         for code in [code for code, room in self._rooms.items() if min(room.ends, room.led) <= now]:
             del self._rooms[code]
-            for hear in self._ears:
+            for hear in self._listeners:
                 hear(code, {})

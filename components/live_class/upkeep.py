@@ -9,7 +9,7 @@ from contextlib import suppress
 from secrets import token_hex
 from time import monotonic, time
 
-from components.live_class.registry import ClosedError, Hall
+from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import SILENCE, ClassRoom
 from components.live_class.store import AwayError, FullError, Parts
 from components.page.room import News
@@ -31,10 +31,10 @@ SKEW = 0.2
 
 
 class Upkeep:
-    """Of the rooms of one hall; to be started in a running event loop."""
+    """Of the rooms of one registry; to be started in a running event loop."""
 
-    def __init__(self, hall: Hall) -> None:
-        self.hall = hall
+    def __init__(self, registry: Registry) -> None:
+        self.registry = registry
         self._replica = token_hex(6)
         self._tasks: list[asyncio.Task[None]] = []
         self._round = 0
@@ -54,24 +54,24 @@ class Upkeep:
         for task in self._tasks:
             task.cancel()
         await asyncio.gather(*self._tasks, return_exceptions=True)
-        for room in list(self.hall.rooms.values()):
-            for ear in list(room.ears):
-                ear.end()
+        for room in list(self.registry.rooms.values()):
+            for listener in list(room.listeners):
+                listener.end()
         with suppress(TimeoutError):
             async with asyncio.timeout(FAREWELL):
-                await asyncio.gather(*(self._safely(self._left(room)) for room in self.hall.rooms.values()))
-        await self.hall.store.close()
+                await asyncio.gather(*(self._safely(self._left(room)) for room in self.registry.rooms.values()))
+        await self.registry.store.close()
 
     async def _left(self, room: ClassRoom) -> None:
         """Whoever followed here is counted where they come back."""
-        await self.hall.store.present(room.code, self._replica, 0)
+        await self.registry.store.present(room.code, self._replica, 0)
 
     async def _listen(self) -> None:
         back, lost = asyncio.Event(), 0.0
         while True:
             task, reason = asyncio.create_task(self._return(back, lost)), "nothing is said"
             try:
-                await self.hall.store.listen(self._hear, back.set)
+                await self.registry.store.listen(self._hear, back.set)
             except AwayError as error:
                 reason = str(error.__cause__ or error)
             except Exception:
@@ -88,7 +88,7 @@ class Upkeep:
     def _hear(self, code: str, parts: Parts) -> None:
         """What cannot be read, of another version for instance, is no reason to listen no more."""
         try:
-            self.hall.hear(code, parts)
+            self.registry.hear(code, parts)
         except Exception:
             log.exception("News of a live class could not be read")
 
@@ -98,28 +98,28 @@ class Upkeep:
         self.listening = True
         if lost:
             log.warning("The store that replicas share is back after %.1f s", monotonic() - lost)
-        for room in list(self.hall.rooms.values()):
+        for room in list(self.registry.rooms.values()):
             await self._safely(self._restore(room))
         self._say(lost=False)
 
     def _say(self, lost: bool) -> None:
-        for room in list(self.hall.rooms.values()):
+        for room in list(self.registry.rooms.values()):
             if room.lost != lost:
                 room.change(lost=lost)
 
     async def _restore(self, room: ClassRoom) -> None:
-        store = self.hall.store
+        store = self.registry.store
         if room.is_led and await store.open(room.code, room.parts):
             for question, votes in room.votes.items():
                 for voter, vote in votes.items():
                     await store.vote(room.code, question, voter, vote)
-            await self.hall.write(room, room.parts)
+            await self.registry.write(room, room.parts)
         await self._save(room)
         parts = await self._looked_up(room)
         changed = {name: part for name, part in parts.items() if name != "by" and room.parts.get(name) != part}
         room.missed = 0 if parts else room.missed + 1
         if room.missed == PATIENCE:
-            self.hall.hear(room.code, {})
+            self.registry.hear(room.code, {})
         elif changed:
             room.tell(changed)
 
@@ -127,13 +127,13 @@ class Upkeep:
         """Where the store has forgotten the room, its instructor's replica comes first."""
         if room.unsaved:
             with suppress(ClosedError):
-                await self.hall.write(room, dict(room.unsaved))
+                await self.registry.write(room, dict(room.unsaved))
 
     async def _looked_up(self, room: ClassRoom) -> Parts:
         """What the store has of a room; what was told while it was asked may be newer than its answer."""
         for _ in range(TRIES):
             number = room.number
-            parts = await self.hall.store.parts(room.code)
+            parts = await self.registry.store.parts(room.code)
             if room.number == number:
                 return parts
         return room.parts
@@ -144,7 +144,7 @@ class Upkeep:
             self._round += 1
             if self._round % int(SILENCE / COUNTING) == 1:
                 await self._safely(self._look_at_store())
-            for room in list(self.hall.rooms.values()):
+            for room in list(self.registry.rooms.values()):
                 await self._safely(self._look_at(room))
 
     async def _safely(self, act: Awaitable[None]) -> None:
@@ -162,8 +162,8 @@ class Upkeep:
 
     async def _look_at_store(self) -> None:
         """How many rooms it has, and whether its clock and this machine's agree."""
-        self.rooms = await self.hall.store.rooms()
-        skew = time() - await self.hall.store.time()
+        self.rooms = await self.registry.store.rooms()
+        skew = time() - await self.registry.store.time()
         if abs(skew) > SKEW >= abs(self.skew):
             log.warning("This machine's clock is %+.1f s off the store's: replicas show a class different times", skew)
         self.skew = skew
@@ -175,17 +175,17 @@ class Upkeep:
         if not room.lost:
             await (self._restore if turn else self._save)(room)
         if turn and room.is_led:
-            await self.hall.store.keep(room.code, {})
-        here = await self.hall.store.present(room.code, self._replica, room.followers)
+            await self.registry.store.keep(room.code, {})
+        here = await self.registry.store.present(room.code, self._replica, room.followers)
         names = frozenset(room.names)
         if turn or names != self._named.get(room.code, frozenset()):
-            await self.hall.store.name(room.code, self._replica, names)
+            await self.registry.store.name(room.code, self._replica, names)
             self._named[room.code] = names
         if here != room.here:
             room.change(here=here)
         elif turn:
             room.say(News(number=room.number, here=here))
         self._full = False
-        self.hall.leave(room)
-        if room.code not in self.hall.rooms:
+        self.registry.leave(room)
+        if room.code not in self.registry.rooms:
             self._named.pop(room.code, None)

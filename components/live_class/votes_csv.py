@@ -8,7 +8,7 @@ import re
 
 from components.live_class.pauses import by_and_by
 from components.live_class.question_bank import Judged
-from components.live_class.registry import Hall
+from components.live_class.registry import Registry
 from components.live_class.room import ClassRoom
 from components.numbers import shortest
 
@@ -18,13 +18,13 @@ NUMBER = re.compile(r"-?\d+(\.\d+)?(e[+-]?\d+)?")
 HEAD = ("walk", "step", "vote", "answer", "right")
 
 
-async def answers_csv(hall: Hall, room: ClassRoom) -> str:
+async def votes_csv(registry: Registry, room: ClassRoom) -> str:
     """A line for each answer, in no order that tells one follower from another."""
     text = io.StringIO(newline="")
     writer = csv.writer(text)
     writer.writerow(HEAD)
-    for question in await hall.store.questions(room.code):
-        judged = await hall.given(room, question)
+    for question in await registry.store.questions(room.code):
+        judged = await registry.given(room, question)
         rows = [(said(one), "yes" if one.right else "no") async for one in by_and_by(judged)]
         walk, step, vote = question.split("/")
         async for row in by_and_by(sorted(rows)):

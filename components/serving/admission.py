@@ -40,7 +40,7 @@ class InLine(NamedTuple):
     seen: float
 
 
-class Door:
+class Admission:
     """Lets in as many as there are places for; the others have tickets, and are let in by turns."""
 
     def __init__(

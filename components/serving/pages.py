@@ -85,9 +85,9 @@ class Page(Visited, SessionHandler):  # type: ignore[misc]  # Bokeh's are not lo
         if "class" in self.request.arguments:
             self._follow()
             return
-        asked = self.request.arguments.pop("ticket", [b""])[0]  # is between door and visitor, no part of the link
+        asked = self.request.arguments.pop("ticket", [b""])[0]  # is between server and visitor, no part of the link
         shown = self.request.headers.get(TICKET) or asked.decode("latin-1")
-        place, ticket = self.application.door.knock(shown, str(network_of(self.visitor)))
+        place, ticket = self.application.admission.knock(shown, str(network_of(self.visitor)))
         if place:
             self._wait(place, ticket)
             return
@@ -130,7 +130,7 @@ class Page(Visited, SessionHandler):  # type: ignore[misc]  # Bokeh's are not lo
         self.set_header("Cache-Control", "no-store")
         self.set_header("Content-Security-Policy", policy(self.settings["frame_ancestors"], scripts_of(page)))
         address = "?" + "&".join([*parts, f"ticket={ticket}"])
-        places = self.application.door.places
+        places = self.application.admission.places
         self.write(page.render(places=places, place=ordinal(place), address=address))
 
     def head(self) -> None:

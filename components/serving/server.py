@@ -21,12 +21,12 @@ from tornado.httpserver import HTTPServer
 from tornado.ioloop import IOLoop, PeriodicCallback
 
 from components.live_class.codes import Tokens
-from components.live_class.question_bank import Lessons
-from components.live_class.registry import Hall
+from components.live_class.question_bank import QuestionBank
+from components.live_class.registry import Registry
 from components.live_class.routes import class_routes
 from components.live_class.store import MemoryStore
 from components.live_class.upkeep import Upkeep
-from components.serving.admission import Door, Guest, gives_way
+from components.serving.admission import Admission, Guest, gives_way
 from components.serving.answers import Missing, Moved
 from components.serving.assets import AssetFiles, assets, packed_files
 from components.serving.health import Figures, Liveness, Readiness
@@ -65,7 +65,7 @@ class Lecture(BokehTornado):  # type: ignore[misc]  # Bokeh's are not looked int
         port: int,
         figures: Looked,
         sheets: Mapping[str, bytes],
-        hall: Hall,
+        registry: Registry,
     ) -> None:
         self.sockets: set[Socket] = set()
         self.ending = False
@@ -92,8 +92,8 @@ class Lecture(BokehTornado):  # type: ignore[misc]  # Bokeh's are not looked int
             metrics_for=networks(("127.0.0.0/8", "::1", *settings.metrics_for)),
         )
         self.asked = settings
-        self.hall = hall
-        self.upkeep = Upkeep(hall)
+        self.registry = registry
+        self.upkeep = Upkeep(registry)
         self.tokens = Tokens(settings.bokeh_secret_key)
         self.class_rate = Rate(OF_A_CLASS)
         self.openings = Arrivals(OPENINGS)
@@ -101,18 +101,18 @@ class Lecture(BokehTornado):  # type: ignore[misc]  # Bokeh's are not looked int
         self.returns = Rate(RETURNS)
         self.returning = Arrivals(RETURNS * settings.arrivals)
         self.guests: WeakKeyDictionary[ServerSession, Guest] = WeakKeyDictionary()
-        self.door = Door(settings.sessions, taken=self._taken, make_way=self._make_way, held=self._held)
+        self.admission = Admission(settings.sessions, taken=self._taken, make_way=self._make_way, held=self._held)
         self.metrics = Metrics(
             version(),
-            line=("Visitors who wait for a place", lambda: len(self.door)),
+            line=("Visitors who wait for a place", lambda: len(self.admission)),
             answers=(
                 "Answers of live classes that were looked up here",
-                lambda: sum(len(votes) for room in hall.rooms.values() for votes in room.votes.values()),
+                lambda: sum(len(votes) for room in registry.rooms.values() for votes in room.votes.values()),
             ),
             sessions=("Sessions, with and without a visitor", self._taken),
             sockets=("Visitors who are connected", lambda: len(self.sockets)),
-            rooms=("Live classes that somebody here leads or follows", lambda: len(hall.rooms)),
-            followers=("Those who follow one", lambda: hall.followers),
+            rooms=("Live classes that somebody here leads or follows", lambda: len(registry.rooms)),
+            followers=("Those who follow one", lambda: registry.followers),
             store_rooms=("Live classes that the store has, of all replicas", lambda: self.upkeep.rooms),
             store_up=("1 while the store of live classes answers, else 0", lambda: self.upkeep.listening),
             store_skew_seconds=("By how much this clock is ahead of the store's", lambda: self.upkeep.skew),
@@ -158,7 +158,7 @@ class Lecture(BokehTornado):  # type: ignore[misc]  # Bokeh's are not looked int
 
     def _make_way(self, network: str) -> bool:
         """Send somebody away for a visitor of a network; False where nobody gives way."""
-        leaves = gives_way(self._here(), self.door.places, network, monotonic())
+        leaves = gives_way(self._here(), self.admission.places, network, monotonic())
         if leaves is None:
             return False
         leaves.request_expiration()
@@ -193,11 +193,11 @@ class Server:
         settings: Settings,
         figures: Looked | None = None,
         sheets: Mapping[str, bytes] | None = None,
-        hall: Hall | None = None,
+        registry: Registry | None = None,
     ) -> None:
         listening, self.port = bind_sockets(settings.address, settings.port)
-        hall = hall or Hall(MemoryStore(), Lessons({}, {}))
-        self.lecture = Lecture(open_page, settings, self.port, figures or {}, sheets or {}, hall)
+        registry = registry or Registry(MemoryStore(), QuestionBank({}, {}))
+        self.lecture = Lecture(open_page, settings, self.port, figures or {}, sheets or {}, registry)
         self.lecture.initialize(IOLoop.current())
         self._http = HTTPServer(
             self.lecture,

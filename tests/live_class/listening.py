@@ -7,12 +7,12 @@ from collections.abc import Callable
 
 import msgspec
 
-from components.live_class.question_bank import Lessons
+from components.live_class.question_bank import QuestionBank
 from components.page.room import News
 from components.scenes import SCENES
 from components.walks.registry import all_walks
 
-LESSONS = Lessons(all_walks((), SCENES), SCENES)
+BANK = QuestionBank(all_walks((), SCENES), SCENES)
 CHOICE = ("d31", "d31-03")
 
 

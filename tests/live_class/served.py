@@ -10,7 +10,7 @@ from typing import Any
 
 from app import SHEETS, walked
 from components.live_class.publisher import Publisher
-from components.live_class.registry import Hall
+from components.live_class.registry import Registry
 from components.live_class.store import MemoryStore
 from components.serving.server import Server
 from components.serving.settings import Settings
@@ -22,10 +22,10 @@ Test = Callable[[Server, str], Coroutine[None, None, None]]
 
 @asynccontextmanager
 async def served(**settings: Any) -> AsyncIterator[tuple[Server, str]]:
-    hall = Hall(MemoryStore(), LECTURE.lessons)
-    page = partial(LECTURE.open_page, lead=partial(Publisher, hall))
+    registry = Registry(MemoryStore(), LECTURE.bank)
+    page = partial(LECTURE.open_page, lead=partial(Publisher, registry))
     made = Settings(**{"address": "127.0.0.1", "port": 0, **settings})
-    server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, hall=hall)
+    server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, registry=registry)
     try:
         yield server, f"http://127.0.0.1:{server.port}/"
     finally:

@@ -11,14 +11,14 @@ import pytest
 
 from components.live_class import publisher
 from components.live_class.publisher import Publisher
-from components.live_class.registry import ClosedError, Hall
+from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import KEPT, ClassRoom
 from components.live_class.store import AwayError, FullError, MemoryStore, Parts
 from components.live_class.upkeep import Upkeep
 from components.page.room import PutQuestion, RunClock, SentPicture, Vote
 from components.scenes import SCENES
 from components.session import Session
-from tests.live_class.listening import CHOICE, LESSONS, Listener, until
+from tests.live_class.listening import BANK, CHOICE, Listener, until
 
 CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)
 CLOCK_PART = msgspec.json.encode(CLOCK)
@@ -48,41 +48,41 @@ class Wayward(MemoryStore):
             raise AwayError("away")
 
 
-def in_rooms(test: Callable[[Wayward, Hall, Upkeep, str, str], Awaitable[None]]) -> None:
-    """Runs a test in a hall whose store is heard."""
+def in_rooms(test: Callable[[Wayward, Registry, Upkeep, str, str], Awaitable[None]]) -> None:
+    """Runs a test with a registry whose store is heard."""
 
     async def whole() -> None:
         store = Wayward()
-        hall = Hall(store, LESSONS)
-        listening = asyncio.create_task(store.listen(hall.hear, lambda: None))
+        registry = Registry(store, BANK)
+        listening = asyncio.create_task(store.listen(registry.hear, lambda: None))
         await asyncio.sleep(0)
-        await test(store, hall, Upkeep(hall), *await hall.open())
+        await test(store, registry, Upkeep(registry), *await registry.open())
         listening.cancel()
 
     asyncio.run(whole())
 
 
 def test_what_is_told_while_a_room_is_looked_up_is_heard() -> None:
-    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
         store.meanwhile = lambda: MemoryStore.keep(store, code, {"clock": CLOCK_PART})
-        room = await hall.room(code)
-        assert room.whole().clock == CLOCK and await hall.led(code, key) is room
-        del hall.rooms[code]
+        room = await registry.room(code)
+        assert room.whole().clock == CLOCK and await registry.led(code, key) is room
+        del registry.rooms[code]
         store.meanwhile = lambda: store.end(code)
         with pytest.raises(ClosedError):
-            await hall.room(code)
-        assert not hall.rooms
+            await registry.room(code)
+        assert not registry.rooms
 
     in_rooms(test)
 
 
 def test_a_look_at_the_store_brings_nothing_older_back() -> None:
-    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
-        room = await hall.led(code, key)
+    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+        room = await registry.led(code, key)
         listener = Listener()
-        room.ears.add(listener)
-        await hall.show(room, SentPicture(sheet="s", data=b"1"))
-        store.meanwhile = lambda: hall.show(room, SentPicture(sheet="s", data=b"2"))
+        room.listeners.add(listener)
+        await registry.show(room, SentPicture(sheet="s", data=b"1"))
+        store.meanwhile = lambda: registry.show(room, SentPicture(sheet="s", data=b"2"))
         await upkeep._restore(room)
         assert [news.picture and news.picture.data for news in listener.news] == [b"1", b"2"]
 
@@ -90,11 +90,11 @@ def test_a_look_at_the_store_brings_nothing_older_back() -> None:
 
 
 def test_what_a_store_that_was_away_has_missed_takes_the_place_of_what_it_knows() -> None:
-    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
-        room = await hall.led(code, key)
-        await hall.obey(room, PutQuestion(walk="d31", step="d31-02"))
+    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+        room = await registry.led(code, key)
+        await registry.obey(room, PutQuestion(walk="d31", step="d31-02"))
         store.away = True
-        await hall.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
+        await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
         assert room.used and room.question.step == CHOICE[1]  # those who are here have it at once
         store.away = False
         await upkeep._restore(room)
@@ -107,12 +107,12 @@ def test_what_a_store_that_was_away_has_missed_takes_the_place_of_what_it_knows(
 def test_a_picture_waits_for_a_store_that_is_away(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(publisher, "AGAIN", 0.01)
 
-    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
         store.away = True  # and this replica does not know the room: its instructor's stream is elsewhere
-        Publisher(hall, code, key)(lambda: {"sheet": "s", "data": b"1"})
+        Publisher(registry, code, key)(lambda: {"sheet": "s", "data": b"1"})
         await asyncio.sleep(0.05)
         store.away = False
-        await until(lambda: code in hall.rooms and hall.rooms[code].whole().picture)
+        await until(lambda: code in registry.rooms and registry.rooms[code].whole().picture)
 
     in_rooms(test)
 
@@ -120,18 +120,18 @@ def test_a_picture_waits_for_a_store_that_is_away(monkeypatch: pytest.MonkeyPatc
 def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(publisher, "AGAIN", 0.001)
 
-    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
         store.away = True
         session, asked = Session(SCENES["coupled"]()), 0
-        session.lead = lambda *given: Publisher(hall, *given)
-        led = hall.led
+        session.lead = lambda *given: Publisher(registry, *given)
+        led = registry.led
 
         async def counted(*given: str) -> ClassRoom:
             nonlocal asked
             asked += 1
             return await led(*given)
 
-        monkeypatch.setattr(hall, "led", counted)
+        monkeypatch.setattr(registry, "led", counted)
         before = len(asyncio.all_tasks())
         for number in range(50):
             session.hear({"type": "lead", "code": code, "key": key, "number": number})
@@ -143,14 +143,14 @@ def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monkeypatc
         assert len(asyncio.all_tasks()) == before
         store.away = False
         await asyncio.sleep(0.01)
-        assert not hall.rooms
+        assert not registry.rooms
 
     in_rooms(test)
 
 
 def test_news_that_cannot_be_read_are_no_reason_to_listen_no_more(caplog: pytest.LogCaptureFixture) -> None:
-    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
-        room = await hall.room(code)
+    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+        room = await registry.room(code)
         upkeep._hear(code, {"clock": b'{"type":"another version"}'})
         upkeep._hear(code, {"clock": CLOCK_PART})
         assert room.whole().clock == CLOCK and "could not be read" in caplog.text
@@ -159,8 +159,8 @@ def test_news_that_cannot_be_read_are_no_reason_to_listen_no_more(caplog: pytest
 
 
 def test_who_has_no_stream_learns_who_is_here_and_leads_as_well() -> None:
-    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
-        room = await hall.led(code, key)
+    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+        room = await registry.led(code, key)
         assert not room.is_led
         room.polled(key, leads=True)
         room.polled("a follower's", leads=False)
@@ -176,8 +176,8 @@ def test_who_has_no_stream_learns_who_is_here_and_leads_as_well() -> None:
 
 
 def test_who_followed_a_replica_that_ends_is_not_counted_there_any_more() -> None:
-    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
-        room = await hall.led(code, key)
+    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+        room = await registry.led(code, key)
         room.polled("a follower's", leads=False)
         await upkeep._look_at(room)
         assert await store.present(code, "another", 1) == 2
@@ -190,7 +190,7 @@ def test_who_followed_a_replica_that_ends_is_not_counted_there_any_more() -> Non
 def test_a_store_that_stays_away_is_logged_once(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
         asked = 0
 
         async def listen(_: object, ready: Callable[[], None]) -> None:
@@ -213,7 +213,7 @@ def test_a_store_that_stays_away_is_logged_once(
 
 
 def test_clocks_that_differ_and_a_full_store_are_noticed_once(caplog: pytest.LogCaptureFixture) -> None:
-    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
+    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
         await upkeep._look_at_store()
         assert (upkeep.rooms, caplog.text) == (1, "") and abs(upkeep.skew) < 0.1
 
@@ -228,7 +228,7 @@ def test_clocks_that_differ_and_a_full_store_are_noticed_once(caplog: pytest.Log
         async def full(*_: object) -> int:
             raise FullError("The store is full.")
 
-        room = await hall.led(code, key)
+        room = await registry.led(code, key)
         store.present = full  # type: ignore[assignment,method-assign]
         for _ in range(3):
             await upkeep._safely(upkeep._look_at(room))
@@ -247,12 +247,12 @@ def test_answers_do_not_make_a_deed_forgotten() -> None:
 
 
 def test_a_vote_that_is_asked_for_twice_is_one() -> None:
-    async def test(store: Wayward, hall: Hall, upkeep: Upkeep, code: str, key: str) -> None:
-        room, (walk, step) = await hall.led(code, key), CHOICE
-        await hall.obey(room, PutQuestion(walk=walk, step=step))
+    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+        room, (walk, step) = await registry.led(code, key), CHOICE
+        await registry.obey(room, PutQuestion(walk=walk, step=step))
         for vote, stands in ((2, 2), (2, 2), (1, 2), (9, 3)):
-            await hall.obey(room, PutQuestion(walk=walk, step=step, vote=vote))
+            await registry.obey(room, PutQuestion(walk=walk, step=step, vote=vote))
             assert room.question.vote == stands
-        await hall.vote(room, "one", Vote(walk=walk, step=step, option=0, vote=3))
+        await registry.vote(room, "one", Vote(walk=walk, step=step, option=0, vote=3))
 
     in_rooms(test)

@@ -13,10 +13,10 @@ from components.live_class import pauses, question_bank
 from components.live_class import registry as registry_of
 from components.live_class import room as room_of
 from components.live_class.codes import SIGNS, Tokens, as_code, new_code
-from components.live_class.registry import ClosedError, Hall
+from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import ClassRoom
 from components.live_class.upkeep import Upkeep
-from components.live_class.votes_csv import answers_csv, cell
+from components.live_class.votes_csv import cell, votes_csv
 from components.page.room import (
     EndRoom,
     HandWalk,
@@ -30,11 +30,11 @@ from components.page.room import (
     Withdraw,
 )
 from components.walks.loading import read_walk
-from tests.live_class.listening import CHOICE, LESSONS, Listener, until
+from tests.live_class.listening import BANK, CHOICE, Listener, until
 from tests.live_class.stores import KINDS, Valkey, made, valkey_running
 
 NUMBER, POINT, SKETCH = ("d31", "d31-02"), ("d34", "d34-04"), ("d34", "d34-14")
-Test = Callable[[Hall, ClassRoom], Coroutine[None, None, None]]
+Test = Callable[[Registry, ClassRoom], Coroutine[None, None, None]]
 
 
 @pytest.fixture(params=KINDS)
@@ -46,14 +46,14 @@ def in_class(request: pytest.FixtureRequest) -> Callable[[Test], None]:
     def run(test: Test) -> None:
         async def whole() -> None:
             async with made(kind, url) as store:
-                hall = Hall(store, LESSONS)
-                upkeep = Upkeep(hall)
+                registry = Registry(store, BANK)
+                upkeep = Upkeep(registry)
                 upkeep.start()
                 try:
-                    code, key = await hall.open()
-                    room = await hall.led(code, key)
+                    code, key = await registry.open()
+                    room = await registry.led(code, key)
                     await until(lambda: upkeep.listening)
-                    await test(hall, room)
+                    await test(registry, room)
                 finally:
                     await upkeep.end()
 
@@ -78,44 +78,44 @@ def test_a_token_is_good_for_one_room_and_cannot_be_made_up() -> None:
 
 
 def test_who_lacks_the_key_cannot_lead(in_class: Callable[[Test], None]) -> None:
-    async def test(hall: Hall, room: ClassRoom) -> None:
+    async def test(registry: Registry, room: ClassRoom) -> None:
         for key in ("", "x" * 32):
             with pytest.raises(ClosedError):
-                await hall.led(room.code, key)
+                await registry.led(room.code, key)
         with pytest.raises(ClosedError):
-            await hall.room("ZZZZ")
+            await registry.room("ZZZZ")
 
     in_class(test)
 
 
 def test_followers_hear_what_is_new_and_late_ones_all_of_it(in_class: Callable[[Test], None]) -> None:
-    async def test(hall: Hall, room: ClassRoom) -> None:
+    async def test(registry: Registry, room: ClassRoom) -> None:
         follower = Listener()
-        room.ears.add(follower)
-        await hall.show(room, SentPicture(sheet="s", data=b"\x01\x02"))
-        await hall.obey(room, RunClock(t=2.0, rate=1.0, end=20.0, at=0.0))
-        await hall.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
+        room.listeners.add(follower)
+        await registry.show(room, SentPicture(sheet="s", data=b"\x01\x02"))
+        await registry.obey(room, RunClock(t=2.0, rate=1.0, end=20.0, at=0.0))
+        await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
         await until(lambda: any(news.question for news in follower.news))
         assert follower.news[0].picture == SentPicture(sheet="s", data=b"\x01\x02")
         told = room.whole()
         assert told.picture and told.clock and told.question and told.question.place == "D31, slide 1 · 3 of 16"
         assert 1000 * time() - 6000 < told.clock.at < 1000 * time()  # no clock runs since 1970
-        await hall.obey(room, Withdraw())
-        await hall.obey(room, EndRoom())
+        await registry.obey(room, Withdraw())
+        await registry.obey(room, EndRoom())
         await until(lambda: follower.ended)
         assert follower.news[-1].ended
         with pytest.raises(ClosedError):
-            await hall.obey(room, Withdraw())
+            await registry.obey(room, Withdraw())
 
     in_class(test)
 
 
 def test_the_instructor_alone_hears_of_answers(in_class: Callable[[Test], None]) -> None:
-    async def test(hall: Hall, room: ClassRoom) -> None:
+    async def test(registry: Registry, room: ClassRoom) -> None:
         follower, leader = Listener(), Listener(leads=True)
-        room.ears |= {follower, leader}
-        await hall.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
-        await hall.vote(room, "one", Vote(walk=CHOICE[0], step=CHOICE[1], option=1))
+        room.listeners |= {follower, leader}
+        await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
+        await registry.vote(room, "one", Vote(walk=CHOICE[0], step=CHOICE[1], option=1))
         await until(lambda: any(news.answers for news in leader.news))
         assert not any(news.answers for news in follower.news)
         assert room.followers == 1 and room.is_led
@@ -124,27 +124,27 @@ def test_the_instructor_alone_hears_of_answers(in_class: Callable[[Test], None])
 
 
 def test_asked_again_the_first_vote_is_kept(in_class: Callable[[Test], None]) -> None:
-    async def test(hall: Hall, room: ClassRoom) -> None:
+    async def test(registry: Registry, room: ClassRoom) -> None:
         walk, step = CHOICE
-        assert await hall.tally(room) is None
-        await hall.obey(room, PutQuestion(walk=walk, step=step))
+        assert await registry.tally(room) is None
+        await registry.obey(room, PutQuestion(walk=walk, step=step))
         for voter, option in (("one", 0), ("two", 0), ("three", 1), ("one", 1)):
-            await hall.vote(room, voter, Vote(walk=walk, step=step, option=option))
-        await hall.obey(room, PutQuestion(walk=walk, step=step))  # a page that comes back asks the same vote
-        tally = await hall.tally(room)
+            await registry.vote(room, voter, Vote(walk=walk, step=step, option=option))
+        await registry.obey(room, PutQuestion(walk=walk, step=step))  # a page that comes back asks the same vote
+        tally = await registry.tally(room)
         assert tally and tally.now.options == (1, 2, 0) and tally.before is None and tally.now.answered == 3
-        await hall.obey(room, PutQuestion(walk=walk, step=step, vote=2))
+        await registry.obey(room, PutQuestion(walk=walk, step=step, vote=2))
         with pytest.raises(ValueError, match="closed"):
-            await hall.vote(room, "one", Vote(walk=walk, step=step, option=0))
-        await hall.vote(room, "one", Vote(walk=walk, step=step, option=2, vote=2))
-        tally = await hall.tally(room)
+            await registry.vote(room, "one", Vote(walk=walk, step=step, option=0))
+        await registry.vote(room, "one", Vote(walk=walk, step=step, option=2, vote=2))
+        tally = await registry.tally(room)
         assert tally and tally.before and (tally.before.options, tally.now.options) == ((1, 2, 0), (0, 0, 1))
-        await hall.obey(room, ShowAnswer())
+        await registry.obey(room, ShowAnswer())
         with pytest.raises(ValueError, match="closed"):
-            await hall.vote(room, "two", Vote(walk=walk, step=step, option=0, vote=2))
+            await registry.vote(room, "two", Vote(walk=walk, step=step, option=0, vote=2))
         assert room.question.lesson and room.question.lesson.right is None
         assert [verdict.right for verdict in room.question.lesson.verdicts] == [True, False, False]
-        lines = (await answers_csv(hall, room)).splitlines()
+        lines = (await votes_csv(registry, room)).splitlines()
         assert lines[0] == "walk,step,vote,answer,right"
         assert sorted(lines[1:]) == sorted(f"{walk},{step},{row}" for row in ("1,1,yes", "1,2,no", "1,2,no", "2,3,no"))
 
@@ -152,23 +152,23 @@ def test_asked_again_the_first_vote_is_kept(in_class: Callable[[Test], None]) ->
 
 
 def test_numbers_points_and_sketches(in_class: Callable[[Test], None]) -> None:
-    async def test(hall: Hall, room: ClassRoom) -> None:
+    async def test(registry: Registry, room: ClassRoom) -> None:
         drawn: list[int | None] = [round(10 * i) for i in range(101)]
         for (walk, step), good, bad in (
             (NUMBER, {"text": "2"}, {"text": "two"}),
             (POINT, {"value": 1.5}, {"option": 1}),
             (SKETCH, {"curves": {"Xp1": drawn}}, {"curves": {"Xp1": drawn[:50]}}),
         ):
-            await hall.obey(room, PutQuestion(walk=walk, step=step))
-            await hall.vote(room, "one", msgspec.convert({"walk": walk, "step": step, **good}, Vote))
+            await registry.obey(room, PutQuestion(walk=walk, step=step))
+            await registry.vote(room, "one", msgspec.convert({"walk": walk, "step": step, **good}, Vote))
             with pytest.raises(ValueError):
-                await hall.vote(room, "two", msgspec.convert({"walk": walk, "step": step, **bad}, Vote))
+                await registry.vote(room, "two", msgspec.convert({"walk": walk, "step": step, **bad}, Vote))
             for more in ({"text": "=cmd"}, {"option": 0}, {"value": 0.5}, {"curves": {"Xp1": drawn}}):
                 if more.keys() != good.keys():  # a field of another kind goes along into the table of answers
                     with pytest.raises(ValueError, match="does not fit"):
                         fields = {"walk": walk, "step": step, **good, **more}
-                        await hall.vote(room, "three", msgspec.convert(fields, Vote))
-            tally = await hall.tally(room)
+                        await registry.vote(room, "three", msgspec.convert(fields, Vote))
+            tally = await registry.tally(room)
             assert isinstance(tally, Tally) and tally.now.answered == 1
             if step == SKETCH[1]:
                 assert tally.now.sketches[0].curves == {"Xp1": drawn}
@@ -188,22 +188,22 @@ def test_an_answer_is_judged_once_and_a_vote_reads_its_question_once(
         room_of.msgspec.json, "decode", lambda part, type: (read.append(type), decode(part, type=type))[1]
     )
 
-    async def test(hall: Hall, room: ClassRoom) -> None:
+    async def test(registry: Registry, room: ClassRoom) -> None:
         judged: list[object] = []
-        seen = hall.lessons._seen
-        monkeypatch.setattr(hall.lessons, "_seen", lambda *given: (judged.append(given), seen(*given))[1])
+        seen = registry.bank._seen
+        monkeypatch.setattr(registry.bank, "_seen", lambda *given: (judged.append(given), seen(*given))[1])
         walk, step = SKETCH
-        await hall.obey(room, PutQuestion(walk=walk, step=step))
+        await registry.obey(room, PutQuestion(walk=walk, step=step))
         await until(lambda: PutTo in read)
         read.clear()
         for voter in map(str, range(20)):
-            await hall.vote(room, voter, Vote(walk=walk, step=step, curves={"Xp1": [int(voter)] * 101}))
+            await registry.vote(room, voter, Vote(walk=walk, step=step, curves={"Xp1": [int(voter)] * 101}))
         assert read.count(PutTo) <= 1
         for _ in range(3):
-            tally = await hall.tally(room)
+            tally = await registry.tally(room)
         assert tally and tally.now.answered == 20 and len(judged) == 20
         assert tally.now.having == tuple(sum(one.has[i] for one in tally.now.sketches) for i in range(5))
-        assert len((await answers_csv(hall, room)).splitlines()) == 21 and len(judged) == 20
+        assert len((await votes_csv(registry, room)).splitlines()) == 21 and len(judged) == 20
 
     in_class(test)
 
@@ -214,11 +214,11 @@ def test_of_a_large_room_all_sketches_are_counted_and_some_are_told(
     monkeypatch.setattr(question_bank, "MOST_SKETCHES", 3)
     monkeypatch.setattr(pauses, "SLICE", 0.0)
 
-    async def test(hall: Hall, room: ClassRoom) -> None:
+    async def test(registry: Registry, room: ClassRoom) -> None:
         walk, step = SKETCH
-        await hall.obey(room, PutQuestion(walk=walk, step=step))
+        await registry.obey(room, PutQuestion(walk=walk, step=step))
         for voter in "abcde":
-            await hall.vote(room, voter, Vote(walk=walk, step=step, curves={"Xp1": [500] * 101}))
+            await registry.vote(room, voter, Vote(walk=walk, step=step, curves={"Xp1": [500] * 101}))
         turns, ended = 0, asyncio.Event()
 
         async def others() -> None:
@@ -230,11 +230,11 @@ def test_of_a_large_room_all_sketches_are_counted_and_some_are_told(
         beside = asyncio.create_task(others())
         await asyncio.sleep(0)
         before = turns
-        judged = await hall.given(room, f"{walk}/{step}/1")
+        judged = await registry.given(room, f"{walk}/{step}/1")
         assert turns - before >= len(judged) == 5  # others have their turns between the answers
         ended.set()
         await beside
-        tally = await hall.tally(room)
+        tally = await registry.tally(room)
         assert tally and (tally.now.answered, len(tally.now.sketches)) == (5, 3)
 
     in_class(test)
@@ -252,23 +252,23 @@ def test_no_spreadsheet_works_a_cell_out(text: str, safe: str) -> None:
 
 
 def test_a_number_is_written_as_one(in_class: Callable[[Test], None]) -> None:
-    async def test(hall: Hall, room: ClassRoom) -> None:
+    async def test(registry: Registry, room: ClassRoom) -> None:
         walk, step = NUMBER
-        await hall.obey(room, PutQuestion(walk=walk, step=step))
+        await registry.obey(room, PutQuestion(walk=walk, step=step))
         for voter, text in enumerate(("−2", "-1,5", "+3", "-10^3", "2")):
-            await hall.vote(room, str(voter), Vote(walk=walk, step=step, text=text))
-        rows = [line.split(",")[3:] for line in (await answers_csv(hall, room)).splitlines()[1:]]
+            await registry.vote(room, str(voter), Vote(walk=walk, step=step, text=text))
+        rows = [line.split(",")[3:] for line in (await votes_csv(registry, room)).splitlines()[1:]]
         assert rows == sorted([["-2", "no"], ["-1.5", "no"], ["3", "no"], ["-1000", "no"], ["2", "yes"]])
 
     in_class(test)
 
 
 def test_a_walk_that_the_server_does_not_know_is_refused(in_class: Callable[[Test], None]) -> None:
-    async def test(hall: Hall, room: ClassRoom) -> None:
+    async def test(registry: Registry, room: ClassRoom) -> None:
         with pytest.raises(ValueError, match="does not know its walk"):
-            await hall.obey(room, PutQuestion(walk="mine", step="one"))
+            await registry.obey(room, PutQuestion(walk="mine", step="one"))
         with pytest.raises(ValueError, match="No question"):
-            await hall.obey(room, ShowAnswer())
+            await registry.obey(room, ShowAnswer())
 
     in_class(test)
 
@@ -278,18 +278,18 @@ def test_a_walk_from_a_file_is_read_once(in_class: Callable[[Test], None], monke
     text, read = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n', list[str]()
     monkeypatch.setattr(question_bank, "read_walk", lambda *given: (read.append(given[1]), read_walk(*given))[1])
 
-    async def test(hall: Hall, room: ClassRoom) -> None:
+    async def test(registry: Registry, room: ClassRoom) -> None:
         for n in range(registry_of.MOST_OWN):
-            await hall.obey(room, HandWalk(name=f"mine-{n}", text=text))
-            await hall.obey(room, PutQuestion(walk=f"mine-{n}", step="one"))
-        assert read == [] and room.walks == hall.lessons.read_own(room.own, {})
+            await registry.obey(room, HandWalk(name=f"mine-{n}", text=text))
+            await registry.obey(room, PutQuestion(walk=f"mine-{n}", step="one"))
+        assert read == [] and room.walks == registry.bank.read_own(room.own, {})
         read.clear()
         elsewhere = ClassRoom(room.code, dict(room.parts))
         for _ in range(2):
-            assert hall.lessons_of(elsewhere).step("mine-0", "one")
+            assert registry.bank_of(elsewhere).step("mine-0", "one")
         assert sorted(read) == sorted(name for name, _ in room.walks)
         elsewhere.parts["walks"] = b'{"mine-0":' + msgspec.json.encode(text + "# mended") + b"}"
-        hall.lessons_of(elsewhere)
+        registry.bank_of(elsewhere)
         assert read[-1] == "mine-0" and len(read) == registry_of.MOST_OWN + 1 and len(elsewhere.walks) == 1
 
     in_class(test)
@@ -298,47 +298,47 @@ def test_a_walk_from_a_file_is_read_once(in_class: Callable[[Test], None], monke
 def test_a_walk_from_a_file_is_asked_as_any_other(in_class: Callable[[Test], None]) -> None:
     text = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 
-    async def test(hall: Hall, room: ClassRoom) -> None:
+    async def test(registry: Registry, room: ClassRoom) -> None:
         listener, (walk, step) = Listener(), ("mine", "one")
-        room.ears.add(listener)
+        room.listeners.add(listener)
         with pytest.raises(ValueError, match="is no step that is known"):
-            await hall.obey(room, HandWalk(name=walk, text=text.replace("d31-03", "d31-99")))
+            await registry.obey(room, HandWalk(name=walk, text=text.replace("d31-03", "d31-99")))
         for _ in range(2):  # a page that comes back hands it over again
-            await hall.obey(room, HandWalk(name=walk, text=text))
-        await hall.obey(room, PutQuestion(walk=walk, step=step))
+            await registry.obey(room, HandWalk(name=walk, text=text))
+        await registry.obey(room, PutQuestion(walk=walk, step=step))
         put = listener.news[-1].question
         assert put and put.card and put.place == "D31, slide 1 · 1 of 1" and len(put.card.options) == 3
-        await hall.vote(room, "one", Vote(walk=walk, step=step, option=0))
-        await hall.vote(room, "two", Vote(walk=walk, step=step, option=2))
-        await hall.obey(room, ShowAnswer())
-        tally = await hall.tally(room)
+        await registry.vote(room, "one", Vote(walk=walk, step=step, option=0))
+        await registry.vote(room, "two", Vote(walk=walk, step=step, option=2))
+        await registry.obey(room, ShowAnswer())
+        tally = await registry.tally(room)
         assert tally and tally.now.options == (1, 0, 1) and tally.right == 1
-        assert (await answers_csv(hall, room)).splitlines()[1:] == ["mine,one,1,1,yes", "mine,one,1,3,no"]
-        await hall.obey(room, HandWalk(name=walk, text=text.replace("d31-03", "d31-02")))  # now it asks for a number
-        tally = await hall.tally(room)
+        assert (await votes_csv(registry, room)).splitlines()[1:] == ["mine,one,1,1,yes", "mine,one,1,3,no"]
+        await registry.obey(room, HandWalk(name=walk, text=text.replace("d31-03", "d31-02")))  # now a number
+        tally = await registry.tally(room)
         assert tally and tally.now.answered == 0
         for n in range(registry_of.MOST_OWN - 1):
-            await hall.obey(room, HandWalk(name=f"more-{n}", text=text))
+            await registry.obey(room, HandWalk(name=f"more-{n}", text=text))
         with pytest.raises(ValueError, match="one too many"):
-            await hall.obey(room, HandWalk(name="too-many", text=text))
+            await registry.obey(room, HandWalk(name="too-many", text=text))
 
     in_class(test)
 
 
 def test_without_the_store_a_class_goes_on_and_is_written_back() -> None:
-    async def test(valkey: Valkey, hall: Hall, second: Hall) -> None:
-        code, key = await hall.open()
-        room, there = await hall.led(code, key), await second.room(code)
+    async def test(valkey: Valkey, registry: Registry, second: Registry) -> None:
+        code, key = await registry.open()
+        room, there = await registry.led(code, key), await second.room(code)
         leader, follower = Listener(leads=True), Listener()
-        room.ears.add(leader)
-        there.ears.add(follower)
-        await hall.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
+        room.listeners.add(leader)
+        there.listeners.add(follower)
+        await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
         await until(lambda: there.question.step)
         await second.vote(there, "one", Vote(walk=CHOICE[0], step=CHOICE[1], option=1))
-        assert await hall.tally(room)
+        assert await registry.tally(room)
         valkey.kill()
         await until(lambda: any(news.lost for news in follower.news) and room.lost)
-        await hall.show(room, SentPicture(sheet="s", data=b"meanwhile"))
+        await registry.show(room, SentPicture(sheet="s", data=b"meanwhile"))
         assert leader.news[-1].picture and not any(news.picture for news in follower.news)
         valkey.start()
         await until(lambda: any(news.picture for news in follower.news) and not there.lost)
@@ -348,13 +348,13 @@ def test_without_the_store_a_class_goes_on_and_is_written_back() -> None:
 
     async def whole(valkey: Valkey) -> None:
         async with made("valkey", valkey.url) as store, made("valkey", valkey.url) as other:
-            halls = Hall(store, LESSONS), Hall(other, LESSONS)
-            upkeeps = [Upkeep(hall) for hall in halls]
+            registries = Registry(store, BANK), Registry(other, BANK)
+            upkeeps = [Upkeep(registry) for registry in registries]
             for upkeep in upkeeps:
                 upkeep.start()
             try:
                 await until(lambda: all(upkeep.listening for upkeep in upkeeps))
-                await test(valkey, *halls)
+                await test(valkey, *registries)
             finally:
                 for upkeep in upkeeps:
                     await upkeep.end()

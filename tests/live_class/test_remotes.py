@@ -7,11 +7,11 @@ import asyncio
 import pytest
 
 from components.live_class import remotes
-from components.live_class.registry import Hall
+from components.live_class.registry import Registry
 from components.live_class.remotes import begun, decided, is_in, new_digits, waits
 from components.live_class.room import ClassRoom
 from components.live_class.upkeep import Upkeep
-from tests.live_class.listening import LESSONS, Listener, until
+from tests.live_class.listening import BANK, Listener, until
 from tests.live_class.stores import KINDS, made, valkey_running
 
 
@@ -21,7 +21,7 @@ def told(listener: Listener) -> list[tuple[str, ...]]:
 
 def test_two_phones_that_wait_at_once_are_both_asked_for() -> None:
     room, leader, follower = ClassRoom("K7HM", {}), Listener(leads=True), Listener()
-    room.ears |= {leader, follower}
+    room.listeners |= {leader, follower}
     room.tell(begun("47", "one"))
     room.tell(begun("12", "two"))
     assert told(leader) == [("47",), ("12", "47")] and not told(follower)
@@ -38,7 +38,7 @@ def test_two_phones_that_wait_at_once_are_both_asked_for() -> None:
 
 def test_who_waits_longer_than_a_minute_is_asked_for_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
     room, leader = ClassRoom("K7HM", {}), Listener(leads=True)
-    room.ears.add(leader)
+    room.listeners.add(leader)
     room.tell(begun("47", "one"))
     number = room.number
     room.look()
@@ -59,24 +59,24 @@ def test_no_two_phones_show_the_same_digits() -> None:
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_phone_that_waits_is_known_to_a_replica_that_comes_later(kind: str) -> None:
-    async def test(halls: list[Hall]) -> None:
-        code, key = await halls[0].open()
-        await halls[0].tell(await halls[0].room(code), begun("47", "one"))
-        room = await halls[-1].led(code, key)
+    async def test(registries: list[Registry]) -> None:
+        code, key = await registries[0].open()
+        await registries[0].tell(await registries[0].room(code), begun("47", "one"))
+        room = await registries[-1].led(code, key)
         assert room.whole(leads=True).remotes == ("47",)
-        await halls[-1].tell(room, decided(room.parts, "47", is_in=True))
-        first = await halls[0].room(code)
+        await registries[-1].tell(room, decided(room.parts, "47", is_in=True))
+        first = await registries[0].room(code)
         await until(lambda: is_in(first.parts, "one"))
 
     async def whole(url: str) -> None:
         async with made(kind, url) as store, made("valkey", url) as other:
-            halls = [Hall(store, LESSONS)] + ([Hall(other, LESSONS)] if kind == "valkey" else [])
-            upkeeps = [Upkeep(hall) for hall in halls]
+            registries = [Registry(store, BANK)] + ([Registry(other, BANK)] if kind == "valkey" else [])
+            upkeeps = [Upkeep(registry) for registry in registries]
             for upkeep in upkeeps:
                 upkeep.start()
             try:
                 await until(lambda: all(upkeep.listening for upkeep in upkeeps))
-                await test(halls)
+                await test(registries)
             finally:
                 for upkeep in upkeeps:
                     await upkeep.end()

@@ -10,7 +10,7 @@ import pytest
 
 from components.live_class import room as rooms
 from components.live_class.follower_routes import Events
-from components.live_class.registry import Hall
+from components.live_class.registry import Registry
 from components.live_class.store import MemoryStore
 from components.serving.server import Server
 from tests.live_class.caller import Class
@@ -36,9 +36,9 @@ def test_what_is_told_while_a_stream_begins_is_heard(monkeypatch: pytest.MonkeyP
         lesson = await Class.open(url)
         leader, follower = await lesson.lead(), await lesson.follow()
         await begun.wait()
-        server.lecture.hall.leave(server.lecture.hall.rooms[lesson.code])  # as upkeep does once a second
-        hall = server.lecture.hall
-        await hall.store.tell(lesson.code, {"deed": b'"next"'})
+        server.lecture.registry.leave(server.lecture.registry.rooms[lesson.code])  # as upkeep does once a second
+        registry = server.lecture.registry
+        await registry.store.tell(lesson.code, {"deed": b'"next"'})
         await lesson.order("clock", t=1.0, rate=0.0, end=20.0, at=0.0)
         free.set()
         assert await leader.until(lambda event: event.get("deed") == "next")
@@ -57,7 +57,7 @@ def test_an_instructor_that_reads_slowly_misses_no_deed_and_hears_none_twice() -
         word = f"Authorization: Bearer {lesson.key}"
         slow.sendall(f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\n{word}\r\n\r\n".encode())
         async with asyncio.timeout(10):
-            while not (room := server.lecture.hall.rooms.get(lesson.code)) or not room.is_led:
+            while not (room := server.lecture.registry.rooms.get(lesson.code)) or not room.is_led:
                 await asyncio.sleep(0.01)
         room.tell({"deed": b'"back"'})
         for i in range(400):
@@ -87,13 +87,13 @@ def test_a_deed_of_long_ago_is_not_done(monkeypatch: pytest.MonkeyPatch) -> None
 
 def test_a_room_is_kept_while_somebody_is_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
     async def test() -> None:
-        hall = Hall(MemoryStore(), LECTURE.lessons)
-        code, key = await hall.open()
-        room = await hall.led(code, key)
-        hall.leave(room)
-        assert await hall.room(code) is room
+        registry = Registry(MemoryStore(), LECTURE.bank)
+        code, key = await registry.open()
+        room = await registry.led(code, key)
+        registry.leave(room)
+        assert await registry.room(code) is room
         monkeypatch.setattr(rooms, "SILENCE", 0.0)
-        hall.leave(room)
-        assert not hall.rooms
+        registry.leave(room)
+        assert not registry.rooms
 
     asyncio.run(test())

@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from app import SHEETS, open_page
-from components.serving.admission import FORGOTTEN, IDLE, LONGEST, OF_A_NETWORK, Door, Guest, gives_way, ordinal
+from components.serving.admission import FORGOTTEN, IDLE, LONGEST, OF_A_NETWORK, Admission, Guest, gives_way, ordinal
 from components.serving.server import Server as Serving
 from components.serving.settings import Settings
 from tests.attack.caller import Caller, Reply, ask, connect, contents, token_of
@@ -20,14 +20,14 @@ from tests.serving.server import Server, serving
 
 
 class House:
-    """A door, the places behind it and a clock that is set by hand."""
+    """An admission, its places and a clock that is set by hand."""
 
     def __init__(self, places: int) -> None:
         self.taken, self.now = 0, 0.0
-        self.door = Door(places, lambda: self.taken, lambda: self.now)
+        self.admission = Admission(places, lambda: self.taken, lambda: self.now)
 
     def knock(self, ticket: str = "") -> tuple[int, str]:
-        place, ticket = self.door.knock(ticket)
+        place, ticket = self.admission.knock(ticket)
         self.taken += place == 0
         return place, ticket
 
@@ -66,19 +66,19 @@ def test_tickets_are_ours_and_the_line_has_an_end() -> None:
     house.knock()
     assert house.knock("mine")[1] != "mine"
     for n in range(LONGEST + 5):
-        place, ticket = house.door.knock("", str(n))
+        place, ticket = house.admission.knock("", str(n))
     assert place == LONGEST + 1
-    assert house.door.knock(ticket, "new")[0] == LONGEST + 1
+    assert house.admission.knock(ticket, "new")[0] == LONGEST + 1
 
 
 def test_networks_take_turns_and_one_of_them_does_not_fill_the_line() -> None:
     house = House(1)
     house.knock()
-    flood = [house.door.knock("", "a") for _ in range(2100)]
-    assert house.door.knock("", "b")[0] == 2
-    assert sum(house.door.knock(ticket, "a")[0] <= LONGEST for _, ticket in flood[:600]) >= OF_A_NETWORK
-    house.door.places = 31  # places are free: who comes from elsewhere is in
-    assert house.door.knock("", "c") == (0, "")
+    flood = [house.admission.knock("", "a") for _ in range(2100)]
+    assert house.admission.knock("", "b")[0] == 2
+    assert sum(house.admission.knock(ticket, "a")[0] <= LONGEST for _, ticket in flood[:600]) >= OF_A_NETWORK
+    house.admission.places = 31  # places are free: who comes from elsewhere is in
+    assert house.admission.knock("", "c") == (0, "")
 
 
 def test_who_has_been_silent_for_long_gives_way_and_else_the_quietest_of_a_network_that_has_most_places() -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from app import visited
 from components.description import plots
-from components.live_class.question_bank import Lessons
+from components.live_class.question_bank import QuestionBank
 from components.page.room import Vote
 from components.scenes import SCENES
 from components.walks.cards import walk_sheet
@@ -114,17 +114,17 @@ def test_what_is_no_number_is_refused_in_words(page: Page, text: str, says: str)
 
 
 def test_a_class_reads_a_number_as_its_page_does() -> None:
-    lessons = Lessons(WALKS, SCENES)
+    bank = QuestionBank(WALKS, SCENES)
 
     def vote(text: str) -> Vote:
         return Vote(walk="d34", step="d34-01", vote=1, text=text)
 
     for text in ("-4 N", "−12/3", "-4000 mN"):
-        assert lessons.judge(vote(text)).right and lessons.judged(vote(text)).right
+        assert bank.judge(vote(text)).right and bank.judged(vote(text)).right
     with pytest.raises(ValueError, match="this is in N"):
-        lessons.judge(vote("-4 m"))
-    judged = [lessons.judge(vote(text)) for text in ("-6 N", "1/2", "2,5")]
-    assert lessons.counted("d34", "d34-01", judged).numbers == (-6.0, 0.5, 2.5)
+        bank.judge(vote("-4 m"))
+    judged = [bank.judge(vote(text)) for text in ("-6 N", "1/2", "2,5")]
+    assert bank.counted("d34", "d34-01", judged).numbers == (-6.0, 0.5, 2.5)
 
 
 @pytest.mark.parametrize(
