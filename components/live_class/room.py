@@ -18,6 +18,9 @@ from components.walks.types import Walk
 
 SILENCE = 15.0
 """Seconds after which those who follow hear something, whatever happens."""
+ASKED = 5.0
+"""Seconds for which somebody who asks, once a second without a stream, is counted: whoever has one by then, on another
+replica, would be two."""
 NOTHING_PUT = PutTo()
 KINDS: dict[str, type] = {"picture": SentPicture, "clock": RunClock, "question": PutTo}
 """The parts that followers hear of."""
@@ -92,15 +95,24 @@ class ClassRoom:
         return bool(self.listeners or self.unsaved) or monotonic() - self.asked < 2 * SILENCE
 
     @property
+    def streaming(self) -> int:
+        return sum(not listener.leads for listener in self.listeners)
+
+    @property
+    def asking(self) -> set[str]:
+        """Who follows without a stream."""
+        late = monotonic() - ASKED
+        return {one for one, seen in self.polls.items() if seen > late}
+
+    @property
     def followers(self) -> int:
-        now = monotonic()
-        self.polls = {one: seen for one, seen in self.polls.items() if now - seen < 2 * SILENCE}
-        return sum(not listener.leads for listener in self.listeners) + len(self.polls)
+        return self.streaming + len(self.asking)
 
     @property
     def names(self) -> set[str]:
         """Who follows here, or has until a moment ago: a phone between two streams is not gone."""
         now = monotonic()
+        self.polls = {one: seen for one, seen in self.polls.items() if now - seen < 2 * SILENCE}
         self.seen = {one: seen for one, seen in self.seen.items() if now - seen < 2 * SILENCE}
         return {*self.streams, *self.polls, *self.seen}
 

@@ -33,6 +33,7 @@ from components.live_class.store import (
     Hear,
     Parts,
     Store,
+    counted,
 )  # fmt: skip
 
 CHANNEL = "class"
@@ -48,7 +49,7 @@ SLICE = 500
 OF_A_ROOM_KEYS = """
 local function keys_of(code)
   local keys = {}
-  for _, kind in ipairs({'room', 'led', 'here', 'names', 'size', 'questions'}) do
+  for _, kind in ipairs({'room', 'led', 'present', 'names', 'size', 'questions'}) do
     keys[#keys + 1] = 'class:' .. kind .. ':' .. code
   end
   for _, question in ipairs(redis.call('zrange', 'class:questions:' .. code, 0, -1)) do
@@ -112,10 +113,10 @@ redis.call('decrby', KEYS[2], redis.call('hstrlen', KEYS[1], ARGV[1]))
 redis.call('hdel', KEYS[1], ARGV[1])
 """
 PRESENT = """
-local code, now, alone, replica, count, until_ = unpack(ARGV, 1, 6)
+local code, now, alone, replica, told, is_followed = unpack(ARGV, 1, 6)
 if redis.call('exists', KEYS[1]) == 0 then return {} end
-redis.call('hset', KEYS[2], replica, count .. ' ' .. until_)
-if tonumber(count) > 0 and redis.call('pttl', KEYS[1]) < alone - math.min(alone / 10, 15000) then
+redis.call('hset', KEYS[2], replica, told)
+if is_followed == '1' and redis.call('pttl', KEYS[1]) < alone - math.min(alone / 10, 15000) then
   lives(code, tonumber(alone), now)
 end
 return redis.call('hvals', KEYS[2])
@@ -189,12 +190,14 @@ class SharedStore(Store):
             names: Any = await self._redis.zrange(_questions(code), 0, -1)
             return [name.decode() for name in names]
 
-    async def present(self, code: str, replica: str, count: int) -> int:
+    async def present(self, code: str, replica: str, count: int, asking: Collection[str] = ()) -> int:
         now = time()
+        told = msgspec.msgpack.encode((count, list(asking), now + SEEN))
         async with _asked():
-            given: list[Any] = [code, now, self._alone, replica, count, now + SEEN]
-            told = [each.split() for each in await self._present([_room(code), _here(code)], given)]
-        return sum(int(number) for number, until in told if float(until) > now)
+            given: list[Any] = [code, now, self._alone, replica, told, int(bool(count or asking))]
+            all_told = await self._present([_room(code), _present_at(code)], given)
+        known = [msgspec.msgpack.decode(each, type=tuple[int, list[str], float]) for each in all_told]
+        return counted((streams, names) for streams, names, until in known if until > now)
 
     async def name(self, code: str, replica: str, names: Collection[str]) -> None:
         async with _asked():
@@ -288,8 +291,8 @@ def _room(code: str) -> str:
     return f"class:room:{code}"
 
 
-def _here(code: str) -> str:
-    return f"class:here:{code}"
+def _present_at(code: str) -> str:
+    return f"class:present:{code}"
 
 
 def _names(code: str) -> str:

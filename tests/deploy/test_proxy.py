@@ -17,7 +17,7 @@ from components.serving.assets import assets
 from components.serving.headers import SAFE
 from tests.attack.caller import Reply, ask
 from tests.deploy.site import COOKIE_SECRET, Site, caddy, deployed
-from tests.live_class.caller import Class
+from tests.live_class.caller import Class, streams_closed
 from tests.serving.server import ROOT
 
 ASSET = f"/assets/{next(iter(assets()))}"
@@ -53,6 +53,7 @@ def test_the_cookie_of_a_replica_cannot_be_written_and_stands_on_no_file_that_ca
 def test_the_proxy_waits_for_no_slow_request_and_no_stream_holds_back_its_end(tmp_path: Path) -> None:
     """A request that comes letter by letter is given up; who listens to a class goes on."""
 
+    @streams_closed()
     async def go(site: Site) -> None:
         room = await Class.open(site.url)
         stream = await room.follow()
@@ -66,7 +67,6 @@ def test_the_proxy_waits_for_no_slow_request_and_no_stream_holds_back_its_end(tm
         await stream.until(lambda event: event.get("question"))
         site.front.process.terminate()
         assert await asyncio.to_thread(site.front.process.wait, 9) == 0
-        await stream.close()
 
     with deployed(tmp_path, (ROOT,)) as site:
         asyncio.run(go(site))

@@ -5,7 +5,8 @@ from __future__ import annotations
 import asyncio
 import json
 import time
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
 from http.client import HTTPConnection
 from typing import Any, NamedTuple
 from urllib.parse import urlsplit
@@ -44,6 +45,9 @@ async def called(*given: Any, **more: Any) -> Answered:
 class Stream:
     """The events of a room, as they come; `heard` are those read so far with the instant at which each came."""
 
+    begun: set[Stream] = set()
+    """Those that are not closed."""
+
     def __init__(self, url: str, code: str, word: str) -> None:
         self.url, self.code, self.word = url, code, word
         self.heard: list[tuple[float, dict[str, Any]]] = []
@@ -55,6 +59,7 @@ class Stream:
 
     async def open(self, keep: Callable[[bytes], Any] = json.loads) -> Stream:
         host = urlsplit(self.url)
+        self.begun.add(self)
         self._reader, self._writer = await asyncio.open_connection(host.hostname, host.port, limit=2**20)
         lines = [
             f"GET /class/{self.code}/events HTTP/1.1", f"Host: {host.netloc}", f"Authorization: Bearer {self.word}"
@@ -85,10 +90,20 @@ class Stream:
                 await asyncio.sleep(0.005)
 
     async def close(self) -> None:
+        self.begun.discard(self)
         if self._writer:
             self._writer.close()
         if self._task:
             await self._task
+
+
+@asynccontextmanager
+async def streams_closed() -> AsyncIterator[None]:
+    """Leaves no stream open, whatever a test comes to: what is left of one that fails would fail a later one."""
+    try:
+        yield
+    finally:
+        await asyncio.gather(*(stream.close() for stream in list(Stream.begun)))
 
 
 class Class:

@@ -14,6 +14,7 @@ from components.live_class.registry import Registry
 from components.live_class.store import MemoryStore
 from components.serving.server import Server
 from components.serving.settings import Settings
+from tests.live_class.caller import streams_closed
 
 LECTURE = walked([])
 CHOICE = {"walk": "d31", "step": "d31-03"}
@@ -34,7 +35,7 @@ async def served(**settings: Any) -> AsyncIterator[tuple[Server, str]]:
 
 def run(test: Test, **settings: Any) -> None:
     async def whole() -> None:
-        async with served(**settings) as (server, url):
+        async with served(**settings) as (server, url), streams_closed():
             await test(server, url)
 
     asyncio.run(whole())

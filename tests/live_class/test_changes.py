@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Awaitable, Callable
-from time import time
+from time import monotonic, time
 
 import msgspec
 import pytest
 
 from components.live_class import publisher
+from components.live_class import room as room_of
 from components.live_class.publisher import Publisher
 from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import KEPT, ClassRoom
@@ -171,6 +172,21 @@ def test_who_has_no_stream_learns_who_is_here_and_leads_as_well() -> None:
         number = room.number
         await upkeep._look_at(room)
         assert room.number == number  # nothing has changed: nobody is told the whole again
+
+    in_rooms(test)
+
+
+def test_who_has_no_stream_here_is_counted_as_long_as_it_asks(monkeypatch: pytest.MonkeyPatch) -> None:
+    """It may have one elsewhere since, and would be counted twice."""
+
+    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+        room = await registry.led(code, key)
+        room.polled("a follower's", leads=False)
+        await upkeep._look_at(room)
+        assert await store.present(code, "another", 1) == 2
+        monkeypatch.setattr(room_of, "monotonic", lambda: monotonic() + room_of.ASKED)
+        await upkeep._look_at(room)
+        assert room.here == 1 and room.names  # whose answers count for some time more
 
     in_rooms(test)
 

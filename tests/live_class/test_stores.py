@@ -220,6 +220,8 @@ def test_those_present_are_counted_over_replicas(on: Callable[..., None]) -> Non
         assert await kept.present(code, "a", 2) == 2
         assert await kept.present(code, "b", 3) == 5
         assert await kept.present(code, "a", 1) == 4
+        assert await kept.present(code, "a", 1, {"one", "two"}) == 6
+        assert await kept.present(code, "b", 3, {"one"}) == 6  # who asks one after the other is one
 
     on(test)
 
