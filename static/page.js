@@ -12,6 +12,7 @@ import {Hand} from "./hand.js"
 import {using} from "./later.js"
 import {fixed} from "./numbers.js"
 import {Sheet} from "./sheet.js"
+import {tables} from "./tables.js"
 import {Transport} from "./transport.js"
 
 /**
@@ -105,8 +106,8 @@ export class Page {
   #tools() {
     const link = copyButton(() => this.link)
     const title = "The numbers of all plots as a CSV file; several tables come in one ZIP file"
-    const csv = element("button", {type: "button", class: "chip", title}, "CSV")
-    csv.addEventListener("click", () => this.send({type: "csv", page: location.origin + location.pathname}))
+    this.csv = element("button", {type: "button", class: "chip", title}, "CSV")
+    this.csv.addEventListener("click", () => this.send({type: "csv", page: location.origin + location.pathname}))
     const pictures = element("button", {type: "button", class: "chip"}, "Pictures")
     pictures.addEventListener("click", () => this.#take())
     for (const stage of this.sheet.stages.filter(({svg}) => svg.role === "img"))
@@ -116,7 +117,7 @@ export class Page {
       "div",
       {class: "chips"},
       link,
-      csv,
+      this.csv,
       pictures,
       ...this.spec.onward.map(way => this.#onward(way)),
     )
@@ -179,6 +180,8 @@ export class Page {
     if (this.plots.some(plot => plot.waits)) this.join()
     this.controls.update(shown)
     this.compare.update(shown, asked)
+    const blocks = this.plots.map(({block}) => block)
+    if (this.csv) this.csv.textContent = tables(blocks, view) > 1 ? "CSV (ZIP)" : "CSV"
     this.measured = false
     this.clock.update(view.axes[view.time], view.pace)
     this.transport.update(shown)

@@ -84,7 +84,7 @@ export function traces(plot) {
  * What a curve over time is drawn of: its signal at an instant, where it has one.
  * @param {page.Curve} curve @param {Plot} plot
  */
-function motionOf({signal, signal_x: across}, {block, view}) {
+export function motionOf({signal, signal_x: across}, {block, view}) {
   const {signals, scalars} = view
   if (!block.time || across || !(signal in signals)) return null
   return (/** @type {number} */ t) => evaluate(signals, scalars, t)[signal]
@@ -92,9 +92,10 @@ function motionOf({signal, signal_x: across}, {block, view}) {
 
 /**
  * Where a curve truly turns next to its highest point that is drawn, or its lowest: between the points beside it.
- * @param {Trace} trace @param {number} i @param {1 | -1} sign @returns {[number, number]}
+ * @param {{xs: ArrayLike<number>, ys: ArrayLike<number>, motion: Trace["motion"]}} trace
+ * @param {number} i @param {number} sign @returns {[number, number]}
  */
-function turned({xs, ys, motion}, i, sign) {
+export function turned({xs, ys, motion}, i, sign) {
   if (!motion || i === 0 || i === xs.length - 1) return [xs[i], ys[i]]
   let [low, high] = [xs[i - 1], xs[i + 1]]
   for (let n = 0; n < HALVINGS; n++) {
@@ -104,6 +105,9 @@ function turned({xs, ys, motion}, i, sign) {
   }
   return [(low + high) / 2, motion((low + high) / 2)]
 }
+
+/** The points that are drawn lowest and highest. @param {Trace} trace */
+const extremes = ({ys}) => [Math.min, Math.max].map(most => ys.indexOf(ys.reduce((a, b) => most(a, b))))
 
 /**
  * A curve is called as it is read out, else as its label or its switch in the heading.
@@ -124,7 +128,7 @@ const words = runs => runs.map(({text}) => text).join("")
  */
 function course(trace, x, y) {
   const {name, xs, ys, lines} = trace
-  const [lowest, highest] = [Math.min, Math.max].map(most => ys.indexOf(ys.reduce((a, b) => most(a, b))))
+  const [lowest, highest] = extremes(trace)
   const last = ys.length - 1
   /** @param {number} i */
   const height = i => (isWithin(y, ys[i]) ? measured(y, ys[i]) : BEYOND)
@@ -165,11 +169,11 @@ function layers(plot) {
   })
 }
 
-/** A few points of each curve, in the units of the axes. @param {Plot} plot */
+/** A few points of each curve and those at which a motion turns lowest and highest, in the units of the axes. @param {Plot} plot */
 export function table(plot) {
   const {x, y} = axes(plot)
   const all = traces(plot)
-  const places = spread(all)
+  const places = [...new Set([...spread(all), ...all.flatMap(turns)])].toSorted((a, b) => a - b)
   const head = [
     element("th", {scope: "col"}, `at, ${x.unit}`),
     ...all.map(({name}) => element("th", {scope: "col"}, unit(name, y))),
@@ -200,12 +204,19 @@ function spread(all) {
   return [...new Set(Array.from({length: Math.min(ROWS, xs.length)}, (_, i) => xs[Math.round(i * step)]))]
 }
 
+/** The instants at which a motion is lowest and highest. @param {Trace} trace */
+function turns(trace) {
+  if (!trace.motion) return []
+  const [lowest, highest] = extremes(trace)
+  return [turned(trace, lowest, -1)[0], turned(trace, highest, 1)[0]]
+}
+
 /**
- * The number of a curve at a place of its own, or none.
+ * The number of a curve at a place of its own, or of its motion at any; else none.
  * @param {Trace} trace @param {number} place @param {page.Ruler} y
  */
-function near({xs, ys}, place, y) {
-  const i = xs.indexOf(place)
-  if (i < 0) return ""
-  return isWithin(y, ys[i]) ? digits(y, ys[i]) : "outside"
+function near({xs, ys, motion}, place, y) {
+  const height = ys[xs.indexOf(place)] ?? motion?.(place)
+  if (height === undefined) return ""
+  return isWithin(y, height) ? digits(y, height) : "outside"
 }

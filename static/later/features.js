@@ -1,5 +1,7 @@
 // What a sketch of a curve that is drawn should have: its start, and where it turns, from the curve itself.
 
+import {motionOf, turned} from "./describe.js"
+
 const MOST = 3 // turning points that are asked for
 const ALONG = [0.08, 0.05, 0.03] // how far off still counts, of the width of the frame: as much as there is room for
 const HIGH = 0.15 // and of its height
@@ -7,7 +9,11 @@ const AROUND = 2.5 // a turning point is looked for so many times as far: compon
 const STANDS_OUT = 0.12 // of the height, over what is around it
 
 /** The number that stands at a place of an axis. @param {page.Ruler} ruler @param {number} place */
-const number = ({log, exponent}, place) => Number((log ? 10 ** place : place * 10 ** exponent).toPrecision(4))
+function number({log, exponent, start, end}, place) {
+  if (log) return Number((10 ** place).toPrecision(4))
+  const least = 1e-9 * Math.abs(end - start) // what is less than that is 0
+  return Math.abs(place) < least ? 0 : Number((place * 10 ** exponent).toPrecision(4))
+}
 
 /** @param {page.Ruler} ruler @param {number} share of its length */
 const off = (ruler, share) =>
@@ -17,21 +23,27 @@ const off = (ruler, share) =>
  * Features in the numbers that stand at the axes, as a walk's file has them.
  * @param {import("../plots.js").Plot} plot @param {page.Curve} curve
  */
-export function features({view, block}, curve) {
+export function features(plot, curve) {
+  const {view, block} = plot
+  const motion = motionOf(curve, plot)
   const [x, y] = [view.axes[block.x], view.axes[block.y]]
   const {[curve.x]: xs = [], [curve.y]: ys = []} = view.columns[curve.source] ?? {}
   const [tall, tol_y] = [Math.abs(y.end - y.start), off(y, HIGH)]
   const seen = (/** @type {number} */ i) => ys[i] > y.start && ys[i] < y.end
-  const turns = [...ys.keys()].filter(i => seen(i) && i > 0 && (ys[i] - ys[i - 1]) * (ys[i + 1] - ys[i]) < 0)
+  const turns = [...ys.keys()].filter(i => seen(i) && i > 0 && (ys[i] - ys[i - 1]) * (after(ys, i) - ys[i]) < 0)
   const found = turns.flatMap(i => {
     const sign = Math.sign(ys[i] - ys[i - 1])
     const share = ALONG.find(one => standsOut(xs, ys, i, sign, AROUND * one * Math.abs(x.end - x.start), tall))
     if (!share) return []
-    return [{f: sign > 0 ? "peak" : "trough", at: number(x, xs[i]), is: number(y, ys[i]), tol: off(x, share), tol_y}]
+    const [at, is] = turned({xs, ys, motion}, i, sign)
+    return [{f: sign > 0 ? "peak" : "trough", at: number(x, at), is: number(y, is), tol: off(x, share), tol_y}]
   })
   const start = seen(0) ? [{f: "value", at: number(x, xs[0]), is: number(y, ys[0]), tol: tol_y}] : []
   return [...start, ...found.slice(0, MOST)]
 }
+
+/** The next height that is another: next to where a curve turns two may be drawn as high. @param {ArrayLike<number>} ys @param {number} i */
+const after = (ys, i) => Array.prototype.find.call(ys, (height, j) => j > i && height !== ys[i]) ?? ys[i]
 
 /**
  * Whether a turning point is the highest (lowest) of its surroundings, which reach `far`.

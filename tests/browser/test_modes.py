@@ -85,7 +85,7 @@ def test_views_on_a_narrow_phone(new_page: Callable[..., Page], open_scene: Open
         for values in ({}, {"k2": "1e8"}, {"m2": "1e-6"}, {"m1": "1.2345e-100", "k1": "1e100"}):
             open_scene(page, scene="modes", task=task, **values)
             assert page.evaluate("document.documentElement.scrollWidth") == 320, (task, values)
-        chip = page.get_by_role("button", name="Equal (slide 8)")
+        chip = page.get_by_role("button", name="All equal")
         chip.scroll_into_view_if_needed()
         chip.click(timeout=3000)
         page.wait_for_function("oscillations.shown.settings.m1.value === 1")

@@ -6,13 +6,15 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 import pytest
 from playwright.sync_api import FilePayload, Locator, Page, expect
+from scipy.linalg import expm
 
 from components.scenes import SCENES
 from components.walks.checking import problems
 from components.walks.loading import load_walk
-from components.walks.types import PointStep
+from components.walks.types import Peak, PointStep, SketchStep, Trough, ValueAt
 from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
 
@@ -129,6 +131,18 @@ def ask_each_kind(page: Page) -> Locator:
     return dialog
 
 
+def x1_of(values: dict[str, float], t: float) -> tuple[float, float]:
+    """Displacement and velocity of mass 1, by a matrix exponential."""
+    scene = SCENES["coupled"]()
+    scene.set(values)
+    m1, m2, k1, k2, x1, x2 = (getattr(scene, name) for name in ("m1", "m2", "k1", "k2", "x1_0", "x2_0"))
+    flow = np.zeros((4, 4))
+    flow[:2, 2:] = np.eye(2)
+    flow[2:, :2] = [[-(k1 + k2) / m1, k2 / m1], [k2 / m2, -k2 / m2]]
+    state = expm(flow * t) @ [x1, x2, scene.v1_0, scene.v2_0]
+    return state[0], state[2]
+
+
 def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
     page: Page, open_scene: Callable[..., Page], tmp_path: Path
 ) -> None:
@@ -145,6 +159,12 @@ def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
     covers = [COVERED, set(), {"plot:x1"}, set()]
     assert [{*step.cover} for step in walk.steps] == [{"value:omega_plus"} | more for more in covers]
     assert walk.steps[0].state == "?scene=coupled&hidden=x1_slow&k2=3&frame.window=40&held.k2=20"
+    assert isinstance(walk.steps[2], SketchStep)
+    for feature in walk.steps[2].must:
+        assert isinstance(feature, ValueAt | Peak | Trough)
+        height, speed = x1_of({"k2": 3.0}, feature.at)
+        assert feature.value == pytest.approx(height, abs=1e-4)
+        assert abs(speed) < 0.003 or feature.at == 0.0, "it turns where no point is drawn"
     assert isinstance(walk.steps[3], PointStep) and walk.steps[3].answer.unit == "m"
     dialog.get_by_role("button", name="Close").click()
     drop(page, file.name, file.read_text(encoding="utf-8"))

@@ -31,7 +31,7 @@ def test_typed_values_and_presets_are_undone_one_by_one_and_done_again(page: Pag
     is_shown(page, k2=7)
     type_in(page, "x1_0", "0.5")
     is_shown(page, x1_0=0.5)
-    page.get_by_role("button", name="Equal (slide 8)").click()
+    page.get_by_role("button", name="All equal").click()
     is_shown(page, m1=1)
     undo.click()
     is_shown(page, m1=3, k2=7, x1_0=0.5)
@@ -123,7 +123,7 @@ def test_a_preset_goes_into_what_was_set_just_before(page: Page, open_scene: Ope
 
 def test_the_back_button_steps_through_presets_and_not_through_values(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
-    for label in ("Beats", "Beats", "Equal (slide 8)"):
+    for label in ("Beats", "Beats", "All equal"):
         page.get_by_role("button", name=label).click()
         page.wait_for_function(f"oscillations.shown.preset === '{label}'")
     type_in(page, "k2", "7")

@@ -71,7 +71,7 @@ def test_at_a_mode_the_rows_are_one_equation_and_nothing_is_to_be_added(mode: st
 def test_the_flag_leads_to_a_mode_that_no_double_holds() -> None:
     """m1 = m2, k1 = k2: the golden ratio. The flag sets the nearest double, and the buttons its shape."""
     scene = ModesScene()
-    scene.set(ModesScene.presets["Equal (slide 8)"])
+    scene.set(ModesScene.presets["All equal"])
     assert scene.shown.scalars["w_slow_si"] == pytest.approx(GOLDEN, rel=1e-15)
     scene.omega = scene.shown.scalars["w_slow_si"]
     assert scene.shown.forms["agree"] == "same_slow"

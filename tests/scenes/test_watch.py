@@ -67,7 +67,7 @@ def test_the_modes_of_the_coupled_masses() -> None:
         assert np.abs(columns[f"x1_{other}"]).max() < 1e-15
         ways = np.sign(columns["x1"] * columns["x2"])
         assert set(ways[np.abs(columns["x1"]) > 1e-9]) == {1.0 if label == "Slow" else -1.0}
-    omega = [figure(taken("coupled", "Equal (slide 8)"), name) for name in ("omega_minus", "omega_plus")]
+    omega = [figure(taken("coupled", "All equal"), name) for name in ("omega_minus", "omega_plus")]
     assert omega == pytest.approx([0.618, 1.618], abs=5e-4)
     assert omega[1] / omega[0] == pytest.approx((3 + math.sqrt(5)) / 2), "not rational"
     beats = taken("coupled", "Beats").shown.columns["time"]
@@ -78,7 +78,7 @@ def test_the_modes_of_the_coupled_masses() -> None:
 
 
 def test_the_driven_masses() -> None:
-    assert figure(taken("forced", "Equal (slide 8)"), "Xp1") < 0
+    assert figure(taken("forced", "All equal"), "Xp1") < 0
     still = taken("forced", "Still mass 1")
     assert np.abs(still.shown.columns["time"]["x1"]).max() < 1e-15
     light = taken("forced", "Light mass 2")

@@ -93,7 +93,7 @@ class Energy(Scene):
     )  # fmt: skip
     datum = one_of(
         default="equilibrium",
-        objects={"Equilibrium": "equilibrium", "Spring + gravity": "separate", "Slide 4": "slide"},
+        objects={"Equilibrium": "equilibrium", "Spring + gravity": "separate", "Three terms": "slide"},
         label="Datum of V",
     )
 

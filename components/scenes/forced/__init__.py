@@ -62,7 +62,7 @@ class Forced(Scene):
     shares = chain.SHARES
     watch = WATCH
     presets = {
-        "Equal (slide 8)": {},
+        "All equal": {},
         "At slow": {"omega": SLOW},
         "At fast": {"omega": FAST},
         "Still mass 1": {"omega": 1.0, "v2_0": -1.0},

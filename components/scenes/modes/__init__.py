@@ -67,7 +67,7 @@ class ModesScene(Scene):
     watch = WATCH
     presets = {
         "Default": {},
-        "Equal (slide 8)": {"m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0},
+        "All equal": {"m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0},
         "Beats": {"m1": 1.0, "k1": 0.96, "m2": 0.04, "k2": 0.04},
         "No wall": {"k1": 0.0},
         "Loose": {"k2": 0.1},
