@@ -11,11 +11,12 @@ from msgspec.structs import replace
 from tornado.iostream import IOStream, StreamClosedError
 
 from components.live_class.codes import as_code, is_key
-from components.live_class.instructor_routes import ClassAnswer
+from components.live_class.context import ClassContext
+from components.live_class.handler import ClassHandler
 from components.live_class.room import LEADERS, ClassRoom, Listener, as_event, name_of
 from components.page.messages import Taught
 from components.page.room import Entered, Vote
-from components.serving.answers import RefusedError
+from components.serving.handlers import RefusedError
 from components.serving.visitors import network_of
 
 MOST_FOLLOWERS = 5000
@@ -35,15 +36,14 @@ MOST_STREAMS = 8
 """That one follower may have: a page has one, and one that slept leaves another. The oldest of more is ended."""
 
 
-class Follower(ClassAnswer):
+class Follower(ClassHandler):
     """Who has a token of the room, or its key."""
 
     leads = False
 
     async def entered(self, code: str) -> ClassRoom:
-        application = self.application
-        if application.tokens.voter(code, self.word):
-            return await self.asked(application.registry.room(as_code(code)))
+        if self.classes.tokens.voter(code, self.word):
+            return await self.outcome(self.classes.registry.room(as_code(code)))
         self.leads = True
         return await self.led(code)
 
@@ -53,17 +53,17 @@ class Follower(ClassAnswer):
         return self.get_query_argument("after", "")
 
 
-class Enter(ClassAnswer):
+class Enter(ClassHandler):
     """A token for a code: given to whoever has one, but not to who tries many."""
 
     async def post(self, code: str) -> None:
         room = await self._shown(code) or await self._typed(code)
-        self.reply(Entered(code=room.code, token=self.application.tokens.new(room.code)))
+        self.reply(Entered(code=room.code, token=self.classes.tokens.new(room.code)))
 
     async def _shown(self, code: str) -> ClassRoom | None:
         """The room whose QR code was read, which is no guess: whatever others of the network type, it opens."""
         try:
-            room = await self.asked(self.application.registry.room(as_code(code) if self.word else ""))
+            room = await self.outcome(self.classes.registry.room(as_code(code) if self.word else ""))
         except RefusedError as refusal:
             if refusal.status_code == 404:
                 return None
@@ -71,16 +71,16 @@ class Enter(ClassAnswer):
         return room if is_key(self.word, room.parts.get("join", b"")) else None
 
     async def _typed(self, code: str) -> ClassRoom:
-        store, names = self.application.registry.store, {f"miss {network_of(self.visitor)}": MISSES, "miss": ALL_MISSES}
+        store, names = self.classes.registry.store, {f"miss {network_of(self.visitor)}": MISSES, "miss": ALL_MISSES}
         for name, most in names.items():
-            if await self.asked(store.count(name, MINUTE, 0)) >= most:
+            if await self.outcome(store.count(name, MINUTE, 0)) >= most:
                 raise RefusedError(429, TOO_MANY, MINUTE)
         try:
-            return await self.asked(self.application.registry.room(as_code(code)))
+            return await self.outcome(self.classes.registry.room(as_code(code)))
         except RefusedError as refusal:
             if refusal.status_code == 404:
                 for name in names:
-                    await self.asked(store.count(name, MINUTE))
+                    await self.outcome(store.count(name, MINUTE))
             raise
 
 
@@ -91,12 +91,13 @@ class Events(Follower):
     _behind = 0.0
     _known = ""
 
-    def initialize(self) -> None:
+    def initialize(self, classes: ClassContext) -> None:
+        super().initialize(classes)
         self._gone = asyncio.Event()
 
     async def get(self, code: str) -> None:
         room = await self.entered(code)
-        self.often(f"stream {self.word}")
+        self.limit(f"stream {self.word}")
         if not self.leads and room.followers >= MOST_FOLLOWERS:
             raise RefusedError(503, f"This class is full: {MOST_FOLLOWERS} follow it.", after=60)
         self.set_header("Content-Type", "text/event-stream; charset=utf-8")
@@ -190,7 +191,7 @@ class Now(Follower):
 
     async def get(self, code: str) -> None:
         room = await self.entered(code)
-        self.often(f"poll {self.word}")
+        self.limit(f"poll {self.word}")
         room.polled(self.word, self.leads)
         missed = room.untold(self.after) if self.leads else []
         if missed:  # one at a time: the next question asks for what came after it
@@ -207,18 +208,18 @@ class Answers(Follower):
 
     async def put(self, code: str) -> None:
         room = await self.entered(code)
-        voter = self.application.tokens.voter(room.code, self.word)
-        self.often(f"vote {voter}")
-        if not await self.asked(self.application.registry.follows(room, voter)):
+        voter = self.classes.tokens.voter(room.code, self.word)
+        self.limit(f"vote {voter}")
+        if not await self.outcome(self.classes.registry.follows(room, voter)):
             raise RefusedError(
                 503, "This phone does not follow the class at the moment. Its answer counts when it does.", 1
             )
-        await self.asked(self.application.registry.vote(room, voter, self.body(Vote)))
+        await self.outcome(self.classes.registry.vote(room, voter, self.body(Vote)))
         self.set_status(204)
 
     async def post(self, code: str) -> None:
         room, vote = await self.entered(code), self.body(Vote)
-        self.often(f"vote {self.word}")
+        self.limit(f"vote {self.word}")
         put = room.question
         if (put.walk, put.step) != (vote.walk, vote.step):
             self.set_status(204)  # the lecture has gone on: nothing more is said of it
@@ -226,13 +227,13 @@ class Answers(Follower):
         if put.lesson is None:
             raise RefusedError(409, "The answer has not been shown yet.")
         try:
-            lesson = self.application.registry.bank_of(room).judged(vote)
+            lesson = self.classes.registry.bank_of(room).judged(vote)
         except ValueError as reason:
             raise RefusedError(400, "This answer does not fit the question.") from reason
         self.reply(Taught(walk=vote.walk, step=vote.step, lesson=lesson))
 
 
-class TimeOfDay(ClassAnswer):
+class TimeOfDay(ClassHandler):
     """The server's clock, in ms: a page finds by how much its own is off, from how long the answer takes."""
 
     def get(self) -> None:

@@ -5,24 +5,24 @@ from __future__ import annotations
 import msgspec
 
 from components.live_class.codes import as_code, digest, new_key
-from components.live_class.instructor_routes import ClassAnswer, square
+from components.live_class.handler import ClassHandler, square
 from components.live_class.remotes import begun, is_in, new_digits, waits
 from components.live_class.room import ClassRoom
 from components.page.room import Confirmed, Done, Paired, Ticket
-from components.serving.answers import RefusedError
+from components.serving.handlers import RefusedError
 
 TICKET = 60.0
 """Seconds for which a code lets a phone in."""
 NOT_IN = "The lecturer's screen has not confirmed this phone. Press Remote control there for a new code."
 
 
-class LetIn(ClassAnswer):
+class LetIn(ClassHandler):
     """A ticket that is good once, for a minute; whether the phone that took it is let in, by the digits it shows."""
 
     async def post(self, code: str) -> None:
         room, ticket = await self.led(code), new_key()
         name = f"ticket {digest(ticket).decode()}"
-        await self.asked(self.application.registry.store.lend(name, room.code.encode(), TICKET))
+        await self.outcome(self.classes.registry.store.lend(name, room.code.encode(), TICKET))
         address = self.address(f"class={room.code}&remote={ticket}")
         self.reply(Ticket(address=address, square=square(address)))
 
@@ -34,34 +34,34 @@ class LetIn(ClassAnswer):
 
     async def _decide(self, code: str, is_in: bool) -> None:
         room, confirmed = await self.led(code), self.body(Confirmed)
-        await self.asked(self.application.registry.decide(room, confirmed.digits, is_in))
+        await self.outcome(self.classes.registry.decide(room, confirmed.digits, is_in))
         self.set_status(204)
 
 
-class RemoteControl(ClassAnswer):
+class RemoteControl(ClassHandler):
     """A phone in the instructor's hand: shows its ticket, waits until it is let in, then says what is to be done."""
 
     async def _there(self, code: str) -> ClassRoom:
         """Not for who has shown no ticket: whether there is such a room is not told to those who guess."""
-        if not self.application.tokens.voter(code, self.word):
+        if not self.classes.tokens.voter(code, self.word):
             raise RefusedError(403, NOT_IN)
-        self.often(f"remote {self.word}")
-        return await self.asked(self.application.registry.room(as_code(code)))
+        self.limit(f"remote {self.word}")
+        return await self.outcome(self.classes.registry.room(as_code(code)))
 
     async def put(self, code: str) -> None:
-        registry, ticket = self.application.registry, self.body(Ticket)
-        kept = await self.asked(registry.store.take(f"ticket {digest(ticket.address).decode()}"))
+        registry, ticket = self.classes.registry, self.body(Ticket)
+        kept = await self.outcome(registry.store.take(f"ticket {digest(ticket.address).decode()}"))
         if not kept or kept.decode() != as_code(code):
             raise RefusedError(
                 403, "This code has been used, or is older than a minute. The lecturer's screen shows a new one."
             )
-        room = await self.asked(registry.room(as_code(code)))
+        room = await self.outcome(registry.room(as_code(code)))
         try:
             digits = new_digits(taken=room.waiting)
         except ValueError as reason:
             raise RefusedError(429, str(reason), TICKET) from reason
-        paired = Paired(digits=digits, key=self.application.tokens.new(code))
-        await self.asked(registry.tell(room, begun(digits, paired.key)))
+        paired = Paired(digits=digits, key=self.classes.tokens.new(code))
+        await self.outcome(registry.tell(room, begun(digits, paired.key)))
         self.reply(paired)
 
     async def get(self, code: str) -> None:
@@ -78,5 +78,5 @@ class RemoteControl(ClassAnswer):
         room, deed = await self._there(code), self.body(Done)
         if not is_in(room.parts, self.word):
             raise RefusedError(403, NOT_IN)
-        await self.asked(self.application.registry.store.tell(room.code, {"deed": msgspec.json.encode(deed.deed)}))
+        await self.outcome(self.classes.registry.store.tell(room.code, {"deed": msgspec.json.encode(deed.deed)}))
         self.set_status(204)

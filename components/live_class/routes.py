@@ -1,27 +1,61 @@
-"""The addresses of the live class."""
+"""The live class as a server has it: its addresses, its figures, and the upkeep of its rooms."""
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any
 
+from components.live_class.codes import Tokens
+from components.live_class.context import ClassContext
 from components.live_class.follower_routes import Answers, Enter, Events, Now, TimeOfDay
 from components.live_class.instructor_routes import CountAnswers, LeadClass, OpenClass, TakeAnswers
+from components.live_class.publisher import Publisher
+from components.live_class.question_bank import QuestionBank
+from components.live_class.registry import Registry
 from components.live_class.remote_routes import LetIn, RemoteControl
+from components.live_class.store import Store
+from components.live_class.upkeep import Upkeep
+from components.serving.metrics import Looked
 
 CODE = r"([0-9A-Za-z]{4})"
 
 
-def class_routes() -> list[tuple[Any, ...]]:
-    return [
-        (r"/class", OpenClass),
-        (r"/class/time", TimeOfDay),
-        (rf"/class/{CODE}/lead", LeadClass),
-        (rf"/class/{CODE}/tally", CountAnswers),
-        (rf"/class/{CODE}/answers.csv", TakeAnswers),
-        (rf"/class/{CODE}/tickets", LetIn),
-        (rf"/class/{CODE}/remote", RemoteControl),
-        (rf"/class/{CODE}/token", Enter),
-        (rf"/class/{CODE}/events", Events),
-        (rf"/class/{CODE}/now", Now),
-        (rf"/class/{CODE}/answer", Answers),
-    ]
+class LiveClass:
+    """The live classes of one server, whose secret signs their tokens."""
+
+    def __init__(self, store: Store, bank: QuestionBank, secret: str) -> None:
+        registry = Registry(store, bank)
+        self.context = ClassContext(registry, Tokens(secret))
+        self.lead = partial(Publisher, registry)
+        self._upkeep = Upkeep(registry)
+        self.start, self.end = self._upkeep.start, self._upkeep.end
+
+    def routes(self) -> list[tuple[Any, ...]]:
+        handlers = {
+            r"/class": OpenClass,
+            r"/class/time": TimeOfDay,
+            rf"/class/{CODE}/lead": LeadClass,
+            rf"/class/{CODE}/tally": CountAnswers,
+            rf"/class/{CODE}/answers.csv": TakeAnswers,
+            rf"/class/{CODE}/tickets": LetIn,
+            rf"/class/{CODE}/remote": RemoteControl,
+            rf"/class/{CODE}/token": Enter,
+            rf"/class/{CODE}/events": Events,
+            rf"/class/{CODE}/now": Now,
+            rf"/class/{CODE}/answer": Answers,
+        }
+        return [(address, handler, {"classes": self.context}) for address, handler in handlers.items()]
+
+    def figures(self) -> Looked:
+        registry, upkeep = self.context.registry, self._upkeep
+        return {
+            "answers": (
+                "Answers of live classes that were looked up here",
+                lambda: sum(len(votes) for room in registry.rooms.values() for votes in room.votes.values()),
+            ),
+            "rooms": ("Live classes that somebody here leads or follows", lambda: len(registry.rooms)),
+            "followers": ("Those who follow one", lambda: registry.followers),
+            "store_rooms": ("Live classes that the store has, of all replicas", lambda: upkeep.rooms),
+            "store_up": ("1 while the store of live classes answers, else 0", lambda: upkeep.listening),
+            "store_skew_seconds": ("By how much this clock is ahead of the store's", lambda: upkeep.skew),
+        }

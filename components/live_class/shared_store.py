@@ -5,12 +5,10 @@ What must not happen twice or in halves is a script, which the store runs as one
 
 from __future__ import annotations
 
-import re
 from collections.abc import AsyncIterator, Callable, Collection
 from contextlib import asynccontextmanager
 from time import time
 from typing import Any
-from urllib.parse import urlsplit
 
 import msgspec
 from redis.asyncio import Redis
@@ -262,17 +260,6 @@ class SharedStore(Store):
 def _client(url: str, retries: int) -> Redis:
     retry = Retry(NoBackoff(), retries)
     return Redis.from_url(url, socket_timeout=PATIENCE, socket_connect_timeout=PATIENCE, retry=retry)
-
-
-def check_url(url: str) -> None:
-    """ValueError where there can be no store at an address; none is asked."""
-    found = urlsplit(url)
-    if found.scheme != "unix" and not re.fullmatch(r"/?\d*", found.path):
-        raise ValueError("The name of a store is a number.")
-    try:
-        Redis.from_url(url).connection_pool.make_connection()  # type: ignore[no-untyped-call]  # redis' own
-    except (TypeError, AttributeError, RedisError) as error:  # of an option that there is not
-        raise ValueError(str(error)) from error
 
 
 @asynccontextmanager

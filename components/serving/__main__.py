@@ -13,8 +13,7 @@ from functools import partial
 from pathlib import Path
 
 from app import FIGURES, SHEETS, walked
-from components.live_class.publisher import Publisher
-from components.live_class.registry import Registry
+from components.live_class.routes import LiveClass
 from components.live_class.store import MemoryStore, Store
 from components.serving.apart import ReadingProcess
 from components.serving.logs import set_up
@@ -38,11 +37,11 @@ async def serve(settings: Settings) -> None:
     """Serve until the process is asked to end."""
     folders = [settings.walks] if settings.walks else []
     lecture, apart = walked(map(Path, folders)), ReadingProcess("app", *folders)
-    registry = Registry(store_at(settings.store), lecture.bank)
     lecture.bank.apart = apart
-    open_page = partial(lecture.open_page, lead=partial(Publisher, registry), apart=apart)
+    live_class = LiveClass(store_at(settings.store), lecture.bank, settings.bokeh_secret_key)
+    open_page = partial(lecture.open_page, lead=live_class.lead, apart=apart)
     figures = {**FIGURES, "readings": ("Walks from files that are read or wait", lambda: len(apart))}
-    server = Server(open_page, settings, figures, {**SHEETS, **lecture.files}, registry)
+    server = Server(open_page, settings, figures, {**SHEETS, **lecture.files}, [live_class])
     asked: asyncio.Queue[float] = asyncio.Queue()
     for name, notice in ((signal.SIGTERM, settings.notice_seconds), (signal.SIGINT, 0.0)):
         with suppress(NotImplementedError):  # on Windows Ctrl+C comes as an exception

@@ -1,12 +1,20 @@
-"""How many visitors come in, and in which order the others do."""
+"""Admission: how many visitors come in, in which order the others do, and who gives way to them."""
 
 from __future__ import annotations
 
+import asyncio
 from collections import Counter
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Collection, Hashable, Mapping
 from secrets import token_urlsafe
 from time import monotonic
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, Protocol, TypeVar
+from weakref import WeakKeyDictionary
+
+from bokeh.server.session import ServerSession
+from bokeh.util.token import get_token_payload
+
+from components.serving.metrics import Looked
+from components.serving.visitors import Arrivals, Rate
 
 Key = TypeVar("Key", bound=Hashable)
 
@@ -22,6 +30,8 @@ IDLE = 600.0
 """Seconds without a word, after which a visitor gives way where all places are taken."""
 SHARE = 0.75
 """Of the places, that one network keeps where others want some: with more, its quietest visitor gives way."""
+RETURNS = 10
+"""Times that one page may come back in a minute, not counted among strangers; of a network so many for each arrival."""
 
 ORDINALS = ("first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth")
 
@@ -40,7 +50,7 @@ class InLine(NamedTuple):
     seen: float
 
 
-class Admission:
+class Line:
     """Lets in as many as there are places for; the others have tickets, and are let in by turns."""
 
     def __init__(
@@ -90,6 +100,70 @@ class Admission:
             order.append((turns[one.network], place, other))
             turns[one.network] += 1
         return next((i for i, (*_, other) in enumerate(sorted(order)) if other == ticket), len(order))
+
+
+class OpenSocket(Protocol):
+    """The socket of a visitor who is in."""
+
+    connection: Any
+    gone: asyncio.Event
+
+    def drop(self, code: int, reason: str) -> None: ...
+
+    def pulse(self) -> None: ...
+
+
+class Admission:
+    """The visitors who are in, by their sessions and sockets, and the line of those who wait."""
+
+    def __init__(self, places: int, arrivals: int, sessions: Callable[[], Collection[ServerSession]]) -> None:
+        """`arrivals` are pages that one network may open in a minute; `sessions` says which there are."""
+        self.sockets: set[OpenSocket] = set()
+        self.guests: WeakKeyDictionary[ServerSession, Guest] = WeakKeyDictionary()
+        self.line = Line(places, taken=self.taken, make_way=self._make_way, held=self._held)
+        self.arrivals = Arrivals(arrivals)
+        self.returns = Rate(RETURNS)
+        self.returning = Arrivals(RETURNS * arrivals)
+        self._sessions = sessions
+
+    def figures(self) -> Looked:
+        return {
+            "line": ("Visitors who wait for a place", lambda: len(self.line)),
+            "sessions": ("Sessions, with and without a visitor", self.taken),
+            "sockets": ("Visitors who are connected", lambda: len(self.sockets)),
+        }
+
+    def taken(self) -> int:
+        """How many places are."""
+        return sum(not session.expiration_requested for session in self._sessions())
+
+    def heard(self, session: ServerSession) -> None:
+        """A visitor has come in, or said something."""
+        guest = self.guests.get(session)
+        network = guest.network if guest else get_token_payload(session.token).get("network", "")
+        self.guests[session] = Guest(network, monotonic())
+
+    def wait(self, visitor: str, page: str) -> float:
+        """In how many seconds a page may be opened. One that comes back, and not too often, is no stranger."""
+        if page and not self.returns.admit(page) and not self.returning.admit(visitor):
+            return 0.0
+        return self.arrivals.admit(visitor)
+
+    def _in(self) -> dict[ServerSession, Guest]:
+        return {session: guest for session, guest in self.guests.items() if not session.expiration_requested}
+
+    def _held(self) -> Counter[str]:
+        return Counter(guest.network for guest in self._in().values())
+
+    def _make_way(self, network: str) -> bool:
+        """Send somebody away for a visitor of a network; False where nobody gives way."""
+        leaves = gives_way(self._in(), self.line.places, network, monotonic())
+        if leaves is None:
+            return False
+        leaves.request_expiration()
+        for socket in [one for one in self.sockets if one.connection and one.connection.session is leaves]:
+            socket.drop(1013, "All places are taken, and others wait.")
+        return True
 
 
 def gives_way(guests: Mapping[Key, Guest], places: int, network: str, now: float) -> Key | None:

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import bokeh.server
 import brotli
 
-from components.serving.answers import Answer, RefusedError
+from components.serving.handlers import LectureHandler, RefusedError
 from components.serving.scripts import FIRST, joined, later
 
 STATIC = Path(__file__).parents[2] / "static"
@@ -136,7 +136,7 @@ def packed_files(files: Mapping[str, bytes]) -> dict[str, Asset]:
     return {name: Asset(TYPES[Path(name).suffix], content, _packed(content)) for name, content in files.items()}
 
 
-class AssetFiles(Answer):
+class AssetFiles(LectureHandler):
     """Serves them, and `more` of what the page brings along."""
 
     def initialize(self, more: Mapping[str, Asset]) -> None:

@@ -3,22 +3,19 @@
 from __future__ import annotations
 
 import logging
+from collections.abc import Sequence
 from ipaddress import ip_address
-from typing import TYPE_CHECKING
 
 from prometheus_client import CONTENT_TYPE_LATEST
 from tornado.web import HTTPError
 
-from components.serving.answers import Answer
-
-if TYPE_CHECKING:
-    from components.serving.server import Lecture
+from components.serving.handlers import LectureHandler
+from components.serving.visitors import Network
 
 
-class Health(Answer):
+class Health(LectureHandler):
     """Asked every few seconds: not worth a line in the log."""
 
-    application: Lecture
     log_level = logging.DEBUG
 
     def prepare(self) -> None:
@@ -38,7 +35,7 @@ class Readiness(Health):
     """Whether new visitors may be sent here: not to a server that is about to end."""
 
     def get(self) -> None:
-        ready = not self.application.ending
+        ready = not self.context.ending.is_set()
         self.set_status(200 if ready else 503)
         self.write({self.request.path: ready})
 
@@ -48,14 +45,17 @@ class Readiness(Health):
 class Figures(Health):
     """For this machine and those that METRICS_FOR names; for others there is no such page."""
 
+    def initialize(self, readers: Sequence[Network]) -> None:
+        self._readers = readers
+
     def prepare(self) -> None:
         super().prepare()
         asked_by, headers = self.visitor, self.request.headers
         # Of whom a proxy speaks that is not trusted, nothing is known.
         unknown = asked_by == self.request.remote_ip and "X-Forwarded-For" in headers
-        if unknown or not any(ip_address(asked_by) in network for network in self.settings["metrics_for"]):
+        if unknown or not any(ip_address(asked_by) in network for network in self._readers):
             raise HTTPError(404)
 
     def get(self) -> None:
         self.set_header("Content-Type", CONTENT_TYPE_LATEST)
-        self.write(self.application.metrics.text())
+        self.write(self.context.metrics.text())

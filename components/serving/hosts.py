@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection
 from ipaddress import ip_address
 from urllib.parse import urlsplit
 
 from bokeh.server.util import check_allowlist
 
 
-def answers_to(host: str, allowed: Sequence[str]) -> bool:
+def answers_to(host: str, allowed: Collection[str]) -> bool:
     """Whether a page may be asked for under `host`, the request's own header.
 
     Addresses and this machine's own name cannot be made to point elsewhere, so they need no permission.
@@ -21,7 +21,7 @@ def answers_to(host: str, allowed: Sequence[str]) -> bool:
     return name == "localhost" or _is_address(name) or is_named(host, allowed)
 
 
-def is_named(host: str, allowed: Sequence[str]) -> bool:
+def is_named(host: str, allowed: Collection[str]) -> bool:
     return bool(check_allowlist(host.lower(), allowed))
 
 

@@ -8,12 +8,9 @@ from __future__ import annotations
 import json
 import logging
 from datetime import UTC, datetime
-from typing import TYPE_CHECKING
 
 from components.refusals import Once
-
-if TYPE_CHECKING:
-    from components.serving.answers import Answer
+from components.serving.handlers import LectureHandler
 
 log = logging.getLogger(__name__)
 
@@ -34,9 +31,9 @@ class JsonLines(logging.Formatter):
         return json.dumps(facts, ensure_ascii=False)
 
 
-def log_request(handler: Answer) -> None:
+def log_request(handler: LectureHandler) -> None:
     """In place of Tornado's line, which names address and query."""
-    status, request, visitors = handler.get_status(), handler.request, handler.settings["log_visitors"]
+    status, request, visitors = handler.get_status(), handler.request, handler.context.settings.log_visitors
     level = logging.WARNING if status >= 400 else handler.log_level
     facts = {"status": status, "method": request.method, "path": request.uri if visitors else request.path}
     facts |= {"ms": round(1000 * request.request_time(), 1)} | ({"address": handler.visitor} if visitors else {})

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from secrets import token_urlsafe
-from typing import TYPE_CHECKING
 
 from bokeh.application.handlers.handler import Handler
 from bokeh.document import Document
@@ -16,15 +15,13 @@ from tornado.httputil import HTTPServerRequest
 from tornado.web import HTTPError
 
 from components.serving.admission import ASK_AGAIN, ordinal
-from components.serving.answers import RefusedError, Visited, templates
+from components.serving.context import Context
+from components.serving.handlers import RefusedError, VisitorHandler, templates
 from components.serving.headers import policy, scripts_of
 from components.serving.mended import patch_curdoc
 from components.serving.shell import follow_template
 from components.serving.tokens import page_name
-from components.serving.visitors import Network, address_of, network_of
-
-if TYPE_CHECKING:
-    from components.serving.server import Lecture
+from components.serving.visitors import address_of, network_of
 
 log = logging.getLogger(__name__)
 
@@ -42,17 +39,16 @@ OpenPage = Callable[[Document], None]
 class Filled(Handler):  # type: ignore[misc]  # Bokeh's are not looked into
     """Fills the document of a new session. One that fails is left empty: what went wrong is for the log alone."""
 
-    def __init__(self, open_page: OpenPage, trusted: Sequence[Network], secret: bytes) -> None:
+    def __init__(self, open_page: OpenPage, context: Context) -> None:
         super().__init__()
         self._open_page = open_page
-        self._secret = secret
-        self._trusted = trusted
+        self._context = context
 
     def process_request(self, request: HTTPServerRequest) -> dict[str, object]:
         """Goes into the page's token, by which each replica knows where the visitor comes from and which page it is: it
         keeps its name where it fetches itself anew."""
-        page = page_name(request.headers.get(OWN_TOKEN, ""), self._secret) or token_urlsafe(9)
-        return {"network": str(network_of(address_of(request, self._trusted))), "page": page}
+        page = page_name(request.headers.get(OWN_TOKEN, ""), self._context.secret) or token_urlsafe(9)
+        return {"network": str(network_of(address_of(request, self._context.trusted))), "page": page}
 
     def modify_document(self, doc: Document) -> None:
         # Reconnecting and telling of it are the page's own business.
@@ -65,10 +61,8 @@ class Filled(Handler):  # type: ignore[misc]  # Bokeh's are not looked into
             doc.clear()
 
 
-class Page(Visited, SessionHandler):  # type: ignore[misc]  # Bokeh's are not looked into
+class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are not looked into
     """The page of one visitor."""
-
-    application: Lecture
 
     async def prepare(self) -> None:
         await super().prepare()
@@ -87,50 +81,43 @@ class Page(Visited, SessionHandler):  # type: ignore[misc]  # Bokeh's are not lo
             return
         asked = self.request.arguments.pop("ticket", [b""])[0]  # is between server and visitor, no part of the link
         shown = self.request.headers.get(TICKET) or asked.decode("latin-1")
-        place, ticket = self.application.admission.knock(shown, str(network_of(self.visitor)))
+        place, ticket = self.context.admission.line.knock(shown, str(network_of(self.visitor)))
         if place:
             self._wait(place, ticket)
             return
-        if seconds := self._counted():
+        page = page_name(self.request.headers.get(OWN_TOKEN, ""), self.context.secret)
+        if seconds := self.context.admission.wait(self.visitor, page):
             raise RefusedError(429, TOO_MANY, after=seconds)
         session = await self.get_session()
-        self.application.heard(session)
+        self.context.admission.heard(session)
         if not session.document.roots:
             raise HTTPError(500)
-        self.application.metrics.arrivals.inc()
+        self.context.metrics.arrivals.inc()
         # The token is good for this visit only; a kept page could not connect.
         scripts = scripts_of(session.document.template)
         self.set_header("Cache-Control", "no-store")
-        self.set_header("Content-Security-Policy", policy(self.settings["frame_ancestors"], scripts))
+        self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors, scripts))
         self.write(page_of(session))
-
-    def _counted(self) -> float:
-        """In how many seconds the page may be opened. One that comes back, and not too often, is no stranger."""
-        application = self.application
-        page = page_name(self.request.headers.get(OWN_TOKEN, ""), application.secret_key)
-        if page and not application.returns.admit(page) and not application.returning.admit(self.visitor):
-            return 0.0
-        return application.arrivals.admit(self.visitor)
 
     def _follow(self) -> None:
         """A page without a session: all that it shows comes from the class."""
         page = follow_template()
         self.set_header("Cache-Control", "no-cache")
-        self.set_header("Content-Security-Policy", policy(self.settings["frame_ancestors"], scripts_of(page)))
+        self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors, scripts_of(page)))
         self.write(page.render())
 
     def _wait(self, place: int, ticket: str) -> None:
         """A page that needs no session, and asks again by itself."""
         parts = [part for part in self.request.query.split("&") if part and not part.startswith("ticket=")]
         page = templates().get_template("waiting.html", globals={"seconds": ASK_AGAIN})
-        self.application.metrics.refused.labels("full").inc()
+        self.context.metrics.refused.labels("full").inc()
         self.set_status(503)
         self.set_header("Retry-After", str(ASK_AGAIN))
         self.set_header(TICKET, ticket)
         self.set_header("Cache-Control", "no-store")
-        self.set_header("Content-Security-Policy", policy(self.settings["frame_ancestors"], scripts_of(page)))
+        self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors, scripts_of(page)))
         address = "?" + "&".join([*parts, f"ticket={ticket}"])
-        places = self.application.admission.places
+        places = self.context.admission.line.places
         self.write(page.render(places=places, place=ordinal(place), address=address))
 
     def head(self) -> None:

@@ -10,7 +10,7 @@ from itertools import pairwise
 from pathlib import Path
 from secrets import token_urlsafe
 from typing import Annotated, Any, Literal, get_type_hints
-from urllib.parse import quote
+from urllib.parse import quote, urlsplit
 
 import msgspec
 from bokeh.server.util import create_hosts_allowlist
@@ -175,11 +175,19 @@ def read_settings(arguments: Sequence[str], environment: Mapping[str, str]) -> S
 
 
 def _check_store(url: str) -> None:
-    """The client of a shared store is read only where there is one."""
-    if url:
-        from components.live_class.shared_store import check_url
+    """ValueError where there can be no store at an address; none is asked, and its client is read only where one is."""
+    if not url:
+        return
+    from redis.asyncio import Redis
+    from redis.exceptions import RedisError
 
-        check_url(url)
+    found = urlsplit(url)
+    if found.scheme != "unix" and not re.fullmatch(r"/?\d*", found.path):
+        raise ValueError("The name of a store is a number.")
+    try:
+        Redis.from_url(url).connection_pool.make_connection()  # type: ignore[no-untyped-call]  # redis' own
+    except (TypeError, AttributeError, RedisError) as error:  # of an option that there is not
+        raise ValueError(str(error)) from error
 
 
 def _secret_in(variable: str, path: str) -> str:

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from functools import cache
-from typing import TYPE_CHECKING
 
 from bokeh.document import Document
 from jinja2 import Template
 
 from components.description import sheet_address
-from components.serving.answers import templates
+from components.scene import Scene
 from components.serving.assets import folder_of, library_files, static_files
-
-if TYPE_CHECKING:
-    from components.scene import Scene
+from components.serving.handlers import templates
 
 
 @cache

@@ -7,21 +7,19 @@ import logging
 from collections import deque
 from contextlib import suppress
 from time import monotonic
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from bokeh.core.serialization import UnknownReferenceError
 from bokeh.protocol.message import Message
 from bokeh.protocol.messages.patch_doc import patch_doc
 from bokeh.server.session import ServerSession
+from bokeh.server.tornado import BokehTornado
 from bokeh.server.views.ws import WSHandler
 from tornado.websocket import WebSocketClosedError
 
-from components.serving.answers import RefusedError, Visited
+from components.serving.handlers import RefusedError, VisitorHandler
 from components.serving.incoming import Incoming, ViolationError
 from components.serving.tokens import opens_session
-
-if TYPE_CHECKING:
-    from components.serving.server import Lecture
 
 log = logging.getLogger(__name__)
 
@@ -33,10 +31,10 @@ MOST_MISSED = 2
 """Pings that may go without an answer."""
 
 
-class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looked into
+class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are not looked into
     """In place of Bokeh's, which assembles and deserialises whatever is announced to it."""
 
-    application: Lecture
+    application: BokehTornado
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
@@ -51,15 +49,15 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
     async def prepare(self) -> None:
         await super().prepare()
         name, _, token = self.request.headers.get("Sec-WebSocket-Protocol", "").partition(",")
-        if name.strip() != "bokeh" or not opens_session(token.strip(), self.application.secret_key):
+        if name.strip() != "bokeh" or not opens_session(token.strip(), self.context.secret):
             raise RefusedError(403, "The server no longer knows this page; reload it.")
 
     def check_origin(self, origin: str) -> bool:
         """Tornado asks where the page is not from the host that it connects to."""
-        return self.application.goes_by(origin)
+        return self.context.goes_by(origin)
 
     def open(self, *args: str, **kwargs: str) -> None:
-        self.application.sockets.add(self)
+        self.context.admission.sockets.add(self)
         # An answer is several small frames. By default TCP holds the later ones back until the browser has acknowledged
         # the first, which it delays by up to 40 ms.
         self.set_nodelay(True)
@@ -76,7 +74,7 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
         elif self.connection.session.expiration_requested:
             self.drop(1013, "This page's place has been given to another visitor.")
         else:
-            self.application.heard(self.connection.session)
+            self.context.admission.heard(self.connection.session)
             self._be_the_only_one()
 
     def _be_the_only_one(self) -> None:
@@ -99,7 +97,7 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
     def on_close(self) -> None:
         self.gone.set()
         self._waiting.clear()
-        self.application.sockets.discard(self)
+        self.context.admission.sockets.discard(self)
         super().on_close()
 
     def drop(self, code: int, reason: str) -> None:
@@ -127,7 +125,7 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
 
     def _refuse(self, violation: ViolationError) -> None:
         log.warning("A socket is closed: %s", violation.reason)
-        self.application.metrics.refused.labels(f"socket {violation.code}").inc()
+        self.context.metrics.refused.labels(f"socket {violation.code}").inc()
         self.drop(violation.code, violation.reason)
 
     def _admit(self, message: Message[Any]) -> None:
@@ -149,8 +147,8 @@ class Socket(Visited, WSHandler):  # type: ignore[misc]  # Bokeh's are not looke
             await self._answer(message)
             self._rests = 2 * monotonic() - begun
             if isinstance(message, patch_doc) and self.connection:
-                self.application.heard(self.connection.session)
-                self.application.metrics.change.observe(monotonic() - arrived)
+                self.context.admission.heard(self.connection.session)
+                self.context.metrics.change.observe(monotonic() - arrived)
         self._work = None
 
     async def _answer(self, message: Message[Any]) -> None:

@@ -9,8 +9,7 @@ from functools import partial
 from typing import Any
 
 from app import SHEETS, walked
-from components.live_class.publisher import Publisher
-from components.live_class.registry import Registry
+from components.live_class.routes import LiveClass
 from components.live_class.store import MemoryStore
 from components.serving.server import Server
 from components.serving.settings import Settings
@@ -23,10 +22,11 @@ Test = Callable[[Server, str], Coroutine[None, None, None]]
 
 @asynccontextmanager
 async def served(**settings: Any) -> AsyncIterator[tuple[Server, str]]:
-    registry = Registry(MemoryStore(), LECTURE.bank)
-    page = partial(LECTURE.open_page, lead=partial(Publisher, registry))
     made = Settings(**{"address": "127.0.0.1", "port": 0, **settings})
-    server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, registry=registry)
+    live_class = LiveClass(MemoryStore(), LECTURE.bank, made.bokeh_secret_key)
+    page = partial(LECTURE.open_page, lead=live_class.lead)
+    server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, features=[live_class])
+    server.classes = live_class.context
     try:
         yield server, f"http://127.0.0.1:{server.port}/"
     finally:

@@ -58,7 +58,7 @@ def test_a_remote_control_without_its_ticket_drives_nothing() -> None:
 
 def test_who_floods_an_instructors_door_does_not_close_it() -> None:
     async def test(server: Server, url: str) -> None:
-        server.lecture.class_rate.most = 5
+        server.classes.rate.most = 5
         lesson, path = await Class.open(url), "/class/{}/{}"
         for _ in range(10):
             assert (await called(url, path.format(lesson.code, "lead"), "POST", {"type": "end"}, "x")).status == 404
@@ -95,7 +95,7 @@ def test_a_storm_of_streams_takes_no_places() -> None:
         lesson = await Class.open(url)
         other, token = await lesson.follow(), await lesson.token()
         streams = [await Stream(url, lesson.code, token).open() for _ in range(3 * follower_routes.MOST_STREAMS)]
-        room = server.lecture.registry.rooms[lesson.code]
+        room = server.classes.registry.rooms[lesson.code]
         async with asyncio.timeout(10):
             while room.followers > 1 + follower_routes.MOST_STREAMS:
                 await asyncio.sleep(0.01)
@@ -122,7 +122,7 @@ def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyPatch) 
         mute.connect(("127.0.0.1", server.port))
         head = f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\n"
         mute.sendall(f"{head}Authorization: Bearer {await lesson.token()}\r\n\r\n".encode())
-        room = (await called(url, f"/class/{lesson.code}/lead", word=lesson.key)) and server.lecture.registry.rooms
+        room = (await called(url, f"/class/{lesson.code}/lead", word=lesson.key)) and server.classes.registry.rooms
         async with asyncio.timeout(10):
             while room[lesson.code].followers < 1:
                 await asyncio.sleep(0.01)
@@ -148,12 +148,12 @@ def test_a_vote_is_of_somebody_who_follows(monkeypatch: pytest.MonkeyPatch) -> N
         await asyncio.sleep(0.2)
         assert (await lesson.vote(token, **CHOICE, option=0)).status == 204
         await stream.close()
-        room = server.lecture.registry.rooms[lesson.code]
+        room = server.classes.registry.rooms[lesson.code]
         async with asyncio.timeout(10):
             while room.follows(name_of(token)):
                 await asyncio.sleep(0.01)
         assert (await lesson.vote(token, **CHOICE, option=1)).status == 503
-        await server.lecture.registry.store.name(lesson.code, "another replica", [name_of(token)])
+        await server.classes.registry.store.name(lesson.code, "another replica", [name_of(token)])
         assert (await lesson.vote(token, **CHOICE, option=1)).status == 204
         assert (await lesson.tally())["now"]["options"] == [0, 1, 0]
 
@@ -168,7 +168,7 @@ def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) -> Non
         await lesson.order("put", **CHOICE)
         early, late = await lesson.token(), await lesson.token()
         assert (await lesson.vote(early, **CHOICE, option=1)).status == 204
-        room = server.lecture.registry.rooms[lesson.code]
+        room = server.classes.registry.rooms[lesson.code]
         for _ in range(20):  # comes in, votes, and is gone
             token = await lesson.token()
             assert (await lesson.vote(token, **CHOICE, option=0)).status == 204

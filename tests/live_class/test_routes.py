@@ -39,7 +39,7 @@ def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> No
         late = await lesson.follow()
         whole = await late.until(lambda event: event.get("picture"))
         assert whole["picture"] == told["picture"]
-        assert server.lecture.metrics.text().count(b"oscillations_followers 2.0") == 1
+        assert server.context.metrics.text().count(b"oscillations_followers 2.0") == 1
         assert len(server.lecture.get_sessions("/")) == 1
         for each in (stream, late):
             await each.close()
@@ -109,7 +109,7 @@ def test_who_gets_no_stream_asks_and_is_told_all_that_is_new() -> None:
         assert (await called(url, path, word=token)).status == 204
         await lesson.order("withdraw")
         assert (await called(url, path, word=token)).json["question"]["step"] == ""
-        assert server.lecture.registry.followers == 1
+        assert server.classes.registry.followers == 1
 
     run(test)
 
@@ -121,7 +121,7 @@ def test_an_instructor_who_gets_no_stream_is_told_what_it_alone_hears_one_by_one
         path = f"/class/{lesson.code}/now?after="
         known = (await called(url, path, word=lesson.key)).json["number"]
         assert await lesson.vote(await lesson.token(), **CHOICE, option=1)
-        room = server.lecture.registry.rooms[lesson.code]
+        room = server.classes.registry.rooms[lesson.code]
         for deed in ("next", "next"):
             room.tell({"deed": f'"{deed}"'.encode()})
         heard = []
@@ -174,7 +174,7 @@ def test_a_follower_that_reads_too_slowly_is_left_out_and_gets_the_latest() -> N
         slow.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         head = f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\nAuthorization: Bearer {token}\r\n\r\n"
         slow.sendall(head.encode())
-        room = server.lecture.registry.rooms[lesson.code]
+        room = server.classes.registry.rooms[lesson.code]
         async with asyncio.timeout(10):
             while room.followers < 2:
                 await asyncio.sleep(0.01)
@@ -272,7 +272,7 @@ def test_the_address_to_join_at_is_the_public_one() -> None:
 
 def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_one() -> None:
     async def test(server: Server, url: str) -> None:
-        server.lecture.openings.most = 2
+        server.classes.openings.most = 2
         for word, sentence in (("", "Opening a class here needs"), ("wrong%20words", "This is not the instructors'")):
             answer = await called(url, "/class", "POST", word=word)
             assert answer.status == 401 and answer.json["sentence"].startswith(sentence)
@@ -280,6 +280,6 @@ def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_one() 
         for _ in range(3):  # whoever guesses from this network does not hold up who knows it
             opened = await called(url, "/class", "POST", word="swinging%20%C3%BCber%20springs")
             assert opened.status == 200
-        assert await server.lecture.registry.store.rooms() == 3
+        assert await server.classes.registry.store.rooms() == 3
 
     run(test, class_passphrase="swinging über springs")

@@ -36,8 +36,8 @@ def test_what_is_told_while_a_stream_begins_is_heard(monkeypatch: pytest.MonkeyP
         lesson = await Class.open(url)
         leader, follower = await lesson.lead(), await lesson.follow()
         await begun.wait()
-        server.lecture.registry.leave(server.lecture.registry.rooms[lesson.code])  # as upkeep does once a second
-        registry = server.lecture.registry
+        server.classes.registry.leave(server.classes.registry.rooms[lesson.code])  # as upkeep does once a second
+        registry = server.classes.registry
         await registry.store.tell(lesson.code, {"deed": b'"next"'})
         await lesson.order("clock", t=1.0, rate=0.0, end=20.0, at=0.0)
         free.set()
@@ -57,7 +57,7 @@ def test_an_instructor_that_reads_slowly_misses_no_deed_and_hears_none_twice() -
         word = f"Authorization: Bearer {lesson.key}"
         slow.sendall(f"GET /class/{lesson.code}/events HTTP/1.1\r\nHost: 127.0.0.1\r\n{word}\r\n\r\n".encode())
         async with asyncio.timeout(10):
-            while not (room := server.lecture.registry.rooms.get(lesson.code)) or not room.is_led:
+            while not (room := server.classes.registry.rooms.get(lesson.code)) or not room.is_led:
                 await asyncio.sleep(0.01)
         room.tell({"deed": b'"back"'})
         for i in range(400):

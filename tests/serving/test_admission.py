@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from app import SHEETS, open_page
-from components.serving.admission import FORGOTTEN, IDLE, LONGEST, OF_A_NETWORK, Admission, Guest, gives_way, ordinal
+from components.serving.admission import FORGOTTEN, IDLE, LONGEST, OF_A_NETWORK, Guest, Line, gives_way, ordinal
 from components.serving.server import Server as Serving
 from components.serving.settings import Settings
 from tests.attack.caller import Caller, Reply, ask, connect, contents, token_of
@@ -20,14 +20,14 @@ from tests.serving.server import Server, serving
 
 
 class House:
-    """An admission, its places and a clock that is set by hand."""
+    """A line, the places it leads to and a clock that is set by hand."""
 
     def __init__(self, places: int) -> None:
         self.taken, self.now = 0, 0.0
-        self.admission = Admission(places, lambda: self.taken, lambda: self.now)
+        self.line = Line(places, lambda: self.taken, lambda: self.now)
 
     def knock(self, ticket: str = "") -> tuple[int, str]:
-        place, ticket = self.admission.knock(ticket)
+        place, ticket = self.line.knock(ticket)
         self.taken += place == 0
         return place, ticket
 
@@ -66,19 +66,19 @@ def test_tickets_are_ours_and_the_line_has_an_end() -> None:
     house.knock()
     assert house.knock("mine")[1] != "mine"
     for n in range(LONGEST + 5):
-        place, ticket = house.admission.knock("", str(n))
+        place, ticket = house.line.knock("", str(n))
     assert place == LONGEST + 1
-    assert house.admission.knock(ticket, "new")[0] == LONGEST + 1
+    assert house.line.knock(ticket, "new")[0] == LONGEST + 1
 
 
 def test_networks_take_turns_and_one_of_them_does_not_fill_the_line() -> None:
     house = House(1)
     house.knock()
-    flood = [house.admission.knock("", "a") for _ in range(2100)]
-    assert house.admission.knock("", "b")[0] == 2
-    assert sum(house.admission.knock(ticket, "a")[0] <= LONGEST for _, ticket in flood[:600]) >= OF_A_NETWORK
-    house.admission.places = 31  # places are free: who comes from elsewhere is in
-    assert house.admission.knock("", "c") == (0, "")
+    flood = [house.line.knock("", "a") for _ in range(2100)]
+    assert house.line.knock("", "b")[0] == 2
+    assert sum(house.line.knock(ticket, "a")[0] <= LONGEST for _, ticket in flood[:600]) >= OF_A_NETWORK
+    house.line.places = 31  # places are free: who comes from elsewhere is in
+    assert house.line.knock("", "c") == (0, "")
 
 
 def test_who_has_been_silent_for_long_gives_way_and_else_the_quietest_of_a_network_that_has_most_places() -> None:
@@ -110,10 +110,10 @@ def test_idle_visitors_of_one_network_do_not_keep_all_others_out() -> None:
             pass
         assert back.close_code == 1013  # the place is another's by now
         back.close()
-        server.lecture.guests = type(server.lecture.guests)(
-            {session: guest._replace(heard=guest.heard - IDLE) for session, guest in server.lecture.guests.items()}
-        )
-        server.lecture.heard(next(s for s in server.lecture.get_sessions("/") if s.token == token_of(first.text)))
+        admission = server.context.admission
+        for session, guest in list(admission.guests.items()):
+            admission.guests[session] = guest._replace(heard=guest.heard - IDLE)
+        admission.heard(next(s for s in server.lecture.get_sessions("/") if s.token == token_of(first.text)))
         tickets = [await page(f"203.0.{n}.1") for n in range(5)]
         assert sum(reply.status == 200 for reply in tickets) == 3  # who has spoken stays
         assert socket.close_code is None

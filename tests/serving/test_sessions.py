@@ -188,7 +188,7 @@ def test_who_leaves_at_the_door_leaves_nothing_behind(monkeypatch: pytest.Monkey
 
             async def slowly(*arguments: Any) -> ServerSession:
                 session = await create(*arguments)
-                await until(lambda: not server.lecture.sockets)
+                await until(lambda: not server.context.admission.sockets)
                 return session
 
             monkeypatch.setattr(ApplicationContext, "create_session_if_needed", slowly)
@@ -217,13 +217,13 @@ def test_a_socket_that_misses_two_pings_is_dropped() -> None:
             caller, silent = await Caller.arrive(url(server)), await Caller.arrive(url(server))
             silent.socket.protocol._send_pong = lambda _: None  # type: ignore[union-attr]
             for _ in range(MOST_MISSED + 1):
-                for socket in list(server.lecture.sockets):
+                for socket in list(server.context.admission.sockets):
                     socket.pulse()
                 await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
                 for _ in range(3):  # the answer comes after the pong
                     await caller.hear()
             assert await silent.closed() == (1001, "No answer to two pings.")
-            assert len(server.lecture.sockets) == 1
+            assert len(server.context.admission.sockets) == 1
             await caller.depart()
 
     asyncio.run(go())
@@ -235,7 +235,7 @@ def test_a_page_has_one_socket() -> None:
             token = token_of((await page_of(server)).text)
             first, second = Caller(await connect(url(server), token)), Caller(await connect(url(server), token))
             assert await first.closed() == (1008, "This page is connected anew.")
-            await until(lambda: len(server.lecture.sockets) == 1)
+            await until(lambda: len(server.context.admission.sockets) == 1)
             for _ in range(3):  # the welcome
                 await second.hear()
             await second.say(header("PULL-DOC-REQ"), "{}", "{}")
@@ -269,7 +269,7 @@ def test_a_visitor_waits_as_long_as_the_last_answer_took(monkeypatch: pytest.Mon
     async def go() -> None:
         async with served() as server:
             caller = await Caller.arrive(url(server))
-            (socket,) = server.lecture.sockets
+            (socket,) = server.context.admission.sockets
             monkeypatch.setattr(Socket, "_answer", answer)
             monkeypatch.setattr("components.serving.sockets.monotonic", lambda: now[0])
             monkeypatch.setattr("components.serving.sockets.asyncio", SimpleNamespace(sleep=sleep))
@@ -286,7 +286,7 @@ def test_answers_are_not_held_back() -> None:
     async def go() -> None:
         async with served() as server:
             caller = await Caller.arrive(url(server))
-            (socket,) = server.lecture.sockets
+            (socket,) = server.context.admission.sockets
             assert socket.ws_connection.stream.socket.getsockopt(IPPROTO_TCP, TCP_NODELAY)
             await caller.depart()
 

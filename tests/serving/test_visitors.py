@@ -8,7 +8,8 @@ import pytest
 from bokeh.util.token import generate_jwt_token, generate_session_id
 
 from app import SHEETS, open_page
-from components.serving.server import RETURNS, Server
+from components.serving.admission import RETURNS
+from components.serving.server import Server
 from components.serving.settings import Settings
 from components.serving.visitors import MOST_NETWORKS, Arrivals, networks, visitor
 from tests.attack.caller import Reply, ask, contents, token_of
@@ -90,7 +91,8 @@ def test_a_page_that_comes_back_is_not_counted_among_strangers() -> None:
 
     async def go() -> None:
         server = Server(open_page, Settings(address="127.0.0.1", port=0, arrivals=2), sheets=SHEETS)
-        for rate in (server.lecture.arrivals, server.lecture.returns, server.lecture.returning):
+        admission = server.context.admission
+        for rate in (admission.arrivals, admission.returns, admission.returning):
             rate._clock = lambda: 0.0
         url = f"http://127.0.0.1:{server.port}/"
 
@@ -108,7 +110,7 @@ def test_a_page_that_comes_back_is_not_counted_among_strangers() -> None:
             assert back.status == 200 and contents(token_of(back.text))["page"] == name
             token = token_of(back.text)
         assert (await page(token)).status == 429
-        secret = server.lecture.secret_key
+        secret = server.context.secret
         session = generate_session_id(secret, True)
         old = generate_jwt_token(session, secret, True, extra_payload={"page": "old"}, expiration=-1000)
         assert (await page(old)).status == 200
@@ -126,7 +128,7 @@ def test_a_page_that_comes_back_keeps_its_place_in_the_line() -> None:
             reply = await asyncio.to_thread(ask, url, "/", **{"Page-Ticket": ticket})
             assert reply.status == 503 and ticket in ("", reply.headers["Page-Ticket"])
             ticket = reply.headers["Page-Ticket"]
-            assert "you are first in line" in reply.text and len(server.lecture.admission) == 1
+            assert "you are first in line" in reply.text and len(server.context.admission.line) == 1
         await server.end()
 
     asyncio.run(go())

@@ -1,4 +1,4 @@
-"""What every answer of the server has in common: a refusal or a fault is a page with one sentence, nothing more."""
+"""The handlers that all others come from: a refusal or a fault is a page with one sentence, nothing more."""
 
 from __future__ import annotations
 
@@ -6,17 +6,15 @@ import logging
 from functools import cache
 from math import ceil
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, Template
 from tornado.web import HTTPError, RequestHandler
 
+from components.serving.context import Context
 from components.serving.headers import SAFE, policy
 from components.serving.hosts import answers_to
 from components.serving.visitors import address_of
-
-if TYPE_CHECKING:
-    from components.serving.server import Lecture
 
 log = logging.getLogger(__name__)
 
@@ -48,23 +46,27 @@ def notice() -> Template:
     return templates().get_template("notice.html")
 
 
-class Answer(RequestHandler):
+class LectureHandler(RequestHandler):
     """A handler whose failures are said in a sentence."""
 
-    application: Lecture
     log_level = logging.INFO
     """Of the line that a request leaves in the log where nothing is wrong."""
 
+    @property
+    def context(self) -> Context:
+        context: Context = self.settings["context"]
+        return context
+
     def set_default_headers(self) -> None:
         self.clear_header("Server")  # its version is nobody's business
-        self.set_header("Content-Security-Policy", policy(self.settings["frame_ancestors"]))
+        self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors))
         for name, value in SAFE.items():
             self.set_header(name, value)
 
     @property
     def visitor(self) -> str:
         """The address that the request comes from."""
-        return address_of(self.request, self.settings["trusted_proxies"])
+        return address_of(self.request, self.context.trusted)
 
     def log_exception(self, kind: Any, error: Any, trace: Any) -> None:
         """Once, without the visitor's address and query; what was refused is in the line of the request."""
@@ -77,30 +79,31 @@ class Answer(RequestHandler):
         self.set_header("Cache-Control", "no-store")
         if isinstance(error, RefusedError) and error.after:
             self.set_header("Retry-After", str(ceil(error.after)))
-        self.application.metrics.refused.labels(f"request {status_code}").inc()
+        self.context.metrics.refused.labels(f"request {status_code}").inc()
         self.finish(notice().render(sentence=sentence))
 
 
-class Visited(Answer):
+class VisitorHandler(LectureHandler):
     """A handler that answers only to the names that the server goes by."""
 
     async def prepare(self) -> None:
         host = self.request.headers.get("Host", "")
-        if not answers_to(host, self.application.websocket_origins):
+        if not answers_to(host, self.context.hosts):
             raise RefusedError(
                 403, "This server is not known by this address. Whoever runs it can allow it with ALLOWED_ORIGIN."
             )
-        await super().prepare()  # type: ignore[misc]
+        if more := super().prepare():
+            await more
 
 
-class Missing(Answer):
+class Missing(LectureHandler):
     """Whatever has no address of its own."""
 
     async def prepare(self) -> None:
         raise HTTPError(404)
 
 
-class Moved(Answer):
+class Moved(LectureHandler):
     """Where the page was, once: to where it is, with the query. Relative, since a proxy may serve it under a path."""
 
     def initialize(self, to: str) -> None:

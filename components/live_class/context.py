@@ -1,0 +1,22 @@
+"""The context of the live class's handlers: its rooms, the keys to them, and how often somebody may ask."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from components.live_class.codes import Tokens
+from components.live_class.registry import Registry
+from components.serving.visitors import Arrivals, Rate
+
+OF_A_CLASS = 1200
+"""Messages a minute of one instructor, follower or remote control."""
+OPENINGS = 60
+"""Classes that one network may open in a minute."""
+
+
+@dataclass(frozen=True)
+class ClassContext:
+    registry: Registry
+    tokens: Tokens
+    rate: Rate = field(default_factory=lambda: Rate(OF_A_CLASS))
+    openings: Arrivals = field(default_factory=lambda: Arrivals(OPENINGS))

@@ -1,0 +1,123 @@
+"""The handler that all of the live class come from: who asks, what is refused, and how it is said."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Awaitable
+from typing import Any, TypeVar
+
+import msgspec
+import segno
+
+from components.live_class.codes import as_code, join_key
+from components.live_class.context import ClassContext
+from components.live_class.registry import ClosedError
+from components.live_class.room import ClassRoom
+from components.live_class.store import AwayError
+from components.page.room import Opened
+from components.serving.handlers import SENTENCES, RefusedError, VisitorHandler
+from components.serving.settings import own_address
+from components.serving.shell import version
+
+LONGEST = 8000
+"""Bytes of a message to a room: two sketches are a quarter of it."""
+AWAY = "The server cannot reach its record of the class now. What you see stays; try again in a moment."
+
+Body = TypeVar("Body")
+Answered = TypeVar("Answered")
+
+
+class ClassHandler(VisitorHandler):
+    """Answers what is said to a room; refusals are sentences, as JSON."""
+
+    def initialize(self, classes: ClassContext) -> None:
+        self.classes = classes
+
+    async def prepare(self) -> None:
+        await super().prepare()
+        self.set_header("Cache-Control", "no-store")
+        self.set_header("Lecture-Version", version())  # a page of another one loads anew
+        origin = self.request.headers.get("Origin", "")
+        own = f"{self.request.protocol}://{self.request.host}"
+        if origin and origin != own and not self.context.goes_by(origin):
+            raise RefusedError(403, "A class is led and followed from the lecture's own page.")
+
+    @property
+    def word(self) -> str:
+        """The key or token that is shown."""
+        return self.request.headers.get("Authorization", "").removeprefix("Bearer ")
+
+    def body(self, kind: type[Body], longest: int = LONGEST) -> Body:
+        if len(self.request.body) > longest:
+            raise RefusedError(413, "This message is too long.")
+        try:
+            return msgspec.json.decode(self.request.body, type=kind)
+        except (msgspec.DecodeError, UnicodeDecodeError, RecursionError) as error:
+            raise RefusedError(400, "This is not what the lecture's page sends.") from error
+
+    def reply(self, value: object) -> None:
+        self.set_header("Content-Type", "application/json")
+        self.write(msgspec.json.encode(value))
+
+    async def outcome(self, asked: Awaitable[Answered]) -> Answered:
+        """The value that the registry gives, or a refusal in a sentence."""
+        try:
+            return await asked
+        except ClosedError as reason:
+            raise RefusedError(404, str(reason)) from reason
+        except AwayError as reason:
+            raise RefusedError(503, AWAY, after=1) from reason
+        except ValueError as reason:
+            raise RefusedError(409, str(reason)) from reason
+
+    def limit(self, name: str) -> None:
+        """Count a message of somebody, and refuse it where there were too many."""
+        if seconds := self.classes.rate.admit(name):
+            raise RefusedError(429, "Too many messages at once. Try again in a moment.", seconds)
+
+    async def led(self, code: str) -> ClassRoom:
+        """The room, for its instructor alone; what others ask does not count, or they could silence an instructor."""
+        room = await self.outcome(self.classes.registry.led(as_code(code), self.word))
+        self.limit(f"lead {room.code}")
+        return room
+
+    def address(self, query: str) -> str:
+        """Where the class, or a remote control, comes in."""
+        settings = self.context.settings
+        host = self.request.host
+        if settings.everywhere and self.request.host_name in ("localhost", "127.0.0.1") and (own := own_address()):
+            host = host.replace(self.request.host_name, own)
+        base = settings.public_url or f"{self._scheme()}://{host}{self._folder()}"
+        return f"{base.rstrip('/')}/?{query}"
+
+    def _scheme(self) -> str:
+        """As the visitor's browser has it, by the word of a proxy that is trusted."""
+        told = self.request.headers.get("X-Forwarded-Proto", "")
+        return told if self.context.trusted and told in ("http", "https") else self.request.protocol
+
+    def _folder(self) -> str:
+        """The path that a proxy serves the lecture under, by the word of the page itself."""
+        path = self.request.headers.get("X-Page-Path", "/")
+        return path.rstrip("/") if path.startswith("/") and path.isascii() and len(path) < 200 else ""
+
+    def opened(self, code: str, key: str) -> Opened:
+        address = self.address(f"class={code}&join={join_key(key)}")
+        return Opened(code=code, key=key, address=address, square=square(address))
+
+    def write_error(self, status_code: int, **more: Any) -> None:
+        error = more.get("exc_info", (None, None, None))[1]
+        sentence = error.sentence if isinstance(error, RefusedError) else SENTENCES.get(status_code, SENTENCES[400])
+        if isinstance(error, RefusedError) and error.after:
+            self.set_header("Retry-After", str(max(1, round(error.after))))
+        self.context.metrics.refused.labels(f"class {status_code}").inc()
+        self.reply({"sentence": sentence})
+        self.finish()
+
+
+def square(text: str) -> str:
+    """A QR code as SVG, in the colour of the text around it."""
+    drawing = io.BytesIO()
+    segno.make(text, error="m", micro=False).save(
+        drawing, kind="svg", xmldecl=False, svgns=True, border=2, omitsize=True, svgclass="qr", lineclass=None
+    )
+    return drawing.getvalue().decode()

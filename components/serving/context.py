@@ -1,0 +1,38 @@
+"""The context of a server's handlers: all that they may know of it."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, field
+from urllib.parse import urlsplit
+
+from components.serving.admission import Admission
+from components.serving.hosts import is_named
+from components.serving.metrics import Metrics
+from components.serving.settings import Settings
+from components.serving.visitors import Network
+
+
+@dataclass(frozen=True, kw_only=True)
+class Context:
+    """The settings of a server, the names it goes by, who is in, and what it counts."""
+
+    settings: Settings
+    hosts: Collection[str]
+    """The names that its pages come from, as host:port."""
+    trusted: Sequence[Network]
+    """The proxies whose word on where a visitor comes from is taken."""
+    admission: Admission
+    metrics: Metrics
+    ending: asyncio.Event = field(default_factory=asyncio.Event)
+    """Set as soon as no new visitors are to be sent here."""
+
+    @property
+    def secret(self) -> bytes:
+        """The key that tokens are signed with."""
+        return self.settings.bokeh_secret_key.encode()
+
+    def goes_by(self, origin: str) -> bool:
+        """Whether pages of an origin are ours."""
+        return is_named(urlsplit(origin).netloc, self.hosts)
