@@ -2,6 +2,7 @@
 
 import {later} from "./later.js"
 import {inWords} from "./notes.js"
+import {tabStorage} from "./storage.js"
 
 const LEFT = "class-left" // where a follower is kept who looks around on their own
 const LED = "class-room"
@@ -48,12 +49,8 @@ export class Classes {
 
   /** A tab that leads a class goes on with it; one of a follower on their own knows the way back. */
   async #kept() {
-    try {
-      if (sessionStorage.getItem(LED)) await this.begin()
-      const left = sessionStorage.getItem(LEFT)
-      if (left) (await later("own")).ownWay(left)
-    } catch {
-      // A browser that keeps nothing leads no class after the page is loaded anew.
-    }
+    if (tabStorage.text(LED)) await this.begin()
+    const left = tabStorage.text(LEFT)
+    if (left) (await later("own")).ownWay(left)
   }
 }

@@ -2,6 +2,7 @@
 
 import {element} from "./dom.js"
 import {later} from "./later.js"
+import {tabStorage} from "./storage.js"
 
 const FULL = "full-screen"
 const root = document.documentElement
@@ -13,8 +14,8 @@ export class Hall {
   /** @param {import("./main.js").Lecture} lecture */
   constructor(lecture) {
     this.lecture = lecture
-    addEventListener("pagehide", () => keep(document.fullscreenElement ? "was" : ""))
-    if (kept() === "was" && !document.fullscreenElement) this.#offer()
+    addEventListener("pagehide", () => tabStorage.keep(FULL, document.fullscreenElement ? "was" : ""))
+    if (tabStorage.text(FULL) === "was" && !document.fullscreenElement) this.#offer()
     if (this.on) this.#point()
   }
 
@@ -94,20 +95,3 @@ export class Hall {
 
 /** @param {HTMLElement} panel */
 const isFolded = panel => getComputedStyle(panel).getPropertyValue("--folded").trim() === "1"
-
-function kept() {
-  try {
-    return sessionStorage.getItem(FULL)
-  } catch {
-    return null
-  }
-}
-
-/** @param {string} what */
-function keep(what) {
-  try {
-    sessionStorage.setItem(FULL, what)
-  } catch {
-    // A browser that keeps nothing does not offer it.
-  }
-}

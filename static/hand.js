@@ -2,6 +2,7 @@
 
 import {using} from "./later.js"
 import {polynomial, roots} from "./signals.js"
+import {browserStorage} from "./storage.js"
 import {toPlace, toSI} from "./ruler.js"
 
 const FLICK = 120 // ms before letting go over which its velocity is taken
@@ -63,12 +64,13 @@ export class Hand {
 
   /** Says once what a hand can do. */
   introduce() {
-    if (!hasGrabbed()) using("hint", ({Hint}) => this.page.left || (this.hint ??= new Hint(this.page)))
+    if (browserStorage.text(GRABBED) === null)
+      using("hint", ({Hint}) => this.page.left || (this.hint ??= new Hint(this.page)))
   }
 
   /** @param {page.Grab} grab */
   take(grab) {
-    remember()
+    browserStorage.keep(GRABBED, "yes")
     this.hint?.leave()
     const {clock, shown} = this.page
     const {signals} = shown.view
@@ -247,20 +249,3 @@ const turned = angle => angle - 4 * QUARTER * Math.round(angle / (4 * QUARTER))
 
 /** @param {number} value */
 const digits = value => Number(value.toPrecision(4)) + 0
-
-/** Whether something has been grabbed in this browser. */
-function hasGrabbed() {
-  try {
-    return localStorage.getItem(GRABBED) !== null
-  } catch {
-    return true
-  }
-}
-
-function remember() {
-  try {
-    localStorage.setItem(GRABBED, "yes")
-  } catch {
-    // A browser that keeps nothing is told again.
-  }
-}

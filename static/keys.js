@@ -1,7 +1,7 @@
 // Keys that act wherever the focus is, but while something is typed. Each stands in the list that `?` opens, where it
 // is a button too; those of a single letter can be switched off.
 
-import {kept, keep} from "./kept.js"
+import {browserStorage} from "./storage.js"
 import {using} from "./later.js"
 import {BEGINS_NUMBER} from "./numbers.js"
 
@@ -70,12 +70,12 @@ const isLetter = (/** @type {string} */ key) => /^[a-z.]$/i.test(key)
 export const singles = {
   off: false,
   read() {
-    this.off = kept(OFF) === "off"
+    this.off = browserStorage.text(OFF) === "off"
   },
   /** @param {boolean} off */
   set(off) {
     this.off = off
-    keep(OFF, off ? "off" : "on")
+    browserStorage.keepOrSay(OFF, off ? "off" : "on")
   },
 }
 

@@ -1,7 +1,7 @@
 // The menu of the walks: those that there are, one from a file, and what an instructor does with them.
 
 import {element} from "./dom.js"
-import {kept} from "./kept.js"
+import {browserStorage} from "./storage.js"
 import {later} from "./later.js"
 
 const VISITED = "visited"
@@ -45,13 +45,9 @@ export class Menu {
 
   /** The tour is offered on the first visit, until a walk is entered. */
   #offer() {
-    const isFirst = !kept(VISITED) && !new URLSearchParams(location.search).has("walk") && self === top
+    const isFirst = !browserStorage.text(VISITED) && !new URLSearchParams(location.search).has("walk") && self === top
     if (this.tour) this.tour.hidden = !isFirst
-    try {
-      localStorage.setItem(VISITED, "yes")
-    } catch {
-      // A browser that keeps nothing is offered it again.
-    }
+    browserStorage.keep(VISITED, "yes")
   }
 
   /** A question is asked of a scene: a step of a walk is one already. */

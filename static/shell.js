@@ -1,7 +1,7 @@
 // What stands around a scene: the navigation, the title of the document, light and dark.
 
 import {element} from "./dom.js"
-import {turnTheme} from "./kept.js"
+import {turnTheme} from "./theme.js"
 import {using} from "./later.js"
 
 export class Shell {

@@ -2,6 +2,7 @@
 
 import {insisting, later} from "./later.js"
 import {Menu} from "./menu.js"
+import {tabStorage} from "./storage.js"
 
 /** @typedef {import("./later/walk.js").Walk} Walk */
 
@@ -18,7 +19,7 @@ export class Walks {
   /** @param {import("./main.js").Lecture} lecture */
   constructor(lecture) {
     this.lecture = lecture
-    this.texts = kept()
+    this.texts = tabStorage.value(OWN) ?? {}
     this.menu = new Menu(this)
     // A new session takes the place of one that knew these: it is told of them before anything is asked of it.
     lecture.line.before = () => Object.entries(this.texts).map(([name, text]) => ({type: "walk", name, text}))
@@ -105,7 +106,7 @@ export class Walks {
     if (!sheet) return refused
     this.own.set(name, sheet)
     this.texts[name] = text
-    keep(this.texts)
+    tabStorage.keep(OWN, this.texts)
     return ""
   }
 
@@ -130,23 +131,5 @@ export class Walks {
     const place = this.own.get(name)?.steps.findIndex(step => step.id === id) ?? 0
     page.notice.hidden = true
     await this.enter(name, Math.max(place, 0))
-  }
-}
-
-/** Their files by name, for as long as the tab stands. @returns {Record<string, string>} */
-function kept() {
-  try {
-    return JSON.parse(sessionStorage.getItem(OWN) ?? "{}")
-  } catch {
-    return {}
-  }
-}
-
-/** @param {Record<string, string>} texts */
-function keep(texts) {
-  try {
-    sessionStorage.setItem(OWN, JSON.stringify(texts))
-  } catch {
-    // A browser that keeps nothing asks for the file again.
   }
 }

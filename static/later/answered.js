@@ -1,31 +1,15 @@
 // The answer to the step that stands, kept by this tab: a page that is loaded anew shows what it has shown.
 
+import {tabStorage} from "../storage.js"
+
 const KEY = "answered-step"
 
 /** @typedef {{step: string, given: Partial<page.Vote>}} Answered to a step of a walk, "d34/d34-07" */
 
 /** @returns {Answered | null} */
-export function answered() {
-  try {
-    return JSON.parse(sessionStorage.getItem(KEY) ?? "null")
-  } catch {
-    return null // a browser that keeps nothing asks again
-  }
-}
+export const answered = () => tabStorage.value(KEY)
 
 /** @param {Answered} known */
-export function keepAnswered(known) {
-  try {
-    sessionStorage.setItem(KEY, JSON.stringify(known))
-  } catch {
-    // The same.
-  }
-}
+export const keepAnswered = known => tabStorage.keep(KEY, known)
 
-export function forgetAnswered() {
-  try {
-    sessionStorage.removeItem(KEY)
-  } catch {
-    // Nothing was kept.
-  }
-}
+export const forgetAnswered = () => tabStorage.forget(KEY)

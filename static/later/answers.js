@@ -1,6 +1,6 @@
 // What was answered: kept by this browser alone, for as long as it keeps anything.
 
-import {keep, kept} from "../kept.js"
+import {browserStorage} from "../storage.js"
 
 /** @typedef {{said: string, right: boolean, title: page.Html}} Kept of a step: the answer in words */
 
@@ -9,12 +9,7 @@ const KEY = "walk-answers"
 export class Answers {
   constructor() {
     /** @type {Record<string, Kept>} by the id of the step */
-    this.kept = {}
-    try {
-      this.kept = JSON.parse(kept(KEY) ?? "{}")
-    } catch {
-      // Another page at this address has kept something else under the name.
-    }
+    this.kept = browserStorage.value(KEY) ?? {}
   }
 
   /** @param {string} step */
@@ -34,7 +29,7 @@ export class Answers {
   }
 
   #store() {
-    keep(KEY, JSON.stringify(this.kept))
+    browserStorage.keepOrSay(KEY, this.kept)
   }
 
   /** A page of text to keep. @param {page.WalkSheet[]} sheets */

@@ -1,5 +1,7 @@
 // The steps that have been asked on the page, and the walk file that they make: TOML, as docs/writing-a-walk.md says.
 
+import {browserStorage} from "../storage.js"
+
 const KEY = "asked-steps"
 
 /** @typedef {Record<string, any>} Fields of a step, as its file names them */
@@ -11,19 +13,11 @@ export class Asked {
   title = "My walk"
 
   constructor() {
-    try {
-      Object.assign(this, JSON.parse(localStorage.getItem(KEY) ?? "{}"))
-    } catch {
-      // A browser that keeps nothing: they last as long as the page.
-    }
+    Object.assign(this, browserStorage.value(KEY))
   }
 
   keep() {
-    try {
-      localStorage.setItem(KEY, JSON.stringify({steps: this.steps, title: this.title}))
-    } catch {
-      // The same.
-    }
+    browserStorage.keepOrSay(KEY, {steps: this.steps, title: this.title})
   }
 
   /** An id that no other step has. */

@@ -2,10 +2,11 @@
 
 import {unpacked} from "../columns.js"
 import {element} from "../dom.js"
-import {turnTheme} from "../kept.js"
 import {inWords} from "../notes.js"
 import {Page, frame} from "../page.js"
 import {extrasFor} from "../main.js"
+import {tabStorage} from "../storage.js"
+import {turnTheme} from "../theme.js"
 import {AskedPut} from "./answering.js"
 import {Bar} from "./followbar.js"
 import {enter, forget, mine} from "./mine.js"
@@ -160,18 +161,14 @@ export class Following {
 
 /** The server has another version of this page. For a while there may be servers of both: no haste to ask again. */
 function outdated() {
-  try {
-    const last = Number(sessionStorage.getItem(RENEWED))
-    setTimeout(
-      () => {
-        sessionStorage.setItem(RENEWED, String(Date.now()))
-        location.reload()
-      },
-      last + PAUSE - Date.now(),
-    )
-  } catch {
-    // a browser that keeps nothing would load without end
-  }
+  const last = Number(tabStorage.text(RENEWED))
+  setTimeout(
+    () => {
+      // A browser that keeps nothing would load without end.
+      if (tabStorage.keep(RENEWED, Date.now())) location.reload()
+    },
+    last + PAUSE - Date.now(),
+  )
 }
 
 /** The token that this browser keeps, or a new one. @param {string} typed @param {string} word of the QR code */

@@ -1,6 +1,7 @@
 // What stands around a follower's picture: where the lecture is, whether it is heard, and the way to look around.
 
 import {element} from "../dom.js"
+import {tabStorage} from "../storage.js"
 
 export class Bar {
   away = false
@@ -49,11 +50,7 @@ export class Bar {
 
   /** The page that opens knows the way back. */
   #leave() {
-    try {
-      sessionStorage.setItem("class-left", this.following.code)
-    } catch {
-      // The address bar leads back.
-    }
+    tabStorage.keep("class-left", this.following.code)
   }
 
   over() {

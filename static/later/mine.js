@@ -1,5 +1,7 @@
 // What a phone keeps of a class until it is over: its token, and its answers by question.
 
+import {browserStorage} from "../storage.js"
+
 /** @typedef {{token: string, answers: Record<string, page.Vote>}} Mine */
 
 const OF_A_CLASS = /^class-[0-9A-Z]{4}$/
@@ -9,21 +11,13 @@ const name = code => `class-${code}`
 
 /** @param {string} code @returns {Mine | null} */
 export function mine(code) {
-  try {
-    const {token, answers = {}} = JSON.parse(localStorage.getItem(name(code)) ?? "{}")
-    return token ? {token, answers} : null
-  } catch {
-    return null // a browser that keeps nothing
-  }
+  const {token, answers = {}} = browserStorage.value(name(code)) ?? {}
+  return token ? {token, answers} : null
 }
 
 /** Another class takes the place of those before. @param {string} code @param {string} token */
 export function enter(code, token) {
-  try {
-    for (const key of Object.keys(localStorage)) if (OF_A_CLASS.test(key)) localStorage.removeItem(key)
-  } catch {
-    // Nothing was kept.
-  }
+  browserStorage.forget(...browserStorage.names().filter(key => OF_A_CLASS.test(key)))
   keep(code, {token, answers: {}})
 }
 
@@ -34,19 +28,7 @@ export function answer(code, question, vote) {
 }
 
 /** @param {string} code */
-export function forget(code) {
-  try {
-    localStorage.removeItem(name(code))
-  } catch {
-    // Nothing was kept.
-  }
-}
+export const forget = code => browserStorage.forget(name(code))
 
 /** @param {string} code @param {Mine} known */
-function keep(code, known) {
-  try {
-    localStorage.setItem(name(code), JSON.stringify(known))
-  } catch {
-    // A browser that keeps nothing answers anew after each loading.
-  }
-}
+const keep = (code, known) => browserStorage.keepOrSay(name(code), known)

@@ -1,6 +1,7 @@
 // A follower who looks around on their own: the bar that leads back to the lecture, and says when it asks.
 
 import {element} from "../dom.js"
+import {tabStorage} from "../storage.js"
 import {forget, mine} from "./mine.js"
 import {Stream} from "./room.js"
 
@@ -10,7 +11,7 @@ export function ownWay(code) {
   if (!token) return
   const line = element("span", {role: "status"}, code)
   const back = element("a", {class: "act filled", href: `./?class=${code}`}, "Back to the lecture")
-  back.addEventListener("click", () => sessionStorage.removeItem("class-left"))
+  back.addEventListener("click", () => tabStorage.forget("class-left"))
   const bar = element("footer", {class: "class-bar"})
   bar.append(element("div", {}, element("b", {}, "On your own"), line), back)
   document.body.append(bar)

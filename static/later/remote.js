@@ -2,6 +2,7 @@
 
 import {element} from "../dom.js"
 import {inWords} from "../notes.js"
+import {tabStorage} from "../storage.js"
 import {DOUBTS, Refusal, ask, pause} from "./room.js"
 
 const ASKING = 1000 // ms between looks whether it is in, and at which step the lecture is
@@ -26,10 +27,10 @@ export async function control(code, ticket) {
  */
 async function pairedWith(code, ticket, say) {
   const name = `remote-${code}-${ticket}`
-  const kept = sessionStorage.getItem(name)
-  if (kept) return JSON.parse(kept)
+  const kept = tabStorage.value(name)
+  if (kept) return kept
   const paired = await untilAnswered(() => ask(`${code}/remote`, {method: "PUT", body: {address: ticket}}), say)
-  sessionStorage.setItem(name, JSON.stringify(paired))
+  tabStorage.keep(name, paired)
   return paired
 }
 

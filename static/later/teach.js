@@ -2,6 +2,7 @@
 
 import {element} from "../dom.js"
 import {inWords} from "../notes.js"
+import {browserStorage, tabStorage} from "../storage.js"
 import {Corner} from "./corner.js"
 import {Large} from "./large.js"
 import {Refusal, Stream, ask, pause} from "./room.js"
@@ -223,23 +224,15 @@ export class Teach {
 const nameOf = walk => (walk?.step ? `${walk.sheet.name}/${walk.step.id}` : "")
 
 function forget() {
-  try {
-    localStorage.removeItem(KEPT)
-    sessionStorage.removeItem(KEPT)
-  } catch {
-    // A browser that keeps nothing has kept nothing.
-  }
+  browserStorage.forget(KEPT)
+  tabStorage.forget(KEPT)
 }
 
 /** The room that this browser has the key of, or a new one. @param {import("../main.js").Lecture} lecture */
 export async function teach(lecture) {
   const room = (await kept()) ?? (await opened())
-  try {
-    localStorage.setItem(KEPT, JSON.stringify(room))
-    sessionStorage.setItem(KEPT, "open") // this tab comes back to it by itself
-  } catch {
-    // A browser that keeps nothing loses the room with the page.
-  }
+  browserStorage.keepOrSay(KEPT, room)
+  tabStorage.keep(KEPT, "open") // this tab comes back to it by itself
   return new Teach(lecture, room)
 }
 
@@ -278,10 +271,6 @@ function passphrase(sentence) {
 
 /** @returns {Promise<page.Opened | null>} */
 async function kept() {
-  try {
-    const {code, key} = JSON.parse(localStorage.getItem(KEPT) ?? "{}")
-    return code ? await ask(`${code}/lead`, {word: key}) : null
-  } catch {
-    return null
-  }
+  const room = browserStorage.value(KEPT)
+  return room && ask(`${room.code}/lead`, {word: room.key}).catch(() => null)
 }

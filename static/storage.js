@@ -1,0 +1,60 @@
+// Storage: texts and JSON that the browser, or a tab, keeps by name. Nothing here throws: in a browser that keeps nothing
+// there is nothing to read, and where somebody would miss what was to be kept, that is said once.
+
+import {note} from "./notes.js"
+
+const NOTHING = "This browser stores nothing for this page: your choices and answers are lost when it is closed."
+
+let told = false
+
+class Shelf {
+  /** @param {() => Storage} find asking for it may be refused already */
+  constructor(find) {
+    this.find = find
+  }
+
+  /** The text under a name. @param {string} name @returns {string | null} */
+  text(name) {
+    return this.#tried(storage => storage.getItem(name)) ?? null
+  }
+
+  /** The JSON under a name; null where there is none. @param {string} name @returns {any} */
+  value(name) {
+    return this.#tried(storage => JSON.parse(storage.getItem(name) ?? "null")) ?? null
+  }
+
+  /** Whether it could be kept: a text, or a value as JSON. @param {string} name @param {unknown} value */
+  keep(name, value) {
+    const text = typeof value === "string" ? value : JSON.stringify(value)
+    return Boolean(this.#tried(storage => (storage.setItem(name, text), true)))
+  }
+
+  /** Keeps what a visitor would miss, or says that it cannot. @param {string} name @param {unknown} value */
+  keepOrSay(name, value) {
+    if (this.keep(name, value)) return
+    if (!told) note(NOTHING)
+    told = true
+  }
+
+  /** @param {string[]} names */
+  forget(...names) {
+    for (const name of names) this.#tried(storage => storage.removeItem(name))
+  }
+
+  /** @returns {string[]} */
+  names() {
+    return this.#tried(storage => Object.keys(storage)) ?? []
+  }
+
+  /** @template Found @param {(storage: Storage) => Found} act */
+  #tried(act) {
+    try {
+      return act(this.find())
+    } catch {
+      return undefined
+    }
+  }
+}
+
+export const browserStorage = new Shelf(() => localStorage)
+export const tabStorage = new Shelf(() => sessionStorage)

@@ -1,0 +1,9 @@
+// Light in place of dark or dark in place of light.
+
+import {browserStorage} from "./storage.js"
+
+export function turnTheme() {
+  const {dataset} = document.documentElement
+  dataset.theme = dataset.theme === "dark" ? "light" : "dark"
+  browserStorage.keepOrSay("theme", dataset.theme)
+}
