@@ -10,7 +10,8 @@ import {turnTheme} from "../theme.js"
 import {AskedPut} from "./answering.js"
 import {Bar} from "./followbar.js"
 import {enter, forget, mine} from "./mine.js"
-import {Refusal, Stream, ask} from "./room.js"
+import {Refusal, ask} from "./room.js"
+import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
 
 const PATIENCE = 10000 // ms for a sheet

@@ -3,7 +3,7 @@
 import {element} from "../dom.js"
 import {tabStorage} from "../storage.js"
 import {forget, mine} from "./mine.js"
-import {Stream} from "./room.js"
+import {Stream} from "./stream.js"
 
 /** @param {string} code */
 export function ownWay(code) {

@@ -109,7 +109,7 @@ def test_a_proxy_that_holds_streams_back_is_asked_instead(server: Server, phone:
     with between(server.port, holds=True) as proxy:
         page = phone(proxy.url, room.code)
         page.wait_for_function("globalThis.oscillations?.news?.number")
-        assert page.evaluate("oscillations.stream.polls")
+        assert page.evaluate("oscillations.stream.by === 'now'")
         room.order("put", walk="d31", step="d31-03")
         page.wait_for_function("oscillations.news.question?.step === 'd31-03'")
         expect(page.locator(".class-bar")).to_contain_text("Following")
@@ -122,7 +122,7 @@ def test_a_proxy_that_lets_streams_through_again_is_noticed(server: Server, phon
     page = phone(server.url, room.code)
     page.wait_for_function("globalThis.oscillations?.news?.number")
     page.evaluate("Object.assign(oscillations.stream, {polls: true, trial: 0}); dispatchEvent(new Event('online'))")
-    page.wait_for_function("!oscillations.stream.polls && oscillations.stream.last > 0")
+    page.wait_for_function("oscillations.stream.by === 'events' && oscillations.stream.heardAt > 0")
     room.order("put", walk="d31", step="d31-03")
     page.wait_for_function("oscillations.news.question?.step === 'd31-03'")
 

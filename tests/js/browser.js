@@ -1,0 +1,99 @@
+// A browser for tests of scripts in node: as much of its document, its network and its clock as they ask for.
+
+import {mock} from "node:test"
+
+class FakeElement extends EventTarget {
+  children = []
+  dataset = {}
+
+  append(...children) {
+    this.children.push(...children)
+  }
+
+  prepend(...children) {
+    this.children.unshift(...children)
+  }
+
+  setAttribute() {}
+  remove() {}
+  getContext() {
+    return {}
+  }
+}
+
+const page = new EventTarget()
+globalThis.addEventListener = page.addEventListener.bind(page)
+
+/** An event of the window. @param {string} name */
+export const happens = name => page.dispatchEvent(new Event(name))
+
+globalThis.document = Object.assign(new EventTarget(), {
+  baseURI: "http://lecture.example/",
+  body: new FakeElement(),
+  documentElement: new FakeElement(),
+  hidden: false,
+  createElement: () => new FakeElement(),
+})
+document.documentElement.dataset.version = "1"
+
+/** A clock that a test turns, from midnight on; chance is always a half. */
+export function clock() {
+  mock.timers.enable({apis: ["setTimeout", "setInterval", "Date"], now: 0})
+  mock.method(Math, "random", () => 0.5)
+}
+
+/** Lets time pass, and all be done that is due. @param {number} ms */
+export async function pass(ms) {
+  const end = Date.now() + ms
+  await settled()
+  while (Date.now() < end) {
+    mock.timers.tick(Math.min(5, end - Date.now()))
+    await settled()
+  }
+}
+
+async function settled() {
+  for (let i = 0; i < 3; i++) await new Promise(done => setImmediate(done))
+}
+
+/** The server of a class: notes what it is asked, and answers as the test says. */
+export class FakeServer {
+  asked = []
+
+  /** The answer to a path, nothing for none. @type {(path: string) => Response | undefined | void} */
+  answers = () => {}
+
+  constructor() {
+    globalThis.fetch = (address, {signal}) => this.#fetch(address, signal)
+  }
+
+  #fetch(address, signal) {
+    const path = String(address).replace("http://lecture.example/class/", "")
+    this.asked.push({path, at: Date.now(), signal})
+    return new Promise((done, failed) => {
+      if (signal.aborted) failed(signal.reason)
+      signal.addEventListener("abort", () => failed(signal.reason))
+      try {
+        const answer = this.answers(path, signal)
+        if (answer) done(answer)
+      } catch (reason) {
+        failed(reason)
+      }
+    })
+  }
+
+  /** The times of day at which a path was asked for. @param {string} part */
+  times(part) {
+    return this.asked.filter(({path}) => path.includes(part)).map(({at}) => at)
+  }
+}
+
+/** The server's stream of events, which a test goes on with. @param {AbortSignal} signal */
+export function events(signal) {
+  let control
+  const body = new ReadableStream({start: one => void (control = one)})
+  signal.addEventListener("abort", () => control.error(signal.reason))
+  const answer = new Response(body, {headers: {"Lecture-Version": "1"}})
+  const say = news => control.enqueue(new TextEncoder().encode(`data: ${JSON.stringify(news)}\n\n`))
+  return {answer, say, end: () => control.close()}
+}
