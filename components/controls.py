@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
@@ -87,7 +88,12 @@ def _preset_buttons(
     defaults = {name: parameters[name].default for values in presets.values() for name in values}
     for label, values in presets.items():
         sets = {name: stated(value) for name, value in {**defaults, **values}.items()}
-        yield PresetButton(label, sets, outlines.get(label, ""), watch.get(label, ""))
+        yield PresetButton(preset_name(label), label, sets, outlines.get(label, ""), watch.get(label, ""))
+
+
+def preset_name(label: str) -> str:
+    """The name by which a page knows a preset, whatever it is called there."""
+    return "-".join(re.findall(r"\w+", label.lower()))
 
 
 def _section(parameters: Mapping[str, AnyParameter], group: Group, places: frozenset[str]) -> GroupSection:
@@ -109,7 +115,7 @@ def control(name: str, parameter: AnyParameter, pictures: Pictures | None = None
 
 
 def _slider(name: str, quantity: Quantity) -> SliderRow:
-    parts = (quantity.symbol.replace("_", ""), quantity.label, quantity.unit)
+    parts = (quantity.symbol.replace("_", ""), quantity.label)
     return SliderRow(
         name=name,
         symbol=quantity.symbol,

@@ -6,6 +6,7 @@ that answers a change, and draws the time cursor, the labels at the curves' ends
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from typing import Any, TypedDict, Unpack
 
@@ -109,6 +110,7 @@ def plot(
     return PlotBlock(
         name=name,
         title=title,
+        brief=re.split("[,:]", title)[0],
         x=x,
         y=y,
         curves=drawn,

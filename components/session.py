@@ -12,7 +12,7 @@ from components.about import About, about_numbers
 from components.carrying import Shared, brought, taken_along
 from components.choices import stated
 from components.comparison import told_beside
-from components.controls import settings
+from components.controls import preset_name, settings
 from components.covers import NEXT, checked_covers
 from components.deeds import Deed, Errors, apply, sentence
 from components.description import column_axes, sheet_address, usual
@@ -362,7 +362,7 @@ class Session:
             held=held,
             settings=settings(scene.param.objects("existing"), scene.values, scene.units(), told.shown.spans),
             state=self.state,
-            preset=scene.preset(),
+            preset=preset_name(label) if (label := scene.preset()) else None,
             here=tuple(told.here()),
             errors=self._errors,
             problems=problems,

@@ -40,18 +40,18 @@ class Presets {
 
   /** What to watch in the preset in force, where a press has brought it. @param {string | null} preset */
   watch(preset) {
-    return (this.taken?.label === preset && this.taken.watch) || ""
+    return (this.taken?.name === preset && this.taken.watch) || ""
   }
 
   /** @param {string | null} preset */
   update(preset) {
-    for (const button of this.buttons) button.setAttribute("aria-pressed", String(button.textContent === preset))
+    for (const button of this.buttons) button.setAttribute("aria-pressed", String(button.dataset.preset === preset))
   }
 }
 
 /** @param {page.PresetButton} preset @param {() => void} take */
-function presetButton({label, outline: drawing}, take) {
-  const look = {type: "button", class: drawing ? "tile" : "chip", "aria-pressed": "false"}
+function presetButton({name, label, outline: drawing}, take) {
+  const look = {type: "button", class: drawing ? "tile" : "chip", "aria-pressed": "false", "data-preset": name}
   const button = element("button", look, outline(drawing), element("span", {}, label))
   button.addEventListener("click", take)
   return button

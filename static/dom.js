@@ -29,6 +29,16 @@ export function svg(tag, attributes = {}, ...children) {
   return made
 }
 
+/**
+ * Gives a part its text, and says whether it is another: one that stays is neither drawn nor read out again.
+ * @param {Node} part @param {string} text
+ */
+export function reword(part, text) {
+  if (part.textContent === text) return false
+  part.textContent = text
+  return true
+}
+
 /** @param {Element} target @param {Attributes} attributes */
 export function set(target, attributes) {
   for (const [key, value] of Object.entries(attributes)) {

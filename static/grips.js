@@ -1,6 +1,6 @@
 // What can be grabbed on a stage: an element over each such shape, for mouse, finger, keys and screen readers.
 
-import {element, long, surface, unitSize} from "./dom.js"
+import {element, long, reword, surface, unitSize} from "./dom.js"
 import {brief} from "./handles.js"
 import {polynomial} from "./signals.js"
 
@@ -97,7 +97,7 @@ export class Grips {
   /** Why a value cannot be, beside the hand. @param {Grip} grip @param {number} wide */
   #say({x, y}, wide) {
     const {refusal} = this.page.hand
-    if (this.why.textContent !== refusal) this.why.textContent = refusal
+    reword(this.why, refusal)
     this.why.style.transform = `translate(${long(x + wide / 2)}, ${long(y - 12)})`
   }
 

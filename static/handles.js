@@ -1,6 +1,6 @@
 // Pills at the axes of a plot that set a parameter, and the one that moves the instant shown.
 
-import {element, long, textWidth} from "./dom.js"
+import {element, long, reword, textWidth} from "./dom.js"
 import {MINUS, three, tidy} from "./numbers.js"
 import {toPlace, toSI} from "./ruler.js"
 
@@ -135,7 +135,7 @@ export class Handles {
     style.top = long(axis === this.plot.y ? this.plot.py(inside) - 12 : top + height + 3)
     classList.toggle("outside", inside !== value)
     const shown = this.#text(pill, text, inside)
-    if (pill.element.textContent !== shown) pill.element.textContent = shown
+    reword(pill.element, shown)
     pill.element.setAttribute("aria-valuenow", String(value))
     pill.element.setAttribute("aria-valuetext", `${text ?? ""} ${this.#unit(pill)}`.trim())
     pill.element.setAttribute("aria-valuemin", String(axis.start))

@@ -183,12 +183,12 @@ export class Sheet {
 
 // What a switch is called, whose formula a screen reader may not read: "Height against time: exact".
 /** @param {page.PlotBlock} block @param {string} group */
-function curveName({title, curves, regions}, group) {
+function curveName({brief, curves, regions}, group) {
   const labels = [...curves, ...regions]
     .filter(part => part.group === group)
     .map(part => part.read)
     .filter(Boolean)
-  return `${title.split(/[,:]/)[0]}: ${[...new Set(labels)].join(", ") || group}`
+  return `${brief}: ${[...new Set(labels)].join(", ") || group}`
 }
 
 // A block's share of the height or the width: rows and columns shrink, a sentence takes what it needs.

@@ -1,6 +1,6 @@
 // A slider with a typed field: what is shown while it is dragged, and what becomes of the answer.
 
-import {element} from "./dom.js"
+import {element, reword} from "./dom.js"
 import {fitting} from "./fitting.js"
 import {Finger, keyed} from "./grip.js"
 import {BEGINS_NUMBER, tidy, withTrueMinus} from "./numbers.js"
@@ -38,15 +38,17 @@ export class Slider {
 
   waits = false // what was set waits for the server
 
+  unsent = false // typed, and not yet sent
+  held = false // by a pointer
+  typed = ""
+
   /** @param {page.SliderRow} spec @param {Send} send */
   constructor(spec, send) {
     this.spec = spec
     this.send = send
     this.soft = spec.soft
-    this.unsent = false // typed, and not yet sent
-    this.held = false // by a pointer
-    this.typed = ""
-    const {name, label, unit} = spec
+    const {name, unit} = spec
+    const label = called(spec.label, unit)
     this.slider = element("input", {
       type: "range",
       name: `${name}-slider`,
@@ -225,9 +227,8 @@ export class Slider {
   #measure({unit: other, size}) {
     const unit = other ?? this.spec.unit
     this.size = size
-    if (this.unit.textContent === unit) return
-    this.unit.textContent = unit
-    const label = [this.spec.label.replace(`, ${this.spec.unit}`, ""), unit].filter(Boolean).join(", ")
+    if (!reword(this.unit, unit)) return
+    const label = called(this.spec.label, unit)
     for (const part of [this.slider, this.field]) part.setAttribute("aria-label", label)
     this.label.title = label
   }
@@ -248,7 +249,7 @@ export class Slider {
 
   /** @param {string} error */
   #say(error) {
-    if (this.problem.textContent !== error) this.problem.textContent = error
+    reword(this.problem, error)
     this.element.classList.toggle("bad", Boolean(error))
     if (error) this.field.setAttribute("aria-invalid", "true")
     else this.field.removeAttribute("aria-invalid")
@@ -298,3 +299,6 @@ export class Slider {
     )
   }
 }
+
+/** What a slider is called with its unit. @param {string} label @param {string} unit */
+const called = (label, unit) => [label, unit].filter(Boolean).join(", ")

@@ -8,6 +8,7 @@ const REFUSED = "A proxy or firewall blocks WebSockets to the server. The pictur
 
 export class Status {
   due = 0
+  refused = false
 
   /** @type {number | undefined} */
   countdown
@@ -26,10 +27,10 @@ export class Status {
 
   /** `refused`: the page can be fetched, but no socket opened. @param {boolean} refused */
   say(refused) {
-    const sentence = refused ? REFUSED : LOST
-    if (!this.alert.textContent?.endsWith(sentence)) {
-      this.alert.replaceChildren(element("b", {}, "Not connected."), ` ${sentence}`)
+    if (this.lost.hidden || refused !== this.refused) {
+      this.alert.replaceChildren(element("b", {}, "Not connected."), ` ${refused ? REFUSED : LOST}`)
     }
+    this.refused = refused
     this.lost.hidden = false
     this.again.replaceChildren()
   }

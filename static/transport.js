@@ -1,6 +1,6 @@
 // Play, step, restart, speed and time window.
 
-import {element} from "./dom.js"
+import {element, reword} from "./dom.js"
 import {Fit} from "./fit.js"
 import {MINUS, grouped, short} from "./numbers.js"
 
@@ -48,6 +48,8 @@ export class Transport {
 
   /** @type {string[]} */
   notes = []
+
+  isPlaying = true // as the button shows it
 
   /** @param {import("./page.js").Page} page */
   constructor(page) {
@@ -111,8 +113,9 @@ export class Transport {
 
   refresh() {
     const {clock} = this.page
-    const name = clock.playing ? "Pause" : "Play"
-    if (this.play.title !== name) {
+    if (this.isPlaying !== clock.playing) {
+      this.isPlaying = clock.playing
+      const name = clock.playing ? "Pause" : "Play"
       this.play.title = name
       this.play.setAttribute("aria-label", name)
       this.play.innerHTML = icon(clock.playing ? "pause" : "play")
@@ -120,7 +123,7 @@ export class Transport {
     this.auto.classList.toggle("here", clock.choice === "auto")
     this.auto.setAttribute("aria-pressed", String(clock.choice === "auto"))
     const factor = factorText(clock.factor)
-    if (this.factor.textContent !== factor) this.factor.textContent = factor
+    reword(this.factor, factor)
     for (const one of this.page.named?.get("speed") ?? []) one.textContent = speedText(clock.factor)
     const lines = [
       this.problem,
@@ -128,9 +131,7 @@ export class Transport {
       this.page.hand.hint?.aside,
       ...this.notes,
     ]
-    const text = lines.filter(Boolean).join(" ")
-    if (this.note.textContent === text) return
-    this.note.textContent = text
+    if (!reword(this.note, lines.filter(Boolean).join(" "))) return
     // What scrolls must be reached by keys.
     if (this.note.scrollHeight > this.note.clientHeight) this.note.tabIndex = 0
     else this.note.removeAttribute("tabindex")

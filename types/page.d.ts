@@ -105,8 +105,8 @@ declare namespace page {
   /** The page as it now is.
    *
    * `sheet` is the address of the scene's sheet, `held` the picture held beside it, `settings` what the controls show by
-   * parameter, `preset` the one in force, `here` the places where the scene is, `errors` what was refused of the last
-   * message by parameter, `problems` what was refused of a link, `query` the link of this state. */
+   * parameter, `preset` names the one in force, `here` the places where the scene is, `errors` what was refused of the
+   * last message by parameter, `problems` what was refused of a link, `query` the link of this state. */
   interface Shown extends Told {
     type: "shown"
     scene: string
@@ -546,7 +546,8 @@ declare namespace page {
     text: string
   }
 
-  /** A slider with its field: `soft` is what it spans, `says` continues the symbol to a sentence. */
+  /** A slider with its field: `label` is what it is called but for its unit, `soft` what it spans; `says` continues
+   * the symbol to a sentence. */
   interface SliderRow {
     kind: "slider"
     name: string
@@ -592,11 +593,12 @@ declare namespace page {
     facts: Html[][]
   }
 
-  /** A preset, the parameters that it sets, its outline (SVG path data in a box of 128 by 46, or none), and what to
-   * watch in it.
+  /** A preset by its name: what it is called, the parameters that it sets, its outline (SVG path data in a box of 128
+   * by 46, or none), and what to watch in it.
    *
    * It sets all that any preset of the scene speaks of; the others stay. */
   interface PresetButton {
+    name: string
     label: string
     sets: Record<string, Value>
     outline: string
@@ -688,7 +690,7 @@ declare namespace page {
     options: Option[]
   }
 
-  /** A plot: `x` and `y` name axes of the picture, `title` is its text alternative.
+  /** A plot: `x` and `y` name axes of the picture, `title` is its text alternative, `brief` its name in a list.
    *
    * `time` says whether its abscissa is the instant shown, which then can be dragged; `square` draws both axes to one
    * scale; `plain` leaves out numbers at the axes; `shapes` are drawn over it as on a stage; a press near a point of a
@@ -698,6 +700,7 @@ declare namespace page {
     kind: "plot"
     name: string
     title: string
+    brief: string
     x: string
     y: string
     curves: Curve[]

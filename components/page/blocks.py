@@ -80,7 +80,7 @@ class ChoiceBlock(Part, frozen=True, kw_only=True, tag="choice"):
 
 
 class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):
-    """A plot: `x` and `y` name axes of the picture, `title` is its text alternative.
+    """A plot: `x` and `y` name axes of the picture, `title` is its text alternative, `brief` its name in a list.
 
     `time` says whether its abscissa is the instant shown, which then can be dragged; `square` draws both axes to one
     scale; `plain` leaves out numbers at the axes; `shapes` are drawn over it as on a stage; a press near a point of a
@@ -90,6 +90,7 @@ class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):
 
     name: str
     title: str
+    brief: str
     x: str
     y: str
     curves: tuple[Curve, ...]

@@ -20,7 +20,8 @@ class NamedValue(Struct, frozen=True):
 
 
 class SliderRow(Struct, frozen=True, kw_only=True, tag_field="kind", tag="slider"):
-    """A slider with its field: `soft` is what it spans, `says` continues the symbol to a sentence."""
+    """A slider with its field: `label` is what it is called but for its unit, `soft` what it spans; `says` continues
+    the symbol to a sentence."""
 
     name: str
     symbol: str
@@ -70,12 +71,13 @@ class GroupSection(Struct, frozen=True, kw_only=True):
 
 
 class PresetButton(Struct, frozen=True):
-    """A preset, the parameters that it sets, its outline (SVG path data in a box of 128 by 46, or none), and what to
-    watch in it.
+    """A preset by its name: what it is called, the parameters that it sets, its outline (SVG path data in a box of 128
+    by 46, or none), and what to watch in it.
 
     It sets all that any preset of the scene speaks of; the others stay.
     """
 
+    name: str
     label: str
     sets: dict[str, Value]
     outline: str = ""

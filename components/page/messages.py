@@ -121,8 +121,8 @@ class Shown(Told, frozen=True, kw_only=True, tag="shown"):
     """The page as it now is.
 
     `sheet` is the address of the scene's sheet, `held` the picture held beside it, `settings` what the controls show by
-    parameter, `preset` the one in force, `here` the places where the scene is, `errors` what was refused of the last
-    message by parameter, `problems` what was refused of a link, `query` the link of this state.
+    parameter, `preset` names the one in force, `here` the places where the scene is, `errors` what was refused of the
+    last message by parameter, `problems` what was refused of a link, `query` the link of this state.
     """
 
     scene: str

@@ -191,8 +191,9 @@ class Ask {
   }
 
   async #try() {
-    this.problem.textContent = await this.walks.run(NAME, this.asked.file())
-    if (!this.problem.textContent) this.element.close()
+    const refused = await this.walks.run(NAME, this.asked.file())
+    this.problem.textContent = refused
+    if (!refused) this.element.close()
   }
 }
 
@@ -246,14 +247,14 @@ function optionOf(form, n) {
 const axesOf = ({block}) =>
   ["x", "y"].map(which => ({
     value: `${block.name}.${which}`,
-    label: `${block.title.split(/[,:]/)[0]}, ${which === "x" ? "horizontal" : "vertical"}`,
+    label: `${block.brief}, ${which === "x" ? "horizontal" : "vertical"}`,
   }))
 
 /** @param {Plot} plot */
 const curvesOf = ({block, view}) =>
   block.curves
     .filter(curve => view.columns[curve.source]?.[curve.y]?.length)
-    .map(({y, read}) => ({value: `${block.name}.${y}`, label: `${block.title.split(/[,:]/)[0]}: ${read || y}`}))
+    .map(({y, read}) => ({value: `${block.name}.${y}`, label: `${block.brief}: ${read || y}`}))
 
 /** @param {HTMLElement} label */
 const field = label => /** @type {HTMLInputElement} */ (label.querySelector("input, select"))

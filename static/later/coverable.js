@@ -18,7 +18,7 @@ export function parts({plots, spec, stages}) {
   })
   const moves = stages.some(stage => stage.svg.role === "img")
   return [
-    ...seen.map(({block}) => ({cover: `plot:${block.name}`, text: block.title.split(/[,:]/)[0]})),
+    ...seen.map(({block}) => ({cover: `plot:${block.name}`, text: block.brief})),
     ...numbers,
     ...(moves ? [{cover: "stage", text: "Motion and numbers of the apparatus"}] : []),
   ]

@@ -42,7 +42,7 @@ function choices(page) {
     ...plots.map(plot => ({
       subject: plot,
       file: plot.block.name,
-      name: plot.block.title.split(/[,:]/)[0],
+      name: plot.block.brief,
       draw: () => plotPicture(plot),
       says: () => description(plot),
       table: () => table(plot),

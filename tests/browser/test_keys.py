@@ -55,7 +55,7 @@ def test_keys_of_a_scene(page: Page, open_scene: Callable[..., Page]) -> None:
     page.keyboard.press("Home")
     assert page.evaluate("oscillations.clock.t") == 0
     page.keyboard.press("2")
-    page.wait_for_function("oscillations.shown.preset === oscillations.page.spec.panel.presets[1].label")
+    page.wait_for_function("oscillations.shown.preset === oscillations.page.spec.panel.presets[1].name")
     page.keyboard.press("b")
     expect(page.locator(".blank")).to_be_visible()
     before = playing(page)

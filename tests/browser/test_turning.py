@@ -77,12 +77,12 @@ def test_the_back_button_steps_through_scenes_and_presets_and_not_through_values
     assert page.evaluate("history.length") == length + 2
     page.go_back()
     arrived(page, "coupled")
-    assert page.evaluate("oscillations.shown.preset") == "Drift"
+    assert page.evaluate("oscillations.shown.preset") == "drift"
     page.go_back()
     page.wait_for_function("oscillations.shown.settings.k2.value === 3")
     assert page.evaluate("location.search.startsWith('?scene=coupled&k2=3')")
     page.go_forward()
-    page.wait_for_function("oscillations.shown.preset === 'Drift'")
+    page.wait_for_function("oscillations.shown.preset === 'drift'")
     page.go_forward()
     arrived(page, "forced")
     assert page.evaluate("location.search") == "?scene=forced&m1=2&k1=0&k2=2"

@@ -103,7 +103,7 @@ def test_a_preset_plays_from_the_start_and_keeps_what_it_does_not_name(page: Pag
     page.get_by_role("button", name="Pause").click()
     page.evaluate("oscillations.clock.seek(20)")
     page.get_by_role("button", name="Beats").click()
-    page.wait_for_function("oscillations.shown.preset === 'Beats'")
+    page.wait_for_function("oscillations.shown.preset === 'beats'")
     assert page.evaluate("oscillations.clock.playing && oscillations.clock.t < 20")
     assert page.evaluate("oscillations.line.state.hidden") == ["x1_slow"]
     assert page.evaluate("oscillations.line.state.parameters.window") == 40
@@ -123,17 +123,17 @@ def test_a_preset_goes_into_what_was_set_just_before(page: Page, open_scene: Ope
 
 def test_the_back_button_steps_through_presets_and_not_through_values(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
-    for label in ("Beats", "Beats", "All equal"):
+    for label, name in (("Beats", "beats"), ("Beats", "beats"), ("All equal", "all-equal")):
         page.get_by_role("button", name=label).click()
-        page.wait_for_function(f"oscillations.shown.preset === '{label}'")
+        page.wait_for_function(f"oscillations.shown.preset === '{name}'")
     type_in(page, "k2", "7")
     is_shown(page, k2=7)
     page.go_back()
-    page.wait_for_function("oscillations.shown.preset === 'Beats'")
+    page.wait_for_function("oscillations.shown.preset === 'beats'")
     page.go_back()
-    page.wait_for_function("oscillations.shown.preset === 'Both'")
+    page.wait_for_function("oscillations.shown.preset === 'both'")
     page.go_forward()
-    page.wait_for_function("oscillations.shown.preset === 'Beats'")
+    page.wait_for_function("oscillations.shown.preset === 'beats'")
 
 
 def test_a_preset_that_is_refused_says_why(page: Page, open_scene: Open) -> None:
