@@ -86,6 +86,12 @@ def test_a_browser_that_keeps_nothing_says_so_once(quiet: Quiet, server: Server)
     expect(remark).to_have_count(0)
 
 
+def test_a_remote_control_needs_no_storage(quiet: Quiet, server: Server) -> None:
+    page = quiet(NO_STORAGE.replace("localStorage", "sessionStorage"))
+    page.goto(f"{server.url}?class=ABCD&remote=ticket")
+    expect(page.locator("h1")).to_contain_text("This code has been used")
+
+
 def test_without_bokeh_all_but_the_curves_goes_on(quiet: Quiet, server: Server) -> None:
     page = quiet()
     page.route("**/bokeh.min.js", lambda route: route.abort())
