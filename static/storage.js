@@ -1,5 +1,5 @@
-// Storage: texts and JSON that the browser, or a tab, keeps by name. Nothing here throws: in a browser that keeps nothing
-// there is nothing to read, and where somebody would miss what was to be kept, that is said once.
+// Storage: texts and JSON that the browser, or a tab, keeps by name. Nothing here throws: a browser that keeps nothing
+// has nothing to read, and where somebody would miss what was to be kept, that is said once.
 
 import {note} from "./notes.js"
 

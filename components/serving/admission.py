@@ -50,7 +50,7 @@ class InLine(NamedTuple):
     seen: float
 
 
-class Line:
+class Queue:
     """Lets in as many as there are places for; the others have tickets, and are let in by turns."""
 
     def __init__(
@@ -120,7 +120,7 @@ class Admission:
         """`arrivals` are pages that one network may open in a minute; `sessions` says which there are."""
         self.sockets: set[OpenSocket] = set()
         self.guests: WeakKeyDictionary[ServerSession, Guest] = WeakKeyDictionary()
-        self.line = Line(places, taken=self.taken, make_way=self._make_way, held=self._held)
+        self.queue = Queue(places, taken=self.taken, make_way=self._make_way, held=self._held)
         self.arrivals = Arrivals(arrivals)
         self.returns = Rate(RETURNS)
         self.returning = Arrivals(RETURNS * arrivals)
@@ -128,7 +128,7 @@ class Admission:
 
     def figures(self) -> Looked:
         return {
-            "line": ("Visitors who wait for a place", lambda: len(self.line)),
+            "line": ("Visitors who wait for a place", lambda: len(self.queue)),
             "sessions": ("Sessions, with and without a visitor", self.taken),
             "sockets": ("Visitors who are connected", lambda: len(self.sockets)),
         }
@@ -157,7 +157,7 @@ class Admission:
 
     def _make_way(self, network: str) -> bool:
         """Send somebody away for a visitor of a network; False where nobody gives way."""
-        leaves = gives_way(self._in(), self.line.places, network, monotonic())
+        leaves = gives_way(self._in(), self.queue.places, network, monotonic())
         if leaves is None:
             return False
         leaves.request_expiration()

@@ -81,7 +81,7 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
             return
         asked = self.request.arguments.pop("ticket", [b""])[0]  # is between server and visitor, no part of the link
         shown = self.request.headers.get(TICKET) or asked.decode("latin-1")
-        place, ticket = self.context.admission.line.knock(shown, str(network_of(self.visitor)))
+        place, ticket = self.context.admission.queue.knock(shown, str(network_of(self.visitor)))
         if place:
             self._wait(place, ticket)
             return
@@ -117,7 +117,7 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
         self.set_header("Cache-Control", "no-store")
         self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors, scripts_of(page)))
         address = "?" + "&".join([*parts, f"ticket={ticket}"])
-        places = self.context.admission.line.places
+        places = self.context.admission.queue.places
         self.write(page.render(places=places, place=ordinal(place), address=address))
 
     def head(self) -> None:

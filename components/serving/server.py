@@ -40,7 +40,7 @@ Route = tuple[Any, ...]
 """A pattern of addresses, a handler, and what it is initialised with."""
 
 
-class Feature(Protocol):
+class Extension(Protocol):
     """More that a server serves: addresses, figures for Prometheus, and work that goes on beside them."""
 
     def routes(self) -> list[Route]: ...
@@ -61,14 +61,14 @@ class Server:
         settings: Settings,
         figures: Looked | None = None,
         sheets: Mapping[str, bytes] | None = None,
-        features: Sequence[Feature] = (),
+        extensions: Sequence[Extension] = (),
     ) -> None:
         listening, self.port = bind_sockets(settings.address, settings.port)
-        self._features = features
+        self._extensions = extensions
         admission = Admission(settings.sessions, settings.arrivals, lambda: self.lecture.get_sessions("/"))
         looked = {**admission.figures(), **(figures or {})}
-        for feature in features:
-            looked |= feature.figures()
+        for extension in extensions:
+            looked |= extension.figures()
         self.context = Context(
             settings=settings,
             hosts=settings.hosts(self.port),
@@ -101,7 +101,7 @@ class Server:
             (r"/app", Moved, {"to": "./"}),
             (r"/app/", Moved, {"to": "../"}),
             (r"/assets/(.*)", AssetFiles, {"more": packed_files(sheets)}),
-            *(route for feature in self._features for route in feature.routes()),
+            *(route for extension in self._extensions for route in extension.routes()),
             (r"/liveness", Liveness),
             (r"/readiness", Readiness),
             (r"/metrics", Figures, {"readers": readers}),
@@ -113,8 +113,8 @@ class Server:
         self._pulse.start()
         self._watch = asyncio.create_task(self.context.metrics.watch())
         logging.getLogger().addHandler(self.context.metrics.errors)
-        for feature in self._features:
-            feature.start()
+        for extension in self._extensions:
+            extension.start()
 
     def _feel_pulses(self) -> None:
         for socket in list(self.context.admission.sockets):
@@ -134,8 +134,8 @@ class Server:
         with suppress(TimeoutError):
             async with asyncio.timeout(ENDING - notice):
                 await asyncio.gather(*(socket.gone.wait() for socket in sockets))
-        for feature in self._features:
-            await feature.end()
+        for extension in self._extensions:
+            await extension.end()
         self._pulse.stop()
         self._watch.cancel()
         logging.getLogger().removeHandler(self.context.metrics.errors)

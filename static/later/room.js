@@ -49,7 +49,10 @@ export async function asked(path, {method = "GET", body, word = "", signal = Abo
   throw new Refusal(said.sentence ?? "The class does not answer.", answer.status)
 }
 
-/** Until the time is over, or a signal ends it. @param {number} ms @param {AbortSignal} [signal] @returns {Promise<void>} */
+/**
+ * Until the time is over, or a signal ends it.
+ * @param {number} ms @param {AbortSignal} [signal] @returns {Promise<void>}
+ */
 export const pause = (ms, signal) =>
   new Promise(done => {
     setTimeout(done, ms)

@@ -39,7 +39,7 @@ function woken(by) {
 
 /**
  * @typedef {{news: (news: Partial<page.News>) => void, refused: (refusal: Refusal) => void,
- *   connected: (is: boolean, why?: string) => void, outdated?: () => void}} Listener
+ *   connected: (is: boolean, why?: string) => void, outdated?: () => void}} StreamListener
  */
 export class Stream {
   state = "events"
@@ -55,7 +55,7 @@ export class Stream {
 
   listening = new AbortController()
 
-  /** @param {string} code @param {string} word a token or the key @param {Listener} listener */
+  /** @param {string} code @param {string} word a token or the key @param {StreamListener} listener */
   constructor(code, word, listener) {
     this.code = code
     this.word = word

@@ -108,7 +108,7 @@ test("a page that wakes tries in haste, and uses up what has died meanwhile", as
   assert.ok(server.asked.filter(({path}) => path === "time").every(({signal}) => signal.aborted))
 })
 
-test("a page that nothing reaches asks for half a second at first, at last every eight, and again at once", async () => {
+test("a page that nothing reaches asks less and less often, and at once where the network is back", async () => {
   server.answers = () => {
     throw new TypeError("Failed to fetch")
   }

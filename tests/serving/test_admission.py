@@ -12,7 +12,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from app import SHEETS, open_page
-from components.serving.admission import FORGOTTEN, IDLE, LONGEST, OF_A_NETWORK, Guest, Line, gives_way, ordinal
+from components.serving.admission import FORGOTTEN, IDLE, LONGEST, OF_A_NETWORK, Guest, Queue, gives_way, ordinal
 from components.serving.server import Server as Serving
 from components.serving.settings import Settings
 from tests.attack.caller import Caller, Reply, ask, connect, contents, token_of
@@ -24,10 +24,10 @@ class House:
 
     def __init__(self, places: int) -> None:
         self.taken, self.now = 0, 0.0
-        self.line = Line(places, lambda: self.taken, lambda: self.now)
+        self.queue = Queue(places, lambda: self.taken, lambda: self.now)
 
     def knock(self, ticket: str = "") -> tuple[int, str]:
-        place, ticket = self.line.knock(ticket)
+        place, ticket = self.queue.knock(ticket)
         self.taken += place == 0
         return place, ticket
 
@@ -66,19 +66,19 @@ def test_tickets_are_ours_and_the_line_has_an_end() -> None:
     house.knock()
     assert house.knock("mine")[1] != "mine"
     for n in range(LONGEST + 5):
-        place, ticket = house.line.knock("", str(n))
+        place, ticket = house.queue.knock("", str(n))
     assert place == LONGEST + 1
-    assert house.line.knock(ticket, "new")[0] == LONGEST + 1
+    assert house.queue.knock(ticket, "new")[0] == LONGEST + 1
 
 
 def test_networks_take_turns_and_one_of_them_does_not_fill_the_line() -> None:
     house = House(1)
     house.knock()
-    flood = [house.line.knock("", "a") for _ in range(2100)]
-    assert house.line.knock("", "b")[0] == 2
-    assert sum(house.line.knock(ticket, "a")[0] <= LONGEST for _, ticket in flood[:600]) >= OF_A_NETWORK
-    house.line.places = 31  # places are free: who comes from elsewhere is in
-    assert house.line.knock("", "c") == (0, "")
+    flood = [house.queue.knock("", "a") for _ in range(2100)]
+    assert house.queue.knock("", "b")[0] == 2
+    assert sum(house.queue.knock(ticket, "a")[0] <= LONGEST for _, ticket in flood[:600]) >= OF_A_NETWORK
+    house.queue.places = 31  # places are free: who comes from elsewhere is in
+    assert house.queue.knock("", "c") == (0, "")
 
 
 def test_who_has_been_silent_for_long_gives_way_and_else_the_quietest_of_a_network_that_has_most_places() -> None:

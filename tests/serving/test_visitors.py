@@ -128,7 +128,7 @@ def test_a_page_that_comes_back_keeps_its_place_in_the_line() -> None:
             reply = await asyncio.to_thread(ask, url, "/", **{"Page-Ticket": ticket})
             assert reply.status == 503 and ticket in ("", reply.headers["Page-Ticket"])
             ticket = reply.headers["Page-Ticket"]
-            assert "you are first in line" in reply.text and len(server.context.admission.line) == 1
+            assert "you are first in line" in reply.text and len(server.context.admission.queue) == 1
         await server.end()
 
     asyncio.run(go())
