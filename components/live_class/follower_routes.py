@@ -13,7 +13,7 @@ from tornado.iostream import IOStream, StreamClosedError
 from components.live_class.codes import as_code, is_key
 from components.live_class.context import ClassContext
 from components.live_class.handler import ClassHandler
-from components.live_class.room import LEADERS, ClassRoom, Listener, as_event, name_of
+from components.live_class.room import LEADERS, ClassRoom, RoomListener, as_event, name_of
 from components.page.messages import Taught
 from components.page.room import Entered, Vote
 from components.serving.handlers import RefusedError
@@ -122,7 +122,7 @@ class Events(Follower):
         finally:
             room.listeners.discard(self)
 
-    async def _stay(self, own: list[Listener]) -> None:
+    async def _stay(self, own: list[RoomListener]) -> None:
         """Among one's own streams, until it ends."""
         own.append(self)
         for older in own[:-MOST_STREAMS]:

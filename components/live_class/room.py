@@ -34,7 +34,7 @@ OBEYED = 10.0
 Kind = TypeVar("Kind")
 
 
-class Listener(Protocol):
+class RoomListener(Protocol):
     """Who hears what is told of a room."""
 
     @property
@@ -52,8 +52,8 @@ class ClassRoom:
     def __init__(self, code: str, parts: Parts) -> None:
         self.code = code
         self.parts: dict[str, bytes] = dict(parts)
-        self.listeners: set[Listener] = set()
-        self.streams: dict[str, list[Listener]] = {}
+        self.listeners: set[RoomListener] = set()
+        self.streams: dict[str, list[RoomListener]] = {}
         """The same by the names of those who have them."""
         self.polls: dict[str, float] = {}
         """When each of those who have no stream has asked last, by name."""
