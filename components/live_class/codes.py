@@ -28,12 +28,12 @@ def new_key() -> str:
 
 
 def join_key(key: str) -> str:
-    """What a room's QR code carries beside the code: known to who has its key, and guessed by nobody."""
+    """The word that a room's QR code carries beside the code: known to who has its key, and guessed by nobody."""
     return sha256(f"join {key}".encode()).hexdigest()[:12]
 
 
 def digest(key: str) -> bytes:
-    """What is kept of a key."""
+    """The hash by which a key is kept."""
     return sha256(key.encode()).hexdigest().encode()
 
 

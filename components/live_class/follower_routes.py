@@ -25,7 +25,7 @@ MISSES = 300
 """Codes that are none, from one network in a minute: with 10 rooms among 30^4 codes, 0.9 hits are to be expected of
 all that may be guessed in 4 hours, while a class that mistypes comes in."""
 ALL_MISSES = 3000
-"""The same from all networks: who has many of them finds one class in half an hour at best, and may only follow it."""
+"""Wrong codes from all networks: who has many of them finds a class in half an hour at best, and may only follow it."""
 TOO_MANY = "Many wrong codes were typed. The QR code opens the class at once, the right code within a minute."
 MINUTE = 60.0
 BUFFER = 2**14
@@ -33,7 +33,7 @@ BUFFER = 2**14
 GIVEN_UP = 60.0
 """Seconds for which a follower may read nothing."""
 MOST_STREAMS = 8
-"""That one follower may have: a page has one, and one that slept leaves another. The oldest of more is ended."""
+"""Streams of one follower: a page has one, and one that slept leaves another. The oldest of more is ended."""
 
 
 class Follower(ClassHandler):
@@ -187,7 +187,7 @@ def chunk(event: bytes) -> bytes:
 
 
 class Now(Follower):
-    """The same for who gets nothing through a stream: all there is, where something is new."""
+    """The state of the room, where something is new, for a page that gets nothing through a stream."""
 
     async def get(self, code: str) -> None:
         room = await self.entered(code)

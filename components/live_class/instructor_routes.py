@@ -61,7 +61,7 @@ class LeadClass(ClassHandler):
 
 
 class CountAnswers(ClassHandler):
-    """What has been answered so far."""
+    """The count of the answers so far."""
 
     async def get(self, code: str) -> None:
         room = await self.led(code)

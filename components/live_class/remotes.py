@@ -15,7 +15,7 @@ from components.live_class.codes import digest, is_key
 from components.live_class.store import Parts
 
 WAITS = "waits "
-"""What the part of a phone that waits begins with; its digits follow."""
+"""The beginning of the part of a phone that waits; its digits follow."""
 CONTROL = "control"
 """The part of the phone that is let in: what is kept of its key."""
 PATIENCE = 60.0
@@ -23,7 +23,7 @@ PATIENCE = 60.0
 
 
 class Waiting(msgspec.Struct, frozen=True):
-    """What is kept of the key of a phone that waits, and until when: seconds since 1970."""
+    """A phone that waits: the digest of its key, and until when, in seconds since 1970."""
 
     key: str
     until: float

@@ -67,7 +67,7 @@ local function forget(code)
   redis.call('zrem', 'class:rooms', code)
 end
 """
-"""What the scripts below have in common: all that there is of a room ends at the same time."""
+"""The beginning of the scripts below: all that there is of a room ends at the same time."""
 OPEN = """
 local code, now, most, life, alone, quiet = unpack(ARGV, 1, 6)
 redis.call('setrange', 'class:room:', 0, '') -- writes nothing, and is refused by a store that is full

@@ -26,7 +26,7 @@ SEEN = 30.0
 Parts = Mapping[str, bytes]
 """A room by the names of its parts."""
 Hear = Callable[[str, Parts], None]
-"""What is called with the code of a room and the parts of it that are new; with none where the room has ended."""
+"""Called with the code of a room and the parts of it that are new; with none where the room has ended."""
 
 
 class AwayError(Exception):
@@ -74,7 +74,7 @@ class Store(ABC):
 
     @abstractmethod
     async def rooms(self) -> int:
-        """How many there are."""
+        """The number of rooms."""
 
     @abstractmethod
     async def vote(self, code: str, question: str, voter: str, answer: bytes, most: int = MOST_VOTES) -> bool:
@@ -91,7 +91,7 @@ class Store(ABC):
 
     @abstractmethod
     async def questions(self, code: str) -> list[str]:
-        """Those that have been answered, in the order of their first answers."""
+        """The questions that have been answered, in the order of their first answers."""
 
     @abstractmethod
     async def present(self, code: str, replica: str, count: int, asking: Collection[str] = ()) -> int:
@@ -108,7 +108,7 @@ class Store(ABC):
 
     @abstractmethod
     async def count(self, name: str, seconds: float, more: int = 1) -> int:
-        """How often something has happened in this span of so many seconds, at all replicas, with `more` of it now."""
+        """Count `more` of something; how often it has happened in this span of so many seconds, at all replicas."""
 
     @abstractmethod
     async def lend(self, name: str, value: bytes, seconds: float) -> None:

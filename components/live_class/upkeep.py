@@ -1,4 +1,4 @@
-"""What goes on beside what is asked: listening to the store, looking after rooms, and coming back when it was away."""
+"""Upkeep of the rooms: listening to the store, looking who is there, and coming back when the store was away."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class Upkeep:
         self._full = False
         self.listening = False
         self.rooms = 0
-        """How many the store has."""
+        """The number of rooms that the store has."""
         self.skew = 0.0
         """Seconds by which this machine's clock is ahead of the store's."""
 
@@ -86,14 +86,14 @@ class Upkeep:
             await asyncio.sleep(AGAIN)
 
     def _hear(self, code: str, parts: Parts) -> None:
-        """What cannot be read, of another version for instance, is no reason to listen no more."""
+        """Pass news on. News that cannot be read, of another version for instance, do not end the listening."""
         try:
             self.registry.hear(code, parts)
         except Exception:
             log.exception("News of a live class could not be read")
 
     async def _return(self, back: asyncio.Event, lost: float) -> None:
-        """What was said meanwhile is looked up; what the store has forgotten it is told by who leads the room."""
+        """Look up what was said meanwhile, and tell a store what it has forgotten of the rooms that are led here."""
         await back.wait()
         self.listening = True
         if lost:
@@ -130,7 +130,7 @@ class Upkeep:
                 await self.registry.write(room, dict(room.unsaved))
 
     async def _looked_up(self, room: ClassRoom) -> Parts:
-        """What the store has of a room; what was told while it was asked may be newer than its answer."""
+        """The parts of a room in the store, asked anew where others were told meanwhile, which may be newer."""
         for _ in range(TRIES):
             number = room.number
             parts = await self.registry.store.parts(room.code)
@@ -148,7 +148,7 @@ class Upkeep:
                 await self._safely(self._look_at(room))
 
     async def _safely(self, act: Awaitable[None]) -> None:
-        """What goes wrong with one room is no matter of the others."""
+        """Look after one room. A fault there is logged, and is no matter of the others."""
         try:
             await act
         except (AwayError, ClosedError):
@@ -161,7 +161,7 @@ class Upkeep:
             log.exception("A live class could not be looked after")
 
     async def _look_at_store(self) -> None:
-        """How many rooms it has, and whether its clock and this machine's agree."""
+        """Ask the store for the number of its rooms, and whether its clock and this machine's agree."""
         self.rooms = await self.registry.store.rooms()
         skew = time() - await self.registry.store.time()
         if abs(skew) > SKEW >= abs(self.skew):

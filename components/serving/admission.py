@@ -71,7 +71,7 @@ class Queue:
         """By ticket, in the order in which they came."""
 
     def __len__(self) -> int:
-        """How many wait, or have left without a word."""
+        """The number of those who wait, or have left without a word."""
         return len(self._line)
 
     def knock(self, ticket: str, network: str = "") -> tuple[int, str]:
@@ -93,7 +93,7 @@ class Queue:
         return before - free + 1, ticket
 
     def _before(self, ticket: str) -> int:
-        """How many are let in earlier: those of networks with fewer places, and of each who came first."""
+        """The number of those who are let in earlier: of networks with fewer places, and of each the first to come."""
         turns = Counter(self._held())
         order = []
         for place, (other, one) in enumerate(self._line.items()):
@@ -134,7 +134,7 @@ class Admission:
         }
 
     def taken(self) -> int:
-        """How many places are."""
+        """The number of places that are taken."""
         return sum(not session.expiration_requested for session in self._sessions())
 
     def heard(self, session: ServerSession) -> None:

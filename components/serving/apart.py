@@ -33,7 +33,7 @@ class ReadingProcess:
         """The network of each request, in the order in which they came: the first is being read."""
 
     def __len__(self) -> int:
-        """How many requests run or wait."""
+        """The number of requests that run or wait."""
         return len(self._asked)
 
     def ask(self, asked: Errand, network: str = "") -> Future[Replied]:
@@ -85,7 +85,7 @@ class ReadingProcess:
 
 
 def _answer(process: subprocess.Popen[bytes], asked: bytes | None, patience: float) -> bytes | None:
-    """What a process says to a request, or first of all; None where it ends or takes too long."""
+    """The answer of a process to a request, or its first word; None where it ends or takes too long."""
     assert process.stdin and process.stdout
     limit = Timer(patience, process.kill)
     limit.daemon = True

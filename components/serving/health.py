@@ -1,4 +1,4 @@
-"""What a proxy, a container engine and Prometheus ask. They ask by address, so any name will do."""
+"""The addresses that a proxy, a container engine and Prometheus ask, by any name of this machine."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a page may say: checked, while it is decoded, before Bokeh puts together or deserialises any of it.
+"""Messages of a page: checked, while they are decoded, before Bokeh puts together or deserialises any of them.
 
 Bokeh believes what a socket announces: a number of buffers, compressed bytes, arrays of any type, models to be made.
 Our page needs none of that. It asks for the document, says that it is ready, and sends our component's messages:
@@ -22,7 +22,7 @@ T = TypeVar("T")
 
 
 class ViolationError(Exception):
-    """What a page of ours does not do; the socket is closed with the code and the reason."""
+    """A message that no page of ours sends; the socket is closed with the code and the reason."""
 
     def __init__(self, reason: str, code: int = 1008) -> None:
         super().__init__(reason)

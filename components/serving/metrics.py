@@ -22,7 +22,7 @@ class Metrics:
     """Each server has its own, so that two in one process do not mix."""
 
     def __init__(self, version: str, **now: tuple[str, Callable[[], float]]) -> None:
-        """What is counted as it happens; `now` are figures that are looked up when they are asked for."""
+        """Counters of what happens; `now` are figures that are looked up when they are asked for."""
         self._registry = CollectorRegistry()
         ProcessCollector(registry=self._registry)
         for name, (about, value) in now.items():

@@ -15,10 +15,10 @@ from tornado.httputil import HTTPServerRequest
 from tornado.web import HTTPError
 
 from components.serving.admission import ASK_AGAIN, ordinal
+from components.serving.bokeh_patches import patch_curdoc
 from components.serving.context import Context
 from components.serving.handlers import RefusedError, VisitorHandler, templates
 from components.serving.headers import policy, scripts_of
-from components.serving.mended import patch_curdoc
 from components.serving.shell import follow_template
 from components.serving.tokens import page_name
 from components.serving.visitors import address_of, network_of

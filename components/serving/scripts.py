@@ -42,7 +42,7 @@ def later(module: str) -> str:
 
 
 def _in_order(name: str, modules: Mapping[str, str], asking: tuple[str, ...]) -> list[str]:
-    """What a module needs, then itself; each once."""
+    """The modules that one needs, then itself; each once."""
     if name in asking:
         raise ValueError(f"The scripts import each other in a circle: {', '.join([*asking, name])}.")
     found: dict[str, None] = {}

@@ -16,12 +16,12 @@ from tornado.ioloop import IOLoop, PeriodicCallback
 
 from components.serving.admission import Admission
 from components.serving.assets import AssetFiles, assets, packed_files
+from components.serving.bokeh_patches import mend
 from components.serving.context import Context
 from components.serving.handlers import Missing, Moved
 from components.serving.health import Figures, Liveness, Readiness
 from components.serving.incoming import MOST_BYTES
 from components.serving.logs import log_request
-from components.serving.mended import mend
 from components.serving.metrics import Looked, Metrics
 from components.serving.pages import Filled, OpenPage, Page
 from components.serving.settings import Settings

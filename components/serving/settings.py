@@ -20,14 +20,14 @@ from components.serving.visitors import networks
 
 SECRET = "bokeh_secret_key"
 SECRETS = (SECRET, "redis_password", "class_passphrase")
-"""Those that are no options: every user of a machine can read the command line of a process. Each may stand in a file,
-whose path is in a variable of the same name and _FILE."""
+"""Settings that are no options: every user of a machine can read the command line of a process. Each may stand in a
+file, whose path is in a variable of the same name and _FILE."""
 LISTS = ("allowed_origin", "trusted_proxies", "metrics_for")
 GUESSED = re.compile("secret|passw(or[dt])?|passphrase|change|default|example|bokeh|lecture|oscillations")
 
 
 class Settings(msgspec.Struct, frozen=True, kw_only=True):
-    """How one process serves the lecture. The description of each field says what is allowed."""
+    """The settings of one process. The description of each field says what is allowed."""
 
     address: Annotated[str, Meta(description="the address to listen at, 0.0.0.0 for all of this machine's")] = (
         "localhost"
@@ -222,7 +222,7 @@ def _default(name: str) -> str:
 
 
 def describe(name: str) -> str:
-    """What is allowed as the value of a setting."""
+    """The values that are allowed for a setting, in words."""
     (meta,) = HINTS[name].__metadata__
     return str(meta.description)
 

@@ -22,7 +22,7 @@ def page_name(token: str, secret: bytes) -> str:
 
 
 def _told(token: str, secret: bytes) -> dict[str, Any]:
-    """What stands in a token that was signed with the secret.
+    """The content of a token that was signed with the secret.
 
     Nothing of a token is decoded before its signature is known to be good: what a stranger writes there may be
     anything.

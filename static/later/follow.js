@@ -86,7 +86,7 @@ export class Following {
     this.turning = this.turning.then(act).catch(error => console.warn(error))
   }
 
-  /** What has been overtaken by a newer one is not drawn. @param {page.SentPicture} picture */
+  /** Draws a picture, unless a newer one has overtaken it. @param {page.SentPicture} picture */
   async #show(picture) {
     if (picture !== this.news.picture) return
     const sheet = await this.sheet(picture.sheet).catch(() => null)

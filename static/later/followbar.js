@@ -1,4 +1,4 @@
-// What stands around a follower's picture: where the lecture is, whether it is heard, and the way to look around.
+// The bars around a follower's picture: where the lecture is, whether it is heard, and the way to look around.
 
 import {element} from "../dom.js"
 import {tabStorage} from "../storage.js"

@@ -1,4 +1,4 @@
-// What a phone keeps of a class until it is over: its token, and its answers by question.
+// A phone's own part of a class, kept until it is over: its token, and its answers by question.
 
 import {browserStorage} from "../storage.js"
 

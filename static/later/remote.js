@@ -94,7 +94,7 @@ class Remote {
     this.host.replaceChildren(this.state, element("div", {class: "remote-deeds"}, ...buttons))
   }
 
-  /** What is pressed, one after the other. @type {Promise<unknown>} */
+  /** Presses, one after the other. @type {Promise<unknown>} */
   deeds = Promise.resolve()
 
   /** @param {page.Done["deed"]} deed */

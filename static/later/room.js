@@ -1,4 +1,4 @@
-// What is asked of a live class over HTTP, and how its server refuses.
+// Questions to a live class over HTTP, and its refusals.
 
 import {inWords} from "../notes.js"
 

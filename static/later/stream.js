@@ -102,7 +102,7 @@ export class Stream {
     return pause(ms, this.control.signal)
   }
 
-  /** How long until the next try. @param {unknown} [reason] */
+  /** The time until the next try, in ms. @param {unknown} [reason] */
   #failed(reason) {
     const refusal = reason instanceof Refusal && reason.status ? reason : null
     if (refusal && !refusal.passes && this.doubts++ >= DOUBTS) {
@@ -127,7 +127,7 @@ export class Stream {
     }
   }
 
-  /** A question for what is new now; how long until the next. @param {AbortSignal} signal */
+  /** A question for what is new now, and the time until the next. @param {AbortSignal} signal */
   async #look(signal) {
     const came = this.#expect()
     const news = await ask(`${this.code}/now?after=${this.number}`, {word: this.word, signal}).finally(came)

@@ -34,7 +34,7 @@ export class Teach {
   isOver = false
   looking = 0
 
-  /** What is asked of the room, one after the other. @type {Promise<unknown>} */
+  /** Orders to the room, one after the other. @type {Promise<unknown>} */
   orders = Promise.resolve()
 
   /** @param {import("../main.js").Lecture} lecture @param {page.Opened} room */
@@ -96,7 +96,7 @@ export class Teach {
     if (news.deed) this.#obey(news.deed)
   }
 
-  /** What the remote control asks for. @param {page.News["deed"]} deed */
+  /** Does what the remote control asks for. @param {page.News["deed"]} deed */
   #obey(deed) {
     const {walk} = this.lecture.walks
     if (deed === "close") this.large.close()
@@ -191,7 +191,7 @@ export class Teach {
     if (put === this.put) this.order({type: "put", walk: name, step: step.id, vote: 0})
   }
 
-  /** The same question once more, after talk. */
+  /** Puts the question once more, after talk. */
   again() {
     const {walk} = this.lecture.walks
     if (!walk?.step) return
@@ -249,7 +249,7 @@ async function opened(phrase = "") {
   }
 }
 
-/** What is typed; nothing where it is given up. @param {string} sentence @returns {Promise<string>} */
+/** The passphrase that is typed; nothing where it is given up. @param {string} sentence @returns {Promise<string>} */
 function passphrase(sentence) {
   const field = element("input", {type: "password", name: "passphrase", autocomplete: "current-password"})
   const label = element("label", {}, element("span", {}, "Passphrase"), field)

@@ -1,4 +1,4 @@
-"""What is mended in Bokeh while it serves.
+"""Patches of Bokeh, made while it serves.
 
 Bokeh keeps the documents at work on a stack of the process, and leaves one there for good when a callback fails: from
 then on others' pages are built with a document that is gone, and fail as well.
