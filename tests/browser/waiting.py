@@ -14,8 +14,8 @@ PASSED = """count => new Promise(passed => {
   const wait = left => (left ? requestAnimationFrame(() => wait(left - 1)) : passed())
   wait(count)
 })"""
-
-
+QUIET = "!oscillations.line.asked && !oscillations.line.outbox.length"
+"""All that was said is answered."""
 UNFOLD = "document.querySelectorAll('.panel details.fold').forEach(fold => { fold.open = true })"
 
 
