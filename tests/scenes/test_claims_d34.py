@@ -17,7 +17,6 @@ from tests.scenes.chains import chain, matrix, number, squares, starts
 from tests.scenes.said import Draw, said
 
 DRAWS = 150
-mp.mp.dps = 40
 
 
 # Coupled

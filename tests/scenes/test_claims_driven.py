@@ -71,7 +71,7 @@ def test_what_is_said_of_the_particular_solution() -> None:
             assert abs(matrix(scene, still**2)[1, 1]) < mp.mpf(10) ** -30 * scene.k2, (
                 "Xp1 is 0, spring 2 alone holds mass 2"
             )
-        assert ("a wall for mass 2" in "".join(text)) == (steady == "finite")
+        assert ("is a wall for" in "".join(text)) == (steady == "finite")
         if steady in ("resonance", "near"):
             assert scene.F_0 and scene.omega
             off = min(abs(mp.sqrt(s) - scene.omega) for s in squares(scene)) / scene.omega

@@ -30,7 +30,7 @@ def forced_sheet() -> Block:
             stage(*_shapes(), label="Two masses and two springs, the first one driven by a force", height=150),
             when("solution", words(*SOLUTION, style="facts", basis=318, phone=4)),
             when("forces", words(*MOTION, style="facts", basis=318, phone=4)),
-            grow=165,
+            grow=220,
         ),
         row(
             column(desk(options), response_plot(), basis=430, grow=430),

@@ -50,8 +50,8 @@ SOLUTION: list[Paragraph] = [
     ),
     either(
         "steady",
-        finite=r"[small|$X_{\mathrm{p}1} = 0$ at $\omega = \sqrt{k_2/m_2} = \val{mark_still}$ rad/s: mass 1 is then "
-        "a wall for mass 2, which swings on $k_2$ alone.]",
+        finite=r"[small|$X_{\mathrm{p}1} = 0$ at $\sqrt{k_2/m_2} = \val{mark_still}$ rad/s: $m_1$ is a "
+        "wall for $m_2$.]",
         **dict.fromkeys((*UNDRIVEN, "loose", "resonance", "near"), ""),
     ),
 ]
