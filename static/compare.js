@@ -6,7 +6,7 @@ import {later, using} from "./later.js"
 import {toSI} from "./ruler.js"
 import {evaluate, roots} from "./signals.js"
 
-const LINGER = 1500 // ms for which the curves from before a drag lie there after letting go
+const LINGER = 1500 // ms for which the curves from before a drag lie there when the server has heard of letting go
 const LAST = 500 // ms after a key until it is taken for the last one
 
 /**
@@ -104,8 +104,6 @@ export class Compare {
   #released(event) {
     this.pressed = false
     if (!this.before) return
-    clearTimeout(this.ending)
-    this.ending = setTimeout(() => this.#forget(), LINGER)
     clearTimeout(this.leaving)
     const isLast = !this.press.startsWith("key") || (event instanceof KeyboardEvent && event.key === "Enter")
     this.leaving = setTimeout(() => this.#letGo(), isLast ? 0 : LAST)
@@ -155,10 +153,11 @@ export class Compare {
     return named
   }
 
-  /** @param {Drawn} shown @param {{deed?: string} | null} asked */
+  /** @param {Drawn} shown @param {import("./line.js").Asked | null} asked */
   update(shown, asked) {
     const {held, state} = shown
     if (asked && !asked.deed) this.before = null
+    if (hasLetGo(asked?.message)) this.ending = setTimeout(() => this.#forget(), LINGER)
     if (this.last && isCloser(shown, this.last)) clearTimeout(this.ending) // until the next change
     this.last = shown
     const isHeld = Boolean(state.held)
@@ -210,6 +209,9 @@ export class Compare {
     clearTimeout(this.leaving)
   }
 }
+
+/** @param {page.Said | undefined} message */
+const hasLetGo = message => message?.type === "set" && message.holding === false
 
 /** Whether an axis shows less than it did: it has been fitted anew. @param {Drawn} shown @param {Drawn} before */
 function isCloser({view: {axes}}, {view: {axes: old}}) {

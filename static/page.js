@@ -159,7 +159,7 @@ export class Page {
     this.lecture.send(message)
   }
 
-  /** @param {Drawn} shown @param {{deed?: string} | null} [asked] what it is the answer to */
+  /** @param {Drawn} shown @param {import("./line.js").Asked | null} [asked] what it is the answer to */
   apply(shown, asked = null) {
     this.shown = shown
     const {view, state} = shown

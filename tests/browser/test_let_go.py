@@ -7,6 +7,8 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.browser.waiting import QUIET
+
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 END = "oscillations.shown.view.axes.x.end"
@@ -15,7 +17,21 @@ GHOSTS = (
     """() => oscillations.plots.find(({block}) => block.name === 'x').host.querySelectorAll('.ghosts path').length"""
 )
 LINGERED = "since => performance.now() > since + 1700"  # longer than the curves from before a drag stay by themselves
-QUIET = "!oscillations.line.asked && !oscillations.line.outbox.length"
+
+PRESS = """([key, count]) => {
+  for (const type of Array(count).fill(["keydown", "keyup"]).flat())
+    document.activeElement.dispatchEvent(new KeyboardEvent(type, {key, bubbles: true, cancelable: true}))
+}"""
+"""A key, pressed so often that no pause lies between."""
+KEEP_BACK = """() => {
+  const {line} = oscillations, {send} = line.wire
+  line.patience = 60000
+  line.wire.send = message => {
+    if (message.holding === false) globalThis.sent = () => send(message)
+    else send(message)
+  }
+}"""
+"""That a hand has let go comes to the server when the test says so."""
 
 
 def opened(page: Page, open_scene: Open) -> float:
@@ -70,11 +86,23 @@ def test_a_sweep_by_mouse_is_one_change(page: Page, open_scene: Open) -> None:
 def test_keys_let_go_when_they_rest(page: Page, open_scene: Open) -> None:
     opened(page, open_scene)
     page.locator("input[name=k-slider]").focus()
-    for _ in range(9):
-        page.keyboard.press("PageDown")
+    page.evaluate(PRESS, ["PageDown", 9])
     is_wide(page)
-    for _ in range(12):
-        page.keyboard.press("PageUp")
+    page.evaluate(PRESS, ["PageUp", 12])
+    is_fitted(page)
+    ghosts_stand(page)
+
+
+def test_the_curves_of_before_await_what_the_server_makes_of_letting_go(page: Page, open_scene: Open) -> None:
+    opened(page, open_scene)
+    typed(page, "k", "0.001")
+    is_wide(page)
+    page.wait_for_function(f"{QUIET} && !oscillations.page.compare.deed")
+    page.evaluate(KEEP_BACK)
+    typed(page, "k", "40")
+    page.wait_for_function("Boolean(globalThis.sent)")
+    page.wait_for_function(LINGERED, arg=page.evaluate("performance.now()"))
+    page.evaluate("sent()")
     is_fitted(page)
     ghosts_stand(page)
 
