@@ -234,7 +234,7 @@ class Phugoid(Scene):
             "v_0": nice_axis(0.0, fastest, self.unit, 2, exact=True, factor=size),
             "tau": replace(tau, drawn=(0.0, tau.end * max(AIRCRAFT["airliner"][1], self.v_0) / fastest)),
             "share": Axis(0.0, 1.0, "%", ticks=(0.0, 50.0, 100.0), factor=0.01),
-            "lift": nice_axis(0.0, float(max(swing.lap.u[0], 1.0)) ** 2, count=4),
+            "lift": nice_axis(0.0, float(max(swing.lap.u[0], 1.0)) ** 2, count=2),
             **velocity_axes(swing),
         }
 

@@ -115,8 +115,8 @@ def period_shapes(names: dict[str, str], show: str) -> list[Shape]:
 
 def lift_plot() -> tuple[Block, ...]:
     """Lift over weight, exact and to first order, and what follows from it."""
-    linear, linear_band = traced("lift_linear", tint="F", width="dash", label="linear", signal="lift_linear")
-    exact, exact_band = traced("lift", tint="F", width="sum", label="exact", signal="lift", group="lift_exact")
+    linear, linear_band = traced("lift_linear", tint="F", width="dash", read="linear", signal="lift_linear")
+    exact, exact_band = traced("lift", tint="F", width="sum", read="exact", signal="lift", group="lift_exact")
     return (
         plot(
             "lift",
@@ -127,7 +127,7 @@ def lift_plot() -> tuple[Block, ...]:
             bands=(linear_band, exact_band),
             heading=(
                 term("lift_exact", "sum", "F", formula=r"L/(m g) = (v/v_0)^2 = \val{lift}"),
-                term("lift_linear", "dash", "F", formula=r"1 + 2 v'/v_0 = \val{lift_linear}"),
+                term("lift_linear", "dash", "F", formula=r"\text{linear }1 + 2 v'/v_0 = \val{lift_linear}"),
             ),
             room=Room(44, 52),
             cursor="time",
