@@ -5,7 +5,6 @@ from __future__ import annotations
 from components.controls import Group
 from components.page.messages import Onward
 from components.parameters import Quantity, displacement, mass, stiffness, velocity
-from components.scene import Scene
 from physics.coupled import TwoMassChain
 
 Pair = tuple[float, float]
@@ -45,18 +44,18 @@ def start_velocities() -> tuple[Quantity, Quantity]:
     return one, two
 
 
-def of_scene(scene: Scene) -> TwoMassChain:
+def of_scene(scene: object) -> TwoMassChain:
     """The chain that the scene's parameters stand for."""
     return TwoMassChain(**_values(scene, CHAIN))
 
 
-def start_of(scene: Scene) -> tuple[Pair, Pair]:
+def start_of(scene: object) -> tuple[Pair, Pair]:
     """Its displacements and velocities at the start."""
     x1, x2, v1, v2 = _values(scene, START).values()
     return (x1, x2), (v1, v2)
 
 
-def _values(scene: Scene, group: Group) -> dict[str, float]:
+def _values(scene: object, group: Group) -> dict[str, float]:
     return {name: getattr(scene, name) for name in group.names}
 
 

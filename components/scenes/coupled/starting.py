@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import Protocol
 
 from components import chain
 from components.axes import Axis
@@ -14,15 +14,19 @@ from components.parameters import Quantity, Values, finite, not_negative
 from physics.coupled import FreeModes, free_modes
 from physics.modal_start import amplitudes_and_phases, modes_given, start_given
 
-if TYPE_CHECKING:
-    from components.scenes.coupled import Coupled
-
 SIZES, PHASES = ("X_slow", "X_fast"), ("phi_slow", "phi_fast")
 BY_MODES = ("X_slow", "phi_slow", "X_fast", "phi_fast")
 MOST = 100.0
 """rad; a phase is no further from 0."""
 SAME = 16 * 2.0**-53
 """Starting values as near as this to those of the modes, over the amplitudes, are theirs but for roundings."""
+
+
+class Begun(Protocol):
+    """The scene whose motion is begun, as far as it is not known by the names of its parameters."""
+
+    given_by: str
+    in_hand: bool
 
 
 def amplitude(mode: str, sign: str, default: float) -> Quantity:
@@ -42,7 +46,7 @@ def phase(mode: str, sign: str, default: float) -> Quantity:
     )  # fmt: skip
 
 
-def motion(scene: Coupled) -> FreeModes:
+def motion(scene: Begun) -> FreeModes:
     """The motion that the parameters stand for."""
     system = chain.of_scene(scene)
     if scene.given_by == "values":
@@ -50,13 +54,13 @@ def motion(scene: Coupled) -> FreeModes:
     return modes_given(system, *by_modes(scene))
 
 
-def by_modes(scene: Coupled) -> tuple[Pair, Pair]:
+def by_modes(scene: Begun) -> tuple[Pair, Pair]:
     """The amplitudes, and the phases, of the slow and the fast mode."""
     sizes, phases = ((getattr(scene, slow), getattr(scene, fast)) for slow, fast in (SIZES, PHASES))
     return sizes, phases
 
 
-def turns(scene: Coupled, omega: Pair, time: Axis) -> dict[str, AnySignal]:
+def turns(scene: Begun, omega: Pair, time: Axis) -> dict[str, AnySignal]:
     """Where modes give the motion, how far each has turned, in rad: the argument of its sine."""
     if scene.given_by == "values":
         return {}
@@ -64,7 +68,7 @@ def turns(scene: Coupled, omega: Pair, time: Axis) -> dict[str, AnySignal]:
     return {f"turn_{mode}": sines(Axis(0.0, 1.0), time, line=(phase, rate)) for mode, phase, rate in lines}
 
 
-def followed(scene: Coupled, changed: frozenset[str], before: str) -> Values:
+def followed(scene: Begun, changed: frozenset[str], before: str) -> Values:
     """What follows from a change, before which the motion was given by `before`. A start that is typed gives the motion
     itself; one that a hand sets has its modes, where these give it."""
     if changed.intersection(chain.START.names) and not changed.intersection((*BY_MODES, "given_by")):
@@ -78,18 +82,18 @@ def followed(scene: Coupled, changed: frozenset[str], before: str) -> Values:
     return {"given_by": "modes", **taken, **_start(scene, values)}
 
 
-def opened(scene: Coupled) -> Values:
+def opened(scene: Begun) -> Values:
     """The same of a state, which says how the motion is given."""
     return {} if scene.given_by == "values" else _start(scene, {name: getattr(scene, name) for name in BY_MODES})
 
 
-def _modes(scene: Coupled) -> dict[str, float]:
+def _modes(scene: Begun) -> dict[str, float]:
     """Amplitude and phase of each mode, of the starting values; ValueError where one drifts."""
     sizes, phases = amplitudes_and_phases(free_modes(chain.of_scene(scene), *chain.start_of(scene)))
     return dict(zip((*SIZES, *PHASES), (*sizes, *phases), strict=True))
 
 
-def _start(scene: Coupled, values: dict[str, float]) -> dict[str, float]:
+def _start(scene: Begun, values: dict[str, float]) -> dict[str, float]:
     """The starting values of modes, where they are others than those that stand, but for roundings."""
     sizes, phases = ((values[slow], values[fast]) for slow, fast in (SIZES, PHASES))
     free = modes_given(chain.of_scene(scene), sizes, phases)
