@@ -22,6 +22,9 @@ LINES = """oscillations.plots.flatMap(({figure: {model}}) => (model?.renderers ?
   .filter(({glyph}) => glyph.type === "Line").map(({glyph}) => glyph.line_width.value ?? glyph.line_width))"""
 UNDER = "oscillations.plots.map(p => p.figure.model?.below[0].major_label_text_font_size).filter(Boolean)"
 SIZE_OF = "part => parseFloat(getComputedStyle(part).fontSize)"
+THIN = """[...document.querySelectorAll(".block.plot, .block.stage")].filter(part =>
+  part.checkVisibility() && part.getBoundingClientRect().width < 20).map(part => part.className)"""
+"""Plots and stages that have no room."""
 UNIT = "parseFloat(getComputedStyle(document.documentElement).fontSize) / 16"
 
 
@@ -37,11 +40,15 @@ def looked_at(page: Page, width: int, height: int) -> list[str]:
 def test_every_scene_has_the_halls_type_and_nothing_overlaps(server: Server, page: Page) -> None:
     page.goto(f"{server.url}?projector")
     found = []
-    for slug in SCENES:
-        page.evaluate("scene => oscillations.open({scene})", slug)
+    for slug, given in [*((slug, {}) for slug in SCENES), ("modes", {"task": "hunt"})]:
+        page.evaluate("([scene, parameters]) => oscillations.open({scene, parameters})", [slug, given])
         page.wait_for_function(f"slug => oscillations.page.spec.slug === slug && {READY}", arg=slug)
+        page.wait_for_function(
+            "given => Object.entries(given).every(([name, word]) => oscillations.shown.settings[name].value === word)",
+            arg=given,
+        )
         for width, height in SIZES:
-            found += [f"{slug}, {fault}" for fault in looked_at(page, width, height)]
+            found += [f"{slug} {given}, {fault}" for fault in looked_at(page, width, height)]
             under = {round(float(size[:-2]), 3) for size in page.evaluate(UNDER)}
             assert under == {round(22 * height / 1080, 3)}
             expected = [share * height / 1080 for share in (6, 3.5, 1.5)]
@@ -49,6 +56,9 @@ def test_every_scene_has_the_halls_type_and_nothing_overlaps(server: Server, pag
                 assert any(abs(line - one) < 0.01 for one in expected), (slug, line)
             low = page.evaluate("oscillations.page.paper.scrollHeight - oscillations.page.paper.clientHeight")
             assert low <= 1, (slug, height, low)
+            across = page.evaluate("oscillations.page.paper.scrollWidth - oscillations.page.paper.clientWidth")
+            thin = page.evaluate(THIN)
+            assert across <= 1 and not thin, (slug, given, height, across, thin)
     assert not found, "\n".join(found)
 
 
