@@ -11,7 +11,7 @@ from fontTools.ttLib import TTFont
 
 from components.description import sheet_json
 from components.scenes import SCENES
-from components.text import mathml, rich
+from components.text import _SENTENCES, _SHORT, kept, mathml, rich
 from tests.tooling.math_font import FONT
 
 
@@ -61,3 +61,16 @@ def test_a_sentence_escapes_what_is_not_markup() -> None:
 def test_words_lead_to_a_scene() -> None:
     assert rich("see [scene:phugoid|the **aircraft**]") == 'see <a href="?scene=phugoid">the <b>aircraft</b></a>'
     assert rich("[m1|blue]") == '<span class="tint m1">blue</span>'
+
+
+def test_of_what_is_set_little_is_remembered() -> None:
+    """Formulas from anybody's file would fill the memory of a server for good: few are kept, and no long one."""
+    made: list[str] = []
+    set_once = kept(lambda latex: made.append(latex) or latex)
+    for formula in ("x", "x", long := "x" * (_SHORT + 1), long):
+        set_once(formula)
+    assert made == ["x", long, long]
+    for number in range(2 * _SENTENCES):
+        set_once(str(number))
+    set_once("x")
+    assert made[-1] == "x" and _SENTENCES * _SHORT < 2**20

@@ -22,7 +22,7 @@ GONE = (
     "digit of the doubles", "How late: ", "which part of the motion dies", "while the other is held", "held ones cross",
     "Ask again", "Middle half", "outlined before the talk", "Let this phone in", "The claim, shown with",
     "What it means", "What is said of it", "Off by at most", "More that is covered", "not in a class of this code",
-    "slide 8)", "Slide 4",
+    "slide 8)", "Slide 4", "Slide 8",
 )  # fmt: skip
 """Each as it once stood on the screen."""
 UNSPOKEN = re.compile(r"/\*.*?\*/|<!--.*?-->|(?<!:)//[^\n]*", re.DOTALL)

@@ -19,7 +19,7 @@ def forced_sheet() -> Block:
     options = row(
         words("**Particular solution**", phone=9),
         choice("curve", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as", basis=0, phone=9),
-        when("lecture", choice("axes", {"si": "SI", "lecture": "Slide 8"}, "Units of the response", basis=0, phone=9)),
+        when("lecture", choice("axes", {"si": "SI", "lecture": "Relative"}, "Units of the response", basis=0, phone=9)),
         grow=0,
         basis=34,
         gap=10,
