@@ -169,7 +169,10 @@ function layers(plot) {
   })
 }
 
-/** A few points of each curve and those at which a motion turns lowest and highest, in the units of the axes. @param {Plot} plot */
+/**
+ * A few points of each curve and those at which a motion turns lowest and highest, in the units of the axes.
+ * @param {Plot} plot
+ */
 export function table(plot) {
   const {x, y} = axes(plot)
   const all = traces(plot)

@@ -42,7 +42,10 @@ export function features(plot, curve) {
   return [...start, ...found.slice(0, MOST)]
 }
 
-/** The next height that is another: next to where a curve turns two may be drawn as high. @param {ArrayLike<number>} ys @param {number} i */
+/**
+ * The next height that is another: next to where a curve turns two may be drawn as high.
+ * @param {ArrayLike<number>} ys @param {number} i
+ */
 const after = (ys, i) => Array.prototype.find.call(ys, (height, j) => j > i && height !== ys[i]) ?? ys[i]
 
 /**
