@@ -22,39 +22,7 @@ from components.serving.scripts import FIRST, joined, later
 STATIC = Path(__file__).parents[2] / "static"
 STYLES = STATIC / "styles"
 SCENES = Path(__file__).parents[1] / "scenes"
-SHEETS = (
-    "tokens",
-    "base",
-    "drawing",
-    "text",
-    "tables",
-    "layout",
-    "stacked",
-    "stage",
-    "plots",
-    "buttons",
-    "sliders",
-    "compare",
-    "transport",
-    "notices",
-    "about",
-    "take",
-    "ask",
-    "menu",
-    "walk",
-    "answers",
-    "sketch",
-    "contents",
-    "class",
-    "remote",
-    "corner",
-    "votes",
-    "forced",
-    "keys",
-    "hall",
-    "print",
-)
-"""The style sheet's parts in the order in which they stand: of two rules of one weight the later holds."""
+PART = re.compile(r'@import url\("([\w-]+\.css)"\) layer\((\w+)\);')
 BOKEH = Path(bokeh.server.__file__).parent / "static/js/bokeh.min.js"
 TYPES = {
     ".css": "text/css; charset=utf-8",
@@ -103,9 +71,15 @@ def static_files() -> dict[str, bytes]:
 
 
 def style_sheet() -> bytes:
-    """The parts of the style sheet, then what single scenes add to it."""
-    parts = [*(STYLES / f"{name}.css" for name in SHEETS), *sorted(SCENES.glob("*/*.css"))]
-    return b"\n".join(in_text_sizes(path.read_text("utf-8")).encode() for path in parts)
+    """The style sheet with its parts in the places of their imports, and what single scenes add to it."""
+    order = (STYLES / "style.css").read_text("utf-8")
+    ours = PART.sub(lambda found: _layer(found[2], STYLES / found[1]), order)
+    scenes = (_layer("scenes", path) for path in sorted(SCENES.glob("*/*.css")))
+    return in_text_sizes("\n".join([ours, *scenes])).encode()
+
+
+def _layer(name: str, path: Path) -> str:
+    return f"@layer {name} {{\n{path.read_text('utf-8')}}}"
 
 
 def in_text_sizes(sheet: str) -> str:

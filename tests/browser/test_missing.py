@@ -21,6 +21,7 @@ LACKS = {
     "modules": "delete HTMLScriptElement.prototype.noModule",
     "DecompressionStream": "delete globalThis.DecompressionStream",
     "the selector :has()": "CSS.supports = rule => !rule.includes(':has')",
+    "nested rules": "CSS.supports = rule => rule !== 'selector(&)'",
 }
 """What makes a browser lack a feature, or say so."""
 BY_ANYTHING = 30_000

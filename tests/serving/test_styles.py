@@ -8,36 +8,54 @@ from pathlib import Path
 
 import pytest
 import tinycss2
-from tinycss2.ast import AtRule, Node, QualifiedRule
+from tinycss2.ast import AtRule, Declaration, Node, QualifiedRule
 
-from components.serving.assets import SCENES, SHEETS, STYLES, in_text_sizes, static_files, style_sheet
+from components.serving.assets import SCENES, STYLES, in_text_sizes, static_files, style_sheet
 
-PARTS = [*STYLES.glob("*.css"), *SCENES.glob("*/*.css")]
+PARTS = [path for path in (*STYLES.glob("*.css"), *SCENES.glob("*/*.css")) if path.name != "style.css"]
+ORDER = tinycss2.parse_stylesheet((STYLES / "style.css").read_text("utf-8"), skip_comments=True, skip_whitespace=True)
 LONGEST_FILE, LONGEST_LINE = 300, 120
 
 
-def rules(nodes: list[Node], where: str = "") -> Iterator[tuple[str, QualifiedRule]]:
-    """Every rule under the condition that it stands in."""
+def rules(nodes: list[Node], where: str = "") -> Iterator[tuple[str, list[str]]]:
+    """What each rule declares, under the layer, the conditions and the rules that it stands in."""
     for node in nodes:
-        if isinstance(node, AtRule) and node.content is not None:
-            inner = tinycss2.parse_rule_list(node.content, skip_whitespace=True)
-            yield from rules(inner, f"@{node.at_keyword}{tinycss2.serialize(node.prelude)}")
-        elif isinstance(node, QualifiedRule):
-            yield where, node
+        if isinstance(node, AtRule | QualifiedRule) and node.content is not None:
+            inside = f"{where} {getattr(node, 'at_keyword', '')} {tinycss2.serialize(node.prelude).strip()}"
+            inner = tinycss2.parse_blocks_contents(node.content, skip_comments=True, skip_whitespace=True)
+            if names := [part.lower_name for part in inner if isinstance(part, Declaration)]:
+                yield inside, names
+            yield from rules(inner, inside)
 
 
-def all_rules() -> list[tuple[str, QualifiedRule]]:
+def all_rules() -> list[tuple[str, list[str]]]:
     sheet = tinycss2.parse_stylesheet(style_sheet().decode(), skip_comments=True, skip_whitespace=True)
     assert not [node.message for node in sheet if node.type == "error"]
     return list(rules(sheet))
 
 
 def test_every_part_is_on_the_wire_once_and_alone() -> None:
-    assert {path.stem for path in STYLES.glob("*.css")} == set(SHEETS)
-    assert len(SHEETS) == len(set(SHEETS))
     sheet = style_sheet()
     assert all(sheet.count(in_text_sizes(path.read_text("utf-8")).encode()) == 1 for path in PARTS)
+    assert b"@import" not in sheet
     assert [name for name in static_files() if name.endswith(".css")] == ["style.css"]
+
+
+def test_all_that_is_ours_stands_in_a_layer_that_the_order_names() -> None:
+    """What stands in none would hold against all that does."""
+    named, *parts = ORDER
+    layers = [token.value for token in named.prelude if token.type == "ident"]
+    sheet = tinycss2.parse_stylesheet(style_sheet().decode(), skip_comments=True, skip_whitespace=True)
+    assert {node.lower_at_keyword for node in parts} == {"import"}
+    assert all(node.type == "at-rule" and node.lower_at_keyword == "layer" for node in sheet)
+    assert {tinycss2.serialize(node.prelude).strip() for node in sheet[1:]} == set(layers)
+
+
+def test_the_hall_is_told_in_properties_and_one_container() -> None:
+    """Its selectors are those that set them."""
+    told = [where for where, _ in all_rules() if "data-mode" in where]
+    assert len(told) <= 3
+    assert all(where.startswith(" layer hall ") for where in told)
 
 
 def test_lengths_grow_with_the_text_and_lines_with_their_drawing() -> None:
@@ -49,17 +67,13 @@ def test_lengths_grow_with_the_text_and_lines_with_their_drawing() -> None:
 
 
 def test_no_rule_is_defined_twice() -> None:
-    found = Counter((where, tinycss2.serialize(rule.prelude).strip()) for where, rule in all_rules())
+    found = Counter(where for where, _ in all_rules())
     assert len(found) > 200
     assert [rule for rule, count in found.items() if count > 1] == []
 
 
 def test_no_declaration_stands_twice_in_a_rule() -> None:
-    for _, rule in all_rules():
-        given = tinycss2.parse_blocks_contents(rule.content, skip_comments=True, skip_whitespace=True)
-        names = [declaration.lower_name for declaration in given]
-        assert names
-        assert len(names) == len(set(names)), tinycss2.serialize(rule.prelude)
+    assert [where for where, names in all_rules() if len(names) != len(set(names))] == []
 
 
 def test_what_is_important_says_why() -> None:
