@@ -53,7 +53,7 @@ export class Compare {
     for (const event of ["pointerup", "pointercancel", "keyup"]) this.#on(event, released => this.#released(released))
   }
 
-  /** @param {string} event @param {(event: any) => void} act */
+  /** @param {string} event @param {(event: Event) => void} act */
   #on(event, act) {
     addEventListener(event, act, {capture: true, signal: this.gone.signal})
   }
@@ -100,7 +100,7 @@ export class Compare {
     if (!this.pressed) this.#released()
   }
 
-  /** @param {PointerEvent | KeyboardEvent} [event] */
+  /** @param {Event} [event] */
   #released(event) {
     this.pressed = false
     if (!this.before) return

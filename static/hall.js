@@ -77,13 +77,14 @@ export class Hall {
   #offer() {
     this.offer = element("p", {class: "offer", role: "status"}, "Press a key to go back to full screen.")
     document.body.append(this.offer)
-    const end = (/** @type {KeyboardEvent | PointerEvent} */ event) => {
-      for (const kind of ["keydown", "pointerdown"]) removeEventListener(kind, /** @type {any} */ (end), true)
+    const pressed = new AbortController()
+    const end = (/** @type {Event} */ event) => {
+      pressed.abort()
       this.offer?.remove()
       const leaves = event instanceof KeyboardEvent && (event.key === "Escape" || event.key.toLowerCase() === "f")
       if (!leaves && event instanceof KeyboardEvent) this.full()
     }
-    for (const kind of ["keydown", "pointerdown"]) addEventListener(kind, /** @type {any} */ (end), true)
+    for (const kind of ["keydown", "pointerdown"]) addEventListener(kind, end, {capture: true, signal: pressed.signal})
   }
 
   async #point() {

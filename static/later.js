@@ -33,7 +33,7 @@ const PARTS = {
  * @typedef {keyof Parts} Name
  */
 
-/** @type {Partial<Record<Name, Promise<any>>>} */
+/** @type {Partial<Record<Name, Promise<unknown>>>} */
 const fetched = {}
 
 /** @type {Partial<Record<Name, unknown>>} the last that asked for a part */
@@ -45,7 +45,7 @@ let missing = 0
 
 /** A part, when it is there. @template {Name} Key @param {Key} name @returns {ReturnType<Parts[Key]>} */
 export function later(name) {
-  /** @type {() => Promise<any>} */
+  /** @type {() => Promise<unknown>} */
   const fetching = PARTS[name]
   return /** @type {ReturnType<Parts[Key]>} */ (fetched[name] ??= insisting(fetching))
 }

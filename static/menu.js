@@ -26,7 +26,7 @@ export class Menu {
     this.file = element("input", {type: "file", accept: ".toml,text/plain"})
     this.file.addEventListener("change", () => this.#run(this.file.files?.[0]))
     this.#entry("walk-file", () => this.file.click())
-    this.#entry("handout", async () => (await later("handout")).handout(/** @type {any} */ (walks.walk)))
+    this.#entry("handout", async () => walks.walk && (await later("handout")).handout(walks.walk))
     this.#entry("ask", () => this.#ask())
     this.#entry("teach", () => walks.lecture.classes.begin())
     this.#entry("projector", () => hall.toggle())
