@@ -10,6 +10,7 @@ from playwright.sync_api import Page, WebSocket, expect
 
 from components.scene import Scene
 from components.scenes import SCENES
+from tests.browser.waiting import QUIET
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -47,7 +48,7 @@ def asked(page: Page) -> list[str]:
 def wait_moment(page: Page) -> None:
     """What waits for its moment has had it, and all is answered."""
     page.clock.fast_forward(LATER)
-    page.wait_for_function("!oscillations.line.asked && !oscillations.line.outbox.length")
+    page.wait_for_function(QUIET)
 
 
 def settle(page: Page) -> None:

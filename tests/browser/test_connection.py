@@ -38,6 +38,19 @@ def page(browser: Browser) -> Iterator[Page]:
     assert not faults
 
 
+def opened(page: Page, server: Server) -> None:
+    page.goto(server.url + LINK)
+    page.wait_for_function(READY)
+    page.wait_for_function(CONNECTED.format("true"))
+    unfold(page)
+
+
+def lost(page: Page) -> None:
+    """There is no network any more, and the page has heard so: what is set from now on waits."""
+    page.context.set_offline(True)
+    page.wait_for_function(CONNECTED.format("false"))
+
+
 @pytest.mark.parametrize("name", LOSSES)
 def test_every_last_value_stands_when_the_connection_is_back(page: Page, site: Site, name: str) -> None:
     visit(page, site, LOSSES[name], seed=1)
@@ -92,7 +105,7 @@ def test_a_page_that_comes_back_shows_its_token_and_its_ticket(page: Page, serve
 
 def test_presets_undo_and_scenes_wait_too(page: Page, server: Server) -> None:
     opened(page, server)
-    page.context.set_offline(True)
+    lost(page)
     page.locator("input[name=m1-slider]").fill("0.5")
     page.get_by_role("button", name="Beats").click()
     page.locator("input[name=k2-slider]").fill("0.5")
@@ -107,7 +120,7 @@ def test_presets_undo_and_scenes_wait_too(page: Page, server: Server) -> None:
 def test_a_page_older_than_the_server_takes_the_new_one_but_not_under_a_hand(page: Page, server: Server) -> None:
     opened(page, server)
     page.evaluate("globalThis.old = true")
-    page.context.set_offline(True)
+    lost(page)
     page.locator("input[name=k2-slider]").fill("0.5")
     k2 = page.evaluate("oscillations.line.left[0].values.k2")
     page.locator("input[name=m1]").press_sequentially("5")
@@ -136,8 +149,7 @@ def test_a_proxy_that_refuses_sockets_is_named(page: Page, server: Server) -> No
 
 def test_a_message_is_numbered_once_and_the_newest_value_wins(page: Page, server: Server) -> None:
     opened(page, server)
-    page.context.set_offline(True)
-    page.wait_for_function(CONNECTED.format("false"))
+    lost(page)
     page.evaluate(
         """() => {
           const {line} = oscillations
@@ -162,8 +174,7 @@ def test_a_walk_of_ones_own_is_known_to_the_next_session(page: Page, server: Ser
     page.wait_for_function(READY)
     page.evaluate("text => oscillations.walks.run('mine', text)", MINE)
     page.wait_for_function("oscillations.walks.walk?.card?.page === oscillations.page")
-    page.context.set_offline(True)
-    page.wait_for_function(CONNECTED.format("false"))
+    lost(page)
     page.keyboard.press("1")
     page.keyboard.press("PageDown")
     page.context.set_offline(False)
@@ -179,19 +190,11 @@ def test_a_walk_of_ones_own_is_known_to_the_next_session(page: Page, server: Ser
     expect(page.locator(".note:not(:empty)")).to_have_count(0)
 
 
-def opened(page: Page, server: Server) -> None:
-    page.goto(server.url + LINK)
-    page.wait_for_function(READY)
-    page.wait_for_function(CONNECTED.format("true"))
-    unfold(page)
-
-
 def test_handles_choices_and_the_window_wait_as_they_were_set(page: Page, server: Server) -> None:
     page.goto(f"{server.url}?scene=forced")
     page.wait_for_function(READY)
     page.wait_for_function(CONNECTED.format("true"))
-    page.context.set_offline(True)
-    page.wait_for_function(CONNECTED.format("false"))
+    lost(page)
     pill = page.locator(".pill[data-grab=omega]:visible").first
     pill.focus()
     for _ in range(2):
@@ -228,8 +231,7 @@ def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) 
     assert page.evaluate("location.search") == "?scene=coupled"
     page.get_by_role("button", name="Copy link").click()
     expect(page.get_by_role("button", name="Too long")).to_be_visible()
-    page.context.set_offline(True)
-    page.wait_for_function(CONNECTED.format("false"))
+    lost(page)
     page.context.set_offline(False)
     page.wait_for_function(SETTLED)
     page.reload()

@@ -14,7 +14,7 @@ from components.scenes import SCENES
 from components.scenes.coupled.starting import BY_MODES
 from tests.browser.touch import Finger, Mouse, swipe
 from tests.browser.views import choices
-from tests.browser.waiting import passed
+from tests.browser.waiting import QUIET, passed
 from tests.scenes.checks import WHOLE
 
 pytestmark = pytest.mark.browser
@@ -37,7 +37,7 @@ FLICKED = """async name => {
   hand.release(all)
   delete performance.now
 }"""
-IDLE = "!oscillations.line.asked && !oscillations.line.outbox.length"
+RESTED = "performance.now() > oscillations.page.hand.trail.at(-1).when + 200"  # letting go is no flick any more
 NEAR = 1  # pixels
 
 
@@ -115,7 +115,7 @@ def test_what_a_hand_has_taken_is_where_the_hand_is(
 
 def taken(page: Page, hand: Mouse | Finger, grip: Locator) -> None:
     """A grip follows the hand along its ways; what begins a motion stops time, and plays it when it is let go."""
-    page.wait_for_function(IDLE)  # an answer may move lines
+    page.wait_for_function(QUIET)  # an answer may move lines
     grip.evaluate("grip => grip.scrollIntoView({block: 'center'})")
     stopped(page)
     was = grip.evaluate(PLACE)
@@ -138,12 +138,12 @@ def test_on_a_narrow_screen_a_mouse_and_keys_move_what_they_have_taken(
     page = open_scene(new_page(390, 844), scene=slug)
     grip = next(new_grips(page, slug))
     taken(page, Mouse(page), grip)
-    page.wait_for_function(IDLE)
+    page.wait_for_function(QUIET)
     stopped(page)
     was = grip.evaluate(PLACE)
     key, axis = ("ArrowRight", "x") if "x" in was["along"] else ("ArrowUp", "y")
     grip.press(key)
-    page.wait_for_function(f"oscillations.page.hand.grab && {IDLE}")
+    page.wait_for_function(f"oscillations.page.hand.grab && {QUIET}")
     passed(page)  # the answer is drawn with the frame after the one in which it came
     way = grip.evaluate(PLACE)[axis] - was[axis]
     assert 0 < (way if axis == "x" else -way) < 40, "a step, not a leap"
@@ -261,7 +261,7 @@ def test_a_mode_s_row_sets_that_mode_and_the_other_keeps_every_digit(page: Page,
     row = page.get_by_role("slider", name="Slow mode, start, by mass 2")
     expect(row).to_have_attribute("data-grab", "X_slow phi_slow")
     drag(page, row, "x", ACROSS)
-    page.wait_for_timeout(200)  # the hand rests: letting go is no flick
+    page.wait_for_function(RESTED)
     page.mouse.up()
     page.wait_for_function("oscillations.clock.playing && !oscillations.page.hand.grab")
     slow, phase, fast, turned = (page.evaluate(f"oscillations.shown.settings.{name}.value") for name in BY_MODES)

@@ -23,6 +23,15 @@ PRESS = """([key, count]) => {
     document.activeElement.dispatchEvent(new KeyboardEvent(type, {key, bubbles: true, cancelable: true}))
 }"""
 """A key, pressed so often that no pause lies between."""
+NOTE_REST = """() => {
+  const {line} = oscillations, {send} = line
+  addEventListener("keyup", () => { globalThis.released = performance.now() })
+  line.send = (message, about) => {
+    if (message.holding === false) globalThis.rest = performance.now() - released
+    send.call(line, message, about)
+  }
+}"""
+"""How long no key was pressed when they have let go."""
 KEEP_BACK = """() => {
   const {line} = oscillations, {send} = line.wire
   line.patience = 60000
@@ -86,11 +95,13 @@ def test_a_sweep_by_mouse_is_one_change(page: Page, open_scene: Open) -> None:
 def test_keys_let_go_when_they_rest(page: Page, open_scene: Open) -> None:
     opened(page, open_scene)
     page.locator("input[name=k-slider]").focus()
+    page.evaluate(NOTE_REST)
     page.evaluate(PRESS, ["PageDown", 9])
     is_wide(page)
     page.evaluate(PRESS, ["PageUp", 12])
     is_fitted(page)
     ghosts_stand(page)
+    assert page.evaluate("rest") > 490, "a key that comes sooner goes on with the same change"
 
 
 def test_the_curves_of_before_await_what_the_server_makes_of_letting_go(page: Page, open_scene: Open) -> None:
