@@ -21,6 +21,7 @@ from components.numbers import excerpt
 from components.page.messages import (
     AskAbout,
     AskCsv,
+    GiveAnswer,
     Given,
     Lead,
     Open,
@@ -45,7 +46,7 @@ from components.url import step_query, write_query
 from components.walks import Walks
 from components.walks.apart import Apart, Errand, Here, Reading, Replied, Teaching
 from components.walks.judging import taught
-from components.walks.types import Step
+from components.walks.walk import Step
 from components.wire import Packet, decoded, packed
 
 MOST_MESSAGES = 2**53
@@ -168,10 +169,10 @@ class Session:
                 return packed(as_file(self.asked or self.scene, self.picture, page, answer))
             case AskAbout():
                 return packed(about_numbers(self._about, answer))
-            case Given() if step := self._own_step(said):
-                return self._ask_apart(Teaching(said, step), answer)
-            case Given():
-                return packed(replace(taught(said, self.walks, self.scenes), answer=answer))
+            case GiveAnswer(answer=given) if step := self._own_step(given):
+                return self._ask_apart(Teaching(given, step), answer)
+            case GiveAnswer(answer=given):
+                return packed(replace(taught(given, self.walks, self.scenes), answer=answer))
             case Lead(code=code, key=key):
                 self._end_publishing()
                 self._publish = self.lead(code, key) if code else None

@@ -87,8 +87,17 @@ def aliases() -> dict[str, Alias]:
 
 def said() -> frozenset[str]:
     """The types of what the browser says, and of what that is made of: whose defaults may be left out."""
+    return _made_of("Said")
+
+
+def only_said() -> frozenset[str]:
+    """Those of them that the server never tells, with all their fields."""
+    return said() - _made_of("ToldAny")
+
+
+def _made_of(whole: str) -> frozenset[str]:
     known: set[str] = set()
-    asked = {"Said"}
+    asked = {whole}
     while asked:
         name = asked.pop()
         known.add(name)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from tools.notation import limit, notation
-from tools.page_types import Alias, Chapter, Field, Record, chapters, said
+from tools.page_types import Alias, Chapter, Field, Record, chapters, only_said, said
 
 ROOT = Path(__file__).parents[1]
 WRITTEN = "Written by `make protocol` from components/page; a change there is a change here."
@@ -88,7 +88,7 @@ def _definition(type: Alias | Record) -> str:
         return f"type {type.name} = {notation(type.type)}"
     if type.array:
         return f"type {type.name} = [{', '.join(f'{field.name}: {notation(field.type)}' for field in type.fields)}]"
-    mark = "?" if "FromBrowser" in (type.name, type.base) else ""
+    mark = "?" if type.name in only_said() else ""
     lines = [f'{type.tag[0]}: "{type.tag[1]}"'] if type.tag else []
     lines += [f"{field.name}{mark if field.default else ''}: {notation(field.type)}" for field in type.fields]
     extends = f" extends {type.base}" if type.base else ""

@@ -5,8 +5,25 @@ declare namespace page {
 
   type Text = string
 
-  /** A sketched curve: points as places on the axes of its plot. */
-  type Stroke = [number, number][]
+  /** In thousandths of the frame, from its foot. */
+  type Height = number
+
+  /** A sketched curve: its heights, null where there is a gap. */
+  type Sketched = (Height | null)[]
+
+  /** An answer to a step of a walk: an option by its place, the text of a number, a place on the axis, or curves by
+   * name.
+   *
+   * `vote` counts how often the question has been put to a class, from 1 on. */
+  interface Given {
+    walk: Name
+    step: Name
+    vote?: number
+    option?: number | null
+    text?: string
+    value?: number | null
+    curves?: Record<Name, Sketched>
+  }
 
   /** Anything that the browser says. */
   interface FromBrowser {
@@ -59,15 +76,10 @@ declare namespace page {
     keeps?: boolean
   }
 
-  /** The answer to a step of a walk: an option by its place, the text of a number, a place on the axis, or curves. */
-  interface Given extends FromBrowser {
+  /** To a step of a walk. */
+  interface GiveAnswer extends FromBrowser {
     type: "given"
-    walk: Name
-    step: Name
-    option?: number | null
-    text?: Text
-    value?: number | null
-    curves?: Record<Name, Stroke>
+    answer: Given
   }
 
   /** The text of a walk's file, to be run by this session alone. */
@@ -95,7 +107,7 @@ declare namespace page {
     type: "about"
   }
 
-  type Said = SetValues | Typed | Act | Choose | RunOrder | Open | Given | RunWalk | Lead | AskCsv | AskAbout
+  type Said = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout
 
   /** Anything that the browser is told; `answer` is the number of the message that it answers. */
   interface Told {
@@ -234,7 +246,7 @@ declare namespace page {
    * question is asked of, `reveals` the one of the answer, where the parameters in `controls` may be moved. */
   interface StepCard {
     id: string
-    kind: "choice" | "number" | "point" | "sketch"
+    kind: string
     place: string
     scene: string
     given: Html
@@ -291,25 +303,6 @@ declare namespace page {
     truth: string
     shows: State | null
     places: number[]
-  }
-
-  /** In thousandths of the frame, from its foot. */
-  type Height = number
-
-  /** A sketch as it is sent: its heights, null where there is a gap. */
-  type Sketched = (Height | null)[]
-
-  /** What a follower answers: an option by its place, the text of a number, a place on the axis, or curves by name.
-   *
-   * `vote` counts how often the question has been put, from 1 on. */
-  interface Vote {
-    walk: Name
-    step: Name
-    vote: number
-    option: number | null
-    text: string
-    value: number | null
-    curves: Record<Name, Sketched>
   }
 
   /** Anything that the instructor's page asks of the room. */

@@ -14,8 +14,8 @@ from components.live_class.codes import as_code, is_key
 from components.live_class.context import ClassContext
 from components.live_class.handler import ClassHandler
 from components.live_class.room import LEADERS, ClassRoom, RoomListener, as_event, name_of
-from components.page.messages import Taught
-from components.page.room import Entered, Vote
+from components.page.messages import Given, Taught
+from components.page.room import Entered
 from components.serving.handlers import RefusedError
 from components.serving.visitors import network_of
 
@@ -214,11 +214,11 @@ class Answers(Follower):
             raise RefusedError(
                 503, "This phone does not follow the class at the moment. Its answer counts when it does.", 1
             )
-        await self.outcome(self.classes.registry.vote(room, voter, self.body(Vote)))
+        await self.outcome(self.classes.registry.vote(room, voter, self.body(Given)))
         self.set_status(204)
 
     async def post(self, code: str) -> None:
-        room, vote = await self.entered(code), self.body(Vote)
+        room, vote = await self.entered(code), self.body(Given)
         self.limit(f"vote {self.word}")
         put = room.question
         if (put.walk, put.step) != (vote.walk, vote.step):
@@ -227,7 +227,7 @@ class Answers(Follower):
         if put.lesson is None:
             raise RefusedError(409, "The answer has not been shown yet.")
         try:
-            lesson = self.classes.registry.bank_of(room).judged(vote)
+            lesson = self.classes.registry.bank_of(room).lesson(vote)
         except ValueError as reason:
             raise RefusedError(400, "This answer does not fit the question.") from reason
         self.reply(Taught(walk=vote.walk, step=vote.step, lesson=lesson))

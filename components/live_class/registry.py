@@ -10,10 +10,11 @@ import msgspec
 
 from components.live_class.codes import digest, is_key, join_key, new_code, new_key
 from components.live_class.pauses import by_and_by
-from components.live_class.question_bank import Judged, QuestionBank
+from components.live_class.question_bank import QuestionBank
 from components.live_class.remotes import decided
 from components.live_class.room import NOTHING_PUT, ClassRoom
 from components.live_class.store import MOST_VOTES, AwayError, Parts, Store
+from components.page.messages import Given
 from components.page.room import (
     EndRoom,
     HandWalk,
@@ -24,9 +25,9 @@ from components.page.room import (
     SentPicture,
     ShowAnswer,
     Tally,
-    Vote,
     Withdraw,
 )
+from components.walks.questions.question import Judged
 
 MOST_AHEAD, MOST_BEHIND = 200.0, 5000.0
 """Milliseconds by which an instructor's clock may be ahead of its message's arrival, and behind."""
@@ -122,7 +123,7 @@ class Registry:
                 put = room.question
                 if not put.step:
                     raise ValueError("No question is open now.")
-                lesson = self.bank_of(room).lesson(put.walk, put.step)
+                lesson = self.bank_of(room).lesson(Given(walk=put.walk, step=put.step))
                 await self._keep(room, question=msgspec.structs.replace(put, lesson=lesson))
             case Withdraw():
                 await self._keep(room, question=NOTHING_PUT)
@@ -186,7 +187,7 @@ class Registry:
             raise ClosedError("This class is over.")
         room.unsaved = {name: part for name, part in room.unsaved.items() if parts.get(name) is not part}
 
-    async def vote(self, room: ClassRoom, voter: str, vote: Vote) -> None:
+    async def vote(self, room: ClassRoom, voter: str, vote: Given) -> None:
         """Keep an answer; ValueError, in words, for one that comes too late or is none.
 
         Where there are more answers than phones may be here, the newest token that is not here any more makes way.

@@ -14,7 +14,7 @@ from components.live_class.question_bank import QuestionBank, ReadWalks
 from components.live_class.remotes import WAITS, waiting
 from components.live_class.store import Parts
 from components.page.room import News, PutTo, RunClock, SentPicture
-from components.walks.types import Walk
+from components.walks.walk import Walk
 
 SILENCE = 15.0
 """Seconds after which those who follow hear something, whatever happens."""

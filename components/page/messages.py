@@ -15,9 +15,29 @@ from components.page.walk import Lesson, WalkSheet
 
 Name: TypeAlias = Annotated[str, Meta(max_length=100)]
 Text: TypeAlias = Annotated[str, Meta(max_length=1000)]
-MOST_POINTS = 400
-Stroke: TypeAlias = Annotated[list[tuple[float, float]], Meta(max_length=MOST_POINTS)]
-"""A sketched curve: points as places on the axes of its plot."""
+HEIGHTS = 101
+"""Of a sketch, evenly from the left end of its frame to the right."""
+
+Height: TypeAlias = Annotated[int, Meta(ge=-100, le=1100)]
+"""In thousandths of the frame, from its foot."""
+Sketched: TypeAlias = Annotated[list[Height | None], Meta(max_length=101)]
+"""A sketched curve: its heights, null where there is a gap."""
+
+
+class Given(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """An answer to a step of a walk: an option by its place, the text of a number, a place on the axis, or curves by
+    name.
+
+    `vote` counts how often the question has been put to a class, from 1 on.
+    """
+
+    walk: Name
+    step: Name
+    vote: Annotated[int, Meta(ge=1, le=9)] = 1
+    option: Annotated[int, Meta(ge=0, le=9)] | None = None
+    text: Annotated[str, Meta(max_length=60)] = ""
+    value: float | None = None
+    curves: Annotated[dict[Name, Sketched], Meta(max_length=2)] = {}
 
 
 class FromBrowser(Struct, frozen=True, kw_only=True, tag_field="type", forbid_unknown_fields=True):
@@ -73,15 +93,10 @@ class Open(FromBrowser, frozen=True, kw_only=True, tag="open"):
     keeps: bool = False
 
 
-class Given(FromBrowser, frozen=True, kw_only=True, tag="given"):
-    """The answer to a step of a walk: an option by its place, the text of a number, a place on the axis, or curves."""
+class GiveAnswer(FromBrowser, frozen=True, kw_only=True, tag="given"):
+    """To a step of a walk."""
 
-    walk: Name
-    step: Name
-    option: int | None = None
-    text: Text = ""
-    value: float | None = None
-    curves: Annotated[dict[Name, Stroke], Meta(max_length=2)] = {}
+    answer: Given
 
 
 class RunWalk(FromBrowser, frozen=True, kw_only=True, tag="walk"):
@@ -108,7 +123,7 @@ class AskAbout(FromBrowser, frozen=True, kw_only=True, tag="about"):
     """What is known of the errors of what is drawn, please."""
 
 
-Said: TypeAlias = SetValues | Typed | Act | Choose | RunOrder | Open | Given | RunWalk | Lead | AskCsv | AskAbout
+Said: TypeAlias = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout
 
 
 class Told(Struct, frozen=True, kw_only=True, tag_field="type"):

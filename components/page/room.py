@@ -6,32 +6,9 @@ from typing import Annotated, Literal, TypeAlias
 
 from msgspec import Meta, Struct
 
-from components.page.messages import Name
+from components.page.messages import Name, Sketched
 from components.page.text import Html
 from components.page.walk import Lesson, StepCard
-
-HEIGHTS = 101
-"""Of a sketch, evenly from the left end of its frame to the right."""
-
-Height: TypeAlias = Annotated[int, Meta(ge=-100, le=1100)]
-"""In thousandths of the frame, from its foot."""
-Sketched: TypeAlias = Annotated[list[Height | None], Meta(max_length=101)]
-"""A sketch as it is sent: its heights, null where there is a gap."""
-
-
-class Vote(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What a follower answers: an option by its place, the text of a number, a place on the axis, or curves by name.
-
-    `vote` counts how often the question has been put, from 1 on.
-    """
-
-    walk: Name
-    step: Name
-    vote: Annotated[int, Meta(ge=1, le=9)] = 1
-    option: Annotated[int, Meta(ge=0, le=9)] | None = None
-    text: Annotated[str, Meta(max_length=40)] = ""
-    value: float | None = None
-    curves: Annotated[dict[Name, Sketched], Meta(max_length=2)] = {}
 
 
 class Ordered(Struct, frozen=True, kw_only=True, tag_field="type", forbid_unknown_fields=True):

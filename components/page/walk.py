@@ -21,7 +21,7 @@ class StepCard(Struct, frozen=True, kw_only=True):
     """
 
     id: str
-    kind: Literal["choice", "number", "point", "sketch"]
+    kind: str
     place: str
     scene: str
     given: Html

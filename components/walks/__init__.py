@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 
-from components.walks.types import Walk
+from components.walks.walk import Walk
 
 Walks: TypeAlias = Mapping[str, Walk]
 Query: TypeAlias = Mapping[str, Sequence[bytes]]

@@ -20,7 +20,7 @@ from components.walks.checking import problems
 from components.walks.judging import told_of
 from components.walks.links import Scenes
 from components.walks.registry import read_own
-from components.walks.types import Step, Walk
+from components.walks.walk import Step, Walk
 
 BUDGET = 1.0
 """Seconds of a processor for one request."""

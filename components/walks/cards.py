@@ -7,13 +7,12 @@ from hashlib import sha256
 
 import msgspec
 
-from components.page.picture import Ruler
 from components.page.walk import StepCard, WalkSheet
 from components.text import rich
-from components.walks.curves import pad_axes
-from components.walks.links import Scenes, answer_state, opening_state, scene_at
+from components.walks.links import Scenes, answer_state, opening_state
+from components.walks.subject import Subject
 from components.walks.texts import FORMULA
-from components.walks.types import ChoiceStep, NumericStep, PointStep, SketchStep, Step, Walk, kind_of, minutes_of
+from components.walks.walk import Step, Walk
 
 SENTENCE = re.compile(r"(?<=[.?!]) (?=[A-ZΑ-Ω*√½\"“])")
 ASKS = re.compile(r"\?$|^(Sketch|Mark)\b")
@@ -34,29 +33,19 @@ def walk_file(walk: Walk, scenes: Scenes) -> tuple[str, bytes]:
 def step_card(walk: str, step: Step, scenes: Scenes) -> StepCard:
     given, question = parted(step.question)
     opens = opening_state(walk, step, scenes)
-    return StepCard(
+    return step.card(
+        Subject(walk, step, scenes),
         id=step.id,
-        kind=kind_of(step),  # type: ignore[arg-type]  # the tags of the steps are these words
+        kind=step.kind,
         place=place_in_lecture(step.slides),
         scene=scenes[opens.scene].title,
         given=rich(given),
         question=rich(question),
-        minutes=minutes_of(step),
+        minutes=step.planned,
         opens=opens,
         reveals=answer_state(walk, step, scenes),
         controls=step.controls,
-        options=tuple(rich(option.text) for option in step.options) if isinstance(step, ChoiceStep) else (),
-        unit=step.answer.unit if isinstance(step, NumericStep) else "",
-        plot=step.plot if isinstance(step, (PointStep, SketchStep)) else "",
-        axis=step.which if isinstance(step, PointStep) else "",
-        curves=step.curves if isinstance(step, SketchStep) else (),
-        frame=_pad(step, scenes) if isinstance(step, SketchStep) else None,
     )
-
-
-def _pad(step: SketchStep, scenes: Scenes) -> tuple[Ruler, Ruler]:
-    field = pad_axes(step, scene_at(step.state, scenes))
-    return field.x.ruler, field.y.ruler
 
 
 def parted(question: str) -> tuple[str, str]:

@@ -12,7 +12,7 @@ import msgspec
 
 from components.numbers import excerpt
 from components.typed import typed_number
-from components.walks.types import Step, Walk
+from components.walks.walk import Step, Walk
 
 OWN = Path(__file__).parent / "content"
 """The walks that the lecture brings along."""

@@ -11,7 +11,7 @@ from components.walks import Query, Walks
 from components.walks.checking import problems
 from components.walks.links import Scenes
 from components.walks.loading import WalkError, load_walks, read_walk, steps_of
-from components.walks.types import Step, Walk
+from components.walks.walk import Step, Walk
 
 MOST_PROBLEMS = 8
 """What is said at once of a visitor's file."""

@@ -4,7 +4,7 @@ import {tabStorage} from "../storage.js"
 
 const KEY = "answered-step"
 
-/** @typedef {{step: string, given: Partial<page.Vote>}} Answered to a step of a walk, "d34/d34-07" */
+/** @typedef {{step: string, given: Partial<page.Given>}} Answered to a step of a walk, "d34/d34-07" */
 
 /** @returns {Answered | null} */
 export const answered = () => tabStorage.value(KEY)

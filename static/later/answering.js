@@ -16,7 +16,7 @@ export class AskedPut {
   /** @type {Card | null} */
   card = null
 
-  /** @type {page.Vote | null} the answer that was sent last */
+  /** @type {page.Given | null} the answer that was sent last */
   given = null
 
   /** @type {number | undefined} */
@@ -75,7 +75,7 @@ export class AskedPut {
       where,
       step: {...step, controls: []},
       lesson: null,
-      before: {},
+      before: null,
       unfolded: false,
       answers: {of: () => null},
       lecture: this.following,
@@ -87,12 +87,12 @@ export class AskedPut {
     return nameOf(/** @type {page.PutTo} */ (this.question))
   }
 
-  /** @returns {page.Vote | null} */
+  /** @returns {page.Given | null} */
   #vote() {
     const {walk, step, vote} = /** @type {page.PutTo} */ (this.question)
-    const question = this.card?.question
-    if (!question?.given()) return null
-    return {walk, step, vote, option: null, text: "", value: null, curves: {}, ...question.vote}
+    const given = this.card?.question.given()
+    if (!given) return null
+    return {walk, step, vote, ...given}
   }
 
   /** What is sent, one after the other: an answer never takes the place of a newer one. @type {Promise<unknown>} */
@@ -156,7 +156,7 @@ export class AskedPut {
   }
 }
 
-/** @param {{walk: string, step: string, vote: number}} question or answer */
+/** @param {{walk: string, step: string, vote?: number}} question or answer */
 const nameOf = ({walk, step, vote}) => `${walk}/${step}/${vote}`
 
 /** @param {unknown} one @param {unknown} other */

@@ -1,6 +1,7 @@
 // What was answered: kept by this browser alone, for as long as it keeps anything.
 
 import {browserStorage} from "../storage.js"
+import {bare} from "./plain.js"
 
 /** @typedef {{said: string, right: boolean, title: page.Html}} Kept of a step: the answer in words */
 
@@ -46,15 +47,9 @@ export class Answers {
     const {said, right, title} = /** @type {Kept} */ (this.of(step.id))
     return [
       `${step.place} (${step.id})`,
-      `  ${plain(step.given)} ${plain(step.question)}`.trimEnd(),
+      `  ${bare(step.given)} ${bare(step.question)}`.trimEnd(),
       `  Your answer: ${said}${right ? ", right" : ""}`,
-      `  ${plain(title)}`,
+      `  ${bare(title)}`,
     ]
   }
-}
-
-/** The words of our own HTML. @param {page.Html} html */
-function plain(html) {
-  const body = new DOMParser().parseFromString(html, "text/html").body
-  return body.textContent ?? ""
 }

@@ -4,57 +4,13 @@
 import {element} from "../dom.js"
 import {Asked} from "./asked.js"
 import {parts, sentences} from "./coverable.js"
-import {features} from "./features.js"
+import {chooser, labelled, text} from "../questions/fields.js"
+import {KINDS} from "../questions/kinds.js"
 import {save} from "../save.js"
 
 const NAME = "asked"
 
-/**
- * What a kind of question asks the instructor for.
- * @typedef {import("./asked.js").Fields} Fields
- * @type {Record<string, {label: string, fields: (ask: Ask) => HTMLElement[], read: (ask: Ask) => Fields}>}
- */
-const KINDS = {
-  choice: {
-    label: "Choice",
-    fields: () => [1, 2, 3, 4].map(optionRow),
-    read: ({form}) => ({options: [1, 2, 3, 4].flatMap(n => optionOf(form, n))}),
-  },
-  number: {
-    label: "Number",
-    fields: () => [labelled("Right answer", "is"), labelled("Unit", "unit"), labelled("Tolerance (±)", "tol")],
-    read: ({form}) => ({answer: answerIn(form, text(form, "unit"))}),
-  },
-  point: {
-    label: "Point on an axis",
-    fields: ({plots}) => [
-      chooser("Axis", "axis", plots.flatMap(axesOf)),
-      labelled("Right place", "is"),
-      labelled("Tolerance (±)", "tol"),
-    ],
-    read: ({form, plots}) => {
-      const [name, which] = text(form, "axis").split(".")
-      const {x, y} = plotOf(plots, name)
-      const {unit} = which === "x" ? x : y
-      return {axis: `${name}.${which}`, answer: answerIn(form, unit)}
-    },
-  },
-  sketch: {
-    label: "Sketch",
-    fields: ({plots}) => [chooser("Curve", "curve", plots.flatMap(curvesOf))],
-    read: ({form, plots}) => {
-      const [name, y] = text(form, "curve").split(".")
-      const plot = plotOf(plots, name)
-      const curve = /** @type {page.Curve} */ (plot.block.curves.find(one => one.y === y))
-      return {plot: name, curve: y, must: features(plot, curve)}
-    },
-  },
-}
-
-/** @typedef {import("../plots.js").Plot} Plot */
-
-/** @param {Plot[]} plots @param {string} name */
-const plotOf = (plots, name) => /** @type {Plot} */ (plots.find(({block}) => block.name === name))
+/** @typedef {import("../questions/question.js").Fields} Fields */
 
 /** @param {import("../walks.js").Walks} walks */
 export const ask = walks => new Ask(walks).open()
@@ -104,7 +60,7 @@ class Ask {
   #parts() {
     const covers = [...parts(this.page), ...sentences(this.page)]
     const {covered} = this.page.shown.state
-    const boxes = covers.map(({cover, text}) => box("cover", cover, text, covered.includes(cover)))
+    const boxes = covers.map(part => box("cover", part.cover, part.text, covered.includes(part.cover)))
     this.covered = covered.filter(name => !covers.some(({cover}) => cover === name)) // they have no box, and stay
     return [
       labelled("Question, ending with ? or beginning with Sketch or Mark", "question", "", true),
@@ -131,7 +87,7 @@ class Ask {
   }
 
   #fields() {
-    this.answers.replaceChildren(...KINDS[field(this.kind).value].fields(this))
+    this.answers.replaceChildren(...KINDS[field(this.kind).value].fields(this.plots))
   }
 
   /** The steps that there are. */
@@ -176,14 +132,13 @@ class Ask {
     const boxes = [...form.querySelectorAll("input[name=cover]:checked")].map(one => one.getAttribute("value") ?? "")
     const query = this.page.shown.query.split("&").filter(part => !part.startsWith("cover="))
     const kind = text(form, "kind")
-    const asks = KINDS[kind].read(this)
-    const drawn = kind === "sketch" ? [`plot:${asks.plot}`] : [] // it would be traced
+    const {cover = [], ...asks} = KINDS[kind].read(form, this.plots)
     return {
       id: this.asked.nextId,
       kind,
       title: text(form, "title"),
       state: `?${query.join("&")}`,
-      cover: [...new Set([...this.covered, ...boxes, ...drawn])],
+      cover: [...new Set([...this.covered, ...boxes, ...cover])],
       question: text(form, "question"),
       ...asks,
       explain: text(form, "explain"),
@@ -197,73 +152,11 @@ class Ask {
   }
 }
 
-/** @param {string} label @param {string} name @param {string} [value] @param {boolean} [required] */
-function labelled(label, name, value = "", required = false) {
-  const input = element("input", {name, value, autocomplete: "off", required: required ? "" : undefined})
-  return element("label", {class: `ask-${name}`}, element("span", {}, label), input)
-}
-
-/** @param {string} label @param {string} name @param {{value: string, label: string}[]} options */
-function chooser(label, name, options) {
-  const select = element("select", {name}, ...options.map(one => element("option", {value: one.value}, one.label)))
-  return element("label", {}, element("span", {}, label), select)
-}
-
 /** @param {string} name @param {string} value @param {string} label @param {boolean} isSet */
 const box = (name, value, label, isSet) => {
   const input = element("input", {type: "checkbox", name, value, checked: isSet ? "" : undefined})
   return element("label", {class: "ask-box"}, input, ` ${label}`)
 }
 
-/** The right one needs no reply. @param {number} n */
-const optionRow = n =>
-  element(
-    "div",
-    {class: "ask-option"},
-    element("input", {
-      type: "radio",
-      name: "right",
-      value: n,
-      checked: n === 1 ? "" : undefined,
-      "aria-label": `Answer ${n} is right`,
-    }),
-    element("input", {name: `text-${n}`, placeholder: `Answer ${n}`, "aria-label": `Answer ${n}`, autocomplete: "off"}),
-    element("input", {
-      name: `reply-${n}`,
-      placeholder: "Reply to those who choose it",
-      "aria-label": `Reply to those who choose answer ${n}`,
-    }),
-  )
-
-/** @param {HTMLFormElement} form @param {number} n */
-function optionOf(form, n) {
-  const right = text(form, "right") === String(n)
-  const [words, reply] = [text(form, `text-${n}`), text(form, `reply-${n}`)]
-  if (!words) return []
-  return [{text: words, ...(right ? {right} : {reply})}]
-}
-
-/** @param {Plot} plot */
-const axesOf = ({block}) =>
-  ["x", "y"].map(which => ({
-    value: `${block.name}.${which}`,
-    label: `${block.brief}, ${which === "x" ? "horizontal" : "vertical"}`,
-  }))
-
-/** @param {Plot} plot */
-const curvesOf = ({block, view}) =>
-  block.curves
-    .filter(curve => view.columns[curve.source]?.[curve.y]?.length)
-    .map(({y, read}) => ({value: `${block.name}.${y}`, label: `${block.brief}: ${read || y}`}))
-
 /** @param {HTMLElement} label */
 const field = label => /** @type {HTMLInputElement} */ (label.querySelector("input, select"))
-
-/** @param {HTMLFormElement} form @param {string} name */
-const text = (form, name) => String(new FormData(form).get(name) ?? "").trim()
-
-/**
- * Its numbers as they are typed: the session reads them as it reads a field.
- * @param {HTMLFormElement} form @param {string} unit
- */
-const answerIn = (form, unit) => ({is: text(form, "is"), unit, tol: text(form, "tol")})

@@ -4,7 +4,7 @@ import {browserStorage} from "../storage.js"
 
 const KEY = "asked-steps"
 
-/** @typedef {Record<string, any>} Fields of a step, as its file names them */
+/** @typedef {import("../questions/question.js").Fields} Fields */
 
 export class Asked {
   /** @type {Fields[]} in the order in which they were asked */

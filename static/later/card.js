@@ -1,8 +1,8 @@
 // The card of a step, in the panel's place: what is given and asked, the answer, what it means, what to try.
 
 import {element, marked} from "../dom.js"
+import {KINDS} from "../questions/kinds.js"
 import {claim, withhold} from "./claim.js"
-import {questionOf} from "./questions.js"
 
 export const ANSWER_FIRST = "Answer first: a guess is fine"
 const CHOSEN = ".seg, .tiles, .window" // what sets a parameter and is no slider
@@ -21,7 +21,7 @@ export class Card {
     this.walk = walk
     this.page = page
     const {step} = walk
-    this.question = questionOf(step, walk, page)
+    this.question = new KINDS[step.kind](step, walk, page)
     this.refusal = element("p", {class: "problem", role: "alert"})
     this.after = element("div", {class: "after"})
     this.back = element("button", {type: "button", class: "act", "data-key": "PageUp"}, "Back")
@@ -44,7 +44,7 @@ export class Card {
     page.heading.after(this.line)
     this.#ask()
     asks.focus({preventScroll: true})
-    this.question.host?.scrollIntoView({block: "nearest"}) // now that all has its place
+    this.question.plot?.host.scrollIntoView({block: "nearest"}) // now that all has its place
   }
 
   #head() {
@@ -109,8 +109,7 @@ export class Card {
 
   /** @param {page.Html} next */
   #try(next) {
-    const name = this.walk.step.kind === "sketch" ? "Draw again" : "Answer again"
-    const again = element("button", {type: "button", class: "chip"}, name)
+    const again = element("button", {type: "button", class: "chip"}, this.question.again)
     again.addEventListener("click", () => this.walk.again())
     const words = next ? [marked("p", {class: "try"}, `<b>Try:</b> ${next}`)] : []
     const parts = element(

@@ -2,7 +2,7 @@
 
 import {insisting} from "../later.js"
 import {element, marked} from "../dom.js"
-import {mark} from "./questions.js"
+import {mark} from "../questions/question.js"
 import {save} from "../save.js"
 
 export class Contents {

@@ -5,6 +5,7 @@ import {coveredPlots} from "../cover.js"
 import {element, marked} from "../dom.js"
 import {frame} from "../page.js"
 import {plotPicture, stagePicture} from "./picture.js"
+import {shown} from "./print.js"
 import {things} from "./things.js"
 
 /** @typedef {import("./walk.js").Walk} Walk */
@@ -72,7 +73,7 @@ const stands = ({kept, page}, {scene, step, covered}) =>
   kept.step === step && page.spec.slug === scene && page.shown.state.covered.length === covered.length
 
 /** @param {Walk} walk @param {number} n */
-function question({step, lecture: {page}}, n) {
+function question({step, card, lecture: {page}}, n) {
   const head = element("h2", {}, `${n}. `, element("small", {}, step.place))
   const given = step.given ? [marked("p", {}, step.given)] : []
   return element(
@@ -82,7 +83,7 @@ function question({step, lecture: {page}}, n) {
     ...given,
     marked("p", {class: "asks"}, step.question),
     ...pictures(page, step),
-    room(step),
+    card?.question.space() ?? "",
   )
 }
 
@@ -101,38 +102,20 @@ function pictures(page, step) {
     ...stages.slice(0, 1).map(stage => stagePicture(stage, page, false)),
     ...others.filter(plot => plot.box && !plot.absent).map(plot => plotPicture(plot, false, PICTURE)),
   ]
-  return [element("div", {class: "printed-pictures"}, ...drawn.map(seen))]
-}
-
-/** @param {import("./picture.js").Picture} picture */
-function seen({svg}) {
-  const host = element("div", {})
-  host.innerHTML = svg
-  for (const attribute of ["width", "height"]) host.firstElementChild?.removeAttribute(attribute)
-  return host
-}
-
-/** Space for the answer. @param {page.StepCard} step */
-function room({kind, options, unit}) {
-  if (kind === "choice") return element("ul", {class: "boxes"}, ...options.map(option => marked("li", {}, option)))
-  if (kind === "number") return element("p", {class: "to-fill"}, unit)
-  return element("p", {class: "small"}, kind === "sketch" ? "Draw in the picture." : "Mark it in the picture.")
+  return [element("div", {class: "printed-pictures"}, ...drawn.map(one => shown(one)))]
 }
 
 /** @param {Walk} walk @param {number} n */
 function answer({step, lesson, card, lecture: {page}}, n) {
-  const {title, verdicts, truth, findings} = /** @type {page.Lesson} */ (lesson)
-  const right = step.options.filter((_, i) => verdicts[i]?.right).map(option => marked("p", {}, `<b>${option}.</b>`))
-  const number = truth ? [element("p", {}, element("b", {}, `${truth}.`))] : []
-  const drawn = page.plots.filter(({block, box}) => findings.length && block.name === step.plot && box)
+  const taught = /** @type {page.Lesson} */ (lesson)
+  const drawn = page.plots.filter(({block, box}) => taught.findings.length && block.name === step.plot && box)
   const why = card?.element.querySelector(".why")?.cloneNode(true) ?? ""
   return element(
     "article",
     {},
-    marked("h2", {}, `${n}. ${title}`),
-    ...right,
-    ...number,
-    ...drawn.map(plot => element("div", {class: "printed-pictures"}, seen(plotPicture(plot, false, PICTURE)))),
+    marked("h2", {}, `${n}. ${taught.title}`),
+    ...(card?.question.printed(taught) ?? []),
+    ...drawn.map(plot => element("div", {class: "printed-pictures"}, shown(plotPicture(plot, false, PICTURE)))),
     why,
   )
 }

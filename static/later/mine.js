@@ -2,7 +2,7 @@
 
 import {browserStorage} from "../storage.js"
 
-/** @typedef {{token: string, answers: Record<string, page.Vote>}} Mine */
+/** @typedef {{token: string, answers: Record<string, page.Given>}} Mine */
 
 const OF_A_CLASS = /^class-[0-9A-Z]{4}$/
 
@@ -21,7 +21,7 @@ export function enter(code, token) {
   keep(code, {token, answers: {}})
 }
 
-/** @param {string} code @param {string} question @param {page.Vote} vote */
+/** @param {string} code @param {string} question @param {page.Given} vote */
 export function answer(code, question, vote) {
   const known = mine(code)
   if (known) keep(code, {...known, answers: {...known.answers, [question]: vote}})

@@ -55,5 +55,8 @@ export function plain(node) {
     : told
 }
 
+/** A text without its markup. @param {page.Html} html */
+export const bare = html => new DOMParser().parseFromString(html, "text/html").body.textContent ?? ""
+
 /** @param {Element} node */
 const isHidden = node => node.hasAttribute("hidden") || (node instanceof HTMLElement && node.style.display === "none")

@@ -46,8 +46,8 @@ export class Print {
   }
 }
 
-/** @param {import("./picture.js").Picture} picture @param {string} [style] */
-function shown({svg}, style) {
+/** A picture as wide as its place. @param {import("./picture.js").Picture} picture @param {string} [style] */
+export function shown({svg}, style) {
   const host = element("div", {class: style})
   host.innerHTML = svg
   for (const attribute of ["width", "height"]) host.firstElementChild?.removeAttribute(attribute)

@@ -2,8 +2,6 @@
 
 import {element} from "../dom.js"
 import {claim} from "./claim.js"
-import {Dots} from "./dots.js"
-import {Sketches} from "./sketches.js"
 import {ask} from "./room.js"
 
 const MOMENT = 250 // ms between counts; one that fails is taken anew
@@ -15,7 +13,7 @@ export class Votes {
   /** @type {import("./card.js").Card | null} the card that they stand on */
   card = null
 
-  /** @type {Dots | Sketches | null} over the plot */
+  /** @type {import("../questions/question.js").Votes | null} */
   layer = null
 
   isOpen = false
@@ -65,10 +63,9 @@ export class Votes {
   }
 
   #clear() {
-    this.card?.page.root.classList.remove("gallery", "voted")
+    this.card?.page.root.classList.remove("voted")
     this.layer?.leave()
     this.layer = null
-    for (const bar of document.querySelectorAll(".answers .vote-row")) bar.remove()
   }
 
   /** Asks for the answers, not more often than they can be looked at. */
@@ -110,37 +107,16 @@ export class Votes {
   }
 
   /** @param {import("./walk.js").Walk} walk @param {page.Tally} tally */
-  #draw({step, lesson}, tally) {
+  #draw({lesson}, tally) {
     const card = /** @type {import("./card.js").Card} */ (this.card)
-    if (step.kind === "choice") return bars(card, tally, lesson)
-    if (step.kind === "sketch") this.layer ??= new Sketches(card, step, this.chips)
-    else this.layer ??= new Dots(card, step)
+    this.layer ??= card.question.tally(this.chips)
     this.layer.update(tally, lesson)
-    const headline = lesson ? this.layer.headline(tally) : ""
-    this.all.textContent = headline
-    if (step.kind === "sketch") card.page.root.classList.add("gallery")
-    if (step.kind === "sketch" && lesson && this.teach.lecture.hall.on) card.page.heading.textContent = headline
+    if (lesson) this.all.textContent = this.layer.headline(tally)
   }
 
   leave() {
     this.#clear()
     this.element.remove()
     this.card = null
-  }
-}
-
-/** @param {import("./card.js").Card} card @param {page.Tally} tally @param {page.Lesson | null} lesson */
-function bars(card, {now, before}, lesson) {
-  const most = Math.max(1, ...now.options, ...(before?.options ?? []))
-  const rows = [...card.question.element.querySelectorAll("button")]
-  for (const [i, row] of rows.entries()) {
-    row.querySelector(".vote-row")?.remove()
-    const parts = [element("i", {style: `--share: ${now.options[i] / most}`})]
-    if (before?.options[i]) parts.push(element("i", {class: "before", style: `--share: ${before.options[i] / most}`}))
-    const count = element("span", {class: "vote-count"}, ...(before ? [`${before.options[i]} → `] : []))
-    count.append(element("b", {}, String(now.options[i])))
-    row.classList.toggle("right-vote", Boolean(lesson?.verdicts[i]?.right))
-    const bar = element("span", {class: "vote-bar"}, ...parts)
-    row.append(element("span", {class: before ? "vote-row twice" : "vote-row"}, bar, count))
   }
 }

@@ -22,8 +22,8 @@ export class Walk {
 
   known = answered() // of the step that stood when the page was loaded anew
 
-  /** @type {import("./pad.js").Strokes} the sketch that was drawn before, when one draws again */
-  before = {}
+  /** @type {import("../questions/question.js").Answer | null} what was answered before, when one answers again */
+  before = null
 
   /** @param {import("../walks.js").Walks} walks @param {page.WalkSheet} sheet */
   constructor(walks, sheet) {
@@ -54,7 +54,7 @@ export class Walk {
 
   /** The same question once more; what was drawn stays, dotted. */
   again() {
-    const before = this.card?.question.strokes ?? {}
+    const before = this.card?.question.given() ?? null
     this.go(this.place)
     this.before = before
   }
@@ -62,7 +62,7 @@ export class Walk {
   #putAway() {
     forgetAnswered()
     this.lesson = null
-    this.before = {}
+    this.before = null
     this.card?.leave()
     this.card = null
   }
@@ -128,7 +128,8 @@ export class Walk {
   async show(always) {
     const given = this.card?.question.given()
     if (!given && !always) return this.card?.refuse(`${ANSWER_FIRST}.`)
-    const told = await this.lecture.line.ask({type: "given", walk: this.sheet.name, step: this.step.id, ...given})
+    const answer = {walk: this.sheet.name, step: this.step.id, ...given}
+    const told = await this.lecture.line.ask({type: "given", answer})
     if (told.type === "taught") this.#taught(told)
   }
 
@@ -149,7 +150,7 @@ export class Walk {
     if (lesson.right !== null) {
       this.answers.keep(step, {said: this.card.question.said(), right: lesson.right, title: lesson.title})
     }
-    keepAnswered({step: this.#name, given: this.card.question.vote})
+    keepAnswered({step: this.#name, given: this.card.question.given() ?? {}})
     this.card.teach(lesson)
     this.lecture.classes.led?.walked(this)
     this.lecture.page.compare.keep()

@@ -8,10 +8,9 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from components.scenes import SCENES
-from components.walks.curves import pad_axes
-from components.walks.links import scene_at
 from components.walks.loading import load_walks
-from components.walks.types import SketchStep
+from components.walks.questions.sketch import SketchStep
+from components.walks.subject import Subject
 from tests.browser.classroom import Open, joined, taught
 from tests.walks.strokes import strokes
 
@@ -75,8 +74,8 @@ def test_covers_leave_the_pad_a_frame_of_its_own() -> None:
     wide = []
     for walk, place in SKETCHED:
         step: Any = walk.steps[place]
-        scene = scene_at(step.state, SCENES)
-        pad, shown = pad_axes(step, scene).y, scene.shown.axes
+        subject = Subject("", step, SCENES)
+        pad, shown = subject.pad(step.plot).y, subject.scene.shown.axes
         if all((axis.start, axis.end) != (pad.start, pad.end) for axis in shown.values()):
             wide.append(step.id)
     assert {"d31-04", "d31-06", "d31-15", "d34-10", "d34-15", "tour-04"} <= set(wide)

@@ -8,7 +8,9 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from components.walks.loading import load_walks
-from components.walks.types import ChoiceStep, NumericStep, Step
+from components.walks.questions.choice import ChoiceStep
+from components.walks.questions.number import NumericStep
+from components.walks.walk import Step
 from tests.browser.fixtures import READY
 from tests.browser.halls import LAID, TAUGHT, seen
 from tests.scenes.checks import WHOLE

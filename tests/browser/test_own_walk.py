@@ -13,8 +13,10 @@ from scipy.linalg import expm
 
 from components.scenes import SCENES
 from components.walks.checking import problems
+from components.walks.features import Peak, Trough, ValueAt
 from components.walks.loading import load_walk
-from components.walks.types import Peak, PointStep, SketchStep, Trough, ValueAt
+from components.walks.questions.point import PointStep
+from components.walks.questions.sketch import SketchStep
 from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
 

@@ -16,7 +16,8 @@ from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import KEPT, ClassRoom
 from components.live_class.store import AwayError, FullError, MemoryStore, Parts
 from components.live_class.upkeep import Upkeep
-from components.page.room import PutQuestion, RunClock, SentPicture, Vote
+from components.page.messages import Given
+from components.page.room import PutQuestion, RunClock, SentPicture
 from components.scenes import SCENES
 from components.session import Session
 from tests.live_class.listening import BANK, CHOICE, Listener, until
@@ -269,6 +270,6 @@ def test_a_vote_that_is_asked_for_twice_is_one() -> None:
         for vote, stands in ((2, 2), (2, 2), (1, 2), (9, 3)):
             await registry.obey(room, PutQuestion(walk=walk, step=step, vote=vote))
             assert room.question.vote == stands
-        await registry.vote(room, "one", Vote(walk=walk, step=step, option=0, vote=3))
+        await registry.vote(room, "one", Given(walk=walk, step=step, option=0, vote=3))
 
     in_rooms(test)

@@ -17,6 +17,7 @@ from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import ClassRoom
 from components.live_class.upkeep import Upkeep
 from components.live_class.votes_csv import cell, votes_csv
+from components.page.messages import Given
 from components.page.room import (
     EndRoom,
     HandWalk,
@@ -26,10 +27,11 @@ from components.page.room import (
     SentPicture,
     ShowAnswer,
     Tally,
-    Vote,
     Withdraw,
 )
 from components.walks.loading import read_walk
+from components.walks.questions import sketch
+from components.walks.questions.sketch import SketchStep
 from tests.live_class.listening import BANK, CHOICE, Listener, until
 from tests.live_class.stores import KINDS, Valkey, made, valkey_running
 
@@ -115,7 +117,7 @@ def test_the_instructor_alone_hears_of_answers(in_class: Callable[[Test], None])
         follower, leader = Listener(), Listener(leads=True)
         room.listeners |= {follower, leader}
         await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
-        await registry.vote(room, "one", Vote(walk=CHOICE[0], step=CHOICE[1], option=1))
+        await registry.vote(room, "one", Given(walk=CHOICE[0], step=CHOICE[1], option=1))
         await until(lambda: any(news.answers for news in leader.news))
         assert not any(news.answers for news in follower.news)
         assert room.followers == 1 and room.is_led
@@ -129,19 +131,19 @@ def test_asked_again_the_first_vote_is_kept(in_class: Callable[[Test], None]) ->
         assert await registry.tally(room) is None
         await registry.obey(room, PutQuestion(walk=walk, step=step))
         for voter, option in (("one", 0), ("two", 0), ("three", 1), ("one", 1)):
-            await registry.vote(room, voter, Vote(walk=walk, step=step, option=option))
+            await registry.vote(room, voter, Given(walk=walk, step=step, option=option))
         await registry.obey(room, PutQuestion(walk=walk, step=step))  # a page that comes back asks the same vote
         tally = await registry.tally(room)
         assert tally and tally.now.options == (1, 2, 0) and tally.before is None and tally.now.answered == 3
         await registry.obey(room, PutQuestion(walk=walk, step=step, vote=2))
         with pytest.raises(ValueError, match="closed"):
-            await registry.vote(room, "one", Vote(walk=walk, step=step, option=0))
-        await registry.vote(room, "one", Vote(walk=walk, step=step, option=2, vote=2))
+            await registry.vote(room, "one", Given(walk=walk, step=step, option=0))
+        await registry.vote(room, "one", Given(walk=walk, step=step, option=2, vote=2))
         tally = await registry.tally(room)
         assert tally and tally.before and (tally.before.options, tally.now.options) == ((1, 2, 0), (0, 0, 1))
         await registry.obey(room, ShowAnswer())
         with pytest.raises(ValueError, match="closed"):
-            await registry.vote(room, "two", Vote(walk=walk, step=step, option=0, vote=2))
+            await registry.vote(room, "two", Given(walk=walk, step=step, option=0, vote=2))
         assert room.question.lesson and room.question.lesson.right is None
         assert [verdict.right for verdict in room.question.lesson.verdicts] == [True, False, False]
         lines = (await votes_csv(registry, room)).splitlines()
@@ -160,14 +162,14 @@ def test_numbers_points_and_sketches(in_class: Callable[[Test], None]) -> None:
             (SKETCH, {"curves": {"Xp1": drawn}}, {"curves": {"Xp1": drawn[:50]}}),
         ):
             await registry.obey(room, PutQuestion(walk=walk, step=step))
-            await registry.vote(room, "one", msgspec.convert({"walk": walk, "step": step, **good}, Vote))
+            await registry.vote(room, "one", msgspec.convert({"walk": walk, "step": step, **good}, Given))
             with pytest.raises(ValueError):
-                await registry.vote(room, "two", msgspec.convert({"walk": walk, "step": step, **bad}, Vote))
+                await registry.vote(room, "two", msgspec.convert({"walk": walk, "step": step, **bad}, Given))
             for more in ({"text": "=cmd"}, {"option": 0}, {"value": 0.5}, {"curves": {"Xp1": drawn}}):
                 if more.keys() != good.keys():  # a field of another kind goes along into the table of answers
                     with pytest.raises(ValueError, match="does not fit"):
                         fields = {"walk": walk, "step": step, **good, **more}
-                        await registry.vote(room, "three", msgspec.convert(fields, Vote))
+                        await registry.vote(room, "three", msgspec.convert(fields, Given))
             tally = await registry.tally(room)
             assert isinstance(tally, Tally) and tally.now.answered == 1
             if step == SKETCH[1]:
@@ -190,14 +192,14 @@ def test_an_answer_is_judged_once_and_a_vote_reads_its_question_once(
 
     async def test(registry: Registry, room: ClassRoom) -> None:
         judged: list[object] = []
-        seen = registry.bank._seen
-        monkeypatch.setattr(registry.bank, "_seen", lambda *given: (judged.append(given), seen(*given))[1])
+        judge = SketchStep.judge
+        monkeypatch.setattr(SketchStep, "judge", lambda *given: (judged.append(given), judge(*given))[1])
         walk, step = SKETCH
         await registry.obey(room, PutQuestion(walk=walk, step=step))
         await until(lambda: PutTo in read)
         read.clear()
         for voter in map(str, range(20)):
-            await registry.vote(room, voter, Vote(walk=walk, step=step, curves={"Xp1": [int(voter)] * 101}))
+            await registry.vote(room, voter, Given(walk=walk, step=step, curves={"Xp1": [int(voter)] * 101}))
         assert read.count(PutTo) <= 1
         for _ in range(3):
             tally = await registry.tally(room)
@@ -211,14 +213,14 @@ def test_an_answer_is_judged_once_and_a_vote_reads_its_question_once(
 def test_of_a_large_room_all_sketches_are_counted_and_some_are_told(
     in_class: Callable[[Test], None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(question_bank, "MOST_SKETCHES", 3)
+    monkeypatch.setattr(sketch, "MOST_SKETCHES", 3)
     monkeypatch.setattr(pauses, "SLICE", 0.0)
 
     async def test(registry: Registry, room: ClassRoom) -> None:
         walk, step = SKETCH
         await registry.obey(room, PutQuestion(walk=walk, step=step))
         for voter in "abcde":
-            await registry.vote(room, voter, Vote(walk=walk, step=step, curves={"Xp1": [500] * 101}))
+            await registry.vote(room, voter, Given(walk=walk, step=step, curves={"Xp1": [500] * 101}))
         turns, ended = 0, asyncio.Event()
 
         async def others() -> None:
@@ -256,7 +258,7 @@ def test_a_number_is_written_as_one(in_class: Callable[[Test], None]) -> None:
         walk, step = NUMBER
         await registry.obey(room, PutQuestion(walk=walk, step=step))
         for voter, text in enumerate(("−2", "-1,5", "+3", "-10^3", "2")):
-            await registry.vote(room, str(voter), Vote(walk=walk, step=step, text=text))
+            await registry.vote(room, str(voter), Given(walk=walk, step=step, text=text))
         rows = [line.split(",")[3:] for line in (await votes_csv(registry, room)).splitlines()[1:]]
         assert rows == sorted([["-2", "no"], ["-1.5", "no"], ["3", "no"], ["-1000", "no"], ["2", "yes"]])
 
@@ -308,8 +310,8 @@ def test_a_walk_from_a_file_is_asked_as_any_other(in_class: Callable[[Test], Non
         await registry.obey(room, PutQuestion(walk=walk, step=step))
         put = listener.news[-1].question
         assert put and put.card and put.place == "D31, slide 1 · 1 of 1" and len(put.card.options) == 3
-        await registry.vote(room, "one", Vote(walk=walk, step=step, option=0))
-        await registry.vote(room, "two", Vote(walk=walk, step=step, option=2))
+        await registry.vote(room, "one", Given(walk=walk, step=step, option=0))
+        await registry.vote(room, "two", Given(walk=walk, step=step, option=2))
         await registry.obey(room, ShowAnswer())
         tally = await registry.tally(room)
         assert tally and tally.now.options == (1, 0, 1) and tally.right == 1
@@ -334,7 +336,7 @@ def test_without_the_store_a_class_goes_on_and_is_written_back() -> None:
         there.listeners.add(follower)
         await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
         await until(lambda: there.question.step)
-        await second.vote(there, "one", Vote(walk=CHOICE[0], step=CHOICE[1], option=1))
+        await second.vote(there, "one", Given(walk=CHOICE[0], step=CHOICE[1], option=1))
         assert await registry.tally(room)
         valkey.kill()
         await until(lambda: any(news.lost for news in follower.news) and room.lost)

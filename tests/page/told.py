@@ -10,7 +10,7 @@ import msgspec
 from components.controls import panel
 from components.deeds import Errors, apply
 from components.description import column_axes, sheet_address, usual
-from components.page.messages import AskAbout, AskCsv, Given, Lead, Open, RunWalk, ToldAny
+from components.page.messages import AskAbout, AskCsv, GiveAnswer, Lead, Open, RunWalk, ToldAny
 from components.page.picture import View
 from components.places import encoded
 from components.scene import Scene
@@ -27,7 +27,7 @@ def apply_message(scene: Scene, data: object) -> Errors:
         said = decoded(data)
     except ValueError as refusal:
         return {"message": str(refusal)}
-    assert not isinstance(said, (AskAbout, AskCsv, Given, Lead, Open, RunWalk))
+    assert not isinstance(said, (AskAbout, AskCsv, GiveAnswer, Lead, Open, RunWalk))
     return apply(scene, said)
 
 

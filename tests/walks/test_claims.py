@@ -10,7 +10,7 @@ import pytest
 from components.scenes import SCENES
 from components.walks.links import scene_at
 from components.walks.loading import load_walks, steps_of
-from components.walks.types import ChoiceStep
+from components.walks.questions.choice import ChoiceStep
 from physics.coupled import TwoMassChain, free_modes, free_motion
 from physics.forced import particular_solution
 from physics.oscillator import Oscillator

@@ -15,15 +15,19 @@ from components.page.messages import Given
 from components.scenes import SCENES
 from components.text import rich
 from components.walks.checking import problems
-from components.walks.curves import axes_of, place_of, true_curves
-from components.walks.judging import lesson_of
+from components.walks.features import Period
 from components.walks.links import scene_at
 from components.walks.loading import load_walks, steps_of
-from components.walks.sketch import Sketch, seen, sketch
+from components.walks.questions.choice import ChoiceStep
+from components.walks.questions.number import NumericStep
+from components.walks.questions.sketch import SketchStep
+from components.walks.sketch import Sketch, sketch
+from components.walks.subject import Subject, place_of
 from components.walks.texts import FORMULA
-from components.walks.types import ChoiceStep, NumericStep, Period, SketchStep, Step, minutes_of
+from components.walks.walk import Step
 from tests.walks.drawings import WRONG
 from tests.walks.facts import ANSWERS, PERIODS, STATED
+from tests.walks.strokes import heights
 
 WALKS = load_walks(())
 STEPS = steps_of(WALKS.values())
@@ -47,7 +51,7 @@ def test_every_slide_has_its_step() -> None:
     assert {slide for step in STEPS.values() for slide in step.slides} == SLIDES
     assert [len(WALKS[name].steps) for name in ("d31", "d34", "tour")] == [16, 16, 5]
     assert [step.id for step in WALKS["d34"].steps] == [f"d34-{i:02}" for i in range(1, 17)]
-    assert sum(map(minutes_of, WALKS["tour"].steps)) == 10
+    assert sum(step.planned for step in WALKS["tour"].steps) == 10
 
 
 def words(text: str) -> int:
@@ -120,11 +124,7 @@ def test_what_is_stated_is_so(name: str) -> None:
 
 
 def missed(step: SketchStep, curves: dict[str, Sketch]) -> set[str]:
-    return {
-        str(feature.__struct_config__.tag)
-        for feature in step.must
-        if not seen(feature, curves[feature.on or step.curve]).has
-    }
+    return {feature.kind for feature, found in zip(step.must, step.seen(step.must, curves), strict=True) if not found}
 
 
 def half_of_its_last_digit(stated: float) -> float:
@@ -133,9 +133,9 @@ def half_of_its_last_digit(stated: float) -> float:
 
 @every_sketch
 def test_a_feature_states_what_the_true_curve_has(step: SketchStep) -> None:
-    curves = true_curves(step, scene_at(step.state, SCENES))
+    curves = Subject("", step, SCENES).true(step.plot, step.curves)
     for feature in step.must:
-        found = seen(feature, curves[feature.on or step.curve])
+        found = feature.seen(curves[feature.on or step.curve])
         assert found.has
         number = PERIODS[step.id] if isinstance(feature, Period) else found.number
         for stated, true in ((getattr(feature, "value", None), number), (getattr(feature, "at", None), found.x)):
@@ -146,15 +146,16 @@ def test_a_feature_states_what_the_true_curve_has(step: SketchStep) -> None:
 
 def judged(step: SketchStep, draw: Callable[[Any], Any]) -> tuple[bool | None, str]:
     """Whether a sketch is right, and what is said of it."""
-    axes = axes_of(scene_at(step.state, SCENES), step.plot)
+    subject = Subject("", step, SCENES)
+    axes = subject.axes(step.plot)
     x = np.linspace(*axes.frame.x, 201)
     drawn = draw(x)
-    heights = drawn if isinstance(drawn, dict) else {step.curve: drawn}
+    curves = drawn if isinstance(drawn, dict) else {step.curve: drawn}
     places = {
         name: [(place_of(axes.x, float(a)), place_of(axes.y, float(b))) for a, b in zip(x, y, strict=True)]
-        for name, y in heights.items()
+        for name, y in curves.items()
     }
-    lesson = lesson_of(step, Given(walk="", step=step.id, curves=places), SCENES)
+    lesson = step.lesson(Given(walk="", step=step.id, curves=heights(step, places)), subject)
     return lesson.right, lesson.reply
 
 
@@ -167,15 +168,14 @@ def test_a_wrong_sketch_is_told_what_it_is_and_nothing_else_is(step: SketchStep)
     assert all(wrong.has for wrong in step.wrong)
     for described, draw in zip(step.wrong, WRONG[step.id], strict=True):
         assert judged(step, draw) == (False, rich(described.reply)), described.draws
-    low, high = axes_of(scene_at(step.state, SCENES), step.plot).frame.y
+    low, high = Subject("", step, SCENES).axes(step.plot).frame.y
     for share in (0.5, 0.75, 0.97):
         assert judged(step, level(step, low + share * (high - low))) == (False, ""), share
 
 
 @every_sketch
 def test_a_wrong_sketch_fails_what_it_is_said_to_fail(step: SketchStep) -> None:
-    scene = scene_at(step.state, SCENES)
-    frame = axes_of(scene, step.plot).frame
+    frame = Subject("", step, SCENES).axes(step.plot).frame
     x = np.linspace(*frame.x, 401)
     assert len(WRONG[step.id]) == len(step.wrong)
     for described, draw in zip(step.wrong, WRONG[step.id], strict=True):

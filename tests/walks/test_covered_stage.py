@@ -17,7 +17,7 @@ from components.scene import Scene
 from components.scenes import SCENES
 from components.walks.links import scene_at
 from components.walks.loading import load_walks
-from components.walks.types import Step
+from components.walks.walk import Step
 from tests.page.playing import played
 
 STEPS = [step for walk in load_walks(()).values() for step in walk.steps if STAGE in step.cover]

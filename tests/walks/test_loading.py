@@ -18,8 +18,10 @@ from components.walks.cards import parted, walk_sheet
 from components.walks.checking import problems
 from components.walks.links import scene_at
 from components.walks.loading import LARGEST, WalkError, load_walks, read_walk, steps_of
+from components.walks.questions.choice import ChoiceStep
+from components.walks.questions.number import NumberStep
 from components.walks.registry import all_walks, asked_step, read_own
-from components.walks.types import ChoiceStep, NumberStep, Walk
+from components.walks.walk import Walk
 
 OWN = load_walks(())
 GOOD = """

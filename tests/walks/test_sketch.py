@@ -8,8 +8,8 @@ import msgspec
 import numpy as np
 import pytest
 
-from components.walks.sketch import Ranges, Sketch, seen, sketch
-from components.walks.types import Feature
+from components.walks.features import Feature
+from components.walks.sketch import Ranges, Sketch, sketch
 
 FRAME = Ranges((0.0, 2.0), (-0.2, 0.2))
 T = np.linspace(0, 2, 101)
@@ -35,15 +35,15 @@ ALL = (TROUGH, PEAK, ZERO, DOWN, PERIOD)
 
 
 def has(y: Any, x: Any = T) -> list[bool]:
-    return [seen(one, drawn(y, x)).has for one in ALL]
+    return [one.seen(drawn(y, x)).has for one in ALL]
 
 
 def test_the_right_curve_has_every_feature() -> None:
     assert all(has(SWING))
-    found = seen(TROUGH, drawn(SWING))
+    found = TROUGH.seen(drawn(SWING))
     assert (found.x, found.y) == pytest.approx((0.25, -0.16), abs=0.02)
-    assert seen(PERIOD, drawn(SWING)).number == pytest.approx(1.0, abs=1e-3)
-    assert seen(ZERO, drawn(SWING)).number == pytest.approx(0.5, abs=1e-3)
+    assert PERIOD.seen(drawn(SWING)).number == pytest.approx(1.0, abs=1e-3)
+    assert ZERO.seen(drawn(SWING)).number == pytest.approx(0.5, abs=1e-3)
 
 
 def test_style_does_not_count() -> None:
@@ -71,7 +71,7 @@ def test_what_is_wrong_is_missed(y: Any, expected: list[bool]) -> None:
 
 def test_a_dot_or_nothing_has_no_feature() -> None:
     for points in (np.empty((0, 2)), [[0.25, -0.16]], [[np.nan, 1.0]]):
-        assert not any(seen(one, sketch(points, FRAME)).has for one in ALL)
+        assert not any(one.seen(sketch(points, FRAME)).has for one in ALL)
 
 
 def test_a_part_that_was_not_drawn_is_missed_and_not_made_up() -> None:
@@ -89,7 +89,7 @@ def test_the_order_of_drawing_does_not_count() -> None:
 
 def test_an_edge_is_no_turning_point() -> None:
     edge = feature(f="peak", at=0.0, tol=0.1, **{"is": 0.16}, tol_y=0.03)
-    assert not seen(edge, drawn(0.16 - 0.1 * T)).has
+    assert not edge.seen(drawn(0.16 - 0.1 * T)).has
 
 
 RESPONSE = Ranges((0.0, 2.5), (0.0, 5.0))
@@ -113,18 +113,18 @@ def response(w: Any) -> Any:
     ],
 )
 def test_a_pole_leaves_the_frame_there_and_comes_back(y: Any, expected: list[bool]) -> None:
-    assert [seen(one, drawn(y, W, RESPONSE)).has for one in (POLE, FAST)] == expected
+    assert [one.seen(drawn(y, W, RESPONSE)).has for one in (POLE, FAST)] == expected
 
 
 def test_reach_least_and_sum() -> None:
     reach = feature(f="reach", **{"from": 0.5, "to": 1.0, "is": 0.16}, tol=0.02)
-    assert seen(reach, drawn(SWING)).has and not seen(reach, drawn(0.5 * SWING)).has
+    assert reach.seen(drawn(SWING)).has and not reach.seen(drawn(0.5 * SWING)).has
     least = feature(f="least", **{"is": 0.0}, tol=0.01)
-    assert seen(least, drawn(SWING**2)).has and not seen(least, drawn(SWING)).has
+    assert least.seen(drawn(SWING**2)).has and not least.seen(drawn(SWING)).has
     both = feature(f="sum", **{"with": "V", "is": 0.16}, tol=0.02)
     V = 0.08 * (1 + np.cos(4 * np.pi * T))
     T_ = 0.08 * (1 - np.cos(4 * np.pi * T))
     alone = drawn(T_)
-    assert seen(both, Sketch(alone.x, alone.y, FRAME, drawn(V))).has
-    assert not seen(both, Sketch(alone.x, alone.y, FRAME, drawn(T_))).has
-    assert not seen(both, alone).has
+    assert both.seen(Sketch(alone.x, alone.y, FRAME, drawn(V))).has
+    assert not both.seen(Sketch(alone.x, alone.y, FRAME, drawn(T_))).has
+    assert not both.seen(alone).has

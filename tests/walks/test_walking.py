@@ -11,15 +11,15 @@ import pytest
 from app import visited
 from components.description import plots
 from components.live_class.question_bank import QuestionBank
-from components.page.room import Vote
+from components.page.messages import Given
 from components.scenes import SCENES
 from components.walks.cards import walk_sheet
-from components.walks.curves import true_curves
 from components.walks.links import scene_at
 from components.walks.loading import load_walks
-from components.walks.types import SketchStep
+from components.walks.questions.sketch import SketchStep
+from components.walks.subject import Subject
 from tests.page.told import Page, unpacked
-from tests.walks.strokes import strokes
+from tests.walks.strokes import heights, strokes
 
 WALKS = load_walks(())
 SHEETS = {name: walk_sheet(walk, SCENES) for name, walk in WALKS.items()}
@@ -38,10 +38,12 @@ def opened(page: Page, state: Any) -> dict[str, Any]:
     return page.say({"type": "open", "state": plain, "number": len(page.packets) + 1})
 
 
+def answering(walk: str, step: str, number: int, **answer: Any) -> dict[str, Any]:
+    return {"type": "given", "answer": {"walk": walk, "step": step, **answer}, "number": number}
+
+
 def given(page: Page, step: str, **answer: Any) -> dict[str, Any]:
-    told = page.say(
-        {"type": "given", "walk": step.split("-")[0], "step": step, "number": 1000 + len(page.packets), **answer}
-    )
+    told = page.say(answering(step.split("-")[0], step, 1000 + len(page.packets), **answer))
     assert told["type"] == "taught", told.get("errors")
     return told
 
@@ -116,11 +118,11 @@ def test_what_is_no_number_is_refused_in_words(page: Page, text: str, says: str)
 def test_a_class_reads_a_number_as_its_page_does() -> None:
     bank = QuestionBank(WALKS, SCENES)
 
-    def vote(text: str) -> Vote:
-        return Vote(walk="d34", step="d34-01", vote=1, text=text)
+    def vote(text: str) -> Given:
+        return Given(walk="d34", step="d34-01", vote=1, text=text)
 
     for text in ("-4 N", "−12/3", "-4000 mN"):
-        assert bank.judge(vote(text)).right and bank.judged(vote(text)).right
+        assert bank.judge(vote(text)).right and bank.lesson(vote(text)).right
     with pytest.raises(ValueError, match="this is in N"):
         bank.judge(vote("-4 m"))
     judged = [bank.judge(vote(text)) for text in ("-6 N", "1/2", "2,5")]
@@ -138,8 +140,7 @@ def test_a_point_is_a_place_on_the_axis(page: Page, step: str, place: float, rig
 @pytest.mark.parametrize(("name", "step"), [("d34", "d34-08"), ("tour", "tour-03")])
 @pytest.mark.parametrize("place", [1.6, -0.9])
 def test_what_was_marked_is_what_is_played(page: Page, name: str, step: str, place: float) -> None:
-    said = {"type": "given", "walk": name, "step": step, "number": 1, "value": place}
-    shows = page.say(said)["lesson"]["shows"]
+    shows = page.say(answering(name, step, 1, value=place))["lesson"]["shows"]
     told = page.say({"type": "open", "state": shows, "number": 2})
     assert told["errors"] == {} and told["state"]["step"] == f"{name}/{step}"
     assert page.session.state.parameters["x2_0"] == place
@@ -149,9 +150,9 @@ def test_what_was_marked_is_what_is_played(page: Page, name: str, step: str, pla
     "step", [s for w in WALKS.values() for s in w.steps if isinstance(s, SketchStep)], ids=lambda s: s.id
 )
 def test_a_sketch_is_told_which_features_it_has(page: Page, step: SketchStep) -> None:
-    lesson = given(page, step.id, curves=strokes(step))["lesson"]
+    lesson = given(page, step.id, curves=heights(step))["lesson"]
     assert lesson["right"] is True and all(found["has"] for found in lesson["findings"]), lesson["findings"]
-    nothing = given(page, step.id, curves={step.curve: [[0.0, 1e9], [1e-3, 1e9]]})["lesson"]
+    nothing = given(page, step.id, curves={step.curve: [1100, 1100, *[None] * 99]})["lesson"]
     assert nothing["right"] is False and not all(found["has"] for found in nothing["findings"])
     assert all("missed" in found["words"] for found in nothing["findings"] if not found["has"])
     assert given(page, step.id)["lesson"]["right"] is None
@@ -161,7 +162,7 @@ def test_the_zero_between_two_resonances_is_missed(page: Page) -> None:
     (step,) = (step for step in WALKS["d34"].steps if step.id == "d34-14")
     assert isinstance(step, SketchStep)
     saddle = [(x, max(y, 0.8 if x < 1.6 else 0.0)) for x, y in strokes(step)["Xp1"]]
-    lesson = given(page, "d34-14", curves={"Xp1": saddle})["lesson"]
+    lesson = given(page, "d34-14", curves=heights(step, {"Xp1": saddle}))["lesson"]
     assert [found["name"] for found in lesson["findings"] if not found["has"]] == ["The zero between them"]
     assert "with friction" in lesson["reply"]
 
@@ -177,17 +178,14 @@ def test_a_wrong_answer_says_where_it_would_be_right(page: Page) -> None:
 
 def test_an_answer_to_no_step_is_refused(page: Page) -> None:
     assert "no step" in given(page, "d31-99")["refused"]
-    assert (
-        "no step"
-        in Page(SCENES["coupled"]()).say({"type": "given", "walk": "d31", "step": "d31-01", "number": 1})["refused"]
-    )
+    assert "no step" in Page(SCENES["coupled"]()).say(answering("d31", "d31-01", 1))["refused"]
 
 
 def test_a_session_runs_a_walk_of_its_own(page: Page) -> None:
     text = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
     told = page.say({"type": "walk", "name": "mine", "text": text, "number": 1})
     assert told["refused"] == "" and told["sheet"]["steps"][0]["opens"]["step"] == "mine/one"
-    assert page.say({"type": "given", "walk": "mine", "step": "one", "option": 0, "number": 2})["lesson"]["right"]
+    assert page.say(answering("mine", "one", 2, option=0))["lesson"]["right"]
     told = page.say({"type": "walk", "name": "mine2", "text": "title = 1", "number": 3})
     assert told["sheet"] is None and told["refused"].startswith("mine2: ")
     wrong = """title = "Mine"
@@ -215,8 +213,7 @@ def test_a_session_keeps_five_walks_of_its_own_and_none_that_has_the_name_of_the
     assert [refusal(f"mine-{i}") for i in range(5)] == [""] * 5
     assert refusal("mine-5").startswith("A page keeps 5 walks from files, and this would be one more")
     assert refusal("mine-3") == ""  # mended
-    asked = {"type": "given", "step": "one", "option": 0}
-    known = [page.say({**asked, "walk": f"mine-{i}", "number": 100 + i})["lesson"] is not None for i in range(6)]
+    known = [page.say(answering(f"mine-{i}", "one", 100 + i, option=0))["lesson"] is not None for i in range(6)]
     assert known == [True] * 5 + [False]
 
 
@@ -237,7 +234,7 @@ def test_what_is_called_true_of_a_turning_point_is_the_motions() -> None:
         omega_n = math.sqrt(scene.k / scene.m)
         phase = math.atan2(scene.v_0 / omega_n, scene.x_0)  # x = C cos(omega_n t - phase)
         expected = [(2 * math.pi * turn + phase) / omega_n for turn in turns]
-        (curve,) = true_curves(step, scene).values()
+        (curve,) = Subject("", step, SCENES).true(step.plot, step.curves).values()
         low, high = np.argmin(curve.y), np.argmax(curve.y)
         found = sorted(float(curve.x[i]) % (2 * math.pi / omega_n) for i in (low, high))
         np.testing.assert_allclose(found, sorted(t % (2 * math.pi / omega_n) for t in expected), rtol=1e-6)
@@ -248,5 +245,5 @@ def test_what_is_called_true_of_a_turning_point_is_the_motions() -> None:
 def test_the_period_of_a_push_is_the_pushs(page: Page) -> None:
     (step,) = (step for step in WALKS["d34"].steps if step.id == "d34-15")
     assert isinstance(step, SketchStep)
-    found = given(page, step.id, curves=strokes(step))["lesson"]["findings"]
+    found = given(page, step.id, curves=heights(step))["lesson"]["findings"]
     assert found[-1]["words"].endswith("true 6.28 s")

@@ -1,5 +1,6 @@
 // The numbers that a class has given, each a dot: for a point on the axis itself, for a typed number on its own line.
 
+import {short} from "../numbers.js"
 import {inUnits, set, svg, unitSize} from "../dom.js"
 
 const R = 3.5
@@ -8,14 +9,15 @@ const HEIGHT = 84
 const TOP = 18 // above it the truth is named
 
 export class Dots {
-  /** @param {import("./card.js").Card} card @param {page.StepCard} step */
-  constructor(card, step) {
+  /** @param {import("./question.js").Question} question */
+  constructor({step, plot, element}) {
     this.step = step
     this.unit = step.unit
-    this.plot = step.kind === "point" ? card.page.plots.find(({block}) => block.name === step.plot) : undefined
+    /** @type {import("../plots.js").Plot | undefined} */
+    this.plot = plot
     this.svg = svg("svg", {class: this.plot ? "vote-dots" : "vote-line", role: "img"})
     if (this.plot) this.plot.host.append(this.svg)
-    else card.question.element.after(this.svg)
+    else element.after(this.svg)
     this.observer = new ResizeObserver(() => this.#draw())
     if (this.plot) this.observer.observe(this.plot.host)
   }
@@ -128,6 +130,3 @@ function stacked(numbers, {at, across, base, way, room, zero}, name) {
     return svg("circle", {class: name, r: R - 0.5, cx: across ? along : up, cy: across ? up : along})
   })
 }
-
-/** @param {number} number */
-const short = number => String(Number(number.toPrecision(3))).replace("-", "−")

@@ -2,15 +2,14 @@
 // replaces it. What leaves the frame is kept; gaps stay gaps.
 
 import {element, inUnits, long, set, svg, unitSize} from "../dom.js"
+import {short} from "../numbers.js"
 import {toPlace, toSI} from "../ruler.js"
-import {mark} from "./questions.js"
-
-/** @typedef {Record<string, [number, number][]>} Strokes curves by name: places on both axes */
+import {mark} from "./question.js"
 
 const COLUMNS = 200 // across the frame
 const SLACK = 12 // units around the frame that a hand may go to
 const STEP = 0.02 // of the frame, by an arrow key with Shift
-const SENT = 101 // heights of a curve, as a class is sent a sketch
+const SENT = 101 // heights of a curve, as it is sent: components/page/messages.py
 
 export class Pad {
   /** @type {Map<string, (number | null)[]>} heights by curve */
@@ -25,18 +24,18 @@ export class Pad {
   findings = []
 
   /**
-   * `drawn` is called after every stroke; `before` stays, dotted.
-   * @param {import("../page.js").Page} page
-   * @param {page.StepCard} step @param {Strokes} before @param {() => void} drawn
+   * `drawn` is called after every stroke; what was sent `before` stays, dotted.
+   * @param {import("../plots.js").Plot} plot
+   * @param {page.StepCard} step @param {page.Given["curves"]} before @param {() => void} drawn
    */
-  constructor(page, {plot, curves, frame}, before, drawn) {
+  constructor(plot, {curves, frame}, before, drawn) {
     const [across, up] = /** @type {[page.Ruler, page.Ruler]} */ (frame)
     this.across = across
     this.up = up
-    this.plot = /** @type {import("../plots.js").Plot} */ (page.plots.find(({block}) => block.name === plot))
+    this.plot = plot
     this.drawn = drawn
-    this.before = before
-    this.span = {...this.plot.x}
+    this.span = {...plot.x}
+    this.before = Object.values(before ?? {}).map(sent => this.#heights(sent))
     this.status = element("p", {class: "hint", role: "status"})
     for (const name of curves)
       this.heights.set(
@@ -141,9 +140,7 @@ export class Pad {
 
   #say() {
     const {column, height, down} = this.pen
-    const [x, y] = [this.#abscissa(column), height].map(number =>
-      String(Number(number.toPrecision(2))).replace("-", "−"),
-    )
+    const [x, y] = [this.#abscissa(column), height].map(number => short(number, 2))
     this.status.textContent = `Pen at ${x} ${this.plot.x.unit}, ${y} ${this.plot.y.unit}, ${down ? "down" : "lifted"}.`
   }
 
@@ -154,11 +151,6 @@ export class Pad {
     this.drawn()
   }
 
-  /** What is sent. @returns {Strokes} */
-  get strokes() {
-    return Object.fromEntries([...this.heights].map(([name, heights]) => [name, this.#points(heights)]))
-  }
-
   /** @param {(number | null)[]} heights */
   #points(heights) {
     /** @type {[number, number][]} */
@@ -167,7 +159,7 @@ export class Pad {
     return points
   }
 
-  /** What a class is sent: heights in thousandths of the frame that all share, evenly from its left to its right. */
+  /** What is sent: heights in thousandths of the frame that all share, evenly from its left to its right. */
   get sent() {
     const {start, end} = this.up
     const {y} = this.plot
@@ -189,31 +181,31 @@ export class Pad {
     return ((place - this.span.start) / (this.span.end - this.span.start)) * COLUMNS
   }
 
-  /**
-   * What was sent is drawn again; between two heights it is straight.
-   * @param {Record<string, (number | null)[]>} sent
-   */
+  /** What was sent is drawn again. @param {Record<string, (number | null)[]>} sent */
   restore(sent) {
+    for (const [name, shares] of Object.entries(sent))
+      if (this.heights.has(name)) this.heights.set(name, this.#heights(shares))
+    this.place()
+  }
+
+  /** The columns of a curve that was sent; between two heights it is straight. @param {(number | null)[]} sent */
+  #heights(sent) {
     const {start, end} = this.up
     const [first, last] = [this.#column(0), this.#column(1)]
-    for (const [name, shares] of Object.entries(sent)) {
-      const ys = shares.map(share =>
-        share === null ? null : toPlace(this.plot.y, toSI(this.up, start + (share / 1000) * (end - start))),
-      )
-      const heights = this.heights.get(name)?.map((_, i) => {
-        const at = Number((((i - first) / (last - first)) * (SENT - 1)).toFixed(6))
-        const [low, high] = [ys[Math.floor(at)] ?? null, ys[Math.ceil(at)] ?? null]
-        return low === null || high === null ? null : low + (high - low) * (at % 1)
-      })
-      if (heights) this.heights.set(name, heights)
-    }
-    this.place()
+    const ys = sent.map(share =>
+      share === null ? null : toPlace(this.plot.y, toSI(this.up, start + (share / 1000) * (end - start))),
+    )
+    return Array.from({length: COLUMNS + 1}, (_, i) => {
+      const at = Number((((i - first) / (last - first)) * (SENT - 1)).toFixed(6))
+      const [low, high] = [ys[Math.floor(at)] ?? null, ys[Math.ceil(at)] ?? null]
+      return low === null || high === null ? null : low + (high - low) * (at % 1)
+    })
   }
 
   /** The ink where the axes now are. */
   place() {
     const box = this.plot.frame
-    const old = Object.values(this.before).map(points => svg("path", {class: "old", d: this.#path(points)}))
+    const old = this.before.map(heights => svg("path", {class: "old", d: this.#path(this.#points(heights))}))
     const lines = [...this.heights].map(([name, heights]) => this.#line(name, this.#points(heights)))
     const {column, height} = this.pen
     const pen = svg("circle", {class: "pen", r: 7, cx: this.plot.px(this.#abscissa(column)), cy: this.plot.py(height)})

@@ -1,5 +1,6 @@
 // A place to mark on an axis of a plot: an open pill that is pressed, dragged, or moved by the arrow keys.
 
+import {short} from "../numbers.js"
 import {element, long, set} from "../dom.js"
 
 const STEPS = 100 // arrow keys from end to end
@@ -11,9 +12,9 @@ export class Marker {
   /** @type {number[]} */
   truths = []
 
-  /** @param {import("../page.js").Page} page @param {page.StepCard} step @param {() => void} moved */
-  constructor(page, {plot, axis, unit}, moved) {
-    this.plot = /** @type {import("../plots.js").Plot} */ (page.plots.find(({block}) => block.name === plot))
+  /** @param {import("../plots.js").Plot} plot @param {page.StepCard} step @param {() => void} moved */
+  constructor(plot, {axis, unit}, moved) {
+    this.plot = plot
     this.which = axis || "x"
     this.unit = unit
     this.moved = moved
@@ -38,8 +39,7 @@ export class Marker {
   get number() {
     if (this.value === null) return ""
     const {log, exponent} = this.ruler
-    const number = log ? 10 ** this.value : this.value * 10 ** exponent
-    return String(Number(number.toPrecision(3))).replace("-", "−")
+    return short(log ? 10 ** this.value : this.value * 10 ** exponent)
   }
 
   /** @param {PointerEvent} event */

@@ -1,11 +1,11 @@
 // What a sketch of a curve that is drawn should have: its start, and where it turns, from the curve itself.
 
-import {motionOf, turned} from "./describe.js"
+import {motionOf, turned} from "../later/describe.js"
 
 const MOST = 3 // turning points that are asked for
 const ALONG = [0.08, 0.05, 0.03] // how far off still counts, of the width of the frame: as much as there is room for
 const HIGH = 0.15 // and of its height
-const AROUND = 2.5 // a turning point is looked for so many times as far: components/walks/sketch.py
+const AROUND = 2.5 // a turning point is looked for so many times as far: components/walks/features.py
 const STANDS_OUT = 0.12 // of the height, over what is around it
 
 /** The number that stands at a place of an axis. @param {page.Ruler} ruler @param {number} place */

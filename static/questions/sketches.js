@@ -1,6 +1,7 @@
 // The sketches of a class over each other, in faint ink, so that agreement is darkness; the true curve lies over them.
 
 import {element, unitSize, units} from "../dom.js"
+import {bare} from "../later/plain.js"
 import {toPlace, toSI} from "../ruler.js"
 
 const FAINT = 0.1
@@ -15,11 +16,14 @@ export class Sketches {
 
   band = false
 
-  /** @param {import("./card.js").Card} card @param {page.StepCard} step @param {HTMLElement} chips */
-  constructor(card, step, chips) {
+  /** @param {import("./question.js").Question} question @param {HTMLElement} chips */
+  constructor({step, plot, page, walk}, chips) {
     this.step = step
     this.chips = chips
-    this.plot = /** @type {import("../plots.js").Plot} */ (card.page.plots.find(({block}) => block.name === step.plot))
+    this.plot = plot
+    this.page = page
+    this.hall = walk.lecture.hall
+    page.root.classList.add("gallery")
     this.canvas = element("canvas", {class: "class-sketches", role: "img"})
     this.plot.host.prepend(this.canvas) // under the true curve
     this.observer = new ResizeObserver(() => this.#draw())
@@ -46,6 +50,7 @@ export class Sketches {
         for (const other of lights) other.setAttribute("aria-pressed", String(other === light))
       })
     this.chips.append(...(lesson ? lights : []), band)
+    if (lesson && this.hall.on) this.page.heading.textContent = this.headline(tally)
     this.#draw()
   }
 
@@ -55,13 +60,13 @@ export class Sketches {
     const sorted = counts.toSorted((a, b) => b.count - a.count)
     const [best, worst] = [sorted[0], sorted[sorted.length - 1]]
     const all = `${now.answered} sketch${now.answered === 1 ? "" : "es"}`
-    const first = `“${plain(best.name)}” is right in ${best.count} of ${all}`
-    return best === worst ? first : `${first}, “${plain(worst.name)}” in ${worst.count}`
+    const first = `“${bare(best.name)}” is right in ${best.count} of ${all}`
+    return best === worst ? first : `${first}, “${bare(worst.name)}” in ${worst.count}`
   }
 
   /** @param {page.Html} name @param {number} i */
   #kind(name, i) {
-    return chip(`${plain(name)} ${this.tally?.now.having[i] ?? 0}`, this.lit === i, () => this.#light(i))
+    return chip(`${bare(name)} ${this.tally?.now.having[i] ?? 0}`, this.lit === i, () => this.#light(i))
   }
 
   /** @param {number} feature */
@@ -137,6 +142,7 @@ export class Sketches {
   }
 
   leave() {
+    this.page.root.classList.remove("gallery")
     this.observer.disconnect()
     this.themes.disconnect()
     this.canvas.remove()
@@ -144,7 +150,7 @@ export class Sketches {
 }
 
 /** @param {string} words @param {boolean} pressed @param {() => void} act */
-function chip(words, pressed, act) {
+export function chip(words, pressed, act) {
   const button = element("button", {type: "button", class: "chip", "aria-pressed": pressed}, words)
   button.addEventListener("click", act)
   return button
@@ -152,10 +158,3 @@ function chip(words, pressed, act) {
 
 /** The quantity in SI at a share of an axis. @param {page.Ruler} ruler @param {number} share */
 const between = (ruler, share) => toSI(ruler, ruler.start + share * (ruler.end - ruler.start))
-
-/** A name without its markup. @param {page.Html} html */
-function plain(html) {
-  return (
-    element("span", {}, new DOMParser().parseFromString(html, "text/html").body.textContent ?? "").textContent ?? ""
-  )
-}

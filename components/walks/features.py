@@ -1,0 +1,305 @@
+"""Features of a sketch, each a class: its fields in a walk's file, what a curve has of it, and how that is said.
+
+Places and values are in the unit written at the axis, without its power of ten. A hand is judged by places and heights
+within tolerances, never by style; a part that was not drawn has no feature. Adapted to the hand: slopes over 4 % of the
+frame's width, turning points that stand out by 2 % of its height.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar, Literal, NamedTuple, TypeAlias
+
+import numpy as np
+from msgspec import field
+
+from components.axes import Axis
+from components.numbers import short
+from components.page.walk import Finding
+from components.text import rich
+from components.traces import Floats
+from components.walks.sketch import FEWEST, Sketch, crossings, upward
+from components.walks.subject import PlotAxes, place_of
+from components.walks.types import Above0, Entry
+
+STRIDE = 0.04  # of the frame's width, over which a slope is seen
+STEEP = 0.06  # of its height, which a slope rises over that
+STANDS_OUT = 0.02  # of its height, by which a turning point differs from its surroundings
+SURROUNDINGS = 2.5  # tolerances around a turning point
+NEAR_TOP = 0.95  # of the frame's height: what goes higher leaves it
+COARSE, FINE = 2, 3  # digits of what a hand has drawn, and of what is true
+ZERO = 1e-4  # of an axis: what is nearer to zero is zero
+
+
+class Seen(NamedTuple):
+    """Whether a curve has a feature, the number that it has in its place, and where in the plot that is.
+
+    The number is None where nothing was drawn, or where what was drawn has none.
+    """
+
+    has: bool
+    number: float | None = None
+    x: float | None = None
+    y: float | None = None
+
+
+NOTHING = Seen(False)
+
+
+class BaseFeature(Entry, frozen=True, kw_only=True, tag_field="f"):
+    """A feature that a right sketch has: `says` names it, `on` the curve that is meant where two are drawn."""
+
+    says: str = ""
+    on: str = ""
+
+    @property
+    def kind(self) -> str:
+        return str(self.__struct_config__.tag)
+
+    def seen(self, drawn: Sketch) -> Seen:
+        """What of it a curve has."""
+        raise NotImplementedError
+
+    def exact(self, true: Sketch) -> Seen:
+        """What is said to be true of it."""
+        return self.seen(true)
+
+    def called(self, axes: PlotAxes) -> str:
+        """Its name where the step has none for it."""
+        raise NotImplementedError
+
+    def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
+        """The number that a curve has in its place, as it is written."""
+        return _written(found.number or 0.0, axes.y, digits)
+
+    def words(self, yours: Seen, true: Seen, axes: PlotAxes) -> str:
+        lead = "" if yours.has else "missed: " if yours.number is not None else "missed: not drawn, "
+        drawn = f"yours {self.measured(yours, axes, COARSE)}, " if yours.number is not None else ""
+        return f"{lead}{drawn}true {self.measured(true, axes, FINE)}"
+
+    def finding(self, drawn: Sketch, true: Sketch, axes: PlotAxes) -> Finding:
+        """What is said of it. Its mark stands where it was drawn, or where it should have been."""
+        yours, exact = self.seen(drawn), self.exact(true)
+        mark = yours if yours.has and yours.x is not None else exact
+        at = None if mark.x is None or mark.y is None else (place_of(axes.x, mark.x), place_of(axes.y, mark.y))
+        name, words = self.says or self.called(axes), self.words(yours, exact, axes)
+        return Finding(has=yours.has, name=rich(name), words=rich(words), at=at)
+
+
+class FeatureAt(BaseFeature, frozen=True, kw_only=True):
+    """A feature that a curve has at a place; `lead` begins its name."""
+
+    lead: ClassVar[str]
+    at: float
+
+    def called(self, axes: PlotAxes) -> str:
+        return f"{self.lead} {_written(self.at, axes.x, FINE)}"
+
+
+class ValueAt(FeatureAt, frozen=True, kw_only=True, tag="value"):
+    """As high as `is` there."""
+
+    lead = "The height at"
+    value: float = field(name="is")
+    tol: Above0
+
+    def seen(self, drawn: Sketch) -> Seen:
+        y = drawn.at(self.at)
+        return NOTHING if y is None else Seen(abs(y - self.value) <= self.tol, y, self.at, y)
+
+
+class Slope(FeatureAt, frozen=True, kw_only=True, tag="slope"):
+    """Upwards or downwards from there on."""
+
+    lead = "The direction after"
+    way: Literal["up", "down"] = field(name="is")
+
+    def seen(self, drawn: Sketch) -> Seen:
+        here, there = drawn.at(self.at), drawn.at(self.at + STRIDE * drawn.frame.width)
+        if here is None or there is None:
+            return NOTHING
+        rise = (there - here) / drawn.frame.height
+        return Seen(rise > STEEP if self.way == "up" else rise < -STEEP, None, self.at, here)
+
+    def words(self, yours: Seen, true: Seen, axes: PlotAxes) -> str:
+        return f"yours goes {self.way}wards" if yours.has else f"missed: it goes {self.way}wards"
+
+
+class Zero(FeatureAt, frozen=True, kw_only=True, tag="zero"):
+    """Through zero there; a curve that only touches zero has none."""
+
+    lead = "The zero at"
+    tol: Above0
+
+    def seen(self, drawn: Sketch) -> Seen:
+        found = crossings(drawn.x, drawn.y)
+        if not len(found):
+            return NOTHING
+        nearest = float(found[np.argmin(np.abs(found - self.at))])
+        return Seen(abs(nearest - self.at) <= self.tol, nearest, nearest, 0.0)
+
+    def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
+        return f"at {_written(found.number or 0.0, axes.x, digits)}"
+
+
+class Extreme(FeatureAt, frozen=True, kw_only=True):
+    """A turning point there, as high as `is`, which is no edge; `sign` is -1 for the lowest."""
+
+    sign: ClassVar[float]
+    value: float = field(name="is")
+    tol: Above0
+    tol_y: Above0
+
+    def seen(self, drawn: Sketch) -> Seen:
+        around = SURROUNDINGS * self.tol
+        x, y = drawn.between(self.at - around, self.at + around)
+        if len(x) < FEWEST:
+            return NOTHING
+        up = self.sign * y
+        i = int(np.argmax(up))
+        stands_out = up[i] - max(up[0], up[-1]) > STANDS_OUT * drawn.frame.height
+        near = abs(x[i] - self.at) <= self.tol and abs(y[i] - self.value) <= self.tol_y
+        return Seen(bool(near and stands_out), float(y[i]), float(x[i]), float(y[i]))
+
+    def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
+        return f"{_written(found.number or 0.0, axes.y, digits)} at {_written(found.x or 0.0, axes.x, digits)}"
+
+
+class Peak(Extreme, frozen=True, kw_only=True, tag="peak"):
+    """The highest of its surroundings."""
+
+    lead, sign = "The peak at", 1.0
+
+
+class Trough(Extreme, frozen=True, kw_only=True, tag="trough"):
+    """The lowest of its surroundings."""
+
+    lead, sign = "The trough at", -1.0
+
+
+class Pole(FeatureAt, frozen=True, kw_only=True, tag="pole"):
+    """Out through the top of the frame near there, and within it on both sides."""
+
+    lead = "Leaves the frame at"
+    tol: Above0
+
+    def seen(self, drawn: Sketch) -> Seen:
+        top = drawn.frame.y[0] + NEAR_TOP * drawn.frame.height
+        out = drawn.x[drawn.y >= top]
+        if not len(out):
+            return NOTHING
+        nearest = float(out[np.argmin(np.abs(out - self.at))])
+        wide = 4 * self.tol
+        _, around = drawn.between(self.at - wide, self.at + wide)
+        returns = bool(len(around)) and float(around.min()) < top
+        return Seen(returns and abs(nearest - self.at) <= self.tol, nearest, nearest, top)
+
+    def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
+        return f"at {_written(found.number or 0.0, axes.x, digits)}"
+
+
+class Within(BaseFeature, frozen=True, kw_only=True):
+    """A feature of the part between two places."""
+
+    start: float | None = field(default=None, name="from")
+    end: float | None = field(default=None, name="to")
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        return -math.inf if self.start is None else self.start, math.inf if self.end is None else self.end
+
+
+class Period(Within, frozen=True, kw_only=True, tag="period"):
+    """One swing takes as long as `is`, by the ways between crossings of the middle in one direction."""
+
+    value: Above0 = field(name="is")
+    tol: Above0
+
+    def seen(self, drawn: Sketch) -> Seen:
+        x, y = drawn.between(*self.ends)
+        if len(x) < FEWEST or np.ptp(y) <= STANDS_OUT * drawn.frame.height:
+            return NOTHING
+        middle = y - (y.max() + y.min()) / 2
+        gaps: list[float] = [*np.diff(upward(x, middle)), *np.diff(upward(x, -middle))]
+        if not gaps:
+            return NOTHING
+        mean = float(np.mean(gaps))
+        return Seen(abs(mean - self.value) <= self.tol, mean)
+
+    def exact(self, true: Sketch) -> Seen:
+        """Of a motion that grows or beats, its crossings tell another one."""
+        return self.seen(true)._replace(number=self.value)
+
+    def called(self, axes: PlotAxes) -> str:
+        return "The period"
+
+    def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
+        return _written(found.number or 0.0, axes.x, digits)
+
+
+class Farthest(Within, frozen=True, kw_only=True, tag="reach"):
+    """The farthest from zero is `is`."""
+
+    value: float = field(name="is")
+    tol: Above0
+
+    def seen(self, drawn: Sketch) -> Seen:
+        start, end = self.ends
+        low, high = max(start, drawn.frame.x[0]), min(end, drawn.frame.x[1])
+        if not drawn.covers(low, high):
+            return NOTHING
+        x, y = drawn.between(low, high)
+        i = int(np.argmax(np.abs(y)))
+        return Seen(bool(abs(abs(y[i]) - self.value) <= self.tol), float(abs(y[i])), float(x[i]), float(y[i]))
+
+    def called(self, axes: PlotAxes) -> str:
+        if self.start is None or self.end is None:
+            return "How far it goes"
+        return f"How far it goes from {_written(self.start, axes.x, FINE)} to {_written(self.end, axes.x, FINE)}"
+
+
+class Least(BaseFeature, frozen=True, kw_only=True, tag="least"):
+    """The lowest of all is `is`."""
+
+    value: float = field(name="is")
+    tol: Above0
+
+    def seen(self, drawn: Sketch) -> Seen:
+        if not drawn.covers(*drawn.frame.x):
+            return NOTHING
+        i = int(np.argmin(drawn.y))
+        x, y = float(drawn.x[i]), float(drawn.y[i])
+        return Seen(abs(y - self.value) <= self.tol, y, x, y)
+
+    def called(self, axes: PlotAxes) -> str:
+        return "The lowest point"
+
+
+class Sum(BaseFeature, frozen=True, kw_only=True, tag="sum"):
+    """With the other curve it adds up to `is` everywhere; its place is where the sum is farthest from that."""
+
+    other: str = field(name="with")
+    value: float = field(name="is")
+    tol: Above0
+
+    def seen(self, drawn: Sketch) -> Seen:
+        if drawn.other is None or not (drawn.covers(*drawn.frame.x) and drawn.other.covers(*drawn.frame.x)):
+            return NOTHING
+        inside = (drawn.x >= drawn.other.x[0]) & (drawn.x <= drawn.other.x[-1])
+        x: Floats = drawn.x[inside]
+        total = drawn.y[inside] + np.interp(x, drawn.other.x, drawn.other.y)
+        i = int(np.argmax(np.abs(total - self.value)))
+        return Seen(bool(abs(total[i] - self.value) <= self.tol), float(total[i]), float(x[i]), float(total[i]))
+
+    def called(self, axes: PlotAxes) -> str:
+        return "The sum of both"
+
+
+Feature: TypeAlias = ValueAt | Slope | Zero | Peak | Trough | Pole | Period | Farthest | Least | Sum
+
+
+def _written(number: float, axis: Axis, digits: int) -> str:
+    if abs(number * axis.factor) < ZERO * abs(axis.end - axis.start):
+        number = 0.0
+    gap = axis.gap if axis.unit else ""
+    return f"{short(float(f'{number:.{digits}g}'))}{gap}{axis.unit}"

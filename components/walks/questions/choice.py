@@ -1,0 +1,81 @@
+"""A choice: one of a few answers is right, each of the others has its own sentence."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from functools import partial
+from typing import Annotated, Any
+
+from msgspec import Meta
+
+from components.page.messages import Given
+from components.page.room import Counted
+from components.page.walk import Lesson, StepCard, Verdict
+from components.text import rich
+from components.walks.links import scene_at
+from components.walks.questions.question import Judged, Judgement, Question, refused
+from components.walks.subject import Subject
+from components.walks.types import Address, Entry, Sentence
+
+
+class OptionEntry(Entry, frozen=True, kw_only=True):
+    """An answer to choose: the right one, or one with its own sentence, `reply`, the misconception behind it, and
+    `where` it would be right: a link."""
+
+    text: Sentence
+    right: bool = False
+    idea: str = ""
+    reply: str = ""
+    where: Address = ""
+
+
+class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
+    """One of a few answers."""
+
+    takes = "option"
+    usual = 2.0
+    options: Annotated[tuple[OptionEntry, ...], Meta(min_length=2, max_length=5)]
+
+    def links(self) -> Iterator[str]:
+        yield from super().links()
+        yield from (option.where for option in self.options if option.where)
+
+    def sentences(self) -> Iterator[tuple[str, str]]:
+        yield from super().sentences()
+        for i, option in enumerate(self.options):
+            yield f"options[{i}].text", option.text
+            yield f"options[{i}].reply", option.reply
+
+    def problems(self, subject: Subject) -> Iterator[str]:
+        if sum(option.right for option in self.options) != 1:
+            yield "options: exactly one must be right."
+        for i, option in enumerate(self.options):
+            if not option.right and not option.reply:
+                yield f"options[{i}].reply: a wrong answer needs a reply."
+            if option.where:
+                yield from refused(f"options[{i}].where", partial(scene_at, option.where, subject.scenes))
+
+    def card(self, subject: Subject, **step: Any) -> StepCard:
+        return StepCard(options=tuple(rich(option.text) for option in self.options), **step)
+
+    def judge(self, given: Given, subject: Subject) -> Judgement:
+        option = given.option or 0
+        if option >= len(self.options):
+            raise ValueError(f"This question has {len(self.options)} answers.")
+        return Judgement(self.options[option].right)
+
+    def teaches(self, given: Given, subject: Subject, **step: Any) -> Lesson:
+        verdicts = (
+            Verdict(right=one.right, reply=rich(one.reply), where=subject.elsewhere(one.where) if one.where else None)
+            for one in self.options
+        )
+        return Lesson(verdicts=tuple(verdicts), **step)
+
+    def count(self, given: Sequence[Judged]) -> Counted:
+        counts = Counter(one.option for one in given)
+        return Counted(answered=len(given), options=tuple(counts[i] for i in range(len(self.options))))
+
+    def written(self, given: Judged) -> str:
+        """Options count from 1."""
+        return str((given.option or 0) + 1)

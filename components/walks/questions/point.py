@@ -1,0 +1,78 @@
+"""A place to mark on an axis of a plot, which the answer may play as the value of a parameter."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Annotated, Any, Literal
+
+from msgspec import Meta
+from msgspec.structs import replace
+
+from components.axes import Axis
+from components.numbers import excerpt
+from components.page.messages import Given
+from components.page.room import Counted
+from components.page.walk import Lesson, StepCard
+from components.walks.questions.number import NumericStep
+from components.walks.questions.question import Judged
+from components.walks.subject import Subject, number_at, place_of
+
+
+class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
+    """A place to mark on an axis of a plot: `axis` is "swing.x" for the horizontal one of the plot swing.
+
+    With the answer the parameter that it `sets` is shown at the place that was marked.
+    """
+
+    takes = "value"
+    usual = 2.0
+    axis: Annotated[str, Meta(pattern=r"^\w+\.[xy]$")]
+    sets: str = ""
+
+    @property
+    def plot(self) -> str:
+        return self.axis.partition(".")[0]
+
+    @property
+    def which(self) -> Literal["x", "y"]:
+        return "x" if self.axis.endswith(".x") else "y"
+
+    def on(self, subject: Subject) -> Axis:
+        """The axis that is marked."""
+        axes = subject.axes(self.plot)
+        return axes.x if self.which == "x" else axes.y
+
+    def number(self, given: Given, subject: Subject) -> float:
+        return number_at(self.on(subject), given.value or 0.0)
+
+    def problems(self, subject: Subject) -> Iterator[str]:
+        yield from super().problems(subject)
+        if self.sets and self.sets not in subject.scene.linked():
+            yield f"sets: “{excerpt(self.sets)}” is not a parameter."
+        try:
+            axis = self.on(subject)
+        except ValueError as reason:
+            yield f"axis: {reason}."
+            return
+        low, high = sorted((axis.place(axis.start), axis.place(axis.end)))
+        for value in (*self.answer.value, *(miss.value for miss in self.misses)):
+            if not low <= place_of(axis, value) <= high:
+                yield f"answer: {value:g} lies outside the axis."
+
+    def card(self, subject: Subject, **step: Any) -> StepCard:
+        return StepCard(unit=self.answer.unit, plot=self.plot, axis=self.which, **step)
+
+    def teaches(self, given: Given, subject: Subject, **step: Any) -> Lesson:
+        axis, shows = self.on(subject), None
+        if self.sets and given.value is not None:
+            state, number = subject.answer, self.number(given, subject)
+            shows = replace(state, parameters={**state.parameters, self.sets: number * axis.factor})
+        places = tuple(place_of(axis, one) for one in self.answer.value)
+        return Lesson(truth=self.answer.truth, places=places, shows=shows, **step)
+
+    def count(self, given: Sequence[Judged]) -> Counted:
+        """Places on the axis."""
+        return Counted(answered=len(given), numbers=tuple(one.value or 0.0 for one in given))
+
+    def written(self, given: Judged) -> str:
+        return f"{given.value:.6g}"

@@ -1,0 +1,110 @@
+"""A question of any kind: what every kind must know of itself, and how a class keeps an answer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, ClassVar, NamedTuple
+
+from msgspec.structs import replace
+
+from components.page.messages import Given
+from components.page.room import Counted
+from components.page.walk import Lesson, StepCard
+from components.text import rich
+from components.walks.subject import Subject
+from components.walks.texts import line
+from components.walks.types import BaseStep
+
+UNFIT = "This answer does not fit the question."
+
+
+class Judgement(NamedTuple):
+    """Whether an answer is right, the number that it is, which of the features asked for it has, and the sentence that
+    is its own."""
+
+    right: bool
+    number: float = 0.0
+    has: tuple[bool, ...] = ()
+    reply: str = ""
+
+
+class Judged(Given, frozen=True, kw_only=True):
+    """An answer as a class keeps it, with what is known of it, and by which form of its step it was judged."""
+
+    number: float = 0.0
+    right: bool = False
+    has: tuple[bool, ...] = ()
+    form: str = ""
+
+
+class Question(BaseStep, frozen=True, kw_only=True):
+    """A step that asks a question of one kind: its fields in a walk's file, and all that is done with it.
+
+    `takes` is the one field of an answer to it, `usual` the minutes that it takes where the step says nothing else.
+    """
+
+    takes: ClassVar[str]
+    usual: ClassVar[float]
+
+    @property
+    def kind(self) -> str:
+        return str(self.__struct_config__.tag)
+
+    @property
+    def planned(self) -> float:
+        """Minutes that it takes."""
+        return self.minutes or self.usual
+
+    def problems(self, subject: Subject) -> Iterator[str]:
+        """Sentences that say what is wrong with it in its scene, the field first."""
+        raise NotImplementedError
+
+    def card(self, subject: Subject, **step: Any) -> StepCard:
+        """What is asked, and nothing of what is right."""
+        raise NotImplementedError
+
+    def judged(self, given: Given, subject: Subject) -> Judgement | None:
+        """What is known of an answer, None where nothing was answered; ValueError, in words, for what is no answer to
+        such a question."""
+        bare = Given(walk=given.walk, step=given.step, vote=given.vote)
+        if replace(bare, **{self.takes: getattr(given, self.takes)}) != given:
+            raise ValueError(UNFIT)
+        return None if given == bare else self.judge(given, subject)
+
+    def judge(self, given: Given, subject: Subject) -> Judgement:
+        """What is known of an answer that has the field of this kind and no other."""
+        raise NotImplementedError
+
+    def lesson(self, given: Given, subject: Subject) -> Lesson:
+        """What it teaches whoever gave that answer, or none; ValueError, in words, for what is no answer to it."""
+        judged = self.judged(given, subject)
+        return self.teaches(
+            given,
+            subject,
+            title=rich(self.title),
+            explain=rich(self.explain),
+            follows=tuple(map(line, self.equations)),
+            next=rich(self.next),
+            right=judged and judged.right,
+            reply=rich(judged.reply) if judged else "",
+        )
+
+    def teaches(self, given: Given, subject: Subject, **step: Any) -> Lesson:
+        """The lesson with what this kind adds to it."""
+        raise NotImplementedError
+
+    def count(self, given: Sequence[Judged]) -> Counted:
+        """The answers of a class together."""
+        raise NotImplementedError
+
+    def written(self, given: Judged) -> str:
+        """An answer in one cell of a table."""
+        raise NotImplementedError
+
+
+def refused(field: str, act: Callable[[], object]) -> Iterator[str]:
+    """A sentence of a field of a walk's file where an act refuses what stands there."""
+    try:
+        act()
+    except ValueError as reason:
+        yield f"{field}: {reason}."

@@ -1,0 +1,117 @@
+"""A curve to draw on the empty axes of a plot, judged by its features."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Annotated, Any
+
+from msgspec import Meta
+
+from components.numbers import excerpt
+from components.page.messages import HEIGHTS, Given
+from components.page.room import Counted, SketchOf
+from components.page.walk import Lesson, StepCard
+from components.walks.features import Feature
+from components.walks.questions.question import UNFIT, Judged, Judgement, Question
+from components.walks.sketch import Sketch
+from components.walks.subject import Subject
+from components.walks.types import Entry, Sentence
+
+MOST_SKETCHES = 500
+"""Of one vote, that are told; all are counted."""
+Curves = Mapping[str, Sketch]
+
+
+class Wrong(Entry, frozen=True, kw_only=True):
+    """A sketch that is often drawn: the features that it has, the kinds of those asked for that it fails, and the
+    sentence that is its own."""
+
+    draws: Sentence
+    has: tuple[Feature, ...] = ()
+    fails: Annotated[tuple[str, ...], Meta(min_length=1)]
+    idea: Sentence
+    reply: Sentence
+
+
+class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
+    """A curve to draw on the empty axes of a plot, `second` after it where two are asked for."""
+
+    takes = "curves"
+    usual = 4.0
+    plot: str
+    curve: str
+    second: str = ""
+    must: Annotated[tuple[Feature, ...], Meta(min_length=1)]
+    wrong: tuple[Wrong, ...] = ()
+
+    @property
+    def curves(self) -> tuple[str, ...]:
+        return (self.curve, self.second) if self.second else (self.curve,)
+
+    def sentences(self) -> Iterator[tuple[str, str]]:
+        yield from super().sentences()
+        for i, feature in enumerate(self.must):
+            yield f"must[{i}].says", feature.says
+        for i, wrong in enumerate(self.wrong):
+            yield f"wrong[{i}].reply", wrong.reply
+
+    def problems(self, subject: Subject) -> Iterator[str]:
+        try:
+            true = subject.true(self.plot, self.curves)
+        except ValueError as reason:
+            yield f"curve: {reason}."
+            return
+        for i, feature in enumerate(self.must):
+            if self._on(feature) not in true:
+                yield f"must[{i}].on: “{excerpt(self._on(feature))}” is not drawn."
+            elif not feature.seen(true[self._on(feature)]).has:
+                yield f"must[{i}]: the scene's own curve does not have this feature."
+        kinds = {feature.kind for feature in self.must}
+        for i, wrong in enumerate(self.wrong):
+            strange = [feature.on for feature in wrong.has if self._on(feature) not in true]
+            yield from (f"wrong[{i}].has: “{excerpt(on)}” is not drawn." for on in strange)
+            yield from (f"wrong[{i}].fails: “{kind}” is not in must." for kind in wrong.fails if kind not in kinds)
+
+    def card(self, subject: Subject, **step: Any) -> StepCard:
+        pad = subject.pad(self.plot)
+        return StepCard(plot=self.plot, curves=self.curves, frame=(pad.x.ruler, pad.y.ruler), **step)
+
+    def judge(self, given: Given, subject: Subject) -> Judgement:
+        if any(name not in self.curves or len(curve) != HEIGHTS for name, curve in given.curves.items()):
+            raise ValueError(UNFIT)
+        drawn = subject.drawn(self.plot, given.curves, self.curves)
+        has = self.seen(self.must, drawn)
+        missed = {feature.kind for feature, found in zip(self.must, has, strict=True) if not found}
+        return Judgement(all(has), has=has, reply=self._reply(drawn, missed))
+
+    def seen(self, features: Iterable[Feature], drawn: Curves) -> tuple[bool, ...]:
+        """Which of the features were drawn."""
+        return tuple(feature.seen(drawn[self._on(feature)]).has for feature in features)
+
+    def _on(self, feature: Feature) -> str:
+        """The curve that has it."""
+        return feature.on or self.curve
+
+    def _reply(self, drawn: Curves, missed: set[str]) -> str:
+        """The sentence of that wrong sketch which has only what this one has, and fails most of what this one fails."""
+        alike = [one for one in self.wrong if missed.issuperset(one.fails) and all(self.seen(one.has, drawn))]
+        return max(alike, key=lambda one: len(one.fails)).reply if alike else ""
+
+    def teaches(self, given: Given, subject: Subject, **step: Any) -> Lesson:
+        axes, true = subject.axes(self.plot), subject.true(self.plot, self.curves)
+        drawn = subject.drawn(self.plot, given.curves, self.curves)
+        found = (feature.finding(drawn[on], true[on], axes) for feature in self.must if (on := self._on(feature)))
+        return Lesson(findings=tuple(found), **step)
+
+    def count(self, given: Sequence[Judged]) -> Counted:
+        sketches = tuple(SketchOf(curves=one.curves, has=one.has) for one in given[:MOST_SKETCHES])
+        having = tuple(sum(each) for each in zip(*(one.has for one in given), strict=True))
+        return Counted(answered=len(given), sketches=sketches, having=having)
+
+    def written(self, given: Judged) -> str:
+        """Heights in thousandths of the frame."""
+        return "; ".join(f"{name}: {' '.join(map(_height, curve))}" for name, curve in given.curves.items())
+
+
+def _height(height: int | None) -> str:
+    return "-" if height is None else str(height)

@@ -1,0 +1,131 @@
+"""What a step's question is about, found in its scene: plots, their axes, and the curves that are true of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property
+
+import numpy as np
+from msgspec.structs import replace
+from scipy.interpolate import CubicSpline
+
+from components.axes import Axis
+from components.covers import without
+from components.description import plots
+from components.page.blocks import PlotBlock
+from components.page.messages import HEIGHTS, Sketched
+from components.page.state import State
+from components.scene import Scene
+from components.walks.links import Scenes, answer_state, scene_at, state_of_link
+from components.walks.sketch import Ranges, Sketch, sketch
+from components.walks.types import BaseStep
+
+Traced = list[tuple[float, float]]
+
+
+@dataclass(frozen=True)
+class PlotAxes:
+    """The axes of a plot, whose places are read as the numbers that stand at them."""
+
+    x: Axis
+    y: Axis
+
+    @property
+    def frame(self) -> Ranges:
+        return Ranges((_within(self.x, 0), _within(self.x, 1)), (_within(self.y, 0), _within(self.y, 1)))
+
+    def numbers(self, drawn: Sketched) -> Traced:
+        """The points of a curve that is drawn in this frame, its gaps left out."""
+        heights = ((i / (HEIGHTS - 1), height / 1000) for i, height in enumerate(drawn) if height is not None)
+        return [(_within(self.x, across), _within(self.y, up)) for across, up in heights]
+
+
+def _within(axis: Axis, share: float) -> float:
+    """The number at a share of the length of an axis."""
+    start, end = axis.place(axis.start), axis.place(axis.end)
+    return number_at(axis, start + share * (end - start))
+
+
+def number_at(axis: Axis, place: float) -> float:
+    """The number of a place, in the unit written at the axis without its power of ten."""
+    return float(10.0**place if axis.log else place * 10.0**axis.exponent)
+
+
+def place_of(axis: Axis, number: float) -> float:
+    """Where a number stands on its axis."""
+    return float(np.log10(number) if axis.log else number * 10.0**-axis.exponent)
+
+
+class Subject:
+    """The scene that a step's question is about, made when it is first asked for, with what questions find in it."""
+
+    def __init__(self, walk: str, step: BaseStep, scenes: Scenes) -> None:
+        self._walk, self._step, self.scenes = walk, step, scenes
+        self.pad, self.true = cache(self._pad), cache(self._true)
+
+    @cached_property
+    def scene(self) -> Scene:
+        """ValueError, in words, for a link that opens none."""
+        return scene_at(self._step.state, self.scenes)
+
+    @property
+    def answer(self) -> State:
+        """The state that is shown with the answer."""
+        return answer_state(self._walk, self._step, self.scenes)
+
+    def elsewhere(self, link: str) -> State:
+        """The state of another link, at which the page stays in the step."""
+        return replace(state_of_link(link, self.scenes), step=f"{self._walk}/{self._step.id}")
+
+    def axes(self, plot: str) -> PlotAxes:
+        """ValueError where the scene shows no such plot."""
+        block, axes = self._block(plot), self.scene.shown.axes
+        return PlotAxes(axes[block.x], axes[block.y])
+
+    def drawn(self, plot: str, curves: Mapping[str, Sketched], names: tuple[str, ...]) -> dict[str, Sketch]:
+        """Sketched curves, of which two know each other."""
+        return self._known(plot, {name: self.pad(plot).numbers(curves.get(name, [])) for name in names})
+
+    def _pad(self, plot: str) -> PlotAxes:
+        """The empty axes that a sketch is drawn on, over the ranges that the step's covers leave them: the frame that
+        a class shares, whatever a screen shows."""
+        block = self._block(plot)
+        axes = without(type(self.scene), self.scene.shown, self._step.cover)[0].axes
+        return PlotAxes(axes[block.x], axes[block.y])
+
+    def _true(self, plot: str, names: tuple[str, ...]) -> dict[str, Sketch]:
+        """The scene's own curves; ValueError for one that the plot does not have."""
+        return self._known(plot, {name: self._points(plot, name) for name in names})
+
+    def _known(self, plot: str, points: Mapping[str, Traced]) -> dict[str, Sketch]:
+        frame = self.axes(plot).frame
+        alone = {name: sketch(curve, frame) for name, curve in points.items()}
+        return {
+            name: sketch(points[name], frame, *(alone[other] for other in alone if other != name)) for name in alone
+        }
+
+    def _block(self, plot: str) -> PlotBlock:
+        """A plot of the scene that has its axes now."""
+        for block in plots(type(self.scene)):
+            if block.name == plot and {block.x, block.y} <= self.scene.shown.axes.keys():
+                return block
+        raise ValueError(f"the scene shows no plot “{plot}”")
+
+    def _points(self, plot: str, name: str) -> Traced:
+        """A curve as it is drawn, all its pieces one after the other; over time with the points where it truly turns,
+        which lie between those drawn."""
+        block, shown, axes = self._block(plot), self.scene.shown, self.axes(plot)
+        places: Traced = []
+        for curve in block.curves:
+            columns = shown.columns.get(curve.source, {})
+            if curve.y == name and name in columns:
+                across, up = axes.x.places(columns[curve.x]), axes.y.places(columns[name])
+                places += zip(across.tolist(), up.tolist(), strict=True)
+                if block.time:
+                    smooth = CubicSpline(across, up)  # within 1e-7 of a motion that is drawn in 32 points a cycle
+                    turns = smooth.derivative().roots(extrapolate=False)
+                    places += zip(turns.tolist(), smooth(turns).tolist(), strict=True)
+        if not places:
+            raise ValueError(f"the plot “{plot}” draws no curve “{name}”")
+        return [(number_at(axes.x, x), number_at(axes.y, y)) for x, y in places]

@@ -1,0 +1,29 @@
+"""A walk, and the kinds of question that its steps may ask."""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+from msgspec import Struct
+
+from components.walks.questions.choice import ChoiceStep
+from components.walks.questions.number import NumberStep
+from components.walks.questions.point import PointStep
+from components.walks.questions.sketch import SketchStep
+
+Step: TypeAlias = ChoiceStep | NumberStep | PointStep | SketchStep
+
+
+class Walk(Struct, frozen=True, kw_only=True):
+    """Steps in their order, under the name by which a link asks for them."""
+
+    name: str
+    title: str
+    steps: tuple[Step, ...]
+
+    def place(self, asked: str) -> int | None:
+        """Where the step of an id, or of a number from 1 on, stands."""
+        ids = [step.id for step in self.steps]
+        if asked in ids:
+            return ids.index(asked)
+        return int(asked) - 1 if asked.isdecimal() and 1 <= int(asked[:6]) <= len(ids) else None

@@ -1,0 +1,158 @@
+// A choice: answers to press, each with its own sentence once it is taught; a class's votes are bars beside them.
+
+import {element, marked} from "../dom.js"
+import {text} from "./fields.js"
+import {Question, mark} from "./question.js"
+
+const OFFERED = [1, 2, 3, 4] // answers that can be written
+
+export class Choice extends Question {
+  static label = "Choice"
+
+  static fields() {
+    return OFFERED.map(optionRow)
+  }
+
+  /** @param {HTMLFormElement} form */
+  static read(form) {
+    return {options: OFFERED.flatMap(n => optionOf(form, n))}
+  }
+
+  chosen = -1
+  taught = false
+  rows = this.step.options.map((html, i) => this.#row(html, i))
+  element = element(
+    "div",
+    {class: "question answers", role: "group", "aria-label": "Answers"},
+    ...this.rows.map(({row}) => row),
+  )
+
+  /** @param {page.Html} html @param {number} i */
+  #row(html, i) {
+    const line = element("span", {class: "line"})
+    const yours = element("span", {class: "yours"})
+    const name = marked("span", {class: "name"}, html)
+    const key = element("span", {class: "key"}, String(i + 1))
+    const row = element("button", {type: "button", "aria-pressed": "false"}, key, name, yours, line)
+    row.addEventListener("click", () => this.choose(i))
+    return {row, line, yours, name, where: /** @type {page.State | null} */ (null)}
+  }
+
+  /** @param {number} i */
+  choose(i) {
+    if (!this.rows[i]) return
+    if (this.taught) return this.#taught(i)
+    this.chosen = i
+    for (const [j, {row}] of this.rows.entries()) row.setAttribute("aria-pressed", String(i === j))
+    this.changed()
+  }
+
+  /** What is said of an answer, and the state where it would be right. @param {number} i */
+  #taught(i) {
+    const {row, where} = this.rows[i]
+    const {hall} = this.walk.lecture
+    const isTold = row.classList.toggle("told")
+    if (hall.on) for (const other of this.rows) other.row.classList.toggle("told", isTold && other.row === row)
+    if (where && (isTold || !hall.on)) this.walk.lecture.open(where)
+  }
+
+  said() {
+    return this.rows[this.chosen]?.name.textContent ?? ""
+  }
+
+  given() {
+    return this.chosen < 0 ? null : {option: this.chosen}
+  }
+
+  /** @param {import("./question.js").Answer} given */
+  restore({option}) {
+    this.choose(option ?? -1)
+  }
+
+  /** @param {page.Lesson} lesson */
+  teach({verdicts}) {
+    this.taught = true
+    this.element.classList.add("taught")
+    for (const [i, {right, reply, where}] of verdicts.entries()) {
+      const {row, line, yours} = this.rows[i]
+      row.classList.toggle("told", i === this.chosen)
+      line.innerHTML = where ? `${reply} <u>Show a case where this is right</u>` : reply
+      this.rows[i].where = where
+      yours.textContent = i === this.chosen ? "your answer" : ""
+      if (right || i === this.chosen) row.append(mark(right))
+    }
+  }
+
+  tally() {
+    return new Bars(this.rows.map(({row}) => row))
+  }
+
+  space() {
+    return element("ul", {class: "boxes"}, ...this.step.options.map(option => marked("li", {}, option)))
+  }
+
+  /** @param {page.Lesson} lesson */
+  printed({verdicts}) {
+    const right = this.step.options.filter((_, i) => verdicts[i]?.right)
+    return right.map(option => marked("p", {}, `<b>${option}.</b>`))
+  }
+}
+
+/** The votes for each answer, in its row. */
+class Bars {
+  /** @param {HTMLElement[]} rows */
+  constructor(rows) {
+    this.rows = rows
+  }
+
+  /** @param {page.Tally} tally @param {page.Lesson | null} lesson */
+  update({now, before}, lesson) {
+    this.leave()
+    const most = Math.max(1, ...now.options, ...(before?.options ?? []))
+    for (const [i, row] of this.rows.entries()) {
+      const parts = [element("i", {style: `--share: ${now.options[i] / most}`})]
+      if (before?.options[i]) parts.push(element("i", {class: "before", style: `--share: ${before.options[i] / most}`}))
+      const count = element("span", {class: "vote-count"}, ...(before ? [`${before.options[i]} → `] : []))
+      count.append(element("b", {}, String(now.options[i])))
+      row.classList.toggle("right-vote", Boolean(lesson?.verdicts[i]?.right))
+      const bar = element("span", {class: "vote-bar"}, ...parts)
+      row.append(element("span", {class: before ? "vote-row twice" : "vote-row"}, bar, count))
+    }
+  }
+
+  headline() {
+    return "" // the bars say it
+  }
+
+  leave() {
+    for (const row of this.rows) row.querySelector(".vote-row")?.remove()
+  }
+}
+
+/** The right one needs no reply. @param {number} n */
+const optionRow = n =>
+  element(
+    "div",
+    {class: "ask-option"},
+    element("input", {
+      type: "radio",
+      name: "right",
+      value: n,
+      checked: n === 1 ? "" : undefined,
+      "aria-label": `Answer ${n} is right`,
+    }),
+    element("input", {name: `text-${n}`, placeholder: `Answer ${n}`, "aria-label": `Answer ${n}`, autocomplete: "off"}),
+    element("input", {
+      name: `reply-${n}`,
+      placeholder: "Reply to those who choose it",
+      "aria-label": `Reply to those who choose answer ${n}`,
+    }),
+  )
+
+/** @param {HTMLFormElement} form @param {number} n */
+function optionOf(form, n) {
+  const right = text(form, "right") === String(n)
+  const [words, reply] = [text(form, `text-${n}`), text(form, `reply-${n}`)]
+  if (!words) return []
+  return [{text: words, ...(right ? {right} : {reply})}]
+}

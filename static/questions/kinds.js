@@ -1,0 +1,9 @@
+// The kinds of question by the names that walks give them: components/walks/walk.py has the same.
+
+import {Choice} from "./choice.js"
+import {Numeric} from "./number.js"
+import {Point} from "./point.js"
+import {Sketch} from "./sketch.js"
+
+/** @type {Record<string, typeof import("./question.js").Question>} */
+export const KINDS = {choice: Choice, number: Numeric, point: Point, sketch: Sketch}

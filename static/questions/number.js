@@ -1,0 +1,72 @@
+// A number to type; a class's answers are dots on a line of their own.
+
+import {element} from "../dom.js"
+import {Dots} from "./dots.js"
+import {answerIn, labelled, text} from "./fields.js"
+import {Question, mark} from "./question.js"
+
+const LONGEST = 60 // characters: components/page/messages.py
+
+export class Numeric extends Question {
+  static label = "Number"
+
+  static fields() {
+    return [labelled("Right answer", "is"), labelled("Unit", "unit"), labelled("Tolerance (±)", "tol")]
+  }
+
+  /** @param {HTMLFormElement} form */
+  static read(form) {
+    return {answer: answerIn(form, text(form, "unit"))}
+  }
+
+  field = this.#field()
+  yours = element("span", {class: "yours"})
+  element = element(
+    "div",
+    {class: "question"},
+    element("label", {class: "number"}, this.field, element("span", {}, this.step.unit), this.yours),
+  )
+
+  #field() {
+    const field = element("input", {
+      name: "answer",
+      autocomplete: "off",
+      maxlength: LONGEST,
+      "aria-label": "Your answer",
+    })
+    field.addEventListener("input", () => this.changed())
+    field.addEventListener("keydown", event => {
+      if (event.key === "Enter") this.walk.show(false)
+    })
+    return field
+  }
+
+  said() {
+    const typed = this.field.value.trim()
+    return /^[-−+]?[\d.,]+$/.test(typed) ? `${typed} ${this.step.unit}`.trim() : typed
+  }
+
+  given() {
+    return this.field.value.trim() ? {text: this.field.value} : null
+  }
+
+  /** @param {import("./question.js").Answer} given */
+  restore(given) {
+    this.field.value = given.text ?? ""
+  }
+
+  /** @param {page.Lesson} lesson */
+  teach({right}) {
+    this.field.readOnly = true
+    this.yours.textContent = right === null ? "" : "your answer"
+    if (right !== null) this.yours.after(mark(right))
+  }
+
+  tally() {
+    return new Dots(this)
+  }
+
+  space() {
+    return element("p", {class: "to-fill"}, this.step.unit)
+  }
+}

@@ -1,0 +1,92 @@
+// A question of any kind, and what cards, classes, handouts and 'Write a question' ask of it: kinds.js has all kinds.
+
+import {element, svg} from "../dom.js"
+
+/**
+ * @typedef {import("../later/walk.js").Walk} Walk
+ * @typedef {import("../plots.js").Plot} Plot
+ * @typedef {Omit<page.Given, "walk" | "step" | "vote">} Answer
+ * @typedef {Record<string, any>} Fields of a step, as a walk's file names them
+ */
+
+/**
+ * The answers of a class, over or beside the question until they are hidden; a headline says them in words.
+ * @typedef {{update: (tally: page.Tally, lesson: page.Lesson | null) => void,
+ *   headline: (tally: page.Tally) => string, leave: () => void}} Votes
+ */
+
+/** A disc with a tick, or a ring with a cross. @param {boolean} right */
+export function mark(right) {
+  const sign = right ? "M5.5 10.200l3 3 6-6.400" : "M6.500 6.500l7 7m0-7l-7 7"
+  const parts = [svg("circle", {cx: 10, cy: 10, r: 8.5}), svg("path", {d: sign})]
+  return svg("svg", {viewBox: "0 0 20 20", class: right ? "judged right" : "judged", role: "img",
+    "aria-label": right ? "right" : "wrong"}, ...parts) // prettier-ignore
+}
+
+/** A plot of a page by its name. @param {Plot[]} plots @param {string} name */
+export const plotOf = (plots, name) => /** @type {Plot} */ (plots.find(({block}) => block.name === name))
+
+export class Question {
+  /** Its kind, where a question is written. */
+  static label = ""
+
+  /** What it then asks the instructor for. @type {(plots: Plot[]) => HTMLElement[]} */
+  static fields
+
+  /** Its fields in a walk's file. @type {(form: HTMLFormElement, plots: Plot[]) => Fields} */
+  static read
+
+  /** @type {() => void} called when the answer is another */
+  changed = () => {}
+
+  element = element("div")
+
+  again = "Answer again"
+
+  /** @param {page.StepCard} step @param {Walk} walk @param {import("../page.js").Page} page */
+  constructor(step, walk, page) {
+    this.step = step
+    this.walk = walk
+    this.page = page
+    this.plot = plotOf(page.plots, step.plot) // that is marked or drawn on, if one is
+  }
+
+  /** What was answered, in words. @returns {string} */
+  said() {
+    return ""
+  }
+
+  /** An option by its number. @param {number} _option */
+  choose(_option) {}
+
+  /** What is sent; null without an answer. @returns {Answer | null} */
+  given() {
+    return null
+  }
+
+  /** What was sent before is answered again. @param {Answer} _given */
+  restore(_given) {}
+
+  /** @param {page.Lesson} _lesson */
+  teach(_lesson) {}
+
+  /** @param {Drawn} _shown */
+  update(_shown) {}
+
+  leave() {}
+
+  /** The answers of a class. @param {HTMLElement} _chips that stand under them @returns {Votes} */
+  tally(_chips) {
+    throw new Error(`No answers to a ${this.step.kind} can be shown.`)
+  }
+
+  /** Space for the answer, on paper. @returns {HTMLElement} */
+  space() {
+    return element("p")
+  }
+
+  /** The right answer on paper. @param {page.Lesson} lesson @returns {HTMLElement[]} */
+  printed({truth}) {
+    return truth ? [element("p", {}, element("b", {}, `${truth}.`))] : []
+  }
+}

@@ -1,0 +1,102 @@
+// A curve to draw on the empty axes of a plot; a class's sketches lie over each other.
+
+import {element, marked} from "../dom.js"
+import {features} from "./features.js"
+import {chooser, text} from "./fields.js"
+import {Pad} from "./pad.js"
+import {Question, mark, plotOf} from "./question.js"
+import {Sketches, chip} from "./sketches.js"
+
+/** @typedef {import("./question.js").Plot} Plot */
+
+export class Sketch extends Question {
+  static label = "Sketch"
+
+  /** @param {Plot[]} plots */
+  static fields(plots) {
+    return [chooser("Curve", "curve", plots.flatMap(curvesOf))]
+  }
+
+  /** Its plot is covered: it would be traced. @param {HTMLFormElement} form @param {Plot[]} plots */
+  static read(form, plots) {
+    const [name, y] = text(form, "curve").split(".")
+    const plot = plotOf(plots, name)
+    const curve = /** @type {page.Curve} */ (plot.block.curves.find(one => one.y === y))
+    return {plot: name, curve: y, must: features(plot, curve), cover: [`plot:${name}`]}
+  }
+
+  again = "Draw again"
+
+  counted = "a sketch"
+  pad = new Pad(this.plot, this.step, this.walk.before?.curves ?? {}, () => this.changed())
+  pens = this.step.curves.map((name, i) => chip(`Draw ${name}`, i === 0, () => this.#take(name)))
+  tools = element("div", {class: "chips"}, ...(this.pens.length > 1 ? this.pens : []), this.#clear())
+  hint = element(
+    "p",
+    {class: "hint"},
+    "Draw on the empty axes. With keys: arrows move the pen, Enter lowers or lifts it.",
+  )
+  element = element("div", {class: "question"}, this.hint, this.pad.status, this.tools)
+
+  #clear() {
+    const clear = element("button", {type: "button", class: "chip"}, "Clear")
+    clear.addEventListener("click", () => this.pad.clear())
+    return clear
+  }
+
+  /** @param {string} name */
+  #take(name) {
+    this.pad.take(name)
+    for (const [i, pen] of this.pens.entries()) pen.setAttribute("aria-pressed", String(this.step.curves[i] === name))
+  }
+
+  said() {
+    return this.counted
+  }
+
+  given() {
+    const curves = this.pad.sent
+    const isDrawn = Object.values(curves).some(heights => heights.filter(height => height !== null).length > 1)
+    return isDrawn ? {curves} : null
+  }
+
+  /** @param {import("./question.js").Answer} given */
+  restore({curves = {}}) {
+    this.pad.restore(curves)
+  }
+
+  /** @param {page.Lesson} lesson */
+  teach({findings}) {
+    const found = this.given() ? findings : []
+    this.counted = `${findings.filter(finding => finding.has).length} of ${findings.length} features`
+    const rows = found.map(({has, name, words}) =>
+      element("li", {}, mark(has), marked("b", {}, name), marked("span", {}, words)),
+    )
+    this.hint.remove()
+    this.tools.replaceWith(element("ul", {class: "findings"}, ...rows))
+    this.pad.teach(found)
+  }
+
+  update() {
+    this.pad.place()
+  }
+
+  leave() {
+    this.pad.leave()
+  }
+
+  /** @param {HTMLElement} chips */
+  tally(chips) {
+    return new Sketches(this, chips)
+  }
+
+  space() {
+    return element("p", {class: "small"}, "Draw in the picture.")
+  }
+}
+
+/** @param {Plot} plot */
+const curvesOf = plot =>
+  plot.block.curves
+    .filter(curve => plot.view.columns[curve.source]?.[curve.y]?.length)
+    .map(({y, read}) => ({value: `${plot.block.name}.${y}`, label: `${plot.block.brief}: ${read || y}`}))
