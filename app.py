@@ -97,16 +97,16 @@ def open_page(
     """Fill the document of a new session, which is the current one; `lead` takes what it shows to a live class, `apart`
     reads walks from files."""
     session = visited(pn.state.session_args, walks)
-    scene, first = session.scene, next(iter(SCENES.values()))
-    document.title = scene.headline
+    kind, first = session.now.kind, next(iter(SCENES.values()))
+    document.title = kind.headline
     document.template = page_template()
     document.template_variables.update(
-        headline=scene.headline,
-        slug=scene.slug,
+        headline=kind.headline,
+        slug=kind.slug,
         opening=on_page(session.first or session.opening()),
-        scene_title=scene.title,
-        navigation=navigation(SCENES, scene.slug),
-        sheet=sheet_address(type(scene)),
+        scene_title=kind.title,
+        navigation=navigation(SCENES, kind.slug),
+        sheet=sheet_address(kind),
         first_scene=first.slug,
         first_sheet=sheet_address(first),
         walks=listed,

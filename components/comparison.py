@@ -1,4 +1,4 @@
-"""What is told of a picture held: its curves, what of it moves on the stage, and the ledger of numbers."""
+"""The comparison with a picture held: its curves, what of it moves on the stage, and the ledger of numbers."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from functools import cache
 
 import numpy as np
 
-from components.beside import changed
+from components.beside import moved
 from components.covers import VALUE, spoken_of, without
 from components.description import blocks, column_axes
 from components.figures import Figure, became, is_same
@@ -22,6 +22,7 @@ from components.parameters import Quantity
 from components.places import Steps
 from components.scene import Picture, Scene
 from components.sent import columns_of, signals_of
+from components.standing import Standing
 from components.text import rich
 from components.traces import Columns
 
@@ -29,21 +30,19 @@ MOST_ROWS = 10
 COVERED = "?"
 
 
-def told_beside(
-    scene: Scene, shown: Picture, covered: tuple[str, ...], asked: Scene | None = None
-) -> tuple[Held | None, list[Steps]]:
+def told_beside(now: Standing, shown: Picture) -> tuple[Held | None, list[Steps]]:
     """What is told of the picture held, without what is covered, and the numbers that follow; `shown` is the picture
-    that stands, as it is told: while a change is to be predicted that of the scene `asked`, from before it."""
-    if scene.beside is None:
+    that is told of the one that stands."""
+    if now.held is None:
         return None, []
-    kind, other = type(scene), scene.beside.scene
-    moved = changed(scene, other)
+    kind, scene, other, covered = now.kind, now.scene, now.held, now.covered
+    differ = moved(scene, other)
     columns: dict[str, dict[str, Drawn]] = {}
     numbers: list[Steps] = []
     signals: dict[str, AnySignal] = {}
     scalars: dict[str, float] = {}
-    drawn = (asked or scene).shown_beside
-    if drawn and moved:
+    drawn = now.asked.drawn.beside
+    if drawn and differ:
         held, _ = without(kind, drawn, covered)
         columns, numbers = columns_of(_differing(held, shown), column_axes(kind), shown.axes)
         if _units(held) == _units(shown):
@@ -54,8 +53,8 @@ def told_beside(
         columns=columns,
         signals=signals,
         scalars=scalars,
-        values={name: getattr(other, name) for name in moved if isinstance(scene.param[name], Quantity)},
-        ledger=ledger(scene, other, covered, asked),
+        values={name: getattr(other, name) for name in differ if name in scene.quantities()},
+        ledger=ledger(now),
     )
     return told, numbers
 
@@ -141,34 +140,38 @@ def _italic(symbol: str) -> str:
     return f"*{letter}*{index}{name}"
 
 
-def ledger(scene: Scene, other: Scene, covered: tuple[str, ...], asked: Scene | None = None) -> tuple[LedgerRow, ...]:
+def ledger(now: Standing) -> tuple[LedgerRow, ...]:
     """At most ten rows: what has been moved, what follows from it, and then what is the same."""
-    _, left_out = without(type(scene), scene.shown, covered)
-    hidden = {*left_out, *(name.removeprefix(VALUE) for name in covered), *_followed(scene, asked)}
+    if now.held is None:
+        return ()
+    scene, other = now.scene, now.held
+    _, left_out = without(now.kind, now.shown, now.covered)
+    hidden = {*left_out, *(name.removeprefix(VALUE) for name in now.covered), *_followed(scene, now.before)}
     followed = dict(zip((one.name for one in other.figures()), other.figures(), strict=True))
     pairs = [
-        *_moved(scene, other),
+        *_moved(now, other),
         *(_Pair(followed[one.name], one, 1.0, one.is_in(hidden)) for one in scene.figures() if one.name in followed),
     ]
     return tuple(pair.row() for pair in sorted(pairs, key=lambda pair: pair.same)[:MOST_ROWS])
 
 
-def _followed(scene: Scene, asked: Scene | None) -> set[str]:
+def _followed(scene: Scene, asked: Standing | None) -> set[str]:
     """The figures that a change has made others, also where their texts are the same."""
     if asked is None:
         return set()
-    before = {one.name: one.value for one in asked.figures()}
+    before = {one.name: one.value for one in asked.scene.figures()}
     return {one.name for one in scene.figures() if before.get(one.name) != one.value}
 
 
-def _moved(scene: Scene, other: Scene) -> Iterator[_Pair]:
+def _moved(now: Standing, other: Scene) -> Iterator[_Pair]:
     """The quantities that the panel now shows."""
-    standing = [group for group in scene.groups if not group.form or scene.shown.forms.get(group.form)]
+    scene = now.scene
+    standing = [group for group in scene.groups if not group.form or now.shown.forms.get(group.form)]
     for name in dict.fromkeys(name for group in standing for name in group.names):
-        quantity, held, now = scene.param[name], getattr(other, name), getattr(scene, name)
-        if not isinstance(quantity, Quantity) or held is None or now is None:
+        quantity, held, stands = now.kind.param[name], getattr(other, name), getattr(scene, name)
+        if not isinstance(quantity, Quantity) or held is None or stands is None:
             continue
         unit = scene.units().get(name)
         text, size = (unit.text, unit.size) if unit else (quantity.unit, 1.0)
-        before, after = (Figure(name, quantity.symbol, value, text, quantity.tint) for value in (held, now))
+        before, after = (Figure(name, quantity.symbol, value, text, quantity.tint) for value in (held, stands))
         yield _Pair(before, after, size, hidden=False)

@@ -62,15 +62,15 @@ def coverable(scene: type[Scene], picture: Picture) -> set[str]:
 def checked_covers(scene: type[Scene], picture: Picture, covered: Iterable[str]) -> tuple[str, ...]:
     """The covers; ValueError, in words, for one that covers nothing, neither in this picture nor in any other."""
     covers = tuple(covered)
-    for refusal in refused_covers(scene, picture, covers):
+    for refusal in refused_covers(scene, picture, covers).values():
         raise ValueError(refusal)
     return covers
 
 
-def refused_covers(scene: type[Scene], picture: Picture, covered: Iterable[str]) -> list[str]:
-    """A sentence for each cover that covers nothing."""
-    known = coverable(scene, picture)
-    return [f"“{excerpt(name)}” cannot be covered here." for name in covered if name not in known]
+def refused_covers(scene: type[Scene], picture: Picture, covered: Iterable[str]) -> dict[str, str]:
+    """The covers that cover nothing, each with a sentence that says so."""
+    known = coverable(scene, picture) if covered else set()
+    return {name: f"“{excerpt(name)}” cannot be covered here." for name in covered if name not in known}
 
 
 def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> tuple[Picture, tuple[str, ...]]:

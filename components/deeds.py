@@ -1,4 +1,4 @@
-"""What a message of the page does to a scene: in one batch, or refused in words."""
+"""Deeds: the values that a message of the page asks of a scene, or a refusal in words."""
 
 from __future__ import annotations
 
@@ -9,102 +9,89 @@ import param
 from components.choices import chosen
 from components.controls import Choice
 from components.numbers import MINUS, excerpt, tidy
-from components.page.messages import Act, Choose, RunOrder, SetValues, Typed
+from components.page.messages import Act, Choose, SetValues, Typed
 from components.parameters import AnyParameter, Quantity, Values
 from components.refusals import as_on_screen, in_words
 from components.scene import Scene
 from components.typed import typed_number
 
 Errors = dict[str, str]
-Deed = SetValues | Typed | Act | Choose | RunOrder
+"""Sentences by parameter; under the name "action" for a button, "state" for a state, "run" for a measurement."""
+Deed = SetValues | Typed | Act | Choose
 _MINUS = re.compile(r"(?<![\w)\]])-(?=\.?\d)")
-_SYMBOL = re.compile(r"(?:[b-z]|omega|\w*[\d_]\w*)\b|\w+ =")
-"""What a reason begins with that keeps its own letters: k1 = 0, m g C, omega Xp."""
+_SYMBOL = re.compile(r"(?:[b-z]|omega|\w*[\d_]\w*)\b|\w+(?: =|:)")
+"""A reason's first word that keeps its own letters: k1 = 0, m g C, omega Xp, curve: ..."""
 _POWER = re.compile(r"(?<=\d)e(?:\+|(-))0*(?=\d)")
 
 
-def apply(scene: Scene, deed: Deed) -> Errors:
-    """Do what a message asks, in one batch; where that is refused, say why, by parameter.
+class RefusalError(Exception):
+    """What a message asks for cannot be; nothing is changed."""
 
-    A refused message changes nothing. An action is refused under the name "action".
-    """
+    def __init__(self, errors: Errors) -> None:
+        super().__init__(*errors.values())
+        self.errors = errors
+
+
+def asked_values(scene: Scene, deed: Deed) -> Values:
+    """The values that a message asks for; RefusalError for those that are not possible one by one."""
     match deed:
         case SetValues(values=values):
-            return _set(scene, values)
+            errors = {excerpt(name): _problem(scene, name, value) for name, value in values.items()}
+            if found := {name: error for name, error in errors.items() if error}:
+                raise RefusalError(found)
+            return values
         case Typed(name=name, text=text):
-            return _type(scene, name, text)
+            return {name: _typed(scene, name, text)}
         case Act(name=name):
-            return _act(scene, name)
+            return _acted(scene, name)
         case Choose(name=name, value=value):
-            return _choose(scene, name, value)
-        case RunOrder(order=order):
-            return _run(scene, order)
+            parameter = _parameter(scene, name)
+            if not isinstance(parameter, (*Choice, param.List)):
+                raise RefusalError({excerpt(name): _unknown(name)})
+            try:
+                return {name: chosen(parameter, value)}
+            except ValueError as error:
+                raise RefusalError({name: sentence(error)}) from error
 
 
-def _run(scene: Scene, order: str) -> Errors:
-    if scene.running is None:
-        return {"run": f"“{excerpt(order)}” is not possible: there is nothing to run here."}
-    try:
-        scene.running.obey(order)
-    except ValueError as error:
-        return {"run": str(error)}
-    return {}
+def refusal(scene: Scene, deed: Deed, error: ValueError) -> RefusalError:
+    """What the physics says of values that are possible one by one, but not together."""
+    match deed:
+        case SetValues(values=values):
+            return RefusalError({name: f"{sentence(error)} {_still(scene, name)}" for name in values})
+        case Typed(name=name):
+            return RefusalError({name: f"{sentence(error)} {_still(scene, name)}"})
+        case Act():
+            return RefusalError({"action": f"{sentence(error)} Still drawn as before."})
+        case Choose(name=name):
+            return RefusalError({name: sentence(error)})
 
 
-def _set(scene: Scene, values: dict[str, float | None]) -> Errors:
-    errors = {excerpt(name): _problem(scene, name, value) for name, value in values.items()}
-    found = {name: error for name, error in errors.items() if error}
-    return found or _try(scene, values)
-
-
-def _type(scene: Scene, name: str, text: str) -> Errors:
+def _typed(scene: Scene, name: str, text: str) -> float | None:
     quantity = _quantity(scene, name)
     if quantity is None:
-        return {excerpt(name): _unknown(name)}
+        raise RefusalError({excerpt(name): _unknown(name)})
     unit = scene.units().get(name)
-    shown = unit.text if unit else quantity.unit
     try:
+        shown = unit.text if unit else quantity.unit
         value = None if quantity.allow_None and not text.strip() else typed_number(text, shown)
     except ValueError as error:
-        return {name: f"{error} {_still(scene, name)}"}
+        raise RefusalError({name: f"{error} {_still(scene, name)}"}) from error
     if unit and value is not None:
         value = unit.value(value)
-    problem = _problem(scene, name, value, excerpt(text.strip()).replace("-", MINUS))
-    return {name: problem} if problem else _try(scene, {name: value})
+    if problem := _problem(scene, name, value, excerpt(text.strip()).replace("-", MINUS)):
+        raise RefusalError({name: problem})
+    return value
 
 
-def _choose(scene: Scene, name: str, value: object) -> Errors:
-    parameter = _parameter(scene, name)
-    if not isinstance(parameter, (*Choice, param.List)):
-        return {excerpt(name): _unknown(name)}
-    try:
-        scene.set({name: chosen(parameter, value)})
-    except ValueError as error:
-        return {name: sentence(error)}
-    return {}
-
-
-def _act(scene: Scene, name: str) -> Errors:
-    known = [action for group in scene.groups for action, _ in group.actions]
-    if name not in known:
-        return {"action": f"“{excerpt(name)}” is not an action of this scene."}
+def _acted(scene: Scene, name: str) -> Values:
+    if name not in [action for group in scene.groups for action, _ in group.actions]:
+        raise RefusalError({"action": f"“{excerpt(name)}” is not an action of this scene."})
     try:
         with in_words():
-            values = scene.action(name)
-        scene.set(values)
+            return scene.action(name)
     except ValueError as error:
-        return {"action": f"{sentence(error)} Still drawn as before."}
-    return {}
-
-
-def _try(scene: Scene, values: Values) -> Errors:
-    """Set quantities that are possible one by one; the physics may still refuse them together."""
-    still = {name: _still(scene, name) for name in values}
-    try:
-        scene.set(values)
-    except ValueError as error:
-        return {name: f"{sentence(error)} {still[name]}" for name in values}
-    return {}
+        raise RefusalError({"action": f"{sentence(error)} Still drawn as before."}) from error
 
 
 def _problem(scene: Scene, name: str, value: object, given: str | None = None) -> str | None:
@@ -125,7 +112,9 @@ def _quantity(scene: Scene, name: str) -> Quantity | None:
 
 
 def _parameter(scene: Scene, name: str) -> AnyParameter | None:
-    return scene.param[name] if name in scene.param else None  # noqa: SIM401 (not a dict)
+    """None too for one that only records what has been reached."""
+    known = type(scene).param
+    return None if name in scene.reached or name not in known else known[name]
 
 
 def _still(scene: Scene, name: str) -> str:

@@ -53,7 +53,7 @@ def scene_sheet(scene: type[Scene]) -> SceneSheet:
 def usual(scene: type[Scene]) -> bytes:
     """What messages about the scene mostly say: the text of its first picture, in six digits, which are the same on
     every machine that serves it."""
-    first = scene()
+    first = scene.at()
     view, _ = view_of(first.shown, column_axes(scene))
     told = Shown(
         scene=scene.slug,

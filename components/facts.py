@@ -39,6 +39,8 @@ class Facts(param.Parameterized):
     """The title over the presets, and whether they are folded under it."""
     physical: ClassVar[tuple[str, ...]] = ()
     """The choices that make another system; the others only show it in another way."""
+    reached: ClassVar[tuple[str, ...]] = ()
+    """The parameters that record what a visitor has reached: a link carries them, and nothing is compared with them."""
     places: ClassVar[tuple[str, ...]] = ()
     """The actions that are places rather than deeds: their buttons show whether the scene is there."""
     work: ClassVar[type[Running] | None] = None
@@ -60,6 +62,12 @@ class Facts(param.Parameterized):
             for name, parameter in cls.param.objects("existing").items()
             if isinstance(parameter, kinds) and not parameter.constant and not name.startswith("_")
         }
+
+    @classmethod
+    @cache
+    def quantities(cls) -> frozenset[str]:
+        """The names of the parameters that are quantities."""
+        return frozenset(name for name, one in cls.param.objects("existing").items() if isinstance(one, Quantity))
 
     @classmethod
     @cache

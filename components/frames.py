@@ -12,7 +12,7 @@ from collections.abc import Mapping, Sequence
 
 from msgspec.structs import replace
 
-from components.axes import TIME_AXIS, Axis, Range, log_axis, nice_ticks, ordered, widest
+from components.axes import TIME_AXIS, Axis, Range, log_axis, nice_ticks, ordered, scale_by_ten, widest
 from components.motion import round_down, round_up
 from components.numbers import excerpt, power_unit
 from components.page.picture import Pace
@@ -76,9 +76,10 @@ def with_range(axis: Axis, span: Range) -> Axis:
 
 def _rounded(axis: Axis, named: bool) -> Axis:
     """The axis with round numbers, in another power of ten where its own does not suit the range."""
-    reach = max(abs(axis.start), abs(axis.end))
-    if axis.power == 1 and bool(axis.exponent) == bool(axis.suffix) and not 1e-2 <= axis.place(reach) < 1e5:
-        exponent, suffix = power_unit(reach / axis.factor)
+    reach = max(abs(axis.start), abs(axis.end)) / axis.factor
+    named_alike = axis.power == 1 and bool(axis.exponent) == bool(axis.suffix)
+    if named_alike and not 1e-2 <= scale_by_ten(reach, -axis.exponent) < 1e5:
+        exponent, suffix = power_unit(reach)
         axis = replace(axis, exponent=exponent, suffix=suffix)
     ticks = nice_ticks(*ordered((axis.place(axis.start), axis.place(axis.end))), axis.count)
     return replace(axis, ticks=ticks, labels=() if named else ("",) * len(ticks))

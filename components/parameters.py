@@ -73,6 +73,7 @@ class Quantity(param.Number[Any]):  # a float, or None where the scene chooses i
             label=label,
             doc=says,
             softbounds=softbounds,
+            per_instance=False,  # or else param copies it for each scene in which it is set
             **options,
         )
 

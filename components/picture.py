@@ -1,20 +1,27 @@
-"""What a scene shows: a picture, the frame that it is drawn in, and the one that would fit it."""
+"""A picture of a scene, drawn in a frame: fitted, kept, or grown where what is drawn would leave it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import lru_cache
+from typing import Literal, Protocol
 
+import msgspec
 from msgspec.structs import replace as changed
 
 from components.axes import TIME_AXIS, Axis
-from components.frames import grown, loosened, paced, refitted, together
+from components.frames import FITTED, grown, loosened, paced, refitted, together
 from components.page.picture import Digits, Pace
 from components.page.signals import AnySignal
 from components.page.state import Frame
-from components.refusals import check_sendable
+from components.refusals import check_sendable, in_words
 from components.traces import Columns
 
+Framing = Literal["fitted", "kept", "grown"]
+"""Whether a picture chooses its frame, keeps to the one it is given, or widens that where something would leave it."""
+MOST_DRAWN = 64
+"""Pictures that a process remembers, for all visitors: those held, undone, opened by many, come again."""
 ROUNDS = 3
 """A frame that has grown along one axis may have to grow along another."""
 
@@ -76,64 +83,97 @@ class Framed:
     fitted: Frame
     beside: Picture | None = None
 
+    @property
+    def loosened(self) -> Frame:
+        """The frame, fitted anew along each axis that is hardly used; what is held counts."""
+        return loosened(self.frame, self.fitted, [one.axes for one in (self.picture, self.beside) if one])
 
-def shared(drawn: Framed) -> Framed:
-    """What many sessions hold: its columns refuse to be written."""
-    for columns in drawn.picture.columns.values():
+
+class Drawable(Protocol):
+    """Anything that can be drawn; equal keys, equal pictures."""
+
+    @property
+    def key(self) -> Hashable: ...
+    def picture(self, frame: Frame) -> Picture: ...
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """A picture that is asked for: of a scene, in a frame."""
+
+    key: Hashable
+    scene: Drawable = field(compare=False)
+    frame: Frame = field(compare=False)
+
+
+@lru_cache(MOST_DRAWN)
+def _drawn(asked: _Asked) -> Framed:
+    """A picture that many pages may hold: its columns refuse to be written. ArithmeticError where a number cannot be
+    sent."""
+    picture, frame = asked.scene.picture(asked.frame), asked.frame
+    shown = replace(picture, pace=paced(frame, picture.pace))
+    _check(shown)
+    for columns in shown.columns.values():
         for column in columns.values():
             column.setflags(write=False)
-    return drawn
-
-
-def drawn_in(picture_in: Callable[[Frame], Picture], frame: Frame) -> Framed:
-    """The picture in a frame; what the frame leaves open is fitted."""
-    picture = picture_in(frame)
-    shown = replace(picture, pace=paced(frame, picture.pace))
     return Framed(shown, changed(frame_of(shown), given=frame.given), fitted_to(picture))
 
 
-def kept(picture_in: Callable[[Frame], Picture], frame: Frame, before: Frame | None = None) -> Framed:
-    """The picture in a frame that stands, grown where what is drawn would leave it.
+def drawing(scene: Drawable, frame: Frame = FITTED) -> Framed:
+    """The picture of a scene in a frame, of which what it leaves open is fitted; worked out once for all who ask."""
+    return _drawn(_Asked((scene.key, msgspec.json.encode(frame)), scene, frame))
 
-    `before` is what fitted before another way of showing was chosen: what that changes is fitted anew.
+
+def draw(
+    scene: Drawable,
+    held: Drawable | None = None,
+    framing: Framing = "fitted",
+    frame: Frame = FITTED,
+    before: Frame | None = None,
+) -> Framed:
+    """The picture of a scene, with the one held in the same frame; fitted where nothing can be drawn in the one given.
+
+    `before` is what fitted before another way of showing was chosen: what that changes is fitted anew. ValueError, in
+    words, where there is no picture.
     """
-    drawn = drawn_in(picture_in, frame)
+    with in_words():
+        drawn = drawing(scene) if framing == "fitted" else _in_frame(scene, framing, frame, before)
+        return _with_held(drawn, scene, held) if held else drawn
+
+
+def _in_frame(scene: Drawable, framing: Framing, frame: Frame, before: Frame | None) -> Framed:
+    try:
+        drawn = drawing(scene, frame)
+        return drawn if framing == "kept" else _grown(drawn, scene, before)
+    except (ValueError, ArithmeticError):
+        return drawing(scene)
+
+
+def _grown(drawn: Framed, scene: Drawable, before: Frame | None) -> Framed:
     if before is not None:
-        drawn = drawn_in(picture_in, refitted(drawn.frame, before, drawn.fitted))
+        drawn = drawing(scene, refitted(drawn.frame, before, drawn.fitted))
     for _ in range(ROUNDS):
         frame = grown(drawn.frame, drawn.picture.axes, drawn.picture.fits)
         if frame == drawn.frame:
             break
-        drawn = drawn_in(picture_in, frame)
+        drawn = drawing(scene, frame)
     return drawn
 
 
-def let_go(drawn: Framed) -> Frame:
-    """The frame of what is drawn once a hand has let go of it; what is held counts."""
-    return loosened(drawn.frame, drawn.fitted, [one.axes for one in (drawn.picture, drawn.beside) if one])
-
-
-def beside(drawn: Framed, picture_in: Callable[[Frame], Picture], held_in: Callable[[Frame], Picture]) -> Framed:
-    """What is drawn, with the picture held in the same frame, which has room for both and is fitted to both.
+def _with_held(drawn: Framed, scene: Drawable, held: Drawable) -> Framed:
+    """The picture with the one held in the same frame, which has room for both and is fitted to both.
 
     Where what is held cannot be drawn in that frame there is none of it.
     """
     try:
-        held = held_in(drawn.frame)
-        wide = together(drawn.frame, held.axes, held.fits)
+        beside = drawing(held, drawn.frame).picture
+        wide = together(drawn.frame, beside.axes, beside.fits)
         if wide != drawn.frame:
-            drawn = replace(drawn_in(picture_in, wide), fitted=drawn.fitted)
-            held = held_in(drawn.frame)
-        _check(held)
+            drawn = replace(drawing(scene, wide), fitted=drawn.fitted)
+            beside = drawing(held, drawn.frame).picture
     except (ValueError, ArithmeticError):
         return drawn
-    return replace(drawn, fitted=together(drawn.fitted, held.axes, held.fits), beside=held)
-
-
-def sendable(drawn: Framed) -> Framed:
-    """What is drawn; ArithmeticError where a number of it leaves what can be sent."""
-    _check(drawn.picture)
-    return drawn
+    return replace(drawn, fitted=together(drawn.fitted, beside.axes, beside.fits), beside=beside)
 
 
 def _check(picture: Picture) -> None:

@@ -1,7 +1,7 @@
-"""What a change would show: the covers of all that follows from it, for those who want to predict it.
+"""Predictions: the covers of all that follows from a change, for those who want to predict it.
 
-Until it is revealed the scene from before the change, `asked`, is told in its place: so nothing that follows from the
-change is sent, sizes stay, and the stage stands as it was.
+Until it is revealed the picture from before the change is told in its place: so nothing that follows from the change is
+sent, sizes stay, and the stage stands as it was.
 """
 
 from __future__ import annotations
@@ -11,57 +11,25 @@ from typing import Any
 
 import numpy as np
 
-from components.beside import changed, show_as
 from components.covers import NEXT, PLOT, STAGE, VALUE, as_it_stood, without
 from components.description import blocks, plots
 from components.page.blocks import PlotBlock, StageBlock, TableBlock, WordsBlock
-from components.page.state import Frame
 from components.page.text import Forms
-from components.parameters import Values
-from components.scene import Picture, Scene, frame_of
+from components.scene import Picture, Scene
 
 
-def waiting(scene: Scene, covered: tuple[str, ...]) -> Scene | None:
-    """The scene as it stands before what may be the change that is to be predicted."""
-    return scene.twin() if NEXT in covered else None
-
-
-def asked_in(scene: Scene, values: Values, frame: Frame | None) -> Scene:
-    """The scene with the values from before the change, in the frame that stands; ValueError where it cannot be."""
-    before = type(scene)()
-    before.keep_frame()
-    before.open(values, frame)
-    before.beside = scene.beside
-    return before
-
-
-def standing(asked: Scene | None, frame: Frame | None) -> Frame | None:
-    """The frame of a state, whole where it is the one that stands while a change is to be predicted: what is then
-    revealed is seen in it."""
-    return frame_of(asked.shown) if asked and asked.frame == frame else frame
-
-
-def asked_of(scene: Scene, before: Scene | None, begins: bool = False) -> Scene | None:
-    """The scene from before the change, shown as the one that stands. What `begins` with the change is there as soon as
-    these are two; a view is no change."""
-    if before is None or (begins and not changed(scene, before)):
-        return None
-    show_as(before, scene)
-    if before.hidden != scene.hidden:
-        before.set({"hidden": scene.hidden})
-    return before
-
-
-def told_of(scene: Scene, asked: Scene | None, covered: tuple[str, ...]) -> tuple[Picture, tuple[str, ...]]:
+def told_of(
+    scene: type[Scene], shown: Picture, before: Picture | None, covered: tuple[str, ...]
+) -> tuple[Picture, tuple[str, ...]]:
     """The picture that is told, and the names of the quantities that are left out of it."""
-    if asked is None:
-        return without(type(scene), scene.shown, covered)
-    return as_it_stood(type(scene), asked.shown, covered, scene.shown.forms)
+    if before is None:
+        return without(scene, shown, covered)
+    return as_it_stood(scene, before, covered, shown.forms)
 
 
-def covers_after(scene: Scene, asked: Scene, covered: tuple[str, ...]) -> tuple[str, ...]:
+def covers_after(scene: Scene, after: Picture, before: Picture, covered: tuple[str, ...]) -> tuple[str, ...]:
     """The covers, and those of all that the change has changed."""
-    return tuple(dict.fromkeys((*covered, *_followed(type(scene), asked.shown, scene.shown))))
+    return tuple(dict.fromkeys((*covered, *_followed(type(scene), before, after))))
 
 
 def put_last(covered: tuple[str, ...]) -> tuple[str, ...]:

@@ -20,8 +20,8 @@ SORRY = "Something went wrong on the server; nothing was changed."
 LINK_LOST = "Something went wrong with this link; its parameters were not used."
 _GREEK = {"omega": "ω", "tau": "τ", "theta": "θ", "delta": "δ", "pi": "π"}
 _BELOW = str.maketrans("pnst0123456789+-", "ₚₙₛₜ₀₁₂₃₄₅₆₇₈₉₊₋")
-_SYMBOL = re.compile(rf"(?<![\w“:.])({'|'.join(_GREEK)}|[A-Za-z])(p\d?|\d|_[pn\d+-]|_st)?(_0)?(?![A-Za-z0-9_”])")
-"""A name of the code, but in quotation marks."""
+_SYMBOL = re.compile(rf"(?<![\w“:.])({'|'.join(_GREEK)}|[A-Za-z])(p\d?|\d|_[pn\d+-]|_st)?(_0)?(?![A-Za-z0-9_”:])")
+"""A name of the code, but in quotation marks, and before a colon, where it is the name in a link."""
 MOST_KINDS = 500
 """A log that nobody empties has an end: of so many kinds of fault it tells."""
 

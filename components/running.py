@@ -7,34 +7,36 @@ from collections.abc import Callable
 from typing import Any
 
 from components.page.picture import Progress
+from components.parameters import Values
 
 Later = Callable[[Callable[[], None]], object]
 
 
 class Running(ABC):
-    """The work of one visitor's scene.
+    """The work of one visitor's page, for the scene that stands: of the class that names this work, so that each of
+    them knows what it needs of it."""
 
-    `later` runs a function under the page's own lock: for what comes from another thread.
-    """
-
-    def __init__(self, scene: Any) -> None:
-        """`scene` is of the class that names this work; each of them knows what it needs of it."""
-        self.later: Later = lambda act: act()
-        self.network: Callable[[], str] = lambda: ""
-        """Where the visitor comes from; "" where that is not known."""
+    def __init__(self, network: Callable[[], str] = lambda: "") -> None:
+        """`network` is where the visitor comes from; "" where that is not known."""
+        self.network = network
+        self.heard: Callable[[], object] = lambda: None
+        """Called where there is something new, from any thread."""
 
     @classmethod
     @abstractmethod
     def pending(cls) -> int:
-        """How much of this work runs or waits in this process, for all visitors."""
-
-    @property
-    @abstractmethod
-    def progress(self) -> Progress:
-        """How far it has come."""
+        """The number of works that run or wait in this process, for all visitors."""
 
     @abstractmethod
-    def obey(self, order: str) -> None:
+    def progress(self, scene: Any) -> Progress:
+        """The progress of a scene's work."""
+
+    @abstractmethod
+    def news(self, scene: Any) -> Values:
+        """The values of parameters by which a scene tells of what has been found."""
+
+    @abstractmethod
+    def obey(self, order: str, scene: Any) -> None:
         """Start, cancel or skip. ValueError, in words, where that cannot be."""
 
     @abstractmethod

@@ -1,30 +1,30 @@
-"""What every scene is: parameters, one pure picture computed from them, and data sources that hold its numbers."""
+"""A scene: parameters, one pure picture of them, and what follows from a change; a value, with a thin face to set."""
 
 from __future__ import annotations
 
 from abc import ABCMeta, abstractmethod
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Hashable, Iterable, Mapping
 from functools import cache, cached_property
 from typing import Any, Self
 
 import param
 from bokeh.models import ColumnDataSource
-from msgspec.structs import replace
 from param.parameterized import ParameterizedMetaclass, discard_events
 
 from components.about import About
-from components.beside import Beside
 from components.facts import Facts
 from components.figures import Figure
-from components.frames import FITTED, unfitted
+from components.frames import FITTED
 from components.page.blocks import Block
 from components.page.state import Frame
 from components.parameters import Quantity, Values
-from components.picture import Framed, Picture, drawn_in, frame_of, kept, let_go, sendable, shared
+from components.picture import Picture, draw
 from components.refusals import in_words
 from components.units import Unit
 
-__all__ = ["Picture", "Scene", "frame_of"]
+__all__ = ["Picture", "Scene"]
+
+NONE: Values = {}
 
 
 class _SceneMeta(ParameterizedMetaclass, ABCMeta):
@@ -34,9 +34,10 @@ class _SceneMeta(ParameterizedMetaclass, ABCMeta):
 class Scene(Facts, metaclass=_SceneMeta):
     """One idea of the lecture. Subclasses are final: they declare parameters, a sheet, and `picture`.
 
-    Setting parameters (one, or a batch with `param.update`) leads to exactly one `picture`. A ValueError, from a
-    parameter's own limits, from the physics or in place of an ArithmeticError, leaves every parameter and every
-    source as it was; so does any other exception.
+    `Scene.at(values)` is a value: nothing of it can be set, and `changed(values)` is another one. The page knows only
+    these. A scene that is made as usual is their face for notebooks and tests: what is set, one parameter or a batch
+    with `param.update`, makes it show another value, with one `picture`. A ValueError, from a parameter's own limits,
+    from the physics or in place of an ArithmeticError, leaves it as it was; so does any other exception.
     """
 
     window = Quantity(
@@ -52,44 +53,15 @@ class Scene(Facts, metaclass=_SceneMeta):
     )
     hidden = param.List(default=[], item_type=str, doc="The curves switched off, by group.")
 
-    def __init__(self, **values: Any) -> None:
-        self._good: dict[str, object] = {}
-        self.in_hand = False
-        """Whether a hand holds on to what is drawn: then its frame stands, though something leaves it."""
-        self._keeps = self._given = False
-        self._frame: Frame | None = None
-        self.beside: Beside[Scene] | None = None
-        self.running = self.work(self) if self.work else None
-        super().__init__(**values)  # type: ignore[no-untyped-call]  # param's own has no types
-        self._follow(frozenset(values))
-        self._drawn: Framed = self._picture(frozenset()) if values or self.running else self._first()
-        self._good = {name: value for name, value in self.param.values().items() if name != "name"}
-        self._listeners: list[Callable[[Picture], None]] = []
-        self.param.watch(lambda *events: self._solve(event.name for event in events), list(self._good))
-
-    @classmethod
-    @cache
-    def _first(cls) -> Framed:
-        """The picture of the defaults, which most visitors see first: worked out once, and written by nobody."""
-        return shared(cls(window=None)._drawn)
-
     @classmethod
     @abstractmethod
     def sheet(cls) -> Block:
-        """What stands where on the paper: components.sheet."""
+        """The arrangement of the paper: components.sheet."""
 
     @abstractmethod
     def picture(self, frame: Frame = FITTED) -> Picture:
-        """What is shown, as a pure function of the parameters and the frame; what the frame leaves open is chosen to
-        fit. ValueError where doubles hold no answer."""
-
-    def fit(self) -> Frame:
-        """The frame that fits the parameters, as a pure function of them."""
-        return frame_of(self.picture())
-
-    def grow(self, frame: Frame) -> Frame:
-        """The frame, grown so far that it holds what these parameters draw."""
-        return kept(self.picture, frame).frame
+        """A pure function of the parameters and the frame, of which what it leaves open is chosen to fit. ValueError
+        where doubles hold no answer."""
 
     @classmethod
     def drawings(cls) -> dict[str, str]:
@@ -100,8 +72,9 @@ class Scene(Facts, metaclass=_SceneMeta):
         """The units in which quantities are now shown and typed, where they are not their own."""
         return {}
 
-    def following(self, changed: frozenset[str]) -> Values:
-        """The values of parameters that follow from those just changed; they are set before the picture is made."""
+    def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
+        """The values of parameters that follow from those just changed, by a hand or not, in the scene `before`; from
+        all that are given, where there is none before."""
         return {}
 
     def action(self, name: str) -> Values:
@@ -109,128 +82,128 @@ class Scene(Facts, metaclass=_SceneMeta):
         raise NotImplementedError(name)
 
     def here(self) -> list[str]:
-        """Those of `places` whose values are in force."""
+        """The names of `places` whose values are in force."""
         return [name for name in self.places if all(getattr(self, p) == v for p, v in self.action(name).items())]
 
-    def about(self) -> About | None:
-        """What is known of the errors of what is drawn, worked out when asked; None where there is nothing to say."""
+    def about(self, shown: Picture) -> About | None:
+        """The errors of all that is drawn, as far as they are known; None where there is nothing to say."""
         return None
-
-    @property
-    def shown(self) -> Picture:
-        """The picture in force."""
-        return self._drawn.picture
-
-    @property
-    def shown_beside(self) -> Picture | None:
-        """The picture held, in the same frame."""
-        return self._drawn.beside
-
-    @cached_property
-    def sources(self) -> dict[str, ColumnDataSource]:
-        """The columns of the picture in force, in SI units; a visitor costs none of them until they are asked for."""
-        return {name: ColumnDataSource(data=data) for name, data in self.shown.columns.items()}
-
-    def set(self, values: Values) -> None:
-        """Set parameters in one batch, with one solve; a ValueError leaves the scene as it was.
-
-        As `param.update`, whose way through the watchers takes a tenth of what a change costs.
-        """
-        if unknown := values.keys() - self._good.keys():
-            raise ValueError(f"{', '.join(sorted(unknown))}: not a parameter of {type(self).__name__}")
-        with discard_events(self):
-            for name, value in values.items():
-                setattr(self, name, value)
-        changed = [name for name in values if getattr(self, name) != self._good[name]]
-        if changed:
-            self._solve(changed)
-
-    def open(self, values: Values, frame: Frame | None, held: Values | None = None) -> None:
-        """The same, in a frame that grows where it must, or fitted without one; with what is held beside it."""
-        before, standing, drawn, beside = self._frame, self.frame, self._drawn, self.beside
-        self._frame, self._given = frame, True
-        try:
-            self.beside = None if held is None else beside if beside and beside.values == held else Beside(self, held)
-            self.set(values)
-            if self._drawn is drawn and frame == standing and self.beside is beside:
-                self._frame = before
-            elif self._drawn is drawn:
-                self._solve(())
-        except Exception:
-            self._frame, self.beside = before, beside
-            raise
-        finally:
-            self._given = False
-
-    @property
-    def values(self) -> Mapping[str, Any]:
-        """The values of all parameters that the picture in force is of: before the change that is being made."""
-        return self._good
-
-    @property
-    def opening(self) -> bool:
-        """Whether the values that are being set are all that is known: of a state, or of a new scene."""
-        return self._given or not self._good
-
-    def redraw(self) -> None:
-        """The picture once more, for the same parameters."""
-        self._solve(())
-
-    def let_go(self) -> None:
-        """A hand has let go of what it set: an axis that is hardly used is fitted anew."""
-        frame = let_go(self._drawn)
-        if frame != self._drawn.frame:
-            self._frame = frame
-            self._solve(())
-
-    def keep_frame(self) -> None:
-        """From now on a change of values keeps the frame that stands: of a page, where changes are seen."""
-        self._keeps = True
-        self._frame = self._drawn.frame
-
-    @property
-    def frame(self) -> Frame | None:
-        """What of the frame that stands is not as it would be fitted; None where all of it is."""
-        return unfitted(self._frame, self._drawn.fitted) if self._frame else None
-
-    def way_back(self) -> Callable[[], None]:
-        """What makes the scene again what it is now."""
-        good, drawn, frame, beside = self._good, self._drawn, self._frame, self.beside
-
-        def go() -> None:
-            self._good, self._drawn, self._frame, self.beside = good, drawn, frame, beside
-            self._restore()
-            self._fill_sources()
-
-        return go
-
-    def twin(self) -> Self:
-        """The scene as it now is, for itself: what changes this one leaves it."""
-        other = type(self)()
-        other._good, other._drawn, other._frame = self._good, self._drawn, self._drawn.frame
-        other._keeps, other.beside, other.running = True, self.beside, self.running
-        other._restore()
-        return other
 
     def figures(self) -> tuple[Figure, ...]:
         """The numbers that are compared with those of another picture."""
         return ()
 
-    def on_picture(self, listener: Callable[[Picture], None]) -> None:
-        """Call `listener` after every change with the new picture."""
-        self._listeners.append(listener)
+    def derived(self) -> frozenset[str]:
+        """The parameters that follow from others as things stand, so that no link need tell them."""
+        return frozenset()
 
     def off_default(self) -> Values:
-        """Those of the linked parameters that are not at their defaults."""
-        linked = self.linked().items()
-        return {name: self.values[name] for name, parameter in linked if self.values[name] != parameter.default}
+        """The linked parameters that are not at their defaults, nor follow from others."""
+        values, derived = self.values, self.derived()
+        return {
+            name: values[name]
+            for name, one in self.linked().items()
+            if values[name] != one.default and name not in derived
+        }
 
     def preset(self) -> str | None:
         """The label of the preset in force, if any."""
         now = [self.values[name] for name in self.preset_names()]
         return next((label for label, values in self.preset_values() if values == now), None)
 
+    # The value.
+
+    @classmethod
+    def at(cls, values: Values = NONE) -> Self:
+        """The scene with these values, the others at their defaults, and what follows from them; ValueError for values
+        that it cannot have."""
+        return cls._settled(values, frozenset(values), None, in_hand=False)
+
+    def changed(self, values: Values, *, in_hand: bool = False) -> Self:
+        """The scene with other values and what follows from their change; itself where they are its own."""
+        value, defaults = self.value, self.parameters()
+        changed = value.differing(values)
+        if not changed:
+            return value
+        others = {name: own for name, own in value.values.items() if own is not defaults[name]}
+        return self._settled({**others, **values}, changed, value, in_hand=in_hand)
+
+    @classmethod
+    def _settled(cls, values: Values, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Self:
+        if unknown := values.keys() - cls.parameters().keys():
+            raise ValueError(f"{', '.join(sorted(unknown))}: not a parameter of {cls.__name__}")
+        scene = cls.__new__(cls)
+        param.Parameterized.__init__(scene, **values)  # type: ignore[no-untyped-call]  # param's own has no types
+        with in_words():
+            following = scene.following(changed, before, in_hand=in_hand)
+        followed = {name: value for name, value in following.items() if getattr(scene, name) != value}
+        for name, value in followed.items():
+            setattr(scene, name, value)
+        given = {name: getattr(scene, name) for name in (*values, *followed)}
+        vars(scene)["values"] = {**cls.parameters(), **given}
+        return scene
+
+    @classmethod
+    @cache
+    def parameters(cls) -> dict[str, Any]:
+        """All parameters, with their defaults."""
+        return {name: one.default for name, one in cls.param.objects("existing").items() if name != "name"}
+
+    def differing(self, values: Values) -> frozenset[str]:
+        """The names of those values that are others than the scene's own; ValueError for a parameter that it lacks."""
+        if unknown := values.keys() - self.values.keys():
+            raise ValueError(f"{', '.join(sorted(unknown))}: not a parameter of {type(self).__name__}")
+        return frozenset(name for name, value in values.items() if self.values[name] != value)
+
+    @property
+    def values(self) -> Mapping[str, Any]:
+        """The values of all parameters."""
+        values: Values = vars(self.value)["values"]
+        return values
+
+    @cached_property
+    def key(self) -> Hashable:
+        """Equal for scenes that are the same to the last bit: -0.0 is not 0.0."""
+        exact = (repr(value) if isinstance(value, (float, list)) else value for value in self.values.values())
+        return type(self), tuple(exact)
+
+    # The face.
+
+    def __init__(self, **values: Any) -> None:
+        super().__init__(**values)  # type: ignore[no-untyped-call]  # param's own has no types
+        self._listeners: list[Callable[[Picture], None]] = []
+        self._show(type(self).at(values))
+        self.param.watch(lambda *events: self._set(event.name for event in events), list(self.parameters()))
+
+    @property
+    def value(self) -> Self:
+        """The value that a face shows; a value itself."""
+        value: Self = vars(self).get("_value", self)
+        return value
+
+    @property
+    def shown(self) -> Picture:
+        """The picture in force."""
+        picture: Picture | None = vars(self).get("_shown")
+        return picture or draw(self).picture
+
+    @cached_property
+    def sources(self) -> dict[str, ColumnDataSource]:
+        """The columns of the picture in force, in SI units."""
+        return {name: ColumnDataSource(data=data) for name, data in self.shown.columns.items()}
+
+    def set(self, values: Values) -> None:
+        """Set parameters in one batch, with one picture; a ValueError leaves the face as it was."""
+        if self.differing(values):
+            self._show(self.value.changed(values))
+
+    def on_picture(self, listener: Callable[[Picture], None]) -> None:
+        """Call `listener` after every change with the new picture."""
+        self._listeners.append(listener)
+
     def __setattr__(self, name: str, value: Any) -> None:
+        if "values" in vars(self):
+            raise AttributeError(f"{name} cannot be set: changed({name}=...) is another scene")
         try:
             super().__setattr__(name, value)
         except Exception:
@@ -238,61 +211,25 @@ class Scene(Facts, metaclass=_SceneMeta):
             self._restore()
             raise
 
-    def _restore(self) -> None:
-        if good := getattr(self, "_good", None):
-            with discard_events(self):
-                for name, value in good.items():
-                    super().__setattr__(name, value)
-
-    def _follow(self, changed: frozenset[str]) -> frozenset[str]:
-        """What has changed, with what follows from it."""
-        with discard_events(self), in_words():
-            followed = self.following(changed)
-            for name, value in followed.items():
-                super().__setattr__(name, value)
-        return changed | followed.keys()
-
-    def _picture(self, changed: frozenset[str]) -> Framed:
-        with in_words():
-            drawn = self._in_frame(changed) if self._frame else sendable(drawn_in(self.picture, FITTED))
-            return self.beside.with_held(self, drawn) if self.beside else drawn
-
-    def _in_frame(self, changed: frozenset[str]) -> Framed:
-        """The picture in the frame that stands; fitted where nothing can be drawn in that one.
-
-        Another window is chosen by its field; another way of showing things fits anew what it changes. A frame that has
-        been given with the values is taken as it is.
-        """
-        frame = self._frame or FITTED
-        if "window" in changed and not self._given:
-            frame = replace(frame, window=None)
-        ways = [] if self._given else [name for name in changed if not isinstance(self.param[name], Quantity)]
+    def _set(self, names: Iterable[str]) -> None:
         try:
-            if self.in_hand:
-                return sendable(drawn_in(self.picture, frame))
-            return sendable(kept(self.picture, frame, self._drawn.fitted if ways else None))
-        except (ValueError, ArithmeticError):
-            return sendable(drawn_in(self.picture, FITTED))
-
-    def _fill_sources(self) -> None:
-        if "sources" not in vars(self):
-            return
-        columns = self.shown.columns
-        for name in columns.keys() | self.sources.keys():
-            self.sources.setdefault(name, ColumnDataSource()).data = columns.get(name, {})
-
-    def _solve(self, names: Iterable[str]) -> None:
-        """The picture after a change of these parameters."""
-        changed = frozenset(names)
-        try:
-            followed = self._follow(changed)
-            drawn = self._picture(changed)
+            self._show(self.value.changed({name: getattr(self, name) for name in names}))
         except Exception:
             self._restore()
             raise
-        if self._keeps or self._frame:
-            self._frame = drawn.frame
-        self._drawn, self._good = drawn, {**self._good, **{name: getattr(self, name) for name in followed}}
-        self._fill_sources()
+
+    def _show(self, value: Self) -> None:
+        picture = draw(value).picture
+        vars(self).update(_value=value, _shown=picture)
+        self._restore()
+        if "sources" in vars(self):
+            for name in picture.columns.keys() | self.sources.keys():
+                self.sources.setdefault(name, ColumnDataSource()).data = picture.columns.get(name, {})
         for listener in self._listeners:
-            listener(drawn.picture)
+            listener(picture)
+
+    def _restore(self) -> None:
+        if "_value" in vars(self):
+            with discard_events(self):
+                for name, value in self.value.values.items():
+                    super().__setattr__(name, value)

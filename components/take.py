@@ -7,7 +7,7 @@ import io
 import re
 import zipfile
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain
 from unicodedata import normalize
 from urllib.parse import quote
@@ -19,8 +19,8 @@ from components.numbers import shortest
 from components.page.messages import File
 from components.parameters import Quantity
 from components.scene import Picture, Scene
+from components.standing import Standing
 from components.traces import Columns
-from components.url import write_query
 
 READING = "SI units; the unit of a column stands in brackets after its name, 1 for a pure number; full precision"
 SI = {
@@ -39,10 +39,10 @@ class CsvTable:
     rows: list[tuple[object, ...]]
 
 
-def as_file(scene: Scene, picture: Picture, page: str = "", answer: int | None = None) -> File:
+def as_file(told: Standing, picture: Picture, page: str = "", answer: int | None = None) -> File:
     """The numbers of all plots that are seen, a table a file; several are packed. `page` is its address."""
-    head = comments(scene, picture, page)
-    found = tables(type(scene), picture) or figures(scene, picture)
+    scene, head = told.scene, comments(told, picture, page)
+    found = tables(told.kind, picture) or figures(told, picture)
     if len(found) < 2:
         content = as_csv(found[0], head) if found else _noted(head).encode("ascii")
         return File(name=f"{scene.slug}.csv", kind="text/csv", content=content, answer=answer)
@@ -68,9 +68,10 @@ def _noted(head: Iterable[str]) -> str:
     return "".join(f"# {line}\r\n" for line in head)
 
 
-def comments(scene: Scene, picture: Picture, page: str = "") -> list[str]:
-    """What the numbers belong to: the link, the parameters, the equations, the plots."""
-    link = quote(page, safe=":/[]@!$&'()*+;=%") + "?" + write_query(scene).replace(",", "%2C")
+def comments(told: Standing, picture: Picture, page: str = "") -> list[str]:
+    """The head of a file: the link, the parameters, the equations, the plots that the numbers belong to."""
+    scene, alone = told.scene, replace(told, covered=(), step="")
+    link = quote(page, safe=":/[]@!$&'()*+;=%") + "?" + alone.query.replace(",", "%2C")
     title = f"Oscillations: {scene.title}: {scene.headline}"
     lines = [title, link, *_parameters(scene, picture), *scene.equations, *_plots(type(scene), picture), READING]
     return [in_ascii(line).replace(",", ";").replace('"', "'") for line in lines]
@@ -115,10 +116,10 @@ def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
     return [_table(scene, picture, names, sources) for names, sources in pieces.items()]
 
 
-def figures(scene: Scene, picture: Picture) -> list[CsvTable]:
+def figures(told: Standing, picture: Picture) -> list[CsvTable]:
     """Where no plot is seen, the numbers that the picture is about, unless one of them is covered."""
-    covered = {*scene.shown.values, *scene.shown.live} - {*picture.values, *picture.live}
-    found = scene.figures()
+    covered = {*told.shown.values, *told.shown.live} - {*picture.values, *picture.live}
+    found = told.scene.figures()
     if not found or any(one.is_in(covered) for one in found):
         return []
     head = tuple(_headed(one.name, in_ascii(one.unit)) for one in found)

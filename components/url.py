@@ -16,11 +16,11 @@ from urllib.parse import urlencode
 from msgspec.structs import replace
 
 from components.axes import Range, ordered
-from components.beside import holdable, own_values
+from components.beside import HIDDEN, holdable
 from components.choices import MOST_ITEMS, chosen, word
 from components.frames import FITTED, SIZES, checked
 from components.numbers import MINUS, excerpt, parse_number, shortest
-from components.page.state import Frame
+from components.page.state import Frame, State
 from components.parameters import AnyParameter, Quantity, Values
 from components.scene import Scene
 
@@ -85,22 +85,21 @@ def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Sc
     return Link(slug, values, _shortened(problems), frame, covered, others[HELD], others[BEFORE])
 
 
-def write_query(scene: Scene, covered: Sequence[str] = (), asked: Scene | None = None) -> str:
-    """The text after the question mark that brings `scene` back, with what is covered, and where a change is to be
-    predicted with the scene from before it, whose frame stands.
+def write_query(state: State, scene: type[Scene]) -> str:
+    """The text after the question mark that brings a state of the scene back.
 
     Its slug comes first, then what differs from the default, in the order of the scene's parameters, then the frame;
     numbers are the shortest text that reads back as the same double.
     """
-    parts = {"scene": scene.slug} | {name: _written(value) for name, value in scene.off_default().items()}
-    parts |= _frame_parts(asked or scene)
-    if scene.beside:
-        parts |= _other_parts(HELD, scene.beside.values)
-    if asked:
-        parts |= _other_parts(BEFORE, own_values(asked))
-    if len(parts) == 1 and not covered:  # alone, the name of a scene opens it otherwise
-        parts |= {name: _written(scene.values[name]) for name in scene.opens}
-    return urlencode(parts | ({COVER: ",".join(covered)} if covered else {}), safe=",:")
+    own = {**state.parameters} | ({} if state.hidden is None else {HIDDEN: list(state.hidden)})
+    parts = {"scene": scene.slug} | {name: _written(own[name]) for name in scene.linked() if name in own}
+    parts |= _frame_parts(state.frame or FITTED)
+    for which, others in ((HELD, state.held), (BEFORE, state.before)):
+        if others is not None:
+            parts |= {f"{which}.{name}": _written(value) for name, value in others.items()} or {which: DEFAULT}
+    if len(parts) == 1 and not state.covered:  # alone, the name of a scene opens it otherwise
+        parts |= {name: _written(scene.param[name].default) for name in scene.opens}
+    return urlencode(parts | ({COVER: ",".join(state.covered)} if state.covered else {}), safe=",:")
 
 
 def step_query(step: str) -> str:
@@ -109,8 +108,7 @@ def step_query(step: str) -> str:
     return urlencode({"walk": walk, "step": name})
 
 
-def _frame_parts(scene: Scene) -> dict[str, str]:
-    frame = scene.frame or FITTED
+def _frame_parts(frame: Frame) -> dict[str, str]:
     ranges = {FRAME + name: ",".join(map(shortest, _brief(span))) for name, span in frame.ranges.items()}
     sizes = {name: getattr(frame, name) for name in SIZES}
     return ranges | {FRAME + name: shortest(float(f"{size:.{DIGITS}g}")) for name, size in sizes.items() if size}
@@ -127,10 +125,6 @@ def _brief(span: Range) -> Range:
 
 def _towards(value: float, way: str) -> float:
     return float(Context(prec=DIGITS, rounding=way).create_decimal(shortest(value)))
-
-
-def _other_parts(which: str, values: Values) -> dict[str, str]:
-    return {f"{which}.{name}": _written(value) for name, value in values.items()} or {which: DEFAULT}
 
 
 def _read_other(scene: type[Scene], key: str, given: Sequence[bytes]) -> dict[str, object]:

@@ -20,7 +20,7 @@ from PIL import Image
 from playwright.sync_api import Browser, Page, sync_playwright
 
 from components.scenes import SCENES
-from components.url import write_query
+from components.standing import fitted
 from components.walks.registry import all_walks
 from tests.browser.chromium import find
 from tests.browser.fixtures import READY
@@ -58,10 +58,10 @@ def views() -> Iterator[Sight]:
     """Each scene in each word of its choices and in each preset, and each step of each walk."""
     for slug, scene in SCENES.items():
         for chosen in choices(scene):
-            link = write_query(chosen)
+            link = fitted(chosen).query
             yield Sight(link, link)
         for label, values in scene.presets.items():
-            yield Sight(f"scene={slug} preset {label}", write_query(scene(**values)))
+            yield Sight(f"scene={slug} preset {label}", fitted(scene.at(values)).query)
     for name, walk in all_walks((), SCENES).items():
         for step in walk.steps:
             yield Sight(f"walk {step.id}", f"walk={name}&step={step.id}", asks=True)

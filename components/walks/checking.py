@@ -8,7 +8,7 @@ from functools import partial
 from components.covers import coverable
 from components.numbers import excerpt
 from components.text import rich
-from components.walks.links import Scenes, scene_at
+from components.walks.links import Scenes, standing_at
 from components.walks.questions.question import refused
 from components.walks.subject import Subject
 from components.walks.texts import line, live_names
@@ -27,15 +27,15 @@ def _of_step(step: Step, subject: Subject) -> Iterator[str]:
     yield from _of_texts(step)
     field = "state"
     try:
-        before = subject.scene
+        before = subject.standing
         field = "reveal" if step.reveal else "state"
-        after = scene_at(step.shown, subject.scenes)
+        after = standing_at(step.shown, subject.scenes)
     except ValueError as reason:
         yield f"{field}: {reason}"
         return
-    known = coverable(type(before), before.shown)
+    known, parameters = coverable(before.kind, before.shown), after.kind.param
     yield from (f"cover: “{excerpt(name)}” cannot be covered here." for name in step.cover if name not in known)
-    yield from (f"controls: “{excerpt(name)}” is not a parameter." for name in step.controls if name not in after.param)
+    yield from (f"controls: “{excerpt(name)}” is not a parameter." for name in step.controls if name not in parameters)
     spoken = set(live_names(step.explain))
     yield from (
         f"explain: there is no live number “{excerpt(name)}”."

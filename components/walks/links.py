@@ -9,7 +9,8 @@ from msgspec.structs import replace
 
 from components.page.state import State
 from components.scene import Scene
-from components.states import put, state_in, strange_axes, strange_curves
+from components.standing import Standing, standing_in
+from components.states import state_in, strange_axes, strange_curves
 from components.url import Link, read_query
 from components.walks.types import BaseStep
 
@@ -36,14 +37,14 @@ def _of_the_page(link: Link) -> Iterator[str]:
         yield "before: a step begins with no prediction that waits. Reveal it, and copy the link then."
 
 
-def scene_at(link: str, scenes: Scenes) -> Scene:
-    """The scene of a link, in its frame, with what is held beside it."""
+def standing_at(link: str, scenes: Scenes) -> Standing:
+    """What stands where a page opens a link."""
     state = state_of_link(link, scenes)
-    scene = scenes[state.scene]()
-    put(scene, state)
-    if strange := [*strange_axes(scene, state), *strange_curves(scene, state)]:
+    kind = scenes[state.scene]
+    found = standing_in(kind, state)
+    if strange := [*strange_axes(found.shown, state), *strange_curves(kind, state)]:
         raise ValueError(" ".join(strange))
-    return scene
+    return found
 
 
 def state_of_link(link: str, scenes: Scenes) -> State:

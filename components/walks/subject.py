@@ -16,8 +16,8 @@ from components.description import plots
 from components.page.blocks import PlotBlock
 from components.page.messages import HEIGHTS, Sketched
 from components.page.state import State
-from components.scene import Scene
-from components.walks.links import Scenes, answer_state, scene_at, state_of_link
+from components.standing import Standing
+from components.walks.links import Scenes, answer_state, standing_at, state_of_link
 from components.walks.sketch import Ranges, Sketch, sketch
 from components.walks.types import BaseStep
 
@@ -65,9 +65,9 @@ class Subject:
         self.pad, self.true = cache(self._pad), cache(self._true)
 
     @cached_property
-    def scene(self) -> Scene:
-        """ValueError, in words, for a link that opens none."""
-        return scene_at(self._step.state, self.scenes)
+    def standing(self) -> Standing:
+        """The page that the question is asked on; ValueError, in words, for a link that opens none."""
+        return standing_at(self._step.state, self.scenes)
 
     @property
     def answer(self) -> State:
@@ -80,7 +80,7 @@ class Subject:
 
     def axes(self, plot: str) -> PlotAxes:
         """ValueError where the scene shows no such plot."""
-        block, axes = self._block(plot), self.scene.shown.axes
+        block, axes = self._block(plot), self.standing.shown.axes
         return PlotAxes(axes[block.x], axes[block.y])
 
     def drawn(self, plot: str, curves: Mapping[str, Sketched], names: tuple[str, ...]) -> dict[str, Sketch]:
@@ -91,7 +91,7 @@ class Subject:
         """The empty axes that a sketch is drawn on, over the ranges that the step's covers leave them: the frame that
         a class shares, whatever a screen shows."""
         block = self._block(plot)
-        axes = without(type(self.scene), self.scene.shown, self._step.cover)[0].axes
+        axes = without(self.standing.kind, self.standing.shown, self._step.cover)[0].axes
         return PlotAxes(axes[block.x], axes[block.y])
 
     def _true(self, plot: str, names: tuple[str, ...]) -> dict[str, Sketch]:
@@ -107,15 +107,15 @@ class Subject:
 
     def _block(self, plot: str) -> PlotBlock:
         """A plot of the scene that has its axes now."""
-        for block in plots(type(self.scene)):
-            if block.name == plot and {block.x, block.y} <= self.scene.shown.axes.keys():
+        for block in plots(self.standing.kind):
+            if block.name == plot and {block.x, block.y} <= self.standing.shown.axes.keys():
                 return block
         raise ValueError(f"the scene shows no plot “{plot}”")
 
     def _points(self, plot: str, name: str) -> Traced:
         """A curve as it is drawn, all its pieces one after the other; over time with the points where it truly turns,
         which lie between those drawn."""
-        block, shown, axes = self._block(plot), self.scene.shown, self.axes(plot)
+        block, shown, axes = self._block(plot), self.standing.shown, self.axes(plot)
         places: Traced = []
         for curve in block.curves:
             columns = shown.columns.get(curve.source, {})

@@ -11,7 +11,8 @@ from playwright.sync_api import Page, sync_playwright
 from components.opening import opened
 from components.scene import Scene
 from components.scenes import SCENES
-from components.url import Link, write_query
+from components.standing import fitted
+from components.url import Link
 from tests.attack.extremes import Values, values
 from tests.attack.finding import Finding
 from tests.browser.chromium import find
@@ -77,7 +78,7 @@ def pictures(scene: type[Scene], size: int, start: int) -> list[tuple[str, dict[
     @given(values(scene))
     def draw(link: Values) -> None:
         session = opened(SCENES, Link(scene.slug, link))
-        found[write_query(session.scene)] = session.opening()
+        found[fitted(session.now.scene).query] = session.opening()
 
     draw()
     return list(found.items())

@@ -57,7 +57,7 @@ class Visit:
 
     def leave(self) -> None:
         """What is shown at the end can be drawn, and its link brings it back."""
-        check_picture(self.session.scene)
+        check_picture(self.session.now)
         link = read_query(as_arguments(self.now["query"]), SCENES)
         again = unpacked(opened(SCENES, link).opening())
         refused = [problem for problem in again["problems"] if not problem.endswith(STRANGE)]

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page
 
 from components.scenes import SCENES
-from components.url import write_query
+from components.standing import fitted
 from tests.browser.boxes import faults
 from tests.browser.fixtures import READY
 from tests.browser.targets import small_targets
@@ -35,7 +35,7 @@ STAYING = """() => {
 
 
 SCROLLED = "(paper => paper.scrollHeight - paper.clientHeight)(document.querySelector('.paper'))"
-PRESETS = [write_query(scene(**values)) for scene in SCENES.values() for values in scene.presets.values() if values]
+PRESETS = [fitted(scene(**values)).query for scene in SCENES.values() for values in scene.presets.values() if values]
 CASES = [(link, GRID if WHOLE else SAMPLE) for link in LINKS] + [
     (link, (*SAMPLE, (390, 844), (3840, 2160))) for link in PRESETS if WHOLE and link not in LINKS
 ]

@@ -16,8 +16,8 @@ import pytest
 from playwright.sync_api import Download, Page, expect
 
 from components.scenes import SCENES
+from components.standing import fitted
 from components.take import as_file
-from components.url import write_query
 from tests.browser.waiting import seek
 
 pytestmark = pytest.mark.browser
@@ -48,7 +48,7 @@ def test_the_button_says_whether_a_file_or_several_come(page: Page, open_scene: 
         open_scene(page, scene=slug, **given)
         scene = SCENES[slug]()
         scene.set(given)
-        name = as_file(scene, scene.shown).name
+        name = as_file(fitted(scene), scene.shown).name
         expect(page.get_by_role("button", name="CSV")).to_have_text("CSV (ZIP)" if name.endswith("zip") else "CSV")
         said.add(name[-3:])
     assert said == {"zip", "csv"}
@@ -93,7 +93,7 @@ def test_every_picture_is_light_says_what_it_is_of_and_needs_nothing_from_the_pa
         ground = next(part for part in picture.iter(f"{SVG}rect"))
         assert (ground.get("fill"), ground.get("width")) == ("rgb(255, 255, 255)", picture.get("width"))
         texts = ["".join(part.itertext()) for part in picture.iter(f"{SVG}text")]
-        assert f"?{write_query(SCENES[slug]())}" in "".join(texts)
+        assert f"?{fitted(SCENES[slug]()).query}" in "".join(texts)
         assert "?" not in texts, texts
         assert len(texts) >= 3 and page.get_by_role("dialog").locator("p").inner_text()
 

@@ -8,7 +8,7 @@ import param
 
 from components.scene import Scene
 from components.scenes import SCENES
-from components.url import write_query
+from components.standing import fitted
 from tests.scenes.checks import WHOLE
 
 
@@ -22,7 +22,7 @@ def choices(scene: type[Scene]) -> Iterator[Scene]:
                     yield scene(**{name: value})
 
 
-LINKS = [write_query(view) for scene in SCENES.values() for view in (choices(scene) if WHOLE else [scene()])]
+LINKS = [fitted(view).query for scene in SCENES.values() for view in (choices(scene) if WHOLE else [scene()])]
 """All views; a sample has each scene as it opens."""
 
 SCREENS = [(theme, width, height) for theme in ("light", "dark") for width, height in ((1280, 720), (390, 844))]

@@ -15,10 +15,9 @@ from msgspec.structs import replace
 from components.axes import nice_axis
 from components.frames import FITTED, checked, grown, unfitted
 from components.page.state import Frame, State
-from components.picture import kept
-from components.scene import Picture, Scene, frame_of
+from components.picture import draw, frame_of
+from components.scene import Picture, Scene
 from components.scenes import SCENES
-from components.states import state_of
 from tests.page.playing import played
 from tests.page.told import Page
 from tests.scenes.checks import check_picture
@@ -47,8 +46,8 @@ def same(one: Picture, other: Picture) -> None:
 @scenes
 def test_in_the_fitted_frame_a_picture_is_what_it_is_without_one(slug: str) -> None:
     for scene in each(slug):
-        same(scene.picture(scene.fit()), scene.shown)
-        assert frame_of(scene.picture(FITTED)) == scene.fit()
+        same(scene.picture(draw(scene.value).frame), scene.shown)
+        assert frame_of(scene.picture(FITTED)) == draw(scene.value).frame
 
 
 def wider(frame: Frame) -> Frame:
@@ -64,7 +63,7 @@ def wider(frame: Frame) -> Frame:
 def test_a_picture_keeps_to_its_frame(slug: str) -> None:
     """The axes have the ranges asked for, and what the clock plays stays on the curves."""
     for scene in each(slug):
-        frame = wider(scene.fit())
+        frame = wider(draw(scene.value).frame)
         picture = scene.picture(frame)
         for name, axis in picture.axes.items():
             assert (axis.start, axis.end) == pytest.approx(frame.ranges[name], rel=1e-12), name
@@ -98,16 +97,27 @@ def test_a_frame_grows_in_round_steps_and_never_shrinks(has: tuple[float, float]
 
 def test_what_fits_its_frame_is_drawn_once_though_its_own_window_is_longer() -> None:
     scene = SCENES["coupled"]()
-    fitted = scene.fit()
+    fitted = draw(scene.value).frame
     assert fitted.window
     pictures = []
 
-    def picture(frame: Frame) -> Picture:
-        pictures.append(scene.picture(frame))
-        return pictures[-1]
+    class Counted:
+        key = object()
 
-    assert kept(picture, replace(wider(fitted), window=fitted.window / 2)).frame.window == fitted.window / 2
+        def picture(self, frame: Frame) -> Picture:
+            pictures.append(scene.picture(frame))
+            return pictures[-1]
+
+    frame = replace(wider(fitted), window=fitted.window / 2)
+    assert draw(Counted(), None, "grown", frame).frame.window == fitted.window / 2
     assert len(pictures) == 1
+
+
+def test_an_axis_in_a_unit_of_1e_306_may_have_the_range_of_a_page() -> None:
+    page = Page(SCENES["phugoid"]())
+    before = page.now.drawn.frame
+    told = page.say({"type": "set", "values": {"excess": 5e-324}, "number": 1})
+    assert told["errors"] == {} and page.now.drawn.frame.ranges["h"] == before.ranges["h"]
 
 
 def opened(page: Page, **state: Any) -> dict[str, Any]:
@@ -116,22 +126,22 @@ def opened(page: Page, **state: Any) -> dict[str, Any]:
 
 def test_a_session_keeps_its_frame_until_it_must_grow() -> None:
     page = Page(SCENES["coupled"]())
-    frame = wider(page.scene.fit())
+    frame = wider(draw(page.scene.value).frame)
     told = opened(page, frame=msgspec.to_builtins(frame))
     assert told["errors"] == {}
     standing = msgspec.convert(told["state"], State).frame
-    assert standing == unfitted(frame, page.scene.fit())
+    assert standing == unfitted(frame, draw(page.scene.value).frame)
     x = told["view"]["axes"]["x"]
     told = page.say({"type": "set", "values": {"x1_0": 0.5}, "number": 90})
     assert told["view"]["axes"]["x"] == x, "a smaller start is seen as smaller"
     told = page.say({"type": "set", "values": {"x1_0": 30.0}, "number": 91})
     assert told["view"]["axes"]["x"]["end"] > x["end"]
     assert told["view"]["axes"]["t"]["end"] == pytest.approx(frame.window)
-    check_picture(page.scene)
+    check_picture(page.now)
     told = opened(page)
     assert told["state"]["frame"] is None
-    assert state_of(page.scene) == State(scene="coupled")
-    same(page.scene.shown, SCENES["coupled"]().shown)
+    assert page.now.state == State(scene="coupled")
+    same(page.shown, SCENES["coupled"]().shown)
 
 
 @pytest.mark.parametrize(

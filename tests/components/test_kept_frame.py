@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from components.axes import TIME_AXIS, ordered
 from components.choices import stated
 from components.page.state import Frame
-from components.scene import Scene, frame_of
+from components.picture import draw, frame_of
+from components.scene import Picture, Scene
 from components.scenes import SCENES
 from tests.page.told import Page
 from tests.scenes.checks import WHOLE, check_picture, quantities
@@ -33,7 +34,7 @@ def set_value(page: Page, values: dict[str, Any]) -> dict[str, Any]:
 
 
 def fit(page: Page) -> dict[str, Any]:
-    state = {**msgspec.to_builtins(page.session.state), "frame": None}
+    state = {**msgspec.to_builtins(page.now.state), "frame": None}
     return page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
 
 
@@ -47,16 +48,16 @@ def standing(scene: Scene) -> Frame:
     return frame_of(scene.shown)
 
 
-def check_nothing_outside(slug: str, scene: Scene) -> None:
-    for name, axis in scene.shown.axes.items():
+def check_nothing_outside(slug: str, shown: Picture) -> None:
+    for name, axis in shown.axes.items():
         (low, high), (least, most) = ordered((axis.start, axis.end)), axis.seen
         slack = 1e-9 * max(abs(low), abs(high))
         assert low - slack <= least <= most <= high + slack or name == TIME_AXIS, (name, axis)
     for name in WHOLLY_SEEN.get(slug, "").split():
-        column = scene.shown.columns["time"].get(name)
+        column = shown.columns["time"].get(name)
         if column is not None:
             # The energies of the hanging mass share an axis, and so do the displacements of the chain.
-            axis = scene.shown.axes.get(name, scene.shown.axes.get({"x1": "x", "x2": "x"}.get(name, "E")))
+            axis = shown.axes.get(name, shown.axes.get({"x1": "x", "x2": "x"}.get(name, "E")))
             low, high = ordered((axis.start, axis.end)) if axis else (0.0, 0.0)
             assert low <= column.min() <= column.max() <= high, name
 
@@ -69,25 +70,25 @@ def test_walks_of_values_never_shrink_a_frame_nor_leave_it(slug: str, steps: lis
     names = list(ranges)
     for which, share in steps:
         name = names[which % len(names)]
-        low, high = page.scene.shown.spans.get(name, ranges[name].softbounds)
+        low, high = page.shown.spans.get(name, ranges[name].softbounds)
         value = low + share * (high - low)
-        before = standing(page.scene)
+        before = page.now.drawn.frame
         told = set_value(page, {name: round(value) if ranges[name].scale == "count" else value})
-        after = standing(page.scene)
+        after = page.now.drawn.frame
         if told["errors"]:
             assert after == before
             continue
         assert holds(after, before), (name, value)
         assert (after.window, after.speed) == (before.window, before.speed)
         assert (after.scale or 0) <= (before.scale or 0)
-        check_nothing_outside(slug, page.scene)
+        check_nothing_outside(slug, page.shown)
         # The same again moves nothing: there is no flipping.
         set_value(page, {name: msgspec.to_builtins(getattr(page.scene, name))})
-        assert standing(page.scene) == after
-    check_picture(page.scene)
+        assert page.now.drawn.frame == after
+    check_picture(page.now)
     assert fit(page)["state"]["frame"] is None
     values = {name: getattr(page.scene, name) for name in page.scene.linked()}
-    assert standing(page.scene) == standing(SCENES[slug](**values)), "Fit is the frame of a fresh page"
+    assert page.now.drawn.frame == standing(SCENES[slug](**values)), "Fit is the frame of a fresh page"
 
 
 @scenes
@@ -125,11 +126,11 @@ def test_a_faster_aircraft_is_seen_to_swing_more_slowly() -> None:
 def test_a_smaller_swing_is_seen_as_smaller_and_nothing_flips() -> None:
     page = page_of("oscillator")
     set_value(page, {"v_0": 0.0, "x_0": 0.4})
-    wide = standing(page.scene)
+    wide = page.now.drawn.frame
     assert wide.ranges["x"] == (-0.5, 0.5)
     for x_0 in (0.05, 0.39, 0.05, 0.4):
         set_value(page, {"x_0": x_0})
-        assert standing(page.scene) == wide
+        assert page.now.drawn.frame == wide
     assert fit(page)["view"]["axes"]["x"]["end"] == pytest.approx(1.25 * 0.4)
 
 
@@ -140,35 +141,37 @@ def test_another_window_is_chosen_by_its_field() -> None:
     assert told["view"]["axes"]["t"]["end"] == 5.0
     told = set_value(page, {"k2": 2.0})
     assert told["view"]["axes"]["t"]["end"] == 5.0
-    assert set_value(page, {"window": None})["view"]["axes"]["t"]["end"] == page_of("coupled").scene.fit().window
+    assert (
+        set_value(page, {"window": None})["view"]["axes"]["t"]["end"]
+        == draw(page_of("coupled").scene.value).frame.window
+    )
 
 
 def test_another_way_of_showing_fits_what_it_changes_and_nothing_else() -> None:
     page = page_of("energy")
     set_value(page, {"x_0": 0.05})
-    small = standing(page.scene)
+    small = page.now.drawn.frame
     page.say({"type": "choose", "name": "datum", "value": "separate", "number": 50})
-    after = standing(page.scene)
+    after = page.now.drawn.frame
     assert after.ranges["x"] == small.ranges["x"]
-    assert after.ranges["E"] == page.scene.fit().ranges["E"]
+    assert after.ranges["E"] == draw(page.scene.value).frame.ranges["E"]
     page = page_of("analogues")
     page.say({"type": "choose", "name": "system", "value": "spring", "number": 50})
-    assert page.session.state.frame is None, "another system is another scene"
+    assert page.now.state.frame is None, "another system is another scene"
 
 
 def test_where_nothing_can_be_drawn_in_the_frame_it_is_fitted() -> None:
     """A window of many years is no place for a quick motion of many digits."""
     page = page_of("coupled")
     set_value(page, {"x1_0": 1.7e308})
-    check_picture(page.scene)
+    check_picture(page.now)
     told = set_value(page, {"x1_0": 1e-3})
     assert told["errors"] == {}
-    check_picture(page.scene)
+    check_picture(page.now)
 
 
 def test_presets_and_refusals_keep_what_a_scene_without_a_page_does() -> None:
     """A scene of its own, as tests and tools have it, always fits."""
     scene = SCENES["oscillator"]()
     scene.x_0 = 0.4
-    assert scene.frame is None
-    assert standing(scene) == scene.fit()
+    assert standing(scene) == draw(scene.value).frame

@@ -13,8 +13,10 @@ from msgspec.structs import replace
 
 from components.axes import TIME_AXIS, Axis, nice_axis, widest
 from components.frames import FITTED, loosened, unfitted
+from components.opening import opened
 from components.page.state import Frame
-from components.scene import Picture, frame_of
+from components.picture import frame_of
+from components.scene import Picture
 from components.scenes import SCENES
 from components.url import read_query
 from tests.page.told import Page
@@ -55,24 +57,24 @@ def test_after_a_sweep_of_any_slider_nothing_is_lost_in_its_axes(slug: str) -> N
     for name, quantity in quantities(SCENES[slug]).items():
         page = Page(SCENES[slug]())
         value = getattr(page.scene, name)
-        window = frame_of(page.scene.shown).window
-        sweep(page, name, *page.scene.shown.spans.get(name, quantity.softbounds), value)
+        window = frame_of(page.shown).window
+        sweep(page, name, *page.shown.spans.get(name, quantity.softbounds), value)
         told = let_go(page)
         assert told["errors"] == {}
-        check_used(page.scene.shown)
-        assert frame_of(page.scene.shown).window == window, "curves fill the window"
-        frame = frame_of(page.scene.shown)
+        check_used(page.shown)
+        assert frame_of(page.shown).window == window, "curves fill the window"
+        frame = frame_of(page.shown)
         let_go(page)
-        assert frame_of(page.scene.shown) == frame, "once"
+        assert frame_of(page.shown) == frame, "once"
 
 
 def test_one_sweep_of_a_stiffness_and_back_shows_the_swing_again() -> None:
     page = Page(SCENES["oscillator"]())
-    opens = frame_of(page.scene.shown).ranges["x"]
+    opens = frame_of(page.shown).ranges["x"]
     sweep(page, "k", 1e-3, 1e6, page.scene.k)
-    assert frame_of(page.scene.shown).ranges["x"][1] > 20 * opens[1], "during the drag it has grown"
+    assert frame_of(page.shown).ranges["x"][1] > 20 * opens[1], "during the drag it has grown"
     told = let_go(page)
-    assert frame_of(page.scene.shown).ranges["x"] == pytest.approx(opens)
+    assert frame_of(page.shown).ranges["x"] == pytest.approx(opens)
     assert "x" not in (told["state"]["frame"] or {"ranges": {}})["ranges"]
 
 
@@ -80,23 +82,23 @@ def test_what_is_used_to_a_quarter_stands() -> None:
     page = Page(SCENES["oscillator"]())
     sweep(page, "v_0", 0.0)
     sweep(page, "x_0", 0.4, 0.14)
-    wide = frame_of(page.scene.shown)
+    wide = frame_of(page.shown)
     let_go(page)
-    assert frame_of(page.scene.shown).ranges["x"] == wide.ranges["x"]
+    assert frame_of(page.shown).ranges["x"] == wide.ranges["x"]
     sweep(page, "x_0", 0.09)
     let_go(page)
-    assert frame_of(page.scene.shown).ranges["x"][1] < 0.12
+    assert frame_of(page.shown).ranges["x"][1] < 0.12
 
 
 def test_curves_held_count() -> None:
     page = Page(SCENES["oscillator"]())
     sweep(page, "x_0", 2.0)
-    state = msgspec.to_builtins(page.session.state)
+    state = msgspec.to_builtins(page.now.state)
     say(page, type="open", state={**state, "held": state["parameters"]})
     sweep(page, "x_0", 0.1)
     let_go(page)
-    assert frame_of(page.scene.shown).ranges["x"][1] >= 2.0
-    check_used(page.scene.shown, page.scene.shown_beside)
+    assert frame_of(page.shown).ranges["x"][1] >= 2.0
+    check_used(page.shown, page.now.drawn.beside)
 
 
 @pytest.mark.parametrize("kept", [{"step": "d31/d31-01"}, {"covered": ["next"]}, {"covered": ["plot:v"]}])
@@ -104,9 +106,9 @@ def test_a_step_of_a_walk_and_what_waits_to_be_predicted_keep_their_frame(kept: 
     page = Page(SCENES["oscillator"]())
     say(page, type="open", state={"scene": "oscillator", **kept})
     sweep(page, "x_0", 5.0, 0.1)
-    wide = frame_of(page.scene.shown)
+    wide = frame_of(page.shown)
     let_go(page)
-    assert frame_of(page.scene.shown) == wide
+    assert frame_of(page.shown) == wide
 
 
 def test_a_frame_of_a_link_stands_and_undo_brings_one_back() -> None:
@@ -115,21 +117,21 @@ def test_a_frame_of_a_link_stands_and_undo_brings_one_back() -> None:
     state = {"scene": "oscillator", "frame": msgspec.to_builtins(link.frame)}
     told = say(page, type="open", state=state)
     sweep(page, "k", 1.0, page.scene.k)
-    wide = frame_of(page.scene.shown).ranges["x"]
+    wide = frame_of(page.shown).ranges["x"]
     told = let_go(page)
-    assert frame_of(page.scene.shown).ranges["x"] == wide, "the visitor's own"
+    assert frame_of(page.shown).ranges["x"] == wide, "the visitor's own"
     assert told["state"]["frame"]["given"]
     say(page, type="open", state={"scene": "oscillator", "parameters": {"v_0": 0.0}})
     sweep(page, "x_0", 0.3)
     before = let_go(page)["state"]
     sweep(page, "x_0", 0.01)
-    assert frame_of(page.scene.shown).ranges["x"][1] > 0.2
+    assert frame_of(page.shown).ranges["x"][1] > 0.2
     let_go(page)
     say(page, type="open", state=before)  # as undo does
-    assert frame_of(page.scene.shown).ranges["x"][1] >= 0.3
+    assert frame_of(page.shown).ranges["x"][1] >= 0.3
     sweep(page, "x_0", 0.01)
     let_go(page)
-    assert frame_of(page.scene.shown).ranges["x"][1] < 0.2, "what undo brought back is no frame of the visitor's own"
+    assert frame_of(page.shown).ranges["x"][1] < 0.2, "what undo brought back is no frame of the visitor's own"
 
 
 def test_a_picture_to_compare_keeps_the_frame_that_stands() -> None:
@@ -137,15 +139,15 @@ def test_a_picture_to_compare_keeps_the_frame_that_stands() -> None:
     page = Page(SCENES["oscillator"]())
     start = {"scene": "oscillator", "parameters": {"x_0": 0.1, "v_0": 0.0}, "step": "d31/d31-03"}
     say(page, type="open", state=start)
-    standing = frame_of(page.scene.shown)
+    standing = frame_of(page.shown)
     say(page, type="open", keeps=True, state={**start, "parameters": {"x_0": 0.2, "v_0": 0.0}})
-    grown = frame_of(page.scene.shown)
+    grown = frame_of(page.shown)
     assert grown.window == standing.window
     assert (standing.ranges["x"][1], grown.ranges["x"][1]) == (0.125, 0.5), "in steps of 1, 2, 5"
     say(page, type="open", keeps=True, state={**start, "parameters": {"x_0": 0.1, "v_0": 0.0, "window": 9.0}})
-    assert page.session.state.frame is None
+    assert page.now.state.frame is None
     say(page, type="open", keeps=True, state={"scene": "coupled"})
-    assert page.session.state.frame is None
+    assert page.now.state.frame is None
 
 
 @given(st.floats(1e-6, 1e6), st.floats(0.01, 100.0))
@@ -172,15 +174,14 @@ def test_what_a_screen_does_not_tell_apart_is_no_frame_of_its_own() -> None:
 def test_a_link_has_four_digits_and_shows_all_that_was_seen(slug: str) -> None:
     for name, quantity in quantities(SCENES[slug]).items():
         page = Page(SCENES[slug]())
-        _, high = page.scene.shown.spans.get(name, quantity.softbounds)
+        _, high = page.shown.spans.get(name, quantity.softbounds)
         sweep(page, name, high / 3 or 1.0)
         told = let_go(page)
         parts = [part for part in told["query"].split("&") if part.startswith("frame.")]
         numbers = [number for part in parts for number in part.partition("=")[2].split(",")]
         assert all(len(number.partition("e")[0].strip("-0.").replace(".", "")) <= 4 for number in numbers), parts
         link = read_query(as_arguments(told["query"]), SCENES)
-        again = SCENES[slug]()
-        again.open(link.values, link.frame)
-        for axis, span in frame_of(page.scene.shown).ranges.items():
+        again = opened(SCENES, link).now
+        for axis, span in frame_of(page.shown).ranges.items():
             own = again.shown.axes[axis]
             assert share(replace(own, start=span[0], end=span[1]), (own.start, own.end)) == pytest.approx(1, abs=0.03)

@@ -14,7 +14,8 @@ from components.page.state import Frame
 from components.parameters import displacement, mass, positive, stiffness
 from components.scene import Picture, Scene
 from components.sheet import column
-from components.url import MOST_PROBLEMS, read_query, write_query
+from components.standing import fitted
+from components.url import MOST_PROBLEMS, read_query
 
 
 class First(Scene):
@@ -158,17 +159,17 @@ def test_no_query_breaks_the_server(args: dict[str, list[bytes]]) -> None:
 
 
 def test_default_scene_has_the_shortest_link() -> None:
-    assert write_query(First()) == "scene=first"
+    assert fitted(First()).query == "scene=first"
 
 
 def test_link_is_short_and_in_a_stable_order() -> None:
     scene = First(hidden=["x1.slow", "x2"], k2=3, m1=1e22, axes="lecture", steps=0.5)
-    assert write_query(scene) == "scene=first&hidden=x1.slow,x2&m1=1e22&k2=3&axes=lecture&steps=0.5"
+    assert fitted(scene).query == "scene=first&hidden=x1.slow,x2&m1=1e22&k2=3&axes=lecture&steps=0.5"
 
 
 @pytest.mark.parametrize("span", [None, 4.0])
 def test_automatic_value_comes_back_where_it_is_not_the_default(span: float | None) -> None:
-    link = read_query(query(write_query(Second(span=span))), SCENES)
+    link = read_query(query(fitted(Second(span=span)).query), SCENES)
     assert (link.slug, link.values, link.problems) == ("second", {"span": span}, [])
 
 
@@ -194,7 +195,7 @@ anywhere = st.floats(allow_nan=False, allow_infinity=False)
 )
 def test_link_brings_a_scene_back_exactly(values: dict[str, Any]) -> None:
     scene = First(**values)
-    link = read_query(query(write_query(scene)), SCENES)
+    link = read_query(query(fitted(scene).query), SCENES)
     back = First(**link.values)
     assert link.problems == []
     assert {name: getattr(back, name) for name in values} == {name: getattr(scene, name) for name in values}

@@ -49,9 +49,9 @@ for _ in range(200):
 )
 def test_what_the_page_would_not_send_is_refused_in_a_short_answer(message: object) -> None:
     page = Page(Coupled())
-    before = page.scene.shown
+    before = page.shown
     answer = page.say(message)
-    assert page.scene.shown is before
+    assert page.shown is before
     (error,) = answer["errors"].items()
     assert 0 < len("".join(error).encode()) < 400
 

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from typing import Any
 
 from components.description import blocks
-from components.frames import FITTED
 from components.page.blocks import PlotBlock, StageBlock
 from components.page.picture import Ruler
 from components.page.shapes import AnyShape, AnyWay, Box, Grab, Quotient, Share, Stretch, Swung, Turn
 from components.scene import Scene
+from components.standing import Standing, with_values
 from tests.page.playing import number, played
 
 WIDTH, HEIGHT = 640.0, 240.0
@@ -37,17 +37,24 @@ def sets(grab: Grab) -> list[str]:
 
 @dataclass
 class Hand:
-    """Over a scene that keeps its frame, on a wide page or on a phone."""
+    """Over a page, whose frame stands while it holds on; a wide one or a phone's."""
 
-    scene: Scene
+    now: Standing
     wide: bool
 
+    @property
+    def scene(self) -> Scene:
+        return self.now.scene
+
+    def set(self, values: Named) -> None:
+        self.now = with_values(self.now, values, holding=True)
+
     def rulers(self) -> dict[str, Ruler]:
-        return {name: axis.ruler for name, axis in self.scene.shown.axes.items()}
+        return {name: axis.ruler for name, axis in self.now.shown.axes.items()}
 
     def all(self, t: float) -> Named:
         """The named quantities at a time in the unit of its axis."""
-        named = {name: float(value) for name, value in played(self.scene.shown, t).items()}
+        named = {name: float(value) for name, value in played(self.now.shown, t).items()}
         named |= {"W": WIDTH, "H": HEIGHT, "wide": float(self.wide), "narrow": float(not self.wide)}
         named |= {"hall": 0.0, "desk": 1.0, "low": 0.0}
         rulers = self.rulers()
@@ -112,14 +119,6 @@ class Hand:
             value = seen / seconds / begin.size
             found[begin.parameter] = math.remainder(value, 2 * math.pi) if begin.angle else value
         return found
-
-
-def holding(scene: Scene) -> Scene:
-    """A page's scene, with a hand that holds on."""
-    scene.keep_frame()
-    scene.in_hand = True
-    assert scene.frame in (None, FITTED)
-    return scene
 
 
 def _at(value: Any, named: Named) -> float:

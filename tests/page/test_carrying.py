@@ -30,7 +30,7 @@ def test_the_chain_goes_along_to_every_scene_of_it_and_back() -> None:
     assert go(page, "accuracy") == {**CHAIN, "system": "own"}
     assert go(page, "coupled") == CHAIN
     link = read_query(as_arguments(page.opening()["query"]), SCENES)
-    assert opened(SCENES, link).state.parameters == CHAIN, "the link says all of it"
+    assert opened(SCENES, link).now.state.parameters == CHAIN, "the link says all of it"
 
 
 def test_the_machine_of_the_absorber_is_another_thing_which_the_chain_passes_by() -> None:

@@ -51,7 +51,7 @@ def test_a_covered_number_is_not_sent() -> None:
 @scenes
 def test_every_plot_and_number_can_be_covered(slug: str) -> None:
     page = Page(SCENES[slug]())
-    picture = page.scene.shown
+    picture = page.shown
     for cover in (*(PLOT + plot.name for plot in plots(SCENES[slug])), *(VALUE + name for name in picture.values)):
         told = covering(page, cover)
         assert (told["errors"], told["state"]["covered"]) == ({}, [cover])

@@ -11,8 +11,8 @@ import pytest
 from components.description import column_axes
 from components.opening import opened
 from components.page.state import State
+from components.picture import frame_of
 from components.places import COARSE, span
-from components.scene import frame_of
 from components.scenes import SCENES
 from components.url import read_query
 from tests.page.told import Page, change, put, unpacked
@@ -22,7 +22,7 @@ scenes = pytest.mark.parametrize("slug", SCENES)
 
 
 def hold(page: Page) -> dict[str, Any]:
-    return change(page, held=msgspec.to_builtins(page.session.state)["parameters"])
+    return change(page, held=msgspec.to_builtins(page.now.state)["parameters"])
 
 
 def ledger(told: dict[str, Any]) -> dict[str, tuple[str, str, str]]:
@@ -38,12 +38,12 @@ def test_what_is_held_is_the_picture_from_before_in_the_frame_that_stands(slug: 
     value = moved(SCENES[slug])
     told = put(page, **value)
     assert told["errors"] == {} and set(told["held"]["values"]) >= set(value)
-    assert page.scene.shown_beside
-    wanted = SCENES[slug]().picture(frame_of(page.scene.shown_beside))
+    assert page.now.drawn.beside
+    wanted = SCENES[slug]().picture(frame_of(page.now.drawn.beside))
     axes = column_axes(SCENES[slug])
     for source, columns in told["held"]["columns"].items():
         for name, column in columns.items():
-            axis = page.scene.shown.axes[axes[source][name]]
+            axis = page.shown.axes[axes[source][name]]
             low, high = span(axis.ruler)
             true = np.clip(axis.places(wanted.columns[source][name]), low, high)
             assert np.allclose(column, true, rtol=1e-6, atol=0.51 * (high - low) / COARSE)
@@ -57,7 +57,7 @@ def test_the_state_and_the_link_bring_it_back(slug: str) -> None:
     told = change(page, parameters={})
     assert told["errors"] == {} and told["state"]["held"]
     link = read_query(as_arguments(told["query"]), SCENES)
-    assert link.problems == [] and opened(SCENES, link).state == page.session.state
+    assert link.problems == [] and opened(SCENES, link).now.state == page.now.state
     again = Page(SCENES["coupled"]()).say({"type": "open", "state": told["state"], "number": 1})
     assert (again["state"], again["held"]["ledger"]) == (told["state"], told["held"]["ledger"])
     assert change(page, held=None)["held"] is None
@@ -93,13 +93,13 @@ def test_the_frame_has_room_for_both_and_fits_both() -> None:
     page = Page(SCENES["oscillator"](v_0=-3.0))
     hold(page)
     told = change(page, frame=None, parameters={"x_0": 0.01, "v_0": 0.0})
-    high = page.scene.shown.axes["x"].end
+    high = page.shown.axes["x"].end
     assert np.abs(told["held"]["columns"]["time"]["x"]).max() < high
     assert told["state"]["frame"] is None, "nothing more would fit"
     put(page, x_0=0.02)
-    assert page.scene.shown.axes["x"].end == high
+    assert page.shown.axes["x"].end == high
     change(page, held=None, frame=None)
-    assert page.scene.shown.axes["x"].end < 0.1 * high
+    assert page.shown.axes["x"].end < 0.1 * high
 
 
 def test_what_is_covered_is_not_told_of_what_is_held() -> None:

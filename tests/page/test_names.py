@@ -13,7 +13,7 @@ import pytest
 from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.accuracy.recorded import recorded
-from components.states import state_of
+from components.standing import fitted
 from physics.accuracy import SYSTEMS
 from tests.page.names import Names, missing, names
 
@@ -66,7 +66,7 @@ def cases(scene: type[Scene]) -> Iterator[Scene]:
 def test_what_is_spoken_of_is_there(slug: str) -> None:
     found = Names()
     for scene in cases(SCENES[slug]):
-        assert missing(scene) == [], state_of(scene)
+        assert missing(scene) == [], fitted(scene).state
         own = names(scene)
         found.spoken |= own.spoken
         found.given |= own.given
@@ -87,5 +87,5 @@ def test_a_misspelt_name_is_found(part: str, name: str) -> None:
     scene = SCENES["coupled"]()
     whole = getattr(scene.shown, part)
     misspelt = {f"{key}_" if key == name else key: value for key, value in whole.items()}
-    scene._drawn = replace(scene._drawn, picture=replace(scene.shown, **{part: misspelt}))
+    vars(scene)["_shown"] = replace(scene.shown, **{part: misspelt})
     assert any(name in said.split() for said in missing(scene))

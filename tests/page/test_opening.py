@@ -6,7 +6,7 @@ import pytest
 
 from app import visited
 from components.scenes import SCENES
-from components.url import write_query
+from components.standing import fitted
 from tests.page.told import Page
 from tests.scenes.checks import as_arguments
 
@@ -16,24 +16,24 @@ PRESETS = {"oscillator": "Pulled", "analogues": "10°", "phugoid": "Ripple, 0.1"
 @pytest.mark.parametrize("slug", SCENES)
 def test_a_page_without_parameters_opens_as_its_scene_declares(slug: str) -> None:
     page = visited({"scene": [slug.encode()], "projector": [b""]}, {})
-    scene = page.scene
+    scene = page.now.scene
     assert {name: scene.values[name] for name in scene.opens} == scene.opens
     assert scene.preset() == PRESETS.get(slug, next(iter(scene.presets)))
-    query = write_query(scene)
-    assert visited(as_arguments(query), {}).scene.values == scene.values, "its address brings it back"
+    query = fitted(scene).query
+    assert visited(as_arguments(query), {}).now.scene.values == scene.values, "its address brings it back"
 
 
 @pytest.mark.parametrize("slug", SCENES)
 def test_the_defaults_have_an_address_of_their_own(slug: str) -> None:
     defaults = SCENES[slug]()
-    assert visited(as_arguments(write_query(defaults)), {}).scene.values == defaults.values
+    assert visited(as_arguments(fitted(defaults).query), {}).now.scene.values == defaults.values
     one = next(iter(defaults.linked()))
-    linked = visited({"scene": [slug.encode()], one: [str(defaults.values[one]).encode()]}, {}).scene
+    linked = visited({"scene": [slug.encode()], one: [str(defaults.values[one]).encode()]}, {}).now.scene
     assert linked.values == defaults.values, "whoever names a parameter has the others at their defaults"
 
 
 def test_the_first_page_of_all_is_the_pulled_oscillator() -> None:
-    scene = visited({}, {}).scene
+    scene = visited({}, {}).now.scene
     assert (scene.slug, scene.preset(), scene.view) == ("oscillator", "Pulled", "swing")  # type: ignore[attr-defined]
 
 
@@ -42,7 +42,7 @@ def test_a_click_in_the_navigation_opens_the_same(slug: str) -> None:
     page = Page(SCENES["coupled" if slug == "accuracy" else "accuracy"]())
     told = page.say({"type": "open", "state": {"scene": slug}, "carried": True, "number": 1})
     assert told["state"]["parameters"].items() >= SCENES[slug].opens.items()
-    assert page.scene.values == visited({"scene": [slug.encode()]}, {}).scene.values
+    assert page.scene.values == visited({"scene": [slug.encode()]}, {}).now.scene.values
     assert told["state"]["hidden"] is None
     assert page.say({"type": "open", "state": {"scene": slug}, "number": 2})["state"]["parameters"] == {}, "undo"
 

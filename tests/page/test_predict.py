@@ -44,7 +44,7 @@ def test_nothing_that_follows_from_the_next_change_is_sent(slug: str) -> None:
         for name, column in columns.items():
             assert name in old["columns"].get(source, {}) and same(column, old["columns"][source][name]), name
     link = read_query(as_arguments(told["query"]), SCENES)
-    assert opened(SCENES, link).state == page.session.state
+    assert opened(SCENES, link).now.state == page.now.state
     told = change(page, covered=[])
     assert told["view"]["left_out"] == [] and told["state"]["covered"] == []
 
@@ -79,12 +79,12 @@ def set_by_hand(told: dict[str, Any]) -> list[Any]:
 
 
 def csv_of(page: Page) -> list[list[Any]]:
-    return [[table.name, table.head, table.rows] for table in tables(type(page.scene), page.session.picture)]
+    return [[table.name, table.head, table.rows] for table in tables(type(page.scene), page.now.told[0])]
 
 
 def told_of_scene(page: Page) -> list[Any]:
     """The picture that stands, whole: as it would be told."""
-    picture = page.scene.shown
+    picture = page.shown
     columns = {name: column.tolist() for given in picture.columns.values() for name, column in given.items()}
     axes = {name: axis.ruler for name, axis in picture.axes.items()}
     parts = (picture.signals, picture.scalars, picture.values, picture.notes, picture.pace, picture.spans, axes)
@@ -120,7 +120,7 @@ def test_a_view_is_no_change_and_what_is_revealed_one_by_one_stays_so() -> None:
 def test_a_preset_is_a_change_too() -> None:
     page = Page(SCENES["oscillator"]())
     change(page, covered=["next"])
-    state = msgspec.to_builtins(page.session.state)
+    state = msgspec.to_builtins(page.now.state)
     told = page.say({"type": "open", "state": {**state, "parameters": {"m": 4.0}, "frame": None}, "number": 61})
     assert "plot:x" in told["state"]["covered"] and "value:tau" in told["state"]["covered"]
 
@@ -132,7 +132,7 @@ def test_an_axis_keeps_its_range_and_loses_its_own_numbers() -> None:
     axis = told["view"]["axes"]["x"]
     assert "numbers:x" in told["state"]["covered"]
     assert (axis["start"], axis["end"]) == (before["start"], before["end"])
-    assert page.scene.shown.values["C"] not in "".join(axis["labels"])
+    assert page.shown.values["C"] not in "".join(axis["labels"])
 
 
 @scenes
@@ -140,7 +140,7 @@ def test_a_new_session_tells_the_same_and_a_reveal_shows_it_where_it_stood(slug:
     page, other = Page(SCENES[slug]()), Page(SCENES[slug]())
     axes = change(page, covered=["next"])["view"]["axes"]
     told = put(page, **moved(SCENES[slug]))
-    again = change(other, **msgspec.to_builtins(page.session.state))
+    again = change(other, **msgspec.to_builtins(page.now.state))
     assert (again["errors"], again["state"], again["view"]["left_out"]) == ({}, told["state"], told["view"]["left_out"])
     assert (again["view"]["scalars"], again["view"]["values"]) == (told["view"]["scalars"], told["view"]["values"])
     shown = change(page, covered=[])

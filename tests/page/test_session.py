@@ -15,9 +15,10 @@ from components.covers import coverable
 from components.description import sheet_address
 from components.opening import opened
 from components.page.state import State
+from components.picture import draw
 from components.scene import Scene
 from components.scenes import SCENES
-from components.states import state_of, values_in
+from components.standing import fitted
 from components.url import read_query
 from tests.page.told import Page, unpacked
 from tests.scenes.checks import as_arguments, quantities
@@ -45,10 +46,10 @@ def test_a_state_brings_a_scene_back_from_anywhere(slug: str) -> None:
     wanted = changed(SCENES[slug])
     for start in ("coupled", slug):
         page = Page(SCENES[start]())
-        told = page.say(opening(state_of(wanted), number=5))
+        told = page.say(opening(fitted(wanted).state, number=5))
         assert (told["answer"], told["errors"], told["scene"]) == (5, {}, slug)
-        assert msgspec.convert(told["state"], State) == state_of(wanted)
-        assert state_of(page.scene) == state_of(wanted)
+        assert msgspec.convert(told["state"], State) == fitted(wanted).state
+        assert page.now.state == fitted(wanted).state
         assert told["sheet"] == sheet_address(SCENES[slug])
 
 
@@ -56,8 +57,8 @@ def test_a_state_brings_a_scene_back_from_anywhere(slug: str) -> None:
 def test_what_a_state_does_not_name_is_at_its_default(slug: str) -> None:
     page = Page(changed(SCENES[slug]))
     page.say(opening(State(scene=slug)))
-    assert state_of(page.scene) == State(scene=slug)
-    assert values_in(SCENES[slug], State(scene=slug))["window"] is None
+    assert page.now.state == State(scene=slug)
+    assert page.scene.values == SCENES[slug].at().values
 
 
 @pytest.mark.parametrize(
@@ -86,17 +87,17 @@ def test_a_state_that_is_refused_changes_nothing(state: dict[str, Any], reason: 
 @scenes
 def test_a_link_brings_the_state_of_a_page_back(slug: str) -> None:
     page = Page(changed(SCENES[slug]))
-    cover = sorted(coverable(SCENES[slug], page.scene.shown))[0]
-    frame = page.scene.fit()
+    cover = sorted(coverable(SCENES[slug], page.shown))[0]
+    frame = draw(page.scene.value).frame
     ranges = {name: (low, high + (high - low)) for name, (low, high) in frame.ranges.items() if name != TIME_AXIS}
-    kept = {name: span for name, span in ranges.items() if not page.scene.shown.axes[name].log}
+    kept = {name: span for name, span in ranges.items() if not page.shown.axes[name].log}
     wide = replace(frame, ranges={**frame.ranges, **kept}, speed=frame.speed and 0.5 * frame.speed)
-    told = page.say(opening(replace(page.session.state, frame=wide, covered=(cover,))))
+    told = page.say(opening(replace(page.now.state, frame=wide, covered=(cover,))))
     assert told["errors"] == {}
     link = read_query(as_arguments(told["query"]), SCENES)
     assert link.problems == []
     assert link.frame is None or set(link.frame.ranges) <= set(kept)
-    state, stands = opened(SCENES, link).state, page.session.state
+    state, stands = opened(SCENES, link).now.state, page.now.state
     assert replace(state, frame=None) == replace(stands, frame=None)
     for name, span in (stands.frame.ranges if stands.frame else {}).items():
         np.testing.assert_allclose(state.frame.ranges[name] if state.frame else (), span, rtol=1e-3)
@@ -105,8 +106,8 @@ def test_a_link_brings_the_state_of_a_page_back(slug: str) -> None:
 def test_what_a_link_asks_of_a_picture_is_named_where_it_has_no_such_thing() -> None:
     link = read_query(as_arguments("scene=coupled&k2=3&frame.fruit=1,2&cover=plot:x2,plot:pear"), SCENES)
     session = opened(SCENES, link)
-    assert session.state.covered == ("plot:x2",)
-    assert session.state.parameters == {"k2": 3.0}
+    assert session.now.state.covered == ("plot:x2",)
+    assert session.now.state.parameters == {"k2": 3.0}
     assert unpacked(session.opening())["problems"] == [
         "frame.fruit: “fruit” is not an axis of this picture.",
         "“plot:pear” cannot be covered here.",
@@ -130,10 +131,11 @@ def test_what_is_no_state_is_no_message(state: Any) -> None:
 
 def test_a_scene_that_was_left_is_closed_and_silent() -> None:
     page = Page(SCENES["accuracy"]())
-    left = page.scene
+    left = page.session.running
+    assert left
     ended: list[bool] = []
-    left.running.close = lambda: ended.append(True)  # type: ignore[method-assign,union-attr]
+    left.close = lambda: ended.append(True)  # type: ignore[method-assign]
     page.say(opening(State(scene="forced")))
     told = len(page.packets)
-    left.set({"limit": 3.0})
+    left.heard()
     assert (ended, len(page.packets)) == ([True], told)

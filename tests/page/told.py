@@ -8,15 +8,16 @@ from typing import Any
 import msgspec
 
 from components.controls import panel
-from components.deeds import Errors, apply
+from components.deeds import Deed, Errors, RefusalError, asked_values, refusal
 from components.description import column_axes, sheet_address, usual
-from components.page.messages import AskAbout, AskCsv, GiveAnswer, Lead, Open, RunWalk, ToldAny
+from components.page.messages import ToldAny
 from components.page.picture import View
 from components.places import encoded
-from components.scene import Scene
+from components.scene import Picture, Scene
 from components.scenes import SCENES
 from components.sent import view_of
 from components.session import Session
+from components.standing import Standing, fitted
 from components.wire import Packet, as_json, decoded
 from tests.page.columns import inflated, whole, with_numbers
 
@@ -25,10 +26,16 @@ def apply_message(scene: Scene, data: object) -> Errors:
     """What a message does to a scene, and what of it is refused; by "message" where our page sends no such thing."""
     try:
         said = decoded(data)
-    except ValueError as refusal:
-        return {"message": str(refusal)}
-    assert not isinstance(said, (AskAbout, AskCsv, GiveAnswer, Lead, Open, RunWalk))
-    return apply(scene, said)
+    except ValueError as error:
+        return {"message": str(error)}
+    assert isinstance(said, Deed)
+    try:
+        scene.set(asked_values(scene.value, said))
+    except RefusalError as refused:
+        return refused.errors
+    except ValueError as error:
+        return refusal(scene.value, said, error).errors
+    return {}
 
 
 def take_preset(scene: Scene, label: str) -> Errors:
@@ -36,14 +43,17 @@ def take_preset(scene: Scene, label: str) -> Errors:
     page = Page(scene)
     buttons = panel(scene.param.objects("existing"), (), presets=scene.presets).presets
     (sets,) = (button.sets for button in buttons if button.label == label)
-    state = page.session.state
+    state = page.now.state
     wanted = msgspec.structs.replace(state, parameters={**state.parameters, **sets}, frame=None)
-    return Errors(page.say({"type": "open", "state": msgspec.to_builtins(wanted), "number": 1})["errors"])
+    errors = Errors(page.say({"type": "open", "state": msgspec.to_builtins(wanted), "number": 1})["errors"])
+    if not errors and page.scene.key != scene.value.key:
+        scene._show(page.scene)
+    return errors
 
 
-def picture_wire(scene: Scene) -> dict[str, Any]:
+def picture_wire(scene: Scene | Standing) -> dict[str, Any]:
     """The picture as the browser has it after unpacking: nested lists and dicts, columns as float32."""
-    view, numbers = view_of(scene.shown, column_axes(type(scene)))
+    view, numbers = view_of(scene.shown, column_axes(scene.kind if isinstance(scene, Standing) else type(scene)))
     text = as_json(view)
     msgspec.json.decode(text, type=View)
     return dict(with_numbers(json.loads(text), encoded(numbers)))
@@ -53,13 +63,21 @@ class Page:
     """A session, and all that it has told."""
 
     def __init__(self, scene: Scene, problems: tuple[str, ...] = ()) -> None:
-        self.session = Session(scene, problems, scenes={**SCENES, scene.slug: type(scene)})
+        self.session = Session(fitted(scene), problems, scenes={**SCENES, scene.slug: type(scene)})
         self.packets: list[Packet] = []
         self.session.send = self.packets.append
 
     @property
+    def now(self) -> Standing:
+        return self.session.now
+
+    @property
     def scene(self) -> Scene:
-        return self.session.scene
+        return self.now.scene
+
+    @property
+    def shown(self) -> Picture:
+        return self.now.shown
 
     def say(self, data: object) -> dict[str, Any]:
         """The answer to a message."""
@@ -91,7 +109,7 @@ def _usual(sheet: str) -> bytes:
 
 def change(page: Page, **to: Any) -> dict[str, Any]:
     """Another state of the scene that stands, as the page asks for it."""
-    state = msgspec.to_builtins(page.session.state) | to
+    state = msgspec.to_builtins(page.now.state) | to
     return page.say({"type": "open", "state": state, "number": len(page.packets) + 1})
 
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from components.parameters import Quantity
 from components.scene import Scene
+from components.standing import Standing
 from tests.page.told import picture_wire
 
 LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNORECASE)
@@ -58,10 +59,10 @@ def typed(scene: type[Scene]) -> Iterator[dict[str, float]]:
                 yield {name: value}
 
 
-def check_picture(scene: Scene) -> None:
+def check_picture(scene: Scene | Standing) -> None:
     """All numbers of the picture, as Python has them and as they are sent, are finite, and its texts can be read."""
-    for source, data in scene.sources.items():
-        for name, column in data.data.items():
+    for source, data in scene.shown.columns.items():
+        for name, column in data.items():
             assert np.all(np.isfinite(column)), f"{source}.{name}"
     message = picture_wire(scene)
     for source, columns in message["columns"].items():

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
 from components.scenes.accuracy import Accuracy
 from components.scenes.accuracy.data import Known, Series, picked_run, setting_text
-from components.scenes.accuracy.measuring import LIVE
+from components.scenes.accuracy.measurement import Measurement, known
+from components.scenes.accuracy.measuring import LIVE, Job, queue
 from components.scenes.accuracy.plots import name_places
 from components.scenes.accuracy.prices import price_list
 from components.scenes.accuracy.recorded import recorded
@@ -17,6 +19,7 @@ from components.scenes.accuracy.studies import LASTING, step_explosion
 from physics.accuracy import MARKS, SYSTEMS, Run, entered
 from physics.coupled import TwoMassChain
 from physics.solvers import METHODS
+from tests.page.told import Page, unpacked
 from tests.scenes.checks import check_picture
 
 
@@ -40,6 +43,26 @@ def measured(**values: object) -> Accuracy:
     scene = Accuracy(**values)
     scene.set({"measured": (SYSTEMS["benign"], scene.limit, HERE, "done")})
     return scene
+
+
+def test_what_has_been_measured_is_there_again_after_undo_and_on_a_new_page(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of a measurement that is half done the page itself remembers, of one that has ended all pages of the process."""
+    page = Page(Accuracy())
+    work = page.session.running
+    assert isinstance(work, Measurement)
+    job = Job(SYSTEMS["benign"], 1.0, LIVE, "running", {(run.method, run.setting): run for run in HERE[:2]})
+    work._job = job
+    work.heard()
+    assert known(page.scene).here.every == HERE[:2] and unpacked(page.packets[-1])["answer"] is None
+    before = page.opening()["state"]
+    told = page.say({"type": "choose", "name": "system", "value": "dashpot", "number": 1})
+    assert told["errors"] == {} and not known(page.scene).here.every
+    page.say({"type": "run", "order": "cancel", "number": 2})
+    page.say({"type": "open", "state": before, "number": 3})
+    assert known(page.scene).here.every == HERE[:2]
+    assert not known(Page(Accuracy()).scene).here.every
+    monkeypatch.setitem(queue()._done, (SYSTEMS["benign"], 1.0), replace(job, state="done"))
+    assert known(Page(Accuracy()).scene).here.every == HERE[:2]
 
 
 def test_dots_are_measured_here_and_lines_recorded() -> None:
@@ -183,8 +206,9 @@ def test_names_stand_beside_their_lines() -> None:
 
 
 def test_what_the_run_bar_says() -> None:
-    told = Accuracy().running.progress
+    work = Measurement()
+    told = work.progress(Accuracy())
     assert (told.done, told.text) == (0, "Run measures 8 methods here.")
-    assert Accuracy(system="dashpot").running.progress.text == "Run measures 6 methods here."
-    told = measured().running.progress
+    assert work.progress(Accuracy(system="dashpot")).text == "Run measures 6 methods here."
+    told = work.progress(measured())
     assert (told.done, told.total, told.unit) == (3, 3, "methods measured here")

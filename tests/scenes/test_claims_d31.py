@@ -138,8 +138,9 @@ def test_the_speeds_of_sound_are_those_of_one_temperature() -> None:
 
 
 def test_energies_of_a_wave_are_by_area_and_no_angle_is_minus_zero() -> None:
-    assert "J/m²" in Analogues(system="wave").about().energy
-    assert "J/m²" not in Analogues(system="spring").about().energy
+    wave, spring = Analogues(system="wave"), Analogues(system="spring")
+    assert "J/m²" in wave.about(wave.shown).energy
+    assert "J/m²" not in spring.about(spring.shown).energy
     for degrees in (0.0, 5.0, -5.0):
         values = Analogues(theta_0=degrees).shown.values
         assert (values["end_left"] == values["end_right"]) == (not degrees), values["end_left"]

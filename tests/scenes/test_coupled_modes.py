@@ -89,7 +89,7 @@ def test_a_hand_on_a_mode_sets_its_amplitude_and_phase_and_the_other_goes_on() -
     scene = page.scene
     _, grab = (grab for _, grab in grabs(SCENES["coupled"]) if grab.label == LABEL)
     assert sets(grab) == ["X_slow", "phi_slow"]
-    hand = Hand(scene, wide=True)
+    hand = Hand(page.now, wide=True)
     shape = next(shape for shape, one in grabs(SCENES["coupled"]) if one is grab)
     named = hand.all(0.7)
     held = hand.take(grab, hand.grip(shape, named) or (0, 0), named)
@@ -97,9 +97,11 @@ def test_a_hand_on_a_mode_sets_its_amplitude_and_phase_and_the_other_goes_on() -
     turned = 1.1 + 0.7 * fast
     told = page.say({"type": "set", "values": held, "holding": True, "number": 81})
     assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes"
+    scene = page.scene
     assert scene.X_fast == 0.1 + 0.2 and scene.phi_fast == pytest.approx(math.remainder(turned, 2 * math.pi), rel=1e-14)
     assert scene.X_slow == pytest.approx(0.5 * abs(math.sin(0.3 + 0.7 * slow))) and scene.phi_slow == math.pi / 2
     page.say({"type": "set", "values": {"phi_slow": -math.pi / 2}, "holding": False, "number": 82})
+    scene = page.scene
     assert scene.X_fast == 0.1 + 0.2 and scene.x1_0 == pytest.approx(0.3 * math.sin(turned) - scene.X_slow)
 
 
@@ -108,20 +110,20 @@ def test_a_hand_on_a_mode_leaves_every_digit_of_the_other_where_values_give_the_
     scene = page.scene
     before = motion(scene).amplitude[1]
     grab, _ = (grab for _, grab in grabs(SCENES["coupled"]) if grab.label == LABEL)
-    hand = Hand(scene, wide=True)
+    hand = Hand(page.now, wide=True)
     for t in (0.7, 0.0):
-        page.scene.set(hand.begin(grab, hand.all(t)))
-        assert motion(scene).amplitude[1] == pytest.approx(before, rel=1e-14)
+        hand.set(hand.begin(grab, hand.all(t)))
+        assert motion(hand.scene).amplitude[1] == pytest.approx(before, rel=1e-14)
     at = {way.parameter: hand.placed(way, (300.0, 0.0), hand.all(0.0))[1] for way in grab.ways}
-    page.scene.set(at)
-    assert motion(scene).amplitude[1] == pytest.approx(before, rel=1e-14)
+    hand.set(at)
+    assert motion(hand.scene).amplitude[1] == pytest.approx(before, rel=1e-14)
 
 
 def test_a_hand_on_a_mass_sets_the_modes_that_give_the_motion() -> None:
     page = Page(SCENES["coupled"]())
     put(page, X_slow=0.5, X_fast=0.25, phi_slow=0.3, phi_fast=1.1)
     grab = next(grab for _, grab in grabs(SCENES["coupled"]) if grab.label == "Mass 1, start")
-    held = Hand(page.scene, wide=True).begin(grab, Hand(page.scene, wide=True).all(0.7))
+    held = Hand(page.now, wide=True).begin(grab, Hand(page.now, wide=True).all(0.7))
     told = page.say({"type": "set", "values": held, "holding": True, "number": 81})
     assert told["errors"] == {} and told["state"]["parameters"]["given_by"] == "modes"
     assert page.scene.v1_0 == 0 and abs(page.scene.phi_slow) == abs(page.scene.phi_fast) == math.pi / 2
@@ -134,11 +136,11 @@ def test_link_and_state_keep_every_digit() -> None:
     page = Page(SCENES["coupled"]())
     told = put(page, X_slow=0.1 + 0.2, phi_fast=-math.pi / 7)
     link = read_query(as_arguments(told["query"]), SCENES)
-    assert opened(SCENES, link).state.parameters == page.session.state.parameters
+    assert opened(SCENES, link).now.state.parameters == page.now.state.parameters
     again = Page(SCENES["forced"]()).say({"type": "open", "state": told["state"], "number": 1})
     assert (again["errors"], again["state"]) == ({}, told["state"])
     session = opened(SCENES, read_query(as_arguments("scene=coupled&given_by=modes&X_slow=0.5&X_fast=0"), SCENES))
-    assert session.scene.x1_0 == 0.5 and session.scene.x2_0 == 1.0
+    assert session.now.scene.x1_0 == 0.5 and session.now.scene.x2_0 == 1.0
     assert change(page, parameters={})["state"]["parameters"] == {}
 
 

@@ -12,7 +12,8 @@ from scipy.integrate import solve_ivp
 from components.scenes import SCENES
 from components.scenes.energy import Energy
 from components.scenes.energy.hanging import PLANETS
-from components.url import read_query, write_query
+from components.standing import fitted
+from components.url import read_query
 from tests.page.playing import played
 from tests.page.told import apply_message, take_preset
 from tests.scenes.checks import check_picture, corners, typed
@@ -182,7 +183,7 @@ def test_what_leaves_the_doubles_is_refused() -> None:
 
 def test_link_brings_the_scene_back() -> None:
     scene = Energy(g=1.62, datum="separate")
-    query = dict(pair.split("=") for pair in write_query(scene).split("&"))
+    query = dict(pair.split("=") for pair in fitted(scene).query.split("&"))
     link = read_query({key: [value.encode()] for key, value in query.items()}, SCENES)
     assert (link.slug, link.values, link.problems) == ("energy", {"g": 1.62, "datum": "separate"}, [])
 

@@ -11,7 +11,8 @@ from components.description import column_axes
 from components.places import COARSE, span
 from components.scene import Scene
 from components.scenes import SCENES
-from components.url import read_query, write_query
+from components.standing import fitted
+from components.url import read_query
 from tests.page.told import Page, apply_message, take_preset
 from tests.scenes.checks import as_arguments, check_picture, corners, quantities, solves, typed
 
@@ -98,7 +99,11 @@ def test_what_follows_is_told_of_one_change_alone(scene_class: type[Scene], monk
     assert scene.shown is before
     told: list[frozenset[str]] = []
     following = scene.following
-    monkeypatch.setattr(scene_class, "following", lambda _, changed: told.append(changed) or following(changed))
+    monkeypatch.setattr(
+        scene_class,
+        "following",
+        lambda _, changed, *rest, **more: told.append(changed) or following(changed, *rest, **more),
+    )
     scene.set({last: scene.values[last], first: low})
     assert told == [{first}]
 
@@ -127,12 +132,12 @@ def test_a_bad_value_is_told_at_its_control(scene_class: type[Scene]) -> None:
 @scenes
 def test_link_round_trip(scene_class: type[Scene]) -> None:
     scene = scene_class()
-    plain = read_query(as_arguments(write_query(scene)), SCENES)
+    plain = read_query(as_arguments(fitted(scene).query), SCENES)
     assert plain.values == {name: scene.values[name] for name in scene.opens}, "its defaults, which a link names"
     assert plain.as_opened(SCENES).values == plain.values
     changed = {name: q.softbounds[1] for name, q in list(quantities(scene_class).items())[:2]}
     scene.set({**changed, "window": 12.5})
-    link = read_query(as_arguments(write_query(scene)), SCENES)
+    link = read_query(as_arguments(fitted(scene).query), SCENES)
     assert (link.slug, link.problems) == (scene.slug, [])
     again = scene_class()
     again.set(link.values)
@@ -146,7 +151,7 @@ def test_what_is_sent_is_the_picture(scene_class: type[Scene]) -> None:
     told = page.say({"type": "set", "values": {name: quantity.softbounds[1]}, "number": 1})
     assert (told["type"], told["answer"], told["errors"]) == ("shown", 1, {})
     assert told["state"]["parameters"][name] == quantity.softbounds[1]
-    picture, sent = page.scene.shown, 0
+    picture, sent = page.shown, 0
     for source, columns in told["view"]["columns"].items():
         for column, places in columns.items():
             axis = picture.axes[column_axes(scene_class)[source][column]]

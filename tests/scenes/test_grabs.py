@@ -11,11 +11,13 @@ import pytest
 
 from components.chain import START
 from components.page.shapes import AnyShape, Grab
-from components.scene import Scene, frame_of
+from components.picture import frame_of
+from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.coupled.starting import BY_MODES
+from components.standing import fitted
 from physics.analogues import ANALOGUES
-from tests.page.hand import Hand, grabs, holding, sets
+from tests.page.hand import Hand, grabs, sets
 from tests.page.told import Page
 
 AT = 0.37
@@ -67,7 +69,7 @@ def test_each_grab_sets_what_it_names_and_its_handle_is_where_the_hand_was(slug:
     taken = set()
     for values, wide in itertools.chain([({}, False)], ((values, True) for values in shown_ways(slug))):
         for i, (shape, grab) in enumerate(grabs(SCENES[slug])):
-            hand = Hand(holding(SCENES[slug](**values)), wide)
+            hand = Hand(fitted(SCENES[slug].at(values)), wide)
             if dragged(hand, shape, grab):
                 taken.add(i)
     assert taken == set(range(len(list(grabs(SCENES[slug]))))), f"not taken in hand: {slug}"
@@ -84,14 +86,14 @@ def shown_ways(slug: str) -> Iterator[dict[str, Any]]:
 
 def dragged(hand: Hand, shape: AnyShape, grab: Grab) -> bool:
     """Takes a shape in hand, drags it, and says whether it is drawn at all."""
-    scene, named = hand.scene, hand.all(AT)
-    if any(way.axis and way.axis not in scene.shown.axes for way in grab.ways) or not hand.grip(shape, named):
+    named = hand.all(AT)
+    if any(way.axis and way.axis not in hand.now.shown.axes for way in grab.ways) or not hand.grip(shape, named):
         return False
-    before = parameters(scene)
+    before = hand.scene.values
     t = AT
     if grab.begins:
         grip = hand.grip(shape, named)
-        scene.set(hand.take(grab, grip, named) if grip and grab.start else {})
+        hand.set(hand.take(grab, grip, named) if grip and grab.start else {})
         t, named = 0.0, hand.all(0.0)
         if grab.start:
             assert hand.grip(shape, named) == pytest.approx(grip, abs=NEAR), grab.label
@@ -100,24 +102,20 @@ def dragged(hand: Hand, shape: AnyShape, grab: Grab) -> bool:
         at = (x + far[0], y + far[1])
         wanted = [(way, *hand.placed(way, at, named)) for way in grab.ways if way.parameter]
         values = {way.parameter: value for way, _, value in wanted}
-        problems = [scene.param[name].refusal(value) for name, value in values.items()]
+        problems = [hand.scene.param[name].refusal(value) for name, value in values.items()]
         if any(problems):
             continue
-        scene.set(values)
-        changed = {name for name, value in parameters(scene).items() if value != before[name]}
-        assert changed <= {*sets(grab), *(one.parameter for one in grab.start), *FOLLOWS.get(scene.slug, ())}
+        hand.set(values)
+        changed = hand.scene.differing(before) & hand.scene.linked().keys()
+        assert changed <= {*sets(grab), *(one.parameter for one in grab.start), *FOLLOWS.get(hand.scene.slug, ())}
         now = hand.all(t)
         after = hand.grip(shape, now)
         assert after, grab.label
         for way, si, value in wanted:
-            assert getattr(scene, way.parameter) == value
+            assert hand.scene.values[way.parameter] == value
             pixel = abs(hand.placed(way, (after[0] + 1, after[1] + 1), now)[0] - hand.placed(way, after, now)[0])
             assert hand.placed(way, after, now)[0] == pytest.approx(si, rel=1e-12, abs=NEAR * pixel), way
     return True
-
-
-def parameters(scene: Scene) -> dict[str, Any]:
-    return {name: getattr(scene, name) for name in scene.linked()}
 
 
 def test_most_scenes_can_be_taken_in_hand() -> None:
@@ -133,19 +131,19 @@ def test_most_scenes_can_be_taken_in_hand() -> None:
 def test_what_is_written_over_a_peak_is_not_where_the_peak_has_left_the_frame() -> None:
     for slug, name, value, seen in (("oscillator", "x_0", 0.9, "leads"), ("analogues", "theta_0", 95.0, "late_seen")):
         page = Page(SCENES[slug]())
-        assert page.scene.shown.scalars[seen]
+        assert page.shown.scalars[seen]
         page.say({"type": "set", "values": {name: value}, "holding": True, "number": 1})
-        assert seen not in page.scene.shown.scalars
+        assert seen not in page.shown.scalars
         page.say({"type": "set", "values": {}, "holding": False, "number": 2})
-        assert page.scene.shown.scalars[seen], "in the frame that has grown"
+        assert page.shown.scalars[seen], "in the frame that has grown"
 
 
 def test_a_frame_stands_while_a_hand_holds_on_and_grows_when_it_lets_go() -> None:
     page = Page(SCENES["oscillator"]())
-    before = frame_of(page.scene.shown)
+    before = frame_of(page.shown)
     page.say({"type": "set", "values": {"x_0": 0.5}, "holding": True, "number": 1})
-    assert frame_of(page.scene.shown) == before
+    assert frame_of(page.shown) == before
     page.say({"type": "set", "values": {}, "holding": False, "number": 2})
-    grown = frame_of(page.scene.shown)
+    grown = frame_of(page.shown)
     assert grown.ranges["x"][1] >= 0.5 > before.ranges["x"][1]
     assert (grown.window, grown.speed) == (before.window, before.speed)

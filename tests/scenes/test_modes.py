@@ -10,7 +10,8 @@ import pytest
 
 from components.scenes import SCENES
 from components.scenes.modes import VIEWS, ModesScene
-from components.url import read_query, write_query
+from components.standing import fitted
+from components.url import read_query
 from tests.page.told import apply_message, take_preset
 from tests.scenes.checks import check_picture
 
@@ -204,7 +205,7 @@ def test_one_solve_for_a_change_of_view(task: str) -> None:
 @views
 def test_a_link_brings_back_the_view(task: str) -> None:
     scene = ModesScene(task=task, k1=0.3, omega=0.4, ratio=7.0, swept="m1", x2_0=-0.2)
-    query = write_query(scene)
+    query = fitted(scene).query
     link = read_query({k: [v.encode()] for k, v in (pair.split("=") for pair in query.split("&"))}, SCENES)
     assert link.problems == []
     again = ModesScene()

@@ -22,7 +22,7 @@ from components.chain import of_scene
 from components.description import plots
 from components.scene import Scene
 from components.scenes import SCENES
-from components.states import state_of
+from components.standing import fitted
 from components.take import as_csv, tables
 from components.take import comments as comments_of
 from components.url import read_query
@@ -95,7 +95,7 @@ def test_the_comments_bring_the_picture_back_and_say_what_it_obeys(slug: str) ->
         _, address, *notes = comments(content)
         assert address.startswith(HERE) and "," not in address
         link = read_query(as_arguments(urlsplit(address).query), SCENES)
-        assert (link.problems, state_of(SCENES[link.slug](**link.values))) == ([], state_of(scene))
+        assert (link.problems, fitted(SCENES[link.slug](**link.values)).state) == ([], fitted(scene).state)
         assert all(line in notes for line in scene.equations) and scene.equations
         assert "window = 12.5 s" in notes
 
@@ -120,7 +120,7 @@ def test_every_choice_at_every_end_of_every_slider_can_be_taken(slug: str) -> No
             for end in (*scene.shown.spans.get(name, quantity.softbounds), *beyond):
                 with suppress(ValueError):  # not every number is possible
                     scene.set({**standing, name: end})
-                head = comments_of(scene, scene.shown)
+                head = comments_of(fitted(scene), scene.shown)
                 for table in tables(SCENES[slug], scene.shown):
                     assert as_csv(replace(table, rows=table.rows[:1]), head)
 

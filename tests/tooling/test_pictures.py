@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 
 from components.scenes import SCENES
-from components.url import write_query
+from components.standing import fitted
 from components.walks.registry import all_walks
 from tests.serving.server import ROOT
 from tools.pictures import differing, views
@@ -25,7 +25,7 @@ def test_every_scene_preset_and_step_is_looked_at_once() -> None:
     assert len(names) == len(set(names))
     presets = {f"scene={slug} preset {label}" for slug, scene in SCENES.items() for label in scene.presets}
     steps = {f"walk {step.id}" for walk in all_walks((), SCENES).values() for step in walk.steps}
-    assert presets | steps | {write_query(scene()) for scene in SCENES.values()} < set(names)
+    assert presets | steps | {fitted(scene()).query for scene in SCENES.values()} < set(names)
     assert {view.name for view in views() if view.asks} == steps
 
 
@@ -71,7 +71,7 @@ def run(*arguments: str) -> subprocess.CompletedProcess[str]:
 @pytest.mark.browser
 @pytest.mark.timeout(400)  # two servers start
 def test_two_shoots_of_one_commit_are_alike(browser: object, tmp_path: Path) -> None:
-    view = write_query(SCENES["modes"]())
+    view = fitted(SCENES["modes"]()).query
     folders = [str(tmp_path / name) for name in ("before", "after")]
     for folder in folders:
         shot = run("shoot", folder, "--only", f"^{re.escape(view)}$")

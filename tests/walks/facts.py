@@ -6,9 +6,9 @@ import math
 
 from scipy.optimize import brentq
 
-from components.scene import Scene
 from components.scenes import SCENES
-from components.walks.links import scene_at
+from components.standing import Standing
+from components.walks.links import standing_at
 from physics.coupled import TwoMassChain, free_modes
 from physics.hanging import HangingMass
 from physics.lanchester import period_excess
@@ -28,8 +28,8 @@ beats = TwoMassChain(m1=1, m2=0.04, k1=0.96, k2=0.04)
 ONE_PERCENT = math.degrees(amplitude_at_excess(0.01))
 
 
-def at(link: str) -> Scene:
-    return scene_at(link, SCENES)
+def at(link: str) -> Standing:
+    return standing_at(link, SCENES)
 
 
 def end_of(link: str) -> float:

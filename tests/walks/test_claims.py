@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from components.scenes import SCENES
-from components.walks.links import scene_at
+from components.walks.links import standing_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
 from physics.coupled import TwoMassChain, free_modes, free_motion
@@ -21,7 +21,7 @@ STEPS = steps_of(load_walks(()).values())
 
 def test_the_acceleration_is_against_the_displacement() -> None:
     """d31-01: at x = +0.150 m it is −5.91 m/s²."""
-    values = scene_at(STEPS["d31-01"].state, SCENES).shown.values
+    values = standing_at(STEPS["d31-01"].state, SCENES).shown.values
     a = Oscillator(m=1, k=39.4).motion(x_0=0.15, v_0=0.0, t=np.array([0.0])).a[0]
     assert (values["top_x"], f"−{values['top_a']}") == ("0.150", f"{a:.2f}".replace("-", "−"))
     assert "x = +{top_x} m the acceleration is −{top_a}" in STEPS["d31-01"].explain

@@ -16,7 +16,7 @@ from components.scenes import SCENES
 from components.text import rich
 from components.walks.checking import problems
 from components.walks.features import Period
-from components.walks.links import scene_at
+from components.walks.links import standing_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumericStep
@@ -70,9 +70,9 @@ def test_a_step_is_short(step: Step) -> None:
 @every_step
 def test_a_state_keeps_the_values_of_its_link(step: Step) -> None:
     for link in (step.state, step.shown):
-        scene = scene_at(link, SCENES)
+        standing = standing_at(link, SCENES)
         for name, value in re.findall(r"[?&](\w+)=([-\d.e]+)(?=&|$)", link):
-            assert getattr(scene, name) == float(value)
+            assert standing.scene.values[name] == float(value)
 
 
 @pytest.mark.parametrize(
@@ -90,9 +90,9 @@ def known_numbers(step: Step) -> tuple[set[float], set[str]]:
     parameters: set[float] = set()
     live: set[str] = set()
     for link in (step.state, step.shown):
-        scene = scene_at(link, SCENES)
-        parameters |= {v for name in scene.linked() if isinstance(v := getattr(scene, name), float)}
-        for text in scene.shown.values.values():
+        standing = standing_at(link, SCENES)
+        parameters |= {v for v in standing.scene.values.values() if isinstance(v, float)}
+        for text in standing.shown.values.values():
             live.update(re.findall(r"−?\d+(?:\.\d+)?(?!\d|·)", text))
     return parameters, live
 

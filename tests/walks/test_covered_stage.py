@@ -13,9 +13,9 @@ from components.motion import derived, starts
 from components.page.blocks import StageBlock
 from components.page.shapes import Begin
 from components.page.signals import Derived
-from components.scene import Scene
 from components.scenes import SCENES
-from components.walks.links import scene_at
+from components.standing import Standing
+from components.walks.links import standing_at
 from components.walks.loading import load_walks
 from components.walks.walk import Step
 from tests.page.playing import played
@@ -26,21 +26,21 @@ RESTING = {"d31-04": "x v", "d31-06": "x v", "d34-09": "x1 x2", "d34-10": "x1 x2
 """The motions that rest where a hand began them, of steps whose covers hide them."""
 
 
-def begun(scene: Scene) -> Iterator[tuple[str, float]]:
+def begun(scene: Standing) -> Iterator[tuple[str, float]]:
     """The bodies of the stage, and where the values of the parameters have them at first, in the unit of their axis."""
-    for block in blocks(type(scene).sheet()):
+    for block in blocks(scene.kind.sheet()):
         for shape in block.shapes if isinstance(block, StageBlock) else ():
             for begin in shape.grab.start if shape.grab else ():
                 if isinstance(begin, Begin) and begin.of in scene.shown.signals and not begin.per:
                     axis = scene.shown.axes.get(begin.axis)
                     if axis:
-                        yield begin.of, axis.place(float(getattr(scene, begin.parameter))) * begin.size
+                        yield begin.of, axis.place(float(scene.scene.values[begin.parameter])) * begin.size
 
 
 @every_step
 def test_bodies_stand_where_their_motion_begins(step: Step) -> None:
-    scene = scene_at(step.state, SCENES)
-    left, _ = without(type(scene), scene.shown, step.cover)
+    scene = standing_at(step.state, SCENES)
+    left, _ = without(scene.kind, scene.shown, step.cover)
     resting = {name: place for name, place in begun(scene) if left.signals[name] != scene.shown.signals[name]}
     assert resting.keys() >= set(RESTING.get(step.id, "").split())
     for name, place in resting.items():
@@ -51,10 +51,10 @@ def test_bodies_stand_where_their_motion_begins(step: Step) -> None:
 @every_step
 def test_of_what_is_covered_nothing_but_the_start_of_a_body_is_sent(step: Step) -> None:
     """Not the parts of a motion either, whose start is an amplitude."""
-    scene = scene_at(step.state, SCENES)
-    left, _ = without(type(scene), scene.shown, step.cover)
+    scene = standing_at(step.state, SCENES)
+    left, _ = without(scene.kind, scene.shown, step.cover)
     bodies = {name for name, _ in begun(scene)}
-    for plot in plots(type(scene)):
+    for plot in plots(scene.kind):
         drawn = {curve.signal for curve in plot.curves if PLOT + plot.name in step.cover} & left.signals.keys()
         for name in drawn - bodies:
             signal = left.signals[name]

@@ -10,13 +10,13 @@ from msgspec.structs import replace
 
 from app import visited
 from components.page.state import Frame
-from components.scene import frame_of
 from components.scenes import SCENES
 from components.session import Session
+from components.standing import fitted
 from components.text import mathml
 from components.walks.cards import parted, walk_sheet
 from components.walks.checking import problems
-from components.walks.links import scene_at
+from components.walks.links import standing_at
 from components.walks.loading import LARGEST, WalkError, load_walks, read_walk, steps_of
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumberStep
@@ -113,13 +113,14 @@ def test_a_step_holds_all_that_its_link_says() -> None:
     for state in (card.opens, card.reveals):
         assert (state.parameters, state.held, state.hidden) == ({"k2": 3.0}, {"k2": 20.0}, ("x1_slow",))
         assert state.frame == Frame(ranges={"x": (-4.0, 4.0)}, window=50.0, given=True)
-    at_address = visited({"walk": [b"mine"], "step": [b"1"]}, {"mine": walk}).state
-    session = Session(SCENES["oscillator"](), scenes=SCENES)
+    at_address = visited({"walk": [b"mine"], "step": [b"1"]}, {"mine": walk}).now.state
+    session = Session(fitted(SCENES["oscillator"]()), scenes=SCENES)
     session.hear({"type": "open", "number": 1, "state": to_builtins(card.opens)})
-    assert at_address == session.state == replace(card.opens, frame=session.state.frame)
-    assert session.state.frame and session.state.frame.ranges["x"] == (-4.0, 4.0)
-    scene = scene_at(link, SCENES)
-    assert frame_of(scene.shown) == frame_of(session.scene.shown) and scene.shown_beside and scene.hidden == ["x1_slow"]
+    assert at_address == session.now.state == replace(card.opens, frame=session.now.state.frame)
+    assert session.now.state.frame and session.now.state.frame.ranges["x"] == (-4.0, 4.0)
+    standing = standing_at(link, SCENES)
+    assert standing.drawn.frame == session.now.drawn.frame
+    assert standing.drawn.beside and standing.scene.hidden == ["x1_slow"]
 
 
 def test_no_text_becomes_html() -> None:

@@ -14,7 +14,7 @@ from components.live_class.question_bank import QuestionBank
 from components.page.messages import Given
 from components.scenes import SCENES
 from components.walks.cards import walk_sheet
-from components.walks.links import scene_at
+from components.walks.links import standing_at
 from components.walks.loading import load_walks
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
@@ -219,7 +219,7 @@ def test_a_session_keeps_five_walks_of_its_own_and_none_that_has_the_name_of_the
 
 def test_a_page_can_open_at_a_step() -> None:
     session = visited({"walk": [b"d34"], "step": [b"7"]}, WALKS)
-    assert (session.state.step, session.state.covered) == ("d34/d34-07", SHEETS["d34"].steps[6].opens.covered)
+    assert (session.now.state.step, session.now.state.covered) == ("d34/d34-07", SHEETS["d34"].steps[6].opens.covered)
     (problem,) = unpacked(visited({"walk": [b"d34"], "step": [b"99"]}, WALKS).opening())["problems"]
     assert problem.startswith("step: the walk d34 has no step “99”")
 
@@ -230,15 +230,15 @@ def test_what_is_called_true_of_a_turning_point_is_the_motions() -> None:
     for name, of, turns in (("d31-04", "x", (0.5, 1.0)), ("d31-06", "v", (0.25, 0.75))):
         step = steps[name]
         assert isinstance(step, SketchStep)
-        scene = scene_at(step.state, SCENES)
-        omega_n = math.sqrt(scene.k / scene.m)
-        phase = math.atan2(scene.v_0 / omega_n, scene.x_0)  # x = C cos(omega_n t - phase)
+        has = standing_at(step.state, SCENES).scene.values
+        omega_n = math.sqrt(has["k"] / has["m"])
+        phase = math.atan2(has["v_0"] / omega_n, has["x_0"])  # x = C cos(omega_n t - phase)
         expected = [(2 * math.pi * turn + phase) / omega_n for turn in turns]
         (curve,) = Subject("", step, SCENES).true(step.plot, step.curves).values()
         low, high = np.argmin(curve.y), np.argmax(curve.y)
         found = sorted(float(curve.x[i]) % (2 * math.pi / omega_n) for i in (low, high))
         np.testing.assert_allclose(found, sorted(t % (2 * math.pi / omega_n) for t in expected), rtol=1e-6)
-        C = math.hypot(scene.x_0, scene.v_0 / omega_n) * (omega_n if of == "v" else 1.0)
+        C = math.hypot(has["x_0"], has["v_0"] / omega_n) * (omega_n if of == "v" else 1.0)
         np.testing.assert_allclose([curve.y[low], curve.y[high]], [-C, C], rtol=1e-7)
 
 

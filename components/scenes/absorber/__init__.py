@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from functools import cache, lru_cache
+from typing import Any, Self
 
 import param
 from msgspec.structs import replace
@@ -40,6 +41,7 @@ TOP = (15.0, 20.0)
 TURNS = 8
 """Periods of the drive that the clock plays."""
 PLAYED = {"particular": "Particular solution", "rest": "From rest"}
+RECORD: dict[str, Any] = {"allow_None": True, "says": "is of the lightest absorber that has met all goals."}
 MOST_START = 20.0
 """How far the sliders of the start reach, over the static deflection."""
 
@@ -70,6 +72,7 @@ class Absorber(Scene):
         "Own": {"own": True},
     }
     physical = ("tuning", "damping")
+    reached = ("lightest", "lightest_k2")
     groups = (
         Group(
             "The machine",
@@ -155,7 +158,8 @@ class Absorber(Scene):
     v1_0, v2_0 = chain.start_velocities()
     played = one_of(default="particular", objects=list(PLAYED), label="What is played")
     _valley = angular_frequency(48.0, symbol="ω₂", label="tuned frequency")
-    _lightest = mass(None, symbol="m_2", allow_None=True)  # type: ignore[arg-type]
+    lightest = positive(None, label="mass", symbol="m_2", unit="kg", softbounds=(1.0, 100.0), **RECORD)
+    lightest_k2 = not_negative(None, label="stiffness", symbol="k_2", unit="N/m", softbounds=(0, 200e3), **RECORD)
 
     @classmethod
     @cache
@@ -186,7 +190,7 @@ class Absorber(Scene):
         k2, c = (float(f"{value:.4g}") for value in (best.k2, best.c))
         return {"k2": k2, "c": c, "tuning": "free"}
 
-    def following(self, changed: frozenset[str]) -> Values:
+    def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
         """A tuned spring follows mass and speed, the knob sets the spring, the score is of this machine."""
         k2, tuning = self.k2, self.tuning
         if "_valley" in changed:
@@ -196,16 +200,28 @@ class Absorber(Scene):
         if tuning == "tuned":
             k2 = tuned_stiffness(self.m2, self.omega)
         duty = self._duty(k2, self._damping)
-        best = None if changed & set(MACHINE) else self._lightest
+        best, spring = self._record(is_told=before is None, is_other=bool(changed & set(MACHINE)))
         if tuning != "detached" and not duty.c and self.m2 < (best or math.inf) and all(duty.met):
-            best = self.m2
+            best, spring = self.m2, k2
         return {
             "k2": k2,
             "tuning": tuning,
             "_valley": antiresonance(duty.chain),
-            "_lightest": best,
+            "lightest": best,
+            "lightest_k2": spring,
             **self._started(changed),
         }
+
+    def derived(self) -> frozenset[str]:
+        return frozenset({"k2"} if self.tuning == "tuned" else ())
+
+    def _record(self, *, is_told: bool, is_other: bool) -> tuple[float | None, float | None]:
+        """The lightest solution so far, with its spring: of this machine, and seen to be one where a link tells it."""
+        best, spring = self.lightest, self.lightest_k2
+        if is_told and best and spring is not None:
+            machine = {name: getattr(self, name) for name in MACHINE}
+            return (best, spring) if all(Duty(**machine, m2=best, k2=spring, c=0.0).met) else (None, None)
+        return (None, None) if is_told or is_other else (best, spring)
 
     def _started(self, changed: frozenset[str]) -> Values:
         """A start is played; the particular solution has none."""
@@ -265,7 +281,7 @@ class Absorber(Scene):
             pace=pace(self.omega, self.omega if duty.plays else duty.fastest),
             scale=drawn.scale,
             fits=drawn.fits,
-            values={**data.values(duty, axes, push, self.m2, self._lightest), "tick": drawn.tick},
+            values={**data.values(duty, axes, push, self.m2, self.lightest), "tick": drawn.tick},
             live={
                 **{name: swing.digits(signed=True) for name in ("x_alone", "x1", "x2")},
                 **{name: push.digits(signed=True) for name in ("drive_now", "pull_now")},
@@ -284,5 +300,5 @@ class Absorber(Scene):
             Figure("fast", "ω_{+}", fast, "rad/s", "fast"),
         )
 
-    def about(self) -> About:
-        return absorber_about(self.shown, self._shown_duty)
+    def about(self, shown: Picture) -> About:
+        return absorber_about(shown, self._shown_duty)

@@ -25,7 +25,7 @@ from components.scenes.accuracy.data import (
     shown_methods,
     work,
 )
-from components.scenes.accuracy.measurement import SCALE, Measurement
+from components.scenes.accuracy.measurement import SCALE, Measurement, known
 from components.scenes.accuracy.plots import name_places
 from components.scenes.accuracy.prices import PriceRow, power, price_forms, price_list, price_texts, time_text
 from components.scenes.accuracy.recorded import recorded, records
@@ -51,8 +51,6 @@ _ORIGINS = {(True, True): "both", (True, False): "here", (False, True): "before"
 
 
 class Accuracy(Scene):
-    running: Measurement
-
     slug = "accuracy"
     title = "Accuracy"
     lecture = "Numerics"
@@ -133,7 +131,7 @@ class Accuracy(Scene):
         return system
 
     def picture(self, frame: Frame = FITTED) -> Picture:
-        system, measured = self.shown_system(), self.running.known()
+        system, measured = self.shown_system(), known(self)
         methods, picked = shown_methods(self.hidden), picked_run(measured, self.picked)
         axes = framed(frame, {**study_axes(system.unit), **_axes(self.limit, picked)})
         time, error = axes["time"], axes["error"]

@@ -1,7 +1,8 @@
-"""The measurement of one visitor: the system shown, its job in the queue, and the runs that are known of it."""
+"""Measurements for one visitor: the job in the queue, and the runs that are known of a system."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Protocol
 
 from msgspec.structs import replace
@@ -21,37 +22,54 @@ Measured = tuple[System, float, tuple[Run, ...], str]
 """A system, its limit in s, the runs so far, and how the job stands."""
 
 
+MOST_FOUND = 16
+"""Measurements that a page remembers, whole or in part: what it goes back to is there again."""
+
+
 class Measurable(Protocol):
-    """What is measured: a scene with a system, a limit for each run in s, and what its page has been told."""
+    """A scene with a system, a limit for each run in s, and what its page has been told of its measurement."""
 
     limit: Any
     measured: Any
 
     def shown_system(self) -> System: ...
 
-    def set(self, values: Values) -> None: ...
+
+def known(scene: Measurable) -> Known:
+    """The runs of a scene's system: measured here, and recorded."""
+    system = scene.shown_system()
+    here, before = Series(_here(scene)), records(system.slug)
+    return Known(here, before.runs) if before else Known(here, Series(), scale=recorded(SCALE).runs)
+
+
+def _here(scene: Measurable) -> tuple[Run, ...]:
+    measured: Measured | None = scene.measured
+    return measured[2] if measured and measured[:2] == _wanted(scene) else ()
+
+
+def _wanted(scene: Measurable) -> tuple[System, float]:
+    return scene.shown_system(), scene.limit
 
 
 class Measurement(Running):
     """A visitor's place in the queue of this server process."""
 
-    def __init__(self, scene: Measurable) -> None:
-        super().__init__(scene)
-        self._scene = scene
+    def __init__(self, network: Callable[[], str] = lambda: "") -> None:
+        super().__init__(network)
         self._job: Job | None = None
+        self._found: dict[tuple[System, float], Measured] = {}
 
     @classmethod
     def pending(cls) -> int:
         return len(queue())
 
-    @property
-    def progress(self) -> Progress:
+    def progress(self, scene: Measurable) -> Progress:
         job = self._job
-        if job is None or (job.system, job.seconds) != self._wanted():
-            return self._idle()
+        if job is None or (job.system, job.seconds) != _wanted(scene):
+            return _idle(scene)
         if job.state == "done":
             reason = job.reason and f"{job.reason[0].upper()}{job.reason[1:]}."
-            return replace(self._idle(), text=reason)
+            return replace(_idle(scene), text=reason)
         told = Progress(state=job.state, done=int(job.spent), total=int(queue().budget), unit="s", text="")
         if job.state == "waiting":
             before = queue().place(job)
@@ -59,13 +77,13 @@ class Measurement(Running):
         running = f"{METHODS[job.method].mark} is running" if job.method else "It begins"
         return replace(told, text=f"{running}, round {max((run.rounds for run in job.runs), default=1)}.")
 
-    def obey(self, order: str) -> None:
+    def obey(self, order: str, scene: Measurable) -> None:
         if order == "start":
-            self._job = queue().ask(*self._wanted(), self._heard, self.network())
-            self._heard()
+            self._job = queue().ask(*_wanted(scene), self._heard, self.network())
         elif order == "skip" and self._job:
             queue().skip(self._job)
         elif order == "cancel":
+            self._keep()
             self.close()
 
     def close(self) -> None:
@@ -73,39 +91,29 @@ class Measurement(Running):
             queue().leave(self._job, self._heard)
             self._job = None
 
-    def known(self) -> Known:
-        """What is known of the system: measured for this visitor or for another one, and recorded."""
-        system, seconds = self._wanted()
-        here, before = Series(self._here(system, seconds)), records(system.slug)
-        return Known(here, before.runs) if before else Known(here, Series(), scale=recorded(SCALE).runs)
+    def news(self, scene: Measurable) -> Values:
+        """Found for this visitor, or else for another one."""
+        self._keep()
+        wanted = _wanted(scene)
+        found = self._found.get(wanted)
+        if found is None and (remembered := queue().remembered(*wanted)):
+            found = (*wanted, remembered.runs, remembered.state)
+        return {"measured": found or scene.measured}
 
-    def _here(self, system: System, seconds: float) -> tuple[Run, ...]:
-        if self._has_own():
-            return tuple(self._scene.measured[2])
-        remembered = queue().remembered(system, seconds)
-        return remembered.runs if remembered else ()
-
-    def _idle(self) -> Progress:
-        """What is shown while nothing runs: how many methods have been measured here."""
-        system, seconds = self._wanted()
-        count = len({run.method for run in self._here(system, seconds)})
-        text = "" if count else f"Run measures {len(entered(system, LIVE))} methods here."
-        return Progress(state="idle", done=count, total=count, unit="methods measured here", text=text)
-
-    def _wanted(self) -> tuple[System, float]:
-        return self._scene.shown_system(), self._scene.limit
-
-    def _has_own(self) -> bool:
-        """Whether this visitor has results of the system, all or some."""
-        measured = self._scene.measured
-        return bool(measured) and measured[:2] == self._wanted()
+    def _keep(self) -> None:
+        """What has come, the newest last."""
+        if job := self._job:
+            self._found.pop((job.system, job.seconds), None)
+            self._found[job.system, job.seconds] = (job.system, job.seconds, job.runs, job.state)
+            if len(self._found) > MOST_FOUND:
+                del self._found[next(iter(self._found))]
 
     def _heard(self) -> None:
-        self.later(self._look)
+        self.heard()
 
-    def _look(self) -> None:
-        """Show what has come; a new tuple each time, so that the picture is made anew."""
-        job = self._job
-        if job:
-            measured: Measured = (job.system, job.seconds, job.runs, job.state)
-            self._scene.set({"measured": measured})
+
+def _idle(scene: Measurable) -> Progress:
+    """While nothing runs: how many methods have been measured here."""
+    count = len({run.method for run in _here(scene)})
+    text = "" if count else f"Run measures {len(entered(scene.shown_system(), LIVE))} methods here."
+    return Progress(state="idle", done=count, total=count, unit="methods measured here", text=text)

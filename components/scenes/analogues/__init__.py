@@ -115,8 +115,8 @@ class Analogues(Scene):
         case = self._case()
         return Figure("omega", "ω_n", case.omega, "rad/s"), Figure("period", "τ", case.period, "s")
 
-    def about(self) -> About:
-        return analogue_about(self.shown, self._case())
+    def about(self, shown: Picture) -> About:
+        return analogue_about(shown, self._case())
 
 
 # The other parameters are those of the nine systems, as the table of physics.analogues has them.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from functools import cache
 from itertools import accumulate
+from typing import Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -137,14 +138,14 @@ class Coupled(Scene):
             Figure("E_plus", "E_{+}", energy[1], "J", "fast"),
         )
 
-    def following(self, changed: frozenset[str]) -> Values:
-        if self.opening:
+    def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
+        if before is None:
             return starting.opened(self)
-        return starting.followed(self, changed, self.values["given_by"])
+        return starting.followed(self, changed, before.given_by, in_hand=in_hand)
 
-    def about(self) -> About:
+    def about(self, shown: Picture) -> About:
         by_modes = starting.by_modes(self) if self.given_by == "modes" else None
-        return coupled_about(self.shown, starting.motion(self), *chain.start_of(self), by_modes)
+        return coupled_about(shown, starting.motion(self), *chain.start_of(self), by_modes)
 
 
 def _motion_columns(free: FreeModes, parts: tuple[Motion, Motion], whole: Motion) -> tuple[Columns, Columns]:

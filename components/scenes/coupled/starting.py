@@ -26,7 +26,6 @@ class Begun(Protocol):
     """The scene whose motion is begun, as far as it is not known by the names of its parameters."""
 
     given_by: str
-    in_hand: bool
 
 
 def amplitude(mode: str, sign: str, default: float) -> Quantity:
@@ -68,11 +67,11 @@ def turns(scene: Begun, omega: Pair, time: Axis) -> dict[str, AnySignal]:
     return {f"turn_{mode}": sines(Axis(0.0, 1.0), time, line=(phase, rate)) for mode, phase, rate in lines}
 
 
-def followed(scene: Begun, changed: frozenset[str], before: str) -> Values:
+def followed(scene: Begun, changed: frozenset[str], before: str, *, in_hand: bool) -> Values:
     """What follows from a change, before which the motion was given by `before`. A start that is typed gives the motion
     itself; one that a hand sets has its modes, where these give it."""
     if changed.intersection(chain.START.names) and not changed.intersection((*BY_MODES, "given_by")):
-        return _modes(scene) if scene.in_hand and scene.given_by == "modes" else {"given_by": "values"}
+        return _modes(scene) if in_hand and scene.given_by == "modes" else {"given_by": "values"}
     if scene.given_by == "values" and not changed.intersection(BY_MODES):
         return {}
     taken: dict[str, float] = {}

@@ -146,10 +146,10 @@ class Energy(Scene):
             Figure("delta_st", "δ_{st}", system.delta_st, "m"),
         )
 
-    def about(self) -> About:
+    def about(self, shown: Picture) -> About:
         system = HangingMass(m=self.m, k=self.k, g=self.g)
         datum: Datum = "separate" if self.datum == "separate" else "equilibrium"
-        return energy_about(self.shown, system, self.x_0, self.v_0, datum)
+        return energy_about(shown, system, self.x_0, self.v_0, datum)
 
 
 def _motion_columns(case: HangingCase, t: NDArray[np.float64]) -> tuple[Columns, Columns]:

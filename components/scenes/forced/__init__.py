@@ -140,8 +140,8 @@ class Forced(Scene):
         amplitudes = [Figure(f"Xp{i}", f"X_{{p{i}}}", X, "m", f"m{i}") for i, X in enumerate(sizes(driven), start=1)]
         return (*amplitudes, *chain.mode_figures(driven.chain, "omega_{sign} mark_{sign}", "ratio_{sign}"))
 
-    def about(self) -> About:
-        return forced_about(self.shown, self._driven(), *chain.start_of(self))
+    def about(self, shown: Picture) -> About:
+        return forced_about(shown, self._driven(), *chain.start_of(self))
 
     def _driven(self) -> DrivenModes:
         return driven_modes(chain.of_scene(self), self.F_0, self.omega, *chain.start_of(self))

@@ -142,10 +142,10 @@ class ModesScene(Scene):
             "ratio_{mode} {mode}_ratio r_{mode} now_ratio_{mode} answer_{mode}",
         )
 
-    def about(self) -> About:
+    def about(self, shown: Picture) -> About:
         system = chain.of_scene(self)
         if self.task == "hunt":
-            return hunt_about(self.shown, system, (self.x1_0, self.x2_0))
+            return hunt_about(shown, system, (self.x1_0, self.x2_0))
         if self.task == "sweep":
-            return sweep_about(self.shown, system, self.swept)
-        return solve_about(system) if self.task == "solve" else guess_about(self.shown, system)
+            return sweep_about(shown, system, self.swept)
+        return solve_about(system) if self.task == "solve" else guess_about(shown, system)

@@ -167,8 +167,8 @@ class OscillatorScene(Scene):
         tau = Figure("tau", "τ", swing.oscillator.period, "s")
         return omega, tau, C, Figure("phi", "φ", swing.constants.phi, "rad", angle=True)
 
-    def about(self) -> About:
-        return oscillator_about(self.shown, Oscillator(m=self.m, k=self.k), self.x_0, self.v_0)
+    def about(self, shown: Picture) -> About:
+        return oscillator_about(shown, Oscillator(m=self.m, k=self.k), self.x_0, self.v_0)
 
 
 def _motion_columns(swing: Oscillation, t: Floats) -> tuple[Columns, Columns]:

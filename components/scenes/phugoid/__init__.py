@@ -288,8 +288,8 @@ class Phugoid(Scene):
             Figure("late", "τ_{exact}", swing.period, "s"),
         )
 
-    def about(self) -> About:
-        return flight_about(self.shown, Swing(self.v_0, self.g, self.excess))
+    def about(self, shown: Picture) -> About:
+        return flight_about(shown, Swing(self.v_0, self.g, self.excess))
 
 
 def _words() -> list[Shape]:

@@ -13,7 +13,7 @@ from components.page.messages import Given
 from components.page.room import Counted
 from components.page.walk import Lesson, StepCard, Verdict
 from components.text import rich
-from components.walks.links import scene_at
+from components.walks.links import standing_at
 from components.walks.questions.question import Judged, Judgement, Question, refused
 from components.walks.subject import Subject
 from components.walks.types import Address, Entry, Sentence
@@ -54,7 +54,7 @@ class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
             if not option.right and not option.reply:
                 yield f"options[{i}].reply: a wrong answer needs a reply."
             if option.where:
-                yield from refused(f"options[{i}].where", partial(scene_at, option.where, subject.scenes))
+                yield from refused(f"options[{i}].where", partial(standing_at, option.where, subject.scenes))
 
     def card(self, subject: Subject, **step: Any) -> StepCard:
         return StepCard(options=tuple(rich(option.text) for option in self.options), **step)
