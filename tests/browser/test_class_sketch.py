@@ -75,7 +75,7 @@ def test_covers_leave_the_pad_a_frame_of_its_own() -> None:
     for walk, place in SKETCHED:
         step: Any = walk.steps[place]
         subject = Subject("", step, SCENES)
-        pad, shown = subject.pad(step.plot).y, subject.scene.shown.axes
+        pad, shown = subject.pad(step.plot).y, subject.standing.shown.axes
         if all((axis.start, axis.end) != (pad.start, pad.end) for axis in shown.values()):
             wide.append(step.id)
     assert {"d31-04", "d31-06", "d31-15", "d34-10", "d34-15", "tour-04"} <= set(wide)

@@ -20,6 +20,7 @@ from components.page.messages import Given
 from components.page.room import PutQuestion, RunClock, SentPicture
 from components.scenes import SCENES
 from components.session import Session
+from components.standing import fitted
 from tests.live_class.listening import BANK, CHOICE, Listener, until
 
 CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)
@@ -124,7 +125,7 @@ def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monkeypatc
 
     async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
         store.away = True
-        session, asked = Session(SCENES["coupled"]()), 0
+        session, asked = Session(fitted(SCENES["coupled"]())), 0
         session.lead = lambda *given: Publisher(registry, *given)
         led = registry.led
 

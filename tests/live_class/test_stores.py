@@ -104,12 +104,12 @@ def test_where_all_rooms_are_taken_one_that_is_alone_makes_way(
     on: Callable[..., None], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for module in (store, shared_store):
-        monkeypatch.setattr(module, "QUIET", 0.3)
+        monkeypatch.setattr(module, "QUIET", 2.0)
 
     async def test(kept: Store) -> None:
         assert await kept.open("AAAA", {"key": b"1"}) and await kept.open("BBBB", {"key": b"1"})
         assert not await kept.open("CCCC", {"key": b"1"})
-        await asyncio.sleep(0.5)
+        await asyncio.sleep(2.2)
         await kept.keep("AAAA", {})
         assert await kept.open("CCCC", {"key": b"1"})
         assert await kept.parts("AAAA") and not await kept.parts("BBBB")

@@ -11,6 +11,7 @@ from components.page.messages import Given
 from components.scenes import SCENES
 from components.serving.apart import BUSY, GONE, SHARED, WAITING, ReadingProcess
 from components.session import ONE_AT_A_TIME, Session
+from components.standing import fitted
 from components.walks.apart import TOO_LONG, Errand, Reading, Replied, Teaching
 from components.wire import Packet
 from tests.page.told import unpacked
@@ -86,7 +87,7 @@ class Slow:
 
 
 def test_a_session_asks_for_one_at_a_time_and_goes_on_meanwhile() -> None:
-    session, apart, packets = Session(SCENES["coupled"](), scenes=SCENES), Slow(), list[Packet]()
+    session, apart, packets = Session(fitted(SCENES["coupled"]()), scenes=SCENES), Slow(), list[Packet]()
     session.send, session.apart, session.network = packets.append, apart, "192.0.2.0/24"
     for number in (1, 1, 2):  # the second is the first, said again by a page that has waited long
         session.hear({"type": "walk", "name": "mine", "text": MINE, "number": number})

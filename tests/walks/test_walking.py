@@ -54,7 +54,7 @@ def test_every_step_opens_covered_and_opens_up(page: Page, name: str, place: int
     told = opened(page, card.opens)
     assert told["errors"] == {} and told["state"]["covered"] == list(step.cover)
     assert told["query"] == f"walk={name}&step={step.id}"
-    view, whole = told["view"], page.scene.shown
+    view, whole = told["view"], page.shown
     for cover in step.cover:
         kind, _, what = cover.partition(":")
         if kind == "value":
@@ -143,7 +143,7 @@ def test_what_was_marked_is_what_is_played(page: Page, name: str, step: str, pla
     shows = page.say(answering(name, step, 1, value=place))["lesson"]["shows"]
     told = page.say({"type": "open", "state": shows, "number": 2})
     assert told["errors"] == {} and told["state"]["step"] == f"{name}/{step}"
-    assert page.session.state.parameters["x2_0"] == place
+    assert page.now.state.parameters["x2_0"] == place
 
 
 @pytest.mark.parametrize(
