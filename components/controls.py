@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 import param
@@ -159,7 +160,9 @@ def settings(
     return found
 
 
+@lru_cache(2000)
 def _setting(quantity: Quantity, value: float | None, unit: Unit | None, span: tuple[float, float] | None) -> Setting:
+    """Remembered, as a change moves one of many."""
     text = "" if value is None else shortest(value) if quantity.scale == "count" else tidy(value)
     own = Setting(value=value, text=text.replace("-", MINUS), soft=span, changed=value != quantity.default)
     if unit is None or value is None:

@@ -170,7 +170,7 @@ def _law() -> Block:
             slide=r"$\dot{x} (m \ddot{x} + k (x + \delta_{\mathrm{st}}) - m g) = 0$",
         ),
         r"[boxed|$m \ddot{x} + k x = 0$]",
-        "[small|Energy alone gives the equation of motion: Lagrange's method.]",
+        "[small|Lagrange's method: energy alone.]",
         style="derivation",
         grow=LOWER,
         basis=52,
