@@ -119,13 +119,7 @@ export class Grips {
   #spoken(name) {
     const {text, unit} = this.page.shown.settings[name]
     const spec = this.page.controls.sliders.get(name)?.spec
-    const label = spec
-      ? spec.label
-          .split(", ")
-          .slice(0, spec.unit ? -1 : undefined)
-          .join(", ")
-      : name
-    return `${label}: ${brief(text)} ${unit ?? spec?.unit ?? ""}`.trim()
+    return `${spec?.label ?? name}: ${brief(text)} ${unit ?? spec?.unit ?? ""}`.trim()
   }
 
   /** What the slider of a parameter spans. @param {string} name @returns {[number, number]} */

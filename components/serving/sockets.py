@@ -146,7 +146,7 @@ class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are no
             begun = monotonic()
             await self._answer(message)
             self._rests = 2 * monotonic() - begun
-            if isinstance(message, patch_doc) and self.connection:
+            if isinstance(message, patch_doc) and self.connection and not self.gone.is_set():
                 self.context.admission.heard(self.connection.session)
                 self.context.metrics.change.observe(monotonic() - arrived)
         self._work = None

@@ -108,7 +108,7 @@ def screenshot() -> Callable[[Page, str], Path]:
 
 
 def _console_fault(message: ConsoleMessage) -> list[str]:
-    return [f"console: {message.text}"] if message.type == "error" else []
+    return [f"console: {message.text} {message.location}"] if message.type == "error" else []
 
 
 def _foreign(request: Request, server: Server) -> list[str]:

@@ -61,8 +61,7 @@ class Panel:
     """The controls of one scene on a page of their own; `messages` are those that the page has sent."""
 
     def __init__(self, page: Page) -> None:
-        self.page, self.scene = page, Chain()
-        self.told = Told(self.scene)
+        self.page, self.told = page, Told(Chain())
         self.messages: list[dict[str, Any]] = []
         page.expose_function(
             "describe",
@@ -73,6 +72,12 @@ class Panel:
         page.goto("http://controls.test/")
         page.wait_for_selector("html[data-ready=true]")
         self.messages.clear()
+
+    @property
+    def scene(self) -> Chain:
+        scene = self.told.scene
+        assert isinstance(scene, Chain)
+        return scene
 
     def serve(self, route: Route) -> None:
         name = route.request.url.rsplit("/", 1)[-1]
