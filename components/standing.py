@@ -19,7 +19,7 @@ from components.numbers import excerpt
 from components.page.messages import Open, SetValues
 from components.page.state import Frame, State
 from components.parameters import Values
-from components.picture import Framed, Picture, draw
+from components.picture import Framed, Framing, Picture, draw
 from components.predicting import covers_after, put_last, told_of
 from components.scene import Scene
 from components.states import other_in, scene_in, stated_all, stated_own
@@ -117,11 +117,16 @@ def with_values(now: Standing, values: Values, *, holding: bool = False, release
     scene = now.scene.changed(values, in_hand=now.in_hand or holding)
     if scene is now.scene and not released:
         return now
-    names = now.scene.differing(values)
-    frame = msgspec.structs.replace(now.drawn.frame, window=None) if WINDOW in names else now.drawn.frame
-    ways = not now.kind.quantities() >= names
-    held = now.held and shown_as(now.held, scene)
-    drawn = draw(scene, held, "kept" if holding else "grown", frame, now.drawn.fitted if ways else None)
+    ways = not now.kind.quantities() >= now.scene.differing(values)
+    return _redrawn(now, scene, "kept" if holding else "grown", refits=ways)
+
+
+def _redrawn(now: Standing, scene: Scene, framing: Framing = "grown", *, refits: bool) -> Standing:
+    """The standing with another scene of its kind, in its frame; a new way of showing `refits` what it changes."""
+    frame, held = now.drawn.frame, now.held and shown_as(now.held, scene)
+    if scene.values[WINDOW] != now.scene.values[WINDOW]:
+        frame = msgspec.structs.replace(frame, window=None)
+    drawn = draw(scene, held, framing, frame, now.drawn.fitted if refits else None)
     return replace(now, scene=scene, held=held, drawn=drawn)
 
 
@@ -154,10 +159,9 @@ def _predicted(after: Standing, before: Standing | None, begins: bool) -> Standi
 def _shown_like(before: Standing, after: Standing) -> Standing:
     """An earlier standing, shown as the present one is."""
     scene = shown_as(before.scene, after.scene, HIDDEN)
-    alike = with_values(before, scene.values) if scene is not before.scene else before
-    if _key(alike.held) == _key(after.held):
-        return alike
-    return replace(alike, held=after.held, drawn=draw(alike.scene, after.held, "grown", alike.drawn.frame))
+    if scene is before.scene and _key(before.held) == _key(after.held):
+        return before
+    return _redrawn(replace(before, held=after.held), scene, refits=True)
 
 
 def _key(scene: Scene | None) -> object:
@@ -206,8 +210,15 @@ def standing_in(kind: type[Scene], state: State, now: Standing | None = None, *,
         drawn = same.drawn
     else:
         drawn = draw(scene, held, "grown" if frame else "fitted", frame or FITTED)
-    after = replace(now or Standing(scene=scene, drawn=drawn), scene=scene, drawn=drawn, held=held, in_hand=False)
-    after = replace(after, covered=checked_covers(kind, drawn.picture, state.covered), step=state.step)
+    after = replace(
+        now or Standing(scene=scene, drawn=drawn),
+        scene=scene,
+        drawn=drawn,
+        held=held,
+        covered=checked_covers(kind, drawn.picture, state.covered),
+        step=state.step,
+        in_hand=False,
+    )
     begins = state.before is None
     if begins and same and same.before is None and NEXT in same.covered:
         before = same
