@@ -53,7 +53,9 @@ const span = axis => `${measured(axis, axis.start)} to ${measured(axis, axis.end
 /** @param {Plot} plot */
 export function description(plot) {
   const {block, shown} = plot
-  if (shown.state.covered.includes(`plot:${block.name}`)) return `${block.title}. Covered until you press Reveal.`
+  const {covered, step} = shown.state
+  if (covered.includes(`plot:${block.name}`))
+    return `${block.title}. Covered until you press ${step ? "Show the answer" : "Reveal"}.`
   const {x, y} = axes(plot)
   const told = [...traces(plot).map(trace => course(trace, x, y)), ...bands(plot), ...layers(plot)]
   return [`${block.title}.`, `Horizontal axis ${span(x)}, vertical axis ${span(y)}.`, ...told].join(" ")
