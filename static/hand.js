@@ -36,6 +36,8 @@ export class Hand {
   /** @type {import("./later/hint.js").Hint | undefined} until something has been grabbed */
   hint
 
+  grabbed = false // something has been, on this page
+
   refusal = ""
   from = 0
   leaving = false
@@ -65,13 +67,14 @@ export class Hand {
   /** Says once what a hand can do. */
   introduce() {
     if (browserStorage.text(GRABBED) === null)
-      using("hint", ({Hint}) => this.page.left || (this.hint ??= new Hint(this.page)))
+      using("hint", ({Hint}) => this.page.left || this.grabbed || (this.hint ??= new Hint(this.page)))
   }
 
   /** @param {page.Grab} grab */
   take(grab) {
     browserStorage.keep(GRABBED, "yes")
     this.hint?.leave()
+    this.grabbed = true
     const {clock, shown} = this.page
     const {signals} = shown.view
     const now = this.page.compare.named(clock.t)

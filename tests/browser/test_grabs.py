@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page, Route, expect
 
 from components.scenes import SCENES
 from components.scenes.coupled.starting import BY_MODES
@@ -129,6 +129,24 @@ def taken(page: Page, hand: Mouse | Finger, grip: Locator) -> None:
     page.wait_for_function(
         f"(oscillations.clock.playing || {str(not was['begins']).lower()}) && !oscillations.page.hand.grab"
     )
+
+
+def test_no_hint_comes_once_something_has_been_grabbed(new_page: Callable[..., Page], open_scene: Open) -> None:
+    """However late its script is: it would move the page under a hand."""
+    page, late = new_page(390, 844), list[Route]()
+    page.route("**/later/hint.js", lambda route: late.append(route))
+    open_scene(page, scene="coupled")
+    next(new_grips(page, "coupled")).focus()
+    page.keyboard.press("ArrowRight")
+    page.wait_for_function("oscillations.page.hand.grab")
+    for _ in range(200):
+        if late:
+            break
+        passed(page, 1)
+    late[0].continue_()
+    page.wait_for_function("performance.getEntriesByType('resource').some(one => one.name.endsWith('/hint.js'))")
+    passed(page)
+    assert page.evaluate("oscillations.page.hand.hint === undefined")
 
 
 @pytest.mark.parametrize("slug", ["oscillator", "coupled"])
