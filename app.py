@@ -40,7 +40,7 @@ FIGURES = {
         lambda: sum(scene.work.pending() for scene in SCENES.values() if scene.work),
     )
 }
-"""What is looked up of the scenes when the server is asked for its figures."""
+"""Figures of the scenes that /metrics tells, by name: each with its description and a function that looks it up."""
 
 
 SHEETS = {sheet_address(scene): sheet_json(scene) for scene in SCENES.values()}
@@ -65,8 +65,8 @@ def visited(query: Query, walks: Walks) -> Session:
 
 
 class Lectured(NamedTuple):
-    """What the server is given: what opens a page, the files of all walks by their address, and the question bank of a
-    live class."""
+    """The parts that the server is given: the function that opens a page, the files of all walks by their address, and
+    the question bank of a live class."""
 
     open_page: Callable[..., None]
     files: dict[str, bytes]

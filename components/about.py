@@ -79,7 +79,7 @@ def bounded(names: str, limit: float, of: str, rows: Iterable[CheckedPoint]) -> 
 
 
 class Place(NamedTuple):
-    """What a curve is drawn against: its column, its symbol and its unit."""
+    """The variable that a curve is drawn against: its column, its symbol and its unit."""
 
     column: str
     symbol: str
@@ -115,7 +115,7 @@ def every_digit(value: float) -> str:
 
 
 def drift(total: Floats, level: float, what: str = "$T + V$", unit: str = "J") -> str:
-    """How far a conserved quantity strays from its level over the window."""
+    """A sentence on how far a conserved quantity strays from its level over the window."""
     if not level:
         return f"{what} is 0: nothing moves."
     strays = float(np.max(np.abs(total / level - 1)))
@@ -153,13 +153,13 @@ def digits(value: Decimal) -> str:
 
 
 def reason_of(error: ValueError) -> str:
-    """What the physics says, for running text, without its full stop."""
+    """The reason of an error for running text, without its full stop."""
     text = as_on_screen(str(error)).rstrip(".")
     return re.sub(r"(?<=\d)e\+?(-?\d+)", lambda found: ten_to(int(found[1])), text)
 
 
 def about_numbers(ask: Callable[[], About | None], answer: int | None = None) -> AboutNumbers:
-    """What a scene says about its numbers, for the browser; of one that cannot say, why."""
+    """The message that tells of the errors of a scene's numbers, or the reason why that cannot be done."""
     try:
         with in_words():
             return _numbers(ask() or About(()), answer)

@@ -51,7 +51,7 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
 
     @property
     def seen(self) -> Range:
-        """What must be in the frame, from the lower to the upper end."""
+        """The range of values that must be in the frame, from the lower to the upper end."""
         return ordered(self.drawn or self.chosen)
 
     def places(self, values: NDArray[np.float64] | float) -> NDArray[np.float64]:
@@ -62,7 +62,7 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
         return scale_by_ten(measured, -(self.exponent // self.power)) ** self.power
 
     def place(self, value: float) -> float:
-        """The same of one value: for scalars and marks."""
+        """Where one value stands on this axis, in its unit: for scalars and marks; OverflowError beyond the doubles."""
         if self.log or self.power != 1:
             return float(self.places(value))
         place = float(scale_by_ten(value / self.factor, -self.exponent))

@@ -25,7 +25,7 @@ _POWER = re.compile(r"(?<=\d)e(?:\+|(-))0*(?=\d)")
 
 
 class RefusalError(Exception):
-    """What a message asks for cannot be; nothing is changed."""
+    """A message is refused, with a sentence for each thing that cannot be; nothing is changed."""
 
     def __init__(self, errors: Errors) -> None:
         super().__init__(*errors.values())
@@ -55,7 +55,7 @@ def asked_values(scene: Scene, deed: Deed) -> Values:
 
 
 def refusal(scene: Scene, deed: Deed, error: ValueError) -> RefusalError:
-    """What the physics says of values that are possible one by one, but not together."""
+    """The refusal of values that are possible one by one, but that the physics refuses together."""
     match deed:
         case SetValues(values=values):
             return RefusalError({name: f"{sentence(error)} {_still(scene, name)}" for name in values})

@@ -43,4 +43,5 @@ def _standing(kind: type[Scene], state: State) -> tuple[Standing, list[str]]:
         now = standing_in(kind, known)
     refused = refused_covers(kind, now.shown, state.covered)
     problems += [*strange_axes(now.shown, state), *refused.values()]
-    return standing_in(kind, replace(known, covered=tuple(c for c in state.covered if c not in refused))), problems
+    covered = tuple(cover for cover in state.covered if cover not in refused)
+    return now if covered == known.covered else standing_in(kind, replace(known, covered=covered)), problems

@@ -117,6 +117,7 @@ class Scene(Facts, metaclass=_SceneMeta):
     def at(cls, values: Values = NONE) -> Self:
         """The scene with these values, the others at their defaults, and what follows from them; ValueError for values
         that it cannot have."""
+        cls._check_known(values)
         return cls._settled(values, frozenset(values), None, in_hand=False)
 
     def changed(self, values: Values, *, in_hand: bool = False) -> Self:
@@ -130,8 +131,6 @@ class Scene(Facts, metaclass=_SceneMeta):
 
     @classmethod
     def _settled(cls, values: Values, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Self:
-        if unknown := values.keys() - cls.parameters().keys():
-            raise ValueError(f"{', '.join(sorted(unknown))}: not a parameter of {cls.__name__}")
         scene = cls.__new__(cls)
         param.Parameterized.__init__(scene, **values)  # type: ignore[no-untyped-call]  # param's own has no types
         with in_words():
@@ -149,10 +148,14 @@ class Scene(Facts, metaclass=_SceneMeta):
         """All parameters, with their defaults."""
         return {name: one.default for name, one in cls.param.objects("existing").items() if name != "name"}
 
+    @classmethod
+    def _check_known(cls, values: Values) -> None:
+        if unknown := values.keys() - cls.parameters().keys():
+            raise ValueError(f"{', '.join(sorted(unknown))}: not a parameter of {cls.__name__}")
+
     def differing(self, values: Values) -> frozenset[str]:
         """The names of those values that are others than the scene's own; ValueError for a parameter that it lacks."""
-        if unknown := values.keys() - self.values.keys():
-            raise ValueError(f"{', '.join(sorted(unknown))}: not a parameter of {type(self).__name__}")
+        self._check_known(values)
         return frozenset(name for name, value in values.items() if self.values[name] != value)
 
     @property
