@@ -36,15 +36,21 @@ def process() -> Iterator[ReadingProcess]:
 
 
 class Counted:
-    """Hands on what is asked, and keeps it."""
+    """Hands on what is asked, and keeps the reply back until it is fetched."""
 
     def __init__(self, process: ReadingProcess) -> None:
         self.process = process
         self.replies: list[Future[Replied]] = []
+        self.told: Future[Replied] = Future()
 
     def ask(self, asked: Errand, network: str = "") -> Future[Replied]:
         self.replies.append(self.process.ask(asked, network))
-        return self.replies[-1]
+        return self.told
+
+    def fetch(self) -> Replied:
+        reply = self.replies[0].result(120)
+        self.told.set_result(reply)
+        return reply
 
 
 def page(slug: str = "absorber", values: Values = ABSORBER) -> tuple[Session, list[dict[str, Any]]]:
@@ -65,7 +71,7 @@ def test_a_huge_walk_costs_one_reading_elsewhere_and_gets_its_sentence(process: 
         session.hear({**GREEDY[name], "number": number})
     assert len(apart.replies) == 1
     assert [(one["answer"], one["refused"]) for one in told] == [(number, ONE_AT_A_TIME) for number in range(2, 22)]
-    reply = apart.replies[0].result(120)
+    reply = apart.fetch()
     assert (reply.sheet is None) == bool(reply.refused)
     assert reply.refused != SORRY and (not reply.refused or reply.refused.endswith("."))
     (tell,) = held
