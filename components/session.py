@@ -15,6 +15,7 @@ from msgspec.structs import replace
 from components.about import About, about_numbers
 from components.comparison import told_beside
 from components.controls import preset_name, settings
+from components.csv_export import as_file
 from components.deeds import Errors, RefusalError
 from components.description import column_axes, sheet_address, usual
 from components.numbers import excerpt
@@ -36,7 +37,6 @@ from components.running import Later, Running
 from components.scene import Scene
 from components.sent import view_of
 from components.standing import Standing, changed, with_values
-from components.take import as_file
 from components.walks import Walks
 from components.walks.apart import Apart, Errand, Here, Reading, Replied, Teaching
 from components.walks.judging import taught

@@ -1,4 +1,4 @@
-// Into how many tables the numbers of all plots go: as in components/take.py, which packs several into one ZIP file.
+// The number of tables that the CSV export has: several are packed into one ZIP file (components/csv_export.py).
 
 /** @param {page.PlotBlock[]} blocks @param {Drawn["view"]} view */
 export function tables(blocks, view) {

@@ -11,11 +11,11 @@ import msgspec
 import numpy as np
 import pytest
 
+from components.csv_export import tables
 from components.numbers import three
 from components.opening import opened
 from components.scene import Scene
 from components.scenes import SCENES
-from components.take import tables
 from components.url import read_query
 from components.wire import as_json
 from tests.page.told import Page, change, put

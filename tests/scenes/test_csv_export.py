@@ -19,12 +19,12 @@ import param
 import pytest
 
 from components.chain import of_scene
+from components.csv_export import as_csv, tables
+from components.csv_export import comments as comments_of
 from components.description import plots
 from components.scene import Scene
 from components.scenes import SCENES
 from components.standing import fitted
-from components.take import as_csv, tables
-from components.take import comments as comments_of
 from components.url import read_query
 from tests.page.told import Page
 from tests.scenes.checks import as_arguments, quantities
