@@ -48,7 +48,7 @@ class Facts(param.Parameterized):
     onward: ClassVar[tuple[Onward, ...]] = ()
     """The links to other scenes that take values along."""
     shares: ClassVar[Mapping[str, str]] = {}
-    """Its parameters by what they are in other scenes too: components.carrying takes them along."""
+    """Its parameters by what they are in other scenes too: components.shared_system takes them along."""
     sharing: ClassVar[Values] = {}
     """What else must be so for them to be what is shown."""
 

@@ -11,7 +11,6 @@ from typing import Any
 import msgspec
 
 from components.beside import HIDDEN, WINDOW, moved, own_values, shown_as
-from components.carrying import Shared, brought, taken_along
 from components.covers import NEXT, checked_covers
 from components.deeds import Deed, RefusalError, asked_values, refusal, sentence
 from components.frames import FITTED, checked, unfitted
@@ -22,6 +21,7 @@ from components.parameters import Values
 from components.picture import Framed, Framing, Picture, draw
 from components.predicting import covers_after, put_last, told_of
 from components.scene import Scene
+from components.shared_system import Shared, brought, taken_along
 from components.states import other_in, scene_in, stated_all, stated_own
 from components.url import step_query, write_query
 
