@@ -12,7 +12,6 @@ from bokeh.models import ColumnDataSource
 from param.parameterized import ParameterizedMetaclass, discard_events
 
 from components.about import About
-from components.facts import Facts
 from components.figures import Figure
 from components.frames import FITTED
 from components.page.blocks import Block
@@ -20,6 +19,7 @@ from components.page.state import Frame
 from components.parameters import Quantity, Values
 from components.picture import Picture, draw
 from components.refusals import in_words
+from components.scene_info import SceneInfo
 from components.units import Unit
 
 __all__ = ["Picture", "Scene"]
@@ -31,7 +31,7 @@ class _SceneMeta(ParameterizedMetaclass, ABCMeta):
     pass
 
 
-class Scene(Facts, metaclass=_SceneMeta):
+class Scene(SceneInfo, metaclass=_SceneMeta):
     """One idea of the lecture. Subclasses are final: they declare parameters, a sheet, and `picture`.
 
     `Scene.at(values)` is a value: nothing of it can be set, and `changed(values)` is another one. The page knows only

@@ -14,7 +14,7 @@ from components.parameters import AnyParameter, Quantity, Values
 from components.running import Running
 
 
-class Facts(param.Parameterized):
+class SceneInfo(param.Parameterized):
     """The facts of a scene, which each declares; see components.scene."""
 
     slug: ClassVar[str]
