@@ -13,9 +13,9 @@ from typing import NamedTuple
 import panel as pn
 from bokeh.document import Document
 
-from components.description import sheet_address, sheet_json
 from components.live_class.question_bank import QuestionBank
 from components.opening import opened
+from components.scene_sheet import sheet_address, sheet_json
 from components.scenes import SCENES
 from components.serving.shell import navigation, page_template, when_open
 from components.session import Publish, Session

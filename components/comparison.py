@@ -10,7 +10,6 @@ import numpy as np
 
 from components.beside import moved
 from components.covers import VALUE, spoken_of, without
-from components.description import blocks, column_axes
 from components.figures import Figure, became, is_same
 from components.numbers import three
 from components.page.blocks import PlotBlock, StageBlock
@@ -21,6 +20,7 @@ from components.page.signals import AnySignal
 from components.parameters import Quantity
 from components.places import Steps
 from components.scene import Picture, Scene
+from components.scene_sheet import blocks, column_axes
 from components.sent import columns_of, signals_of
 from components.standing import Standing
 from components.text import rich

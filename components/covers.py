@@ -23,7 +23,6 @@ from typing import Any, TypeVar
 from msgspec.structs import replace as changed
 
 from components.axes import Axis, nice_ticks
-from components.description import blocks, heading_names, live_names, plots
 from components.motion import derived, starts
 from components.numbers import excerpt
 from components.page.blocks import PlotBlock, StageBlock, TableBlock, WordsBlock
@@ -32,6 +31,7 @@ from components.page.plots import Curve, Region
 from components.page.shapes import Label
 from components.page.signals import AnySignal, CosineOf, Derived, SineOf
 from components.scene import Picture, Scene
+from components.scene_sheet import blocks, heading_names, live_names, plots
 
 Kept = TypeVar("Kept")
 PLOT, VALUE = "plot:", "value:"

@@ -14,11 +14,11 @@ from urllib.parse import quote
 
 from components.axes import Axis
 from components.choices import word
-from components.description import column_axes, plots
 from components.numbers import shortest
 from components.page.messages import File
 from components.parameters import Quantity
 from components.scene import Picture, Scene
+from components.scene_sheet import column_axes, plots
 from components.standing import Standing
 from components.traces import Columns
 

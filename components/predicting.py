@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 
 from components.covers import NEXT, PLOT, STAGE, VALUE, as_it_stood, without
-from components.description import blocks, plots
 from components.page.blocks import PlotBlock, StageBlock, TableBlock, WordsBlock
 from components.page.text import Forms
 from components.scene import Picture, Scene
+from components.scene_sheet import blocks, plots
 
 
 def told_of(

@@ -17,7 +17,6 @@ from components.comparison import told_beside
 from components.controls import preset_name, settings
 from components.csv_export import as_file
 from components.deeds import Errors, RefusalError
-from components.description import column_axes, sheet_address, usual
 from components.numbers import excerpt
 from components.page.messages import (
     AskAbout,
@@ -35,6 +34,7 @@ from components.page.messages import (
 from components.refusals import SORRY, report
 from components.running import Later, Running
 from components.scene import Scene
+from components.scene_sheet import column_axes, sheet_address, usual
 from components.sent import view_of
 from components.standing import Standing, changed, with_values
 from components.walks import Walks

@@ -12,10 +12,10 @@ from scipy.interpolate import CubicSpline
 
 from components.axes import Axis
 from components.covers import without
-from components.description import plots
 from components.page.blocks import PlotBlock
 from components.page.messages import HEIGHTS, Sketched
 from components.page.state import State
+from components.scene_sheet import plots
 from components.standing import Standing
 from components.walks.links import Scenes, answer_state, standing_at, state_of_link
 from components.walks.sketch import Ranges, Sketch, sketch

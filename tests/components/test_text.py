@@ -9,7 +9,7 @@ from html import unescape
 import pytest
 from fontTools.ttLib import TTFont
 
-from components.description import sheet_json
+from components.scene_sheet import sheet_json
 from components.scenes import SCENES
 from components.text import _SENTENCES, _SHORT, kept, mathml, rich
 from tests.tooling.math_font import FONT

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from components.controls import control, settings
-from components.description import scene_sheet
 from components.page.controls import Setting, SliderRow
+from components.scene_sheet import scene_sheet
 from components.scenes.phugoid import Phugoid
 from components.units import Unit
 from tests.page.told import apply_message

@@ -7,11 +7,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from components.description import blocks
 from components.page.blocks import PlotBlock, StageBlock
 from components.page.picture import Ruler
 from components.page.shapes import AnyShape, AnyWay, Box, Grab, Quotient, Share, Stretch, Swung, Turn
 from components.scene import Scene
+from components.scene_sheet import blocks
 from components.standing import Standing, with_values
 from tests.page.playing import number, played
 

@@ -11,7 +11,7 @@ from playwright.sync_api import Page as BrowserPage
 from playwright.sync_api import expect
 
 from components.covers import PLOT, VALUE
-from components.description import plots
+from components.scene_sheet import plots
 from components.scenes import SCENES
 from tests.page.told import Page
 

@@ -12,11 +12,11 @@ from msgspec.structs import replace
 
 from components.axes import TIME_AXIS
 from components.covers import coverable
-from components.description import sheet_address
 from components.opening import opened
 from components.page.state import State
 from components.picture import draw
 from components.scene import Scene
+from components.scene_sheet import sheet_address
 from components.scenes import SCENES
 from components.standing import fitted
 from components.url import read_query

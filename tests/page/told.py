@@ -9,11 +9,11 @@ import msgspec
 
 from components.controls import panel
 from components.deeds import Deed, Errors, RefusalError, asked_values, refusal
-from components.description import column_axes, sheet_address, usual
 from components.page.messages import ToldAny
 from components.page.picture import View
 from components.places import encoded
 from components.scene import Picture, Scene
+from components.scene_sheet import column_axes, sheet_address, usual
 from components.scenes import SCENES
 from components.sent import view_of
 from components.session import Session

@@ -21,8 +21,8 @@ import pytest
 from components.chain import of_scene
 from components.csv_export import as_csv, tables
 from components.csv_export import comments as comments_of
-from components.description import plots
 from components.scene import Scene
+from components.scene_sheet import plots
 from components.scenes import SCENES
 from components.standing import fitted
 from components.url import read_query

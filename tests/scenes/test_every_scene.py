@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from components.description import column_axes
 from components.places import COARSE, span
 from components.scene import Scene
+from components.scene_sheet import column_axes
 from components.scenes import SCENES
 from components.standing import fitted
 from components.url import read_query

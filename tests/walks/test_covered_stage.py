@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from components.covers import PLOT, STAGE, without
-from components.description import blocks, plots
 from components.motion import derived, starts
 from components.page.blocks import StageBlock
 from components.page.shapes import Begin
 from components.page.signals import Derived
+from components.scene_sheet import blocks, plots
 from components.scenes import SCENES
 from components.standing import Standing
 from components.walks.links import standing_at

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from app import visited
-from components.description import plots
 from components.live_class.question_bank import QuestionBank
 from components.page.messages import Given
+from components.scene_sheet import plots
 from components.scenes import SCENES
 from components.walks.cards import walk_sheet
 from components.walks.links import standing_at
