@@ -8,13 +8,13 @@ from msgspec.structs import replace
 
 from components.covers import NEXT, refused_covers
 from components.deeds import sentence
+from components.link import Link
 from components.page.state import State
 from components.refusals import LINK_LOST, report
 from components.scene import Scene
 from components.session import Session
 from components.standing import Standing, fitted, standing_in
 from components.states import state_in, strange_axes
-from components.url import Link
 from components.walks import Walks
 
 

@@ -14,6 +14,7 @@ from components.beside import HIDDEN, WINDOW, moved, own_values, shown_as
 from components.covers import NEXT, checked_covers
 from components.deeds import Deed, RefusalError, asked_values, refusal, sentence
 from components.frames import FITTED, checked, unfitted
+from components.link import step_query, write_query
 from components.numbers import excerpt
 from components.page.messages import Open, SetValues
 from components.page.state import Frame, State
@@ -23,7 +24,6 @@ from components.predicting import covers_after, put_last, told_of
 from components.scene import Scene
 from components.shared_system import Shared, brought, taken_along
 from components.states import other_in, scene_in, stated_all, stated_own
-from components.url import step_query, write_query
 
 Scenes = Mapping[str, type[Scene]]
 

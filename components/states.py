@@ -6,12 +6,12 @@ from collections.abc import Iterator, Mapping
 
 from components.beside import HIDDEN, holdable, own_values
 from components.choices import chosen, stated
+from components.link import Link
 from components.numbers import excerpt
 from components.page.state import State, Value
 from components.parameters import AnyParameter, Quantity, Values
 from components.scene import Picture, Scene
 from components.scene_sheet import plots
-from components.url import Link
 
 
 def state_in(link: Link, scene: type[Scene]) -> State:

@@ -13,12 +13,12 @@ from msgspec.structs import replace
 
 from components.axes import TIME_AXIS, Axis, nice_axis, widest
 from components.frames import FITTED, loosened, unfitted
+from components.link import read_query
 from components.opening import opened
 from components.page.state import Frame
 from components.picture import frame_of
 from components.scene import Picture
 from components.scenes import SCENES
-from components.url import read_query
 from tests.page.told import Page
 from tests.scenes.checks import as_arguments, quantities
 

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from components.frames import FITTED
+from components.link import Link, read_query
 from components.opening import opened
 from components.page.blocks import Block
 from components.page.state import Frame
@@ -21,7 +22,6 @@ from components.scene import Picture, Scene
 from components.scenes import SCENES
 from components.sheet import column
 from components.standing import with_values
-from components.url import Link, read_query
 from tests.page.told import Page, unpacked
 from tests.scenes.checks import EXTREME_LINKS
 

@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 
 from components.csv_export import tables
+from components.link import read_query
 from components.numbers import three
 from components.opening import opened
 from components.scene import Scene
 from components.scenes import SCENES
-from components.url import read_query
 from components.wire import as_json
 from tests.page.told import Page, change, put
 from tests.scenes.checks import as_arguments, moved, quantities

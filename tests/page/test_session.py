@@ -12,6 +12,7 @@ from msgspec.structs import replace
 
 from components.axes import TIME_AXIS
 from components.covers import coverable
+from components.link import read_query
 from components.opening import opened
 from components.page.state import State
 from components.picture import draw
@@ -19,7 +20,6 @@ from components.scene import Scene
 from components.scene_sheet import sheet_address
 from components.scenes import SCENES
 from components.standing import fitted
-from components.url import read_query
 from tests.page.told import Page, unpacked
 from tests.scenes.checks import as_arguments, quantities
 

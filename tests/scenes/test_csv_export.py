@@ -21,11 +21,11 @@ import pytest
 from components.chain import of_scene
 from components.csv_export import as_csv, tables
 from components.csv_export import comments as comments_of
+from components.link import read_query
 from components.scene import Scene
 from components.scene_sheet import plots
 from components.scenes import SCENES
 from components.standing import fitted
-from components.url import read_query
 from tests.page.told import Page
 from tests.scenes.checks import as_arguments, quantities
 

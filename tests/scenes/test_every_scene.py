@@ -7,12 +7,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from components.link import read_query
 from components.places import COARSE, span
 from components.scene import Scene
 from components.scene_sheet import column_axes
 from components.scenes import SCENES
 from components.standing import fitted
-from components.url import read_query
 from tests.page.told import Page, apply_message, take_preset
 from tests.scenes.checks import as_arguments, check_picture, corners, quantities, solves, typed
 

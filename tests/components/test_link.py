@@ -9,13 +9,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from components.frames import FITTED
+from components.link import MOST_PROBLEMS, read_query
 from components.page.blocks import Block
 from components.page.state import Frame
 from components.parameters import displacement, mass, positive, stiffness
 from components.scene import Picture, Scene
 from components.sheet import column
 from components.standing import fitted
-from components.url import MOST_PROBLEMS, read_query
 
 
 class First(Scene):
