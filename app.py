@@ -16,11 +16,11 @@ from bokeh.document import Document
 from components.link import read_query
 from components.live_class.question_bank import QuestionBank
 from components.opening import opened
+from components.panel_bridge import SceneView
 from components.scene_sheet import sheet_address, sheet_json
 from components.scenes import SCENES
 from components.serving.shell import navigation, page_template, when_open
 from components.session import Publish, Session
-from components.view import SceneView
 from components.walks import Query, Walks
 from components.walks.apart import Apart, work
 from components.walks.cards import walk_file
