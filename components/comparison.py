@@ -10,7 +10,6 @@ import numpy as np
 
 from components.beside import moved
 from components.covers import VALUE, spoken_of, without
-from components.figures import Figure, became, is_same
 from components.numbers import three
 from components.page.blocks import PlotBlock, StageBlock
 from components.page.numbers import Expression, names_in
@@ -19,6 +18,7 @@ from components.page.shapes import AnyShape, Label
 from components.page.signals import AnySignal
 from components.parameters import Quantity
 from components.places import Steps
+from components.readouts import Readout, became, is_same
 from components.scene import Picture, Scene
 from components.scene_sheet import blocks, column_axes
 from components.sent import columns_of, signals_of
@@ -110,10 +110,10 @@ def _needed(picture: Picture, names: frozenset[str]) -> tuple[dict[str, AnySigna
 
 @dataclass(frozen=True)
 class _Pair:
-    """One row: a figure held and the one that stands, written in a unit of so many of its own."""
+    """One row: a readout held and the one that stands, written in a unit of so many of its own."""
 
-    held: Figure
-    now: Figure
+    held: Readout
+    now: Readout
     size: float
     hidden: bool
 
@@ -147,20 +147,20 @@ def ledger(now: Standing) -> tuple[LedgerRow, ...]:
     scene, other = now.scene, now.held
     _, left_out = without(now.kind, now.shown, now.covered)
     hidden = {*left_out, *(name.removeprefix(VALUE) for name in now.covered), *_followed(scene, now.before)}
-    followed = dict(zip((one.name for one in other.figures()), other.figures(), strict=True))
+    followed = dict(zip((one.name for one in other.readouts()), other.readouts(), strict=True))
     pairs = [
         *_moved(now, other),
-        *(_Pair(followed[one.name], one, 1.0, one.is_in(hidden)) for one in scene.figures() if one.name in followed),
+        *(_Pair(followed[one.name], one, 1.0, one.is_in(hidden)) for one in scene.readouts() if one.name in followed),
     ]
     return tuple(pair.row() for pair in sorted(pairs, key=lambda pair: pair.same)[:MOST_ROWS])
 
 
 def _followed(scene: Scene, asked: Standing | None) -> set[str]:
-    """The figures that a change has made others, also where their texts are the same."""
+    """The readouts that a change has made others, also where their texts are the same."""
     if asked is None:
         return set()
-    before = {one.name: one.value for one in asked.scene.figures()}
-    return {one.name for one in scene.figures() if before.get(one.name) != one.value}
+    before = {one.name: one.value for one in asked.scene.readouts()}
+    return {one.name for one in scene.readouts() if before.get(one.name) != one.value}
 
 
 def _moved(now: Standing, other: Scene) -> Iterator[_Pair]:
@@ -173,5 +173,5 @@ def _moved(now: Standing, other: Scene) -> Iterator[_Pair]:
             continue
         unit = scene.units().get(name)
         text, size = (unit.text, unit.size) if unit else (quantity.unit, 1.0)
-        before, after = (Figure(name, quantity.symbol, value, text, quantity.tint) for value in (held, stands))
+        before, after = (Readout(name, quantity.symbol, value, text, quantity.tint) for value in (held, stands))
         yield _Pair(before, after, size, hidden=False)

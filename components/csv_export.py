@@ -42,7 +42,7 @@ class CsvTable:
 def as_file(told: Standing, picture: Picture, page: str = "", answer: int | None = None) -> File:
     """The numbers of all plots that are seen, a table a file; several are packed. `page` is its address."""
     scene, head = told.scene, comments(told, picture, page)
-    found = tables(told.kind, picture) or figures(told, picture)
+    found = tables(told.kind, picture) or readouts(told, picture)
     if len(found) < 2:
         content = as_csv(found[0], head) if found else _noted(head).encode("ascii")
         return File(name=f"{scene.slug}.csv", kind="text/csv", content=content, answer=answer)
@@ -116,10 +116,10 @@ def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
     return [_table(scene, picture, names, sources) for names, sources in pieces.items()]
 
 
-def figures(told: Standing, picture: Picture) -> list[CsvTable]:
+def readouts(told: Standing, picture: Picture) -> list[CsvTable]:
     """Where no plot is seen, the numbers that the picture is about, unless one of them is covered."""
     covered = {*told.shown.values, *told.shown.live} - {*picture.values, *picture.live}
-    found = told.scene.figures()
+    found = told.scene.readouts()
     if not found or any(one.is_in(covered) for one in found):
         return []
     head = tuple(_headed(one.name, in_ascii(one.unit)) for one in found)

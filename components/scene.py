@@ -12,12 +12,12 @@ from bokeh.models import ColumnDataSource
 from param.parameterized import ParameterizedMetaclass, discard_events
 
 from components.about import About
-from components.figures import Figure
 from components.frames import FITTED
 from components.page.blocks import Block
 from components.page.state import Frame
 from components.parameters import Quantity, Values
 from components.picture import Picture, draw
+from components.readouts import Readout
 from components.refusals import in_words
 from components.scene_info import SceneInfo
 from components.units import Unit
@@ -89,7 +89,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         """The errors of all that is drawn, as far as they are known; None where there is nothing to say."""
         return None
 
-    def figures(self) -> tuple[Figure, ...]:
+    def readouts(self) -> tuple[Readout, ...]:
         """The numbers that are compared with those of another picture."""
         return ()
 

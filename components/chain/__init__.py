@@ -1,6 +1,6 @@
 """The two-mass chain: what the scenes about it share."""
 
-from components.chain.modes import MODES, direction_lines, directions, mode_figures
+from components.chain.modes import MODES, direction_lines, directions, mode_readouts
 from components.chain.parameters import (
     CHAIN,
     SHARES,
@@ -61,7 +61,7 @@ __all__ = [
     "masses",
     "masses_and_springs",
     "measured_by",
-    "mode_figures",
+    "mode_readouts",
     "of_scene",
     "place",
     "rest",

@@ -110,7 +110,7 @@ def test_the_swing_grows_by_what_is_told_whatever_the_start() -> None:
 def test_without_spring_2_mass_2_stays_at_resonance() -> None:
     scene = Forced(k2=0.0, omega=1.0)
     assert scene.shown.forms["steady"] == "resonance"
-    assert [figure.value for figure in scene.figures()[:2]] == [math.inf, 0.0] and scene.shown.values["Xp2"] == "+0.00"
+    assert [one.value for one in scene.readouts()[:2]] == [math.inf, 0.0] and scene.shown.values["Xp2"] == "+0.00"
 
 
 # The absorber

@@ -29,31 +29,31 @@ def taken(slug: str, label: str) -> Any:
     return scene
 
 
-def figure(scene: Scene, name: str) -> float:
-    return next(one.value for one in scene.figures() if one.name == name)
+def readout(scene: Scene, name: str) -> float:
+    return next(one.value for one in scene.readouts() if one.name == name)
 
 
 def test_heavier_and_stiffer_oscillators() -> None:
-    usual = figure(taken("oscillator", "Pushed back"), "tau")
-    assert figure(taken("oscillator", "Heavy"), "tau") == pytest.approx(2 * usual)
-    assert figure(taken("oscillator", "Stiff"), "tau") == pytest.approx(usual / 2, rel=0.01)
+    usual = readout(taken("oscillator", "Pushed back"), "tau")
+    assert readout(taken("oscillator", "Heavy"), "tau") == pytest.approx(2 * usual)
+    assert readout(taken("oscillator", "Stiff"), "tau") == pytest.approx(usual / 2, rel=0.01)
     still = taken("oscillator", "Pushed back")
     assert still.x_0 * still.v_0 < 0
 
 
 def test_the_energies_of_the_hanging_mass() -> None:
     pulled, pushed, heavy, soft = (taken("energy", label) for label in ("Pulled down", "Pushed up", "Heavy", "Soft"))
-    assert figure(pushed, "E_total") == figure(pulled, "E_total") == figure(heavy, "E_total")
-    assert figure(heavy, "delta_st") == pytest.approx(2 * figure(pulled, "delta_st"))
+    assert readout(pushed, "E_total") == readout(pulled, "E_total") == readout(heavy, "E_total")
+    assert readout(heavy, "delta_st") == pytest.approx(2 * readout(pulled, "delta_st"))
     for one in (heavy, soft):
-        assert figure(one, "tau") > figure(pulled, "tau") and figure(one, "delta_st") > figure(pulled, "delta_st")
+        assert readout(one, "tau") > readout(pulled, "tau") and readout(one, "delta_st") > readout(pulled, "delta_st")
 
 
 def test_analogues_and_flights() -> None:
-    assert figure(taken("analogues", "Cavendish"), "period") > 600
+    assert readout(taken("analogues", "Cavendish"), "period") > 600
     for label, least, most in (("60°", 0.05, 0.1), ("Clock", 0.0, 0.001), ("Nearly over", 1.0, 10.0)):
         scene = taken("analogues", label)
-        late = figure(scene, "period") * figure(scene, "omega") / (2 * math.pi) - 1
+        late = readout(scene, "period") * readout(scene, "omega") / (2 * math.pi) - 1
         assert least < late < most, label
     assert "speed falls to 0" in SCENES["phugoid"].watch["Cusp, 0.732"]
     speed = {label: taken("phugoid", label) for label in SCENES["phugoid"].presets}
@@ -67,7 +67,7 @@ def test_the_modes_of_the_coupled_masses() -> None:
         assert np.abs(columns[f"x1_{other}"]).max() < 1e-15
         ways = np.sign(columns["x1"] * columns["x2"])
         assert set(ways[np.abs(columns["x1"]) > 1e-9]) == {1.0 if label == "Slow" else -1.0}
-    omega = [figure(taken("coupled", "All equal"), name) for name in ("omega_minus", "omega_plus")]
+    omega = [readout(taken("coupled", "All equal"), name) for name in ("omega_minus", "omega_plus")]
     assert omega == pytest.approx([0.618, 1.618], abs=5e-4)
     assert omega[1] / omega[0] == pytest.approx((3 + math.sqrt(5)) / 2), "not rational"
     beats = taken("coupled", "Beats").shown.columns["time"]
@@ -78,11 +78,11 @@ def test_the_modes_of_the_coupled_masses() -> None:
 
 
 def test_the_driven_masses() -> None:
-    assert figure(taken("forced", "All equal"), "Xp1") < 0
+    assert readout(taken("forced", "All equal"), "Xp1") < 0
     still = taken("forced", "Still mass 1")
     assert np.abs(still.shown.columns["time"]["x1"]).max() < 1e-15
     light = taken("forced", "Light mass 2")
-    slow, fast = figure(light, "omega_minus"), figure(light, "omega_plus")
+    slow, fast = readout(light, "omega_minus"), readout(light, "omega_plus")
     assert slow < 1 < fast < 1.3 * slow
     below, at, above = (taken("absorber", label) for label in ("Below", "Resonant", "Above"))
     own = math.sqrt(below.k1 / below.m1)

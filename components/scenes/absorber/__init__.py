@@ -13,12 +13,12 @@ from components import chain
 from components.about import About
 from components.axes import nice_axis, time_axis
 from components.controls import Group
-from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import pace
 from components.page.blocks import Block
 from components.page.state import Frame
 from components.parameters import Values, angular_frequency, mass, not_negative, one_of, positive, stiffness
+from components.readouts import Readout
 from components.scene import Picture, Scene
 from components.scenes.absorber import data, drawing
 from components.scenes.absorber.about import absorber_about
@@ -290,14 +290,14 @@ class Absorber(Scene):
             spans=self._spans(duty),
         )
 
-    def figures(self) -> tuple[Figure, ...]:
+    def readouts(self) -> tuple[Readout, ...]:
         duty = self._shown_duty
         (swing, stroke, _), (slow, fast) = duty.swings, duty.driven.free.omega.tolist()
         return (
-            Figure("swing", "X_1", swing, "m", "m1"),
-            Figure("stroke", "X_2 − X_1", stroke, "m", "m2"),
-            Figure("slow", "ω_{−}", slow, "rad/s", "slow"),
-            Figure("fast", "ω_{+}", fast, "rad/s", "fast"),
+            Readout("swing", "X_1", swing, "m", "m1"),
+            Readout("stroke", "X_2 − X_1", stroke, "m", "m2"),
+            Readout("slow", "ω_{−}", slow, "rad/s", "slow"),
+            Readout("fast", "ω_{+}", fast, "rad/s", "fast"),
         )
 
     def about(self, shown: Picture) -> About:

@@ -11,7 +11,6 @@ from msgspec.structs import replace
 from components.about import About
 from components.axes import ONE, Axis, time_axis
 from components.controls import Group
-from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import cosine_of, derived, pace, sampled, sine_of, sines
 from components.numbers import short, three
@@ -21,6 +20,7 @@ from components.page.picture import Pace
 from components.page.signals import AnySignal
 from components.page.state import Frame
 from components.parameters import one_of
+from components.readouts import Readout
 from components.scene import Picture, Scene
 from components.scenes.analogues.about import analogue_about
 from components.scenes.analogues.case import DEGREE, LIMITS, AnalogueCase, late_axes, late_columns, motion_columns
@@ -111,9 +111,9 @@ class Analogues(Scene):
         start = math.radians(self.theta_0) if self.system in SWINGING else getattr(self, f"{self.system}_start")
         return AnalogueCase(system, p, start, self.window, standing)
 
-    def figures(self) -> tuple[Figure, ...]:
+    def readouts(self) -> tuple[Readout, ...]:
         case = self._case()
-        return Figure("omega", "ω_n", case.omega, "rad/s"), Figure("period", "τ", case.period, "s")
+        return Readout("omega", "ω_n", case.omega, "rad/s"), Readout("period", "τ", case.period, "s")
 
     def about(self, shown: Picture) -> About:
         return analogue_about(shown, self._case())

@@ -16,7 +16,6 @@ from components.axes import Axis, nice_axis, time_axis, whole_axis, widest
 from components.chain.forces import Forces, forces
 from components.chain.grabs import shares
 from components.controls import Group
-from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import derived, pace, scaled, total
 from components.page.blocks import Block
@@ -24,6 +23,7 @@ from components.page.numbers import var
 from components.page.signals import AnySignal
 from components.page.state import Frame
 from components.parameters import Values, one_of
+from components.readouts import Readout
 from components.scene import Picture, Scene
 from components.scenes.coupled import starting
 from components.scenes.coupled.about import coupled_about
@@ -129,13 +129,13 @@ class Coupled(Scene):
             notes=(*drawn.notes, *_notes(fast, t)),
         )
 
-    def figures(self) -> tuple[Figure, ...]:
+    def readouts(self) -> tuple[Readout, ...]:
         system = chain.of_scene(self)
         energy = starting.motion(self).energy.tolist()
         return (
-            *chain.mode_figures(system, "omega_{sign}", "ratio_{sign}"),
-            Figure("E_minus", "E_{−}", energy[0], "J", "slow"),
-            Figure("E_plus", "E_{+}", energy[1], "J", "fast"),
+            *chain.mode_readouts(system, "omega_{sign}", "ratio_{sign}"),
+            Readout("E_minus", "E_{−}", energy[0], "J", "slow"),
+            Readout("E_plus", "E_{+}", energy[1], "J", "fast"),
         )
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from components.about import About
 from components.axes import ONE, Axis
 from components.controls import Group
-from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import QUARTER, derived, pace, scaled, sines
 from components.numbers import three
@@ -20,6 +19,7 @@ from components.page.numbers import var
 from components.page.signals import AnySignal
 from components.page.state import Frame
 from components.parameters import Values, displacement, mass, not_negative, one_of, positive, velocity
+from components.readouts import Readout
 from components.scene import Picture, Scene
 from components.scenes.energy.about import energy_about
 from components.scenes.energy.case import HangingCase, case_axes, claim
@@ -137,13 +137,13 @@ class Energy(Scene):
             forms={"datum": case.datum, "claim": claim(case), "place": "said"},
         )
 
-    def figures(self) -> tuple[Figure, ...]:
+    def readouts(self) -> tuple[Readout, ...]:
         system = HangingMass(m=self.m, k=self.k, g=self.g)
         return (
-            Figure("omega", "ω_n", system.omega_n, "rad/s"),
-            Figure("tau", "τ", system.oscillator.period, "s"),
-            Figure("E_total", "E", system.total_energy(self.x_0, self.v_0), "J"),
-            Figure("delta_st", "δ_{st}", system.delta_st, "m"),
+            Readout("omega", "ω_n", system.omega_n, "rad/s"),
+            Readout("tau", "τ", system.oscillator.period, "s"),
+            Readout("E_total", "E", system.total_energy(self.x_0, self.v_0), "J"),
+            Readout("delta_st", "δ_{st}", system.delta_st, "m"),
         )
 
     def about(self, shown: Picture) -> About:

@@ -11,13 +11,13 @@ from components.about import About
 from components.axes import Axis, nice_axis, time_axis, widest
 from components.chain.forces import Forces, forces
 from components.controls import Group
-from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import pace
 from components.page.blocks import Block
 from components.page.picture import Digits
 from components.page.state import Frame
 from components.parameters import Values, angular_frequency, force, one_of
+from components.readouts import Readout
 from components.scene import Picture, Scene
 from components.scenes.forced.about import forced_about
 from components.scenes.forced.driven import energy_columns, limit_columns, motion_columns, motion_signals
@@ -135,10 +135,10 @@ class Forced(Scene):
             spans={"omega": (0.0, 2.5 * fast if fast else 5.0)},
         )
 
-    def figures(self) -> tuple[Figure, ...]:
+    def readouts(self) -> tuple[Readout, ...]:
         driven = self._driven()
-        amplitudes = [Figure(f"Xp{i}", f"X_{{p{i}}}", X, "m", f"m{i}") for i, X in enumerate(sizes(driven), start=1)]
-        return (*amplitudes, *chain.mode_figures(driven.chain, "omega_{sign} mark_{sign}", "ratio_{sign}"))
+        amplitudes = [Readout(f"Xp{i}", f"X_{{p{i}}}", X, "m", f"m{i}") for i, X in enumerate(sizes(driven), start=1)]
+        return (*amplitudes, *chain.mode_readouts(driven.chain, "omega_{sign} mark_{sign}", "ratio_{sign}"))
 
     def about(self, shown: Picture) -> About:
         return forced_about(shown, self._driven(), *chain.start_of(self))

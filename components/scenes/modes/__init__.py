@@ -8,11 +8,11 @@ from functools import cache
 from components import chain
 from components.about import About
 from components.controls import Group
-from components.figures import Figure
 from components.frames import FITTED
 from components.page.blocks import Block
 from components.page.state import Frame
 from components.parameters import Values, angular_frequency, finite, one_of
+from components.readouts import Readout
 from components.scene import Picture, Scene
 from components.scenes.modes import guess, guess_picture, hunt, solve, sweep
 from components.scenes.modes.about import guess_about, hunt_about, solve_about, sweep_about
@@ -135,8 +135,8 @@ class ModesScene(Scene):
             raise ValueError(f"equation {row} requires X₁ = 0 here: no ratio X₂/X₁ expresses that")
         return {"ratio": float(wanted)}
 
-    def figures(self) -> tuple[Figure, ...]:
-        return chain.mode_figures(
+    def readouts(self) -> tuple[Readout, ...]:
+        return chain.mode_readouts(
             chain.of_scene(self),
             "omega_{mode} {mode}_omega {mode}_long now_{mode}",
             "ratio_{mode} {mode}_ratio r_{mode} now_ratio_{mode} answer_{mode}",

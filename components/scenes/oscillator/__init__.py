@@ -12,7 +12,6 @@ from msgspec.structs import replace
 from components.about import About
 from components.axes import ONE, Axis, nice_axis, time_axis
 from components.controls import Group
-from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import QUARTER, pace, scaled, sines
 from components.numbers import MINUS, plus, power_unit, signed, three
@@ -20,6 +19,7 @@ from components.page.blocks import Block
 from components.page.signals import AnySignal
 from components.page.state import Frame
 from components.parameters import displacement, mass, one_of, stiffness, velocity
+from components.readouts import Readout
 from components.scene import Picture, Scene
 from components.scenes.oscillator.about import oscillator_about
 from components.scenes.oscillator.pull import Force, force
@@ -159,13 +159,13 @@ class OscillatorScene(Scene):
         oscillator = Oscillator(m=self.m, k=self.k)
         return Oscillation(oscillator=oscillator, x_0=self.x_0, v_0=self.v_0, window=self.window, standing=frame.window)
 
-    def figures(self) -> tuple[Figure, ...]:
+    def readouts(self) -> tuple[Readout, ...]:
         swing = self._swing()
-        omega, C = Figure("omega", "ω_n", swing.omega, "rad/s"), Figure("C", "C", swing.constants.C, "m", "m1")
+        omega, C = Readout("omega", "ω_n", swing.omega, "rad/s"), Readout("C", "C", swing.constants.C, "m", "m1")
         if not swing.omega:
             return (omega,)
-        tau = Figure("tau", "τ", swing.oscillator.period, "s")
-        return omega, tau, C, Figure("phi", "φ", swing.constants.phi, "rad", angle=True)
+        tau = Readout("tau", "τ", swing.oscillator.period, "s")
+        return omega, tau, C, Readout("phi", "φ", swing.constants.phi, "rad", angle=True)
 
     def about(self, shown: Picture) -> About:
         return oscillator_about(shown, Oscillator(m=self.m, k=self.k), self.x_0, self.v_0)

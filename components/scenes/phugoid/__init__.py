@@ -10,13 +10,13 @@ from msgspec.structs import replace
 from components.about import About
 from components.axes import Axis, nice_axis, time_axis
 from components.controls import Group
-from components.figures import Figure
 from components.frames import FITTED, framed
 from components.motion import pace
 from components.numbers import MINUS, signed, three
 from components.page.blocks import Block
 from components.page.state import Frame
 from components.parameters import Quantity, Values, mass, one_of, positive
+from components.readouts import Readout
 from components.scene import Picture, Scene
 from components.scenes.phugoid.about import flight_about
 from components.scenes.phugoid.flight import (
@@ -281,11 +281,11 @@ class Phugoid(Scene):
             },
         }
 
-    def figures(self) -> tuple[Figure, ...]:
+    def readouts(self) -> tuple[Readout, ...]:
         swing = Swing(self.v_0, self.g, self.excess)
         return (
-            Figure("tau", "τ", swing.linear.tau, "s"),
-            Figure("late", "τ_{exact}", swing.period, "s"),
+            Readout("tau", "τ", swing.linear.tau, "s"),
+            Readout("late", "τ_{exact}", swing.period, "s"),
         )
 
     def about(self, shown: Picture) -> About:

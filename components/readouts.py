@@ -15,7 +15,7 @@ PARTS = {0.5: "½", 0.25: "¼", 0.75: "¾"}
 
 
 @dataclass(frozen=True)
-class Figure:
+class Readout:
     """A number of a picture: `name` is that of its live number, for the covers, and `also` are others that tell it; an
     angle is compared by difference."""
 
