@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 from msgspec.structs import replace
 
+from components.commands import sentence
 from components.covers import NEXT, refused_covers
-from components.deeds import sentence
 from components.link import Link
 from components.page.state import State
 from components.refusals import LINK_LOST, report

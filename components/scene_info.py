@@ -42,7 +42,7 @@ class SceneInfo(param.Parameterized):
     reached: ClassVar[tuple[str, ...]] = ()
     """The parameters that record what a visitor has reached: a link carries them, and nothing is compared with them."""
     places: ClassVar[tuple[str, ...]] = ()
-    """The actions that are places rather than deeds: their buttons show whether the scene is there."""
+    """The actions that are places rather than commands: their buttons show whether the scene is there."""
     work: ClassVar[type[Running] | None] = None
     """What the scene has done instead of playing: then its progress stands in the transport's place."""
     onward: ClassVar[tuple[Onward, ...]] = ()

@@ -13,10 +13,10 @@ from typing import Protocol
 from msgspec.structs import replace
 
 from components.about import About, about_numbers
+from components.commands import Errors, RefusalError
 from components.comparison import told_beside
 from components.controls import preset_name, settings
 from components.csv_export import as_file
-from components.deeds import Errors, RefusalError
 from components.numbers import excerpt
 from components.page.messages import (
     AskAbout,

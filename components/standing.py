@@ -11,8 +11,8 @@ from typing import Any
 import msgspec
 
 from components.beside import HIDDEN, WINDOW, moved, own_values, shown_as
+from components.commands import Command, RefusalError, asked_values, refusal, sentence
 from components.covers import NEXT, checked_covers
-from components.deeds import Deed, RefusalError, asked_values, refusal, sentence
 from components.frames import FITTED, checked, unfitted
 from components.link import step_query, write_query
 from components.numbers import excerpt
@@ -103,7 +103,7 @@ def fitted(scene: Scene) -> Standing:
     return Standing(scene=scene.value, drawn=draw(scene.value))
 
 
-def changed(now: Standing, said: Deed | Open, scenes: Scenes) -> Standing:
+def changed(now: Standing, said: Command | Open, scenes: Scenes) -> Standing:
     """The standing after a message; RefusalError, with a sentence for each reason, where that cannot be."""
     return _turned(now, said, scenes) if isinstance(said, Open) else _done(now, said)
 
@@ -130,15 +130,15 @@ def _redrawn(now: Standing, scene: Scene, framing: Framing = "grown", *, refits:
     return replace(now, scene=scene, held=held, drawn=drawn)
 
 
-def _done(now: Standing, deed: Deed) -> Standing:
+def _done(now: Standing, command: Command) -> Standing:
     """When a hand lets go, the frame grows where it must, and what is hardly used of it is fitted anew, but in a step
     of a walk and while something waits to be predicted."""
-    said = deed.holding if isinstance(deed, SetValues) else None
-    values = asked_values(now.scene, deed)
+    said = command.holding if isinstance(command, SetValues) else None
+    values = asked_values(now.scene, command)
     try:
         after = with_values(now, values, holding=bool(said), released=now.in_hand and not said)
     except ValueError as error:
-        raise refusal(now.scene, deed, error) from error
+        raise refusal(now.scene, command, error) from error
     if said is False and not (now.step or now.covered) and (frame := after.drawn.loosened) != after.drawn.frame:
         after = replace(after, drawn=draw(after.scene, after.held, "grown", frame))
     return _predicted(replace(after, in_hand=bool(said)), now.before or now, begins=now.before is None)

@@ -7,8 +7,8 @@ from typing import Any
 
 import msgspec
 
+from components.commands import Command, Errors, RefusalError, asked_values, refusal
 from components.controls import panel
-from components.deeds import Deed, Errors, RefusalError, asked_values, refusal
 from components.page.messages import ToldAny
 from components.page.picture import View
 from components.places import encoded
@@ -28,7 +28,7 @@ def apply_message(scene: Scene, data: object) -> Errors:
         said = decoded(data)
     except ValueError as error:
         return {"message": str(error)}
-    assert isinstance(said, Deed)
+    assert isinstance(said, Command)
     try:
         scene.set(asked_values(scene.value, said))
     except RefusalError as refused:

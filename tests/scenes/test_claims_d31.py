@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from components.deeds import sentence
+from components.commands import sentence
 from components.scenes.analogues import Analogues
 from components.scenes.analogues.controls import LINEAR, SWINGING
 from components.scenes.energy import Energy

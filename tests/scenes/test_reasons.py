@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import physics
-from components.deeds import sentence
+from components.commands import sentence
 from physics.valid import DOUBLES
 
 ROOT = Path(physics.__file__).parent

@@ -1,4 +1,4 @@
-"""Deeds: the values that a message of the page asks of a scene, or a refusal in words."""
+"""Commands of the page: the values that a message of the page asks of a scene, or a refusal in words."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from components.typed import typed_number
 
 Errors = dict[str, str]
 """Sentences by parameter; under the name "action" for a button, "state" for a state, "run" for a measurement."""
-Deed = SetValues | Typed | Act | Choose
+Command = SetValues | Typed | Act | Choose
 _MINUS = re.compile(r"(?<![\w)\]])-(?=\.?\d)")
 _SYMBOL = re.compile(r"(?:[b-z]|omega|\w*[\d_]\w*)\b|\w+(?: =|:)")
 """A reason's first word that keeps its own letters: k1 = 0, m g C, omega Xp, curve: ..."""
@@ -32,9 +32,9 @@ class RefusalError(Exception):
         self.errors = errors
 
 
-def asked_values(scene: Scene, deed: Deed) -> Values:
+def asked_values(scene: Scene, command: Command) -> Values:
     """The values that a message asks for; RefusalError for those that are not possible one by one."""
-    match deed:
+    match command:
         case SetValues(values=values):
             errors = {excerpt(name): _problem(scene, name, value) for name, value in values.items()}
             if found := {name: error for name, error in errors.items() if error}:
@@ -54,9 +54,9 @@ def asked_values(scene: Scene, deed: Deed) -> Values:
                 raise RefusalError({name: sentence(error)}) from error
 
 
-def refusal(scene: Scene, deed: Deed, error: ValueError) -> RefusalError:
+def refusal(scene: Scene, command: Command, error: ValueError) -> RefusalError:
     """The refusal of values that are possible one by one, but that the physics refuses together."""
-    match deed:
+    match command:
         case SetValues(values=values):
             return RefusalError({name: f"{sentence(error)} {_still(scene, name)}" for name in values})
         case Typed(name=name):
