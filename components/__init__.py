@@ -1,1 +1,1 @@
-"""What a visitor sees and touches: parameters, controls, plots, stage, links."""
+"""The app behind the page: scenes and their parts, walks, a visitor's session, the server, the live class."""

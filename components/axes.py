@@ -77,11 +77,11 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
 
     @property
     def gap(self) -> str:
-        """What stands between a number and the unit."""
+        """The space between a number and the unit: none before a degree sign."""
         return "" if self.full_unit == "°" else " "
 
     def digits(self, signed: bool = False) -> Digits:
-        """How a number that moves is shown on this axis: decimals, and whether its sign always stands."""
+        """The digits of a moving number on this axis: its decimals, and whether its sign always stands."""
         largest = max(abs(self.place(end)) for end in self.chosen)
         return Digits(max(0, 2 - math.floor(math.log10(largest))), signed)
 

@@ -1,4 +1,4 @@
-"""What a parameter that is not a number may be, and the words that stand for it in links and messages."""
+"""Choices: the values that a parameter other than a number may have, and their words in links and messages."""
 
 import re
 

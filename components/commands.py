@@ -1,4 +1,4 @@
-"""Commands of the page: the values that a message of the page asks of a scene, or a refusal in words."""
+"""Commands: the values that a message of the page asks of a scene, or a refusal in words."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def _still(scene: Scene, name: str) -> str:
 
 
 def sentence(error: ValueError) -> str:
-    """What the physics says, its numbers as they are typed: 1e300."""
+    """The sentence of an error of the physics for the screen, its numbers as they are typed: 1e300."""
     text = _MINUS.sub(MINUS, _POWER.sub(r"e\1", str(error)))
     start = text[:1] if _SYMBOL.match(text) else text[:1].upper()
     return as_on_screen(start + text[1:]) + ("" if text.endswith((".", "!", "?")) else ".")

@@ -148,8 +148,8 @@ def settings(
     units: Mapping[str, Unit],
     spans: Mapping[str, tuple[float, float]],
 ) -> dict[str, Setting]:
-    """What the controls show of these values: `units` are those shown in place of a quantity's own, `spans` the ends of
-    the sliders that follow the scene."""
+    """The settings of all controls for these values: `units` are those shown in place of a quantity's own, `spans` the
+    ends of the sliders that follow the scene."""
     found: dict[str, Setting] = {}
     for name, parameter in parameters.items():
         value = values.get(name)

@@ -1,4 +1,4 @@
-"""What a visitor takes away: the numbers of all plots as CSV, with the link, parameters and equations behind them."""
+"""CSV export: the numbers of all plots, with the link, parameters and equations behind them."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def comments(told: Standing, picture: Picture, page: str = "") -> list[str]:
 
 
 def _parameters(scene: Scene, picture: Picture) -> Iterator[str]:
-    """Those that count: of another system, or another way to begin, none is told."""
+    """The parameters that count, a line each: none of another system, or of another way to begin."""
     apart = (group for group in scene.groups if group.apart and not picture.forms.get(group.form))
     idle = {name for group in apart for name in group.names}
     for name, parameter in scene.linked().items():
@@ -93,7 +93,7 @@ def _parameters(scene: Scene, picture: Picture) -> Iterator[str]:
 
 
 def _plots(scene: type[Scene], picture: Picture) -> Iterator[str]:
-    """What the columns of each plot are; the edges of a stack are explained by its layers."""
+    """The columns of each plot, a line each; the edges of a stack are explained by its layers."""
     for plot in plots(scene):
         curves = [
             c for c in plot.curves if plot.y in picture.axes and len(picture.columns.get(c.source, {}).get(c.y, ()))
@@ -166,5 +166,5 @@ _ASCII = str.maketrans({
 
 
 def in_ascii(text: str) -> str:
-    """The same in letters that every program reads."""
+    """A text in letters that every program reads."""
     return _RAISED.sub(lambda power: "^" + normalize("NFKC", power[0]), text).translate(_ASCII)

@@ -21,7 +21,7 @@ from components.page.state import Frame
 FITTED = Frame()
 """The frame that leaves everything to the scene."""
 SIZES = ("window", "scale", "speed")
-"""What a frame has beside the ranges of its axes."""
+"""The numbers that a frame has beside the ranges of its axes."""
 FEW = 0.3
 """Marks that fill less of a frame than this give way to round numbers."""
 USED = 0.25
@@ -86,7 +86,7 @@ def _rounded(axis: Axis, named: bool) -> Axis:
 
 
 def unfitted(frame: Frame, fitted: Frame) -> Frame | None:
-    """What of a frame is seen not to be as it would be fitted; None where nothing is."""
+    """The parts of a frame that are seen to differ from the fitted ones; None where none does."""
     known = {**fitted.ranges, **({TIME_AXIS: (0.0, frame.window)} if frame.window else {})}
     sizes = {name: getattr(frame, name) for name in SIZES}
     rest = Frame(

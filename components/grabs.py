@@ -1,4 +1,4 @@
-"""What a hand does with a shape: builders of components.page.shapes.Grab."""
+"""Grabs: builders of components.page.shapes.Grab, which tells what a hand does with a shape."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from components.page.shapes import Along, AnyWay, Begin, Grab
 
 
 def grab(label: str, *ways: AnyWay, inside: str = "") -> Grab:
-    """What sets values and leaves the clock alone, in the frame of the plot `inside` if there is one."""
+    """A grab that sets values and leaves the clock alone, in the frame of the plot `inside` if there is one."""
     return Grab(label=label, ways=ways, inside=inside)
 
 
 def begin(label: str, *ways: AnyWay, start: tuple[Begin, ...] = ()) -> Grab:
-    """What begins a motion: time stops, and what is seen becomes the new start."""
+    """A grab that begins a motion: time stops, and the displacements seen become the new start."""
     return Grab(label=label, ways=ways, begins=True, start=start)
 
 

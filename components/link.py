@@ -1,4 +1,4 @@
-"""A link carries the state of a page: into and out of the query of an address.
+"""Links: the state of a page, written into and read from the query of an address.
 
 It has the scene, the parameters that differ from their defaults, what of the frame is not fitted (frame.x=-2,2 is a
 range, frame.window a time window), the curves switched off, what is covered: cover=plot:x2,value:tau, and what is held
@@ -41,7 +41,7 @@ AUTOMATIC = "auto"
 
 @dataclass(frozen=True)
 class Link:
-    """What a query asks for: a scene, its values, what is covered, and a sentence for each part that is refused.
+    """A query as it is read: a scene, its values, what is covered, and a sentence for each part that is refused.
 
     Of the frame it names parts; the others are fitted. Without any there is none.
     """
@@ -103,7 +103,7 @@ def write_query(state: State, scene: type[Scene]) -> str:
 
 
 def step_query(step: str) -> str:
-    """The same for the step of a walk, "d34/d34-07"."""
+    """The query that opens a step of a walk, "d34/d34-07"."""
     walk, _, name = step.partition("/")
     return urlencode({"walk": walk, "step": name})
 
@@ -128,7 +128,7 @@ def _towards(value: float, way: str) -> float:
 
 
 def _read_other(scene: type[Scene], key: str, given: Sequence[bytes]) -> dict[str, object]:
-    """What one key says of the values held, or of those from before a change."""
+    """The value that one key gives of the scene held, or of the one from before a change."""
     which, dot, name = key.partition(".")
     if dot:
         return {name: _read(holdable(scene), name, given)}

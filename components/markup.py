@@ -1,4 +1,4 @@
-"""What the markup of a text may have, whoever wrote it: words, symbols and formulas that stay where they are put."""
+"""Markup: the HTML that a text may have, whoever wrote it: words, symbols and formulas that stay where they are put."""
 
 from __future__ import annotations
 

@@ -81,7 +81,7 @@ _KNOWN = _measures()
 
 
 def measure(text: str) -> Measure:
-    """What N/m, km/h, N s/m, kg·m², s⁻¹ mean: each / divides by the one unit after it.
+    """The measure that N/m, km/h, N s/m, kg·m², s⁻¹ stand for: each / divides by the one unit after it.
 
     ValueError names what is unknown.
     """

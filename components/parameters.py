@@ -1,4 +1,4 @@
-"""What each kind of parameter is called, measured in, allowed to be, and how its slider runs: once."""
+"""Parameters: each kind's name, unit, bounds and slider, written once."""
 
 import math
 from collections.abc import Iterable, Mapping

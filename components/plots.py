@@ -50,7 +50,7 @@ def region(
 
 
 class Details(TypedDict, total=False):
-    """What a plot has as components.page.blocks.PlotBlock says."""
+    """The fields of a plot that are passed on to components.page.blocks.PlotBlock, which explains them."""
 
     handles: tuple[Handle, ...]
     marks: tuple[Mark, ...]

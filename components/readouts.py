@@ -1,4 +1,4 @@
-"""Numbers that are compared: of the picture held and of the one that stands, and what became of each."""
+"""Readouts: the numbers of a picture that are compared with those of another one."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def is_same(held: float, now: float) -> bool:
 
 
 def became(held: float, now: float, angle: bool = False) -> str:
-    """What became of a number: "× 4", or its difference where no factor says it."""
+    """The change of a number in words: "× 4", or its difference where no factor says it."""
     if not (math.isfinite(held) and math.isfinite(now)):
         return ""
     if not angle and held and now:

@@ -1,4 +1,4 @@
-"""What goes wrong on the way to an answer: arithmetic is refused in words; the log is told of each kind once."""
+"""Refusals: an arithmetic error becomes a sentence for the visitor, and the log is told of each kind once."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def in_words() -> Iterator[None]:
 
 
 def as_on_screen(text: str) -> str:
-    """What the physics says, its symbols as they stand beside the sliders: omega_n is ωₙ."""
+    """An error's text with its symbols as they stand beside the sliders: omega_n is ωₙ."""
     return _SYMBOL.sub(_symbol, text).replace("sqrt(", "√(").replace("^2", "²")
 
 

@@ -1,4 +1,4 @@
-"""What a scene says of itself, once for all visitors."""
+"""The declaration of a scene: its names, groups, presets and links, the same for all visitors."""
 
 from __future__ import annotations
 
@@ -15,25 +15,25 @@ from components.running import Running
 
 
 class SceneInfo(param.Parameterized):
-    """The facts of a scene, which each declares; see components.scene."""
+    """The class attributes that each scene declares; see components.scene."""
 
     slug: ClassVar[str]
     title: ClassVar[str]
     lecture: ClassVar[str]
     points: ClassVar[str]
-    """What of the lecture it is about."""
+    """The part of the lecture that it is about."""
     headline: ClassVar[str]
-    """What it shows, in a sentence."""
+    """Its claim, in a sentence."""
     equations: ClassVar[tuple[str, ...]]
-    """What the numbers obey, in ASCII with the names of the code: for those who take them away."""
+    """The equations that the numbers obey, in ASCII with the names of the code, for the CSV export."""
     spoken: ClassVar[Mapping[str, str]] = {}
     """The numbers that are read aloud when a change moves them: what each is called, and its live numbers with unit."""
     groups: ClassVar[tuple[Group, ...]]
     presets: ClassVar[Mapping[str, Values]] = {}
     watch: ClassVar[Mapping[str, str]] = {}
-    """What to watch in each preset, in a sentence that is said when it is taken."""
+    """A sentence for each preset on what to watch, said when it is taken."""
     opens: ClassVar[Values] = {}
-    """What differs from the defaults where a page of it is opened without any parameter."""
+    """The values that differ from the defaults where a page of it is opened without any parameter."""
     start: ClassVar[str] = "Start from"
     start_folded: ClassVar[bool] = False
     """The title over the presets, and whether they are folded under it."""
@@ -44,13 +44,13 @@ class SceneInfo(param.Parameterized):
     places: ClassVar[tuple[str, ...]] = ()
     """The actions that are places rather than commands: their buttons show whether the scene is there."""
     work: ClassVar[type[Running] | None] = None
-    """What the scene has done instead of playing: then its progress stands in the transport's place."""
+    """The work of a scene that measures instead of playing: its progress stands in the transport's place."""
     onward: ClassVar[tuple[Onward, ...]] = ()
     """The links to other scenes that take values along."""
     shares: ClassVar[Mapping[str, str]] = {}
-    """Its parameters by what they are in other scenes too: components.shared_system takes them along."""
+    """Its parameters by their meaning in other scenes too: components.shared_system takes them along."""
     sharing: ClassVar[Values] = {}
-    """What else must be so for them to be what is shown."""
+    """Values that it must have besides, so that the shared parameters are the ones shown."""
 
     @classmethod
     @cache

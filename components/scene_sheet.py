@@ -1,4 +1,4 @@
-"""What the browser must know of a scene once: its sheet, the same for every visitor, worked out once a process."""
+"""The sheet of a scene: all that the browser must know of it once, the same for every visitor, built once a process."""
 
 from __future__ import annotations
 
@@ -51,8 +51,8 @@ def scene_sheet(scene: type[Scene]) -> SceneSheet:
 
 @cache
 def usual(scene: type[Scene]) -> bytes:
-    """What messages about the scene mostly say: the text of its first picture, in six digits, which are the same on
-    every machine that serves it."""
+    """The usual text of messages about the scene, which they are deflated against: that of its first picture, in six
+    digits, which are the same on every machine that serves it."""
     first = scene.at()
     view, _ = view_of(first.shown, column_axes(scene))
     told = Shown(

@@ -1,4 +1,4 @@
-"""What goes along from scene to scene: a system that several scenes speak of, by what its parameters mean.
+"""The shared system: several scenes speak of one, and it goes along from scene to scene by what its parameters mean.
 
 A system goes along whole, from a scene that shows it and where it is not the scene's own, to every scene that has all
 of it. A scene that shows its own gives up what was taken along before.
@@ -16,7 +16,7 @@ Shared = Mapping[str, object]
 
 
 def taken_along(scene: Scene, before: Shared) -> Shared:
-    """What goes on from a scene, to which others have brought `before`."""
+    """The shared values that leave a scene, to which others have brought `before`."""
     if any(getattr(scene, name) != value for name, value in scene.sharing.items()):
         return before
     kind = type(scene)

@@ -1,4 +1,4 @@
-"""What stands where on the paper: builders of components.page.blocks, with texts in the language of components.text."""
+"""Builders of the paper's blocks (components.page.blocks), with texts in the language of components.text."""
 
 from __future__ import annotations
 
@@ -114,6 +114,6 @@ def term(curve: str = "", key: str = "line", tint: str = "ink", *, form: str = "
 
 
 def phrase(curve: str = "", key: str = "line", tint: str = "ink", *, form: str = "", **forms: str) -> Term:
-    """The same with words in place of formulas."""
+    """A term of a heading with words in place of formulas."""
     variants = {name: rich(text) for name, text in forms.items()}
     return Term(curve=curve, form=form or curve, key=key, tint=tint, variants=variants)  # type: ignore[arg-type]

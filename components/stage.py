@@ -45,7 +45,7 @@ def on_x(plot: str, value: Number) -> Expression:
 
 
 def on_y(plot: str, value: Number) -> Expression:
-    """The same on the vertical axis; the value is in the unit of the axis, as signals are."""
+    """The place of a value on the vertical axis of a plot; the value is in the unit of the axis, as signals are."""
     return var(f"{plot}.y0") + var(f"{plot}.y1") * value
 
 

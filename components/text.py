@@ -158,5 +158,5 @@ def runs(text: str) -> Runs:
 
 
 def plain(text: str) -> str:
-    """The same without its marks, for the read-out at the pointer and for names that are read aloud."""
+    """A text without its marks, for the read-out at the pointer and for names that are read aloud."""
     return "".join(run.text for run in runs(text))

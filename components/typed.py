@@ -1,4 +1,4 @@
-"""What people type into a field: a number, an expression such as 1/3, 2π or sqrt(2), and a unit after it.
+"""Typed text: the reading of what people type into a field: a number, an expression such as 1/3, 2π or sqrt(2), a unit.
 
 An expression has + - * / ^, brackets, pi and sqrt. It is read by Python's own parser, of which these few kinds of
 nodes are taken, and worked out in 80 digits, so that it is rounded once; nothing is ever run.
@@ -105,7 +105,7 @@ def _power(base: Decimal, exponent: Decimal) -> Decimal:
 
 
 def _ratio(given: str, unit: str, text: str) -> Decimal:
-    """What one of the unit given is in the unit of the field."""
+    """The size of the unit given, in the unit of the field."""
     wanted = f"type a number in {unit}" if unit else "type a number without a unit"
     try:
         found = measure(given)

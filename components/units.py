@@ -24,7 +24,7 @@ class Unit:
         return tidy(few if abs(few - number) <= 1e-12 * abs(number) else float(f"{number:.4g}"))
 
     def shown(self, value: object) -> str | None:
-        """The same for whatever a message brings; None where that is no number of any use."""
+        """Any value of a message as its field would show it; None where that is no number of any use."""
         if isinstance(value, bool) or not isinstance(value, (int, float)) or not abs(value) < 1e300:
             return None
         return self.field(value).replace("-", MINUS)

@@ -1,4 +1,4 @@
-"""How a message crosses: as one block of bytes, deflated once, whoever hears it.
+"""The encoding of a message: one block of bytes, deflated once, whoever hears it.
 
 Inside stand a line of JSON and, where it shows a picture, the columns (components/places.py). A message about a
 scene refers to the scene's `usual` text, which the browser has in its sheet: what it repeats of that costs next to
@@ -58,7 +58,7 @@ def on_page(packet: Packet) -> str:
 
 
 def decoded(data: object) -> Said:
-    """What the browser says; ValueError, in words, for what our page does not send."""
+    """A message of the browser; ValueError, in words, for what our page does not send."""
     try:
         said: Said = msgspec.convert(data, Said)
     except (msgspec.ValidationError, RecursionError) as error:

@@ -43,7 +43,7 @@ class System:
 
     @property
     def unit(self) -> str:
-        """What its time is counted in."""
+        """The unit in which its time is counted."""
         return "relaxation times" if self.c else "slow periods"
 
     @cached_property
@@ -84,7 +84,7 @@ class Limits:
 
 @dataclass(frozen=True, kw_only=True)
 class Run:
-    """What one method did at one setting; times in s. Where failure says why, there are no errors.
+    """The result of one method at one setting; times in s. Where failure says why, there are no errors.
 
     `end` is why the method is not refined beyond it: "floor", "finest", "failed", or "" where it is.
     """
@@ -127,7 +127,7 @@ class Run:
 
 
 def entered(system: System, methods: Sequence[str] = tuple(METHODS)) -> tuple[str, ...]:
-    """Those of the methods that are made for such a system."""
+    """The methods that are made for such a system."""
     return tuple(slug for slug in methods if METHODS[slug].friction or not system.c)
 
 

@@ -1,4 +1,4 @@
-"""What one oscillating system is: its parameters, its coordinate, and what plays m and k there.
+"""Analogues: oscillating systems by their parameters, their coordinate, and the quantities in the roles of m and k.
 
 Formulas are functions of 80-digit decimals and rounded once.
 """
@@ -41,7 +41,7 @@ class Constant:
 
 @dataclass(frozen=True, kw_only=True)
 class Analogue:
-    """One system: its parameters, its coordinate, and what plays m and k there (formulas in LaTeX)."""
+    """One system: its parameters, its coordinate, and the quantities in the roles of m and k (formulas in LaTeX)."""
 
     slug: str
     name: str
@@ -97,12 +97,12 @@ class Tuned:
 
     @property
     def inertia(self) -> float:
-        """What plays m."""
+        """The quantity in the role of m."""
         return _above_0(f"{self.system.name}: the role of m", self._inertia)
 
     @property
     def stiffness(self) -> float:
-        """What plays k."""
+        """The quantity in the role of k."""
         return _above_0(f"{self.system.name}: the role of k", self._stiffness)
 
     @property
@@ -120,7 +120,7 @@ class Tuned:
             return rounded("the energy", self._stiffness * exact(q_0) ** 2 / 2)
 
     def exact_energy(self, q_0: float) -> float:
-        """The same of a pendulum at any angle, stiffness (1 - cos q_0); of a linear system no other."""
+        """T + V in J at any angle, stiffness (1 - cos q_0) for a pendulum; for a linear system it is `energy`."""
         if self.system.length_of is None or not q_0:
             return self.energy(q_0)
         with precise():

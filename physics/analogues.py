@@ -1,4 +1,4 @@
-"""The same equation elsewhere (lecture D31, slide 7): nine systems with inertia q'' + stiffness q = 0.
+"""Nine systems with the equation inertia q'' + stiffness q = 0 (lecture D31, slide 7).
 
 Each system says what its coordinate q is, what plays m and what plays k; omega_n = sqrt(stiffness/inertia).
 The pendulums are linear for small angles only; what larger ones do is in physics.pendulum.

@@ -50,7 +50,7 @@ class Mode(NamedTuple):
 
     @property
     def rows(self) -> tuple[Decimal, Decimal, Decimal]:
-        """What one unit of the coordinate adds to x1, x2 and the elongation of spring 2."""
+        """The changes of x1, x2 and the elongation of spring 2 by one unit of the coordinate."""
         return *self.shape, self.stretch
 
     def sinusoid(self, q: Decimal, v: Decimal) -> ExactSinusoid:
@@ -265,7 +265,7 @@ def each_mass(name: str, values: ArrayLike) -> Vector:
 
 
 def started(chain: TwoMassChain, x_0: Vector, v_0: Vector) -> FreeModes:
-    """The same from a start in 80 digits."""
+    """The modes of the free motion from a start in 80 digits."""
     (x_slow, x_fast), (v_slow, v_fast) = coordinates(chain, x_0), coordinates(chain, v_0)
     return FreeModes(chain, (x_slow, x_fast), (v_slow, v_fast))
 

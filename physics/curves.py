@@ -136,7 +136,7 @@ def difference(a: ScaledCurve, b: ScaledCurve) -> ScaledCurve:
 
 
 def rescaled(a: ScaledCurve, scale: Decimal) -> ScaledCurve:
-    """The same curve, counted in a scale at least as large as its own."""
+    """A curve, counted in a scale at least as large as its own."""
     with precise():
         hi, lo, exponent = binary(a.scale / scale)
     factor = ScaledCurve(np.asarray(math.ldexp(hi, exponent)), np.asarray(math.ldexp(lo, exponent)), scale)
@@ -167,7 +167,7 @@ def combined(rows: Sequence[Sequence[Decimal]], curves: Sequence[ScaledCurve], q
 def scaled_sum(
     rows: Sequence[Sequence[Decimal]], curves: Sequence[ScaledCurve]
 ) -> tuple[DoubleDouble, NDArray[np.int_]]:
-    """The same sum as hi + lo, in units of a power of two for each row, which is near its largest term."""
+    """sum_k rows[i][k] curves[k] as hi + lo, each row in units of a power of two that is near its largest term."""
     curves = [_normalised(curve) for curve in curves]
     coefficients, exponents = _coefficients(rows, curves)
     total = rest = np.zeros((len(rows), curves[0].hi.size))

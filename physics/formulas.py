@@ -12,7 +12,7 @@ from physics.problem import Problem, StoppedError, Trajectory, Watch, trajectory
 
 
 def closed_form(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """This project's own."""
+    """The closed form of this project."""
     watch.evaluations = problem.t.size
     if problem.c:
         return _with_dashpot(problem)
@@ -65,7 +65,7 @@ def dense_eigh(problem: Problem, _: float, watch: Watch) -> Trajectory:
 
 
 def naive_eigh(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """The same with the usual particular solution, mode by mode f/(omega_n^2 - omega^2)."""
+    """Modes by eigh with the usual particular solution, mode by mode f/(omega_n^2 - omega^2)."""
     omega, shapes, forces = _eigenmodes(problem)
     return _superposed(problem, omega, shapes, shapes @ (forces / (omega**2 - problem.omega**2)), watch)
 

@@ -171,7 +171,7 @@ def _taylor(*state: float) -> _Series:
 
 
 def _step(series: _Series, least: float) -> float:
-    """How far on the last two terms of p and of w stay below `least`."""
+    """The step over which the last two terms of p and of w stay below `least`."""
     _, p, w = series
     return float(min((least / max(abs(p[n]), abs(w[n]))) ** (1 / n) for n in (ORDER - 1, ORDER)))
 

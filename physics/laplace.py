@@ -95,7 +95,7 @@ class Expansion:
 
     @cached_property
     def at_rest(self) -> tuple[Rows, Rows]:
-        """What exponents of 0 add: a constant, and a drift where there are two of them."""
+        """The terms of exponents of 0: a constant, and a drift where there are two of them."""
         P, none = self.P, (self.ctx.zero,) * 3
         if not self.zeros:
             return none, none
@@ -171,7 +171,7 @@ class Expansion:
         return tuple(rows) if p.imag else tuple(self.ctx.mpc(a.real) for a in rows)
 
     def _sizes(self, p: Any) -> Rows:
-        """What the residues of an exponent were summed from."""
+        """The sums of sizes that the residues of an exponent come from."""
         over = 1 / abs(self._below(p))
         return tuple(a * over for a in self._above(p, abs(self._shaken(p)), _size))
 
@@ -266,5 +266,5 @@ def _trimmed(polynomial: Polynomial) -> Polynomial:
 
 
 def _power(polynomial: Polynomial) -> int:
-    """How many factors s can be taken out; more than any other has, of nothing."""
+    """The number of factors s that can be taken out; for a zero polynomial, more than any other has."""
     return next((k for k, a in enumerate(polynomial) if a), 99)

@@ -76,7 +76,7 @@ class Quadratic(NamedTuple):
 
 
 def trial(chain: TwoMassChain, omega: float) -> Trial:
-    """What the two equations say at a trial omega in rad/s."""
+    """The two equations at a trial omega in rad/s."""
     k2 = exact(chain.k2)
     with localcontext(_WHOLE):
         one, two = _diagonal(chain, omega)
@@ -205,8 +205,8 @@ def _row_two(chain: TwoMassChain, end: float, largest: float, count: int) -> Bra
 
 
 class Mixture(NamedTuple):
-    """How far the slow and the fast mode swing in a motion from rest, over both masses, as parts of their sum; and how
-    wide the path in the plane (x1, x2) is over its length, at most. All 0 where nothing moves."""
+    """The shares of the slow and the fast mode in a motion from rest, over both masses, as parts of their sum; and the
+    width of the path in the plane (x1, x2) over its length, at most. All 0 where nothing moves."""
 
     slow: float
     fast: float

@@ -1,4 +1,4 @@
-"""How the driven chain starts from rest, while no phase has passed 9/8 rad (lecture D34, slides 6 to 8).
+"""The onset of the driven chain's motion from rest, while no phase has passed 9/8 rad (lecture D34, slides 6 to 8).
 
     m1 x1'' = -k1 x1 - k2 (x1 - x2) + F_0 sin(omega t),   m2 x2'' = k2 (x1 - x2)
 

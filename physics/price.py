@@ -1,4 +1,4 @@
-"""What an error costs with each method: the one rule by which prices are read off measured runs."""
+"""The price of an error with each method: the one rule by which prices are read off measured runs."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -45,7 +45,7 @@ def grouped(runs: Iterable[Run]) -> dict[str, list[Run]]:
 
 
 def prices(methods: Iterable[Sequence[Run]], wanted: float) -> list[Price]:
-    """What `wanted` costs with each method that has a result, from the runs of each, cheapest first."""
+    """The price of the error `wanted` with each method that has a result, from the runs of each, cheapest first."""
     found = [price(many, wanted) for many in methods if any(run.error is not None for run in many)]
     return sorted(found, key=lambda each: (each.time is None, each.time or 0.0, each.best))
 

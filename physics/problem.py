@@ -1,4 +1,4 @@
-"""What a method that computes motion is given, and what it gives back.
+"""A problem for a method that computes motion, and the trajectory that it gives back.
 
     m1 x1'' = -k1 x1 - k2 (x1 - x2) - c x1' + F_0 sin(omega t),   m2 x2'' = k2 (x1 - x2)
 

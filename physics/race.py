@@ -75,7 +75,7 @@ def yardstick() -> float:
 
 @dataclass(frozen=True)
 class Bench:
-    """What all runs on one system share."""
+    """The setting that all runs on one system share."""
 
     system: System
     problem: Problem

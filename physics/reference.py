@@ -91,7 +91,7 @@ def reference(problem: Problem) -> Reference:
 
 
 def modal_points(problem: Problem) -> list[list[list[Point]]]:
-    """What each mode (slow, fast) adds to x of each mass at each time; sizes are amplitudes and envelopes."""
+    """The parts of x of each mass in each mode (slow, fast) at each time; sizes are amplitudes and envelopes."""
     import mpmath
 
     with mpmath.workdps(DIGITS + _spread(problem.chain)):
@@ -99,7 +99,7 @@ def modal_points(problem: Problem) -> list[list[list[Point]]]:
 
 
 def points_of_modes(chain: TwoMassChain, amplitude: Pair, phase: Pair, t: Array) -> list[list[list[Point]]]:
-    """The same of a free motion of these amplitudes (m) and phases (rad), slow and fast."""
+    """The parts of x in a free motion of these amplitudes (m) and phases (rad), slow and fast."""
     import mpmath
 
     with mpmath.workdps(DIGITS + _spread(chain)):
@@ -140,7 +140,7 @@ def determinants(chain: TwoMassChain, omega: Sequence[float]) -> list[Decimal]:
 
 
 def point(value: Any, size: Any) -> Point:
-    """The same from numbers of mpmath."""
+    """A point from numbers of mpmath."""
     return Point(decimal(value), decimal(size))
 
 

@@ -33,7 +33,7 @@ class Sinusoid(NamedTuple):
 
 
 class CurveOrBand(NamedTuple):
-    """What can be drawn over a grid: a curve, or None and the band (lo, hi) that the motion fills."""
+    """A motion on a grid as it can be drawn: a curve, or None and the band (lo, hi) that the motion fills."""
 
     curve: Array | None
     lo: Array

@@ -1,4 +1,4 @@
-"""How a method with fixed steps treats an oscillation, found by stepping: x'' + omega^2 x = 0 in steps of h."""
+"""The stability of methods with fixed steps, found by stepping x'' + omega^2 x = 0 in steps of h."""
 
 from functools import cache
 from math import inf, pi

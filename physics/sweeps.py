@@ -74,7 +74,7 @@ def _swept(chain: TwoMassChain, name: str, values: Array) -> list[Array]:
 
 
 class Limit(NamedTuple):
-    """What both modes tend to: omega (2, n) and ratio (2, n) over the values of the sweep; `kind` names the limit."""
+    """The limits of both modes: omega (2, n) and ratio (2, n) over the values of the sweep; `kind` names the limit."""
 
     kind: str
     omega: Array

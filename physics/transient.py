@@ -94,7 +94,7 @@ class DampedModes:
 
     @cached_property
     def transient(self) -> tuple[Decaying, ...]:
-        """What the motion is beside x_p: in doubles, exponents closer than 1e-6 taken as equal."""
+        """The motion beside x_p, in terms: in doubles, exponents closer than 1e-6 taken as equal."""
         self._check_particular()
         found = expansion(self._driven, DIGITS).distinct()
         terms = [Decaying(_complex(p), np.array([_complexes(row) for row in rows])) for p, rows in found]
@@ -130,7 +130,7 @@ class DampedModes:
         return total
 
     def particular_motion(self, t: ArrayLike) -> Array:
-        """The same of x_p (3, n)."""
+        """The particular motion alone, x1, x2, x2 - x1 (3, n)."""
         return np.asarray((self.particular[:, None] * np.exp(1j * self.omega * finite_array("t", t))).imag)
 
     @property

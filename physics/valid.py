@@ -1,4 +1,4 @@
-"""What physics allows of a number; each check raises a ValueError that names the value and the limit."""
+"""Checks of numbers against the limits of physics; each raises a ValueError that names the value and the limit."""
 
 from collections.abc import Sequence
 from math import isfinite
@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 DOUBLES = "the range of doubles, about 5e-324 to 1.8e308 in SI units"
-"""What can be computed with."""
+"""The range of the numbers that can be computed with, in words."""
 
 
 def check_positive(kind: str, **values: float) -> None:
@@ -49,7 +49,7 @@ def in_range(quantity: str, result: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def rows_in_range(quantities: Sequence[str], results: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The same for several quantities, a row (n,) each."""
+    """Results of several quantities, a row (n,) each; ValueError names the first that left the range of doubles."""
     if not np.isfinite(results).all():
         for quantity, row in zip(quantities, results, strict=True):
             in_range(quantity, row)

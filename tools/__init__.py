@@ -1,1 +1,1 @@
-"""What developers run: never imported by the app."""
+"""Tools for developers: never imported by the app."""

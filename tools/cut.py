@@ -18,9 +18,9 @@ CUTS: dict[str, tuple[str, ...]] = {
     "sources and types of scripts": ("panel/models/*.ts", "panel/node_modules", "panel/package-lock.json"),
     "headers and static libraries for building": ("numpy/_core/include", "numpy/_core/lib", "*/*.pyi"),
 }
-"""What is cut, as patterns below the folder, by what it is."""
+"""The files that are cut, as patterns below the folder, by kind."""
 KEPT = ("bokeh/server/static/js/bokeh.min.js",)
-"""What of that is served."""
+"""The files among these that are served."""
 
 
 def cut(folder: Path) -> Iterator[tuple[str, float]]:

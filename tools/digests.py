@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 IMAGE = re.compile(r"^((?: +image: |ARG BASE=))([\w./-]+:[\w.-]+)(?:@sha256:[0-9a-f]{64})?$", re.M)
-"""What a line of a recipe says before the name of an image that has a tag, the name, and the digest."""
+"""A line of a recipe with an image that has a tag: the text before it, its name, its digest."""
 ASK = ("docker", "buildx", "imagetools", "inspect", "--format", "{{.Manifest.Digest}}")
 
 

@@ -41,7 +41,7 @@ def _array(one: str) -> str:
 
 
 def limit(type: ast.expr) -> str:
-    """What an annotation allows at most, in words."""
+    """The limit that an annotation sets, in words."""
     match type:
         case ast.Subscript(value=ast.Name(id="Annotated"), slice=ast.Tuple(elts=[inner, ast.Call(keywords=[most])])):
             unit = " characters" if notation(inner) == "string" else ""

@@ -91,7 +91,7 @@ def said() -> frozenset[str]:
 
 
 def only_said() -> frozenset[str]:
-    """Those of them that the server never tells, with all their fields."""
+    """The types among these that the server never tells, with all their fields."""
     return said() - _made_of("ToldAny")
 
 

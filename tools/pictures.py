@@ -47,7 +47,8 @@ ANSWERED = "oscillations.walks.walk?.lesson && !oscillations.shown.state.covered
 
 
 class Sight(NamedTuple):
-    """What is looked at: its name, the link, and whether it is a step of a walk, whose answer is shown too."""
+    """A page to take a picture of: its name, its link, and whether it is a step of a walk, shown with its answer
+    too."""
 
     name: str
     link: str
@@ -121,7 +122,7 @@ def _take(page: Page, path: Path) -> None:
 
 
 def differing(before: Path, after: Path) -> Iterator[str]:
-    """What differs between two folders of pictures, a picture a line."""
+    """The differences between two folders of pictures, a picture a line."""
     old, new = ({path.name: path for path in folder.glob("*.png")} for folder in (before, after))
     if not old and not new:
         yield "There are no pictures."
@@ -133,7 +134,7 @@ def differing(before: Path, after: Path) -> Iterator[str]:
 
 
 def _difference(before: Path, after: Path) -> str:
-    """How two pictures differ, in words; "" where they do not, for the eye."""
+    """The difference of two pictures, in words; "" where they do not differ, for the eye."""
     old, new = (np.asarray(Image.open(path).convert("RGB"), dtype=np.int16) for path in (before, after))
     if old.shape != new.shape:
         return f"{old.shape[1]} x {old.shape[0]} before, {new.shape[1]} x {new.shape[0]} after"

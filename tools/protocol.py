@@ -23,7 +23,7 @@ def page() -> str:
 
 
 def _introduction() -> str:
-    """How the page is to be read."""
+    """The first part of the page: how to read it."""
     contents = " · ".join(f"[{chapter.name}](#{chapter.name}py)" for chapter in chapters())
     return f"""\
 One visitor's page and its session on the server talk over one web socket, in JSON.

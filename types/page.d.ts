@@ -60,14 +60,14 @@ declare namespace page {
     value: Text | Name[]
   }
 
-  /** To a scene that measures. */
+  /** Starts or ends the measurement of a scene that measures. */
   interface RunOrder extends FromBrowser {
     type: "run"
     order: "start" | "cancel" | "skip"
   }
 
-  /** Put the session into this state; another scene then has what it shares with those before, where that is asked to
-   * be `carried`. In a picture that is to be compared with the one that stands, other quantities of one scene, the frame
+  /** Puts the session into a state; another scene then has what it shares with those before, where that is asked to be
+   * `carried`. In a picture that is to be compared with the one that stands, other quantities of one scene, the frame
    * that stands `keeps` its place. */
   interface Open extends FromBrowser {
     type: "open"
@@ -76,33 +76,33 @@ declare namespace page {
     keeps?: boolean
   }
 
-  /** To a step of a walk. */
+  /** Gives an answer to a step of a walk. */
   interface GiveAnswer extends FromBrowser {
     type: "given"
     answer: Given
   }
 
-  /** The text of a walk's file, to be run by this session alone. */
+  /** Has this session alone run a walk from the text of its file. */
   interface RunWalk extends FromBrowser {
     type: "walk"
     name: Name
     text: string
   }
 
-  /** What is shown from now on goes to all who follow the class of this code; the room knows the key. */
+  /** Sends all that is shown from now on to those who follow the class of this code; the room knows the key. */
   interface Lead extends FromBrowser {
     type: "lead"
     code: string
     key: Name
   }
 
-  /** The numbers of all plots, please; `page` is the address that their link begins with. */
+  /** Asks for the numbers of all plots as CSV; `page` is the address that their link begins with. */
   interface AskCsv extends FromBrowser {
     type: "csv"
     page?: Text
   }
 
-  /** What is known of the errors of what is drawn, please. */
+  /** Asks for the known errors of the numbers that are drawn. */
   interface AskAbout extends FromBrowser {
     type: "about"
   }
@@ -158,7 +158,7 @@ declare namespace page {
     rows: AboutPoint[]
   }
 
-  /** What is known of the errors of what is drawn. */
+  /** The known errors of the numbers that are drawn. */
   interface AboutNumbers extends Told {
     type: "about"
     reading: Html
@@ -166,7 +166,7 @@ declare namespace page {
     notes: Html[]
   }
 
-  /** What a step teaches, in answer to what was given; `refused` says why there is nothing. */
+  /** The lesson of a step, in answer to what was given; `refused` says why there is none. */
   interface Taught extends Told {
     type: "taught"
     walk: string
@@ -214,8 +214,8 @@ declare namespace page {
   /** A quantity in SI (None: the scene's own choice), the word of a choice, or a list of words. */
   type Value = number | string | string[] | null
 
-  /** What a picture is drawn in: the ranges of its axes by name, its time window in s, the scale of its stage, and
-   * its speed, simulated over real seconds. One that came with a link is `given`: no hand that lets go fits it anew. */
+  /** A frame for a picture: the ranges of its axes by name, its time window in s, the scale of its stage, and its
+   * speed, simulated over real seconds. One that came with a link is `given`: no hand that lets go fits it anew. */
   interface Frame {
     ranges: Record<string, [number, number]>
     window: number | null
@@ -224,9 +224,9 @@ declare namespace page {
     given: boolean
   }
 
-  /** A scene, what of its parameters is not at its default, its frame where it is not the fitted one, the parameters
-   * held for comparison, the plots and values covered, the parameters from before the change that is to be predicted,
-   * the curves switched off where they are not those that the scene opens without, and the step of a walk. */
+  /** All that a page stands for: a scene, its parameters that are not at their defaults, its frame where it is not the
+   * fitted one, the parameters held for comparison, the plots and values covered, the parameters from before the change
+   * to be predicted, the hidden curves where they are not the scene's own, and the step of a walk. */
   interface State {
     scene: string
     parameters: Record<string, Value>
@@ -238,7 +238,7 @@ declare namespace page {
     step: string
   }
 
-  /** A step before its answer.
+  /** The card of a step, before its answer.
    *
    * `place` says where in the lecture it is, `given` stands over the question, `options` are the answers of a choice,
    * `unit` that of a number; `plot` is where a point is marked or a sketch drawn, `axis` the one of the point, `curves`
@@ -270,7 +270,7 @@ declare namespace page {
     steps: StepCard[]
   }
 
-  /** What is said of one of the answers of a choice, and the state in which it would be right, if there is one. */
+  /** The verdict on one answer of a choice: its sentence, and the state in which it would be right, if any. */
   interface Verdict {
     right: boolean
     reply: Html
@@ -286,7 +286,7 @@ declare namespace page {
     at: [number, number] | null
   }
 
-  /** What a step teaches once it has been answered.
+  /** The lesson of a step, told once it has been answered.
    *
    * `right` is None where nothing was answered; `reply` is the sentence of the answer given; `verdicts` are those of the
    * options, `findings` those of a sketch, `truth` the right number or places; `places` has them in the unit of the
@@ -309,8 +309,8 @@ declare namespace page {
   interface Ordered {
   }
 
-  /** The lecture's clock stood at `t` at the server's time `at`, in ms, and goes on by `rate` a second, up to `end`:
-   * in the unit of the time axis. */
+  /** Sets the class's clock: the lecture's stood at `t` at the server's time `at`, in ms, and goes on by `rate` a
+   * second, up to `end`: in the unit of the time axis. */
   interface RunClock extends Ordered {
     type: "clock"
     t: number
@@ -319,7 +319,7 @@ declare namespace page {
     at: number
   }
 
-  /** The question of a step, to all; where `vote` is given, once more, as that vote. */
+  /** Puts the question of a step to all; where `vote` is given, once more, as that vote. */
   interface PutQuestion extends Ordered {
     type: "put"
     walk: Name
@@ -327,24 +327,24 @@ declare namespace page {
     vote: number
   }
 
-  /** A walk from the instructor's own file, whose questions can be put from now on. */
+  /** Hands in a walk from the instructor's own file, whose questions can be put from now on. */
   interface HandWalk extends Ordered {
     type: "walk"
     name: Name
     text: string
   }
 
-  /** What the step teaches, to all; no answer is taken any more. */
+  /** Shows all the lesson of the step; no answer is taken any more. */
   interface ShowAnswer extends Ordered {
     type: "show"
   }
 
-  /** No question is open. */
+  /** Withdraws the question: none is open. */
   interface Withdraw extends Ordered {
     type: "withdraw"
   }
 
-  /** The class is over: the room and all that was answered are forgotten. */
+  /** Ends the class: the room and all that was answered are forgotten. */
   interface EndRoom extends Ordered {
     type: "end"
   }
@@ -368,7 +368,7 @@ declare namespace page {
     data: bytes
   }
 
-  /** What has changed of a room; the first that a follower hears has all of it.
+  /** The changes in a room since the last news; the first that a follower hears has all of it.
    *
    * `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
    * answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
@@ -429,7 +429,8 @@ declare namespace page {
     token: string
   }
 
-  /** What lets a remote control in once: its address, with a QR code of it (SVG); from the phone, the secret alone. */
+  /** A ticket for a remote control, good once: its address, also as a QR code (SVG); the phone sends the secret
+   * alone. */
   interface Ticket {
     address: string
     square: string
@@ -446,7 +447,7 @@ declare namespace page {
     digits: string
   }
 
-  /** What a remote control asks for. */
+  /** A press of a button on a remote control. */
   interface Done {
     deed: "next" | "back" | "show" | "close"
   }
@@ -606,7 +607,7 @@ declare namespace page {
     groups: GroupSection[]
   }
 
-  /** What the control of a parameter shows: its value (in its own unit) and the text of its field.
+  /** The state of a parameter's control: its value (in its own unit) and the text of its field.
    *
    * `unit` is the one that is shown and typed, of which one is `size`; `changed` says that it is not the default. */
   interface Setting {
@@ -618,7 +619,7 @@ declare namespace page {
     changed: boolean
   }
 
-  /** What all blocks have.
+  /** The fields that all blocks have.
    *
    * `grow` and `basis` say how a block shares the height (in a column) or the width (in a row), `phone` its place from
    * top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form `form`, and
@@ -669,7 +670,7 @@ declare namespace page {
     rows: Forms[][]
   }
 
-  /** One of the values of a choice, by its word, and what it is called. */
+  /** A value of a choice, by its word, and its name on the screen. */
   interface Option {
     value: string
     label: string
@@ -809,7 +810,7 @@ declare namespace page {
 
   type Side = "left" | "right" | "top" | "bottom"
 
-  /** How the place of a hand becomes a value of `parameter`, of which one is `size` in SI; "" sets nothing.
+  /** A rule that makes a value of `parameter`, of which one is `size` in SI, of the place of a hand; "" sets nothing.
    *
    * `moves` is the signal or scalar, counted on `axis` ("" for one without), that is drawn where the hand is, at once.
    * A flick adds its velocity to the start of the parameter `rate`. */
@@ -831,27 +832,27 @@ declare namespace page {
     most: number | null
   }
 
-  /** What stands at the hand is the value. */
+  /** A way whose value is the place of the hand. */
   interface Along extends Stretch {
     kind: "along"
   }
 
-  /** One of two parts of the value: `share` times what stands at the hand, and the signal `rest`, which stays. */
+  /** A way to set one of two parts of a value: `share` times the place of the hand, and the signal `rest`. */
   interface Share extends Stretch {
     kind: "share"
     share: Number
     rest: string
   }
 
-  /** The value is that of `over`, divided by what stands at the hand. */
+  /** A way that sets the value of `over`, divided by the place of the hand. */
   interface Quotient extends Stretch {
     kind: "quotient"
     over: string
   }
 
-  /** What stands at the hand, times `counted`, is a sine at a turning point: the value is its amplitude, or where
-   * `of` says so its phase, in rad. What moves is `share` of it. A flick gives it a velocity; `turn` is the signal of
-   * its argument. */
+  /** A way that takes the place of the hand, times `counted`, as a turning point of a sine: the value is its
+   * amplitude, or where `of` says so its phase, in rad. What moves is `share` of it. A flick gives it a velocity; `turn`
+   * is the signal of its argument. */
   interface Swung extends Stretch {
     kind: "swung"
     of: "amplitude" | "phase"
@@ -860,8 +861,8 @@ declare namespace page {
     turn: string
   }
 
-  /** The angle about (x, y) in rad, from straight down, counted to the right (anticlockwise): 0 stands at `zero`, one
-   * is `unit` rad. Of a circle seen from the side `tall` is the height over the width. */
+  /** A way about a point (x, y): the angle in rad, from straight down, counted to the right (anticlockwise): 0 stands
+   * at `zero`, one is `unit` rad. Of a circle seen from the side `tall` is the height over the width. */
   interface Turn extends Way {
     kind: "turn"
     x: Number
@@ -871,8 +872,8 @@ declare namespace page {
     tall: number
   }
 
-  /** Height for speed without loss: the excess of speed in level flight at a height, by the height `head` (v_0^2/g);
-   * no higher than where the speed is used up. */
+  /** A way that trades height for speed without loss: the excess of speed in level flight at a height, by the height
+   * `head` (v_0^2/g); no higher than where the speed is used up. */
   interface Trade extends Way {
     kind: "trade"
     zero: Number
@@ -895,7 +896,7 @@ declare namespace page {
     angle: boolean
   }
 
-  /** What a hand does with a shape; `label` names it for a screen reader.
+  /** A shape's answer to a hand: the values that it sets; `label` names it for a screen reader.
    *
    * Where it `begins` a motion, time stops, what is seen becomes the new `start`, and letting go plays it. The hand does
    * not leave the frame of the plot `inside`. */
@@ -907,9 +908,9 @@ declare namespace page {
     inside: string
   }
 
-  /** What all shapes have: `tint`, the class of a colour, and `style`, more classes; drawn while the picture has all
-   * the scalars `show`, none of them 0; `inside` names the plot whose frame cuts it, `grab` what a hand does with it;
-   * what begins a motion in a hand, and what says `held`, is drawn of a picture held too. */
+  /** The fields that all shapes have: `tint`, the class of a colour, and `style`, more classes; drawn while the
+   * picture has all the scalars `show`, none of them 0; `inside` names the plot whose frame cuts it, `grab` what a hand
+   * does with it; what begins a motion in a hand, and what says `held`, is drawn of a picture held too. */
   interface Look {
     tint: string
     style: string
@@ -1016,7 +1017,7 @@ declare namespace page {
     turns: Number
   }
 
-  /** Words. */
+  /** Words at a place of the stage. */
   interface Label extends Look {
     kind: "text"
     x: Number

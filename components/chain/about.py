@@ -1,4 +1,4 @@
-"""What 'About these numbers' says of any two-mass chain: its motion, its modes, its energy."""
+"""'About these numbers' for any two-mass chain: the errors of its motion, its modes and its energy."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def motion_rows(
 
 
 def modal_rows(names: dict[str, str], columns: Columns, modal: list[list[list[Point]]]) -> list[CheckedPoint]:
-    """The same of a motion whose modes are known at a few times."""
+    """The checked points of a motion that is given by its modes at a few times."""
     at = few(columns["t"])
     true: dict[str, Sequence[Point]] = {}
     for i in (0, 1):

@@ -26,7 +26,8 @@ LENGTH = 0.13
 
 @dataclass(frozen=True, kw_only=True)
 class Forces:
-    """What a picture holds of them: the signals F1, F2, the length of a newton and of the drive on the stage, texts."""
+    """The forces on the masses in a picture: signals F1, F2, lengths of a newton and of the drive on the stage,
+    texts."""
 
     signals: dict[str, AnySignal] = field(default_factory=dict)
     scalars: dict[str, float] = field(default_factory=lambda: {"forces": 0.0, "push": LENGTH})

@@ -1,4 +1,4 @@
-"""How the masses of the chain are taken in hand: where they are held is the start."""
+"""Grabs of the chain's masses: the place where a hand lets go of one is the start of a motion."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def mode_grab(mode: str, mass: int) -> Grab:
 
 
 def swing_grab(mode: str, mass: int) -> Grab:
-    """The same where modes give the motion: of the amplitude and the phase of this one."""
+    """The grab of a mass in one mode where modes give the motion: it sets the mode's amplitude and phase."""
     other = _other(mode)
     of: tuple[tuple[Literal["amplitude", "phase"], str], ...] = (("amplitude", "X"), ("phase", "phi"))
     ways = (
@@ -95,8 +95,8 @@ def _label(mode: str, mass: int) -> str:
 
 
 def shares(system: TwoMassChain) -> dict[str, float]:
-    """How far each mass goes in each mode, by the other one; and the mass on which its amplitude is counted, by each:
-    0 for one that rests, and so cannot be taken."""
+    """The ratios of the masses' displacements in each mode, and, by mass, the factor from its displacement to the
+    mode's amplitude: 0 for one that rests, and so cannot be taken."""
     found: dict[str, float] = {}
     for mode, (one, two) in zip(MODES, directions(system), strict=True):
         found |= {f"{mode}_2_by_1": two / one if one else 0.0, f"{mode}_1_by_2": one / two if two else 0.0}

@@ -14,7 +14,7 @@ MODES = ("slow", "fast")
 
 
 def directions(system: TwoMassChain) -> list[tuple[float, float]]:
-    """How far mass 1 and mass 2 move in each mode, the larger by 1."""
+    """The displacements of mass 1 and mass 2 in each mode, the larger one scaled to 1."""
     ratios = system.modes().ratio.tolist()
     return [(0.0, 1.0) if math.isinf(r) else (1 / max(1.0, abs(r)), r / max(1.0, abs(r))) for r in ratios]
 

@@ -10,7 +10,7 @@ from physics.coupled import TwoMassChain
 Pair = tuple[float, float]
 CHAIN = Group("Masses and springs", ("m1", "m2", "k1", "k2"))
 SHARES = {f"{name} of the chain": name for name in CHAIN.names}
-"""What scenes of the same chain share."""
+"""The parameters of the chain, by the meaning that all scenes of the same chain give them."""
 START = Group("Start", ("x1_0", "x2_0", "v1_0", "v2_0"))
 
 

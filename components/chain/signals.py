@@ -22,7 +22,7 @@ def free_signals(free: FreeModes, size: Axis, time: Axis) -> dict[str, AnySignal
 
 
 def free_rates(free: FreeModes, size: Axis, time: Axis) -> dict[str, AnySignal]:
-    """The same of each velocity, in the unit of `size` per unit of time, as v1_slow, ...."""
+    """The slow and the fast part of each velocity, in the unit of `size` per unit of time, as v1_slow, ...."""
     return {f"v{part}": rates(size, time, term, drift=line[1]) for part, term, line in _parts(free)}
 
 

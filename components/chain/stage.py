@@ -26,7 +26,7 @@ STEPS = (1, 2, 3, 5)
 """The digits of drawing scales: a step is seldom more than half as much again."""
 LARGEST, SMALLEST, MARGIN, HOOK = 0.125, 0.02, 0.03, 0.04
 BODY = W * (1 - 0.3 * LOW)
-"""What sides of blocks are fractions of: the width, less on a low stage, where arrows stand close over the blocks."""
+"""The width of which sides of blocks are fractions: less on a low stage, where arrows stand close over the blocks."""
 
 
 def sides(m1: float, m2: float) -> tuple[float, float]:
@@ -79,7 +79,7 @@ def scale(extremes: Extremes, side: tuple[float, float]) -> float:
 
 @dataclass(frozen=True)
 class DrawnChain:
-    """How the chain is drawn: sizes for the stage, what the floor's ticks say, and a note where the scale is not 1.
+    """The chain to scale: sizes for the stage, the text of the floor's ticks, and a note where the scale is not 1.
 
     `fits` is the scale that suits what is drawn, `scale` the one it is drawn to.
     """

@@ -70,7 +70,7 @@ class QuestionBank:
         return PutTo(walk=walk, step=step, card=step_card(walk, asked, self._scenes), place=place, vote=vote)
 
     def lesson(self, given: Given) -> Lesson:
-        """What a step teaches whoever has answered that, or nothing; ValueError for what is no answer to it."""
+        """The lesson of a step for an answer, or for none; ValueError for what is no answer to it."""
         return self.step(given.walk, given.step).lesson(given, self._subject(given.walk, given.step))
 
     def judge(self, given: Given) -> Judged:
@@ -89,7 +89,7 @@ class QuestionBank:
         return self.step(given.walk, given.step).written(given)
 
     def _features(self, walk: str, step: str) -> tuple[str, ...]:
-        """What a right sketch has, by name."""
+        """The names of the features of a right sketch."""
         return tuple(one.name for one in self.lesson(Given(walk=walk, step=step)).findings)
 
     def read(self, kept: bytes) -> Judged | None:
@@ -105,7 +105,7 @@ class QuestionBank:
             return None
 
     def _form_of(self, walk: str, step: str) -> str:
-        """What tells a step from the one of its name in a walk's file before."""
+        """A hash of a step, by which it is told from one of the same name in an earlier file."""
         try:
             return sha256(msgspec.json.encode(self.step(walk, step))).hexdigest()[:12]
         except ValueError:

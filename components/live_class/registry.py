@@ -51,7 +51,7 @@ class Registry:
         self.bank = bank
         self.rooms: dict[str, ClassRoom] = {}
         self._coming: dict[str, list[ClassRoom]] = {}
-        """Those that the store is being asked for: they hear what is told meanwhile."""
+        """Rooms that the store is being asked for: they hear what is told meanwhile."""
         self._name = token_hex(6).encode()
 
     @property
@@ -99,7 +99,7 @@ class Registry:
         return room if parts and is_open else nobody
 
     def _asked(self, room: ClassRoom) -> ClassRoom:
-        """The same, or the one of its code that came first."""
+        """The room of this code that is kept here, now counted as asked for: the given one if none came before it."""
         there = self.rooms.setdefault(room.code, room)
         there.asked = monotonic()
         return there
@@ -166,7 +166,7 @@ class Registry:
         await self.tell(room, {name: msgspec.json.encode(part) for name, part in parts.items()})
 
     async def tell(self, room: ClassRoom, parts: Parts) -> None:
-        """Those who are here hear it at once; the others by the store, as soon as that answers."""
+        """Tell a room new parts: its followers here at once, the others by the store, as soon as that answers."""
         room.tell(parts)
         try:
             await self.write(room, parts)
@@ -244,7 +244,7 @@ class Registry:
             del self.rooms[room.code]
 
     def hear(self, code: str, parts: Parts) -> None:
-        """What the store tells of a room: no parts where it has ended."""
+        """Pass on what the store tells of a room; without parts the room has ended."""
         room = self.rooms.get(code)
         if not parts:
             self.rooms.pop(code, None)

@@ -25,7 +25,7 @@ NOTHING_PUT = PutTo()
 KINDS: dict[str, type] = {"picture": SentPicture, "clock": RunClock, "question": PutTo}
 """The parts that followers hear of."""
 LEADERS = ("deed", "answers")
-"""What the instructor's page alone hears of, as it comes; the store keeps nothing of it."""
+"""The parts that the instructor's page alone hears of, as they come; the store keeps nothing of them."""
 KEPT = 16
 """Of which so many are told once more to a page that has missed them."""
 OBEYED = 10.0
@@ -54,7 +54,7 @@ class ClassRoom:
         self.parts: dict[str, bytes] = dict(parts)
         self.listeners: set[RoomListener] = set()
         self.streams: dict[str, list[RoomListener]] = {}
-        """The same by the names of those who have them."""
+        """The listeners that have a name, by that name."""
         self.polls: dict[str, float] = {}
         """When each of those who have no stream has asked last, by name."""
         self.seen: dict[str, float] = {}
@@ -66,13 +66,13 @@ class ClassRoom:
         """The most that have been here at once."""
         self.lost = False
         self.missed = 0
-        """How often in a row it was not found in the store."""
+        """The times in a row that it was not found in the store."""
         self.unsaved: dict[str, bytes] = {}
         """Parts that the store has not taken as yet: newer than what it has."""
         self.votes: dict[str, Parts] = {}
         self._decoded: dict[str, tuple[bytes, Any]] = {}
         self.bank: tuple[bytes, QuestionBank] | None = None
-        """Those of walks from files, beside the part that they were read from."""
+        """The questions of walks from files, beside the part that they were read from."""
         self.walks: ReadWalks = {}
         """Walks from files, as they were read."""
         self.reading: tuple[tuple[str, str], asyncio.Future[Walk]] | None = None
@@ -163,7 +163,7 @@ class ClassRoom:
             self.polls[name_of(word)] = monotonic()
 
     def untold(self, number: str) -> list[News]:
-        """What the instructor's page alone was told after a state that it knows."""
+        """The news for the instructor's page alone since a state that it knows."""
         replica, _, count = number.partition(".")
         if replica != self._replica or not count.isdecimal():
             return []

@@ -42,8 +42,8 @@ OF_THE_STORE = "The record of live classes is full: changes do not reach everybo
 
 
 def counted(replicas: Iterable[tuple[int, Collection[str]]]) -> int:
-    """How many follow, by the streams of each replica and those who ask it: a phone without cookies asks several, in
-    turn, and is one."""
+    """The number of followers, from the streams of each replica and the names of those who ask it: a phone without
+    cookies asks several, in turn, and is one."""
     told = list(replicas)
     return sum(streams for streams, _ in told) + len({name for _, names in told for name in names})
 

@@ -1,4 +1,4 @@
-"""What stands where on the paper: rows and columns of blocks."""
+"""Blocks: the arrangement of the paper in rows and columns of stages, plots, words, tables and choices."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from components.page.text import Forms, Html
 
 
 class Part(Struct, frozen=True, kw_only=True, tag_field="kind"):
-    """What all blocks have.
+    """The fields that all blocks have.
 
     `grow` and `basis` say how a block shares the height (in a column) or the width (in a row), `phone` its place from
     top to bottom on a narrow screen and `height` its height there; it stands while the picture has the form `form`, and
@@ -65,7 +65,7 @@ class TableBlock(Part, frozen=True, kw_only=True, tag="table"):
 
 
 class Option(Struct, frozen=True):
-    """One of the values of a choice, by its word, and what it is called."""
+    """A value of a choice, by its word, and its name on the screen."""
 
     value: str
     label: str

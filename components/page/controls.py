@@ -94,7 +94,7 @@ class Panel(Struct, frozen=True, kw_only=True):
 
 
 class Setting(Struct, frozen=True, kw_only=True):
-    """What the control of a parameter shows: its value (in its own unit) and the text of its field.
+    """The state of a parameter's control: its value (in its own unit) and the text of its field.
 
     `unit` is the one that is shown and typed, of which one is `size`; `changed` says that it is not the default.
     """

@@ -1,4 +1,4 @@
-"""What the browser says, and what it is told. Every message of the browser is answered under its number."""
+"""Messages between browser and server. Each message of the browser is answered under its number."""
 
 from __future__ import annotations
 
@@ -78,14 +78,14 @@ class Choose(FromBrowser, frozen=True, kw_only=True, tag="choose"):
 
 
 class RunOrder(FromBrowser, frozen=True, kw_only=True, tag="run"):
-    """To a scene that measures."""
+    """Starts or ends the measurement of a scene that measures."""
 
     order: Literal["start", "cancel", "skip"]
 
 
 class Open(FromBrowser, frozen=True, kw_only=True, tag="open"):
-    """Put the session into this state; another scene then has what it shares with those before, where that is asked to
-    be `carried`. In a picture that is to be compared with the one that stands, other quantities of one scene, the frame
+    """Puts the session into a state; another scene then has what it shares with those before, where that is asked to be
+    `carried`. In a picture that is to be compared with the one that stands, other quantities of one scene, the frame
     that stands `keeps` its place."""
 
     state: State
@@ -94,33 +94,33 @@ class Open(FromBrowser, frozen=True, kw_only=True, tag="open"):
 
 
 class GiveAnswer(FromBrowser, frozen=True, kw_only=True, tag="given"):
-    """To a step of a walk."""
+    """Gives an answer to a step of a walk."""
 
     answer: Given
 
 
 class RunWalk(FromBrowser, frozen=True, kw_only=True, tag="walk"):
-    """The text of a walk's file, to be run by this session alone."""
+    """Has this session alone run a walk from the text of its file."""
 
     name: Name
     text: Annotated[str, Meta(max_length=48_000)]
 
 
 class Lead(FromBrowser, frozen=True, kw_only=True, tag="lead"):
-    """What is shown from now on goes to all who follow the class of this code; the room knows the key."""
+    """Sends all that is shown from now on to those who follow the class of this code; the room knows the key."""
 
     code: Annotated[str, Meta(max_length=8)]
     key: Name
 
 
 class AskCsv(FromBrowser, frozen=True, kw_only=True, tag="csv"):
-    """The numbers of all plots, please; `page` is the address that their link begins with."""
+    """Asks for the numbers of all plots as CSV; `page` is the address that their link begins with."""
 
     page: Text = ""
 
 
 class AskAbout(FromBrowser, frozen=True, kw_only=True, tag="about"):
-    """What is known of the errors of what is drawn, please."""
+    """Asks for the known errors of the numbers that are drawn."""
 
 
 Said: TypeAlias = SetValues | Typed | Act | Choose | RunOrder | Open | GiveAnswer | RunWalk | Lead | AskCsv | AskAbout
@@ -180,7 +180,7 @@ class AboutTable(Struct, frozen=True):
 
 
 class AboutNumbers(Told, frozen=True, kw_only=True, tag="about"):
-    """What is known of the errors of what is drawn."""
+    """The known errors of the numbers that are drawn."""
 
     reading: Html
     tables: tuple[AboutTable, ...]
@@ -188,7 +188,7 @@ class AboutNumbers(Told, frozen=True, kw_only=True, tag="about"):
 
 
 class Taught(Told, frozen=True, kw_only=True, tag="taught"):
-    """What a step teaches, in answer to what was given; `refused` says why there is nothing."""
+    """The lesson of a step, in answer to what was given; `refused` says why there is none."""
 
     walk: str
     step: str

@@ -1,4 +1,4 @@
-"""What a plot is made of besides its frame; names of axes, scalars, forms and values are those of the picture."""
+"""Plots: all that a plot is made of besides its frame. Names of axes, scalars, forms and values are the picture's."""
 
 from __future__ import annotations
 

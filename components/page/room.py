@@ -1,4 +1,4 @@
-"""The live class: what the instructor's page asks of a room, what followers answer, and what all are told."""
+"""The language of a live class: what the instructor's page asks of a room, what followers answer, what all are told."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ class Ordered(Struct, frozen=True, kw_only=True, tag_field="type", forbid_unknow
 
 
 class RunClock(Ordered, frozen=True, kw_only=True, tag="clock"):
-    """The lecture's clock stood at `t` at the server's time `at`, in ms, and goes on by `rate` a second, up to `end`:
-    in the unit of the time axis."""
+    """Sets the class's clock: the lecture's stood at `t` at the server's time `at`, in ms, and goes on by `rate` a
+    second, up to `end`: in the unit of the time axis."""
 
     t: float
     rate: float
@@ -26,7 +26,7 @@ class RunClock(Ordered, frozen=True, kw_only=True, tag="clock"):
 
 
 class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
-    """The question of a step, to all; where `vote` is given, once more, as that vote."""
+    """Puts the question of a step to all; where `vote` is given, once more, as that vote."""
 
     walk: Name
     step: Name
@@ -34,22 +34,22 @@ class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
 
 
 class HandWalk(Ordered, frozen=True, kw_only=True, tag="walk"):
-    """A walk from the instructor's own file, whose questions can be put from now on."""
+    """Hands in a walk from the instructor's own file, whose questions can be put from now on."""
 
     name: Name
     text: Annotated[str, Meta(max_length=48_000)]
 
 
 class ShowAnswer(Ordered, frozen=True, kw_only=True, tag="show"):
-    """What the step teaches, to all; no answer is taken any more."""
+    """Shows all the lesson of the step; no answer is taken any more."""
 
 
 class Withdraw(Ordered, frozen=True, kw_only=True, tag="withdraw"):
-    """No question is open."""
+    """Withdraws the question: none is open."""
 
 
 class EndRoom(Ordered, frozen=True, kw_only=True, tag="end"):
-    """The class is over: the room and all that was answered are forgotten."""
+    """Ends the class: the room and all that was answered are forgotten."""
 
 
 Order: TypeAlias = RunClock | HandWalk | PutQuestion | ShowAnswer | Withdraw | EndRoom
@@ -75,7 +75,7 @@ class SentPicture(Struct, frozen=True, kw_only=True):
 
 
 class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
-    """What has changed of a room; the first that a follower hears has all of it.
+    """The changes in a room since the last news; the first that a follower hears has all of it.
 
     `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
     answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
@@ -143,7 +143,8 @@ class Entered(Struct, frozen=True, kw_only=True):
 
 
 class Ticket(Struct, frozen=True, kw_only=True):
-    """What lets a remote control in once: its address, with a QR code of it (SVG); from the phone, the secret alone."""
+    """A ticket for a remote control, good once: its address, also as a QR code (SVG); the phone sends the secret
+    alone."""
 
     address: str
     square: str = ""
@@ -163,6 +164,6 @@ class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class Done(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """What a remote control asks for."""
+    """A press of a button on a remote control."""
 
     deed: Literal["next", "back", "show", "close"]

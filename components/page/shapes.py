@@ -1,4 +1,4 @@
-"""What a stage is drawn from. Every number of a shape may be an expression; sizes are pixels of the stage."""
+"""Shapes: the parts of a stage. Every number of a shape may be an expression; sizes are pixels of the stage."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Side: TypeAlias = Literal["left", "right", "top", "bottom"]
 
 
 class Way(Struct, frozen=True, kw_only=True, tag_field="kind"):
-    """How the place of a hand becomes a value of `parameter`, of which one is `size` in SI; "" sets nothing.
+    """A rule that makes a value of `parameter`, of which one is `size` in SI, of the place of a hand; "" sets nothing.
 
     `moves` is the signal or scalar, counted on `axis` ("" for one without), that is drawn where the hand is, at once.
     A flick adds its velocity to the start of the parameter `rate`.
@@ -39,26 +39,26 @@ class Stretch(Way, frozen=True, kw_only=True):
 
 
 class Along(Stretch, frozen=True, kw_only=True, tag="along"):
-    """What stands at the hand is the value."""
+    """A way whose value is the place of the hand."""
 
 
 class Share(Stretch, frozen=True, kw_only=True, tag="share"):
-    """One of two parts of the value: `share` times what stands at the hand, and the signal `rest`, which stays."""
+    """A way to set one of two parts of a value: `share` times the place of the hand, and the signal `rest`."""
 
     share: Number
     rest: str
 
 
 class Quotient(Stretch, frozen=True, kw_only=True, tag="quotient"):
-    """The value is that of `over`, divided by what stands at the hand."""
+    """A way that sets the value of `over`, divided by the place of the hand."""
 
     over: str
 
 
 class Swung(Stretch, frozen=True, kw_only=True, tag="swung"):
-    """What stands at the hand, times `counted`, is a sine at a turning point: the value is its amplitude, or where
-    `of` says so its phase, in rad. What moves is `share` of it. A flick gives it a velocity; `turn` is the signal of
-    its argument."""
+    """A way that takes the place of the hand, times `counted`, as a turning point of a sine: the value is its
+    amplitude, or where `of` says so its phase, in rad. What moves is `share` of it. A flick gives it a velocity; `turn`
+    is the signal of its argument."""
 
     of: Literal["amplitude", "phase"]
     counted: Number
@@ -67,8 +67,8 @@ class Swung(Stretch, frozen=True, kw_only=True, tag="swung"):
 
 
 class Turn(Way, frozen=True, kw_only=True, tag="turn"):
-    """The angle about (x, y) in rad, from straight down, counted to the right (anticlockwise): 0 stands at `zero`, one
-    is `unit` rad. Of a circle seen from the side `tall` is the height over the width."""
+    """A way about a point (x, y): the angle in rad, from straight down, counted to the right (anticlockwise): 0 stands
+    at `zero`, one is `unit` rad. Of a circle seen from the side `tall` is the height over the width."""
 
     x: Number
     y: Number
@@ -78,8 +78,8 @@ class Turn(Way, frozen=True, kw_only=True, tag="turn"):
 
 
 class Trade(Way, frozen=True, kw_only=True, tag="trade"):
-    """Height for speed without loss: the excess of speed in level flight at a height, by the height `head` (v_0^2/g);
-    no higher than where the speed is used up."""
+    """A way that trades height for speed without loss: the excess of speed in level flight at a height, by the height
+    `head` (v_0^2/g); no higher than where the speed is used up."""
 
     zero: Number
     unit: Number
@@ -104,7 +104,7 @@ class Begin(Struct, frozen=True):
 
 
 class Grab(Struct, frozen=True, kw_only=True):
-    """What a hand does with a shape; `label` names it for a screen reader.
+    """A shape's answer to a hand: the values that it sets; `label` names it for a screen reader.
 
     Where it `begins` a motion, time stops, what is seen becomes the new `start`, and letting go plays it. The hand does
     not leave the frame of the plot `inside`.
@@ -118,9 +118,9 @@ class Grab(Struct, frozen=True, kw_only=True):
 
 
 class Look(Struct, frozen=True, kw_only=True, tag_field="kind"):
-    """What all shapes have: `tint`, the class of a colour, and `style`, more classes; drawn while the picture has all
-    the scalars `show`, none of them 0; `inside` names the plot whose frame cuts it, `grab` what a hand does with it;
-    what begins a motion in a hand, and what says `held`, is drawn of a picture held too."""
+    """The fields that all shapes have: `tint`, the class of a colour, and `style`, more classes; drawn while the
+    picture has all the scalars `show`, none of them 0; `inside` names the plot whose frame cuts it, `grab` what a hand
+    does with it; what begins a motion in a hand, and what says `held`, is drawn of a picture held too."""
 
     tint: str = "ink"
     style: str = ""
@@ -228,7 +228,7 @@ class Layers(Look, frozen=True, kw_only=True, tag="layers"):
 
 
 class Label(Look, frozen=True, kw_only=True, tag="text"):
-    """Words."""
+    """Words at a place of the stage."""
 
     x: Number
     y: Number

@@ -1,4 +1,4 @@
-"""What a page stands for: the browser keeps it, and one message puts a session into it."""
+"""The state of a page, which the browser keeps: one message puts a session into it."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ Value: TypeAlias = float | str | list[str] | None
 
 
 class Frame(Struct, frozen=True, kw_only=True):
-    """What a picture is drawn in: the ranges of its axes by name, its time window in s, the scale of its stage, and
-    its speed, simulated over real seconds. One that came with a link is `given`: no hand that lets go fits it anew."""
+    """A frame for a picture: the ranges of its axes by name, its time window in s, the scale of its stage, and its
+    speed, simulated over real seconds. One that came with a link is `given`: no hand that lets go fits it anew."""
 
     ranges: Annotated[dict[str, tuple[float, float]], Meta(max_length=50)] = {}
     window: float | None = None
@@ -22,9 +22,9 @@ class Frame(Struct, frozen=True, kw_only=True):
 
 
 class State(Struct, frozen=True, kw_only=True):
-    """A scene, what of its parameters is not at its default, its frame where it is not the fitted one, the parameters
-    held for comparison, the plots and values covered, the parameters from before the change that is to be predicted,
-    the curves switched off where they are not those that the scene opens without, and the step of a walk."""
+    """All that a page stands for: a scene, its parameters that are not at their defaults, its frame where it is not the
+    fitted one, the parameters held for comparison, the plots and values covered, the parameters from before the change
+    to be predicted, the hidden curves where they are not the scene's own, and the step of a walk."""
 
     scene: str
     parameters: dict[str, Value] = {}

@@ -12,7 +12,7 @@ from components.page.text import Html
 
 
 class StepCard(Struct, frozen=True, kw_only=True):
-    """A step before its answer.
+    """The card of a step, before its answer.
 
     `place` says where in the lecture it is, `given` stands over the question, `options` are the answers of a choice,
     `unit` that of a number; `plot` is where a point is marked or a sketch drawn, `axis` the one of the point, `curves`
@@ -47,7 +47,7 @@ class WalkSheet(Struct, frozen=True, kw_only=True):
 
 
 class Verdict(Struct, frozen=True, kw_only=True):
-    """What is said of one of the answers of a choice, and the state in which it would be right, if there is one."""
+    """The verdict on one answer of a choice: its sentence, and the state in which it would be right, if any."""
 
     right: bool
     reply: Html
@@ -65,7 +65,7 @@ class Finding(Struct, frozen=True, kw_only=True):
 
 
 class Lesson(Struct, frozen=True, kw_only=True):
-    """What a step teaches once it has been answered.
+    """The lesson of a step, told once it has been answered.
 
     `right` is None where nothing was answered; `reply` is the sentence of the answer given; `verdicts` are those of the
     options, `findings` those of a sketch, `truth` the right number or places; `places` has them in the unit of the

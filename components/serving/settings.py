@@ -134,7 +134,7 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
 
 
 def own_address() -> str:
-    """This machine's address in its network; "" where it has none. Nothing is sent to find it."""
+    """The address of this machine in its network; "" where it has none. Nothing is sent to find it."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         try:
             probe.connect(("192.0.2.1", 9))

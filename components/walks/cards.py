@@ -1,4 +1,4 @@
-"""What the browser must know of a walk before its questions are answered: an immutable file, as a scene's sheet is."""
+"""Cards: the part of a walk that the browser must know before its questions are answered, in an immutable file."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def step_card(walk: str, step: Step, scenes: Scenes) -> StepCard:
 
 
 def parted(question: str) -> tuple[str, str]:
-    """What is given, and what is asked: from the first sentence that asks to the end."""
+    """A question's text in two parts: what is given, and, from the first sentence that asks on, what is asked."""
     whole = FORMULA.sub(lambda match: match[0].replace(" ", "\0"), question)
     sentences = [sentence.replace("\0", " ") for sentence in SENTENCE.split(whole)]
     first = next((i for i, sentence in enumerate(sentences) if ASKS.search(sentence)), 0)

@@ -1,4 +1,4 @@
-"""A walk against the scenes: every link opens, every name is there, every answer can be given."""
+"""The check of a walk against the scenes: every link opens, every name is there, every answer can be given."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from components.walks.walk import Step, Walk
 
 
 def problems(walk: Walk, scenes: Scenes) -> Iterator[str]:
-    """What is wrong with a walk: sentences that name its step and field."""
+    """The problems of a walk: sentences that name its step and field."""
     for i, step in enumerate(walk.steps, 1):
         for problem in _of_step(step, Subject(walk.name, step, scenes)):
             yield f"{walk.name}, step {i} ({step.id}), {problem}"

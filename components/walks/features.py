@@ -57,11 +57,11 @@ class BaseFeature(Entry, frozen=True, kw_only=True, tag_field="f"):
         return str(self.__struct_config__.tag)
 
     def seen(self, drawn: Sketch) -> Seen:
-        """What of it a curve has."""
+        """The reading of this feature in a curve."""
         raise NotImplementedError
 
     def exact(self, true: Sketch) -> Seen:
-        """What is said to be true of it."""
+        """The reading that is said to be true."""
         return self.seen(true)
 
     def called(self, axes: PlotAxes) -> str:
@@ -78,7 +78,7 @@ class BaseFeature(Entry, frozen=True, kw_only=True, tag_field="f"):
         return f"{lead}{drawn}true {self.measured(true, axes, FINE)}"
 
     def finding(self, drawn: Sketch, true: Sketch, axes: PlotAxes) -> Finding:
-        """What is said of it. Its mark stands where it was drawn, or where it should have been."""
+        """The finding about a sketch. Its mark stands where the feature was drawn, or where it should have been."""
         yours, exact = self.seen(drawn), self.exact(true)
         mark = yours if yours.has and yours.x is not None else exact
         at = None if mark.x is None or mark.y is None else (place_of(axes.x, mark.x), place_of(axes.y, mark.y))

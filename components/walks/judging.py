@@ -1,4 +1,4 @@
-"""What is said of an answer, and what its step then teaches."""
+"""Judging: the lesson that an answer to a step of a walk receives."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from components.walks.walk import Step
 
 
 def taught(given: Given, walks: Walks, scenes: Scenes) -> Taught:
-    """What a step teaches and what is said of its answer, which is forgotten here."""
+    """The lesson of a step and the sentence on its answer, which is forgotten here."""
     steps = walks[given.walk].steps if given.walk in walks else ()
     step = next((step for step in steps if step.id == given.step), None)
     if step is None:
@@ -21,7 +21,7 @@ def taught(given: Given, walks: Walks, scenes: Scenes) -> Taught:
 
 
 def told_of(given: Given, step: Step, scenes: Scenes) -> Taught:
-    """What is told of an answer to a step: a lesson, or in words why there is none."""
+    """The message on an answer to a step: a lesson, or in words why there is none."""
     try:
         lesson, refused = step.lesson(given, Subject(given.walk, step, scenes)), ""
     except ValueError as reason:

@@ -18,7 +18,7 @@ Scenes = Mapping[str, type[Scene]]
 
 
 def read_link(link: str, scenes: Scenes) -> Link:
-    """What a step's link asks for; ValueError, in words, for one that asks for what is not there."""
+    """A step's link, read; ValueError, in words, for one that asks for what is not there."""
     query = parse_qs(link.removeprefix("?"), keep_blank_values=True)
     args = {key: [value.encode() for value in values] for key, values in query.items()}
     if "scene" not in args:
@@ -38,7 +38,7 @@ def _of_the_page(link: Link) -> Iterator[str]:
 
 
 def standing_at(link: str, scenes: Scenes) -> Standing:
-    """What stands where a page opens a link."""
+    """The standing of a page that opens a link."""
     state = state_of_link(link, scenes)
     kind = scenes[state.scene]
     found = standing_in(kind, state)

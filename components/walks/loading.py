@@ -29,7 +29,7 @@ KnownSteps = Mapping[str, Step]
 
 
 class WalkError(ValueError):
-    """What is wrong with a walk's file, in a sentence that says where."""
+    """A fault of a walk's file, in a sentence that says where it is."""
 
 
 def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
@@ -80,7 +80,7 @@ def _step(entry: Any, where: str, known: KnownSteps) -> Step:
 
 
 def _numbers(answer: dict[str, Any], where: str) -> dict[str, Any]:
-    """What is right and how far off still counts; a text is read as one that is typed into a field."""
+    """The right number and how far off still counts; a text is read as one that is typed into a field."""
     unit, right = answer.get("unit"), answer.get("is")
     rights = right if isinstance(right, (list, tuple)) else [right]
     try:
@@ -105,7 +105,7 @@ def _base(entry: dict[str, Any], where: str, known: KnownSteps) -> dict[str, Any
 
 
 def _told(problem: str) -> str:
-    """What msgspec complains of, the field first."""
+    """A complaint of msgspec's, the field first."""
     match = PLACE.match(problem)
     what, field = (match["what"], match["field"]) if match else (problem, "")
     return f"{field or 'its fields'}: {what[:1].lower()}{what[1:]}."

@@ -14,7 +14,7 @@ from components.walks.loading import WalkError, load_walks, read_walk, steps_of
 from components.walks.walk import Step, Walk
 
 MOST_PROBLEMS = 8
-"""What is said at once of a visitor's file."""
+"""The number of problems that are told at once of a visitor's file."""
 
 
 def all_walks(folders: Iterable[Path], scenes: Scenes) -> dict[str, Walk]:

@@ -1,4 +1,4 @@
-"""What a step's question is about, found in its scene: plots, their axes, and the curves that are true of them."""
+"""The subject of a step's question, found in its scene: plots, their axes, and the curves that are true of them."""
 
 from __future__ import annotations
 

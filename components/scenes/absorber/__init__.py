@@ -37,18 +37,18 @@ from physics.sampling import periods
 
 MACHINE = ("m1", "k1", "F_0", "omega")
 TOP = (15.0, 20.0)
-"""How far the axes of swing and stroke reach, over the static deflection."""
+"""The reach of the axes of swing and stroke, over the static deflection."""
 TURNS = 8
 """Periods of the drive that the clock plays."""
 PLAYED = {"particular": "Particular solution", "rest": "From rest"}
 RECORD: dict[str, Any] = {"allow_None": True, "says": "is of the lightest absorber that has met all goals."}
 MOST_START = 20.0
-"""How far the sliders of the start reach, over the static deflection."""
+"""The reach of the sliders of the start, over the static deflection."""
 
 
 @lru_cache(maxsize=1)
 def _asked_again(duty: Duty) -> Duty:
-    """The same with all that has been worked out of it: one change asks for its duty several times."""
+    """A duty as it was first made, with all that has been worked out of it: one change asks for it several times."""
     return duty
 
 

@@ -225,7 +225,7 @@ def _score(mass: float) -> str:
 
 
 def _found(axis: Axis, swing: float, within: str) -> str:
-    """What a goal finds: in the particular solution, by which it is judged, and from the start."""
+    """The reading of a goal: in the particular solution, by which it is judged, and from the start."""
     if not math.isfinite(swing):
         return "no xₚ here: it grows without limit"
     found = f"xₚ: {length(axis, swing)} {axis.full_unit}"

@@ -1,4 +1,4 @@
-"""How the absorber is drawn: one instant twice, two response curves, goals at the end of their limits."""
+"""The absorber's stage and plots: one instant twice, two response curves, goals at the end of their limits."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ WALL, REST = 0.024, (0.36, 0.687)
 """Where the wall and the masses at rest stand, as fractions of the stage's width."""
 FLOORS = (0.377 * H, 0.86 * H)
 TEETH = 190 * var("hook")
-"""How far the teeth of a spring stand out, in pixels: they stay above the floor."""
+"""The height of a spring's teeth in pixels: they stay above the floor."""
 
 
 def size_axis(top: float) -> Axis:
@@ -38,7 +38,7 @@ def side(mass: int) -> Number:
 
 
 def picture() -> Block:
-    """The same instant twice: above, as an outline, the machine alone; below, with the absorber."""
+    """The stage, one instant drawn twice: above, as an outline, the machine alone; below, with the absorber."""
     shapes = [
         wall(WALL * W, 0.02 * H, FLOORS[1] - 0.02 * H + 1),
         *_rests(),

@@ -1,4 +1,4 @@
-"""What a machine on a mounting does under its drive with an absorber on it, and the goals it is held to."""
+"""The duty of a machine on a mounting: its motion under a drive with an absorber on it, and the goals set for it."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from physics.transient import DampedModes
 SWING, STROKE, AWAY = 0.5, 7.5, 0.2
 """The goals: swing and stroke over the static deflection F_0/k1, share of the speed free of resonances."""
 EXACT, SAME = 4e-16, 5e-4
-"""How near to the speed the absorber's own frequency is tuned to it, but for rounding, and almost: to three digits."""
+"""Distances of the absorber's own frequency from the speed: tuned but for rounding, and almost, to three digits."""
 LEFT = 0.01
 """The share of the machine's swing alone that may be left where the absorber is almost tuned."""
 SMALL = 10.0
@@ -139,7 +139,7 @@ class Duty:
 
     @cached_property
     def bounds(self) -> tuple[float, float]:
-        """What swing and stroke stay within from the start, in m; inf where they grow."""
+        """The bounds that swing and stroke keep from the start, in m; inf where they grow."""
         if self.c:
             with_it = _damped_bounds(self.damped)
         else:
@@ -148,7 +148,7 @@ class Duty:
 
     @cached_property
     def bound_alone(self) -> float:
-        """The same of the machine's swing alone."""
+        """The bound that the swing of the machine alone keeps from the start, in m; inf where it grows."""
         return math.inf if self.bare.at_resonance else _bounds(self.bare)[0]
 
     @cached_property
@@ -163,7 +163,7 @@ class Duty:
 
     @property
     def plays_alone(self) -> bool:
-        """The same of the machine alone."""
+        """Whether the particular solution is what is played of the machine alone."""
         return self.bare.split_is_meaningful and not self.from_rest
 
     @cached_property
@@ -202,7 +202,7 @@ class Duty:
 
     @property
     def unsolved(self) -> str:
-        """What the swing does from rest at a resonance, or hardly beside it."""
+        """The course of the swing from rest at a resonance, or hardly beside it, by the name of its sentence."""
         return "aside" if self.aside else "grow" if self.resonates else "beat"
 
     @cached_property
@@ -250,14 +250,14 @@ class Duty:
 
 
 def _bounds(driven: DrivenModes) -> tuple[float, float]:
-    """What |x1| and |x2 - x1| stay within from rest: the particular amplitude and those of both modes together."""
+    """The bounds of |x1| and |x2 - x1| from rest: the particular amplitude and those of both modes together."""
     one, two = driven.particular.tolist()
     modes = driven.complementary_modes.amplitude
     return abs(one) + float(np.abs(modes[:, 0]).sum()), abs(two - one) + float(np.abs(modes[:, 1] - modes[:, 0]).sum())
 
 
 def _damped_bounds(damped: DampedModes) -> tuple[float, float]:
-    """The same with damping: each term t^j exp(-decay t) of the transient at its largest."""
+    """The bounds of |x1| and |x2 - x1| with damping: each term t^j exp(-decay t) of the transient at its largest."""
     reach = np.abs(damped.particular)[[0, 2]]
     for exponent, amplitudes in damped.transient:
         for j, row in enumerate(np.abs(amplitudes)):

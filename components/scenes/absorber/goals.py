@@ -1,4 +1,4 @@
-"""What is drawn over and beside the absorber's plots: goals, their limits, readings at the running speed."""
+"""The shapes over and beside the absorber's plots: goals, their limits, readings at the running speed."""
 
 from __future__ import annotations
 

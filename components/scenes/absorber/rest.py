@@ -18,7 +18,7 @@ from components.traces import Columns
 from physics.exact import exact, precise
 
 TALLEST = 1e30
-"""What is drawn from a start, over the static deflection: a number in its unit is a float32."""
+"""The largest motion drawn from a start, over the static deflection: a number in its unit is a float32."""
 _NEVER = "does not die out: nothing damps it."
 SENTENCES: list[Paragraph] = [
     either(

@@ -1,4 +1,4 @@
-"""What to watch in each preset, in a sentence."""
+"""A sentence for each preset on what to watch."""
 
 WATCH = {
     "Below": "Below the machine's own frequency: see how much vibration is left with a tuned absorber.",

@@ -1,4 +1,4 @@
-"""What the absorber's scene says: formulas, explanations, verdicts."""
+"""The words of the absorber's scene: formulas, explanations, verdicts."""
 
 from __future__ import annotations
 

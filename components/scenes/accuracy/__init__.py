@@ -163,7 +163,7 @@ class Accuracy(Scene):
         )
 
     def _there(self, rows: list[PriceRow], picked: Run | None) -> tuple[tuple[str, bool], ...]:
-        """What stands on a condition."""
+        """The parts of the sheet that stand on a condition, and whether they do."""
         unsteady = any("±" in cell for _, cells in rows for cell in cells)
         cost = (self.view, self.equal) == ("growth", "cost")
         return ("costs", bool(rows)), ("unsteady", unsteady), ("kept", picked is not None), ("cost", cost)

@@ -33,12 +33,12 @@ class Series:
 
     @cached_property
     def by_method(self) -> Mapping[str, Sequence[Run]]:
-        """Those of each method; those without a result too."""
+        """The runs of each method, also those without a result."""
         return grouped(self.every)
 
     @cached_property
     def points(self) -> Mapping[str, Columns]:
-        """Those that can be drawn, of each method: the columns time (s) and error (of the largest displacement)."""
+        """The runs of each method that can be drawn: the columns time (s) and error (of the largest displacement)."""
         return {slug: _points(good) for slug, runs in self.by_method.items() if (good := done(runs))}
 
 

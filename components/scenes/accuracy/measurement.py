@@ -101,7 +101,7 @@ class Measurement(Running):
         return {"measured": found or scene.measured}
 
     def _keep(self) -> None:
-        """What has come, the newest last."""
+        """Keep the runs that have come, the newest last."""
         if job := self._job:
             self._found.pop((job.system, job.seconds), None)
             self._found[job.system, job.seconds] = (job.system, job.seconds, job.runs, job.state)

@@ -23,11 +23,11 @@ from physics.accuracy import Run, System, entered
 from physics.accuracy_worker import encoded_system
 
 KEPT = 64
-"""How many finished measurements are remembered."""
+"""The number of finished measurements that are remembered."""
 LIVE = ("closed", "eigh", "verlet", "newmark", "rk4", "dop853", "radau", "lsoda")
 """The methods that are measured while a visitor looks on: few enough for a minute."""
 WAITING = 8
-"""How many measurements may wait for their turn."""
+"""The number of measurements that may wait for their turn."""
 BUDGET = 60.0
 """Seconds that one measurement may take in all."""
 GRACE = 5.0
@@ -35,7 +35,7 @@ GRACE = 5.0
 
 Listener = Callable[[], None]
 Json = dict[str, Any]
-"""What the worker, a process of our own, writes on a line."""
+"""An object that the worker, a process of our own, writes on a line."""
 
 
 @dataclass(eq=False)
@@ -127,12 +127,12 @@ class Measuring:
                     job.process.stdin.flush()
 
     def __len__(self) -> int:
-        """How many measurements run or wait."""
+        """The number of measurements that run or wait."""
         with self._lock:
             return len(self._waiting) + (self._active is not None)
 
     def place(self, job: Job) -> int:
-        """How many measurements come before this one."""
+        """The number of measurements that come before this one."""
         with self._lock:
             return self._waiting.index(job) + 1 if job in self._waiting else 0
 

@@ -96,7 +96,7 @@ def _names() -> Iterable[AnyShape]:
 
 
 def _meanings() -> Iterable[AnyShape]:
-    """What the two dashed lines are, and what to do where nothing has been measured."""
+    """Texts at the two dashed lines, and on what to do where nothing has been measured."""
     limit, rounding = on_x("work", var("limit_at")) - 6, on_y("work", var("rounding_at"))
     told: dict[str, Any] = {"anchor": "end", "tint": "mute", "style": "t1 halo"}
     x, y = (var("work.left") + var("work.right")) / 2, (var("work.top") + var("work.bottom")) / 2

@@ -30,7 +30,7 @@ class Recorded:
 
 
 def records(slug: str) -> Recorded | None:
-    """Those of a system; None where it is a visitor's own."""
+    """The recorded runs of a system; None where it is a visitor's own."""
     return recorded(slug) if slug in SYSTEMS else None
 
 

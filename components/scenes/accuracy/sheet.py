@@ -1,4 +1,4 @@
-"""What stands where in the accuracy scene, and its sentences."""
+"""The sheet of the accuracy scene: its arrangement and its sentences."""
 
 from __future__ import annotations
 

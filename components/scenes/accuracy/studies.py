@@ -1,4 +1,4 @@
-"""What the race over 50 periods does not show: other lengths, doubles against 80 digits, and stability."""
+"""Views beyond the race over 50 periods: other lengths, doubles against 80 digits, and stability."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ from physics.solvers import METHODS
 from physics.stability import amplification, stability_limit, stable_steps
 
 REACH, LOW, TOP = 3.2, 0.4, 3.0
-"""How far the plot of the amplification goes, in h omega, downward and upward."""
+"""The reach of the plot of the amplification in h omega, and its ends downward and upward."""
 ALIKE = {
     "euler": "Explicit Euler",
     "verlet": "Verlet, semi-implicit Euler",
@@ -49,7 +49,7 @@ AGAINST = {
     "detuning": "omega/omega_minus - 1",
     "periods": "the length of the run in slow periods",
 }
-"""The same axes in words."""
+"""The axes of SWEEPS in words."""
 
 
 def length_view() -> Block:
@@ -160,7 +160,7 @@ def digits_columns() -> dict[str, Columns]:
 
 
 def digits_texts(wanted: float) -> dict[str, str]:
-    """How far doubles reach, and what the digits cost."""
+    """Texts on the reach of doubles and the cost of more digits."""
     costs = {each["motion"]: each for each in digits()["costs"]}
     free = costs["free"]
     alone, whole, eigh = (time_text(free[name] / 1e3) for name in ("digits", "closed", "eigh"))

@@ -1,4 +1,4 @@
-"""What to watch in each preset, in a sentence."""
+"""A sentence for each preset on what to watch."""
 
 WATCH = {
     "Benign": "Follow one line down: each further digit costs a stepping method time, the formula none.",

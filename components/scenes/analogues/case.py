@@ -98,12 +98,12 @@ class AnalogueCase:
 
     @property
     def exact_energy(self) -> float:
-        """The same at any angle."""
+        """T + V in J at any angle."""
         return self.tuned.exact_energy(self.q_0)
 
     @cached_property
     def swings(self) -> Swings:
-        """What the window and the clock show of a pendulum."""
+        """The motion of a pendulum over the window, and over a period for the clock."""
         count = min(math.ceil(NODES * (1 + self.excess)), MOST_NODES)
         motion, size = self.swing(np.concatenate([self.t, np.linspace(0.0, self.period, count + 1)]))
         lap = slice(self.t.size, None)

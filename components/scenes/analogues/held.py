@@ -26,8 +26,8 @@ HELD: dict[str, tuple[str, Number, Number, Number, Number]] = {
     "wave": ("Water", 42, 17, 0, -8),
     "pipe": ("Air", 10 + 64 * var("belly"), 47, var("along"), 0),
 }
-"""What a hand holds of what moves: its name, where it rests, and how far from there it is at the largest displacement.
-"""
+"""Where a hand holds each system: its name, its place at rest, and its distance from there at the largest
+displacement."""
 
 
 def held(slug: str, c: Canvas) -> Shape:

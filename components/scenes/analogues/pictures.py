@@ -70,7 +70,7 @@ def kept(shape: Shape) -> Shape:
 
 @dataclass(frozen=True)
 class Pose:
-    """What moves a picture.
+    """The pose of a system's picture: the expressions that move its parts.
 
     `size` is the amplitude as a share of the largest drawn, `q` the displacement so and `behind` the same a
     quarter period later; `angle` is that of what rocks, with its sine and cosine; `half_waves` counts those
@@ -220,7 +220,7 @@ def _wave(c: Canvas, s: Pose) -> list[Shape]:
 
 
 def _under(c: Canvas, s: Pose, x: float) -> list[Shape]:
-    """How the water moves below x: to and fro on a line that shrinks as exp(-kappa depth)."""
+    """The water below x: it moves to and fro on a line that shrinks as exp(-kappa depth)."""
     ahead, shapes = 2 * math.pi * (x - 42) / 76, []
     for y in (27, 36, 45):
         reach = 8 * math.exp(-2 * math.pi * (y - 17) / 76)

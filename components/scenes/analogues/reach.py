@@ -1,4 +1,4 @@
-"""What the scene adds to the table of physics.analogues: the ranges of the sliders, and what is said of a system."""
+"""The scene's additions to the table of physics.analogues: the ranges of the sliders, and sentences on each system."""
 
 from typing import Literal, NamedTuple
 

@@ -1,4 +1,4 @@
-"""What stands where in the scene of the analogues: stage, motion, table of roles, lateness or formula."""
+"""The sheet of the analogues: stage, motion, table of roles, lateness or formula."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ def _motion() -> Block:
 
 
 def _roles() -> Block:
-    """What plays x, m, k, T, V and omega_n, in formulas and numbers that agree or part as one watches."""
+    """The roles x, m, k, T, V and omega_n in both systems, in formulas and numbers that agree or part."""
     systems = ANALOGUES.items()
     rows = [
         _role("m1", "x", "x", "x_unit", {slug: s.coordinate for slug, s in systems}, "q", "q_unit"),

@@ -1,4 +1,4 @@
-"""What to watch in each preset, in a sentence."""
+"""A sentence for each preset on what to watch."""
 
 WATCH = {
     "10°": "From 10° the pendulum keeps step with the spring: each of its swings takes 0.2 % longer.",

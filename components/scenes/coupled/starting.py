@@ -1,4 +1,4 @@
-"""How a motion is begun: by starting values, or by amplitude and phase of each mode. One follows from the other."""
+"""The start of a motion: by starting values, or by amplitude and phase of each mode. One follows from the other."""
 
 from __future__ import annotations
 
@@ -68,8 +68,8 @@ def turns(scene: Begun, omega: Pair, time: Axis) -> dict[str, AnySignal]:
 
 
 def followed(scene: Begun, changed: frozenset[str], before: str, *, in_hand: bool) -> Values:
-    """What follows from a change, before which the motion was given by `before`. A start that is typed gives the motion
-    itself; one that a hand sets has its modes, where these give it."""
+    """The parameters that follow from a change, before which the motion was given by `before`. A start that is typed
+    gives the motion itself; one that a hand sets has its modes, where these give it."""
     if changed.intersection(chain.START.names) and not changed.intersection((*BY_MODES, "given_by")):
         return _modes(scene) if in_hand and scene.given_by == "modes" else {"given_by": "values"}
     if scene.given_by == "values" and not changed.intersection(BY_MODES):
@@ -82,7 +82,7 @@ def followed(scene: Begun, changed: frozenset[str], before: str, *, in_hand: boo
 
 
 def opened(scene: Begun) -> Values:
-    """The same of a state, which says how the motion is given."""
+    """The starting values that follow from a state, which says how the motion is given."""
     return {} if scene.given_by == "values" else _start(scene, {name: getattr(scene, name) for name in BY_MODES})
 
 

@@ -1,4 +1,4 @@
-"""What to watch in each preset, in a sentence."""
+"""A sentence for each preset on what to watch."""
 
 WATCH = {
     "Both": "Two modes at once: x₁ and x₂ are sums of the same two sines.",

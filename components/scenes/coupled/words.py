@@ -1,4 +1,4 @@
-"""What the scene of the coupled masses says: captions of the modes, constants, forces, and which sentence stands."""
+"""The words of the coupled masses: captions of the modes, constants, forces, and which sentence stands."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ CLOSE = 0.2
 
 
 def captions(mode: str) -> list[Paragraph]:
-    """What stands beside the row of a mode: its name, its frequency and its shape."""
+    """The caption beside the row of a mode: its name, its frequency and its shape."""
     name, index, sign = SIGN[mode], {"slow": "-", "fast": "+"}[mode], {"slow": "=", "fast": "+"}[mode]
     title = either(
         f"{mode}_fact",

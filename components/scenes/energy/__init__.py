@@ -178,7 +178,7 @@ def _motion_columns(case: HangingCase, t: NDArray[np.float64]) -> tuple[Columns,
 
 
 def _levels(case: HangingCase) -> Columns:
-    """What stands still: the sum, and the constant that the slide takes off."""
+    """The levels that stand still: the sum, and the constant that the slide takes off."""
     levels = {"total": np.full(2, case.total)}
     return levels | {"constant": np.full(2, -case.constant)} if case.datum == "slide" else levels
 

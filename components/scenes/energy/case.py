@@ -109,7 +109,7 @@ def _x_axis(case: HangingCase) -> Axis:
 
 
 def _well_axis(case: HangingCase, x: Axis) -> Axis:
-    """The same unit; the well is drawn a little beyond the turning points."""
+    """The axis of the well, in the unit of x; the well is drawn a little beyond the turning points."""
     end = 1.18 * case.constants.C or x.start
     ticks = nice_ticks(x.place(-end), x.place(end), 2)
     C = case.constants.C

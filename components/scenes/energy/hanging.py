@@ -27,7 +27,7 @@ from components.stage import (
 
 CENTRE = WIDE * 0.5 * W + NARROW * 0.44 * W
 HALF = WIDE * 62 + NARROW * 52
-"""How far the levels reach to either side of it."""
+"""The reach of the levels to either side of it."""
 STRIP, STRIP_LENGTH = 0.79 * W, 0.2 * W
 """On a phone the stage has a small x(t) of its own."""
 SQUARE = "M0 0H1V1H0Z"
@@ -35,8 +35,7 @@ BESIDE = {
     "together": ("equilibrium", "= natural", "length"),
     "close": ("equilibrium,", "{delta_st} below", "natural length"),
 }
-"""What the equilibrium is called where it is the natural length, and where it is too close below for a name of its
-own."""
+"""Names of the equilibrium where it is the natural length, and where it is too close below for a name of its own."""
 BAR = WIDE * 22 + NARROW * 12
 PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.81), "jupiter": ("Jupiter", 24.8)}
 """Names and gravities in m/s^2."""

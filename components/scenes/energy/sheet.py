@@ -1,4 +1,4 @@
-"""What stands where in the scene of the hanging mass: rows share x and energy, the right column of plots the time."""
+"""The sheet of the hanging mass: rows share x and energy, the right column of plots the time."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def _displacement() -> Block:
 
 
 def _between() -> Block:
-    """What the datum of V decides."""
+    """The words between the plots, on the datum of V."""
     return words(
         either(
             "claim",

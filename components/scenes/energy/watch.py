@@ -1,4 +1,4 @@
-"""What to watch in each preset, in a sentence."""
+"""A sentence for each preset on what to watch."""
 
 WATCH = {
     "Pulled down": "T is largest where x passes 0, V where the mass turns; the sum stays constant.",

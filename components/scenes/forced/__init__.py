@@ -1,4 +1,4 @@
-"""How far two masses swing depends on how fast one is pushed (D34, points 6 to 8)."""
+"""Forced: the scene of two masses, one of which is pushed at a frequency of choice (D34, points 6 to 8)."""
 
 from __future__ import annotations
 
@@ -153,7 +153,7 @@ class Forced(Scene):
 
 
 def _digits(size: Axis, push: Axis) -> dict[str, Digits]:
-    """How the numbers that change with the clock are written: both displacements and the force."""
+    """The digits of the numbers that change with the clock: both displacements and the force."""
     return {"x1": size.digits(signed=True), "x2": size.digits(signed=True), "force_now": push.digits(signed=True)}
 
 

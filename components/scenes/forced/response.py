@@ -34,7 +34,7 @@ CLOSEST = 1e-5
 NEAR, EVEN = np.geomspace(CLOSEST, 0.5, POINTS), np.linspace(0.0, 0.5, POINTS)
 """Half a branch, as fractions of it: closer and closer together towards a pole, or equally far apart."""
 BESIDE = 1e-6
-"""How near, relatively, a log axis comes to the frequency at which mass 1 stands still."""
+"""The relative distance that a log axis keeps from the frequency at which mass 1 stands still."""
 REACH = 1.55
 """The axis ends at this multiple of the larger natural frequency, unless the drive is beyond it."""
 ENOUGH, BROAD = 0.12, 0.04
@@ -45,7 +45,7 @@ TALL = 5.0
 
 @dataclass(frozen=True)
 class DrawnResponse:
-    """What the response plot shows: its sources, axes, marks and their texts."""
+    """The response plot: its sources, axes, marks and their texts."""
 
     columns: dict[str, Columns]
     axes: dict[str, Axis]
@@ -197,7 +197,7 @@ def _names(w: Floats, X: Floats, branches: list[slice], across: Axis, up: Axis) 
 
 
 def _room(x: Floats, beside: Floats, y: Floats, other: Floats) -> Floats:
-    """How good each place of a curve is for its name, from what is `beside` it, (2, n); all are shares of the frame."""
+    """The room for a name at each place of a curve, from the curves `beside` it, (2, n), in shares of the frame."""
     inside = (x > 0.08) & (x < 0.9) & (y > 0.02) & (y < 0.8)
     before, after = np.interp(beside, x, y)
     return np.where(inside, np.minimum(np.abs(other - y), ENOUGH) - np.abs(after - before), -np.inf)

@@ -1,4 +1,4 @@
-"""What to watch in each preset, in a sentence."""
+"""A sentence for each preset on what to watch."""
 
 WATCH = {
     "All equal": "From ω₋ to its zero, 1 rad/s, mass 1 swings against the push in xₚ; past it with the push.",

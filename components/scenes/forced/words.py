@@ -1,4 +1,4 @@
-"""What the forced scene says: formulas, live numbers, and which sentence stands."""
+"""The words of the forced masses: formulas, live numbers, and which sentence stands."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def sizes(driven: DrivenModes) -> list[float]:
 
 
 def steady(driven: DrivenModes) -> str:
-    """What is to be said of the particular solution: its formulas, or why they do not stand."""
+    """The form of the particular solution: its formulas, or why they do not stand."""
     if not (driven.F_0 and driven.omega):
         free = driven.free
         moves = np.any(free.amplitude) or np.any(free.drift_b)

@@ -16,12 +16,12 @@ from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
 from components.text import rich
 
 ARROWS = W - 0.36 * W * var("narrow") - 0.3 * W * var("hall")
-"""What force arrows are a fraction of: beside short ones there is room for their numbers on a narrow stage."""
+"""The length of which force arrows are a fraction: beside short ones there is room for numbers on a narrow stage."""
 SWING = ARROWS * var("swing")
 
 
 class RowWords(NamedTuple):
-    """What is said of a row of forces, by how much room there is."""
+    """The words beside a row of forces, by the room that there is."""
 
     wide: dict[str, str]
     narrow: str

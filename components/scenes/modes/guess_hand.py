@@ -9,7 +9,7 @@ from components.page.shapes import Along, Quotient
 from components.stage import Shape, W, box, circle, shown_by
 
 METRE = 0.112
-"""What an amplitude of 1 m takes of the stage's width."""
+"""The share of the stage's width that an amplitude of 1 m takes."""
 LEAST = 0.02
 """m; as small as a hand makes an amplitude: the other one is 1 m."""
 UNIT = METRE * W

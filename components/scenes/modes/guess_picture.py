@@ -29,11 +29,11 @@ ROWS = ("need", "give", "add")
 REACH = 0.17
 """The longest force arrow, as a fraction of the stage's width."""
 NEAR, ALIKE = 1e-3, Decimal("0.01")
-"""How near a natural frequency is, and how near two rows are, over the larger, to be nearly the same equation."""
+"""Limits: of a frequency near a natural one, and of the gap of rows, over the larger, that are nearly one equation."""
 ROUNDING = Decimal("1e-12")
 """A typed ratio is rounded, so at a mode a force of this size, compared with the others, is left: it is shown as 0."""
 LITTLE = Decimal("0.005")
-"""What a hand adds is little where it is this small beside the other forces."""
+"""The share of the other forces below which a hand's is little."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,7 +114,7 @@ def picture(system: TwoMassChain, omega: float, ratio: float, window: float | No
 
 
 def _shape_axis(modes: Modes) -> tuple[float, Axis]:
-    """How far the curves of X2/X1 are drawn, and its axis, which holds both modes."""
+    """The reach of the curves of X2/X1, and their axis, which holds both modes."""
     half = 2 * max((abs(float(r)) for r in modes.ratio if r and math.isfinite(r)), default=2.0)
     reach = 3 * half
     if math.isinf(reach):
@@ -124,7 +124,7 @@ def _shape_axis(modes: Modes) -> tuple[float, Axis]:
 
 
 def said(system: TwoMassChain, omega: float) -> Trial:
-    """What the two equations say at `omega`; next to a zero, where hardly a double is nearer, what they say at it."""
+    """The two equations at `omega`; next to a zero, where hardly a double is nearer, at the zero itself."""
     asked, none = trial(system, omega), Decimal(0)
     for mode in system.exact_modes:
         if not within_an_ulp(omega, mode.omega):
@@ -212,7 +212,7 @@ def _known(guess: Guess) -> dict[str, float]:
 
 
 def _tried(guess: Guess, known: dict[str, float]) -> dict[str, float]:
-    """The same of the trial point, of what both rows ask for there, and of D; and where labels would collide."""
+    """The places of the trial point, of the shapes that the rows ask for, and of D; and where labels would collide."""
     frequency, shape, D = guess.frequency, guess.shape, guess.asked.determinant
     w = frequency.place(min(guess.omega, 2 * frequency.end))
     r = shape.place(max(min(guess.ratio, 2 * shape.end), 2 * shape.start))
@@ -272,7 +272,7 @@ def _sizes(push: TrialForces) -> list[Decimal]:
 
 
 def _left(guess: Guess) -> list[Decimal]:
-    """What is missing on each mass; nothing at a mode, whose frequency and shape few doubles are."""
+    """The force missing on each mass; nothing at a mode, whose frequency and shape few doubles are."""
     for mode in guess.system.exact_modes:
         if not mode.shape[0]:
             continue

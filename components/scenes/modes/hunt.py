@@ -176,7 +176,7 @@ def _path(system: TwoMassChain, x_0: tuple[float, float], end: float, fast: floa
 
 
 def _bound(free: FreeModes) -> tuple[float, float, float]:
-    """What x1, x2 and the elongation of spring 2 cannot exceed."""
+    """The bounds of x1, x2 and the elongation of spring 2."""
     reach = np.abs(free.amplitude).sum(axis=0) + np.abs(free.drift_a)
     one, two = (float(value) for value in reach)
     return one, two, one + two

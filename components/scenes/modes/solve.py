@@ -23,7 +23,7 @@ from physics.modes import quadratic
 from physics.sampling import time_window
 
 METRE = 0.105
-"""What an amplitude of 1 m takes of the stage's width."""
+"""The share of the stage's width that an amplitude of 1 m takes."""
 LOOKS = (("−", 0.0), ("+", 0.5))
 """The sign of each mode, and where its part of the stage begins, as a fraction of the height."""
 
@@ -129,7 +129,7 @@ def _shapes() -> list[Shape]:
 
 
 def _title(mode: str, sign: str, top: float) -> list[Shape]:
-    """What a mode is, over its chain; on a phone its shape stands under the arrows."""
+    """The title of a mode over its chain; on a phone its shape stands under the arrows."""
     frequency, shape = f"{mode} mode, *ω*_{{{sign}}} = {{{mode}_omega}} rad/s", f"*X*_2/*X*_1 = {{{mode}_ratio}}"
     lines = (f"{frequency}, {shape}", 0.03, "wide"), (frequency, 0.03, "narrow"), (shape, 0.475, "narrow")
     return [

@@ -1,4 +1,4 @@
-"""What to watch in each preset, in a sentence."""
+"""A sentence for each preset on what to watch."""
 
 WATCH = {
     "Default": "Watch for the shapes on which both masses agree: there are just two.",

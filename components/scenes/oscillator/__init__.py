@@ -34,10 +34,10 @@ LONGEST = 24
 MOST_SWINGS = 6
 """In a longer window a quarter period is too short to be marked."""
 LEADS = {"x": 0.0, "v": QUARTER, "a": math.pi}
-"""How far each row leads x."""
+"""The phase by which each row leads x."""
 UNITS = {"x": "m", "v": "m/s", "a": "m/s²"}
 ROOM = {"x": (1.25, 1.25), "v": (1.15, 1.6), "a": (1.2, 1.75)}
-"""How far an axis reaches below and above, in amplitudes; over v and a stand the marks of the quarter period."""
+"""The reach of an axis below and above, in amplitudes; over v and a stand the marks of the quarter period."""
 
 
 @dataclass(frozen=True, kw_only=True)

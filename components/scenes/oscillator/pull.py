@@ -17,7 +17,7 @@ SHARE = 0.75
 
 @dataclass(frozen=True, kw_only=True)
 class Force:
-    """What a picture holds of it."""
+    """The spring's force in a picture: its signal, its unit and its digits."""
 
     signals: dict[str, AnySignal] = field(default_factory=dict)
     scalars: dict[str, float] = field(default_factory=lambda: {"forced": 0.0})

@@ -1,4 +1,4 @@
-"""What stands where in the scene of the oscillator: the arrow, the rows x, v, a, and beside them the two planes."""
+"""The sheet of the oscillator: the arrow, the rows x, v, a, and beside them the two planes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ WATCH = {
     "Rest": "With x₀ = 0 and v₀ = 0 there is no arrow to turn.",
     "No spring": "Nothing pulls it back: it moves on at constant speed.",
 }
-"""What to watch in each preset, in a sentence."""
+"""A sentence for each preset on what to watch."""
 
 CONSTANTS = (
     (r"[m1|$A = x_0 = \val{A}$ m]", either("C", turn=r"[m1|$C = \sqrt{A^2 + B^2} = \val{C}$ m]")),

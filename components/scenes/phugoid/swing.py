@@ -118,7 +118,7 @@ class Swing:
         return self.v_0 * self.linear.tau * laps, abs(self.climb)
 
     def distance(self, t: float) -> float:
-        """How far the exact flight comes in the time t, in units of v_0^2/g."""
+        """The distance that the exact flight covers in the time t, in units of v_0^2/g."""
         return t / self.period * self.lap.advance
 
 
@@ -207,7 +207,7 @@ def velocities(swing: Swing) -> Columns:
 
 @cache
 def family_velocities() -> Columns:
-    """The same of FAMILY, exact."""
+    """The tips of the exact velocities of FAMILY, in v_0."""
     columns: Columns = {}
     for name, excess in FAMILY.items():
         other = lanchester(excess, 121)

@@ -1,4 +1,4 @@
-"""What to watch in each preset, in a sentence."""
+"""A sentence for each preset on what to watch."""
 
 WATCH = {
     "Ripple, 0.1": "After a small disturbance exact flight and linear theory differ by 5 % of the swing at most.",

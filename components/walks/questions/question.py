@@ -60,11 +60,11 @@ class Question(BaseStep, frozen=True, kw_only=True):
         raise NotImplementedError
 
     def card(self, subject: Subject, **step: Any) -> StepCard:
-        """What is asked, and nothing of what is right."""
+        """The card of the question, with nothing of what is right."""
         raise NotImplementedError
 
     def judged(self, given: Given, subject: Subject) -> Judgement | None:
-        """What is known of an answer, None where nothing was answered; ValueError, in words, for what is no answer to
+        """The judgement of an answer, None where nothing was answered; ValueError, in words, for what is no answer to
         such a question."""
         bare = Given(walk=given.walk, step=given.step, vote=given.vote)
         if replace(bare, **{self.takes: getattr(given, self.takes)}) != given:
@@ -72,11 +72,11 @@ class Question(BaseStep, frozen=True, kw_only=True):
         return None if given == bare else self.judge(given, subject)
 
     def judge(self, given: Given, subject: Subject) -> Judgement:
-        """What is known of an answer that has the field of this kind and no other."""
+        """The judgement of an answer that has the field of this kind and no other."""
         raise NotImplementedError
 
     def lesson(self, given: Given, subject: Subject) -> Lesson:
-        """What it teaches whoever gave that answer, or none; ValueError, in words, for what is no answer to it."""
+        """The lesson for an answer, or for none; ValueError, in words, for what is no answer to it."""
         judged = self.judged(given, subject)
         return self.teaches(
             given,
