@@ -1,4 +1,4 @@
-"""What all tests share."""
+"""Settings of all tests: one profile of Hypothesis, on every machine the same examples."""
 
 from collections.abc import Iterator
 

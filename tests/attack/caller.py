@@ -55,7 +55,7 @@ def token_of(page: str) -> str:
 
 
 def contents(token: str) -> dict[str, Any]:
-    """What a token says to whoever reads it."""
+    """The contents of a token, as anybody can read them."""
     said: dict[str, Any] = json.loads(_decoded(token.partition(".")[0]))
     packed = said.pop("__bk__zlib_", None)
     return said | (json.loads(zlib.decompress(_decoded(packed))) if packed else {})

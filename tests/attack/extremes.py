@@ -39,7 +39,7 @@ def value(parameter: param.Parameter) -> SearchStrategy[Any]:
 
 
 def number(quantity: Quantity) -> SearchStrategy[float | None]:
-    """What the quantity takes: extremes, any double, and what lies around its slider."""
+    """Values of a quantity: extremes, any double, and those around its slider."""
     extremes = [sign * size for sign in (1.0, -1.0) for size in EXTREMES]
     whole = quantity.scale == "count"
     around = st.floats(*quantity.softbounds)
@@ -52,7 +52,7 @@ def number(quantity: Quantity) -> SearchStrategy[float | None]:
 
 
 def messages(scene: type[Scene]) -> SearchStrategy[list[Message]]:
-    """What a visitor may do one after another, measurements aside; some of it is malformed."""
+    """Messages that a visitor may send one after another, measurements aside; some are malformed."""
     kinds = [
         values(scene).map(_set),
         st.sampled_from(sorted(scene.linked())).flatmap(lambda name: _about(scene, name)),

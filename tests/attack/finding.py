@@ -1,4 +1,4 @@
-"""What an attack found."""
+"""A finding: the result of one attack."""
 
 from __future__ import annotations
 

@@ -93,7 +93,7 @@ GREEDY: dict[str, dict[str, Any]] = {
     "many digits": {"type": "set", "values": {"m1": 1e300}},
     "an enormous window": {"type": "set", "values": {"window": 1e176}},
 }
-"""What costs most, of one client."""
+"""The messages of one client that cost most."""
 
 
 def attack(url: str, short: bool = False) -> list[Finding]:
@@ -205,7 +205,7 @@ async def _slow(url: str) -> list[Finding]:
 
 
 async def _flood(url: str) -> list[Finding]:
-    """How long others wait for an answer, before 30 clients say all they can and a second after they have left."""
+    """A flood: the wait of others before 30 clients say all they can, and a second after they have left."""
     witness = await Visitor.arrive(url, "scene=coupled")
     before = await _latency(witness)
     flooders = [asyncio.create_task(_flooder(url)) for _ in range(FLOODERS)]
@@ -235,7 +235,7 @@ async def _flooder(url: str) -> None:
 
 
 async def _greedy(url: str) -> list[Finding]:
-    """How long another waits while one client asks for what costs most, again and again."""
+    """A greedy client: the wait of another while one asks for what costs most, again and again."""
     witness = await Visitor.arrive(url, "scene=coupled")
     found = []
     for name, message in GREEDY.items():

@@ -1,4 +1,4 @@
-"""What the browser makes of extreme pictures: nothing on the page may be no number, or without end."""
+"""Extreme pictures in the browser: nothing on the page may be no number, or without end."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def attack(url: str, size: int, start: int) -> Iterator[Finding]:
 
 
 def faults_of(page: Page, scene: type[Scene], size: int, start: int) -> Iterator[str]:
-    """What is wrong on the page, and the link that shows it."""
+    """The faults of pages, each with the link that shows it."""
     for query, packet in pictures(scene, size, start):
         fault = page.evaluate(SHOW, list(packet["data"]))
         if fault:

@@ -54,7 +54,7 @@ class Counted:
 
 
 def page(slug: str = "absorber", values: Values = ABSORBER) -> tuple[Session, list[dict[str, Any]]]:
-    """What the greedy client has open, and what it is told."""
+    """The page of the greedy client, and all that it is told."""
     session, told = opened(SCENES, Link(slug, values)), list[dict[str, Any]]()
     session.send = lambda packet: told.append(unpacked(packet))
     return session, told

@@ -16,7 +16,7 @@ from tests.page.told import unpacked
 from tests.scenes.checks import as_arguments, check_picture
 
 PASSING = ("answer", "errors", "problems")
-"""What an answer says of its message alone."""
+"""The fields of an answer that are about its message alone."""
 
 
 STRANGE = ("is no curve of this scene.", "is not an axis of this picture.")
@@ -56,7 +56,7 @@ class Visit:
         return dict(told["errors"])
 
     def leave(self) -> None:
-        """What is shown at the end can be drawn, and its link brings it back."""
+        """End the visit: the last picture can be drawn, and its link brings it back."""
         check_picture(self.session.now)
         link = read_query(as_arguments(self.now["query"]), SCENES)
         again = unpacked(opened(SCENES, link).opening())

@@ -40,7 +40,7 @@ PATIENCE = 10.0
 
 @dataclass
 class Figures:
-    """What a class of one size costs; times in s, with those that Chromium saw by themselves."""
+    """The costs of a class of one size; times in s, with those that Chromium saw by themselves."""
 
     followers: int
     waits: list[float] = field(default_factory=list)
@@ -110,7 +110,7 @@ async def measured(server: Server, count: int, seconds: float, browser: Browser 
 
 
 async def settled(hearing: Sequence[Hearing], last: float) -> dict[int, float]:
-    """What was shown in each event, once all have the last or a while is over."""
+    """The value of k2 in each event, once all have the last or a while is over."""
     end = time.monotonic() + PATIENCE
     while True:
         await asyncio.sleep(0.5)
@@ -121,7 +121,7 @@ async def settled(hearing: Sequence[Hearing], last: float) -> dict[int, float]:
 
 
 async def _played(room: Class, hearing: list[Hearing]) -> tuple[list[float], dict[float, float]]:
-    """How long each of several orders of the clock took to each follower; and when each was given, by its instant."""
+    """The waits of each follower for several orders of the clock; and the time of each order, by its instant."""
     waits, begun_at = [], {}
     for turn in range(10):
         counts = [len(one.heard) for one in hearing]
@@ -154,7 +154,7 @@ async def answered(server: Server, count: int, asked: dict[str, Any], answer: di
 
 
 async def sketched(server: Server, count: int, browser: Browser) -> tuple[float, float]:
-    """The same until the instructor's screen has all sketches."""
+    """The seconds until all sketches are in, and until the instructor's screen has them."""
     async with taught(browser, server.url, *SKETCH.values()) as (page, room):
         all_seen = asyncio.ensure_future(page.evaluate(SKETCHED, count))
         took, last = await voted(room, count, SKETCH, drawing())

@@ -1,4 +1,4 @@
-"""What a course costs: every scene beside an empty page of Panel's, a class that arrives, and those in it who drag.
+"""The cost of a course: every scene beside an empty page of Panel's, a class that arrives, and those in it who drag.
 
 `make load` runs it after what one visitor costs; it prints a table and keeps it as build/load/course.md.
 """

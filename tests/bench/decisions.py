@@ -72,7 +72,7 @@ def sliders() -> Iterator[str]:
 
 
 def figures() -> Iterator[str]:
-    """What the figures of `coupled` take when they are built, and what a session takes that shares them."""
+    """The time to build the figures of `coupled`, and the time of a session that shares them."""
     scene, taken = SCENES["coupled"], list[float]()
     build = plots.json_item, plots._figure
 
@@ -113,7 +113,7 @@ def worst_error(family: str) -> float:
 
 
 def formulas() -> Iterator[str]:
-    """What the formulas weigh as MathML, and what a library to set them in the browser weighs."""
+    """The weight of the formulas as MathML, and of a library that sets them in the browser."""
     text.mathml.cache_clear()
     start = process_time()
     sheets = [msgspec.json.encode(scene.sheet(), enc_hook=str) for scene in SCENES.values()]

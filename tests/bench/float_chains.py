@@ -13,7 +13,7 @@ from tests.physics.chain_truth import rows
 
 
 class Project:
-    """This project's forms."""
+    """The forms of this project."""
 
     name = "this project"
 

@@ -86,7 +86,7 @@ async def drag(visitor: Visitor, seconds: float) -> dict[float, float]:
 
 
 def values(name: str) -> dict[int, float]:
-    """What a parameter was in each picture that was heard, by the key of its event."""
+    """The value of a parameter in each picture that was heard, by the key of its event."""
     found = {}
     for key, event in Hearing.EVENTS.items():
         told: dict[str, Any] = json.loads(event[event.index(b"{") :])

@@ -1,4 +1,4 @@
-"""What a visitor costs: the server's CPU and memory, bytes, time to repaint, frames, the first load.
+"""The cost of a visitor: the server's CPU and memory, bytes, time to repaint, frames, the first load.
 
 `make load` starts a server on a free loopback port, visits it by raw WebSockets and in Chromium, prints
 a table and keeps it as build/load/load.md. Counts are options; the run ends after --limit seconds.

@@ -1,4 +1,4 @@
-"""How a page opens on a slow network, in a Chromium that is slowed down to it."""
+"""The opening of a page on a slow network, in a Chromium that is slowed down to it."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ class Returning:
 
 
 async def outlived(folder: Path, count: int, seconds: float) -> tuple[int, list[float], int]:
-    """How many were lost with a replica, in how many seconds each was back, and how many lack the last picture."""
+    """The number lost with a replica, the seconds until each was back, and the number that lack the last picture."""
     with valkey_running() as valkey, deployed(folder, (ROOT, ROOT), REDIS_URL=valkey.url) as site:
         return await _class_of(site, count, seconds)
 

@@ -1,4 +1,4 @@
-"""What the accuracy scene shows before anything is measured there: the benchmark's numbers to a few digits."""
+"""Records of the benchmark, to a few digits, for the accuracy scene before anything is measured there."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ async def follow(browser: Browser, url: str, code: str, until: str = READY) -> P
 
 
 class Phones:
-    """Those who look on."""
+    """Phones that look on."""
 
     def __init__(self, pages: list[Page]) -> None:
         self._pages = pages

@@ -1,4 +1,4 @@
-"""What the race over 50 periods does not show: other lengths, and where digits beyond a double's begin to matter."""
+"""Studies beyond the race over 50 periods: other lengths, and where digits beyond a double's begin to matter."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -106,7 +106,7 @@ def _error(slug: str, asked: Problem, truth: Reference) -> float | None:
 
 
 def costs() -> list[Costs]:
-    """What the 80 digits cost: the closed form at two times against a thousand, beside eigh."""
+    """The cost of the 80 digits: the closed form at two times against a thousand, beside eigh."""
     rows = []
     for name, slug in (("free", "benign"), ("driven", "near")):
         whole = SYSTEMS[slug].problem()

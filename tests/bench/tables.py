@@ -50,7 +50,7 @@ def _write_csv(path: Path, fields: list[str], rows: list[dict[str, object]]) -> 
 
 
 def markdown(report: Report) -> str:
-    """What errors cost on each system, against the length of the run, and what the digits cost."""
+    """Tables of the price of errors on each system, against the length of the run, and of the digits."""
     lines = ["# Error against run time", "", *(f"- {value}" for value in report.about.values()), RULES]
     for slug, many in report.runs.items():
         lines += [f"## {SYSTEMS[slug].name}", "", described(SYSTEMS[slug]), "", f"![]({slug}.png)", ""]
@@ -78,7 +78,7 @@ def _failure(runs: list[Run]) -> str:
 
 
 def price_text(price: Price | None, unit: float | None) -> str:
-    """What an error costs, or why it has no price."""
+    """The price of an error, or why it has none."""
     if price is None:
         return ""
     if price.time is None:

@@ -37,7 +37,7 @@ USUAL: dict[str, bytes] = {}
 
 @dataclass
 class Traffic:
-    """What the server has sent: bytes of all frames, and patches without acknowledgements."""
+    """The traffic from the server: bytes of all frames, and patches without acknowledgements."""
 
     bytes: int = 0
     patches: int = 0
@@ -157,7 +157,7 @@ class Visitor:
             waiting.set_result(content)
 
     async def _told(self, content: dict[str, Any], buffers: list[Any]) -> list[dict[str, Any]]:
-        """What a patch tells, but for its columns."""
+        """The messages in a patch, without their columns."""
         told = []
         for event in content.get("events", []):
             values = dict(event.get("msg_data", {}).get("values", {}).get("entries", []))
@@ -168,7 +168,7 @@ class Visitor:
         return told
 
     async def _usual(self, sheet: str) -> bytes:
-        """What messages about a scene refer to."""
+        """The usual text of a scene, which messages about it refer to."""
         if sheet and sheet not in USUAL:
             text: str = json.loads(await asyncio.to_thread(_get, f"{self._url}assets/{sheet}"))["usual"]
             USUAL[sheet] = text.encode()

@@ -31,7 +31,7 @@ class Between:
         return f"http://127.0.0.1:{self.port}/"
 
     def silence(self) -> None:
-        """What is connected hears nothing more, not even an end, as after a phone's sleep; new connections stand."""
+        """Let all connections hear nothing more, not even an end, as after a phone's sleep; new ones stand."""
         for silent in self._silent:
             silent[0] = True
 

@@ -127,7 +127,7 @@ LINKED = (("v", "plane"), ("a", "law"), ("well", "energy"))
 
 
 def faults(page: Page, least: float = 12, index: float = 11) -> list[str]:
-    """What overlaps, is cut off, leaves its frame, is not level or too small to read, on the page as it stands: below
-    `least` pixels of the page, an index below `index`."""
+    """The faults in the layout of a page as it stands: parts that overlap, are cut off, leave their frame, are not
+    level, or have letters below `least` pixels of the page, an index below `index`."""
     tilted = [] if page.evaluate(STACKED) else page.evaluate(TILTED, LINKED)
     return cast(list[str], [*page.evaluate(FAULTS, [least, index]), *tilted])

@@ -31,7 +31,7 @@ def window(server: Server, new_page: Callable[..., Page]) -> Open:
 
 @pytest.fixture
 def failing(server: Server, browser: Browser) -> Iterator[Open]:
-    """The same where requests are made to fail, which browsers note as errors."""
+    """Pages for a class in which requests are made to fail, which browsers note as errors."""
     contexts = []
 
     def go(query: str, width: int, height: int) -> Page:

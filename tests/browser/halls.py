@@ -1,4 +1,4 @@
-"""What is wrong with a page in a hall: what scrolls, is cut off, overlaps, or is too small for the last row."""
+"""Faults of a page in a hall: parts that scroll, are cut off, overlap, or are too small for the last row."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ LAID = "oscillations.walks.walk.card?.page === oscillations.page"
 TAUGHT = "oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length"
 """A step is laid out, its answer shown."""
 MEANT = ("Covered. What do you expect?", "under pill-mark")
-"""What stands on a cover, which nothing is seen through, or under the mark that a hand has set."""
+"""Words on a cover, which nothing is seen through, and at the mark that a hand has set: they may lie over others."""
 SCROLLED = """() => [...document.querySelectorAll("body *")].filter(part => {
   if (part instanceof SVGElement || part.closest(".figure, .in-force, .heard") || !part.checkVisibility()) return false
   const {overflowX, overflowY} = getComputedStyle(part)
@@ -21,19 +21,19 @@ SCROLLED = """() => [...document.querySelectorAll("body *")].filter(part => {
   return (overflowY !== "visible" && high > 1) || (overflowX !== "visible" && wide > 1)
 }).map(part => `${part.tagName} ${part.className}: ${part.scrollWidth - part.clientWidth} px to the side, ` +
   `${part.scrollHeight - part.clientHeight} px down`)"""
-"""What has more in it than is seen."""
+"""Parts with more in them than is seen."""
 LARGE = (
     *("h1 .in-hall", "h1:not(.waits)", ".asked-line", ".answers .name", ".card .why", ".act"),
     *(".corner-words b", ".vote-count", ".votes .all"),
 )
-"""What everybody reads: question, answers, what it means; the code of a class, and how it answered."""
+"""Parts that everybody reads: question, answers, what it means; the code of a class, and how it answered."""
 SMALL = """([least, kinds]) => kinds.flatMap(kind => [...document.querySelectorAll(kind)]
   .filter(part => part.checkVisibility() && parseFloat(getComputedStyle(part).fontSize) < least - 0.01)
   .map(() => `${kind} is small`))"""
 
 
 def seen(page: Page, height: int, when: str) -> Iterator[str]:
-    """What is wrong with the page in a window so high."""
+    """The faults of the page in a window so high."""
     passed(page)
     seek(page, 0.0)
     small = [22 * height / 1080, 19 * height / 1080]

@@ -23,7 +23,7 @@ def serve(route: Route, html: str) -> None:
 
 
 class Scripts:
-    """What modules export, to be called by name with JSON."""
+    """The exports of modules in a browser, to be called by name with JSON."""
 
     def __init__(self, browser: Browser, modules: Iterable[str]) -> None:
         self.context = browser.new_context()

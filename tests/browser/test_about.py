@@ -46,7 +46,7 @@ def asked(page: Page) -> list[str]:
 
 
 def wait_moment(page: Page) -> None:
-    """What waits for its moment has had it, and all is answered."""
+    """Wait until delayed work is done and all messages are answered."""
     page.clock.fast_forward(LATER)
     page.wait_for_function(QUIET)
 

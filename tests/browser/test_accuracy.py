@@ -26,7 +26,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 UNDER_WAY = re.compile("It begins|is running")
 STEPPING = re.compile("(Verlet|Newmark|RK4|DOP853|Radau|LSODA) is running")
-"""Those without steps, which come first, have been measured."""
+"""A method with steps is running: the ones without, which come first, have been measured."""
 
 
 def test_who_leaves_makes_room_for_the_next(

@@ -15,7 +15,7 @@ pytestmark = pytest.mark.browser
 
 
 def by_another_window(lecture: Page) -> None:
-    """What one window of the instructor's shows is shown in the others."""
+    """The answer that one window of the instructor shows is shown in the others."""
     second = lecture.context.new_page()
     second.goto(lecture.url)
     second.wait_for_function(CONNECTED)

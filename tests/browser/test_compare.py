@@ -1,4 +1,4 @@
-"""What a change does: Hold and its ledger, the curves from before a drag, and what a prediction covers."""
+"""Comparison in a Chromium: Hold and its ledger, the curves from before a drag, and predictions."""
 
 from __future__ import annotations
 

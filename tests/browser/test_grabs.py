@@ -170,8 +170,8 @@ def test_on_a_narrow_screen_a_mouse_and_keys_move_what_they_have_taken(
 
 
 def off(at: dict[str, Any], x: float, y: float) -> float:
-    """How far what is held stands from the hand at (x, y), along its ways; of what turns about a point, beside the line
-    from there to the hand."""
+    """The distance of the thing held from the hand at (x, y), along its ways; of what turns about a point, beside the
+    line from there to the hand."""
     if at["about"]:
         cx, cy, tall = at["about"]
         one, other = (at["x"] - cx, (at["y"] - cy) / tall), (x - cx, (y - cy) / tall)

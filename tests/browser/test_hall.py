@@ -16,7 +16,7 @@ from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
 DRAWN = 22 / 13
-"""How much larger than drawn the page is shown on 1080 lines."""
+"""The scale at which the page is shown on 1080 lines."""
 SIZES = ((1920, 1080), (1280, 720))
 LINES = """oscillations.plots.flatMap(({figure: {model}}) => (model?.renderers ?? [])
   .filter(({glyph}) => glyph.type === "Line").map(({glyph}) => glyph.line_width.value ?? glyph.line_width))"""
@@ -29,7 +29,7 @@ UNIT = "parseFloat(getComputedStyle(document.documentElement).fontSize) / 16"
 
 
 def looked_at(page: Page, width: int, height: int) -> list[str]:
-    """What is wrong with the page on such a screen."""
+    """The faults of the page on such a screen."""
     page.set_viewport_size({"width": width, "height": height})
     passed(page)
     seek(page, 0.0)

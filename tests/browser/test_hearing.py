@@ -1,4 +1,4 @@
-"""Those who do not see the page hear what a plot shows, and what a change did, in words that are true of it."""
+"""Texts for those who do not see the page: the contents of a plot and the effect of a change, in true words."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ NOTE_REST = """() => {
     send.call(line, message, about)
   }
 }"""
-"""How long no key was pressed when they have let go."""
+"""A script that notes how long no key was pressed when they have let go."""
 KEEP_BACK = """() => {
   const {line} = oscillations, {send} = line.wire
   line.patience = 60000
@@ -40,7 +40,7 @@ KEEP_BACK = """() => {
     else send(message)
   }
 }"""
-"""That a hand has let go comes to the server when the test says so."""
+"""A script that keeps back the message that a hand has let go, until the test sends it."""
 
 
 def opened(page: Page, open_scene: Open) -> float:

@@ -1,4 +1,5 @@
-"""What a browser lacks or cannot fetch is said in one sentence; all else goes on, and it comes when it can."""
+"""Features that a browser lacks and files it cannot fetch: a sentence says so, the rest goes on, and they come
+later."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ LACKS = {
     "the selector :has()": "CSS.supports = rule => !rule.includes(':has')",
     "nested rules": "CSS.supports = rule => rule !== 'selector(&)'",
 }
-"""What makes a browser lack a feature, or say so."""
+"""Scripts that make a browser lack a feature, or say so."""
 BY_ANYTHING = 30_000
 
 

@@ -1,4 +1,4 @@
-"""How every scene lies on any screen: nothing overlaps, nothing is cut off, nothing is too small to read."""
+"""Every scene on any screen: nothing overlaps, nothing is cut off, nothing is too small to read."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def test_nothing_overlaps_is_cut_or_too_small(
 
 
 def seen(page: Page, width: int, height: int) -> list[str]:
-    """What is wrong in a window of that size."""
+    """The faults in a window of that size."""
     page.set_viewport_size({"width": width, "height": height})
     passed(page)
     seek(page, 0.0)

@@ -1,4 +1,4 @@
-"""What the scripts work out by themselves, against the same in Python: signals, texts of numbers, places of names."""
+"""The results of the scripts against Python's: signals, texts of numbers, places of names."""
 
 from __future__ import annotations
 

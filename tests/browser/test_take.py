@@ -1,4 +1,4 @@
-"""What a visitor takes away from the page: numbers and pictures, by a press on a button."""
+"""Files that a visitor takes away from the page: numbers and pictures, by a press on a button."""
 
 from __future__ import annotations
 

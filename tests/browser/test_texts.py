@@ -1,4 +1,4 @@
-"""How much there is to read at first sight."""
+"""The amount of text at first sight."""
 
 from __future__ import annotations
 

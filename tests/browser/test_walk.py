@@ -230,7 +230,7 @@ FREE = """[...document.querySelectorAll(".paper :is(.choice, [data-grab])")].fil
   const sets = part.getAttribute("data-grab")?.split(" ") ?? []
   return part.checkVisibility() && !part.inert && !oscillations.walks.walk.step.controls.some(one => sets.includes(one))
 }).map(part => part.outerHTML)"""
-"""What sets others."""
+"""Controls that set values outside the step."""
 
 
 @pytest.mark.parametrize("width", [1280, 390])

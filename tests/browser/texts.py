@@ -35,5 +35,5 @@ PIECES = """() => {
 
 
 def pieces(page: Page) -> list[str]:
-    """What can be read without scrolling or opening anything."""
+    """The texts that can be read without scrolling or opening anything."""
     return cast(list[str], page.evaluate(PIECES))

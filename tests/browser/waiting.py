@@ -1,4 +1,4 @@
-"""What tests of the page wait for: conditions, never so many seconds."""
+"""Waits of the browser tests: for conditions, never for so many seconds."""
 
 from __future__ import annotations
 

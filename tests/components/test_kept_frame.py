@@ -1,4 +1,4 @@
-"""What a change does to the picture: axes, window, scale and speed stand; they grow where they must, and Fit fits."""
+"""The frame after a change: axes, window, scale and speed stand; they grow where they must, and Fit fits."""
 
 from __future__ import annotations
 

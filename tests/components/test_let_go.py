@@ -39,7 +39,7 @@ def let_go(page: Page) -> dict[str, Any]:
 
 
 def share(axis: Axis, seen: tuple[float, float]) -> float:
-    """How much of an axis is used."""
+    """The share of an axis that is used."""
     low, high = (axis.place(end) for end in seen)
     start, end = axis.place(axis.start), axis.place(axis.end)
     return abs(high - low) / abs(end - start)

@@ -12,7 +12,7 @@ from components.numbers import at_tick, excerpt, parse_number, power_unit, short
 from tests.serving.server import ROOT
 
 TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
-"""What both languages write: tests/browser/test_scripts.py reads the same."""
+"""Texts that both languages write: tests/browser/test_scripts.py reads them too."""
 finite = st.floats(allow_nan=False, allow_infinity=False)
 
 

@@ -21,7 +21,7 @@ def signs(markup: str) -> set[str]:
 
 
 def italic(sign: str) -> str:
-    """What a browser draws for a variable."""
+    """A variable's sign as a browser draws it."""
     if sign == "h":
         return "ℎ"
     for first, last, start in (("A", "Z", 0x1D434), ("a", "z", 0x1D44E), ("Α", "Ω", 0x1D6E2), ("α", "ω", 0x1D6FC)):

@@ -1,4 +1,4 @@
-"""What people type into a field: numbers, expressions and units, in the field's own unit or refused in words."""
+"""Text typed into a field: numbers, expressions and units, in the field's own unit or refused in words."""
 
 from __future__ import annotations
 

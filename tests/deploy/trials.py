@@ -1,4 +1,4 @@
-"""What visitors notice of a replica that fails, and of an upgrade: nothing that they set is lost."""
+"""Trials of visitors while a replica fails or is upgraded: nothing that they set is lost."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ PACE = 0.25
 
 @dataclass(frozen=True)
 class Trial:
-    """How it went for the guests."""
+    """The outcome of a trial for the guests."""
 
     longest: float
     """Seconds that a change took at most."""
     returned: int
     lost: list[str]
-    """What some of them see is not what they set."""
+    """Sentences on guests who see something other than what they set."""
 
 
 async def trial(site: Site, guests: int, happening: Callable[[], None], after: float = 1.0) -> Trial:
@@ -53,7 +53,7 @@ async def trial(site: Site, guests: int, happening: Callable[[], None], after: f
 
 
 def _lost(visitor: Guest, value: float) -> str:
-    """What control and picture should show and do not; empty where all is as set."""
+    """The value that a guest set and no longer sees, in words; empty where all is as set."""
     told = visitor.told
     page = Page(SCENES["coupled"]())
     true = page.say({"type": "open", "state": {**told["state"], "parameters": {"k2": value}}, "number": 1})

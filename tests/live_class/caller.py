@@ -46,7 +46,7 @@ class Stream:
     """The events of a room, as they come; `heard` are those read so far with the instant at which each came."""
 
     begun: set[Stream] = set()
-    """Those that are not closed."""
+    """The streams that are not closed."""
 
     def __init__(self, url: str, code: str, word: str) -> None:
         self.url, self.code, self.word = url, code, word

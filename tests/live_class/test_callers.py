@@ -12,7 +12,7 @@ from tests.live_class.served import run
 
 
 def test_a_test_that_fails_leaves_no_stream() -> None:
-    """What is unclosed is a warning, and so an error, of whichever test collects the garbage."""
+    """An unclosed stream is a warning, and so an error, of whichever test collects the garbage."""
 
     async def test(server: Server, url: str) -> None:
         lesson = await Class.open(url)

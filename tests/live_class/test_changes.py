@@ -1,4 +1,4 @@
-"""What changes while a room is looked up, or its store is away: nothing newer makes way for something older."""
+"""Changes while a room is looked up, or its store is away: nothing newer makes way for something older."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What every store of rooms keeps to: the same tests for memory and for Valkey."""
+"""The contract of every store of rooms: one set of tests for memory and for Valkey."""
 
 from __future__ import annotations
 

@@ -76,7 +76,7 @@ class Hand:
         return found[x], found[y] - half
 
     def placed(self, way: AnyWay, at: Point, named: Named) -> tuple[float, float]:
-        """What a place stands for along a way: in SI as it is drawn, and the value that is set."""
+        """The value of a place along a way: in SI as it is drawn, and as it is set."""
         ruler = self.rulers()[way.axis] if way.axis else PLAIN
         if isinstance(way, Turn):
             across, down = at[0] - _at(way.x, named), (at[1] - _at(way.y, named)) / way.tall
@@ -104,13 +104,13 @@ class Hand:
         return si, si / way.size
 
     def take(self, grab: Grab, grip: Point, named: Named) -> dict[str, float]:
-        """The same, and what the hand sets at once because nothing else begins it."""
+        """The start of a motion in hand, and what the hand sets at once because nothing else begins it."""
         begun = self.begin(grab, named)
         placed = {way.parameter: self.placed(way, grip, named)[1] for way in grab.ways if way.parameter}
         return begun if placed.keys() <= begun.keys() else placed | begun
 
     def begin(self, grab: Grab, named: Named) -> dict[str, float]:
-        """What the start of a motion becomes when it is taken in hand."""
+        """The start of a motion when it is taken in hand."""
         rulers = self.rulers()
         found = {}
         for begin in grab.start:

@@ -28,7 +28,7 @@ OF_THE_CLOCK = {"speed"}
 
 @dataclass
 class Names:
-    """What a sheet speaks of that need not always be there: (kind, name) pairs."""
+    """The names that a sheet speaks of and a picture may lack: (kind, name) pairs."""
 
     spoken: set[tuple[str, str]] = field(default_factory=set)
     given: set[tuple[str, str]] = field(default_factory=set)
@@ -69,7 +69,7 @@ def missing(scene: Scene) -> list[str]:
 
 
 def names(scene: Scene) -> Names:
-    """What the sheet speaks of and what the picture gives, of that which may come and go."""
+    """The names that the sheet speaks of and the picture gives, of parts that may come and go."""
     picture, sheet = scene.shown, scene_sheet(type(scene))
     found = Names()
     found.given |= {("form", name) for name in picture.forms} | {("scalar", name) for name in picture.scalars}

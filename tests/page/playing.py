@@ -1,4 +1,4 @@
-"""What the browser plays, in Python: signals evaluated from what is sent, for tests of scenes and of the scripts."""
+"""Signals as the browser plays them, in Python: evaluated from the message, for tests of scenes and of the scripts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is covered is not sent: not its curves, nor the motions behind them, nor what is made of them."""
+"""Covered parts are not sent: not the curves, nor the motions behind them, nor anything made of them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a page opens that no link says anything of: as its scene declares, and with that in its address."""
+"""A page that no link says anything of opens as its scene declares, and with that in its address."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What goes along from scene to scene: one system by what its parameters mean, whole; a link says what it says."""
+"""The shared system goes along from scene to scene, whole; a link says what it says."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ from tests.page.columns import inflated, whole, with_numbers
 
 
 def apply_message(scene: Scene, data: object) -> Errors:
-    """What a message does to a scene, and what of it is refused; by "message" where our page sends no such thing."""
+    """Apply a message to a scene and return its refusals; by "message" where our page sends no such thing."""
     try:
         said = decoded(data)
     except ValueError as error:

@@ -76,7 +76,7 @@ class Truth:
         return values, scales
 
     def driven(self, F_0, omega, t):
-        """The same from rest under F_0 sin(omega t), and the envelope of each."""
+        """The motion from rest under F_0 sin(omega t), and the envelope of each coordinate."""
         values, scales = [mp.mpf(0)] * 5, [mp.mpf(0)] * 5
         for j in (0, 1):
             share = self.shape[j][0] * mp.mpf(F_0) / self.mass[j]

@@ -17,7 +17,7 @@ values = st.floats(1e-3, 1e6)
 
 
 def one_by_one(chain, c, F_0, omega):
-    """The same from whole numbers, each rounded once."""
+    """The three curves from whole numbers, each rounded once."""
     by_itself = [abs(particular_solution(alone(chain), F_0, w)[0]) for w in omega]
     return np.array([*swing_and_stroke(chain, c, F_0, omega), by_itself])
 

@@ -42,7 +42,7 @@ def main() -> int:
 
 
 def _tried(browser: Browser, name: str, way: Callable[[Page, Site, int], None], runs: int) -> int:
-    """How often every last value stood, and how long a run took."""
+    """The number of runs that lose a last value; it is printed, with the time of a run."""
     times, failed = [], 0
     with TemporaryDirectory() as folder, Site(Path(folder)) as site:
         for seed in range(runs):

@@ -37,7 +37,7 @@ class Visit:
     site: Site
     random: Random
     seconds: float = 0.0
-    """How long what is lost stays lost."""
+    """The time for which the lost thing stays lost."""
     values: dict[str, float] = field(default_factory=dict)
 
     def change(self) -> None:

@@ -1,4 +1,4 @@
-"""What holds of every scene's picture, whatever its parameters."""
+"""Checks of every scene's picture, whatever its parameters."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from tests.page.told import picture_wire
 
 LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNORECASE)
 HYPHEN = re.compile(r"(?<![\w)\]])-\s?\.?\d")
-"""What stands where a true minus should."""
+"""A hyphen in the place of a true minus."""
 WHOLE = os.environ.get("GRIDS") == "whole"
 """Whether grids are walked whole, as `make test-all` does, or sampled."""
 EXTREMES = (5e-324, 3e-310, 1e-300, 1e-150, 1e150, 1e300, 1.7e308)

@@ -1,4 +1,4 @@
-"""What a scene says in words, as a visitor reads it; and random parameters under which it must hold."""
+"""The words of a scene as a visitor reads them; and random parameters under which they must hold."""
 
 from __future__ import annotations
 

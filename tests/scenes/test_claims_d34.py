@@ -228,7 +228,7 @@ FORMULAS = {
     "free": lambda m1, m2, k1, k2: (0, 1, math.sqrt(k2 * (1 / m1 + 1 / m2)), -m1 / m2),
     "loose": lambda m1, m2, k1, k2: (0, math.inf, math.sqrt(k1 / m1), 0),
 }  # fmt: skip
-"""What the texts of each limit say: omega_-, its X2/X1, omega_+, its X2/X1."""
+"""The formulas in the texts of each limit: omega_-, its X2/X1, omega_+, its X2/X1."""
 
 
 def test_the_limits_of_a_sweep_are_those_of_its_formulas() -> None:

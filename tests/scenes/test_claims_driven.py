@@ -32,7 +32,7 @@ def system(scene: Any) -> TwoMassChain:
 
 
 def largest(scene: Any, i: int, t: float) -> float:
-    """How far mass i (0, 1) swings around the time t, from rest: over twenty periods of the drive before it."""
+    """The largest swing of mass i (0, 1) around the time t, from rest: over twenty periods of the drive before it."""
     times = t - 2 * math.pi / scene.omega * np.linspace(0, 20, 801)
     return float(np.abs(forced_motion(system(scene), scene.F_0, scene.omega, times[times >= 0]).x[i]).max())
 

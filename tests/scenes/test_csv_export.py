@@ -1,4 +1,4 @@
-"""What a visitor takes away can be read by a spreadsheet and by pandas, to the last digit, and says what it is of."""
+"""The CSV export can be read by a spreadsheet and by pandas, to the last digit, and says what it is of."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def taken(scene: Scene, page: str = HERE, **state: Any) -> dict[str, bytes]:
 
 
 def body(content: bytes) -> bytes:
-    """What is no comment."""
+    """The lines of a file without comments."""
     return b"".join(line for line in content.splitlines(keepends=True) if not line.startswith(b"#"))
 
 

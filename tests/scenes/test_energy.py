@@ -40,7 +40,7 @@ def test_book_values() -> None:
 
 @datums
 def test_energies_of_the_motion_from_the_ceiling(datum: str) -> None:
-    """The same motion solved in the length from the natural one, with spring and weight as they are."""
+    """The energies are those of the length from the natural one, with spring and weight as they are."""
     scene = Energy(**CASE, datum=datum)
     m, k, g = CASE["m"], CASE["k"], CASE["g"]
     data, sag = columns(scene), m * g / k

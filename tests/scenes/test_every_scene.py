@@ -1,4 +1,4 @@
-"""What every scene keeps to: one solve a change, presets, links, refusals, and pictures that stay finite."""
+"""The contract of every scene: one solve a change, presets, links, refusals, and pictures that stay finite."""
 
 from __future__ import annotations
 

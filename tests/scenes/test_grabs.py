@@ -1,4 +1,4 @@
-"""What can be taken in hand: its names are those of the scene, and a hand that holds on keeps the frame."""
+"""Grabs of every scene: their names are those of the scene, and a hand that holds on keeps the frame."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ ALSO: dict[str, tuple[dict[str, Any], ...]] = {
 }
 """States in which something else is in hand."""
 FOLLOWS = {"absorber": ("played", "k2"), "coupled": ("given_by", *BY_MODES, *START.names)}
-"""What follows from a value that is set: a start is played, a tuned spring follows the speed, modes their start."""
+"""Parameters that follow from one that is set: a start is played, a tuned spring follows the speed, modes a start."""
 
 
 def shown_with(slug: str, shape: AnyShape, grab: Grab) -> Scene:

@@ -16,7 +16,7 @@ from physics.valid import DOUBLES
 
 ROOT = Path(physics.__file__).parent
 GIVEN = re.compile(r"(The|An?)\b|[^:]*(=|“…”|…)")
-"""How a reason begins: with a noun, or with a symbol and its value."""
+"""The beginning of a reason: a noun, or a symbol and its value."""
 ALLOWED = re.compile(
     r"allowed|needed|at least|the most|choose|range of doubles|finite number|must be|below|do(es)? not fit"
 )
@@ -26,7 +26,7 @@ CODE = re.compile(
 NOT_MET = {
     ("valid", "finite_array"): "the times and frequencies of a picture are made by its scene, in one dimension",
 }
-"""Those that no visitor can be told, and why."""
+"""Reasons that no visitor can be told, and why."""
 
 
 def raised() -> Iterator[tuple[str, str, str]]:
@@ -53,7 +53,7 @@ def _message(said: ast.expr) -> str:
 
 
 def faults(message: str) -> list[str]:
-    """What a message misses of a sentence for people."""
+    """The parts that a message lacks to be a sentence for people."""
     told = sentence(ValueError(message))
     missing = [name for name, rule in (("given", GIVEN.match), ("allowed", ALLOWED.search)) if not rule(told)]
     found = CODE.search(told)

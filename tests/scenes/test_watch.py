@@ -1,4 +1,4 @@
-"""What is said of each preset when it is taken: one sentence, and what it claims holds in that preset."""
+"""The sentence said of each preset when it is taken: there is one, and its claim holds in that preset."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ EXPLICIT, STEPPING = {"verlet", "rk4", "dop853"}, {"verlet", "rk4", "dop853", "n
 
 
 def runs(slug: str, method: str) -> list[Run]:
-    """Those with a result, coarse to fine."""
+    """The runs with a result, coarse to fine."""
     known = records(slug)
     assert known
     return [run for run in known.runs.by_method.get(method, ()) if run.error is not None and run.time is not None]

@@ -1,4 +1,4 @@
-"""What a browser is told about our pages."""
+"""The headers of our pages."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def test_what_a_link_says_is_no_script_of_the_page(server: Server) -> None:
 def test_a_scene_needs_nothing_that_its_page_does_not_allow(
     server: Server, new_page: Callable[..., Page], slug: str
 ) -> None:
-    """What the browser refuses, it says on the console."""
+    """A browser that refuses something says so on the console."""
     page = new_page(bypass_csp=False)
     page.goto(f"{server.url}?scene={slug}")
     expect(page.locator("html[data-ready=true]")).to_be_attached(timeout=30_000)

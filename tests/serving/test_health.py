@@ -1,4 +1,4 @@
-"""What proxies and people who run the server are told, and how a server ends."""
+"""Health and metrics for proxies and people who run the server, and the end of a server."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ LONGEST_FILE, LONGEST_LINE = 300, 120
 
 
 def rules(nodes: list[Node], where: str = "") -> Iterator[tuple[str, list[str]]]:
-    """What each rule declares, under the layer, the conditions and the rules that it stands in."""
+    """The declarations of each rule, under the layer, the conditions and the rules that it stands in."""
     for node in nodes:
         if isinstance(node, AtRule | QualifiedRule) and node.content is not None:
             inside = f"{where} {getattr(node, 'at_keyword', '')} {tinycss2.serialize(node.prelude).strip()}"
@@ -42,7 +42,7 @@ def test_every_part_is_on_the_wire_once_and_alone() -> None:
 
 
 def test_all_that_is_ours_stands_in_a_layer_that_the_order_names() -> None:
-    """What stands in none would hold against all that does."""
+    """A rule outside all layers would win against every rule inside one."""
     named, *parts = ORDER
     layers = [token.value for token in named.prelude if token.type == "ident"]
     sheet = tinycss2.parse_stylesheet(style_sheet().decode(), skip_comments=True, skip_whitespace=True)

@@ -1,4 +1,4 @@
-"""What surrounds the code: locked requirements, README's commands, the container's recipe."""
+"""The surroundings of the code: locked requirements, README's commands, the container's recipe."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ PIN = re.compile(r"^([a-z0-9-]+)==([\w.]+)((?: ; [^\\]+)?) \\\n((?:    --hash=sh
 
 
 def make(*arguments: str, folder: Path = ROOT) -> str:
-    """What make would do."""
+    """The commands that make would run."""
     command = ["make", "--dry-run", *arguments]
     # What the make that runs these tests was given is not meant for this one.
     given = {"MAKEFLAGS", "MAKEOVERRIDES", "MAKELEVEL", "ARGS", "PORT", "PYTHON", "VENV"}
@@ -51,7 +51,7 @@ def instructions(name: str) -> list[str]:
 
 
 def copied(recipe: str = DOCKERFILE) -> list[str]:
-    """What of the project stages of the Dockerfile copy."""
+    """The files of the project that stages of the Dockerfile copy."""
     lines = re.findall(r"^COPY (?!--from)(.*)$", recipe, re.M)
     return [source for line in lines for source in line.split()[:-1]]
 
@@ -132,7 +132,7 @@ def test_ci_runs_the_tests_of_the_readme() -> None:
 
 
 def test_cis_log_says_what_the_audit_says_which_fails_no_run(tmp_path: Path) -> None:
-    """What becomes known of a package today is no fault of the change that is looked at."""
+    """A fault that becomes known in a package today is none of the change that is looked at."""
     (tmp_path / ".ci").mkdir()
     shutil.copy(ROOT / ".ci" / "run", tmp_path / ".ci")
     (tmp_path / "Makefile").write_text("test:\n\t@echo tested\naudit:\n\t@echo The audit could not be asked; exit 1\n")

@@ -1,4 +1,4 @@
-"""What the container's packages are cut of is not missed: the page is made, and every method measures, without it."""
+"""The cut packages of the container: without the files cut, the page is made and every method measures."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from tools.cut import cut
 
 @pytest.fixture(scope="module")
 def packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """What the app asks for, as it is installed here, and cut."""
+    """The packages that the app asks for, as they are installed here, and cut."""
     folder = tmp_path_factory.mktemp("packages")
     for name in re.findall(r"^([a-z0-9-]+)==", (ROOT / "requirements.txt").read_text(), re.M):
         try:
@@ -42,7 +42,7 @@ def packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def run(packages: Path, *arguments: str, order: str = "") -> str:
-    """What a Python says that has no other packages than these, to an order on a line that stays open."""
+    """The output of a Python that has no other packages than these, after an order on a line that stays open."""
     environment = {**os.environ, "PYTHONPATH": str(packages), "PYTHONDONTWRITEBYTECODE": "1"}
     command = [sys.executable, "-S", *arguments]
     with subprocess.Popen(command, cwd=ROOT, env=environment, stdin=PIPE, stdout=PIPE, text=True) as process:

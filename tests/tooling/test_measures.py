@@ -1,4 +1,5 @@
-"""What CONTRIBUTING.md bounds: functions of 40 lines, modules of 500, lines of 120 columns; one name for one type."""
+"""The measures of CONTRIBUTING.md: functions of 40 lines, modules of 500, lines of 120 columns; no name for two
+types."""
 
 from __future__ import annotations
 

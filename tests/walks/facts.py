@@ -1,4 +1,4 @@
-"""What the walks' answers and the numbers in their texts must be, worked out from the physics."""
+"""The true answers of the walks and the numbers in their texts, worked out from the physics."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the sentences of the walks claim beyond their numbers, worked out from the physics."""
+"""The claims in the sentences of the walks beyond their numbers, worked out from the physics."""
 
 from __future__ import annotations
 

@@ -86,7 +86,7 @@ def test_answers_and_misses_are_what_the_physics_says(step: NumericStep) -> None
 
 
 def known_numbers(step: Step) -> tuple[set[float], set[str]]:
-    """Those of the scene: parameters, to be repeated exactly, and live values, digit for digit."""
+    """The numbers of the scene: parameters, to be repeated exactly, and live values, digit for digit."""
     parameters: set[float] = set()
     live: set[str] = set()
     for link in (step.state, step.shown):

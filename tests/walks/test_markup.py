@@ -1,4 +1,4 @@
-"""What a walk's file makes of the page: words and MathML, whatever stands in it."""
+"""The page made of a walk's file: words and MathML, whatever stands in it."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ texts = st.lists(st.sampled_from(PIECES), min_size=1, max_size=9).map("".join)
 
 
 class Found(HTMLParser):
-    """What a browser would make of it, by another parser than the one that checks."""
+    """A parser, other than the one that checks, that finds what a browser would make of a text."""
 
     def __init__(self, html: str) -> None:
         super().__init__()
