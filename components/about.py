@@ -50,7 +50,7 @@ class CheckedPoint:
 
 @dataclass(frozen=True)
 class Table:
-    """Rows under the sentence that bounds their error, which is `limit` ulp."""
+    """A table of checked points under the sentence that bounds their errors, which is `limit` ulp."""
 
     bound: str
     limit: float
@@ -59,7 +59,7 @@ class Table:
 
 @dataclass(frozen=True)
 class About:
-    """Tables; how far the energy strays, where one is kept; whether anything is drawn as an envelope."""
+    """'About these numbers' of a picture: tables; how far the energy strays, where one is kept; what is an envelope."""
 
     tables: tuple[Table, ...]
     energy: str = ""

@@ -25,7 +25,7 @@ _POWER = re.compile(r"(?<=\d)e(?:\+|(-))0*(?=\d)")
 
 
 class RefusalError(Exception):
-    """A message is refused, with a sentence for each thing that cannot be; nothing is changed."""
+    """The refusal of a message, with a sentence for each thing that cannot be; nothing is changed."""
 
     def __init__(self, errors: Errors) -> None:
         super().__init__(*errors.values())

@@ -32,7 +32,7 @@ SI = {
 
 @dataclass(frozen=True)
 class CsvTable:
-    """Rows under the names of their columns."""
+    """A table of numbers: rows under the names of their columns."""
 
     name: str
     head: tuple[str, ...]

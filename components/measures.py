@@ -17,7 +17,7 @@ NONE: Dimension = (0, 0, 0, 0, 0)
 
 
 class Measure(NamedTuple):
-    """`size` of the SI unit of its dimension."""
+    """A measure: `size` times the SI unit of its dimension."""
 
     size: Decimal
     dimension: Dimension

@@ -13,8 +13,7 @@ Later = Callable[[Callable[[], None]], object]
 
 
 class Running(ABC):
-    """The work of one visitor's page, for the scene that stands: of the class that names this work, so that each of
-    them knows what it needs of it."""
+    """The work that a scene has done for one visitor's page; the scene names the class of its work."""
 
     def __init__(self, network: Callable[[], str] = lambda: "") -> None:
         """`network` is where the visitor comes from; "" where that is not known."""

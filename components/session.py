@@ -57,7 +57,7 @@ Send = Callable[[Packet], None]
 
 
 class Publish(Protocol):
-    """Takes what makes a picture ready for a class, when it is needed, until it is ended."""
+    """A function that makes a picture ready for a class, when it is needed, until it is ended."""
 
     def __call__(self, make: Callable[[], Packet], /) -> None: ...
 
@@ -65,7 +65,7 @@ class Publish(Protocol):
 
 
 class Session:
-    """All that a message can change is `now`, one value; the rest is what a session is connected to.
+    """One visitor's session: all that a message can change is `now`, one value; the rest is what it is connected to.
 
     `send` takes what the browser is told, packed; `scenes` are those that the session can be put into; `later` runs a
     function under the page's own lock: for what comes from another thread.

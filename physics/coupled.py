@@ -81,7 +81,7 @@ class Modes:
 
 @dataclass(frozen=True, kw_only=True)
 class TwoMassChain:
-    """Masses in kg, positive; stiffnesses in N/m, zero or more. ValueError names a value that is neither."""
+    """Two masses in kg, positive, and two springs in N/m, zero or more. ValueError names a value that is neither."""
 
     m1: float
     m2: float
@@ -157,7 +157,7 @@ class TwoMassChain:
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """t (n,); x, v (2, n) of both masses; e (2, n) elongations of both springs, not from rounded x."""
+    """A motion: t (n,); x, v (2, n) of both masses; e (2, n) elongations of both springs, not from rounded x."""
 
     t: Array
     x: Array

@@ -26,7 +26,7 @@ _TERMS = 15  # of that series: the next one is below 1e-18 of the first
 
 
 class ScaledCurve(NamedTuple):
-    """(hi + lo) scale, hi and lo (n,)."""
+    """A curve (hi + lo) scale, hi and lo (n,)."""
 
     hi: Array
     lo: Array

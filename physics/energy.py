@@ -23,7 +23,7 @@ _NAMES = [f"the energy {name}" for name in ("T1", "T2", "V1", "V2")]
 
 @dataclass(frozen=True, eq=False)
 class ChainEnergy:
-    """In J: T (2, n) of the masses, V (2, n) of the springs."""
+    """Energies of the chain in J: T (2, n) of the masses, V (2, n) of the springs."""
 
     T: Array
     V: Array

@@ -83,7 +83,7 @@ def excess_at_period_excess(wanted: float) -> float:
 
 @dataclass(frozen=True)
 class HalfPeriod:
-    """From the lowest point to the highest: Taylor coefficients (ORDER + 1, 3, pieces) of x - t, p and w."""
+    """The flight from the lowest point to the highest: Taylor coefficients (ORDER + 1, 3, pieces) of x - t, p and w."""
 
     starts: Array
     coefficients: Array

@@ -40,7 +40,7 @@ class Driven(NamedTuple):
 
 
 class Transform(NamedTuple):
-    """x1, x2 and x2 - x1 are (start + drive/(s^2 + omega^2))/P; common powers of s are left out."""
+    """A Laplace transform: x1, x2, x2 - x1 are (start + drive/(s^2 + omega^2))/P; common powers of s are left out."""
 
     start: tuple[Polynomial, ...]
     drive: tuple[Polynomial, ...]
@@ -57,7 +57,7 @@ class ExponentialTerm(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Expansion:
-    """x = constant + drift t + the sum of terms + Im(steady exp(i omega t)), each of x1, x2 and x2 - x1.
+    """A motion as constant + drift t + the sum of terms + Im(steady exp(i omega t)), each of x1, x2 and x2 - x1.
 
     P, start and drive are the transform's, in numbers of ctx; P is 0 as often at s = 0 as `zeros` says, its other roots
     are the exponents.

@@ -37,7 +37,7 @@ _WHOLE = Context(prec=10_000, Emin=MIN_EMIN, Emax=MAX_EMAX, traps=[Inexact])
 
 
 class Trial(NamedTuple):
-    """A X = 0 at one trial omega, in 80 digits.
+    """The equations A X = 0 at one trial omega, in 80 digits.
 
     `matrix` is A; `determinant` is D. `rows` are the shapes X2/X1 that the rows fix: infinite where a row asks for X1 =
     0, None where it holds for every shape. `apart` is row 1 less row 2, None where one of them is not a number.
@@ -50,7 +50,7 @@ class Trial(NamedTuple):
 
 
 class TrialForces(NamedTuple):
-    """On each mass at full swing: what the motion needs, what the springs give, what is missing; N, in 80 digits."""
+    """The forces on each mass at full swing: needed by the motion, given by the springs, missing; N, in 80 digits."""
 
     amplitude: Vector
     needed: Vector

@@ -90,7 +90,7 @@ class StepTooSmallError(StoppedError):
 
 @dataclass
 class Watch:
-    """Counts evaluations and steps of one run; check(t), called now and then, may raise StoppedError.
+    """A watch over one run: it counts evaluations and steps; check(t), called now and then, may raise StoppedError.
 
     Fixed steps whose displacements pass `bound` (m) are given up as unstable.
     """
@@ -103,7 +103,7 @@ class Watch:
 
 @dataclass(frozen=True)
 class Trajectory:
-    """x and v, each (2, n), and x2 - x1 (n,), which a method may know better than their difference."""
+    """A computed motion: x and v, each (2, n), and x2 - x1 (n,), which is often better than their difference."""
 
     x: Array
     v: Array

@@ -57,7 +57,7 @@ _LEFT = 1e-85  # of the sizes that a residue was summed from, what can be wrong 
 
 
 class Decaying(NamedTuple):
-    """Re(sum_j amplitudes[j] t^j exp(exponent t)): what one complex mode adds.
+    """A term Re(sum_j amplitudes[j] t^j exp(exponent t)): the part of one complex mode.
 
     amplitudes (1, 3), in m for x1, x2 and x2 - x1; (2, 3) for two equal exponents, or where the chain drifts, and so
     on. The real part of the exponent (1/s) is minus the rate of decay, its imaginary part the frequency in rad/s, 0 or

@@ -30,7 +30,7 @@ declare namespace page {
     number?: number
   }
 
-  /** Quantities by name, in SI: from sliders and handles.
+  /** Sets quantities by name, in SI: from sliders and handles.
    *
    * While a hand is `holding` on to what is drawn, its frame stands as it is; when it is not any more, or a slider or
    * key has been let go, an axis that is hardly used is fitted anew. Where nothing is said of it a value is on its way. */
@@ -40,20 +40,20 @@ declare namespace page {
     holding?: boolean | null
   }
 
-  /** The text of a field, in the unit that it shows. */
+  /** Sets a quantity by the text of its field, in the unit that it shows. */
   interface Typed extends FromBrowser {
     type: "typed"
     name: Name
     text: Text
   }
 
-  /** The action of a button. */
+  /** Presses a button, which does its action. */
   interface Act extends FromBrowser {
     type: "act"
     name: Name
   }
 
-  /** The word of a choice, or a list of words. */
+  /** Sets a choice by its word, or a list by its words. */
   interface Choose extends FromBrowser {
     type: "choose"
     name: Name
@@ -822,7 +822,7 @@ declare namespace page {
     rate: string
   }
 
-  /** A place on a line: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or down; a
+  /** A way along a line: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or down; a
    * hand takes it no lower than `least` and no higher than `most`, both in SI. */
   interface Stretch extends Way {
     across: "x" | "y"

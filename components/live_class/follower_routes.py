@@ -37,7 +37,7 @@ MOST_STREAMS = 8
 
 
 class Follower(ClassHandler):
-    """Who has a token of the room, or its key."""
+    """The handler of a follower's requests: who has a token of the room, or its key."""
 
     leads = False
 
@@ -54,7 +54,7 @@ class Follower(ClassHandler):
 
 
 class Enter(ClassHandler):
-    """A token for a code: given to whoever has one, but not to who tries many."""
+    """The handler that gives a token for a code: to whoever has one, but not to who tries many."""
 
     async def post(self, code: str) -> None:
         room = await self._shown(code) or await self._typed(code)
@@ -85,7 +85,7 @@ class Enter(ClassHandler):
 
 
 class Events(Follower):
-    """All that is new, as it comes: server-sent events. Who reads too slowly is left out, and then gets the latest."""
+    """The stream of all that is new: server-sent events. Who reads too slowly is left out, and then gets the latest."""
 
     _pipe: IOStream
     _behind = 0.0
@@ -187,7 +187,7 @@ def chunk(event: bytes) -> bytes:
 
 
 class Now(Follower):
-    """The state of the room, where something is new, for a page that gets nothing through a stream."""
+    """The handler of questions for what is new, from a page that gets nothing through a stream."""
 
     async def get(self, code: str) -> None:
         room = await self.entered(code)
@@ -204,7 +204,7 @@ class Now(Follower):
 
 
 class Answers(Follower):
-    """One's own answer; and, once the answer is shown, what is said of it."""
+    """The handler of one's own answer, and, once the answer is shown, of the lesson on it."""
 
     async def put(self, code: str) -> None:
         room = await self.entered(code)
@@ -234,7 +234,7 @@ class Answers(Follower):
 
 
 class TimeOfDay(ClassHandler):
-    """The server's clock, in ms: a page finds by how much its own is off, from how long the answer takes."""
+    """The handler that tells the server's clock, in ms: from how long it takes a page knows how far its own is off."""
 
     def get(self) -> None:
         self.reply(1000 * time())

@@ -22,7 +22,7 @@ WRONG = "This is not the instructors' passphrase. Whoever runs this server has s
 
 
 class OpenClass(ClassHandler):
-    """A new room."""
+    """The handler that opens a room."""
 
     async def post(self) -> None:
         phrase = self.context.settings.class_passphrase
@@ -47,7 +47,7 @@ class OpenClass(ClassHandler):
 
 
 class LeadClass(ClassHandler):
-    """To an instructor's page that comes back: its room; from it, what is to be done."""
+    """The handler of an instructor's page: it gives one that comes back its room, and obeys its orders."""
 
     async def get(self, code: str) -> None:
         room = await self.led(code)
@@ -61,7 +61,7 @@ class LeadClass(ClassHandler):
 
 
 class CountAnswers(ClassHandler):
-    """The count of the answers so far."""
+    """The handler of the count of the answers so far."""
 
     async def get(self, code: str) -> None:
         room = await self.led(code)
@@ -70,7 +70,7 @@ class CountAnswers(ClassHandler):
 
 
 class TakeAnswers(ClassHandler):
-    """All answers of the lecture, as CSV."""
+    """The handler of all answers of the lecture, as CSV."""
 
     async def get(self, code: str) -> None:
         room = await self.led(code)

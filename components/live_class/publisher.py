@@ -20,7 +20,7 @@ AGAIN = 1.0
 
 
 class Publisher:
-    """Of one session, for the room that it leads."""
+    """The publisher of one session, for the room that it leads."""
 
     def __init__(self, registry: Registry, code: str, key: str) -> None:
         self._registry = registry

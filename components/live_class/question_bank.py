@@ -28,7 +28,7 @@ ReadWalks = Mapping[tuple[str, str], Walk]
 
 
 class QuestionBank:
-    """All that a room must know of walks."""
+    """The questions of walks, and all else that a room must know of them."""
 
     def __init__(self, walks: Walks, scenes: Scenes) -> None:
         self._walks = walks

@@ -40,11 +40,11 @@ MOST_OWN = 5
 
 
 class ClosedError(ValueError):
-    """There is no such room, or not for who asks; the sentence says so."""
+    """A refusal: there is no such room, or not for who asks; the sentence says so."""
 
 
 class Registry:
-    """All rooms that somebody of this replica is in."""
+    """The rooms that somebody of this replica is in."""
 
     def __init__(self, store: Store, bank: QuestionBank) -> None:
         self.store = store

@@ -17,7 +17,7 @@ NOT_IN = "The lecturer's screen has not confirmed this phone. Press Remote contr
 
 
 class LetIn(ClassHandler):
-    """A ticket that is good once, for a minute; whether the phone that took it is let in, by the digits it shows."""
+    """The handler of a ticket, good once, for a minute: the phone that took it is let in, or not, by its two digits."""
 
     async def post(self, code: str) -> None:
         room, ticket = await self.led(code), new_key()
@@ -39,7 +39,7 @@ class LetIn(ClassHandler):
 
 
 class RemoteControl(ClassHandler):
-    """A phone in the instructor's hand: shows its ticket, waits until it is let in, then says what is to be done."""
+    """The handler of a phone in the instructor's hand: it shows its ticket, waits to be let in, then gives orders."""
 
     async def _there(self, code: str) -> ClassRoom:
         """Not for who has shown no ticket: whether there is such a room is not told to those who guess."""

@@ -35,7 +35,7 @@ Kind = TypeVar("Kind")
 
 
 class RoomListener(Protocol):
-    """Who hears what is told of a room."""
+    """A listener: somebody who hears what is told of a room."""
 
     @property
     def leads(self) -> bool: ...

@@ -122,7 +122,7 @@ return redis.call('hvals', KEYS[2])
 
 
 class SharedStore(Store):
-    """For any number of replicas; `url` as redis://host:6379/0."""
+    """A store for any number of replicas; `url` as redis://host:6379/0."""
 
     def __init__(
         self, url: str, life: float = LIFE, rooms: int = MOST_ROOMS, alone: float = ALONE, size: int = MOST_BYTES

@@ -30,11 +30,11 @@ Hear = Callable[[str, Parts], None]
 
 
 class AwayError(Exception):
-    """The store does not answer."""
+    """A refusal: the store does not answer."""
 
 
 class FullError(ValueError):
-    """There is no place for more; the sentence says where."""
+    """A refusal: there is no place for more; the sentence says where."""
 
 
 OF_A_ROOM = "The server keeps no more answers of this class. Those already given are kept."
@@ -149,7 +149,7 @@ class _Room:
 
 
 class MemoryStore(Store):
-    """For one process, with nothing installed."""
+    """A store for one process, with nothing installed."""
 
     def __init__(
         self,

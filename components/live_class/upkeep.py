@@ -31,7 +31,7 @@ SKEW = 0.2
 
 
 class Upkeep:
-    """Of the rooms of one registry; to be started in a running event loop."""
+    """The upkeep of the rooms of one registry; to be started in a running event loop."""
 
     def __init__(self, registry: Registry) -> None:
         self.registry = registry

@@ -47,7 +47,7 @@ class FromBrowser(Struct, frozen=True, kw_only=True, tag_field="type", forbid_un
 
 
 class SetValues(FromBrowser, frozen=True, kw_only=True, tag="set"):
-    """Quantities by name, in SI: from sliders and handles.
+    """Sets quantities by name, in SI: from sliders and handles.
 
     While a hand is `holding` on to what is drawn, its frame stands as it is; when it is not any more, or a slider or
     key has been let go, an axis that is hardly used is fitted anew. Where nothing is said of it a value is on its way.
@@ -58,20 +58,20 @@ class SetValues(FromBrowser, frozen=True, kw_only=True, tag="set"):
 
 
 class Typed(FromBrowser, frozen=True, kw_only=True, tag="typed"):
-    """The text of a field, in the unit that it shows."""
+    """Sets a quantity by the text of its field, in the unit that it shows."""
 
     name: Name
     text: Text
 
 
 class Act(FromBrowser, frozen=True, kw_only=True, tag="act"):
-    """The action of a button."""
+    """Presses a button, which does its action."""
 
     name: Name
 
 
 class Choose(FromBrowser, frozen=True, kw_only=True, tag="choose"):
-    """The word of a choice, or a list of words."""
+    """Sets a choice by its word, or a list by its words."""
 
     name: Name
     value: Text | Annotated[list[Name], Meta(max_length=50)]

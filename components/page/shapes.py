@@ -28,7 +28,7 @@ class Way(Struct, frozen=True, kw_only=True, tag_field="kind"):
 
 
 class Stretch(Way, frozen=True, kw_only=True):
-    """A place on a line: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or down; a
+    """A way along a line: 0 stands at the pixel `zero`, one of the axis is `unit` pixels long, to the right or down; a
     hand takes it no lower than `least` and no higher than `most`, both in SI."""
 
     across: Literal["x", "y"]

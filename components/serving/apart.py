@@ -22,7 +22,7 @@ GONE = "The process that reads walks could not be started. Try again in a minute
 
 
 class ReadingProcess:
-    """The process, started when it is first asked for and again when it has ended."""
+    """The process that reads, started when it is first asked for and again when it has ended."""
 
     def __init__(self, module: str, *arguments: str) -> None:
         self._command = (module, *arguments)

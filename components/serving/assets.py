@@ -111,7 +111,7 @@ def packed_files(files: Mapping[str, bytes]) -> dict[str, Asset]:
 
 
 class AssetFiles(LectureHandler):
-    """Serves them, and `more` of what the page brings along."""
+    """The handler of the static files, and of `more` that the page brings along."""
 
     def initialize(self, more: Mapping[str, Asset]) -> None:
         self._more = more

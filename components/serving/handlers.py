@@ -97,14 +97,14 @@ class VisitorHandler(LectureHandler):
 
 
 class Missing(LectureHandler):
-    """Whatever has no address of its own."""
+    """The handler of addresses that lead nowhere."""
 
     async def prepare(self) -> None:
         raise HTTPError(404)
 
 
 class Moved(LectureHandler):
-    """Where the page was, once: to where it is, with the query. Relative, since a proxy may serve it under a path."""
+    """A redirect from where the page was once, with the query. Relative, since a proxy may serve it under a path."""
 
     def initialize(self, to: str) -> None:
         self.to = to

@@ -14,7 +14,7 @@ from components.serving.visitors import Network
 
 
 class Health(LectureHandler):
-    """Asked every few seconds: not worth a line in the log."""
+    """A handler that is asked every few seconds: not worth a line in the log."""
 
     log_level = logging.DEBUG
 
@@ -23,7 +23,7 @@ class Health(LectureHandler):
 
 
 class Liveness(Health):
-    """Answers while the event loop turns."""
+    """The handler that answers while the event loop turns."""
 
     def get(self) -> None:
         self.write({self.request.path: True})
@@ -32,7 +32,7 @@ class Liveness(Health):
 
 
 class Readiness(Health):
-    """Whether new visitors may be sent here: not to a server that is about to end."""
+    """The handler that says whether new visitors may be sent here: not to a server that is about to end."""
 
     def get(self) -> None:
         ready = not self.context.ending.is_set()
@@ -43,7 +43,7 @@ class Readiness(Health):
 
 
 class Figures(Health):
-    """For this machine and those that METRICS_FOR names; for others there is no such page."""
+    """The handler of the metrics, for this machine and those that METRICS_FOR names; others find no such page."""
 
     def initialize(self, readers: Sequence[Network]) -> None:
         self._readers = readers

@@ -16,7 +16,7 @@ log = logging.getLogger(__name__)
 
 
 class JsonLines(logging.Formatter):
-    """A record as an object in one line."""
+    """A format of the log: a record as an object in one line."""
 
     def format(self, record: logging.LogRecord) -> str:
         facts: dict[str, object] = {

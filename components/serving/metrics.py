@@ -19,7 +19,7 @@ Looked = Mapping[str, tuple[str, Callable[[], float]]]
 
 
 class Metrics:
-    """Each server has its own, so that two in one process do not mix."""
+    """The metrics of one server: each has its own, so that two in one process do not mix."""
 
     def __init__(self, version: str, **now: tuple[str, Callable[[], float]]) -> None:
         """Counters of what happens; `now` are figures that are looked up when they are asked for."""

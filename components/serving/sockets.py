@@ -37,7 +37,7 @@ MOST_MISSED = 2
 
 
 class Socket(VisitorHandler, WSHandler):  # type: ignore[misc]  # Bokeh's are not looked into
-    """In place of Bokeh's, which assembles and deserialises whatever is announced to it."""
+    """The socket of a page, in place of Bokeh's, which assembles and deserialises whatever is announced to it."""
 
     application: BokehTornado
 

@@ -56,13 +56,13 @@ class Replied(Struct, frozen=True, kw_only=True):
 
 
 class Apart(Protocol):
-    """Takes requests from any thread; `network` is where one comes from, if that is known."""
+    """A reader of strangers' files: it takes requests from any thread, from `network`, if that is known."""
 
     def ask(self, asked: Errand, network: str = "") -> Future[Replied]: ...
 
 
 class Here:
-    """Does at once what is asked: where there is nobody who would wait."""
+    """A reader that does at once what is asked: where there is nobody who would wait."""
 
     def __init__(self, walks: Walks, scenes: Scenes) -> None:
         self._walks, self._scenes = walks, scenes

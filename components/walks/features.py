@@ -97,7 +97,7 @@ class FeatureAt(BaseFeature, frozen=True, kw_only=True):
 
 
 class ValueAt(FeatureAt, frozen=True, kw_only=True, tag="value"):
-    """As high as `is` there."""
+    """A height `is` at a place."""
 
     lead = "The height at"
     value: float = field(name="is")
@@ -109,7 +109,7 @@ class ValueAt(FeatureAt, frozen=True, kw_only=True, tag="value"):
 
 
 class Slope(FeatureAt, frozen=True, kw_only=True, tag="slope"):
-    """Upwards or downwards from there on."""
+    """A direction, upwards or downwards, from a place on."""
 
     lead = "The direction after"
     way: Literal["up", "down"] = field(name="is")
@@ -126,7 +126,7 @@ class Slope(FeatureAt, frozen=True, kw_only=True, tag="slope"):
 
 
 class Zero(FeatureAt, frozen=True, kw_only=True, tag="zero"):
-    """Through zero there; a curve that only touches zero has none."""
+    """A zero at a place; a curve that only touches zero has none."""
 
     lead = "The zero at"
     tol: Above0
@@ -143,7 +143,7 @@ class Zero(FeatureAt, frozen=True, kw_only=True, tag="zero"):
 
 
 class Extreme(FeatureAt, frozen=True, kw_only=True):
-    """A turning point there, as high as `is`, which is no edge; `sign` is -1 for the lowest."""
+    """A turning point at a place, as high as `is`, which is no edge; `sign` is -1 for the lowest."""
 
     sign: ClassVar[float]
     value: float = field(name="is")
@@ -166,19 +166,19 @@ class Extreme(FeatureAt, frozen=True, kw_only=True):
 
 
 class Peak(Extreme, frozen=True, kw_only=True, tag="peak"):
-    """The highest of its surroundings."""
+    """A turning point that is the highest of its surroundings."""
 
     lead, sign = "The peak at", 1.0
 
 
 class Trough(Extreme, frozen=True, kw_only=True, tag="trough"):
-    """The lowest of its surroundings."""
+    """A turning point that is the lowest of its surroundings."""
 
     lead, sign = "The trough at", -1.0
 
 
 class Pole(FeatureAt, frozen=True, kw_only=True, tag="pole"):
-    """Out through the top of the frame near there, and within it on both sides."""
+    """A pole: the curve goes out through the top of the frame near a place, and is within it on both sides."""
 
     lead = "Leaves the frame at"
     tol: Above0
@@ -210,7 +210,7 @@ class Within(BaseFeature, frozen=True, kw_only=True):
 
 
 class Period(Within, frozen=True, kw_only=True, tag="period"):
-    """One swing takes as long as `is`, by the ways between crossings of the middle in one direction."""
+    """A period as long as `is`, by the ways between crossings of the middle in one direction."""
 
     value: Above0 = field(name="is")
     tol: Above0
@@ -238,7 +238,7 @@ class Period(Within, frozen=True, kw_only=True, tag="period"):
 
 
 class Farthest(Within, frozen=True, kw_only=True, tag="reach"):
-    """The farthest from zero is `is`."""
+    """The number `is` as the farthest from zero."""
 
     value: float = field(name="is")
     tol: Above0
@@ -259,7 +259,7 @@ class Farthest(Within, frozen=True, kw_only=True, tag="reach"):
 
 
 class Least(BaseFeature, frozen=True, kw_only=True, tag="least"):
-    """The lowest of all is `is`."""
+    """The number `is` as the lowest of all."""
 
     value: float = field(name="is")
     tol: Above0
@@ -276,7 +276,7 @@ class Least(BaseFeature, frozen=True, kw_only=True, tag="least"):
 
 
 class Sum(BaseFeature, frozen=True, kw_only=True, tag="sum"):
-    """With the other curve it adds up to `is` everywhere; its place is where the sum is farthest from that."""
+    """A sum with the other curve that is `is` everywhere; its place is where it is farthest from that."""
 
     other: str = field(name="with")
     value: float = field(name="is")

@@ -1,4 +1,4 @@
-"""A second mass tuned to the drive holds a machine still, at the price of two resonances (D34, point 9)."""
+"""Absorber: the scene in which a tuned second mass holds a machine still, at a price: two resonances (D34, point 9)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Error against run time: what a digit costs, method by method, measured on the server while the visitor looks on."""
+"""Accuracy: the scene of error against run time, method by method, measured on the server as the visitor looks on."""
 
 from __future__ import annotations
 

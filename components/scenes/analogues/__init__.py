@@ -1,4 +1,4 @@
-"""One equation in nine systems, and the pendulum at any amplitude (D31, point 7)."""
+"""Analogues: the scene of one equation in nine systems, and of the pendulum at any amplitude (D31, point 7)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Every free motion of two masses and two springs is a slow mode plus a fast mode (D34, points 1, 2 and 5)."""
+"""Coupled: the scene in which every free motion of two masses is a slow plus a fast mode (D34, points 1, 2 and 5)."""
 
 from __future__ import annotations
 

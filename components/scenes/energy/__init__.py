@@ -1,4 +1,5 @@
-"""A mass hangs on a spring: its energy goes to and fro, and gravity only sets where it hangs (D31, points 4 to 6)."""
+"""Energy: the scene of a hanging mass, whose energy goes to and fro; gravity sets where it hangs (D31, points 4 to
+6)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Both masses agree on a shape at just two frequencies: the natural frequencies and modes (D34, points 2 to 4)."""
+"""Modes: the scene of the two frequencies at which both masses agree on a shape (D34, points 3 and 4)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""An aircraft left alone trades height for speed; its speed alone sets the period (D31, slides 8 to 10)."""
+"""Phugoid: the scene of an aircraft left alone, which trades height for speed (D31, points 8 to 10)."""
 
 from __future__ import annotations
 
