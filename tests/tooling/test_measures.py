@@ -4,6 +4,7 @@ types."""
 from __future__ import annotations
 
 import ast
+import re
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
@@ -85,3 +86,25 @@ def test_no_two_types_share_a_name() -> None:
 def test_no_import_is_for_types_alone() -> None:
     """One that cannot be made while the program runs says that two modules need each other."""
     assert [name for name in PRODUCT if any("TYPE_CHECKING" in line for line in lines(name))] == []
+
+
+def glossary() -> set[str]:
+    terms = re.findall(r"\*\*(.+?)\*\*", (ROOT / "docs" / "glossary.md").read_text(encoding="utf-8"))
+    return {term.lower().removesuffix("s") for found in terms for term in found.split(", ")}
+
+
+def names(name: str) -> Iterator[str]:
+    """A module and its public classes."""
+    module = Path(name).with_suffix("").parts
+    yield module[-2] if module[-1].startswith("__") else module[-1]
+    yield from (one.name for one in parsed(name).body if isinstance(one, ast.ClassDef) and one.name[0] != "_")
+
+
+def test_the_glossary_has_the_word_of_every_name() -> None:
+    """The last word of a name, or the whole of it; words of a single scene stand in its own package."""
+    known = glossary()
+    rooms = [name for name in PYTHON if name.startswith("components/") and not name.startswith("components/scenes/")]
+    found = {one for name in rooms for one in names(name)}
+    assert len(found) > 300
+    words = {one: {one.lower(), re.findall("[A-Z]?[a-z]+|[A-Z]+", one)[-1].lower()} for one in found}
+    assert {one for one in found if not {word.removesuffix("s") for word in words[one]} & known} == set()
