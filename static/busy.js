@@ -1,4 +1,4 @@
-// Whether the visitor is busy with the page: a pointer is down, or a field is being edited.
+// The visitor's hands: whether a pointer is down, or a field is being edited, so that the page must wait.
 
 export class Busy {
   held = false

@@ -1,4 +1,4 @@
-// Texts of a picture keep clear of each other: of two that would overlap the later one moves up or down, or leaves.
+// Clearance of texts in a picture: of two that would overlap the later one moves up or down, or leaves.
 
 import {surface, unitSize} from "./dom.js"
 

@@ -1,5 +1,5 @@
-// What a change does: the picture held beside the one that stands, the curves from before a drag, and what is covered
-// until a prediction has been made. What draws them is fetched when there is something to draw.
+// Comparison: the picture held beside the one that stands, the curves from before a drag, and what is covered
+// until a prediction has been made. The modules that draw them are fetched when there is something to draw.
 
 import {element} from "./dom.js"
 import {later, using} from "./later.js"

@@ -1,4 +1,4 @@
-// What waits for a prediction, a plot or a number; what it shows has not been sent.
+// A cover in place of a plot or a number that waits for a prediction: the numbers under it have not been sent.
 
 import {element, long} from "./dom.js"
 

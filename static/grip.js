@@ -1,4 +1,4 @@
-// How fingers and keys move a slider: a finger by going sideways, keys by steps that mean something where it stands.
+// Ways to move a slider: a finger by going sideways, keys by steps that mean something where it stands.
 
 import {atTwoDigits, leapt} from "./scales.js"
 

@@ -1,4 +1,4 @@
-// What can be grabbed on a stage: an element over each such shape, for mouse, finger, keys and screen readers.
+// Grips of a stage: an element over each shape that can be grabbed, for mouse, finger, keys and screen readers.
 
 import {element, long, reword, surface, unitSize} from "./dom.js"
 import {brief} from "./handles.js"

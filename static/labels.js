@@ -1,4 +1,4 @@
-// What stands still over a plot between changes: numbers beside it, names of its curves and bands, flags at its marks.
+// Labels over a plot, which stand still between changes: numbers beside it, names of curves and bands, flags at marks.
 
 import {long, marked, set, svg, textWidth, units, unitSize, words} from "./dom.js"
 

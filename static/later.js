@@ -1,4 +1,4 @@
-// What only some pages need, fetched when it is asked for. What cannot be fetched is said, and comes when it can be.
+// Modules that only some pages need, fetched when asked for. One that cannot be fetched is said, and comes when it can.
 
 import {note} from "./notes.js"
 

@@ -1,4 +1,4 @@
-// What is given to the visitor as a file to keep.
+// Saving: gives the visitor a file to keep.
 
 import {element} from "./dom.js"
 

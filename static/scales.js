@@ -1,4 +1,4 @@
-// From the place of a slider to a number and back, and from a typed number to the next.
+// Scales of sliders: from a place to a number and back, and from a typed number to the next.
 
 import {MINUS} from "./numbers.js"
 

@@ -1,4 +1,4 @@
-// What stands around a scene: the navigation, the title of the document, light and dark.
+// The shell around a scene: the navigation, the title of the document, light and dark.
 
 import {element} from "./dom.js"
 import {turnTheme} from "./theme.js"

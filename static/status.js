@@ -1,4 +1,4 @@
-// What is said of the connection, in the place of the links to other scenes, which would not work without one.
+// The state of the connection in words, in place of the links to other scenes, which would not work without one.
 
 import {element, svg} from "./dom.js"
 

@@ -1,4 +1,4 @@
-// Light in place of dark or dark in place of light.
+// The switch between light and dark.
 
 import {browserStorage} from "./storage.js"
 

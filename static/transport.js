@@ -1,4 +1,4 @@
-// Play, step, restart, speed and time window.
+// The transport: play, step, restart, speed and time window.
 
 import {element, reword} from "./dom.js"
 import {Fit} from "./fit.js"

@@ -1,4 +1,4 @@
-// What has been set and waits for the server: it is shown as it was set, with a dotted line.
+// Values that wait for the server: each is shown as it was set, with a dotted line.
 
 /** @param {import("./page.js").Page} page @param {Waits} waiting */
 export function showWaiting(page, waiting) {

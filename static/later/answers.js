@@ -1,4 +1,4 @@
-// What was answered: kept by this browser alone, for as long as it keeps anything.
+// The visitor's answers: kept by this browser alone, for as long as it keeps anything.
 
 import {browserStorage} from "../storage.js"
 import {bare} from "./plain.js"

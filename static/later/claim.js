@@ -1,4 +1,4 @@
-// What stands as the headline in a walk: the claim of a step, once it has been answered.
+// The headline in a walk: the claim of a step, once it has been answered.
 
 import {element, marked} from "../dom.js"
 

@@ -1,4 +1,4 @@
-// What a plot shows now, in words and as a table: from the numbers that it is drawn with.
+// The description of a plot as it is now, in words and as a table: from the numbers that it is drawn with.
 
 import {element} from "../dom.js"
 import {short} from "../numbers.js"

@@ -1,4 +1,4 @@
-// In a frame of another page: it is told how high the lecture is, and there is a way out, into a tab of its own.
+// A lecture in a frame of another page: that page is told how high it is, and a link leads out, into a tab of its own.
 
 import {element} from "../dom.js"
 

@@ -1,4 +1,4 @@
-// What a picture is of: the parameters as the panel shows them, the instant, and the link.
+// The origin of a picture: the parameters as the panel shows them, the instant, and the link.
 
 import {marked} from "../dom.js"
 import {brief} from "../handles.js"

@@ -1,5 +1,5 @@
-// What can be grabbed is said once, on the stage or right over it: where nothing is drawn, moves, is read or pressed.
-// Where there is no such place the transport says it.
+// A hint, shown once, that a stage can be grabbed: on it or right over it, where nothing is drawn, moves, is read or
+// pressed. Where there is no such place the transport says it.
 
 import {element} from "../dom.js"
 import {evaluate} from "../signals.js"

@@ -1,4 +1,4 @@
-// What a visitor can cover until a prediction has been made: what the next change shows, a plot, a number.
+// The list of what a visitor can cover until a prediction has been made: the next change, a plot, a number.
 
 import {element} from "../dom.js"
 import {parts} from "./coverable.js"

@@ -1,4 +1,4 @@
-// In the transport's place where a scene does not play but measures: run or cancel, progress, skip.
+// The bar of a scene that measures, in the transport's place: run or cancel, progress, skip.
 
 import {element} from "../dom.js"
 import {Fit} from "../fit.js"

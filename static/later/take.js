@@ -1,4 +1,4 @@
-// What can be taken away of a page: each plot and the stage as a picture, its numbers as a table.
+// Files to take away: each plot and the stage as a picture, the numbers as a table.
 
 import {element} from "../dom.js"
 import {description, table} from "./describe.js"

@@ -1,4 +1,4 @@
-// What those hear who do not see the page: what a plot shows now, and what a change did, in one sentence.
+// Announcements to those who do not see the page: a plot as it is now, and the effect of a change, in one sentence.
 
 import {element} from "../dom.js"
 import {description} from "./describe.js"

@@ -1,4 +1,4 @@
-// What a sketch of a curve that is drawn should have: its start, and where it turns, from the curve itself.
+// Features that a sketch of a drawn curve should have: its start, and where it turns, from the curve itself.
 
 import {motionOf, turned} from "../later/describe.js"
 
