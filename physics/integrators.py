@@ -116,28 +116,17 @@ def acceleration(problem: Problem) -> Acceleration:
     return damped if c else driven if F_0 else free
 
 
-def _euler(problem: Problem, h: float) -> States:
+def _euler(semi_implicit: bool, problem: Problem, h: float) -> States:
+    """The explicit method moves x by the velocities before a step, the semi-implicit one by those after it."""
     accelerate = acceleration(problem)
     x1, x2, v1, v2 = problem.start
     n, count = 0, (yield problem.start)
     while True:
         for i in range(n, n + count):
             a1, a2 = accelerate(i * h, x1, x2, v1)
-            x1, x2, v1, v2 = x1 + h * v1, x2 + h * v2, v1 + h * a1, v2 + h * a2
-        n, count = n + count, (yield x1, x2, v1, v2)
-
-
-def _semi_implicit_euler(problem: Problem, h: float) -> States:
-    accelerate = acceleration(problem)
-    x1, x2, v1, v2 = problem.start
-    n, count = 0, (yield problem.start)
-    while True:
-        for i in range(n, n + count):
-            a1, a2 = accelerate(i * h, x1, x2, v1)
-            v1 += h * a1
-            v2 += h * a2
-            x1 += h * v1
-            x2 += h * v2
+            u1, u2 = v1 + h * a1, v2 + h * a2
+            x1, x2 = (x1 + h * u1, x2 + h * u2) if semi_implicit else (x1 + h * v1, x2 + h * v2)
+            v1, v2 = u1, u2
         n, count = n + count, (yield x1, x2, v1, v2)
 
 
@@ -249,8 +238,8 @@ def _gauss_map(problem: Problem, h: float) -> Array:
 
 STEPPING: Mapping[str, Stepping] = MappingProxyType(
     {
-        "euler": Stepping(1, 1, _euler),
-        "semi": Stepping(1, 1, _semi_implicit_euler),
+        "euler": Stepping(1, 1, partial(_euler, False)),
+        "semi": Stepping(1, 1, partial(_euler, True)),
         **{
             slug: Stepping(order, len(WEIGHTS[slug]), partial(_composition, WEIGHTS[slug]), friction=False)
             for slug, order in (("verlet", 2), ("yoshida4", 4), ("yoshida6", 6))
