@@ -50,7 +50,6 @@ __all__ = [
     "DrivenModes",
     "antiresonance",
     "determinant",
-    "drive_work",
     "driven_modes",
     "forced_motion",
     "particular_solution",
@@ -232,18 +231,6 @@ def forced_motion(
 ) -> Motion:
     """The motion under F_0 sin(omega t) on mass 1, at rest in equilibrium at t = 0 unless told otherwise."""
     return driven_modes(chain, F_0, omega, x_0, v_0).motion(t)
-
-
-def drive_work(
-    chain: TwoMassChain,
-    F_0: float,
-    omega: float,
-    t: ArrayLike,
-    x_0: ArrayLike = REST,
-    v_0: ArrayLike = REST,
-) -> Array:
-    """The work of the drive since t = 0, (n,) in J; see DrivenModes.work."""
-    return driven_modes(chain, F_0, omega, x_0, v_0).work(t)
 
 
 def steady_start(chain: TwoMassChain, F_0: float, omega: float) -> tuple[tuple[float, float], tuple[float, float]]:

@@ -10,7 +10,7 @@ from scipy.integrate import quad
 
 from physics.coupled import TwoMassChain, free_modes, free_motion
 from physics.energy import chain_energy, half_square, mean_energy
-from physics.forced import drive_work, driven_modes, forced_motion
+from physics.forced import driven_modes, forced_motion
 from tests.physics.chain_cases import chain_with, each_family
 from tests.physics.chain_families import drawn
 from tests.physics.chain_truth import U
@@ -72,7 +72,7 @@ def test_work_is_the_gain_of_energy_within_8_u(family):
         t = long_times(chain, max(omega, chain.modes().omega[1]), 1e-3, late)
         F_0 = chain.m1 * omega**2
         total = chain_energy(chain, forced_motion(chain, F_0, omega, t, x_0)).total
-        work = drive_work(chain, F_0, omega, t, x_0)
+        work = driven_modes(chain, F_0, omega, x_0).work(t)
         assert np.all(np.abs(work - (total - total[0])) <= 8 * U * np.maximum.accumulate(total) + 1e-300)
 
     check()
@@ -86,7 +86,7 @@ def test_a_million_periods(k2, drive):
     omega = {"slow": slow, "fast": fast, "slow + 1e-9": slow * (1 + 1e-9), "between": math.sqrt(slow * fast)}[drive]
     t = np.sort(np.concatenate([np.linspace(0.0, 100.0 / fast, 500), np.linspace(0.0, 2e6 * np.pi / slow, 1500)]))
     total = chain_energy(chain, forced_motion(chain, 1.0, omega, t)).total
-    work = drive_work(chain, 1.0, omega, t)
+    work = driven_modes(chain, 1.0, omega).work(t)
     assert np.all(np.abs(work - total) <= 8 * U * np.maximum.accumulate(total))
     free = chain_energy(chain, free_motion(chain, (1.0, 0.3), (0.2, -0.5), t)).total
     assert np.all(np.abs(free - free[0]) <= 8 * U * free[0])
@@ -102,7 +102,7 @@ def test_work_is_the_integral_of_force_times_velocity(omega, x_0):
 
 def test_no_drive_does_no_work():
     for F_0, omega in ((0.0, 1.0), (1.0, 0.0)):
-        assert not np.any(drive_work(LECTURE, F_0, omega, [0.0, 1.0, 5.0], (1.0, 0.0)))
+        assert not np.any(driven_modes(LECTURE, F_0, omega, (1.0, 0.0)).work([0.0, 1.0, 5.0]))
 
 
 def test_modes_share_the_energy_for_good():
@@ -179,4 +179,4 @@ def test_an_energy_out_of_range_is_named():
     with pytest.raises(ValueError, match="the energy V1 leaves the range of doubles"):
         chain_energy(chain, motion)
     with pytest.raises(ValueError, match="the work of the drive leaves the range of doubles"):
-        drive_work(TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0), 1e200, 1.0, [1.0])
+        driven_modes(TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0), 1e200, 1.0).work([1.0])
