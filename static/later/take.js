@@ -1,6 +1,7 @@
 // Files to take away: each plot and the stage as a picture, the numbers as a table.
 
 import {element} from "../dom.js"
+import {save} from "../save.js"
 import {description, table} from "./describe.js"
 import {plotPicture, png, stagePicture} from "./picture.js"
 import {things} from "./things.js"
@@ -101,7 +102,7 @@ class Taking {
       const {thing, picture, page} = this
       if (!thing || !picture) return
       const content = kind === ".png" ? await png(picture) : new Blob([picture.svg], {type: "image/svg+xml"})
-      keep(content, `${page.spec.slug}-${thing.file}${kind}`)
+      save(`${page.spec.slug}-${thing.file}${kind}`, content, content.type)
     })
   }
 }
@@ -111,11 +112,4 @@ function button(name, act, text = name, style = "chip") {
   const made = element("button", {type: "button", class: style, "aria-label": text === name ? undefined : name}, text)
   made.addEventListener("click", act)
   return made
-}
-
-/** @param {Blob} content @param {string} name */
-function keep(content, name) {
-  const link = element("a", {href: URL.createObjectURL(content), download: name})
-  link.click()
-  URL.revokeObjectURL(link.href)
 }
