@@ -80,7 +80,7 @@ def read_for_others(folders: Iterable[Path]) -> None:
 
 
 def walked(folders: Iterable[Path]) -> Lectured:
-    """With the lecture's walks and those of folders."""
+    """The parts of a server with the lecture's walks and those of folders."""
     walks = all_walks(folders, SCENES)
     files = {walk: walk_file(walk, SCENES) for walk in walks.values()}
     listed = [{"name": walk.name, "title": walk.title, "sheet": address} for walk, (address, _) in files.items()]

@@ -96,7 +96,7 @@ def rows(
     indices: list[int],
     place: Place = TIME,
 ) -> list[CheckedPoint]:
-    """Of each named curve that is drawn, its points at `indices`, place by place."""
+    """The points at `indices` of each named curve that is drawn, place by place."""
     found = []
     for n, i in enumerate(indices):
         where = f"{place.symbol} = {every_digit(columns[place.column][i])} {place.unit}"

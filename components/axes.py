@@ -55,14 +55,14 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
         return ordered(self.drawn or self.chosen)
 
     def places(self, values: NDArray[np.float64] | float) -> NDArray[np.float64]:
-        """Where values stand on this axis, in its unit; logarithms to base ten on a log axis."""
+        """The places of values on this axis, in its unit; logarithms to base ten on a log axis."""
         measured = np.asarray(values, dtype=float) / self.factor
         if self.log:
             return np.log10(np.maximum(measured, 5e-324))
         return scale_by_ten(measured, -(self.exponent // self.power)) ** self.power
 
     def place(self, value: float) -> float:
-        """Where one value stands on this axis, in its unit: for scalars and marks; OverflowError beyond the doubles."""
+        """The place of a value on this axis, in its unit: for scalars and marks; OverflowError beyond the doubles."""
         if self.log or self.power != 1:
             return float(self.places(value))
         place = float(scale_by_ten(value / self.factor, -self.exponent))
@@ -157,7 +157,7 @@ def squared_axis(end: float, unit: str, count: int = 5) -> Axis:
 
 
 def nice_ticks(low: float, high: float, count: int) -> tuple[float, ...]:
-    """At most `count` + 1 multiples of a round step within [low, high]; two at the least where the range allows."""
+    """Multiples of a round step within [low, high], at most `count` + 1; two at the least where the range allows."""
     power = 10.0 ** math.floor(math.log10((high - low) / count))
     for step in (f * power for f in (1, 2, 2.5, 4, 5, 10)):
         first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)

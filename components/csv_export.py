@@ -117,7 +117,7 @@ def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
 
 
 def readouts(told: Standing, picture: Picture) -> list[CsvTable]:
-    """Where no plot is seen, the numbers that the picture is about, unless one of them is covered."""
+    """The readouts of a picture as a table, where no plot is seen, unless one of them is covered."""
     covered = {*told.shown.values, *told.shown.live} - {*picture.values, *picture.live}
     found = told.scene.readouts()
     if not found or any(one.is_in(covered) for one in found):

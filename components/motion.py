@@ -115,7 +115,7 @@ def cosine_of(name: str) -> CosineOf:
 
 
 def starts(signals: Mapping[str, AnySignal], scalars: Mapping[str, float]) -> dict[str, float]:
-    """Where the signals stand at first."""
+    """The values of the signals at the start."""
     named = {"t": 0.0, **scalars}
     for name, signal in signals.items():
         match signal:

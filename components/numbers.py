@@ -52,7 +52,7 @@ def plus(value: float | Decimal) -> str:
 
 
 def short(value: float | Decimal) -> str:
-    """At most three significant digits, no trailing zeros: 5, 0.2, 1.5, 2·10⁻⁷."""
+    """A number in at most three significant digits, no trailing zeros: 5, 0.2, 1.5, 2·10⁻⁷."""
     text = three(value)
     head, mark, power = text.partition("·")
     head = head.rstrip("0").rstrip(".") if "." in head else head
@@ -148,7 +148,7 @@ def excerpt(text: str, longest: int = 40) -> str:
 
 
 def raised(text: str) -> str:
-    """With ^ before what stands over the line: m², 10⁻³."""
+    """A text with ^ before what stands over the line: m², 10⁻³."""
     return re.sub("[⁺⁻⁰¹²³⁴-⁹]+", lambda match: "^" + match[0], text)
 
 

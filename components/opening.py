@@ -32,7 +32,7 @@ def opened(scenes: Mapping[str, type[Scene]], link: Link, walks: Walks | None = 
 
 
 def _standing(kind: type[Scene], state: State) -> tuple[Standing, list[str]]:
-    """Where the link wants the page; and what of that cannot be, in words."""
+    """The standing that a link asks for; and what of that cannot be, in words."""
     problems = []
     known = replace(state, covered=tuple(cover for cover in state.covered if cover == NEXT))
     try:

@@ -80,7 +80,7 @@ def sheet_json(scene: type[Scene]) -> bytes:
 
 @cache
 def sheet_address(scene: type[Scene]) -> str:
-    """Where the sheet lies: under the hash of what it says, so that it never changes."""
+    """The address of the sheet, under the hash of its content, so that it never changes."""
     return f"sheets/{scene.slug}.{sha256(sheet_json(scene)).hexdigest()[:16]}.json"
 
 

@@ -40,7 +40,7 @@ WIDE, NARROW, LOW, T = var("wide"), var("narrow"), var("low"), var("t")
 
 
 def on_x(plot: str, value: Number) -> Expression:
-    """Where a value of the horizontal axis of a plot stands, in pixels of the stage: stage and plots share lines."""
+    """The place of a value of a plot's horizontal axis, in pixels of the stage: stage and plots share lines."""
     return var(f"{plot}.x0") + var(f"{plot}.x1") * value
 
 

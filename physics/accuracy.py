@@ -52,7 +52,7 @@ class System:
         return self._asked_for(np.arange(2.0)).rates
 
     def problem(self, periods: float = PERIODS, outputs: int = OUTPUTS) -> Problem:
-        """So many slow periods (fast ones where the slow mode is a drift) or relaxation times.
+        """The problem over so many slow periods (fast ones where the slow mode is a drift) or relaxation times.
 
         The spacing has 40 bits, so that every output time is a double: steps and formulas meet there exactly.
         """
@@ -122,7 +122,7 @@ class Run:
         return self.time_high <= REPEATS * self.time_low
 
     def to_dict(self) -> dict[str, Any]:
-        """For JSON: numbers, strings, lists and None."""
+        """The run for JSON: numbers, strings, lists and None."""
         return asdict(self)
 
 

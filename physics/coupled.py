@@ -298,5 +298,5 @@ def free_motion(chain: TwoMassChain, x_0: ArrayLike, v_0: ArrayLike, t: ArrayLik
 
 
 def as_motion(t: Array, values: Array) -> Motion:
-    """From x1, x2, e2, v1, v2 (5, n)."""
+    """A motion from x1, x2, e2, v1, v2 (5, n)."""
     return Motion(t, values[:2], values[3:], values[0:3:2])

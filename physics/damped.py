@@ -66,13 +66,13 @@ class DampedOscillator:
 
     @property
     def omega_n(self) -> float:
-        """Without damping, in rad/s."""
+        """The natural frequency without damping, in rad/s."""
         with precise():
             return float((exact(self.k) / exact(self.m)).sqrt())
 
     @property
     def omega_d(self) -> float:
-        """Of the damped swing, in rad/s; 0 from critical damping on."""
+        """The frequency of the damped swing, in rad/s; 0 from critical damping on."""
         return float(self._swing)
 
     @property
@@ -145,7 +145,7 @@ class DampedOscillator:
             return exact(self.k) / exact(self.m) / (self._a + self._beta) if self._beta else self._a
 
     def _starts(self, x_0: float, v_0: float) -> list[Start]:
-        """Of x, v and a."""
+        """The start of x, v and a, each with its rate."""
         check_finite("a displacement in m", x_0=x_0)
         check_finite("a velocity in m/s", v_0=v_0)
         m, c, k = exact(self.m), exact(self.c), exact(self.k)

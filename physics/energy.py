@@ -41,7 +41,7 @@ def chain_energy(chain: TwoMassChain, motion: Motion) -> ChainEnergy:
 
 
 def _energies(chain: TwoMassChain, values: Array) -> ChainEnergy:
-    """Of velocities and elongations, or their root mean squares, (4, n)."""
+    """The energies of velocities and elongations, or of their root mean squares, (4, n)."""
     factors = np.array([[chain.m1], [chain.m2], [chain.k1], [chain.k2]])
     found = rows_in_range(_NAMES, _half_squares(factors, values))
     return ChainEnergy(T=found[:2], V=found[2:])

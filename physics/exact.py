@@ -251,7 +251,7 @@ def _turned(start: Array, correction: Array, slope: Array, slope_lo: Array, r: A
 
 
 def nearest_point(theta: Array, rest: Array) -> tuple[NDArray[np.intp], DoubleDouble]:
-    """Of the 32 points of the circle the one nearest to theta + rest, and the angle from it."""
+    """The point nearest to theta + rest of the 32 of the circle, and the angle from it."""
     count = np.rint(theta / _STEP[0])
     return np.mod(count, _POINTS).astype(np.intp), reduced(theta, rest, count, _STEP)
 

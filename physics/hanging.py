@@ -49,7 +49,7 @@ class HangingEnergy:
 
     @cached_property
     def spring(self) -> Array:
-        """From its natural length."""
+        """The energy of the spring from its natural length."""
         m, k, g = exact(self.system.m), exact(self.system.k), exact(self.system.g)
         with precise():
             deflection, rest = split(snapped(m * g / k))
@@ -60,7 +60,7 @@ class HangingEnergy:
 
     @cached_property
     def gravity(self) -> Array:
-        """From x = 0."""
+        """The energy in gravity from x = 0."""
         with precise():
             weight = rounded("the weight m g", exact(self.system.m) * exact(self.system.g))
         with np.errstate(over="ignore"):

@@ -225,7 +225,7 @@ def _gauss(problem: Problem, h: float) -> States:
 
 
 def _gauss_map(problem: Problem, h: float) -> Array:
-    """From the accelerations (a1, a2, b1, b2) that the stages begin with to what x - h v and v gain, (4, 4)."""
+    """The map from the accelerations (a1, a2, b1, b2) of the stages at first to the gains of x - h v and v, (4, 4)."""
     chain = problem.chain
     stiffness = np.array([[-(chain.k1 + chain.k2), chain.k2], [chain.k2, -chain.k2]]) / [[chain.m1], [chain.m2]]
     friction = np.diag([-problem.c / chain.m1, 0.0])

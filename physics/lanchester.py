@@ -131,7 +131,7 @@ class _Piece(NamedTuple):
 
 
 def _pieces(excess: float) -> Iterator[_Piece]:
-    """From the lowest point until w is zero again."""
+    """The pieces of the flight from the lowest point until w is zero again."""
     t, state = 0.0, (0.0, excess, 0.0)
     while True:
         _, p, w = state

@@ -194,7 +194,7 @@ class Expansion:
 
 
 def transform(driven: Driven) -> Transform:
-    """Without error, for any doubles."""
+    """The Laplace transform, without error, for any doubles."""
     chain = driven.chain
     m1, m2, k1, k2, c = map(Fraction, (chain.m1, chain.m2, chain.k1, chain.k2, driven.c))
     (x1, x2), (v1, v2) = (map(Fraction, pair) for pair in (driven.x_0, driven.v_0))
@@ -259,7 +259,7 @@ def _sum(a: Polynomial, b: Polynomial) -> Polynomial:
 
 
 def _trimmed(polynomial: Polynomial) -> Polynomial:
-    """Without the highest powers where these are 0."""
+    """A polynomial without its highest powers where these are 0."""
     while len(polynomial) > 1 and not polynomial[-1]:
         polynomial = polynomial[:-1]
     return polynomial or NOTHING

@@ -43,7 +43,7 @@ def start_given(free: FreeModes) -> tuple[Pair, Pair]:
 
 
 def amplitudes_and_phases(free: FreeModes) -> tuple[Pair, Pair]:
-    """Of the slow and the fast mode; ValueError where one drifts."""
+    """The amplitudes and phases of the slow and the fast mode; ValueError where one drifts."""
     found = []
     for j, (mode, q, v) in enumerate(free.each()):
         if not mode.omega and v:

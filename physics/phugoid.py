@@ -134,7 +134,7 @@ def _phase(omega: float, t: Array) -> Array:
 
 
 def _in_si(v_0: float, g: float, t: Array, rows: Sequence[Array]) -> Flight:
-    """From x and h in v_0^2/g and u, w and V in v_0."""
+    """A flight in SI units from x and h in v_0^2/g and u, w and V in v_0."""
     with precise():
         length = rounded("the length v_0^2/g", exact(v_0) ** 2 / exact(g))
     names = ("x", "h", "u", "w", "V")

@@ -111,6 +111,6 @@ class Trajectory:
 
 
 def trajectory(states: Array) -> Trajectory:
-    """Of a method that knows states (n, 4) only: x1, x2, v1, v2."""
+    """The trajectory of a method that knows states (n, 4) only: x1, x2, v1, v2."""
     x, v = states[:, :2].T, states[:, 2:4].T
     return Trajectory(x=x, v=v, stretch=x[1] - x[0])

@@ -153,7 +153,7 @@ class Bench:
 def bench_of(
     system: System, limits: Limits, cancelled: Cancelled, pace: float, problem: Problem | None = None
 ) -> Bench:
-    """On the system's own problem, or on one of another length; ValueError where there is nothing to compare with."""
+    """A bench on the system's own problem, or on one of another length; ValueError where there is no comparison."""
     import scipy.integrate  # here, so that no run pays for it
     import scipy.linalg  # noqa: F401
 

@@ -22,7 +22,7 @@ _COMFORT = 1e60  # powers of numbers within this and its inverse stay in the ran
 
 
 def roots(ctx: Any, coefficients: Sequence[Any]) -> list[Any]:
-    """Of sum_k coefficients[k] z^k; numbers of the mpmath context ctx, the first and the last not zero.
+    """The roots of sum_k coefficients[k] z^k; numbers of the mpmath context ctx, the first and the last not zero.
 
     The roots of a pair are conjugate digit for digit, and other roots are real.
     """
@@ -70,7 +70,7 @@ def _refined(coefficients: Sequence[Any], z: list[Any], eps: Any) -> list[Any]:
 
 
 def _polished(ctx: Any, coefficients: Sequence[Any], z: Sequence[complex]) -> list[Any]:
-    """By Newton's method, one of each pair, from doubles so far apart that each leads to a root of its own."""
+    """The roots by Newton's method, one of each pair, from doubles so far apart that each leads to its own."""
     found, least = [], ctx.sqrt(ctx.eps) * _NEARLY
     for point in z:
         if point.imag < 0:

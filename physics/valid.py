@@ -11,21 +11,21 @@ DOUBLES = "the range of doubles, about 5e-324 to 1.8e308 in SI units"
 
 
 def check_positive(kind: str, **values: float) -> None:
-    """For example check_positive("a mass in kg", m=m): finite and above 0."""
+    """Check that values are finite and above 0, as in check_positive("a mass in kg", m=m)."""
     for name, value in values.items():
         if not (isfinite(value) and value > 0):
             raise ValueError(f"{name} = {value!r}: {kind} is a finite number above 0")
 
 
 def check_not_negative(kind: str, **values: float) -> None:
-    """Finite, 0 or more."""
+    """Check that values are finite and 0 or more."""
     for name, value in values.items():
         if not (isfinite(value) and value >= 0):
             raise ValueError(f"{name} = {value!r}: {kind} is a finite number, 0 or more")
 
 
 def check_finite(kind: str, **values: float) -> None:
-    """Neither infinite nor NaN."""
+    """Check that values are neither infinite nor NaN."""
     for name, value in values.items():
         if not isfinite(value):
             raise ValueError(f"{name} = {value!r}: {kind} is a finite number")

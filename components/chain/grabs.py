@@ -18,7 +18,7 @@ VELOCITIES = at_rest("v1_0", "v2_0")
 
 
 def mass_grab(mass: int, *, flicked: bool = True) -> Grab:
-    """Of mass 1 or 2; where the scene has no velocities it is let go from rest."""
+    """The grab of mass 1 or 2; where the scene has no velocities it is let go from rest."""
     way = Along(
         parameter=f"x{mass}_0",
         moves=f"x{mass}",
@@ -32,13 +32,13 @@ def mass_grab(mass: int, *, flicked: bool = True) -> Grab:
 
 
 def plane_grab(plot: str) -> Grab:
-    """Of the point in the plane (x1, x2)."""
+    """The grab of the point in the plane (x1, x2)."""
     ways = (on_plot(plot, "x", "x1_0", "x1", "x"), on_plot(plot, "y", "x2_0", "x2", "x"))
     return begin("Both masses, start", *ways, start=PLACES + VELOCITIES)
 
 
 def mode_grab(mode: str, mass: int) -> Grab:
-    """Of mass 1 or 2 in one mode alone: its part of the start; the other mode goes on as it was."""
+    """The grab of mass 1 or 2 in one mode alone: its part of the start; the other mode goes on as it was."""
     other = _other(mode)
     places = tuple(Begin(f"x{i}_0", f"x{i}", "x", exactly=True) for i in (1, 2))
     going = tuple(Begin(f"v{i}_0", f"v{i}_{other}", "x", per=TIME_AXIS, exactly=True) for i in (1, 2))

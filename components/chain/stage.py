@@ -130,17 +130,17 @@ def masses(
 
 
 def side(mass: int) -> Number:
-    """Of the block of mass 1 or 2, in pixels."""
+    """The side of the block of mass 1 or 2, in pixels."""
     return var(f"side{mass}") * BODY
 
 
 def rest(mass: int) -> Number:
-    """Where mass 1 or 2 stands at rest, in pixels."""
+    """The place of mass 1 or 2 at rest, in pixels."""
     return EQUILIBRIUM[mass - 1] * W
 
 
 def place(mass: int, signal: str) -> Number:
-    """Where a mass stands when it is displaced by `signal`, in pixels."""
+    """The place of a mass that is displaced by `signal`, in pixels."""
     return rest(mass) + var("metre") * W * var(signal)
 
 

@@ -155,7 +155,7 @@ class Events(Follower):
         return True
 
     def _send(self, data: bytes) -> None:
-        """Where nothing is on its way, past the pipe, whose own accounts take four fifths of the time."""
+        """Send an event, past the pipe where nothing is on its way: its own accounts take four fifths of the time."""
         if self._pipe.closed():
             return
         try:
@@ -182,7 +182,7 @@ class Events(Follower):
 
 @lru_cache(maxsize=64)
 def chunk(event: bytes) -> bytes:
-    """Of an answer whose length is not known, as HTTP/1.1 has it."""
+    """A chunk of an answer whose length is not known, as HTTP/1.1 has it."""
     return b"%x\r\n%s\r\n" % (len(event), event)
 
 

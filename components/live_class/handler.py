@@ -82,7 +82,7 @@ class ClassHandler(VisitorHandler):
         return room
 
     def address(self, query: str) -> str:
-        """Where the class, or a remote control, comes in."""
+        """The address where the class, or a remote control, comes in."""
         settings = self.context.settings
         host = self.request.host
         if settings.everywhere and self.request.host_name in ("localhost", "127.0.0.1") and (own := own_address()):
@@ -91,7 +91,7 @@ class ClassHandler(VisitorHandler):
         return f"{base.rstrip('/')}/?{query}"
 
     def _scheme(self) -> str:
-        """As the visitor's browser has it, by the word of a proxy that is trusted."""
+        """The scheme as the visitor's browser has it, by the word of a proxy that is trusted."""
         told = self.request.headers.get("X-Forwarded-Proto", "")
         return told if self.context.trusted and told in ("http", "https") else self.request.protocol
 

@@ -1,4 +1,4 @@
-"""From an instructor's session to the class: what is shown, made ready once for all who follow, and not too often."""
+"""The publisher: from an instructor's session to the class, made ready once for all who follow, and not too often."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Publisher:
             self._task = asyncio.create_task(self._run())
 
     def end(self) -> None:
-        """Nothing more is told: not even what waits for a store that is away."""
+        """End the publishing: nothing more is told, not even what waits for a store that is away."""
         self._make = None
         if self._task:
             self._task.cancel()

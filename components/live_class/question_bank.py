@@ -45,7 +45,7 @@ class QuestionBank:
         return {(name, text): before.get((name, text)) or read_walk(text, name, known) for name, text in own.items()}
 
     def taking(self, own: ReadWalks) -> QuestionBank:
-        """With walks from files."""
+        """The question bank with walks from files as well."""
         return QuestionBank({**self._walks, **{name: walk for (name, _), walk in own.items()}}, self._scenes)
 
     async def try_own(self, name: str, text: str, network: str = "") -> Walk:

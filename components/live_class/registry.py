@@ -82,7 +82,7 @@ class Registry:
         return self._asked(room)
 
     async def _found(self, code: str) -> ClassRoom:
-        """As it is known here, or to the store; without parts where there is none."""
+        """The room as it is known here, or to the store; without parts where there is none."""
         if code in self.rooms:
             return self.rooms[code]
         room, nobody = ClassRoom(code, {}), ClassRoom(code, {})

@@ -42,7 +42,7 @@ class RemoteControl(ClassHandler):
     """The handler of a phone in the instructor's hand: it shows its ticket, waits to be let in, then gives orders."""
 
     async def _there(self, code: str) -> ClassRoom:
-        """Not for who has shown no ticket: whether there is such a room is not told to those who guess."""
+        """The room of a ticket; those who have shown none are not told whether there is such a room."""
         if not self.classes.tokens.voter(code, self.word):
             raise RefusedError(403, NOT_IN)
         self.limit(f"remote {self.word}")

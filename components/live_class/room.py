@@ -100,7 +100,7 @@ class ClassRoom:
 
     @property
     def asking(self) -> set[str]:
-        """Who follows without a stream."""
+        """The names of those who follow without a stream."""
         late = monotonic() - ASKED
         return {one for one, seen in self.polls.items() if seen > late}
 
@@ -110,7 +110,7 @@ class ClassRoom:
 
     @property
     def names(self) -> set[str]:
-        """Who follows here, or has until a moment ago: a phone between two streams is not gone."""
+        """The names of those who follow here, or have until a moment ago: a phone between two streams is not gone."""
         now = monotonic()
         self.polls = {one: seen for one, seen in self.polls.items() if now - seen < 2 * SILENCE}
         self.seen = {one: seen for one, seen in self.seen.items() if now - seen < 2 * SILENCE}
@@ -132,7 +132,7 @@ class ClassRoom:
         return tuple(waiting(self.parts))
 
     def part(self, name: str, kind: type[Kind]) -> Kind | None:
-        """As it is now; decoded once, however many ask."""
+        """A part as it is now; decoded once, however many ask."""
         part = self.parts.get(name)
         if part is None:
             return None

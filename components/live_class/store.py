@@ -1,4 +1,4 @@
-"""Where rooms are kept: an interface, and the one that keeps them in the memory of a single process."""
+"""Stores of rooms: the interface, and a store in the memory of a single process."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ class Store(ABC):
 
     @abstractmethod
     async def named(self, code: str) -> set[str]:
-        """Who follows any replica."""
+        """The names of those who follow any replica."""
 
     @abstractmethod
     async def count(self, name: str, seconds: float, more: int = 1) -> int:

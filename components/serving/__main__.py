@@ -25,7 +25,7 @@ log = logging.getLogger(__name__)
 
 
 def store_at(url: str) -> Store:
-    """Where live classes are kept. The client of a shared store is read only where there is one."""
+    """The store of live classes at an address. The client of a shared one is read only where there is one."""
     if not url:
         return MemoryStore()
     from components.live_class.shared_store import SharedStore

@@ -144,7 +144,7 @@ class Admission:
         self.guests[session] = Guest(network, monotonic())
 
     def wait(self, visitor: str, page: str) -> float:
-        """In how many seconds a page may be opened. One that comes back, and not too often, is no stranger."""
+        """The seconds until a page may be opened. One that comes back, and not too often, is no stranger."""
         if page and not self.returns.admit(page) and not self.returning.admit(visitor):
             return 0.0
         return self.arrivals.admit(visitor)

@@ -1,4 +1,4 @@
-"""Who asks: the address of a visitor behind proxies, and how many pages one network may open."""
+"""Visitors: their addresses behind proxies, and how many pages one network may open."""
 
 from __future__ import annotations
 

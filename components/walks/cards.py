@@ -57,7 +57,7 @@ def parted(question: str) -> tuple[str, str]:
 
 
 def place_in_lecture(slides: tuple[str, ...]) -> str:
-    """Where it is in the lecture: "D34, slide 8"."""
+    """The place of a step in the lecture: "D34, slide 8"."""
     if not slides:
         return ""
     lecture, _, page = slides[0].partition("-")

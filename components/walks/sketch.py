@@ -67,11 +67,11 @@ def sketch(points: ArrayLike, frame: Ranges, other: Sketch | None = None) -> Ske
 
 
 def upward(x: Floats, y: Floats) -> Floats:
-    """Where a curve crosses zero upwards."""
+    """The places where a curve crosses zero upwards."""
     i = np.flatnonzero((y[:-1] < 0) & (y[1:] >= 0))
     return np.asarray(x[i] - y[i] * (x[i + 1] - x[i]) / (y[i + 1] - y[i]))
 
 
 def crossings(x: Floats, y: Floats) -> Floats:
-    """Where a curve crosses zero, either way."""
+    """The places where a curve crosses zero, either way."""
     return np.concatenate((upward(x, y), upward(x, -y)))

@@ -53,7 +53,7 @@ def number_at(axis: Axis, place: float) -> float:
 
 
 def place_of(axis: Axis, number: float) -> float:
-    """Where a number stands on its axis."""
+    """The place of a number on its axis."""
     return float(np.log10(number) if axis.log else number * 10.0**-axis.exponent)
 
 

@@ -16,7 +16,7 @@ Above0: TypeAlias = Annotated[float, Meta(gt=0)]
 
 
 class Entry(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """Whatever stands in a walk's file: a field that is not known is a mistake."""
+    """A table of a walk's file: a field that is not known is a mistake."""
 
 
 class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):

@@ -22,7 +22,7 @@ class Walk(Struct, frozen=True, kw_only=True):
     steps: tuple[Step, ...]
 
     def place(self, asked: str) -> int | None:
-        """Where the step of an id, or of a number from 1 on, stands."""
+        """The place of a step by its id, or by its number from 1 on."""
         ids = [step.id for step in self.steps]
         if asked in ids:
             return ids.index(asked)

@@ -50,7 +50,7 @@ def columns(duty: Duty, axes: dict[str, Axis]) -> tuple[dict[str, Columns], dict
 
 
 def _labels(axes: dict[str, Axis], poles: list[float], w: Floats, swing: Floats, stroke: Floats) -> dict[str, float]:
-    """Where the curves' names stand: over the curve, on the right if no pole is there."""
+    """The places of the curves' names: over the curve, on the right if no pole is there."""
     places = [axes["w"].start + share * (axes["w"].end - axes["w"].start) for share in (0.8, 0.92, 0.6)]
     x = next((x for x in places if all(abs(x - pole) > 0.08 * axes["w"].end for pole in poles)), places[0])
     over = {"aside1": (axes["X1"], swing), "aside2": (axes["X2"], stroke)}
@@ -139,7 +139,7 @@ def _seen(duty: Duty) -> dict[str, float]:
 
 
 def marks(duty: Duty, axes: dict[str, Axis]) -> dict[str, float]:
-    """Where frequencies, limits and readings stand in the plots."""
+    """The places of frequencies, limits and readings in the plots."""
     w, X1, X2 = axes["w"], axes["X1"], axes["X2"]
     slow, fast = duty.driven.free.omega.tolist()
     swing, stroke, alone = duty.swings
@@ -210,7 +210,7 @@ def values(duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: f
 
 
 def _over_height(duty: Duty) -> str:
-    """By how much the peak at Den Hartog's optimum is above the fixed points, in percent."""
+    """The height of the peak at Den Hartog's optimum above the fixed points, in percent."""
     mu = min(duty.m2 / duty.m1, 1e6)
     if mu < 1e-3:
         return "less than 0.01 %"

@@ -76,7 +76,7 @@ def _place(i: int, signal: str) -> Number:
 
 
 def _hook(floor: Number) -> Number:
-    """Where the springs are fastened: at half the smaller mass at most."""
+    """The height at which the springs are fastened: half the smaller mass at most."""
     return floor - var("hook") * H
 
 

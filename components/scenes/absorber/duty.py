@@ -78,7 +78,7 @@ class Duty:
         return Oscillator(m=self.m1, k=self.k1).omega_n
 
     def deflections(self, count: float) -> float:
-        """So many times the static deflection F_0/k1, in m."""
+        """A multiple of the static deflection F_0/k1, in m."""
         with precise():
             deflection = rounded("the static deflection F_0/k1", exact(count) * exact(self.F_0) / exact(self.k1))
         if deflection < SMALLEST:

@@ -87,7 +87,7 @@ def _points(runs: Sequence[Run]) -> Columns:
 
 
 def chosen(measured: Known, methods: Iterable[str], equal: str, wanted: float, cost: float) -> dict[str, Run]:
-    """Of each method the run that is compared: the first that is good enough, or the finest that is cheap enough."""
+    """The run of each method that is compared: the first that is good enough, or the finest that is cheap enough."""
     found = {slug: measured.of(slug) for slug in methods}
     runs = {slug: at_error(many, wanted) if equal == "error" else at_cost(many, cost) for slug, many in found.items()}
     return {slug: run for slug, run in runs.items() if run is not None}

@@ -113,7 +113,7 @@ class Measurement(Running):
 
 
 def _idle(scene: Measurable) -> Progress:
-    """While nothing runs: how many methods have been measured here."""
+    """The progress while nothing runs: how many methods have been measured here."""
     count = len({run.method for run in _here(scene)})
     text = "" if count else f"Run measures {len(entered(scene.shown_system(), LIVE))} methods here."
     return Progress(state="idle", done=count, total=count, unit="methods measured here", text=text)

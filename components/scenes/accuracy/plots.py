@@ -127,7 +127,7 @@ Rectangles = NDArray[np.float64]
 
 
 def name_places(curves: dict[str, Columns], time: Axis, error: Axis, limit: float) -> dict[str, float]:
-    """Where the name of each method stands: at the end of its line, off points, words and other names if it can."""
+    """The places of the methods' names: at the end of the line, off points, words and other names if possible."""
     if not curves:
         return {}
     left, right, top, bottom = (axis.place(end) for axis in (time, error) for end in (axis.start, axis.end))
@@ -152,7 +152,7 @@ def name_places(curves: dict[str, Columns], time: Axis, error: Axis, limit: floa
 
 
 def _boxes(x: NDArray[np.float64], y: NDArray[np.float64], letters: list[int]) -> Rectangles:
-    """Of the name at each point (n, 1) its rectangle in each place: (4, n, places)."""
+    """The rectangles of the name at each point (n, 1) in each place: (4, n, places)."""
     wide = LETTER * np.array(letters)[:, np.newaxis]
     start, base = np.where(STARTS, x + 9, x - 9 - wide), y + DOWN
     return np.array([start, base - 12, start + wide, base + 3])

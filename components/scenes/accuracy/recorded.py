@@ -17,7 +17,7 @@ FOLDER = Path(__file__).with_name("recorded")
 
 @dataclass(frozen=True)
 class Recorded:
-    """Where and when, the time limit of a run in s, and the runs."""
+    """A recorded series: where and when, the time limit of a run in s, and the runs."""
 
     about: dict[str, str]
     seconds: float

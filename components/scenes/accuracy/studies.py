@@ -105,7 +105,7 @@ def length_columns() -> dict[str, Columns]:
 
 
 def digits_view() -> Block:
-    """Where doubles begin to fail."""
+    """The view of where doubles begin to fail."""
     told = words(
         "Thick: the closed form. Line: modes by eigh, dashed: the same, naive, thin: the slides' formulas. Doubles do "
         "for an error of {wanted} up to {digits_ratio} and {digits_periods}; near resonance always, if no difference "

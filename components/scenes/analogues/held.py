@@ -1,4 +1,4 @@
-"""Where a hand takes hold of the nine systems and of the spring beside them: from there they are let go at rest."""
+"""Grabs of the nine systems and of the spring beside them: they are let go at rest from where they are held."""
 
 from __future__ import annotations
 

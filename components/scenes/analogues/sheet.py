@@ -208,7 +208,7 @@ def _flag(name: str, excess: float) -> Mark:
 
 
 def _formula() -> Block:
-    """For what is linear at any size: the frequency, large, and what there is to say of the system."""
+    """The formula of a system that is linear at any size: its frequency, large, and what there is to say of it."""
     omega = {slug: rf"$\omega_n = {s.omega_formula}$" for slug, s in ANALOGUES.items() if slug not in SWINGING}
     block = words(
         either("system", **omega),

@@ -107,7 +107,7 @@ def pendulum() -> list[Shape]:
 
 
 def height(q: Number) -> Expression:
-    """Where a coordinate stands: on the axis of the plot beside it; on a phone, on one like it."""
+    """The height of a coordinate: on the axis of the plot beside it; on a phone, on one like it."""
     return WIDE * on_y(PLOT, q) + NARROW * (0.45 * H - 0.24 * H * var("per_q") * q)
 
 
@@ -145,7 +145,7 @@ def over_motion() -> tuple[Shape, ...]:
 
 
 def over_lateness() -> tuple[Shape, ...]:
-    """On the plot of T/T_0 - 1: the dotted line to the axis and the number at the point."""
+    """The shapes over T/T_0 - 1: the dotted line to the axis and the number at the point."""
     x, y = on_x("late", var("size_angle")), on_y("late", var("late_now"))
     return (
         line(on_x("late", 0), y, x, y, style="level", show="rule_seen"),

@@ -117,7 +117,7 @@ def _well_axis(case: HangingCase, x: Axis) -> Axis:
 
 
 def _energy_axis(case: HangingCase) -> Axis:
-    """From the lowest to the highest energy drawn; the sum T + V has its own tick."""
+    """The axis from the lowest to the highest energy drawn; the sum T + V has its own tick."""
     top, bottom = case.total, 0.0
     if case.apart:
         top, bottom = case.E + case.constant + case.weight, -case.weight

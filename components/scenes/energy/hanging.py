@@ -42,7 +42,7 @@ PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.
 
 
 def height(x: Number) -> Expression:
-    """Where a displacement stands: on the axis of the plot beside it; on a phone, on one like it."""
+    """The height of a displacement: on the axis of the plot beside it; on a phone, on one like it."""
     return WIDE * on_y("x", x) + NARROW * (0.2 * H + 0.58 * H * (x - var("x_top")) * var("per_span"))
 
 
@@ -107,7 +107,7 @@ def body() -> list[Shape]:
 
 
 def planets() -> list[Shape]:
-    """Where the same mass would hang elsewhere."""
+    """The levels at which the mass would hang elsewhere."""
     x = CENTRE + HALF
     found = []
     for slug, (name, _) in PLANETS.items():

@@ -23,7 +23,7 @@ def guess_point(x: Number, y: Number) -> Shape:
 
 
 def full_swing(foot: Number) -> list[Shape]:
-    """Where both masses turn, in outline: the one that swings less is taken in hand, the other keeps its 1 m."""
+    """Both masses where they turn, in outline: the one that swings less is taken in hand, the other keeps its 1 m."""
     one, two = chain.rest(1), chain.rest(2)
     first = Quotient(parameter="ratio", moves="X1", across="x", zero=one, unit=UNIT, over="X2", least=LEAST, most=1.0)
     second = Along(parameter="ratio", moves="X2", across="x", zero=two, unit=UNIT, least=-1.0, most=1.0)

@@ -90,7 +90,7 @@ START = (Begin("x_0", "x", "x"), Begin("v_0", "v", "v"))
 
 
 def beside(centre: Number, scale: Number) -> Callable[[Number], Number]:
-    """Where a velocity stands beside the middle of a circle: as far as x would be a quarter period later."""
+    """The place of a velocity beside the middle of a circle: as far as x would be a quarter period later."""
     return lambda v: centre + scale * var("per_v") * v
 
 

@@ -85,7 +85,7 @@ class Swing:
 
     @property
     def period(self) -> float:
-        """Of the exact flight, in s."""
+        """The period of the exact flight, in s."""
         return self.lap.period * self.v_0 / self.g
 
     @property
