@@ -7,11 +7,17 @@ import pytest
 from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 
+from tests.grids import tries
+
 pytest_plugins = ["tests.browser.fixtures", "tests.browser.classroom"]
 
 # The same examples on every machine. Over all doubles most of what is drawn leaves their range, and is passed over.
 settings.register_profile(
-    "steady", derandomize=True, deadline=None, suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow]
+    "steady",
+    max_examples=tries(100),
+    derandomize=True,
+    deadline=None,
+    suppress_health_check=[HealthCheck.filter_too_much, HealthCheck.too_slow],
 )
 settings.load_profile("steady")
 # Hypothesis also draws the numbers that stand in the modules imported so far; which these are depends on what a worker

@@ -15,7 +15,7 @@ from components.scenes.coupled.starting import BY_MODES
 from tests.browser.touch import Finger, Mouse, swipe
 from tests.browser.views import choices
 from tests.browser.waiting import QUIET, passed
-from tests.scenes.checks import WHOLE
+from tests.grids import WHOLE
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]

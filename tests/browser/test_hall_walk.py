@@ -13,7 +13,7 @@ from components.walks.questions.number import NumericStep
 from components.walks.walk import Step
 from tests.browser.fixtures import READY
 from tests.browser.halls import LAID, TAUGHT, seen
-from tests.scenes.checks import WHOLE
+from tests.grids import WHOLE
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser

@@ -14,7 +14,7 @@ from tests.browser.fixtures import READY
 from tests.browser.targets import small_targets
 from tests.browser.views import LINKS
 from tests.browser.waiting import passed, seek
-from tests.scenes.checks import WHOLE
+from tests.grids import WHOLE
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser

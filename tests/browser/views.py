@@ -9,7 +9,7 @@ import param
 from components.scene import Scene
 from components.scenes import SCENES
 from components.standing import fitted
-from tests.scenes.checks import WHOLE
+from tests.grids import WHOLE
 
 
 def choices(scene: type[Scene]) -> Iterator[Scene]:

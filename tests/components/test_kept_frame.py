@@ -15,8 +15,9 @@ from components.page.state import Frame
 from components.picture import draw, frame_of
 from components.scene import Picture, Scene
 from components.scenes import SCENES
+from tests.grids import WHOLE
 from tests.page.told import Page
-from tests.scenes.checks import WHOLE, check_picture, quantities
+from tests.scenes.checks import check_picture, quantities
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 MOVING = [slug for slug in SCENES if slug != "accuracy"]

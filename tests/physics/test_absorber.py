@@ -25,6 +25,7 @@ from physics.absorber import (
 from physics.coupled import TwoMassChain
 from physics.forced import antiresonance, particular_solution
 from physics.reference_single import steady
+from tests.grids import tries
 
 MACHINE = {"m1": 100.0, "k1": 250e3}
 F_0 = 500.0
@@ -70,7 +71,7 @@ def close(value: float, true: mp.mpf, ulps: float) -> bool:
 
 @families
 def test_damped_amplitudes_are_rounded_once(numbers):
-    @settings(max_examples=80)
+    @settings(max_examples=tries(80))
     @given(*[numbers] * 7)
     def check(m1, m2, k1, k2, c, F, omega):
         chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)
@@ -95,7 +96,7 @@ def test_damped_amplitudes_are_rounded_once(numbers):
 
 @families
 def test_the_stroke_is_the_distance_between_the_masses(numbers):
-    @settings(max_examples=80)
+    @settings(max_examples=tries(80))
     @given(*[numbers] * 7, st.booleans())
     def check(m1, m2, k1, k2, c, F, omega, damped):
         chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)

@@ -11,6 +11,7 @@ from physics.absorber import alone, den_hartog, swing_and_stroke
 from physics.absorber_curves import machine_curves
 from physics.coupled import TwoMassChain
 from physics.forced import antiresonance, particular_solution
+from tests.grids import tries
 
 MACHINE = TwoMassChain(m1=100.0, m2=16.0, k1=250e3, k2=36864.0)
 values = st.floats(1e-3, 1e6)
@@ -28,7 +29,7 @@ def near(chain):
     return sorted({w for pole in poles if pole for w in (pole, *np.nextafter(pole, (0.0, math.inf)), 1.001 * pole)})
 
 
-@settings(max_examples=150)
+@settings(max_examples=tries(150))
 @given(values, values, values, values, st.one_of(st.just(0.0), values), values, values)
 def test_a_curve_is_within_six_ulps(m1, m2, k1, k2, c, F_0, omega):
     chain = TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2)

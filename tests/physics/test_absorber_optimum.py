@@ -21,6 +21,7 @@ from physics.absorber import (
 )
 from physics.coupled import TwoMassChain
 from physics.forced import particular_solution
+from tests.grids import tries
 
 MACHINE = {"m1": 100.0, "k1": 250e3}
 
@@ -69,7 +70,7 @@ def test_helped_band_is_where_the_machine_swings_less(m2, k2, c):
 
 
 def test_helped_band_over_the_range_of_doubles():
-    @settings(max_examples=60)
+    @settings(max_examples=tries(60))
     @given(*[any_double] * 4)
     def check(m1, m2, k1, k2):
         low, high = helped_band(TwoMassChain(m1=m1, m2=m2, k1=k1, k2=k2))

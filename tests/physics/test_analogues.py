@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from physics.analogues import ANALOGUES, G
+from tests.grids import tries
 
 U = 2.0**-53
 STRING_DENSITY, AIR = 4e-4, 1.2
@@ -35,7 +36,7 @@ def values(parameter):
 def test_frequency_follows_the_table(slug):
     system = ANALOGUES[slug]
 
-    @settings(max_examples=100)
+    @settings(max_examples=tries(100))
     @given(st.fixed_dictionaries({parameter.name: values(parameter) for parameter in system.parameters}))
     def check(p):
         tuned, true = system.at(p), math.sqrt(OMEGA_SQUARED[slug](p))

@@ -13,12 +13,13 @@ from hypothesis import strategies as st
 from physics.coupled import TwoMassChain, free_modes, free_motion
 from physics.energy import chain_energy
 from physics.exact import sin_cos
+from tests.grids import tries
 from tests.physics.chain_cases import chain_of, chain_with, each_case, each_family
 from tests.physics.chain_families import drawn
 from tests.physics.chain_truth import WORKING_BITS, Truth, U, ulps, units, worst
 
 LARGEST = mp.mpf(sys.float_info.max)
-thorough = settings(max_examples=40)
+thorough = settings(max_examples=tries(40))
 
 
 @pytest.fixture(autouse=True)

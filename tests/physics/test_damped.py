@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 
 from physics.damped import DampedOscillator
 from physics.oscillator import Oscillator
+from tests.grids import tries
 from tests.physics.chain_truth import U, ulps
 
 BOUND = 2.0  # u of the sum of the sizes of both parts
@@ -56,7 +57,7 @@ def logarithmic(low, high):
     return st.floats(low, high).map(lambda exponent: 10.0**exponent)
 
 
-@settings(max_examples=150)
+@settings(max_examples=tries(150))
 @given(
     logarithmic(-3, 3), logarithmic(-3, 3), logarithmic(-8, 8), st.floats(-1, 1), st.floats(-1, 1), logarithmic(-6, 3)
 )

@@ -10,8 +10,9 @@ from mpmath.ctx_mp import MPContext
 from physics.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential, sine_cosine
 from physics.exact import two_sum
 from physics.roots import mismatch, roots
+from tests.grids import tries
 
-thorough = settings(max_examples=200)
+thorough = settings(max_examples=tries(200))
 low_part = st.floats(-1.0, 1.0)
 
 

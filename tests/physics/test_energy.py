@@ -11,11 +11,12 @@ from scipy.integrate import quad
 from physics.coupled import TwoMassChain, free_modes, free_motion
 from physics.energy import chain_energy, half_square, mean_energy
 from physics.forced import driven_modes, forced_motion
+from tests.grids import tries
 from tests.physics.chain_cases import chain_with, each_family
 from tests.physics.chain_families import drawn
 from tests.physics.chain_truth import U
 
-thorough = settings(max_examples=40)
+thorough = settings(max_examples=tries(40))
 LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
 STIFF = TwoMassChain(m1=2.0, m2=1.0, k1=1.0, k2=1e12)
 

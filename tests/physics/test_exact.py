@@ -26,9 +26,10 @@ from physics.exact import (
     two_sum,
     within_an_ulp,
 )
+from tests.grids import tries
 from tests.physics.chain_truth import U
 
-thorough = settings(max_examples=200)
+thorough = settings(max_examples=tries(200))
 anything = st.floats(-1e100, 1e100).filter(lambda x: x == 0.0 or abs(x) > 1e-100)
 
 

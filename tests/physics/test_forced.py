@@ -18,12 +18,13 @@ from physics.forced import (
     particular_solution,
     steady_start,
 )
+from tests.grids import tries
 from tests.physics.chain_cases import chain_of, chain_with, each_case, each_family
 from tests.physics.chain_families import FAMILIES, drawn
 from tests.physics.chain_truth import WORKING_BITS, Truth, U, rows, ulps, units, worst
 
 LARGEST = mp.mpf(sys.float_info.max)
-thorough = settings(max_examples=30)
+thorough = settings(max_examples=tries(30))
 LECTURE = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
 FIGURE = TwoMassChain(m1=1.0, m2=1.0, k1=1.0, k2=1.0)
 

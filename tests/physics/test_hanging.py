@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from physics.hanging import HangingMass
+from tests.grids import tries
 
 U = 2.0**-53
 MASS = HangingMass(m=2.0, k=50.0, g=9.81)
@@ -32,7 +33,7 @@ def test_gravity_moves_the_equilibrium_and_not_the_frequency():
     assert (weightless.delta_st, weightless.datum_shift) == (0.0, 0.0)
 
 
-@settings(max_examples=300)
+@settings(max_examples=tries(300))
 @given(m=positive, k=positive, g=positive, x=signed, v=signed)
 def test_energies_against_rational_arithmetic(m, k, g, x, v):
     M, K, W, X, V = (Fraction(value) for value in (m, k, Fraction(m) * Fraction(g), x, v))
@@ -51,7 +52,7 @@ def test_energies_against_rational_arithmetic(m, k, g, x, v):
     assert separate.V[0] == pytest.approx(float(true["spring"] + true["gravity"]), rel=4 * U)
 
 
-@settings(max_examples=100)
+@settings(max_examples=tries(100))
 @given(m=positive, k=positive, g=positive)
 def test_the_spring_is_relaxed_at_its_natural_length(m, k, g):
     """At x = -delta_st what is left is the rounding of x itself."""

@@ -13,6 +13,7 @@ from hypothesis import strategies as st
 from physics.coupled import TwoMassChain, free_modes
 from physics.modes import determinant_curve, mixture, quadratic, row_curves, trial, trial_forces
 from physics.sweeps import PARAMETERS, limit, sweep
+from tests.grids import tries
 
 U = 2.0**-53
 GOOD = TwoMassChain(m1=2.0, m2=1.0, k1=4.0, k2=2.0)
@@ -24,7 +25,7 @@ wide = st.floats(-200, 200).map(lambda power: 10.0**power)
 usual = st.floats(-3, 3).map(lambda power: 10.0**power)
 chains = st.builds(TwoMassChain, m1=wide, m2=wide, k1=wide, k2=wide)
 usual_chains = st.builds(TwoMassChain, m1=usual, m2=usual, k1=usual, k2=usual)
-thorough = settings(max_examples=60)
+thorough = settings(max_examples=tries(60))
 
 
 def matrix(chain: TwoMassChain, omega: float) -> mp.matrix:

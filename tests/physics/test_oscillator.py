@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from physics.oscillator import Oscillator
+from tests.grids import tries
 
 U = 2.0**-53
 TINY = 2.0**-1074
@@ -45,7 +46,7 @@ def within(value: float, true: mp.mpf, scale: mp.mpf, rounding_errors: float) ->
 
 @families
 def test_frequency_and_period_are_rounded_once(magnitudes):
-    @settings(max_examples=150)
+    @settings(max_examples=tries(150))
     @given(m=magnitudes, k=magnitudes)
     def check(m, k):
         oscillator = Oscillator(m=m, k=k)
@@ -62,7 +63,7 @@ def test_frequency_and_period_are_rounded_once(magnitudes):
 
 @families
 def test_motion_stays_within_4_u_of_its_amplitudes(magnitudes):
-    @settings(max_examples=150)
+    @settings(max_examples=tries(150))
     @given(m=magnitudes, k=magnitudes, x_0=signed(magnitudes), v_0=signed(magnitudes), t=signed(magnitudes))
     def check(m, k, x_0, v_0, t):
         with mp.workprec(PRECISION):
@@ -105,7 +106,7 @@ def test_a_million_million_periods_later(periods):
 
 @families
 def test_constants_are_rounded_once_and_the_phase_within_2_ulp(magnitudes):
-    @settings(max_examples=150)
+    @settings(max_examples=tries(150))
     @given(m=magnitudes, k=magnitudes, x_0=signed(magnitudes), v_0=signed(magnitudes))
     def check(m, k, x_0, v_0):
         with mp.workprec(PRECISION):

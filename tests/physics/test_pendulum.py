@@ -11,6 +11,7 @@ from scipy.integrate import solve_ivp
 
 from physics.pendulum import Pendulum, amplitude_at_excess, excess
 from physics.reference_single import period_ratio, swing
+from tests.grids import tries
 
 U = 2.0**-53
 LAST = math.nextafter(math.pi, 0)
@@ -35,7 +36,7 @@ def test_motion_within_4_u_of_its_amplitudes(theta_0, periods):
             assert abs(motion.theta_ddot[i] - acceleration) <= 6 * U * strongest
 
 
-@settings(max_examples=300)
+@settings(max_examples=tries(300))
 @given(st.one_of(st.floats(1e-140, math.pi), st.floats(0, 40).map(lambda n: math.pi - 2.0**-n)))
 def test_period_and_excess_are_rounded_once(theta_0):
     with mp.workdps(340):

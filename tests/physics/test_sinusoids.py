@@ -11,12 +11,13 @@ from hypothesis import strategies as st
 
 from physics.exact import exact
 from physics.sinusoids import SLOW, Beat, ExactSinusoid, added, total
+from tests.grids import tries
 from tests.physics.chain_truth import U
 
 ZERO, ONE = Decimal(0), Decimal(1)
 QUANTITIES = ("one", "other")
 small = st.floats(-1.0, 1.0)
-thorough = settings(max_examples=200)
+thorough = settings(max_examples=tries(200))
 
 
 @pytest.fixture(autouse=True)

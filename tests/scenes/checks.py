@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 import math
-import os
 import re
 from collections.abc import Iterator
 from typing import Any
@@ -15,13 +14,12 @@ import numpy as np
 from components.parameters import Quantity
 from components.scene import Scene
 from components.standing import Standing
+from tests.grids import WHOLE
 from tests.page.told import picture_wire
 
 LONG_NUMBER = re.compile(r"\d{7,}|\d\.\d{6,}|\bnan\b|\binf\b|e[-+]?\d", re.IGNORECASE)
 HYPHEN = re.compile(r"(?<![\w)\]])-\s?\.?\d")
 """A hyphen in the place of a true minus."""
-WHOLE = os.environ.get("GRIDS") == "whole"
-"""Whether grids are walked whole, as `make test-all` does, or sampled."""
 EXTREMES = (5e-324, 3e-310, 1e-300, 1e-150, 1e150, 1e300, 1.7e308)
 
 EXTREME_LINKS = (

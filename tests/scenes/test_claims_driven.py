@@ -14,10 +14,11 @@ from components.scenes.forced import Forced
 from components.scenes.forced.driven import growth_rate
 from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
+from tests.grids import WHOLE
 from tests.scenes.chains import chain, matrix, number, squares, starts
 from tests.scenes.said import Draw, said
 
-DRAWS = 200
+DRAWS = 200 if WHOLE else 80
 
 
 def amplitudes(scene: Any) -> list[Any] | None:
