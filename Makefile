@@ -16,8 +16,8 @@ BOTH_CORES := -n 2 --dist loadscope --no-loadscope-reorder
 # A text browser must not take the terminal: a page is opened only where there is a screen.
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
-.PHONY: run test test-all lint types hooks fast coverage attack audit digests reconnect load course soak deploy-test class up upgrade accuracy \
-	pictures bench walk protocol readme lock docker clean
+.PHONY: run test test-all lint format types hooks fast coverage attack audit digests reconnect load course soak deploy-test class up upgrade accuracy \
+	mutants pictures bench walk protocol readme lock docker clean
 
 run: $(VENV)/run.stamp
 	$(BIN)/python -m components.serving --address $(HOST) --port $(PORT) $(SHOW)
@@ -40,6 +40,12 @@ lint: $(VENV)/test.stamp
 	$(BIN)/oxlint static
 	$(BIN)/python -m tools.script_types
 
+# Writes all code as the linters want it.
+format: $(VENV)/test.stamp
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
+	$(BIN)/oxfmt '**/*.{js,css}'
+
 # The scripts against the page language: needs npm's registry once, and says so where it cannot be reached.
 types: $(VENV)/test.stamp
 	$(BIN)/python -m tools.script_types
@@ -55,6 +61,10 @@ fast: $(VENV)/test.stamp
 # The same, with the lines and branches that no test runs: what servers and workers run too. Pages in build/coverage.
 coverage: $(VENV)/test.stamp
 	$(BIN)/pytest $(BOTH_CORES) --cov --cov-report=term --cov-report=html -m "not browser"
+
+# Twenty faults in a copy of the project, and the tests that find them.
+mutants: $(VENV)/test.stamp
+	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tools.mutants $(ARGS)
 
 attack: $(VENV)/test.stamp
 	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tests.attack $(ARGS)

@@ -75,6 +75,7 @@ def test_networks_take_turns_and_one_of_them_does_not_fill_the_line() -> None:
     house = House(1)
     house.knock()
     flood = [house.queue.knock("", "a") for _ in range(2100)]
+    assert len(house.queue) == OF_A_NETWORK
     assert house.queue.knock("", "b")[0] == 2
     assert sum(house.queue.knock(ticket, "a")[0] <= LONGEST for _, ticket in flood[:600]) >= OF_A_NETWORK
     house.queue.places = 31  # places are free: who comes from elsewhere is in

@@ -22,6 +22,7 @@ def test_every_answer_has_the_headers_and_names_no_version(server: Server, path:
     assert headers["X-Content-Type-Options"] == "nosniff"
     assert headers["Referrer-Policy"] == "no-referrer"
     assert headers["Content-Security-Policy"].endswith("frame-ancestors 'self'")
+    assert {"default-src 'none'", "base-uri 'none'"} <= set(headers["Content-Security-Policy"].split("; "))
     assert headers["Permissions-Policy"].startswith("camera=(), ")
     assert "Server" not in headers
 
