@@ -80,7 +80,7 @@ MUTANTS = (
     # scripts
     Mutant("silence", "static/later/stream.js", "this.heardAt > SILENCE", "this.heardAt > 9 * SILENCE", "tests/js"),
     Mutant("twice told", "static/storage.js", "if (!told) note(NOTHING)", "note(NOTHING)", "tests/js"),
-    Mutant("slider", "static/scales.js", "Math.cbrt(value", "Math.sqrt(value", "tests/browser/test_scripts.py"),
+    Mutant("slider", "static/scales.js", "Math.cbrt(value", "Math.sqrt(value", "tests/browser/test_controls.py"),
     Mutant(
         "dead button", "static/transport.js", '() => clock.step(1), "icon forward"', '() => {}, "icon forward"',
         "tests/browser/test_page.py",
