@@ -57,7 +57,7 @@ MUTANTS = (
         "tests/page/test_covers.py",
     ),
     Mutant("rounding", "components/numbers.py", "{value:.2e}", "{value:.1e}", "tests/components/test_numbers.py"),
-    Mutant("link", "components/url.py", "DIGITS = 4\n", "DIGITS = 2\n", "tests/components/test_let_go.py"),
+    Mutant("link", "components/link.py", "DIGITS = 4\n", "DIGITS = 2\n", "tests/components/test_let_go.py"),
     Mutant(
         "answer", "components/walks/content/d31.toml",
         'answer = { is = 2.0, unit = "s"', 'answer = { is = 4.0, unit = "s"',

@@ -26,13 +26,7 @@ from components.scene import Scene
 from components.scene_sheet import plots
 from components.scenes import SCENES
 from components.standing import fitted
-<<<<<<< HEAD:tests/scenes/test_csv_export.py
-=======
-from components.take import as_csv, tables
-from components.take import comments as comments_of
-from components.url import read_query
 from tests.grids import sample
->>>>>>> d2bc8f4 (Random examples are a quarter as many unless whole grids are asked for; what costs seconds in many digits is sampled):tests/scenes/test_take.py
 from tests.page.told import Page
 from tests.scenes.checks import as_arguments, quantities
 
