@@ -11,7 +11,7 @@ export class Classes {
   /** @type {import("./later/teach.js").Teach | null} the class that this page leads */
   led = null
 
-  /** @param {import("./main.js").Lecture} lecture */
+  /** @param {LectureHost} lecture */
   constructor(lecture) {
     this.lecture = lecture
     const form = document.querySelector(".class-join")
@@ -31,7 +31,7 @@ export class Classes {
       const {teach} = await later("teach")
       this.led = await teach(this.lecture)
     } catch (reason) {
-      this.lecture.page.notify([inWords(reason)])
+      this.lecture.page.notice.tell(inWords(reason))
     }
     this.opening = false
   }

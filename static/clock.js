@@ -9,6 +9,7 @@ export class Clock {
     this.t = 0 // in the unit of the time axis
     this.end = 1
     this.unit = 1 // seconds in that unit
+    this.places = 2 // decimals of an instant as it is told
     this.pace = 1 // simulated over real seconds that 'auto' plays at
     this.limit = Infinity // the fastest at which the fastest motion can still be seen
     /** @type {number | "auto"} */
@@ -39,15 +40,14 @@ export class Clock {
     return this.asked > this.limit
   }
 
-  /**
-   * `axis` is the one that the clock runs through; without it nothing moves.
-   * @param {page.Ruler | undefined} axis @param {page.Pace} pace
-   */
-  update(axis, {auto, limit}) {
+  /** The clock runs through the axis of time; without one nothing moves. @param {Drawn} shown */
+  update({view: {axes, time, pace}}) {
+    const {[time]: axis} = axes
+    this.places = axis ? Math.min(Math.max(Math.ceil(2 - Math.log10(axis.end)), 0) + 1, 6) : 2
     this.end = axis?.end ?? 1
     this.unit = 10 ** (axis?.exponent ?? 0)
-    this.pace = auto
-    this.limit = limit ?? Infinity
+    this.pace = pace.auto
+    this.limit = pace.limit ?? Infinity
     if (this.t > this.end) this.t = 0
     this.touch()
   }
@@ -125,7 +125,7 @@ export class Clock {
     this.draw(this.t)
   }
 
-  stop() {
+  leave() {
     this.running = false
   }
 }

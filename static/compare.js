@@ -9,11 +9,6 @@ import {evaluate, roots} from "./signals.js"
 const LINGER = 1500 // ms for which the curves from before a drag lie there when the server has heard of letting go
 const LAST = 500 // ms after a key until it is taken for the last one
 
-/**
- * Columns that are drawn under the live ones, on axes that may have been others, and what they are called.
- * @typedef {{columns: Columns, axes: Record<string, page.Ruler>, name: string}} Under
- */
-
 export class Compare {
   /** @type {import("./later/ghosts.js").Ghosts | undefined} */
   ghosts
@@ -43,7 +38,7 @@ export class Compare {
   /** @type {Drawn | null} */
   last = null
 
-  /** @param {import("./page.js").Page} page */
+  /** @param {PartHost} page */
   constructor(page) {
     this.page = page
     this.hold = chip("Hold", "Keep these curves for comparison (H)", () => this.toggle())
@@ -60,25 +55,25 @@ export class Compare {
 
   /** What is drawn now is kept under what follows, or no longer. */
   toggle() {
-    this.page.lecture.change(({held, before, parameters}) => ({held: held ? null : (before ?? parameters)}))
+    this.page.host.change(({held, before, parameters}) => ({held: held ? null : (before ?? parameters)}))
   }
 
   /** The choice of what to cover; where something is covered, all of it comes back. */
   #predict() {
-    const {lecture, shown} = this.page
-    if (shown.state.covered.length) return lecture.change(() => ({covered: []}))
+    const {host, shown} = this.page
+    if (shown.state.covered.length) return host.change(() => ({covered: []}))
     using("predict", ({choose}) => choose(this.page, this.predict))
   }
 
   /** One more part of the page waits for a prediction. @param {string} cover */
   cover(cover) {
-    this.page.lecture.change(({covered}) => ({covered: [...covered, cover]}))
+    this.page.host.change(({covered}) => ({covered: [...covered, cover]}))
   }
 
   /** What is covered comes back, and the stage, which moves as it tells. @param {string} cover */
   reveal(cover) {
     const open = new Set([cover, "next", "stage"])
-    this.page.lecture.change(({covered}) => ({covered: covered.filter(name => !open.has(name))}))
+    this.page.host.change(({covered}) => ({covered: covered.filter(name => !open.has(name))}))
   }
 
   get buttons() {
@@ -112,7 +107,7 @@ export class Compare {
   /** A slider or a key has been let go; what the frame then does is one change with what has been set. */
   #letGo() {
     const {deed} = this
-    if (deed) this.page.lecture.line.send({type: "set", values: {}, holding: false}, {deed})
+    if (deed) this.page.host.line.send({type: "set", values: {}, holding: false}, {deed})
     Object.assign(this, {deed: "", press: ""})
   }
 
@@ -189,7 +184,7 @@ export class Compare {
   #draw() {
     const {shown} = this.page
     const {held, view} = shown
-    /** @type {Under | null} */
+    /** @type {import("./later/ghosts.js").Under | null} */
     let under = null
     if (held) under = {columns: held.columns, axes: view.axes, name: "held"}
     else if (this.before && this.before !== shown) {

@@ -88,7 +88,7 @@ function factTable(rows) {
   return element("table", {class: "facts-table"}, ...lines)
 }
 
-class Controls {
+export class Controls {
   /** @type {Map<string, Slider>} */
   sliders = new Map()
 
@@ -242,12 +242,3 @@ class Controls {
 
 /** Whether a row is a choice of small pictures. @param {page.ControlRow} row */
 export const isPicker = row => row.kind === "choice" && Object.keys(row.pictures).length > 0
-
-/**
- * Builds the panel in `host`; `update` of what it returns takes what is shown.
- * @param {HTMLElement} host @param {page.Panel} spec @param {Send} send @param {Take} take
- * @param {BuildPicker} [buildPicker]
- */
-export function buildControls(host, spec, send, take, buildPicker) {
-  return new Controls(host, spec, send, take, buildPicker)
-}

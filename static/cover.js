@@ -34,7 +34,7 @@ export class Cover {
   /** @type {HTMLElement | undefined} */
   element
 
-  /** @param {import("./plots.js").Plot} plot */
+  /** @param {PlotHost} plot */
   constructor(plot) {
     this.plot = plot
   }

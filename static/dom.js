@@ -100,6 +100,9 @@ const RUNS = {
 /** @param {page.Runs} runs */
 export const words = runs => runs.flatMap(({kind, text}) => RUNS[kind](text))
 
+/** The next frame; a page in a tab that nobody sees is not waited for. */
+export const frame = () => Promise.race([new Promise(requestAnimationFrame), new Promise(done => setTimeout(done, 50))])
+
 /** The box of the surface that a part stands on: paper or panel, and on a phone, where these have none, the page. */
 export const surface = (/** @type {Element} */ part) =>
   [".paper, .panel", ".page"].map(kind => part.closest(kind)?.getBoundingClientRect()).find(box => box?.width)

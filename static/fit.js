@@ -4,16 +4,16 @@ import {element} from "./dom.js"
 
 /** The button, there while the frame is another one; its place is kept. */
 export class Fit {
-  /** @param {import("./page.js").Page} page */
+  /** @param {PartHost} page */
   constructor(page) {
     this.element = element(
       "button",
       {type: "button", class: "chip fit", title: "Fit axes, time window and speed (0)"},
       "Fit",
     )
-    this.element.addEventListener("click", () => page.lecture.fit())
+    this.element.addEventListener("click", () => page.host.fit())
     page.paper.addEventListener("dblclick", event => {
-      if (event.target instanceof Element && event.target.closest(".plot-area")) page.lecture.fit()
+      if (event.target instanceof Element && event.target.closest(".plot-area")) page.host.fit()
     })
   }
 

@@ -31,7 +31,6 @@ const HOLDS = {
   arrow: s => [s.x2, s.y2, 0],
 }
 
-/** @typedef {import("./hand.js").Point} Point */
 /** @typedef {{grip: HTMLElement, grab: page.Grab, needs: string[], x: number, y: number, lift: number}} Grip */
 
 export class Grips {
@@ -41,7 +40,7 @@ export class Grips {
   /** @type {Named} */
   all = {}
 
-  /** @param {HTMLElement} host @param {import("./page.js").Page} page */
+  /** @param {HTMLElement} host @param {PartHost} page */
   constructor(host, page) {
     this.page = page
     this.element = element("div", {class: "grips"})
@@ -68,7 +67,7 @@ export class Grips {
     }
     grip.grip.addEventListener("pointerdown", event => this.#drag(event, grip))
     grip.grip.addEventListener("keydown", event => this.#key(event, grip))
-    grip.grip.addEventListener("pointercancel", () => this.page.hand.rest()) // what is taken away is no flick
+    grip.grip.addEventListener("pointercancel", () => this.page.hand.grab?.rest()) // what is taken away is no flick
     grip.grip.addEventListener("blur", () => this.#let(grip))
     this.element.append(grip.grip, this.why)
     this.grips.set(shape, grip)
@@ -80,7 +79,7 @@ export class Grips {
     if (!found) return
     const shown = drawn && found.needs.every(name => name in all)
     this.all = all
-    const isHeld = this.page.hand.grab === found.grab
+    const isHeld = this.page.hand.holds(found.grab)
     found.grip.hidden = !shown && !isHeld // what a hand holds does not vanish under it
     if (!shown) return
     const [x, y, size] = HOLDS[s.kind](s)
@@ -96,8 +95,7 @@ export class Grips {
 
   /** Why a value cannot be, beside the hand. @param {Grip} grip @param {number} wide */
   #say({x, y}, wide) {
-    const {refusal} = this.page.hand
-    reword(this.why, refusal)
+    reword(this.why, this.page.hand.grab?.refusal ?? "")
     this.why.style.transform = `translate(${long(x + wide / 2)}, ${long(y - 12)})`
   }
 
@@ -159,17 +157,17 @@ export class Grips {
 
   /** @param {Grip} grip */
   #take(grip) {
-    const {hand} = this.page
-    hand.take(grip.grab)
+    this.page.hand.take(grip.grab)
     const begun = new Set(grip.grab.start.map(({parameter}) => parameter))
-    if (grip.grab.begins && !set(grip.grab).every(name => begun.has(name))) hand.move({x: grip.x, y: grip.y}, this.all)
+    if (grip.grab.begins && !set(grip.grab).every(name => begun.has(name)))
+      this.page.hand.grab?.move({x: grip.x, y: grip.y}, this.all)
   }
 
   /** Where the hand is, no further than the paper or the frame of a plot. @param {Point} at */
   #move({x, y}) {
-    const {hand} = this.page
-    const {left, right, top, bottom} = hand.grab?.inside ? this.#frame(hand.grab.inside) : this.#paper()
-    hand.move({x: Math.min(Math.max(x, left), right), y: Math.min(Math.max(y, top), bottom)}, this.all)
+    const {grab} = this.page.hand
+    const {left, right, top, bottom} = grab?.spec.inside ? this.#frame(grab.spec.inside) : this.#paper()
+    grab?.move({x: Math.min(Math.max(x, left), right), y: Math.min(Math.max(y, top), bottom)}, this.all)
   }
 
   #paper() {
@@ -195,20 +193,20 @@ export class Grips {
     const {hand} = this.page
     const way = KEYS[event.key]
     const end = ENDS[event.key]
-    const held = hand.grab === grip.grab
+    const held = hand.holds(grip.grab)
     const lets = held && (event.key === "Enter" || event.key === " ")
     if (!way && end === undefined && !lets) return
     event.preventDefault()
     if (lets) return this.#let(grip)
     if (!held) this.#take(grip)
     if (way) this.#move(stepped(grip, way, event.shiftKey ? 1 : STEP, this.all))
-    else hand.put(this.#ends(set(grip.grab)[0])[end])
-    hand.rest()
+    else hand.grab?.put(this.#ends(set(grip.grab)[0])[end])
+    hand.grab?.rest()
   }
 
   /** @param {Grip} grip */
   #let(grip) {
-    if (this.page.hand.grab === grip.grab) this.page.hand.release(this.all)
+    if (this.page.hand.holds(grip.grab)) this.page.hand.grab?.release(this.all)
   }
 }
 

@@ -11,7 +11,7 @@ export class Hall {
   /** @type {HTMLElement | undefined} says what the next key does */
   offer
 
-  /** @param {import("./main.js").Lecture} lecture */
+  /** @param {LectureHost} lecture */
   constructor(lecture) {
     this.lecture = lecture
     addEventListener("pagehide", () => tabStorage.keep(FULL, document.fullscreenElement ? "was" : ""))
@@ -32,21 +32,13 @@ export class Hall {
     if (this.on) delete root.dataset.mode
     else root.dataset.mode = "projector"
     delete root.dataset.panel
-    this.#changed()
+    this.lecture.page.place()
     this.lecture.readdress()
     this.#point()
     this.shown(this.lecture.page)
   }
 
-  /** What is drawn in pixels is drawn anew. */
-  #changed() {
-    const {page} = this.lecture
-    for (const stage of page.stages) stage.fit()
-    for (const plot of page.plots) plot.layout()
-    page.redraw()
-  }
-
-  /** Its values stand in one line while the panel is folded away. @param {import("./page.js").Page} page */
+  /** Its values stand in one line while the panel is folded away. @param {PartHost} page */
   async shown(page) {
     if (!this.on) return
     const {values} = await later("values")
@@ -64,7 +56,7 @@ export class Hall {
   fold() {
     const {panel} = this.lecture.page
     root.dataset.panel = panel.classList.contains("folded") || isFolded(panel) ? "open" : "folded"
-    this.#changed()
+    this.lecture.page.place()
   }
 
   /** It stays through scenes and steps, which are one page. */

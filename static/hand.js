@@ -9,15 +9,62 @@ const FLICK = 120 // ms before letting go over which its velocity is taken
 const GRABBED = "grabbed"
 const QUARTER = Math.PI / 2 // of a turn
 const STILL = 40 // pixels a second, below which a hand rests
-/** @typedef {{x: number, y: number}} Point */
 
 /** What an axis is to a quantity that is drawn on none. @type {page.Ruler} */
 const PLAIN = {start: 0, end: 1, ticks: [], labels: [], unit: "", exponent: 0, factor: 1, power: 1, log: false}
 
 export class Hand {
-  /** @type {page.Grab | null} what is held */
-  grab = null
+  /** @type {Grab | null | undefined} what is held; undefined until something has been */
+  grab
 
+  /** @type {import("./later/hint.js").Hint | undefined} until something has been grabbed */
+  hint
+
+  /** @param {PartHost} page */
+  constructor(page) {
+    this.page = page
+  }
+
+  /** The numbers that are drawn in place of those of the picture. @returns {Named} */
+  get named() {
+    return this.grab?.named ?? {}
+  }
+
+  /** Says once what a hand can do. */
+  introduce() {
+    if (browserStorage.text(GRABBED) === null)
+      using("hint", ({Hint}) => this.page.left || this.grab !== undefined || (this.hint ??= new Hint(this.page)))
+  }
+
+  /** @param {page.Grab} spec */
+  holds(spec) {
+    return this.grab?.spec === spec
+  }
+
+  /** @param {page.Grab} spec */
+  take(spec) {
+    browserStorage.keep(GRABBED, "yes")
+    this.hint?.leave()
+    if (this.grab?.spec === spec) return this.grab.again()
+    const {clock, compare} = this.page
+    const now = compare.named(clock.t)
+    this.grab = new Grab(spec, this.page)
+    if (spec.begins) this.grab.begin(now)
+  }
+
+  /** @param {Drawn} shown */
+  update(shown) {
+    this.hint?.update()
+    if (this.grab?.hasEnded(shown)) {
+      const {grab} = this
+      this.grab = null
+      grab.end()
+    }
+  }
+}
+
+/** One thing that a hand has taken hold of, until the last answer after it has let go. */
+class Grab {
   /** @type {Named} what is drawn in place of the picture's own numbers, in SI by the name that it moves */
   moved = {}
 
@@ -33,27 +80,22 @@ export class Hand {
   /** @type {{at: Point, when: number}[]} */
   trail = []
 
-  /** @type {import("./later/hint.js").Hint | undefined} until something has been grabbed */
-  hint
-
-  grabbed = false // something has been, on this page
-
   refusal = ""
-  from = 0
+  first = 0 // the number of its first message
   leaving = false
-  plays = false
+  plays = false // as the clock did before
 
-  /** @param {import("./page.js").Page} page */
-  constructor(page) {
+  /** @param {page.Grab} spec @param {PartHost} page */
+  constructor(spec, page) {
+    this.spec = spec
     this.page = page
   }
 
   /** The numbers that are drawn in place of those of the picture. @returns {Named} */
   get named() {
-    if (!this.grab) return {}
     /** @type {Named} */
     const named = {...this.frozen}
-    for (const {moves, axis} of this.grab.ways) {
+    for (const {moves, axis} of this.spec.ways) {
       if (moves in this.moved) named[moves] = toPlace(this.#ruler(axis), this.moved[moves])
     }
     return named
@@ -64,31 +106,16 @@ export class Hand {
     return this.page.shown.view.axes[axis] ?? PLAIN
   }
 
-  /** Says once what a hand can do. */
-  introduce() {
-    if (browserStorage.text(GRABBED) === null)
-      using("hint", ({Hint}) => this.page.left || this.grabbed || (this.hint ??= new Hint(this.page)))
-  }
-
-  /** @param {page.Grab} grab */
-  take(grab) {
-    browserStorage.keep(GRABBED, "yes")
-    this.hint?.leave()
-    this.grabbed = true
+  /** A motion is to begin with what stands at an instant. @param {Named} now */
+  begin(now) {
+    const {start} = this.spec
     const {clock, shown} = this.page
-    const {signals} = shown.view
-    const now = this.page.compare.named(clock.t)
-    const again = this.grab === grab
-    Object.assign(this, {grab, leaving: false, refusal: "", trail: []})
-    if (again) return
-    Object.assign(this, {moved: {}, good: {}, frozen: {}, begun: {}})
-    if (!grab.begins) return
-    this.frozen = roots(signals, now)
+    this.frozen = roots(shown.view.signals, now)
     this.plays = clock.playing
     clock.playing = false
     clock.seek(0)
-    if (!grab.start.length) return
-    const values = grab.start.map(({parameter, of, axis, size, per, exactly, angle}) => {
+    if (!start.length) return
+    const values = start.map(({parameter, of, axis, size, per, exactly, angle}) => {
       const seconds = per ? 10 ** this.#ruler(per).exponent : 1
       const value = of ? toSI(this.#ruler(axis), now[of]) / seconds / size : 0
       return [parameter, angle ? turned(value) : exactly ? value : digits(value)]
@@ -97,16 +124,22 @@ export class Hand {
     this.#send(this.begun)
   }
 
+  /** It is taken once more before all is answered. */
+  again() {
+    this.leaving = false
+    this.refusal = ""
+    this.rest()
+  }
+
   /**
    * The hand is at a point of a stage, whose named quantities are `all`.
    * @param {Point} at @param {Named} all
    */
   move(at, all) {
-    if (!this.grab) return
     this.trail.push({at, when: performance.now()})
     /** @type {Record<string, number>} */
     const values = {}
-    for (const way of this.grab.ways) {
+    for (const way of this.spec.ways) {
       const {si, value, pixel} = placed(way, at, all, this.#ruler(way.axis))
       if (way.moves && !this.refusal) this.moved[way.moves] = si
       if (way.parameter) values[way.parameter] = pixel === null ? value : rounded(value / way.size, pixel / way.size)
@@ -117,7 +150,7 @@ export class Hand {
 
   /** The first value is to be this one; the others stay. @param {number} value */
   put(value) {
-    const way = this.grab?.ways.find(one => one.parameter)
+    const way = this.spec.ways.find(one => one.parameter)
     if (!way) return
     this.moved = {}
     this.#send({[way.parameter]: value})
@@ -130,21 +163,20 @@ export class Hand {
 
   /** Letting go: the motion starts as soon as all is answered, with the velocity of the hand. @param {Named} all */
   release(all) {
-    if (!this.grab) return
     this.leaving = true
     this.#send(this.#flick(all), false)
   }
 
   /** What a flick gives; without one nothing, but the frame may grow again. @param {Named} all */
   #flick(all) {
-    const {grab, trail, page} = this
+    const {spec, trail, page} = this
     const last = trail[trail.length - 1]
     const recent = trail.findIndex(({when}) => when > last.when - FLICK)
     const first = trail[Math.min(recent, trail.length - 2)]
     if (!first || performance.now() - last.when > FLICK) return {}
     /** @type {Record<string, number>} */
     const values = {}
-    for (const way of grab?.ways ?? []) {
+    for (const way of spec.ways) {
       if (this.refusal || !(way.rate || way.kind === "swung")) continue
       const seconds = (last.when - first.when) / 1000
       const far = Math.hypot(last.at.x - first.at.x, last.at.y - first.at.y)
@@ -173,26 +205,25 @@ export class Hand {
 
   /** @param {Record<string, number>} values @param {boolean} [holding] */
   #send(values, holding = true) {
-    const {line} = this.page.lecture
     this.page.send({type: "set", values, holding})
-    if (!this.from) this.from = line.number + line.outbox.length
+    this.first ||= this.page.host.line.last
   }
 
-  /** An answer has come. @param {Drawn} shown */
-  heard({answer, errors}) {
-    this.hint?.changed()
-    if (!this.grab || answer === null || answer < this.from) return
-    const refused = this.grab.ways.map(way => errors[way.parameter]).find(Boolean) ?? ""
-    this.refusal = refused
-    if (refused) Object.assign(this.moved, this.good)
+  /** An answer has come: whether it is the last. @param {Drawn} shown */
+  hasEnded({answer, errors}) {
+    if (answer === null || answer < this.first) return false
+    this.refusal = this.spec.ways.map(way => errors[way.parameter]).find(Boolean) ?? ""
+    if (this.refusal) Object.assign(this.moved, this.good)
     else this.good = {...this.moved}
-    const {line} = this.page.lecture
     this.frozen = {}
-    if (!this.leaving || line.asked || line.outbox.length) return
-    const {begins} = this.grab
-    Object.assign(this, {grab: null, moved: {}, good: {}, frozen: {}, from: 0, leaving: false})
-    if (begins && !this.page.compare.still)
-      this.page.clock.playing = this.plays || !matchMedia("(prefers-reduced-motion: reduce)").matches
+    return this.leaving && this.page.host.line.rests
+  }
+
+  /** What has been begun plays. */
+  end() {
+    const {clock, compare} = this.page
+    if (this.spec.begins && !compare.still)
+      clock.playing = this.plays || !matchMedia("(prefers-reduced-motion: reduce)").matches
   }
 }
 

@@ -16,7 +16,7 @@ const KEYS = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown:
  */
 
 export class Handles {
-  /** @param {import("./plots.js").Plot} plot */
+  /** @param {PlotHost} plot */
   constructor(plot) {
     this.plot = plot
     const {handles, time, x_labels: numbered} = plot.block
@@ -35,7 +35,7 @@ export class Handles {
 
   /**
    * A handle that has the focus is explained as the slider of its parameter is.
-   * @param {ReturnType<typeof import("./controls.js").buildControls>} controls
+   * @param {PartHost["controls"]} controls
    */
   help(controls) {
     for (const {element: pill, handle} of this.setters) {

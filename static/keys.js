@@ -8,8 +8,7 @@ import {BEGINS_NUMBER} from "./numbers.js"
 /**
  * A key by what the event calls it, as it is shown, what it does in words, and the deed; what matches `own` and has the
  * focus keeps it for itself; one that is `shared` is heard by others too.
- * @typedef {import("./main.js").Lecture} Lecture
- * @typedef {(lecture: Lecture) => void} Act
+ * @typedef {(lecture: LectureHost) => void} Act
  * @typedef {{keys: string[], shown: string, does: string, act: Act, own?: string, shared?: boolean}} Key
  */
 
@@ -18,7 +17,7 @@ const MOVED = "input, [role=slider], [role=application], [role=menuitem]"
 const OPEN = ".walks[open], .scene-menu[open], .card .follows[open], dialog.keys"
 const OFF = "single-keys"
 
-/** @param {Lecture} lecture @param {() => void} act on a clock that is not held by a question */
+/** @param {LectureHost} lecture @param {() => void} act on a clock that is not held by a question */
 function timed({page}, act) {
   if (!page.compare.still && !page.transport.element.inert && !page.transport.element.classList.contains("idle")) act()
 }
@@ -79,7 +78,7 @@ export const singles = {
   },
 }
 
-/** @param {Lecture} lecture */
+/** @param {LectureHost} lecture */
 export function listen(lecture) {
   singles.read()
   document.querySelector("#keys")?.addEventListener("click", () => list(lecture))
@@ -88,7 +87,7 @@ export function listen(lecture) {
 
 /**
  * Page Down and Page Up belong to a walk, and without one to what has the focus.
- * @param {KeyboardEvent} event @param {Lecture} lecture
+ * @param {KeyboardEvent} event @param {LectureHost} lecture
  */
 function hear(event, lecture) {
   const black = document.querySelector(".blank")
@@ -141,7 +140,7 @@ function close() {
   }
 }
 
-/** @param {Lecture} lecture */
+/** @param {LectureHost} lecture */
 function list(lecture) {
-  using("keylist", ({toggleList}) => toggleList(lecture))
+  using("keylist", ({toggleList}) => toggleList(KEYS, singles, ({act}) => act(lecture)))
 }

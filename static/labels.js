@@ -1,15 +1,14 @@
 // Labels over a plot, which stand still between changes: numbers beside it, names of curves and bands, flags at marks.
 
+import {toSI} from "./ruler.js"
 import {long, marked, set, svg, textWidth, units, unitSize, words} from "./dom.js"
 
 const OVERHANG = 6 // a number with its unit may stand out by so much to the left before the unit goes under it
 
 const LIFT = 44 // units that a flag stands over the frame; one over another stands higher
 
-/** @typedef {{x: number, y: number}} Place */
-
 export class Labels {
-  /** @param {import("./plots.js").Plot} plot */
+  /** @param {Canvas} plot */
   constructor(plot) {
     const {curves, regions} = plot.block
     this.plot = plot
@@ -24,7 +23,7 @@ export class Labels {
   }
 
   place() {
-    /** @type {Place[]} */
+    /** @type {Point[]} */
     const taken = []
     this.#numbers()
     this.#nameCurves()
@@ -89,7 +88,7 @@ export class Labels {
 
   /**
    * The name of a band stands where the band is thickest and no other name stands.
-   * @param {page.Region} band @param {SVGTextElement} text @param {Place[]} taken
+   * @param {page.Region} band @param {SVGTextElement} text @param {Point[]} taken
    */
   #labelBand(band, text, taken) {
     const {[band.high]: high, [band.low]: low, [band.x]: xs} = this.plot.view.columns[band.source] ?? {}
@@ -117,7 +116,7 @@ function everyWhich(heights) {
   return Math.max(Math.ceil(units("t0") / gap), 1)
 }
 
-/** @param {Place} place @param {Place[]} taken */
+/** @param {Point} place @param {Point[]} taken */
 const isTaken = ({x, y}, taken) => taken.some(other => Math.abs(other.x - x) < 56 && Math.abs(other.y - y) < 14)
 
 /**
@@ -132,7 +131,7 @@ export function apart(heights, gap, bottom) {
 }
 
 export class Flags {
-  /** @param {import("./plots.js").Plot} plot */
+  /** @param {Canvas} plot */
   constructor(plot) {
     this.plot = plot
     this.marks = plot.block.marks.map(mark => this.#mark(mark))
@@ -163,7 +162,7 @@ export class Flags {
   #asked({act, set: name, exactly, at, axis}) {
     if (act) return {type: "act", name: act}
     const {scalars} = this.plot.view
-    return {type: "set", values: {[name]: exactly ? scalars[exactly] : this.plot.si(scalars[at], axis)}}
+    return {type: "set", values: {[name]: exactly ? scalars[exactly] : toSI(this.plot[axis], scalars[at])}}
   }
 
   /** @param {{mark: page.Mark, line: SVGLineElement, flag: HTMLElement, at: number}} one */

@@ -114,6 +114,16 @@ export class Line {
     }
   }
 
+  /** The number that what was said last has, or will have. */
+  get last() {
+    return this.number + this.outbox.length
+  }
+
+  /** Whether all has been answered. */
+  get rests() {
+    return !this.#queue.length
+  }
+
   /** What waits for a wire, by parameter: the newest value, or what was typed. @returns {Waits} */
   get waiting() {
     return new Map(this.behind ? this.#queue.flatMap(({message}) => Object.entries(givenIn(message))) : [])

@@ -5,13 +5,13 @@ import {unpacked} from "./columns.js"
 import {Classes} from "./classes.js"
 import {Busy} from "./busy.js"
 import {Connection} from "./connection.js"
-import {isPicker} from "./controls.js"
 import {Hall} from "./hall.js"
+import {frame} from "./dom.js"
 import {listen} from "./keys.js"
-import {later} from "./later.js"
 import {Line} from "./line.js"
-import {Page, frame} from "./page.js"
+import {Page, extrasFor} from "./page.js"
 import {download} from "./save.js"
+import {Sheets} from "./sheets.js"
 import {Shell} from "./shell.js"
 import {Undo} from "./undo.js"
 import {showWaiting} from "./waiting.js"
@@ -19,23 +19,23 @@ import {Walks} from "./walks.js"
 
 const MOMENT = 200 // ms without a further change until the address is written: browsers ration that
 
-/**
- * @typedef {import("./page.js").Extras} Extras
- * @typedef {import("./line.js").Asked} Asked
- */
+/** @typedef {import("./line.js").Asked} Asked */
 
 export class Lecture {
   /** @type {Page} the one that is seen */
   page
 
-  /** @type {Map<string, Promise<page.SceneSheet>>} */
-  sheets = new Map()
+  sheets = new Sheets()
 
   /** @type {Promise<unknown>} */
   turning = Promise.resolve()
 
   /** @type {Promise<void> | undefined} until the first try to connect has ended */
   connected
+
+  /** @type {Hall} */ hall
+  /** @type {Walks} */ walks
+  /** @type {Classes} */ classes
 
   busy = new Busy()
 
@@ -172,7 +172,7 @@ export class Lecture {
 
   /** @param {Packet} packet */
   async #unpacked({sheet, data}) {
-    return unpacked(data, sheet ? (await this.sheet(sheet)).usual : "")
+    return unpacked(data, sheet ? (await this.sheets.fetch(sheet)).usual : "")
   }
 
   /** What cannot be read, or not be fetched: the connection is taken up anew, or this page by a new one. */
@@ -198,6 +198,7 @@ export class Lecture {
     if (shown.scene === this.page?.spec.slug) {
       this.#wait() // before, so that it is not overwritten, and after for what has been
       this.page.apply(shown, asked)
+      this.hall.shown(this.page)
       this.#wait()
     } else if (!(await this.#turn(shown))) return
     const refused = Object.keys(shown.errors).length > 0
@@ -210,12 +211,15 @@ export class Lecture {
   async #turn(shown) {
     document.documentElement.dataset.ready = "false"
     try {
-      const sheet = await this.sheet(shown.sheet)
+      const sheet = await this.sheets.fetch(shown.sheet)
       const page = new Page(sheet, await extrasFor(sheet), this)
       const before = this.page
+      page.controls.presets.element.append(this.undo.element)
+      page.panel.append(this.hall.tab())
       this.host.querySelector(".page")?.remove()
       this.host.append(page.root)
       page.start(shown)
+      this.hall.shown(page)
       showWaiting(page, this.line.waiting)
       this.page = page
       this.shell.turned(sheet, Boolean(before))
@@ -236,19 +240,6 @@ export class Lecture {
     await Promise.all([this.connected, page.join()])
     if (page === this.page) document.documentElement.dataset.ready = "true"
     await this.#complete(page)
-  }
-
-  /** A sheet never changes: it is fetched once. @param {string} address @returns {Promise<page.SceneSheet>} */
-  sheet(address) {
-    const known = this.sheets.get(address)
-    if (known) return known
-    const fetched = fetch(new URL(`assets/${address}`, document.baseURI)).then(answer => {
-      if (!answer.ok) throw new Error(`${address}: ${answer.status}`)
-      return answer.json()
-    })
-    fetched.catch(() => this.sheets.delete(address))
-    this.sheets.set(address, fetched)
-    return fetched
   }
 
   /**
@@ -278,15 +269,6 @@ export class Lecture {
     this.late?.()
     this.late = null
   }
-}
-
-/** What only some scenes need, asked for by them alone. @param {page.SceneSheet} sheet @returns {Promise<Extras>} */
-export async function extrasFor({runs, panel}) {
-  /** @type {Promise<Extras>[]} */
-  const wanted = []
-  if (runs) wanted.push(later("runbar"))
-  if (panel.groups.some(group => group.rows.some(isPicker))) wanted.push(later("picker"))
-  return Object.assign({}, ...(await Promise.all(wanted)))
 }
 
 /** The page brings its first picture with it, packed as all that is told. */

@@ -52,7 +52,7 @@ export class Menu {
 
   /** A question is asked of a scene: a step of a walk is one already. */
   async #ask() {
-    if (this.walks.walk) this.walks.lecture.page.notify(["Leave the walk first: a question is written on a scene."])
+    if (this.walks.walk) this.walks.lecture.page.notice.tell("Leave the walk first: a question is written on a scene.")
     else (await later("ask")).ask(this.walks)
   }
 

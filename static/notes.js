@@ -1,4 +1,4 @@
-// A sentence at the foot of the page: what the visitor should know, and what is seen stays as it is.
+// Sentences that the visitor should know: at the foot of the page, where what is seen stays as it is, and over a scene.
 
 import {element} from "./dom.js"
 
@@ -16,4 +16,27 @@ export function note(sentence, ...parts) {
   document.body.append(said)
   said.prepend(element("span", {}, sentence), ...parts) // what comes into a status that is there is read out
   return () => said.remove()
+}
+
+/** Why something asked of a scene was not done, over it until it is closed. */
+export class Notice {
+  element = element("div", {class: "notice", role: "alert", hidden: ""})
+
+  /** @param {string} sentence */
+  tell(sentence) {
+    const close = element("button", {type: "button", "aria-label": "Close"}, "×")
+    close.addEventListener("click", () => this.hide())
+    this.element.replaceChildren(element("span", {}, sentence), close)
+    this.element.hidden = false
+  }
+
+  hide() {
+    this.element.hidden = true
+  }
+
+  /** @param {Drawn} shown */
+  update({problems, errors}) {
+    const sentence = [...problems, errors.message, errors.state].filter(Boolean).join(" ")
+    if (sentence) this.tell(sentence)
+  }
 }

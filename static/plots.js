@@ -7,7 +7,7 @@ import {Figure} from "./figure.js"
 import {Handles} from "./handles.js"
 import {Flags, Labels} from "./labels.js"
 import {Reading, isOnControl} from "./reading.js"
-import {toOneScale, toSI} from "./ruler.js"
+import {toOneScale} from "./ruler.js"
 
 const REACH = 16 // units from a press to the point that it picks
 const NOWHERE = {left: 0, top: 0, width: 1, height: 1}
@@ -27,7 +27,7 @@ export class Plot {
   /** @type {import("./later/ghosts.js").PlotGhost | undefined} other curves under those of the figure */
   ghost
 
-  /** @param {page.PlotBlock} block @param {HTMLElement} host @param {import("./page.js").Page} page */
+  /** @param {page.PlotBlock} block @param {HTMLElement} host @param {PartHost} page */
   constructor(block, host, page) {
     this.block = block
     this.host = host
@@ -51,7 +51,7 @@ export class Plot {
     this.dots = block.curves.filter(curve => curve.signal).map(curve => this.#dot(curve))
     if (block.handles.some(handle => handle.axis === "y")) host.style.touchAction = "none"
     this.#pointer()
-    this.observer = new ResizeObserver(() => this.layout() && this.page.join())
+    this.observer = new ResizeObserver(() => this.place() && this.page.join())
     this.observer.observe(host)
   }
 
@@ -120,7 +120,7 @@ export class Plot {
   }
 
   /** The place that there is: Bokeh leaves the same room around its frame, in whole pixels. @returns {Frame} */
-  place() {
+  get room() {
     const {left, right, top, bottom} = this.figure.room
     const {width, height} = this.host.getBoundingClientRect()
     const [across, down] = [Math.floor(width) - left - right, Math.floor(height) - top - bottom]
@@ -129,7 +129,7 @@ export class Plot {
   }
 
   /** Takes a place, if there is any room, and says whether it is another than before. */
-  layout(box = this.place()) {
+  place(box = this.room) {
     if (box.width <= 0 || box.height <= 0) return false
     const isSame = box.width === this.box?.width && box.height === this.box.height && this.unit === unitSize()
     if (isSame) return false
@@ -165,6 +165,7 @@ export class Plot {
     this.#widen()
     this.#draw()
     this.still()
+    if (this.waits) this.page.join()
   }
 
   #draw() {
@@ -210,11 +211,6 @@ export class Plot {
     this.labels.place()
     this.flags.place()
     this.handles.place()
-  }
-
-  /** What a place on an axis stands for, in SI. @param {number} place @param {"x" | "y"} which */
-  si(place, which) {
-    return toSI(this[which], place)
   }
 
   /** The place on an axis at the pointer. @param {PointerEvent} event @param {"x" | "y"} [which] */

@@ -8,7 +8,7 @@ const STEPS = 2 ** 16 - 1 // of three heights of the frame, in which columns are
 const PRESSED = "button, .pill, .flag, .cover"
 
 export class Reading {
-  /** @param {import("./plots.js").Plot} plot */
+  /** @param {PlotHost} plot */
   constructor(plot) {
     this.plot = plot
     this.aim = svg("line", {class: "aim"})

@@ -30,7 +30,7 @@ export class Sheet {
   /** @type {{host: HTMLElement, height: number | null}[]} stages that stay in sight on a phone */
   sticky = []
 
-  /** @param {page.Block} block @param {import("./page.js").Page} page */
+  /** @param {page.Block} block @param {PartHost} page */
   constructor(block, page) {
     this.page = page
     this.element = this.#block(block)
@@ -152,7 +152,7 @@ export class Sheet {
   }
 
   /** @param {Drawn} shown */
-  update({view: {forms}, settings, state: {covered}}) {
+  update({view: {forms}, settings, state: {covered, before}}) {
     for (const {term, part, variants} of this.headings) {
       const wanted = forms[term.form] ?? "formula"
       let shown = false
@@ -175,9 +175,12 @@ export class Sheet {
       for (const {name: variant, text} of variants) text.hidden = variant !== wanted
     }
     this.choices.forEach(choice => choice.update(settings))
+    const {root} = this.page
+    root.classList.toggle("at-rest", covered.includes("stage") && !before)
+    root.classList.toggle("without-table", covered.includes("table"))
     // On a phone the transport stays right under the stage that stays in sight, if the view has one.
     const stage = this.sticky.find(({host}) => !host.closest("[hidden]"))
-    this.page.root.style.setProperty("--stage-height", long(stage?.height ?? 0))
+    root.style.setProperty("--stage-height", long(stage?.height ?? 0))
   }
 }
 

@@ -5,7 +5,7 @@ import {turnTheme} from "./theme.js"
 import {using} from "./later.js"
 
 export class Shell {
-  /** @param {import("./main.js").Lecture} lecture */
+  /** @param {LectureHost} lecture */
   constructor(lecture) {
     this.lecture = lecture
     this.nav = one(".nav nav", HTMLElement)
@@ -27,7 +27,7 @@ export class Shell {
   #lead(link) {
     const {scene = "", sheet = ""} = link.dataset
     for (const event of ["pointerenter", "focus", "click"]) {
-      link.addEventListener(event, () => this.lecture.sheet(sheet).catch(() => {}), {once: true})
+      link.addEventListener(event, () => this.lecture.sheets.fetch(sheet).catch(() => {}), {once: true})
     }
     link.addEventListener("click", event => {
       if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey || event.button) return

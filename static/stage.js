@@ -1,7 +1,7 @@
 // Draws a stage: shapes whose numbers are polynomials in the signals, evaluated at every frame.
 
 import {Clear} from "./clear.js"
-import {tells} from "./cover.js"
+import {coveredPlots, tells} from "./cover.js"
 import {inUnits, set, svg, unitSize, words} from "./dom.js"
 import {Grips} from "./grips.js"
 import {polynomial} from "./signals.js"
@@ -183,7 +183,7 @@ export class Stage {
   /**
    * Where there is a `page`, its shapes can be grabbed.
    * @param {Pick<page.StageBlock, "shapes" | "label">} block @param {HTMLElement} host
-   * @param {import("./page.js").Page} [page]
+   * @param {PartHost} [page]
    */
   constructor(block, host, page) {
     this.svg = svg(
@@ -218,14 +218,14 @@ export class Stage {
     this.clear = new Clear(this.shapes)
     this.observer = new ResizeObserver(() => {
       const before = this.size
-      this.fit()
+      this.place()
       if (Object.entries(this.size).some(([name, value]) => value !== before[name])) this.resized?.()
     })
     this.observer.observe(host)
   }
 
   /** Takes the place that there is. */
-  fit() {
+  place() {
     const box = this.svg.getBoundingClientRect()
     const [W, H] = [box.width / unitSize(), box.height / unitSize()]
     inUnits(this.svg, W, H)
@@ -242,7 +242,7 @@ export class Stage {
 
   /**
    * Where the plots stand, seen from this stage; measured anew only when the page has changed.
-   * @param {import("./plots.js").Plot[]} plots
+   * @param {{host: HTMLElement, geometry(origin: DOMRect): Named}[]} plots
    */
   measure(plots) {
     const origin = this.svg.getBoundingClientRect()
@@ -269,10 +269,16 @@ export class Stage {
     return clip.id
   }
 
-  /** What would tell of what is covered is not drawn. @param {string[]} leftOut @param {string[]} covered plots */
-  update(leftOut, covered = []) {
-    for (const shape of this.shapes) shape.covered = tells(shape, leftOut, covered)
+  /** @param {Drawn} shown */
+  update({view: {left_out: names, signals, scalars}, state}) {
+    const absent = names.filter(name => !(name in signals || name in scalars))
+    this.cover(absent, coveredPlots(state))
     this.grips?.update()
+  }
+
+  /** What would tell of what is covered is not drawn. @param {string[]} leftOut @param {string[]} covered plots */
+  cover(leftOut, covered) {
+    for (const shape of this.shapes) shape.covered = tells(shape, leftOut, covered)
   }
 
   /** Once a frame: all shapes at the instant of `named`. @param {Named} named */

@@ -51,7 +51,7 @@ export class Transport {
 
   isPlaying = true // as the button shows it
 
-  /** @param {import("./page.js").Page} page */
+  /** @param {PartHost} page */
   constructor(page) {
     this.page = page
     const {clock} = page
@@ -107,7 +107,6 @@ export class Transport {
       if (!error && !this.page.waiting.has("window")) this.window.value = settings.window.text
       this.window.placeholder = axis ? short(axis.end * 10 ** axis.exponent) : "auto"
     }
-    this.page.timePlaces = axis ? Math.min(Math.max(Math.ceil(2 - Math.log10(axis.end)), 0) + 1, 6) : 2
     this.refresh()
   }
 
@@ -124,7 +123,7 @@ export class Transport {
     this.auto.setAttribute("aria-pressed", String(clock.choice === "auto"))
     const factor = factorText(clock.factor)
     reword(this.factor, factor)
-    for (const one of this.page.named?.get("speed") ?? []) one.textContent = speedText(clock.factor)
+    this.page.live.tell("speed", speedText(clock.factor))
     const lines = [
       this.problem,
       clock.slowed ? `Slowed to ${factor}, so that the fast motion can be seen.` : "",

@@ -1,6 +1,6 @@
 // Values that wait for the server: each is shown as it was set, with a dotted line.
 
-/** @param {import("./page.js").Page} page @param {Waits} waiting */
+/** @param {PartHost} page @param {Waits} waiting */
 export function showWaiting(page, waiting) {
   if (!waiting.size && !page.waiting.size) return
   page.waiting = waiting

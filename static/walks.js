@@ -16,7 +16,7 @@ export class Walks {
   /** @type {Map<string, page.WalkSheet>} walks that only this session knows */
   own = new Map()
 
-  /** @param {import("./main.js").Lecture} lecture */
+  /** @param {LectureHost} lecture */
   constructor(lecture) {
     this.lecture = lecture
     this.texts = tabStorage.value(OWN) ?? {}
@@ -37,7 +37,7 @@ export class Walks {
     const address = this.menu.sheets.get(name)
     if (own) return own
     if (!address) throw new Error(`There is no walk ${name}.`)
-    return /** @type {any} */ (await this.lecture.sheet(address))
+    return insisting(() => this.lecture.sheets.fetch(address))
   }
 
   /** @param {string} name @param {number} [place] of the step */
@@ -54,7 +54,7 @@ export class Walks {
   /** @param {string} name */
   async #take(name) {
     if (this.#isWalked(name)) return
-    const [{Walk: Kind}, sheet] = await Promise.all([later("walk"), insisting(() => this.sheet(name))])
+    const [{Walk: Kind}, sheet] = await Promise.all([later("walk"), this.sheet(name)])
     if (this.#isWalked(name)) return
     this.walk?.leave()
     this.walk = new Kind(this, sheet)
@@ -127,9 +127,9 @@ export class Walks {
   async #rejoin(name, id) {
     const refused = await this.check(name, this.texts[name])
     const {page} = this.lecture
-    if (refused) return page.notify([refused])
+    if (refused) return page.notice.tell(refused)
     const place = this.own.get(name)?.steps.findIndex(step => step.id === id) ?? 0
-    page.notice.hidden = true
+    page.notice.hide()
     await this.enter(name, Math.max(place, 0))
   }
 }

@@ -34,6 +34,11 @@ interface Frame {
   height: number
 }
 
+interface Point {
+  x: number
+  y: number
+}
+
 interface Span {
   start: number
   end: number

@@ -29,7 +29,7 @@ export class About {
     if (this.element.open) this.#ask()
   }
 
-  changed() {
+  update() {
     clearTimeout(this.timer)
     if (!this.element.open) return
     this.body.setAttribute("aria-busy", "true")

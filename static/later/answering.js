@@ -67,20 +67,11 @@ export class AskedPut {
     page.redraw() // plots have made way for it
   }
 
-  /** As much of a walk as a card asks for. @param {page.StepCard} step @param {string} where @returns {any} */
+  /** A phone goes nowhere by itself. @param {page.StepCard} step @param {string} where @returns {WalkHost} */
   #walk(step, where) {
-    return {
-      sheet: {steps: [step]},
-      place: 0,
-      where,
-      step: {...step, controls: []},
-      lesson: null,
-      before: null,
-      unfolded: false,
-      answers: {of: () => null},
-      lecture: this.following,
-      show: () => this.#send(),
-    }
+    const [sheet, answers] = [{steps: [step]}, {of: () => null}]
+    const own = {sheet, place: 0, where, step: {...step, controls: []}, answers, before: null, lesson: null}
+    return {...own, unfolded: false, show: () => this.#send(), forward: none, back: none, again: none, open: none}
   }
 
   get #name() {
@@ -155,6 +146,8 @@ export class AskedPut {
     this.card = null
   }
 }
+
+const none = () => {}
 
 /** @param {{walk: string, step: string, vote?: number}} question or answer */
 const nameOf = ({walk, step, vote}) => `${walk}/${step}/${vote}`

@@ -12,7 +12,7 @@ const NAME = "asked"
 
 /** @typedef {import("../questions/question.js").Fields} Fields */
 
-/** @param {import("../walks.js").Walks} walks */
+/** @param {LectureHost["walks"]} walks */
 export const ask = walks => new Ask(walks).open()
 
 class Ask {
@@ -21,7 +21,7 @@ class Ask {
 
   asked = new Asked()
 
-  /** @param {import("../walks.js").Walks} walks */
+  /** @param {LectureHost["walks"]} walks */
   constructor(walks) {
     this.walks = walks
     this.page = walks.lecture.page

@@ -14,8 +14,8 @@ export class Card {
   borrowed = []
 
   /**
-   * @param {import("./walk.js").Walk} walk
-   * @param {import("../page.js").Page} page
+   * @param {WalkHost} walk
+   * @param {PartHost} page
    */
   constructor(walk, page) {
     this.walk = walk
@@ -89,7 +89,8 @@ export class Card {
     claim(page, lesson.title)
     this.question.teach(lesson)
     this.after.replaceChildren(...this.#meaning(lesson))
-    page.name(this.after)
+    page.live.find(this.after)
+    page.redraw()
     this.forward.textContent = this.walk.place + 1 < this.walk.sheet.steps.length ? "Next" : "Contents"
     this.#ready()
   }
@@ -189,7 +190,7 @@ const given = step => (step.given ? [marked("p", {class: "given"}, step.given)] 
 
 /**
  * The slide's own equations, closed at first, then as they were left; where there is room they open over the paper.
- * @param {page.Html[]} follows @param {import("./walk.js").Walk} walk
+ * @param {page.Html[]} follows @param {WalkHost} walk
  */
 function derivation(follows, walk) {
   if (!follows.length) return []

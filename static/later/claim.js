@@ -2,7 +2,7 @@
 
 import {element, marked} from "../dom.js"
 
-/** The page's own headline, or another. @param {import("../page.js").Page} page @param {page.Html} [html] */
+/** The page's own headline, or another. @param {PartHost} page @param {page.Html} [html] */
 export function claim({heading, spec}, html) {
   heading.classList.remove("waits")
   if (html) heading.innerHTML = html
@@ -11,7 +11,7 @@ export function claim({heading, spec}, html) {
 
 /**
  * It would give an answer away: in a hall the question stands in its place.
- * @param {import("../page.js").Page} page @param {page.Html} question
+ * @param {PartHost} page @param {page.Html} question
  */
 export function withhold({heading}, question) {
   const covered = element("span", {class: "on-desk"}, "Title hidden until you press Show the answer")

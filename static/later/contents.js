@@ -1,6 +1,5 @@
 // The contents of all walks on the paper: a step that was answered stands as its claim, one to come as its question.
 
-import {insisting} from "../later.js"
 import {element, marked} from "../dom.js"
 import {mark} from "../questions/question.js"
 import {save} from "../save.js"
@@ -25,7 +24,7 @@ export class Contents {
 
   async open() {
     const {walks} = this.walk
-    this.sheets = await Promise.all(walks.names.map(name => insisting(() => walks.sheet(name))))
+    this.sheets = await Promise.all(walks.names.map(name => walks.sheet(name)))
     this.#fill()
     if (!this.element.open) this.element.showModal()
   }

@@ -9,7 +9,7 @@ const LONGEST = 48 // signs of a sentence that stands for itself
  * @typedef {{cover: string, text: string}} Part
  */
 
-/** Plots, numbers and the stage. @param {import("../page.js").Page} page @returns {Part[]} */
+/** Plots, numbers and the stage. @param {PartHost} page @returns {Part[]} */
 export function parts({plots, spec, stages}) {
   const seen = plots.filter(({absent, host}) => !absent && host.offsetParent)
   const numbers = Object.entries(spec.spoken).flatMap(([name, text]) => {
@@ -26,7 +26,7 @@ export function parts({plots, spec, stages}) {
 
 /**
  * The sentences and formulas that come and go, each by how it begins.
- * @param {import("../page.js").Page} page @returns {Part[]}
+ * @param {PartHost} page @returns {Part[]}
  */
 export const sentences = ({sheet}) =>
   sheet.items.flatMap(({name, holder}) => {

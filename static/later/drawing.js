@@ -73,8 +73,8 @@ export class Drawing {
     this.inside.append(...held(true))
     for (const curve of this.block.curves) this.#curve(curve)
     if (this.under) this.#name(lines, this.under.name)
-    const flags = new Flags(/** @type {any} */ (this))
-    const labels = new Labels(/** @type {any} */ (this))
+    const flags = new Flags(this)
+    const labels = new Labels(this)
     fill(this.over, this.view, named)
     fill(this.controls, this.view, named)
     labels.place()
@@ -165,8 +165,8 @@ export class Drawing {
     const [W, H] = [this.host.offsetWidth / unitSize(), this.host.offsetHeight / unitSize()]
     stage.size = {W, H, narrow: 0, wide: 1, hall: 0, desk: 1, low: 0}
     const names = this.page.plots.map(plot => plot.block.name)
-    stage.measure(names.map(name => /** @type {any} */ ({geometry: () => this.#geometry(name)})))
-    stage.update(this.view.left_out, coveredPlots(this.page.shown.state))
+    stage.measure(names.map(name => ({host: this.host, geometry: () => this.#geometry(name)})))
+    stage.cover(this.view.left_out, coveredPlots(this.page.shown.state))
     fill(stage.svg, this.view, named)
     stage.frame(named)
     this.#held(stage, named)

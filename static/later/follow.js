@@ -1,10 +1,10 @@
 // The page of who follows a class: the instructor's messages, drawn by the same modules, without a session.
 
 import {unpacked} from "../columns.js"
-import {element} from "../dom.js"
+import {element, frame} from "../dom.js"
 import {inWords} from "../notes.js"
-import {Page, frame} from "../page.js"
-import {extrasFor} from "../main.js"
+import {Page, extrasFor} from "../page.js"
+import {Sheets} from "../sheets.js"
 import {tabStorage} from "../storage.js"
 import {turnTheme} from "../theme.js"
 import {AskedPut} from "./answering.js"
@@ -20,6 +20,7 @@ const PAUSE = 10000 // ms until it may be once more
 const AGAIN = 500 // ms until it is fetched again
 const OVER = "The class is over. Thank you for coming."
 
+/** @implements {PageHost} */
 export class Following {
   /** @type {Page} */
   page
@@ -30,23 +31,19 @@ export class Following {
   /** @type {Partial<page.News>} all that has been told, the newest of each */
   news = {}
 
-  /** @type {Map<string, Promise<any>>} */
-  sheets = new Map()
+  sheets = new Sheets(PATIENCE)
 
   /** @type {Promise<unknown>} */
   turning = Promise.resolve()
 
-  // What a page asks of a lecture; here nothing is set.
-  undo = {element: element("div")}
-  classes = {led: null}
-  hall = {tab: () => element("span"), shown() {}, on: false, ending: ""}
-  line = {send() {}, asked: null, outbox: [], waiting: new Set()}
+  // Here nothing is set.
+  hall = {on: false, ending: ""}
+  line = {send() {}, last: 0, rests: true}
   send() {}
   take() {}
   open() {}
-  fit() {}
   change() {}
-  reveal() {}
+  fit() {}
 
   /** @param {string} code @param {string} token */
   constructor(code, token) {
@@ -89,7 +86,7 @@ export class Following {
   /** Draws a picture, unless a newer one has overtaken it. @param {page.SentPicture} picture */
   async #show(picture) {
     if (picture !== this.news.picture) return
-    const sheet = await this.sheet(picture.sheet).catch(() => null)
+    const sheet = await this.sheets.fetch(picture.sheet).catch(() => null)
     if (!sheet) return void setTimeout(() => this.#next(() => this.#show(picture)), AGAIN)
     const {usual} = sheet
     const bytes = Uint8Array.from(atob(String(picture.data)), sign => sign.charCodeAt(0))
@@ -105,8 +102,8 @@ export class Following {
   /** @param {Drawn} shown */
   async #turn(shown) {
     document.documentElement.dataset.ready = "false"
-    const sheet = await this.sheet(shown.sheet)
-    const page = new Page(sheet, await extrasFor(sheet), /** @type {any} */ (this))
+    const sheet = await this.sheets.fetch(shown.sheet)
+    const page = new Page(sheet, await extrasFor(sheet), this)
     this.page?.leave()
     this.host.replaceChildren(page.root)
     this.page = page
@@ -131,20 +128,6 @@ export class Following {
       const now = t + (still ? 0 : (rate * (this.timing.now - at)) / 1000)
       return now > end ? now % end : Math.max(now, 0)
     })
-  }
-
-  /** A sheet never changes: it is fetched once. @param {string} address @returns {Promise<any>} */
-  sheet(address) {
-    const known = this.sheets.get(address)
-    if (known) return known
-    const how = {signal: AbortSignal.timeout(PATIENCE)}
-    const fetched = fetch(new URL(`assets/${address}`, document.baseURI), how).then(answer => {
-      if (!answer.ok) throw new Error(`${address}: ${answer.status}`)
-      return answer.json()
-    })
-    fetched.catch(() => this.sheets.delete(address))
-    this.sheets.set(address, fetched)
-    return fetched
   }
 
   /** @param {string} sentence */

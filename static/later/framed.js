@@ -2,7 +2,7 @@
 
 import {element} from "../dom.js"
 
-/** @param {import("../main.js").Lecture} lecture */
+/** @param {LectureHost} lecture */
 export function framed(lecture) {
   const bar = /** @type {HTMLElement} */ (document.querySelector(".nav"))
   const out = element("a", {class: "out", target: "_blank", rel: "noopener"}, "Open in a tab")
@@ -27,7 +27,7 @@ export function framed(lecture) {
   watch()
 }
 
-/** What a page would take if nothing of it scrolled. @param {import("../page.js").Page | undefined} page */
+/** What a page would take if nothing of it scrolled. @param {PartHost | undefined} page */
 function wanted(page) {
   if (!page) return 0
   return Math.max(page.root.scrollHeight, page.paper.scrollHeight, page.panel.scrollHeight)

@@ -13,9 +13,8 @@ const NEAR = 0.05 // pixels between what is the same
 const RING = 5.5 // radius around what is the same
 
 /**
- * @typedef {import("../compare.js").Under} Under
- * @typedef {Pick<import("../plots.js").Plot, "block" | "hidden" | "x" | "y" | "px" | "py" | "frame" | "view">} Canvas
- * @typedef {{x: number, y: number}} Point
+ * Columns that are drawn under the live ones, on axes that may have been others, and what they are called.
+ * @typedef {{columns: Columns, axes: Record<string, page.Ruler>, name: string}} Under
  * @typedef {{look: string, d: string, end: number, start: Point, same: boolean, named: boolean, above: boolean}} Line
  * a path, its ends, and whether it starts where the live one does
  */
@@ -24,7 +23,7 @@ export class Ghosts {
   /** @type {Kept | null} */
   held = null
 
-  /** @param {import("../page.js").Page} page */
+  /** @param {PartHost} page */
   constructor(page) {
     this.page = page
     this.plots = page.plots.map(plot => new PlotGhost(plot))

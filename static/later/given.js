@@ -4,9 +4,7 @@ import {marked} from "../dom.js"
 import {brief} from "../handles.js"
 import {indexed, plain} from "./plain.js"
 
-/** @typedef {import("../page.js").Page} Page */
-
-/** Those that stand, as "m₁ = 2.00 kg"; then those that only stand in a table. @param {Page} page */
+/** Those that stand, as "m₁ = 2.00 kg"; then those that only stand in a table. @param {PartHost} page */
 export function parameters({spec, panel, shown: {settings, view}}) {
   const groups = spec.panel.groups.filter(({form}) => !form || view.forms[form])
   const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")
@@ -27,13 +25,13 @@ export function parameters({spec, panel, shown: {settings, view}}) {
 /** @param {string} number @param {string} unit */
 const counted = (number, unit) => `${number}${unit === "°" ? "" : " "}${unit}`.trim()
 
-/** @param {Page} page */
+/** @param {PartHost} page */
 export const link = page => new URL(page.link, location.href).href
 
-/** @param {Page} page */
-export const instant = page => (page.shown.view.time ? `t = ${page.clock.t.toFixed(page.timePlaces)} s` : "")
+/** @param {PartHost} page */
+export const instant = page => (page.shown.view.time ? `t = ${page.clock.t.toFixed(page.clock.places)} s` : "")
 
-/** What of the picture held is another number, after how that is drawn. @param {Page} page @param {string} drawn */
+/** What of the picture held is another number, after how that is drawn. @param {PartHost} page @param {string} drawn */
 export function held({shown}, drawn) {
   const rows = shown.held?.ledger.filter(({same}) => !same) ?? []
   const told = rows.map(({symbol, held: number, unit}) => {

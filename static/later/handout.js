@@ -2,8 +2,7 @@
 // gone through once, as a visitor would; the pages are made of what it shows.
 
 import {coveredPlots} from "../cover.js"
-import {element, marked} from "../dom.js"
-import {frame} from "../page.js"
+import {element, frame, marked} from "../dom.js"
 import {plotPicture, stagePicture} from "./picture.js"
 import {shown} from "./print.js"
 import {things} from "./things.js"
@@ -68,7 +67,7 @@ async function until(isSo, end = performance.now() + LONGEST) {
   await until(isSo, end)
 }
 
-/** @param {import("../main.js").Lecture} lecture @param {page.State} state */
+/** @param {LectureHost} lecture @param {page.State} state */
 const stands = ({kept, page}, {scene, step, covered}) =>
   kept.step === step && page.spec.slug === scene && page.shown.state.covered.length === covered.length
 
@@ -89,7 +88,7 @@ function question({step, card, lecture: {page}}, n) {
 
 /**
  * The stage, and where something is to be drawn or marked the plot for it, else the first that is not covered.
- * @param {import("../page.js").Page} page @param {page.StepCard} step
+ * @param {PartHost} page @param {page.StepCard} step
  */
 function pictures(page, step) {
   const {stages, plots} = things(page)

@@ -22,17 +22,17 @@ export class Hint {
 
   aside = "" // what the transport is to say
 
-  /** @param {import("../page.js").Page} page */
+  /** @param {PartHost} page */
   constructor(page) {
     this.page = page
     this.element = element("div", {class: "hint", hidden: ""}, WORDS)
-    this.changed = () => {
+    this.update = () => {
       this.element.hidden = true
       this.aside = ""
       clearTimeout(this.timer)
       this.timer = setTimeout(() => this.#place(), MOMENT)
     }
-    this.observer = new ResizeObserver(this.changed)
+    this.observer = new ResizeObserver(this.update)
     for (const {host} of page.stages) this.observer.observe(host)
   }
 

@@ -1,30 +1,31 @@
 // The list of the keys: beside the paper, so that each can be tried while it is read, and pressed as a button.
 
 import {element} from "../dom.js"
-import {KEYS, singles} from "../keys.js"
 
-/** @param {import("../main.js").Lecture} lecture */
-export function toggleList(lecture) {
+/**
+ * @typedef {{shown: string, does: string}} Key
+ * @typedef {{off: boolean, set: (off: boolean) => void}} Singles whether keys of a single letter act
+ */
+
+/** @template {Key} Known @param {Known[]} keys @param {Singles} singles @param {(key: Known) => void} press */
+export function toggleList(keys, singles, press) {
   const open = document.querySelector("dialog.keys")
   if (open) return open.remove()
   const dialog = element("dialog", {class: "keys", "aria-label": "Keys"})
-  const rows = KEYS.map(key => row(key, lecture))
+  const rows = keys.map(key => row(key, () => press(key)))
   const close = element("button", {type: "button", class: "chip"}, "Close")
   close.addEventListener("click", () => dialog.remove())
   const head = element("header", {}, element("h2", {}, "Keys"), close)
-  dialog.append(head, element("ul", {}, ...rows, arrows()), choice())
+  dialog.append(head, element("ul", {}, ...rows, arrows()), choice(singles))
   document.body.append(dialog)
   dialog.show()
   close.focus()
 }
 
-/**
- * @param {import("../keys.js").Key} key
- * @param {import("../main.js").Lecture} lecture
- */
-function row({shown, does, act}, lecture) {
+/** @param {Key} key @param {() => void} press */
+function row({shown, does}, press) {
   const button = element("button", {type: "button"}, element("kbd", {}, shown), element("span", {}, does))
-  button.addEventListener("click", () => act(lecture))
+  button.addEventListener("click", press)
   return element("li", {}, button)
 }
 
@@ -36,7 +37,8 @@ const arrows = () =>
     element("p", {}, element("kbd", {}, "Arrows"), element("span", {}, "Move the slider or mark that has the focus")),
   )
 
-function choice() {
+/** @param {Singles} singles */
+function choice(singles) {
   const box = element("input", {type: "checkbox"})
   box.checked = !singles.off
   box.addEventListener("change", () => singles.set(!box.checked))

@@ -3,14 +3,14 @@
 const LARGEST = 48_000 // bytes of a file: components/walks/loading.py
 const SENT = 60_000 // bytes of a message that carries it
 
-/** What cannot be run is refused in a sentence. @param {import("../walks.js").Walks} walks @param {File} file */
+/** What cannot be run is refused in a sentence. @param {LectureHost["walks"]} walks @param {File} file */
 export async function run(walks, file) {
-  walks.lecture.page.notice.hidden = true // it was of the file before
+  walks.lecture.page.notice.hide() // it was of the file before
   const refusal = await read(file).then(
     text => walks.run(nameOf(file.name), text),
     (/** @type {Error} */ error) => error.message,
   )
-  if (refusal) walks.lecture.page.notify([`${file.name}: ${refusal}`])
+  if (refusal) walks.lecture.page.notice.tell(`${file.name}: ${refusal}`)
 }
 
 /** @param {File} file */

@@ -30,7 +30,6 @@ const TYPE = ["font-family", "font-size", "font-style", "font-weight"]
 /**
  * @typedef {import("../plots.js").Plot} Plot
  * @typedef {import("../stage.js").Stage} Stage
- * @typedef {import("../page.js").Page} Page
  */
 /** @typedef {{svg: string, width: number, height: number}} Picture */
 
@@ -87,7 +86,7 @@ class Easel {
     }
   }
 
-  /** @param {Page} page @param {string} [when] */
+  /** @param {PartHost} page @param {string} [when] */
   caption(page, when) {
     this.y += 4
     for (const one of [[when, ...parameters(page)], held(page, when === undefined ? "Dotted" : "In outline")])
@@ -173,7 +172,7 @@ function sample(key) {
 
 /**
  * The stage as it stands, with the plots that it is drawn over.
- * @param {Stage} stage @param {Page} page @param {boolean} [captioned] @returns {Picture}
+ * @param {Stage} stage @param {PartHost} page @param {boolean} [captioned] @returns {Picture}
  */
 export function stagePicture(stage, page, captioned = true) {
   const under = plotsUnder(stage, page)
@@ -192,7 +191,7 @@ export function stagePicture(stage, page, captioned = true) {
   return easel.done(page.spec.headline)
 }
 
-/** The plots in the picture of a stage. @param {Stage} stage @param {Page} page */
+/** The plots in the picture of a stage. @param {Stage} stage @param {PartHost} page */
 export const plotsUnder = (stage, page) =>
   page.plots.filter(plot => plot.box && isSeen(plot) && (beside(plot, stage) || writesInto(stage, plot)))
 

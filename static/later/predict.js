@@ -5,7 +5,7 @@ import {parts} from "./coverable.js"
 
 /** The list, beside its button; a second press, Escape or a press elsewhere closes it. */
 class Menu {
-  /** @param {import("../page.js").Page} page @param {HTMLElement} button */
+  /** @param {PartHost} page @param {HTMLElement} button */
   constructor(page, button) {
     this.page = page
     this.button = button
@@ -68,7 +68,7 @@ class Menu {
 /** @type {Menu | null} */
 let open = null
 
-/** @param {import("../page.js").Page} page @param {HTMLElement} button */
+/** @param {PartHost} page @param {HTMLElement} button */
 export function choose(page, button) {
   if (open) open.close(true)
   else open = new Menu(page, button)

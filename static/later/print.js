@@ -6,7 +6,7 @@ import {plotPicture, plotsUnder, stagePicture} from "./picture.js"
 import {things} from "./things.js"
 
 export class Print {
-  /** @param {import("../page.js").Page} page */
+  /** @param {PartHost} page */
   constructor(page) {
     this.page = page
     this.before = () => this.#lay()

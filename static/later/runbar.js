@@ -5,7 +5,7 @@ import {Fit} from "../fit.js"
 import {icon} from "../transport.js"
 
 export class RunBar {
-  /** @param {import("../page.js").Page} page */
+  /** @param {PartHost} page */
   constructor(page) {
     this.page = page
     this.disc = element("button", {type: "button", class: "icon play"})

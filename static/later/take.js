@@ -9,7 +9,6 @@ import {things} from "./things.js"
 /**
  * @typedef {import("../plots.js").Plot} Plot
  * @typedef {import("../stage.js").Stage} Stage
- * @typedef {import("../page.js").Page} Page
  */
 
 /**
@@ -20,7 +19,7 @@ import {things} from "./things.js"
 
 /**
  * Opens the choice of what to take, with `subject` taken up first.
- * @param {Page} page @param {Plot | Stage} [subject]
+ * @param {PartHost} page @param {Plot | Stage} [subject]
  */
 export function take(page, subject) {
   const all = choices(page)
@@ -28,7 +27,7 @@ export function take(page, subject) {
   if (first) new Taking(page, all).open(first)
 }
 
-/** What is seen of the page: the stages, then the plots. @param {Page} page @returns {Thing[]} */
+/** What is seen of the page: the stages, then the plots. @param {PartHost} page @returns {Thing[]} */
 function choices(page) {
   const {stages, plots} = things(page)
   return [
@@ -52,7 +51,7 @@ function choices(page) {
 }
 
 class Taking {
-  /** @param {Page} page @param {Thing[]} all */
+  /** @param {PartHost} page @param {Thing[]} all */
   constructor(page, all) {
     this.page = page
     this.image = element("img", {alt: ""})

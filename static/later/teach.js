@@ -37,7 +37,7 @@ export class Teach {
   /** Orders to the room, one after the other. @type {Promise<unknown>} */
   orders = Promise.resolve()
 
-  /** @param {import("../main.js").Lecture} lecture @param {page.Opened} room */
+  /** @param {LectureHost} lecture @param {page.Opened} room */
   constructor(lecture, room) {
     this.lecture = lecture
     this.room = room
@@ -124,7 +124,7 @@ export class Teach {
       return true
     } catch (reason) {
       if (order.type !== "clock" && !(reason instanceof Refusal && reason.passes)) {
-        this.lecture.page.notify([inWords(reason)])
+        this.lecture.page.notice.tell(inWords(reason))
         return false
       }
     }
@@ -217,7 +217,7 @@ export class Teach {
     forget()
     this.lecture.classes.led = null
     this.lecture.line.send({type: "lead", code: "", key: ""})
-    this.lecture.page.notify([sentence])
+    this.lecture.page.notice.tell(sentence)
   }
 }
 
@@ -229,7 +229,7 @@ function forget() {
   tabStorage.forget(KEPT)
 }
 
-/** The room that this browser has the key of, or a new one. @param {import("../main.js").Lecture} lecture */
+/** The room that this browser has the key of, or a new one. @param {LectureHost} lecture */
 export async function teach(lecture) {
   const room = (await kept()) ?? (await opened())
   browserStorage.keepOrSay(KEPT, room)

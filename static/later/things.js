@@ -1,6 +1,6 @@
 // The stages and plots that are seen and not covered: what pictures are made of.
 
-/** @param {import("../page.js").Page} page */
+/** @param {PartHost} page */
 export function things(page) {
   const stages = page.compare.still
     ? []

@@ -5,7 +5,7 @@ import {brief} from "../handles.js"
 import {MINUS, short} from "../numbers.js"
 import {symbol} from "../slider.js"
 
-/** @param {import("../page.js").Page} page */
+/** @param {PartHost} page */
 export function values({spec, shown: {settings, view}, transport}) {
   const groups = spec.panel.groups.filter(({form, folded}) => !folded && (!form || view.forms[form]))
   const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")

@@ -9,7 +9,7 @@ export class Voice {
   /** @type {number | undefined} */
   timer
 
-  /** @param {import("../page.js").Page} page */
+  /** @param {PartHost} page */
   constructor(page) {
     this.page = page
     this.status = element("p", {class: "heard", role: "status"})
@@ -23,7 +23,7 @@ export class Voice {
     clearTimeout(this.timer)
   }
 
-  changed() {
+  update() {
     clearTimeout(this.timer)
     this.timer = setTimeout(() => this.#speak(), MOMENT)
   }

@@ -25,7 +25,7 @@ export class Walk {
   /** @type {import("../questions/question.js").Answer | null} what was answered before, when one answers again */
   before = null
 
-  /** @param {import("../walks.js").Walks} walks @param {page.WalkSheet} sheet */
+  /** @param {LectureHost["walks"]} walks @param {page.WalkSheet} sheet */
   constructor(walks, sheet) {
     this.walks = walks
     this.lecture = walks.lecture

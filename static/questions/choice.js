@@ -50,10 +50,10 @@ export class Choice extends Question {
   /** What is said of an answer, and the state where it would be right. @param {number} i */
   #taught(i) {
     const {row, where} = this.rows[i]
-    const {hall} = this.walk.lecture
+    const {host} = this.page
     const isTold = row.classList.toggle("told")
-    if (hall.on) for (const other of this.rows) other.row.classList.toggle("told", isTold && other.row === row)
-    if (where && (isTold || !hall.on)) this.walk.lecture.open(where)
+    if (host.hall.on) for (const other of this.rows) other.row.classList.toggle("told", isTold && other.row === row)
+    if (where && (isTold || !host.hall.on)) host.open(where)
   }
 
   said() {

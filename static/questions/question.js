@@ -3,7 +3,6 @@
 import {element, svg} from "../dom.js"
 
 /**
- * @typedef {import("../later/walk.js").Walk} Walk
  * @typedef {import("../plots.js").Plot} Plot
  * @typedef {Omit<page.Given, "walk" | "step" | "vote">} Answer
  * @typedef {Record<string, any>} Fields of a step, as a walk's file names them
@@ -43,7 +42,7 @@ export class Question {
 
   again = "Answer again"
 
-  /** @param {page.StepCard} step @param {Walk} walk @param {import("../page.js").Page} page */
+  /** @param {page.StepCard} step @param {WalkHost} walk @param {PartHost} page */
   constructor(step, walk, page) {
     this.step = step
     this.walk = walk

@@ -17,12 +17,11 @@ export class Sketches {
   band = false
 
   /** @param {import("./question.js").Question} question @param {HTMLElement} chips */
-  constructor({step, plot, page, walk}, chips) {
+  constructor({step, plot, page}, chips) {
     this.step = step
     this.chips = chips
     this.plot = plot
     this.page = page
-    this.hall = walk.lecture.hall
     page.root.classList.add("gallery")
     this.canvas = element("canvas", {class: "class-sketches", role: "img"})
     this.plot.host.prepend(this.canvas) // under the true curve
@@ -50,7 +49,7 @@ export class Sketches {
         for (const other of lights) other.setAttribute("aria-pressed", String(other === light))
       })
     this.chips.append(...(lesson ? lights : []), band)
-    if (lesson && this.hall.on) this.page.heading.textContent = this.headline(tally)
+    if (lesson && this.page.host.hall.on) this.page.heading.textContent = this.headline(tally)
     this.#draw()
   }
 

@@ -23,11 +23,11 @@ HTML = """<!DOCTYPE html><html lang="en"><title>Controls</title>
 <link rel="stylesheet" href="style.css">
 <aside class="panel"></aside>
 <script type="module">
-  import {buildControls} from "./controls.js"
+  import {Controls} from "./controls.js"
   import {sliderPlace, sliderValue, stepped} from "./scales.js"
   Object.assign(globalThis, {sliderPlace, sliderValue, stepped})
   const take = parameters => send({type: "open", state: {scene: "chain", parameters}})
-  const controls = buildControls(document.querySelector("aside"), await describe(), send, take)
+  const controls = new Controls(document.querySelector("aside"), await describe(), send, take)
   const show = state => controls.update(state)
   async function send(message) { show(await tell(message)) }
   Object.assign(globalThis, {show, release: () => controls.release()})

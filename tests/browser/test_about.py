@@ -79,12 +79,12 @@ def test_it_is_asked_when_opened_and_after_a_change_and_never_while_folded(page:
     settle(page)
     count = len(questions)
 
-    page.evaluate("for (let n = 0; n < 9; n++) oscillations.about.changed()")
+    page.evaluate("for (let n = 0; n < 9; n++) oscillations.about.update()")
     expect(page.locator(".about-body")).to_have_attribute("aria-busy", "true")
     settle(page)
     assert len(questions) == count + 1
 
-    page.evaluate("() => { oscillations.about.changed(); document.querySelector('.about').open = false }")
+    page.evaluate("() => { oscillations.about.update(); document.querySelector('.about').open = false }")
     page.locator('input[name="k2-slider"]').press("ArrowRight")
     wait_moment(page)
     assert len(questions) == count + 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
@@ -11,6 +12,9 @@ from tests.serving.server import ROOT
 
 SCRIPTS = sorted((ROOT / "static").rglob("*.js"))
 LONGEST_FILE, LONGEST_LINE = 500, 120
+LARGEST_CIRCLE = 3
+IMPORTED = re.compile(r"""\b(?:from|import)\s*\(?\s*["'](\.{1,2}/[^"']+)["']""")
+"""In code at once or on demand, and in the types of JSDoc."""
 
 
 @pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: path.name)
@@ -18,6 +22,27 @@ def test_a_script_is_short(path: Path) -> None:
     lines = path.read_text(encoding="utf-8").splitlines()
     assert len(lines) <= LONGEST_FILE
     assert [line for line in lines if len(line) > LONGEST_LINE] == []
+
+
+def reached(start: Path, imports: dict[Path, set[Path]]) -> set[Path]:
+    found: set[Path] = set()
+    waiting = set(imports[start])
+    while waiting:
+        found |= waiting
+        waiting = {further for path in waiting for further in imports[path]} - found
+    return found
+
+
+def test_no_circle_of_imports_is_large() -> None:
+    """What needs what it stands in knows that as a host, of which types/hosts.d.ts has the members."""
+    imports = {
+        path: {(path.parent / name).resolve() for name in IMPORTED.findall(path.read_text(encoding="utf-8"))}
+        for path in SCRIPTS
+    }
+    assert sum(map(len, imports.values())) > len(SCRIPTS)
+    reach = {path: reached(path, imports) for path in SCRIPTS}
+    circles = {frozenset(one.name for one in reach[path] if path in reach[one]) for path in SCRIPTS}
+    assert {circle for circle in circles if len(circle) > LARGEST_CIRCLE} == set()
 
 
 def test_typescript_is_pinned_by_hash_and_no_host_is_named() -> None:

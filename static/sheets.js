@@ -1,0 +1,25 @@
+// Sheets, of scenes and of walks: each is fetched once, for it never changes.
+
+export class Sheets {
+  /** @type {Map<string, Promise<any>>} by address */
+  known = new Map()
+
+  /** `patience` is how long one may take. @param {number} [patience] ms */
+  constructor(patience) {
+    this.patience = patience
+  }
+
+  /** @param {string} address @returns {Promise<page.SceneSheet & page.WalkSheet>} */
+  fetch(address) {
+    const known = this.known.get(address)
+    if (known) return known
+    const signal = this.patience ? AbortSignal.timeout(this.patience) : null
+    const fetched = fetch(new URL(`assets/${address}`, document.baseURI), {signal}).then(answer => {
+      if (!answer.ok) throw new Error(`${address}: ${answer.status}`)
+      return answer.json()
+    })
+    fetched.catch(() => this.known.delete(address))
+    this.known.set(address, fetched)
+    return fetched
+  }
+}

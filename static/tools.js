@@ -1,0 +1,75 @@
+// What is done with a page as a whole: it is held or predicted, copied as a link, saved, and left for another scene.
+
+import {copyButton} from "./copy.js"
+import {element} from "./dom.js"
+import {using} from "./later.js"
+import {tables} from "./tables.js"
+
+/** @typedef {import("./plots.js").Plot | import("./stage.js").Stage} Subject */
+
+const SAVE =
+  '<svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true"><path d="M8 2v8' +
+  'M4.5 6.5 8 10l3.5-3.5M2.5 13.5h11"/></svg>'
+
+export class Tools {
+  /** @param {PartHost} page */
+  constructor(page) {
+    this.page = page
+    const {sheet, plots, spec} = page
+    const title = "The numbers of all plots as a CSV file; several tables come in one ZIP file"
+    this.csv = element("button", {type: "button", class: "chip", title}, "CSV")
+    this.csv.addEventListener("click", () => page.send({type: "csv", page: location.origin + location.pathname}))
+    const pictures = element("button", {type: "button", class: "chip"}, "Pictures")
+    pictures.addEventListener("click", () => this.#take())
+    for (const stage of sheet.stages.filter(({svg}) => svg.role === "img"))
+      this.#takeable(stage.host, stage, stage.svg.getAttribute("aria-label") ?? "")
+    for (const plot of plots) this.#takeable(plot.host.parentElement, plot, plot.block.title)
+    const ways = spec.onward.map(way => this.#onward(way))
+    const chips = element(
+      "div",
+      {class: "chips"},
+      copyButton(() => page.link),
+      this.csv,
+      pictures,
+      ...ways,
+    )
+    const away = element("details", {class: "fold away"}, element("summary", {}, "Save and share"), chips)
+    this.element = element("div", {class: "tools"}, ...page.compare.buttons, away)
+  }
+
+  /**
+   * A button on a plot or a stage, for the pointer; the keys have that among the tools.
+   * @param {HTMLElement | null} host @param {Subject} subject @param {string} name
+   */
+  #takeable(host, subject, name) {
+    const title = "Save the picture, or read its table"
+    const button = element("button", {type: "button", class: "take", tabindex: -1, title})
+    button.innerHTML = SAVE
+    button.setAttribute("aria-label", `${title}: ${name}`)
+    button.addEventListener("click", () => this.#take(subject))
+    host?.append(button)
+  }
+
+  /** @param {Subject} [subject] */
+  #take(subject) {
+    using("take", ({take}) => this.page.left || take(this.page, subject))
+  }
+
+  /** A link that takes values of this scene along to another. @param {page.Onward} way */
+  #onward({label, scene, given, taken}) {
+    const link = element("a", {class: "chip", href: "#"}, label)
+    link.addEventListener("click", event => {
+      event.preventDefault()
+      const {host, shown} = this.page
+      const values = Object.fromEntries(taken.map(name => [name, shown.settings[name].value]))
+      host.open({scene, parameters: {...given, ...values}})
+    })
+    return link
+  }
+
+  /** @param {Drawn} shown */
+  update({view}) {
+    const blocks = this.page.plots.map(({block}) => block)
+    this.csv.textContent = tables(blocks, view) > 1 ? "CSV (ZIP)" : "CSV"
+  }
+}

@@ -1,0 +1,102 @@
+// What a part knows of what it stands in: a few members, by which nothing needs the whole that is made of it.
+
+/** A part of a page, or of a plot: it takes every picture, stands where there is room for it, and leaves at last. */
+interface Part {
+  update?(shown: Drawn, asked: import("../static/line.js").Asked | null): void
+  place?(): void
+  leave?(): void
+}
+
+/** A page, for its parts. */
+interface PartHost {
+  readonly spec: page.SceneSheet
+  readonly host: PageHost
+  readonly shown: Drawn
+  waiting: Waits
+  readonly left: boolean
+  readonly link: string
+  readonly hidden: string[]
+  readonly root: HTMLElement
+  readonly paper: HTMLElement
+  readonly panel: HTMLElement
+  readonly heading: HTMLElement
+  readonly clock: import("../static/clock.js").Clock
+  readonly live: import("../static/live.js").Live
+  readonly hand: import("../static/hand.js").Hand
+  readonly compare: import("../static/compare.js").Compare
+  readonly controls: import("../static/controls.js").Controls
+  readonly sheet: import("../static/sheet.js").Sheet
+  readonly plots: import("../static/plots.js").Plot[]
+  readonly stages: import("../static/stage.js").Stage[]
+  readonly transport: {readonly element: HTMLElement; readonly note: HTMLElement}
+  send(message: page.Said): void
+  redraw(): void
+  join(): Promise<void>
+}
+
+/** A plot, for its parts. A drawing of it is another. */
+interface Canvas {
+  readonly block: page.PlotBlock
+  readonly over: SVGElement
+  readonly controls: HTMLElement
+  readonly host: HTMLElement
+  readonly page: PartHost
+  readonly view: Drawn["view"]
+  readonly frame: Frame
+  readonly x: page.Ruler
+  readonly y: page.Ruler
+  readonly hidden: Set<string>
+  readonly ghost?: {name: SVGTextElement; end: number | null}
+  px(value: number): number
+  py(value: number): number
+}
+
+/** A plot of the page, for its parts. */
+interface PlotHost extends Canvas {
+  readonly shown: Drawn
+  valueAt(event: PointerEvent, which?: "x" | "y"): number
+  isInside(event: PointerEvent): boolean
+  update(shown: Drawn): void
+}
+
+/** What shows a page: the lecture, or a follower of one, who sets nothing. */
+interface PageHost {
+  readonly hall: {readonly on: boolean; readonly ending: string}
+  readonly line: Pick<import("../static/line.js").Line, "send" | "last" | "rests">
+  send(message: page.Said): void
+  take(sets: page.State["parameters"]): void
+  open(state: Pick<page.State, "scene"> & Partial<page.State>): void
+  change(to: (state: page.State) => Partial<page.State>): void
+  fit(): void
+}
+
+/** What puts a step to somebody: a walk, or a phone that follows one. */
+interface WalkHost {
+  readonly sheet: {readonly steps: page.StepCard[]}
+  readonly place: number
+  readonly step: page.StepCard
+  readonly where: string
+  readonly answers: {of(step: string): unknown}
+  readonly before: Pick<page.Given, "curves"> | null
+  lesson: page.Lesson | null
+  unfolded: boolean
+  show(always: boolean): void
+  forward(): void
+  back(): void
+  again(): void
+  open(): void
+}
+
+/** The lecture, for what stands around its pages. */
+interface LectureHost extends PageHost {
+  readonly page: import("../static/page.js").Page
+  readonly clock: import("../static/clock.js").Clock
+  readonly line: import("../static/line.js").Line
+  readonly sheets: import("../static/sheets.js").Sheets
+  readonly walks: import("../static/walks.js").Walks
+  readonly classes: import("../static/classes.js").Classes
+  readonly hall: import("../static/hall.js").Hall
+  readonly kept: page.State
+  open(state: Pick<page.State, "scene"> & Partial<page.State>, carried?: boolean): void
+  readdress(): void
+}
