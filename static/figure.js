@@ -31,8 +31,8 @@ export class Figure {
     this.model = this.document.roots()[0]
     const names = new Set([...this.block.curves, ...this.block.regions].map(part => part.source))
     this.sources = [...names].map(name => ({name, source: this.document.get_model_by_name(name)}))
-    /** @type {{model: any, lengths: Record<string, number | number[]>}[]} as they are drawn at a unit of one pixel */
-    this.drawn = [...this.model.renderers.map((/** @type {any} */ {glyph}) => glyph), ...this.model.center].map(
+    /** @type {{model: BokehModel, lengths: Record<string, number | number[]>}[]} as they are drawn at a unit of one pixel */
+    this.drawn = [...this.model.renderers.map((/** @type {BokehModel} */ {glyph}) => glyph), ...this.model.center].map(
       model => ({
         model,
         lengths: Object.fromEntries(LENGTHS.filter(name => name in model).map(name => [name, bare(model[name])])),
@@ -84,7 +84,7 @@ export class Figure {
     for (const axis of [...this.model.below, ...this.model.left]) axis.setv(label)
   }
 
-  /** @param {any} renderer */
+  /** @param {BokehModel} renderer */
   #widen(renderer) {
     const drawn = this.#drawn(renderer)
     const token = renderer.glyph.type === "Scatter" ? "w1" : "width" in drawn && LINES[drawn.width]
@@ -147,7 +147,7 @@ export class Figure {
     for (const axis of [...this.model.below, ...this.model.left]) axis.setv(label)
   }
 
-  /** @param {any} renderer */
+  /** @param {BokehModel} renderer */
   #paint(renderer) {
     const {glyph} = renderer
     const drawn = this.#drawn(renderer)
@@ -159,7 +159,7 @@ export class Figure {
     }
   }
 
-  /** What a renderer draws: its name is the place in the block, "curves.0". @param {any} renderer */
+  /** What a renderer draws: its name is the place in the block, "curves.0". @param {BokehModel} renderer */
   #drawn(renderer) {
     const [list, index] = renderer.name.split(".")
     return list === "curves" ? this.block.curves[Number(index)] : this.block.regions[Number(index)]
@@ -168,14 +168,14 @@ export class Figure {
 
 /**
  * Columns that the picture does without (their renderers are not drawn) are filled up to the common length.
- * @param {any} source @param {Record<string, Float32Array>} given
+ * @param {BokehModel} source @param {Record<string, Float32Array>} given
  */
 function fill(source, given) {
   const nothing = new Float32Array(Object.values(given)[0]?.length ?? 0)
   source.data = Object.fromEntries(Object.keys(source.data).map(key => [key, given[key] ?? nothing]))
 }
 
-/** What Bokeh keeps of a length, without its wrapping. @param {any} length */
+/** What Bokeh keeps of a length, without its wrapping. @param {BokehModel} length */
 const bare = length => (length?.value !== undefined ? length.value : length)
 
 /** @param {number | number[]} length */

@@ -20,17 +20,6 @@ const KEYS = {
 /** Which end of its slider. @type {Record<string, 0 | 1>} */
 const ENDS = {Home: 0, End: 1}
 
-/**
- * Where a hand takes hold of a shape, and how large that is.
- * @type {Record<string, (s: any) => [number, number, number]>}
- */
-const HOLDS = {
-  box: s => [s.x, s.y - s.side / 2, s.side],
-  circle: s => [s.x, s.y, 2 * s.r],
-  path: s => [s.x, s.y, FINGER],
-  arrow: s => [s.x2, s.y2, 0],
-}
-
 /** @typedef {{grip: HTMLElement, grab: page.Grab, needs: string[], x: number, y: number, lift: number}} Grip */
 
 export class Grips {
@@ -48,9 +37,8 @@ export class Grips {
     host.append(this.element)
   }
 
-  /** @param {page.AnyShape & {grab: page.Grab}} shape */
-  add(shape) {
-    const {grab} = shape
+  /** @param {object} shape @param {page.Grab} grab */
+  add(shape, grab) {
     const look = {class: `grip ${grab.begins ? "begins" : ""}`, role: "slider", tabindex: 0, "aria-label": grab.label}
     const grip = {
       grip: element("div", {...look, "data-grab": set(grab).join(" ")}),
@@ -73,16 +61,19 @@ export class Grips {
     this.grips.set(shape, grip)
   }
 
-  /** Once a frame. @param {object} shape @param {any} s its numbers @param {boolean} drawn @param {Named} all */
-  place(shape, s, drawn, all) {
+  /**
+   * Once a frame: where a hand takes a shape, and how large that is, while it is drawn.
+   * @param {object} shape @param {[number, number, number] | null | undefined} hold @param {Named} all
+   */
+  place(shape, hold, all) {
     const found = this.grips.get(shape)
     if (!found) return
-    const shown = drawn && found.needs.every(name => name in all)
+    const shown = hold && found.needs.every(name => name in all)
     this.all = all
     const isHeld = this.page.hand.holds(found.grab)
     found.grip.hidden = !shown && !isHeld // what a hand holds does not vanish under it
     if (!shown) return
-    const [x, y, size] = HOLDS[s.kind](s)
+    const [x, y, size] = hold
     Object.assign(found, {x, y})
     const wide = Math.max(size, FINGER / Math.min(unitSize(), 1))
     const {style} = found.grip

@@ -1,7 +1,7 @@
 // Sheets, of scenes and of walks: each is fetched once, for it never changes.
 
 export class Sheets {
-  /** @type {Map<string, Promise<any>>} by address */
+  /** @type {Map<string, Promise<unknown>>} by address */
   known = new Map()
 
   /** `patience` is how long one may take. @param {number} [patience] ms */
@@ -9,10 +9,10 @@ export class Sheets {
     this.patience = patience
   }
 
-  /** @param {string} address @returns {Promise<page.SceneSheet & page.WalkSheet>} */
+  /** @template [Sheet=page.SceneSheet] @param {string} address @returns {Promise<Sheet>} */
   fetch(address) {
     const known = this.known.get(address)
-    if (known) return known
+    if (known) return /** @type {Promise<Sheet>} */ (known)
     const signal = this.patience ? AbortSignal.timeout(this.patience) : null
     const fetched = fetch(new URL(`assets/${address}`, document.baseURI), {signal}).then(answer => {
       if (!answer.ok) throw new Error(`${address}: ${answer.status}`)

@@ -24,24 +24,21 @@ function zigzag(x1, y1, x2, y2, height) {
   return "M" + points.join("L")
 }
 
-/** A line moved along itself. @param {Record<string, number>} line @param {number} gap */
-function ahead({x1, y1, x2, y2, ...rest}, gap) {
+/** A line moved along itself by its gap. @param {Placed<page.Arrow>} line */
+function ahead({x1, y1, x2, y2, gap}) {
   const length = Math.hypot(x2 - x1, y2 - y1) || 1
   const dx = ((x2 - x1) / length) * gap
   const dy = ((y2 - y1) / length) * gap
-  return {...rest, x1: x1 + dx, y1: y1 + dy, x2: x2 + dx, y2: y2 + dy}
+  return {x1: x1 + dx, y1: y1 + dy, x2: x2 + dx, y2: y2 + dy}
 }
 
-/**
- * Each kind: make() builds the elements once, move() places them with the numbers of an instant.
- * @type {Record<page.AnyShape["kind"], {make: (s: any) => SVGElement[], move: (parts: any[], s: any) => void}>}
- */
-export const KINDS = {
+/** @type {{[Name in page.AnyShape["kind"]]: Kind<Extract<page.AnyShape, {kind: Name}>>}} */
+const KINDS = {
   spring: {
     make: () => [svg("path", {class: "spring"})],
     move([path], s) {
-      path.setAttribute("d", zigzag(s.x1, s.y1, s.x2, s.y2, s.height))
-      path.style.strokeWidth = s.wire
+      set(path, {d: zigzag(s.x1, s.y1, s.x2, s.y2, s.height)})
+      path.style.strokeWidth = String(s.wire)
     },
   },
   box: {
@@ -50,63 +47,47 @@ export const KINDS = {
       svg("text", {class: "on v t3", "text-anchor": "middle"}, ...words(s.label)),
     ],
     move([rect, text], s) {
-      for (const [key, value] of [
-        ["x", s.x - s.side / 2],
-        ["y", s.y - s.side],
-        ["width", s.side],
-        ["height", s.side],
-      ])
-        rect.setAttribute(key, value)
-      text.setAttribute("x", s.corner ? s.x - s.side / 2 + 14 : s.x)
-      text.setAttribute("y", s.corner ? s.y - 9 : s.y - s.side / 2 + 6)
+      set(rect, {x: s.x - s.side / 2, y: s.y - s.side, width: s.side, height: s.side})
+      set(text, s.corner ? {x: s.x - s.side / 2 + 14, y: s.y - 9} : {x: s.x, y: s.y - s.side / 2 + 6})
       text.style.display = s.side < 24 ? "none" : ""
     },
+    hold: s => [s.x, s.y - s.side / 2, s.side],
   },
   line: {
     make: () => [svg("line", {class: "ln"})],
-    move([line], s) {
-      for (const key of ["x1", "y1", "x2", "y2"]) line.setAttribute(key, s[key])
+    move([line], {x1, y1, x2, y2}) {
+      set(line, {x1, y1, x2, y2})
     },
   },
   arrow: {
     make: () => [svg("line", {class: "shaft"}), svg("path", {class: "fill"})],
-    move([line, head], given) {
-      const s = given.gap ? ahead(given, given.gap) : given
-      const length = Math.hypot(s.x2 - s.x1, s.y2 - s.y1)
+    move([line, head], s) {
+      const {x1, y1, x2, y2} = s.gap ? ahead(s) : s
+      const length = Math.hypot(x2 - x1, y2 - y1)
       const shown = length > 1
       const size = Math.min(s.head, length)
-      const angle = Math.atan2(s.y2 - s.y1, s.x2 - s.x1)
-      const bx = s.x2 - size * 0.8 * Math.cos(angle)
-      const by = s.y2 - size * 0.8 * Math.sin(angle)
-      for (const [key, value] of [
-        ["x1", s.x1],
-        ["y1", s.y1],
-        ["x2", bx],
-        ["y2", by],
-      ])
-        line.setAttribute(key, value)
-      head.setAttribute("d", `M0 0L${-size} ${-size * 0.5}L${-size} ${size * 0.5}Z`)
-      head.setAttribute("transform", `translate(${s.x2} ${s.y2}) rotate(${(angle * 180) / Math.PI})`)
+      const angle = Math.atan2(y2 - y1, x2 - x1)
+      set(line, {x1, y1, x2: x2 - size * 0.8 * Math.cos(angle), y2: y2 - size * 0.8 * Math.sin(angle)})
+      const transform = `translate(${x2} ${y2}) rotate(${(angle * 180) / Math.PI})`
+      set(head, {d: `M0 0L${-size} ${-size * 0.5}L${-size} ${size * 0.5}Z`, transform})
       line.style.display = head.style.display = shown ? "" : "none"
     },
+    hold: s => [s.x2, s.y2, 0],
   },
   circle: {
     make: () => [svg("circle", {class: "dot"})],
     move([circle], s) {
-      circle.setAttribute("cx", s.x)
-      circle.setAttribute("cy", s.y)
-      circle.setAttribute("r", Math.max(s.r, 0))
+      set(circle, {cx: s.x, cy: s.y, r: Math.max(s.r, 0)})
     },
+    hold: s => [s.x, s.y, 2 * s.r],
   },
   path: {
     make: s => [svg("path", {class: "ln", d: s.d})],
     move([path], s) {
       const turn = s.dx || s.dy ? Math.atan2(s.dy, s.dx) : s.turn
-      path.setAttribute(
-        "transform",
-        `translate(${s.x} ${s.y}) rotate(${(turn * 180) / Math.PI}) scale(${s.sx} ${s.sy})`,
-      )
+      set(path, {transform: `translate(${s.x} ${s.y}) rotate(${(turn * 180) / Math.PI}) scale(${s.sx} ${s.sy})`})
     },
+    hold: s => [s.x, s.y, 0],
   },
   arc: {
     make: () => [svg("path", {class: "ln"})],
@@ -115,10 +96,8 @@ export const KINDS = {
       const at = angle => `${(s.x + s.r * Math.sin(angle)).toFixed(2)} ${(s.y + s.r * Math.cos(angle)).toFixed(2)}`
       const middle = (s.start + s.end) / 2
       const sweep = s.end > s.start ? 0 : 1
-      path.setAttribute(
-        "d",
-        `M${at(s.start)}${[middle, s.end].map(angle => `A${s.r} ${s.r} 0 0 ${sweep} ${at(angle)}`).join("")}`,
-      )
+      const arcs = [middle, s.end].map(angle => `A${s.r} ${s.r} 0 0 ${sweep} ${at(angle)}`)
+      set(path, {d: `M${at(s.start)}${arcs.join("")}`})
     },
   },
   wave: {
@@ -132,7 +111,7 @@ export const KINDS = {
         points.push(`${(s.x + s.length * share).toFixed(2)} ${(s.y - s.size * Math.sin(angle)).toFixed(2)}`)
       }
       const floor = s.depth ? `L${s.x + s.length} ${s.y + s.depth}L${s.x} ${s.y + s.depth}Z` : ""
-      path.setAttribute("d", `M${points.join("L")}${floor}`)
+      set(path, {d: `M${points.join("L")}${floor}`})
     },
   },
   layers: {
@@ -144,14 +123,13 @@ export const KINDS = {
         const x = s.x + s.length * share + s.size * Math.sin(2 * Math.PI * s.turns * share)
         strokes.push(`M${x.toFixed(2)} ${s.y}v${s.height}`)
       }
-      path.setAttribute("d", strokes.join(""))
+      set(path, {d: strokes.join("")})
     },
   },
   text: {
     make: s => [svg("text", {"text-anchor": s.anchor, class: "t1"}, ...words(s.words))],
-    move([text], s) {
-      text.setAttribute("x", s.x)
-      text.setAttribute("y", s.y)
+    move([text], {x, y}) {
+      set(text, {x, y})
     },
   },
   wall: {
@@ -164,13 +142,23 @@ export const KINDS = {
       for (let at = 0; at <= s.length - long / 2; at += 0.9 * long) {
         strokes.push(upright ? `M${s.x} ${s.y + at}l${depth} ${long}` : `M${s.x + at + long} ${s.y}l${-long} ${depth}`)
       }
-      hatch.setAttribute("d", strokes.join(""))
-      line.setAttribute("x1", s.x)
-      line.setAttribute("y1", s.y)
-      line.setAttribute("x2", upright ? s.x : s.x + s.length)
-      line.setAttribute("y2", upright ? s.y + s.length : s.y)
+      set(hatch, {d: strokes.join("")})
+      set(line, {x1: s.x, y1: s.y, x2: upright ? s.x : s.x + s.length, y2: upright ? s.y + s.length : s.y})
     },
   },
+}
+
+/** @param {page.AnyShape} shape */
+export const kindOf = shape => /** @type {Kind} */ (KINDS[shape.kind])
+
+/**
+ * A shape with its numbers worked out: `moving` are those that are none yet.
+ * @param {{spec: page.AnyShape, moving: [string, page.Number][]}} shape @param {Named} all
+ */
+export function placed({spec, moving}, all) {
+  const shape = {...spec}
+  for (const [key, value] of moving) Object.assign(shape, {[key]: polynomial(value, all)})
+  return /** @type {Placed} */ (shape)
 }
 
 export class Stage {
@@ -199,7 +187,7 @@ export class Stage {
     /** @type {Map<string, {rect: SVGRectElement, id: string}>} */
     this.frames = new Map()
     this.shapes = block.shapes.map(spec => {
-      const kind = KINDS[spec.kind]
+      const kind = kindOf(spec)
       const parts = kind.make(spec)
       const group = svg("g", {class: `${spec.tint} ${spec.style}`}, ...parts)
       for (const part of parts) if (spec.style) part.classList.add(...spec.style.split(" "))
@@ -214,7 +202,7 @@ export class Stage {
       return {spec, kind, parts, group, moving, needs, places, plots, covered: false}
     })
     if (page && block.shapes.some(shape => shape.grab)) this.grips = new Grips(host, page)
-    for (const shape of block.shapes) if (shape.grab) this.grips?.add(/** @type {any} */ (shape))
+    for (const shape of block.shapes) if (shape.grab) this.grips?.add(shape, shape.grab)
     this.clear = new Clear(this.shapes)
     this.observer = new ResizeObserver(() => {
       const before = this.size
@@ -285,18 +273,15 @@ export class Stage {
   frame(named) {
     if (this.host.closest("[hidden]")) return
     const all = {...named, ...this.plots, ...this.size}
-    for (const {spec, kind, parts, group, moving, places, plots, covered} of this.shapes) {
+    for (const shape of this.shapes) {
+      const {spec, kind, parts, group, places, plots, covered} = shape
       const away = covered || (this.apart && plots.size > 1)
       // What lies over a plot does not stand without it.
       const shown = !away && spec.show.every(name => all[name]) && places.every(name => name in this.plots)
       group.style.display = shown ? "" : "none"
-      if (!shown) this.grips?.place(spec, null, false, all)
-      if (!shown) continue
-      /** @type {Record<string, unknown>} */
-      const s = {...spec}
-      for (const [key, value] of moving) s[key] = polynomial(value, all)
-      kind.move(parts, s)
-      this.grips?.place(spec, s, true, all)
+      const now = shown ? placed(shape, all) : null
+      if (now) kind.move(parts, now)
+      this.grips?.place(spec, now && kind.hold?.(now), all)
     }
     this.clear.place()
   }

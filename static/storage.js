@@ -18,7 +18,7 @@ class Shelf {
     return this.#tried(storage => storage.getItem(name)) ?? null
   }
 
-  /** The JSON under a name; null where there is none. @param {string} name @returns {any} */
+  /** The JSON under a name; null where there is none. @template Value @param {string} name @returns {Value | null} */
   value(name) {
     return this.#tried(storage => JSON.parse(storage.getItem(name) ?? "null")) ?? null
   }

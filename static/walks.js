@@ -19,6 +19,7 @@ export class Walks {
   /** @param {LectureHost} lecture */
   constructor(lecture) {
     this.lecture = lecture
+    /** @type {Record<string, string>} by name */
     this.texts = tabStorage.value(OWN) ?? {}
     this.menu = new Menu(this)
     // A new session takes the place of one that knew these: it is told of them before anything is asked of it.

@@ -20,7 +20,7 @@ function define() {
     }
   }
   class Told extends ModelEvent {
-    /** @param {{model: any} & Packet} values */
+    /** @param {{model: BokehModel} & Packet} values */
     static from_values({model, ...packet}) {
       return Object.assign(new Told(), {origin: model, packet})
     }
@@ -35,7 +35,7 @@ function define() {
       this.document.event_manager.send_event(Object.assign(new Said(), {origin: this, data: message}))
     }
 
-    /** @param {any} event */
+    /** @param {unknown} event */
     _process_event(event) {
       if (event instanceof Told) this.receive(event.packet)
     }
@@ -61,7 +61,7 @@ export async function connect(token, receive, lost) {
   return {send: message => wire.send(message), close: () => close(session, wire)}
 }
 
-/** Bokeh keeps every document that it has had in a list of its own. @param {any} session @param {any} wire */
+/** Bokeh keeps every document that it has had in a list of its own. @param {BokehModel} session @param {BokehModel} wire */
 function close(session, wire) {
   wire.receive = () => {}
   session.close()

@@ -1,7 +1,8 @@
 // What the scripts share and find in the page.
 
-/** BokehJS, which is typed by none of its files. */
-declare const Bokeh: any
+/** BokehJS and its models, which are typed by none of its files. */
+type BokehModel = any
+declare const Bokeh: BokehModel
 
 declare var oscillations: any
 
@@ -22,6 +23,19 @@ type Waits = Map<string, page.Value>
 
 /** Numbers by name: signals at an instant, scalars, places of plots. */
 type Named = Record<string, number>
+
+/** A shape whose numbers are those of an instant. */
+type Placed<Shape = page.AnyShape> = {[Key in keyof Shape]: page.Number extends Shape[Key] ? number : Shape[Key]}
+
+/** A kind of shape: its elements are made once and moved at every frame; what a hand takes has a place and a size. */
+interface Kind<Shape = page.AnyShape> {
+  make(shape: Shape): SVGElement[]
+  move(parts: SVGElement[], shape: Placed<Shape>): void
+  hold?(shape: Placed<Shape>): [x: number, y: number, size: number]
+}
+
+/** What a file of TOML has under a name. */
+type Toml = string | number | boolean | Toml[] | {[name: string]: Toml}
 
 /** Takes a message to the server. */
 type Send = (message: page.Said) => void

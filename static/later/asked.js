@@ -30,20 +30,15 @@ export class Asked {
 
   /** A walk's file. @param {Fields[]} [steps] */
   file(steps = this.steps) {
-    const parts = steps.map(step => [
-      "[[step]]",
-      ...Object.entries(step)
-        .map(pair => pair.map(one => one))
-        .map(line),
-    ])
+    const parts = steps.map(step => ["[[step]]", ...Object.entries(step).map(line)])
     return [line(["title", this.title]), ...parts.map(lines => `\n${lines.join("\n")}`)].join("\n") + "\n"
   }
 }
 
-/** @param {any[]} field */
+/** @param {[string, Toml]} field */
 const line = ([name, value]) => `${name} = ${written(value)}`
 
-/** Strings of JSON are strings of TOML, but for one sign. @param {any} value @returns {string} */
+/** Strings of JSON are strings of TOML, but for one sign. @param {Toml} value @returns {string} */
 function written(value) {
   if (Array.isArray(value)) {
     const items = value.map(written)

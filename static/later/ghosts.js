@@ -5,8 +5,8 @@ import {element, long, marked, set, svg} from "../dom.js"
 import {heldNumbers} from "./heldnumber.js"
 import {toPlace, toSI} from "../ruler.js"
 import {sliderPlace} from "../scales.js"
-import {evaluate, polynomial} from "../signals.js"
-import {KINDS} from "../stage.js"
+import {evaluate} from "../signals.js"
+import {kindOf, placed} from "../stage.js"
 
 const FAR = 1e4 // pixels beyond which no curve is followed
 const NEAR = 0.05 // pixels between what is the same
@@ -251,7 +251,7 @@ export class StageGhost {
     this.shapes = stage.shapes
       .filter(({spec}) => spec.held || spec.grab?.begins)
       .map(({spec, moving, needs}) => {
-        const parts = KINDS[spec.kind].make(spec)
+        const parts = kindOf(spec).make(spec)
         const group = svg("g", {class: `held-shape ${spec.tint}`}, ...parts)
         group.style.display = "none"
         stage.svg.prepend(group)
@@ -270,14 +270,11 @@ export class StageGhost {
     const {stage} = this
     for (const number of this.numbers) number.frame(named, view)
     const all = {...named, ...stage.plots, ...stage.size}
-    for (const {spec, moving, needs, parts, group} of this.shapes) {
+    for (const shape of this.shapes) {
+      const {spec, needs, parts, group} = shape
       const isShown = spec.show.every(name => all[name]) && [...needs].every(name => name in all)
       group.style.display = isShown ? "" : "none"
-      if (!isShown) continue
-      /** @type {Record<string, any>} */
-      const s = {...spec}
-      for (const [key, value] of moving) s[key] = polynomial(value, all)
-      KINDS[spec.kind].move(parts, s)
+      if (isShown) kindOf(spec).move(parts, placed(shape, all))
     }
   }
 }

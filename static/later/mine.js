@@ -11,6 +11,7 @@ const name = code => `class-${code}`
 
 /** @param {string} code @returns {Mine | null} */
 export function mine(code) {
+  /** @type {Partial<Mine>} */
   const {token, answers = {}} = browserStorage.value(name(code)) ?? {}
   return token ? {token, answers} : null
 }

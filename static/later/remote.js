@@ -27,7 +27,7 @@ export async function control(code, ticket) {
  */
 async function pairedWith(code, ticket, say) {
   const name = `remote-${code}-${ticket}`
-  const kept = tabStorage.value(name)
+  const kept = /** @type {page.Paired | null} */ (tabStorage.value(name))
   if (kept) return kept
   const paired = await untilAnswered(() => ask(`${code}/remote`, {method: "PUT", body: {address: ticket}}), say)
   tabStorage.keep(name, paired)
@@ -36,7 +36,7 @@ async function pairedWith(code, ticket, say) {
 
 /**
  * What is refused for a moment only is asked once more.
- * @param {() => Promise<any>} question @param {(why: string) => void} say @returns {Promise<any>}
+ * @template Answer @param {() => Promise<Answer>} question @param {(why: string) => void} say @returns {Promise<Answer>}
  */
 async function untilAnswered(question, say) {
   try {

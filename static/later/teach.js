@@ -272,6 +272,6 @@ function passphrase(sentence) {
 
 /** @returns {Promise<page.Opened | null>} */
 async function kept() {
-  const room = browserStorage.value(KEPT)
+  const room = /** @type {page.Opened | null} */ (browserStorage.value(KEPT))
   return room && ask(`${room.code}/lead`, {word: room.key}).catch(() => null)
 }

@@ -5,7 +5,7 @@ import {element, svg} from "../dom.js"
 /**
  * @typedef {import("../plots.js").Plot} Plot
  * @typedef {Omit<page.Given, "walk" | "step" | "vote">} Answer
- * @typedef {Record<string, any>} Fields of a step, as a walk's file names them
+ * @typedef {Record<string, Toml>} Fields of a step, as a walk's file names them
  */
 
 /**
@@ -32,7 +32,7 @@ export class Question {
   /** What it then asks the instructor for. @type {(plots: Plot[]) => HTMLElement[]} */
   static fields
 
-  /** Its fields in a walk's file. @type {(form: HTMLFormElement, plots: Plot[]) => Fields} */
+  /** Its fields in a walk's file. @type {(form: HTMLFormElement, plots: Plot[]) => Fields & {cover?: string[]}} */
   static read
 
   /** @type {() => void} called when the answer is another */
