@@ -1,7 +1,7 @@
 // Comparison: the picture held beside the one that stands, the curves from before a drag, and what is covered
 // until a prediction has been made. The modules that draw them are fetched when there is something to draw.
 
-import {element} from "./dom.js"
+import {chip} from "./dom.js"
 import {later, using} from "./later.js"
 import {toSI} from "./ruler.js"
 import {evaluate, roots} from "./signals.js"
@@ -41,8 +41,8 @@ export class Compare {
   /** @param {PartHost} page */
   constructor(page) {
     this.page = page
-    this.hold = chip("Hold", "Keep these curves for comparison (H)", () => this.toggle())
-    this.predict = chip("Predict", "Hide a picture and guess it first", () => this.#predict())
+    this.hold = chip("Hold", () => this.toggle(), {title: "Keep these curves for comparison (H)"})
+    this.predict = chip("Predict", () => this.#predict(), {title: "Hide a picture and guess it first"})
     this.gone = new AbortController()
     for (const event of ["pointerdown", "keydown"]) this.#on(event, () => (this.pressed = true))
     for (const event of ["pointerup", "pointercancel", "keyup"]) this.#on(event, released => this.#released(released))
@@ -215,10 +215,3 @@ function isCloser({view: {axes}}, {view: {axes: old}}) {
 
 /** @param {page.Ruler} ruler */
 const size = ruler => Math.abs(toSI(ruler, ruler.end) - toSI(ruler, ruler.start))
-
-/** @param {string} name @param {string} title @param {() => void} act */
-function chip(name, title, act) {
-  const button = element("button", {type: "button", class: "chip", title}, name)
-  button.addEventListener("click", act)
-  return button
-}

@@ -1,7 +1,7 @@
 // The control panel: presets, sliders with typed fields, and choices. It shows the state that the server sends and
 // sends what the visitor does; it never decides what is possible.
 
-import {element, marked, svg} from "./dom.js"
+import {button, chip, element, marked, svg} from "./dom.js"
 import {Slider, problemElement, symbol} from "./slider.js"
 
 const TYPING = "A digit begins a number in its field; Enter sets it, Escape takes it back."
@@ -45,16 +45,14 @@ class Presets {
 
   /** @param {string | null} preset */
   update(preset) {
-    for (const button of this.buttons) button.setAttribute("aria-pressed", String(button.dataset.preset === preset))
+    for (const one of this.buttons) one.setAttribute("aria-pressed", String(one.dataset.preset === preset))
   }
 }
 
 /** @param {page.PresetButton} preset @param {() => void} take */
 function presetButton({name, label, outline: drawing}, take) {
-  const look = {type: "button", class: drawing ? "tile" : "chip", "aria-pressed": "false", "data-preset": name}
-  const button = element("button", look, outline(drawing), element("span", {}, label))
-  button.addEventListener("click", take)
-  return button
+  const look = {class: drawing ? "tile" : "chip", "aria-pressed": "false", "data-preset": name}
+  return button(look, take, outline(drawing), element("span", {}, label))
 }
 
 /**
@@ -63,9 +61,8 @@ function presetButton({name, label, outline: drawing}, take) {
  */
 export function buildChoice(host, spec, send) {
   const buttons = spec.options.map(({value, label}) => {
-    const button = element("button", {type: "button", "aria-pressed": "false", "data-option": value}, label)
-    button.addEventListener("click", () => send({type: "choose", name: spec.name, value}))
-    return button
+    const act = () => send({type: "choose", name: spec.name, value})
+    return button({"aria-pressed": "false", "data-option": value}, act, label)
   })
   host.append(
     element("div", {class: "seg", role: "group", "aria-label": spec.label, "data-name": spec.name}, ...buttons),
@@ -74,7 +71,7 @@ export function buildChoice(host, spec, send) {
     /** @param {Record<string, page.Setting>} settings */
     update(settings) {
       const now = settings[spec.name].value
-      for (const button of buttons) button.setAttribute("aria-pressed", String(button.dataset.option === now))
+      for (const one of buttons) one.setAttribute("aria-pressed", String(one.dataset.option === now))
     },
   }
 }
@@ -211,11 +208,9 @@ export class Controls {
 
   /** Buttons that have the server set several parameters at once. @param {page.ActionButton[]} actions */
   #actions(actions) {
-    const buttons = actions.map(({name, label, place}) => {
-      const button = element("button", {type: "button", class: "chip", "data-place": place ? name : undefined}, label)
-      button.addEventListener("click", () => this.send({type: "act", name}))
-      return button
-    })
+    const buttons = actions.map(({name, label, place}) =>
+      chip(label, () => this.send({type: "act", name}), {"data-place": place ? name : undefined}),
+    )
     const problem = problemElement(`problem-${actions[0].name}`)
     this.actionProblems.push(problem)
     return element("div", {class: "chips"}, ...buttons, problem)
@@ -228,8 +223,8 @@ export class Controls {
     for (const choice of this.choices) choice.update(settings)
     this.presets.update(preset)
     for (const problem of this.actionProblems) problem.textContent = errors.action ?? ""
-    for (const button of this.host.querySelectorAll("[data-place]")) {
-      button.setAttribute("aria-pressed", String(here.includes(button.getAttribute("data-place") ?? "")))
+    for (const one of this.host.querySelectorAll("[data-place]")) {
+      one.setAttribute("aria-pressed", String(here.includes(one.getAttribute("data-place") ?? "")))
     }
     for (const fold of this.folds) {
       const wanted = fold.names.some(name => settings[name].changed)

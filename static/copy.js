@@ -1,7 +1,7 @@
 // The link of a page, put where another program can take it up.
 
 import {isTooLong} from "./address.js"
-import {element} from "./dom.js"
+import {chip, element} from "./dom.js"
 import {note} from "./notes.js"
 
 const NAME = "Copy link"
@@ -9,8 +9,7 @@ const MOMENT = 1500 // ms for which a button says what it has done
 
 /** @param {() => string} link */
 export function copyButton(link) {
-  const button = element("button", {type: "button", class: "chip"}, NAME)
-  button.addEventListener("click", async () => {
+  const button = chip(NAME, async () => {
     button.textContent = await taken(link())
     setTimeout(() => {
       button.textContent = NAME

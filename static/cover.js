@@ -1,6 +1,6 @@
 // A cover in place of a plot or a number that waits for a prediction: the numbers under it have not been sent.
 
-import {element, long} from "./dom.js"
+import {chip, element, long} from "./dom.js"
 
 const FIGURE_SPACE = "\u2007"
 
@@ -44,9 +44,8 @@ export class Cover {
     const {block, host} = this.plot
     const isCovered = covered.includes(`plot:${block.name}`)
     if (isCovered && !this.element) {
-      const name = `Reveal ${block.title}`
-      const reveal = element("button", {type: "button", class: "chip", "aria-label": name}, "Reveal")
-      reveal.addEventListener("click", () => this.plot.page.compare.reveal(`plot:${block.name}`))
+      const act = () => this.plot.page.compare.reveal(`plot:${block.name}`)
+      const reveal = chip("Reveal", act, {"aria-label": `Reveal ${block.title}`})
       this.element = element("div", {class: "cover"}, element("span", {}, "Covered. What do you expect?"), reveal)
       host.append(this.element)
     }

@@ -29,6 +29,16 @@ export function svg(tag, attributes = {}, ...children) {
   return made
 }
 
+/** A button and what it does. @param {Attributes} look @param {() => void} act @param {...(Node | string)} children */
+export function button(look, act, ...children) {
+  const made = element("button", {type: "button", ...look}, ...children)
+  made.addEventListener("click", () => act())
+  return made
+}
+
+/** A small button with a name. @param {string} name @param {() => void} act @param {Attributes} [look] */
+export const chip = (name, act, look = {}) => button({class: "chip", ...look}, act, name)
+
 /**
  * Gives a part its text, and says whether it is another: one that stays is neither drawn nor read out again.
  * @param {Node} part @param {string} text

@@ -1,6 +1,6 @@
 // The hall: type and lines that the last row reads, the panel folded away. It is part of the link, not of the state.
 
-import {element} from "./dom.js"
+import {button, element} from "./dom.js"
 import {later} from "./later.js"
 import {tabStorage} from "./storage.js"
 
@@ -47,9 +47,7 @@ export class Hall {
 
   /** What stands for the panel while it is folded away. */
   tab() {
-    const tab = element("button", {type: "button", class: "tab"}, "Controls, key C")
-    tab.addEventListener("click", () => this.fold())
-    return tab
+    return button({class: "tab"}, () => this.fold(), "Controls, key C")
   }
 
   /** The panel, behind its tab or beside the paper. */

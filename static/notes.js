@@ -1,6 +1,6 @@
 // Sentences that the visitor should know: at the foot of the page, where what is seen stays as it is, and over a scene.
 
-import {element} from "./dom.js"
+import {button, element} from "./dom.js"
 
 /** What went wrong, as it says itself. @param {unknown} reason */
 export const inWords = reason => (reason instanceof Error ? reason.message : String(reason))
@@ -10,9 +10,8 @@ export const inWords = reason => (reason instanceof Error ? reason.message : Str
  * @param {string} sentence @param {HTMLElement[]} parts
  */
 export function note(sentence, ...parts) {
-  const close = element("button", {type: "button", "aria-label": "Close"}, "×")
+  const close = button({"aria-label": "Close"}, () => said.remove(), "×")
   const said = element("div", {class: "remark", role: "status"}, close)
-  close.addEventListener("click", () => said.remove())
   document.body.append(said)
   said.prepend(element("span", {}, sentence), ...parts) // what comes into a status that is there is read out
   return () => said.remove()
@@ -24,8 +23,7 @@ export class Notice {
 
   /** @param {string} sentence */
   tell(sentence) {
-    const close = element("button", {type: "button", "aria-label": "Close"}, "×")
-    close.addEventListener("click", () => this.hide())
+    const close = button({"aria-label": "Close"}, () => this.hide(), "×")
     this.element.replaceChildren(element("span", {}, sentence), close)
     this.element.hidden = false
   }

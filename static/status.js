@@ -1,6 +1,6 @@
 // The state of the connection in words, in place of the links to other scenes, which would not work without one.
 
-import {element, svg} from "./dom.js"
+import {chip, element, svg} from "./dom.js"
 
 const MOMENT = 4000 // ms for which it is said that all is well again
 const LOST = "The picture still plays; your changes wait."
@@ -17,8 +17,7 @@ export class Status {
   constructor(retry) {
     this.alert = element("p", {role: "alert"})
     this.next = element("span", {class: "next"}) // no part of the alert, which would be read out each second
-    const button = element("button", {type: "button", class: "chip"}, "Try now")
-    button.addEventListener("click", retry)
+    const button = chip("Try now", retry)
     this.lost = element("div", {class: "lost", hidden: ""}, ring(), this.alert, this.next, button)
     this.again = element("p", {class: "again", role: "status"})
     document.querySelector(".nav .brand")?.after(this.lost)

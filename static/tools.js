@@ -1,7 +1,7 @@
 // What is done with a page as a whole: it is held or predicted, copied as a link, saved, and left for another scene.
 
 import {copyButton} from "./copy.js"
-import {element} from "./dom.js"
+import {button, chip, element} from "./dom.js"
 import {using} from "./later.js"
 import {tables} from "./tables.js"
 
@@ -17,10 +17,8 @@ export class Tools {
     this.page = page
     const {sheet, plots, spec} = page
     const title = "The numbers of all plots as a CSV file; several tables come in one ZIP file"
-    this.csv = element("button", {type: "button", class: "chip", title}, "CSV")
-    this.csv.addEventListener("click", () => page.send({type: "csv", page: location.origin + location.pathname}))
-    const pictures = element("button", {type: "button", class: "chip"}, "Pictures")
-    pictures.addEventListener("click", () => this.#take())
+    this.csv = chip("CSV", () => page.send({type: "csv", page: location.origin + location.pathname}), {title})
+    const pictures = chip("Pictures", () => this.#take())
     for (const stage of sheet.stages.filter(({svg}) => svg.role === "img"))
       this.#takeable(stage.host, stage, stage.svg.getAttribute("aria-label") ?? "")
     for (const plot of plots) this.#takeable(plot.host.parentElement, plot, plot.block.title)
@@ -43,11 +41,10 @@ export class Tools {
    */
   #takeable(host, subject, name) {
     const title = "Save the picture, or read its table"
-    const button = element("button", {type: "button", class: "take", tabindex: -1, title})
-    button.innerHTML = SAVE
-    button.setAttribute("aria-label", `${title}: ${name}`)
-    button.addEventListener("click", () => this.#take(subject))
-    host?.append(button)
+    const look = {class: "take", tabindex: -1, title, "aria-label": `${title}: ${name}`}
+    const taking = button(look, () => this.#take(subject))
+    taking.innerHTML = SAVE
+    host?.append(taking)
   }
 
   /** @param {Subject} [subject] */

@@ -1,6 +1,6 @@
 // The transport: play, step, restart, speed and time window.
 
-import {element, reword} from "./dom.js"
+import {button, element, reword} from "./dom.js"
 import {Fit} from "./fit.js"
 import {MINUS, grouped, short} from "./numbers.js"
 
@@ -19,10 +19,9 @@ export const icon = name =>
   `<svg viewBox="0 0 24 24" width="22" height="22" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`
 
 /** @param {string} name @param {string} drawing @param {() => void} act @param {string} [style] */
-function button(name, drawing, act, style = "icon") {
-  const made = element("button", {type: "button", class: style, "aria-label": name, title: name})
+function key(name, drawing, act, style = "icon") {
+  const made = button({class: style, "aria-label": name, title: name}, act)
   made.innerHTML = drawing
-  made.addEventListener("click", act)
   return made
 }
 
@@ -55,8 +54,8 @@ export class Transport {
   constructor(page) {
     this.page = page
     const {clock} = page
-    this.play = button("Pause", icon("pause"), () => clock.toggle(), "icon play")
-    this.auto = button("Auto speed", "Auto", () => clock.auto(), "")
+    this.play = key("Pause", icon("pause"), () => clock.toggle(), "icon play")
+    this.auto = key("Auto speed", "Auto", () => clock.auto(), "")
     this.factor = element("span", {class: "factor", title: "Seconds of motion shown in one second"})
     this.window = element("input", {
       name: "window",
@@ -71,17 +70,17 @@ export class Transport {
     this.element = element(
       "div",
       {class: "transport"},
-      button("Restart", icon("restart"), () => clock.seek(0)),
-      button("Step back", icon("back"), () => clock.step(-1), "icon back"),
+      key("Restart", icon("restart"), () => clock.seek(0)),
+      key("Step back", icon("back"), () => clock.step(-1), "icon back"),
       this.play,
-      button("Step forward", icon("forward"), () => clock.step(1), "icon forward"),
+      key("Step forward", icon("forward"), () => clock.step(1), "icon forward"),
       element(
         "div",
         {class: "seg speeds", role: "group", "aria-label": "Speed"},
         this.auto,
-        button("Slower", MINUS, () => clock.faster(-1), ""),
+        key("Slower", MINUS, () => clock.faster(-1), ""),
         this.factor,
-        button("Faster", "+", () => clock.faster(1), ""),
+        key("Faster", "+", () => clock.faster(1), ""),
       ),
       this.note,
       this.fit.element,

@@ -1,6 +1,6 @@
 // Undo and redo: the states that a scene has been in, each put back by opening it.
 
-import {element, set, svg} from "./dom.js"
+import {button, element, set, svg} from "./dom.js"
 
 const ARROWS = {past: "M9 14l-5-5 5-5M4 9h10a5 5 0 0 1 0 10h-4", future: "M15 14l5-5-5-5M20 9H10a5 5 0 0 0 0 10h4"}
 const RESET = "M5 5v14M19 6l-9 6 9 6z"
@@ -26,8 +26,7 @@ export class Undo {
   constructor(send, reset) {
     this.send = send
     this.buttons = {past: this.#button("Undo", "past"), future: this.#button("Redo", "future")}
-    this.reset = drawn("Reset", "Reset: everything as the scene opened", RESET)
-    this.reset.addEventListener("click", reset)
+    this.reset = drawn("Reset", "Reset: everything as the scene opened", RESET, reset)
     this.element = element("div", {class: "undo"}, this.reset, this.buttons.past, this.buttons.future)
     addEventListener("pointerdown", () => this.#press("pointer"), true)
     addEventListener("keydown", event => this.#key(event), true)
@@ -41,10 +40,9 @@ export class Undo {
   /** @param {string} name @param {Way} way */
   #button(name, way) {
     const keys = way === "past" ? "Control+Z" : "Control+Shift+Z"
-    const button = drawn(name, `${name} (${keys.replace("Control", "Ctrl")})`, ARROWS[way])
-    set(button, {"aria-keyshortcuts": keys, disabled: ""})
-    button.addEventListener("click", () => this.go(way))
-    return button
+    const made = drawn(name, `${name} (${keys.replace("Control", "Ctrl")})`, ARROWS[way], () => this.go(way))
+    set(made, {"aria-keyshortcuts": keys, disabled: ""})
+    return made
   }
 
   /** A field that is typed in has an undo of its own. @param {KeyboardEvent} event */
@@ -95,10 +93,10 @@ export class Undo {
   }
 }
 
-/** A button with a drawing. @param {string} name @param {string} title @param {string} d */
-function drawn(name, title, d) {
+/** A button with a drawing. @param {string} name @param {string} title @param {string} d @param {() => void} act */
+function drawn(name, title, d, act) {
   const look = {viewBox: "0 0 24 24", width: 20, height: 20, "aria-hidden": "true"}
-  return element("button", {type: "button", "aria-label": name, title}, svg("svg", look, svg("path", {d})))
+  return button({"aria-label": name, title}, act, svg("svg", look, svg("path", {d})))
 }
 
 /**

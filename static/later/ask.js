@@ -1,7 +1,7 @@
 // Ask: a question about what is shown becomes a step of a walk, and several steps a file to keep. Each is checked by
 // the session as any walk's file is, so that what is made here runs.
 
-import {element} from "../dom.js"
+import {chip, element} from "../dom.js"
 import {Asked} from "./asked.js"
 import {parts, sentences} from "./coverable.js"
 import {chooser, labelled, text} from "../questions/fields.js"
@@ -79,11 +79,7 @@ class Ask {
       ["Remove all questions", "of-steps", () => this.#remove()],
       ["Close", "", () => this.element.close()],
     ])
-    return entries.map(([name, style, act]) => {
-      const button = element("button", {type: "button", class: `chip ${style}`.trim()}, name)
-      button.addEventListener("click", act)
-      return button
-    })
+    return entries.map(([name, style, act]) => chip(name, act, {class: `chip ${style}`.trim()}))
   }
 
   #fields() {
@@ -99,8 +95,7 @@ class Ask {
 
   /** @param {Fields} step @param {number} i */
   #row(step, i) {
-    const remove = element("button", {type: "button", class: "chip"}, "Remove")
-    remove.addEventListener("click", () => this.#remove(i))
+    const remove = chip("Remove", () => this.#remove(i))
     return element("li", {}, element("span", {}, String(step.question)), remove)
   }
 

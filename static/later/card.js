@@ -1,6 +1,6 @@
 // The card of a step, in the panel's place: what is given and asked, the answer, what it means, what to try.
 
-import {element, marked} from "../dom.js"
+import {button, chip, element, marked} from "../dom.js"
 import {KINDS} from "../questions/kinds.js"
 import {claim, withhold} from "./claim.js"
 
@@ -24,11 +24,9 @@ export class Card {
     this.question = new KINDS[step.kind](step, walk, page)
     this.refusal = element("p", {class: "problem", role: "alert"})
     this.after = element("div", {class: "after"})
-    this.back = element("button", {type: "button", class: "act", "data-key": "PageUp"}, "Back")
+    this.back = button({class: "act", "data-key": "PageUp"}, () => walk.back(), "Back")
     this.back.disabled = walk.place === 0
-    this.back.addEventListener("click", () => walk.back())
-    this.forward = element("button", {type: "button", class: "act filled"}, "Show the answer")
-    this.forward.addEventListener("click", () => walk.forward())
+    this.forward = button({class: "act filled"}, () => walk.forward(), "Show the answer")
     const asks = marked("h2", {class: "asks", tabindex: -1}, step.question)
     this.body = element("div", {class: "card-body"}, this.#head(), ...given(step), asks, this.question.element)
     this.body.append(this.refusal, this.after)
@@ -49,8 +47,7 @@ export class Card {
 
   #head() {
     const {sheet, place, where} = this.walk
-    const contents = element("button", {type: "button", class: "plain"}, "Contents")
-    contents.addEventListener("click", () => this.walk.open())
+    const contents = button({class: "plain"}, () => this.walk.open(), "Contents")
     const dashes = sheet.steps.map((other, i) =>
       element("i", {class: i === place ? "here" : this.walk.answers.of(other.id) ? "done" : ""}),
     )
@@ -110,8 +107,7 @@ export class Card {
 
   /** @param {page.Html} next */
   #try(next) {
-    const again = element("button", {type: "button", class: "chip"}, this.question.again)
-    again.addEventListener("click", () => this.walk.again())
+    const again = chip(this.question.again, () => this.walk.again())
     const words = next ? [marked("p", {class: "try"}, `<b>Try:</b> ${next}`)] : []
     const parts = element(
       "div",
@@ -125,10 +121,8 @@ export class Card {
 
   /** A hall has no room for what to try beside what it means: it takes the place of the answers. */
   #opener() {
-    const opener = element("button", {type: "button", class: "chip opens-tries", "aria-expanded": "false"}, "Try")
-    opener.addEventListener("click", () => {
-      opener.setAttribute("aria-expanded", String(this.element.classList.toggle("trying")))
-    })
+    const toggle = () => opener.setAttribute("aria-expanded", String(this.element.classList.toggle("trying")))
+    const opener = button({class: "chip opens-tries", "aria-expanded": "false"}, toggle, "Try")
     return opener
   }
 

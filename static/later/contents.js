@@ -1,6 +1,6 @@
 // The contents of all walks on the paper: a step that was answered stands as its claim, one to come as its question.
 
-import {element, marked} from "../dom.js"
+import {button, chip, element, marked} from "../dom.js"
 import {mark} from "../questions/question.js"
 import {save} from "../save.js"
 
@@ -35,22 +35,12 @@ export class Contents {
 
   #fill() {
     const {sheets} = this
-    const close = this.#button("Close", () => this.close())
+    const close = chip("Close", () => this.close())
     const head = element("header", {}, element("h1", {}, "Steps of this lecture"), close)
     const hint = element("p", {class: "hint"}, "The number before a step is its slide, or its page of the notes.")
     const columns = element("div", {class: "columns"}, ...sheets.map(sheet => this.#column(sheet)))
-    const tools = [
-      this.#button("Save as text", () => this.#export(sheets)),
-      this.#button("Delete my answers", () => this.#clear()),
-    ]
+    const tools = [chip("Save as text", () => this.#export(sheets)), chip("Delete my answers", () => this.#clear())]
     this.element.replaceChildren(head, hint, columns, element("div", {class: "tools"}, ...tools))
-  }
-
-  /** @param {string} name @param {() => void} act */
-  #button(name, act) {
-    const button = element("button", {type: "button", class: "chip"}, name)
-    button.addEventListener("click", act)
-    return button
   }
 
   /** @param {page.WalkSheet} sheet */
@@ -66,13 +56,13 @@ export class Contents {
     const claim = marked("span", {class: "claim"}, kept ? kept.title : step.question)
     const slide = element("span", {class: "slide"}, step.place.replace(/^\S+ slide |^\S+ notes /, ""))
     const parts = [slide, claim, element("span", {class: "said"}, said), ...(kept ? [mark(kept.right)] : [])]
-    const row = element("button", {type: "button"}, ...parts)
-    const isHere = sheet === this.walk.sheet && i === this.walk.place
-    if (isHere) row.setAttribute("aria-current", "step")
-    row.addEventListener("click", () => {
+    const go = () => {
       this.close()
       this.walk.walks.enter(sheet.name, i)
-    })
+    }
+    const row = button({}, go, ...parts)
+    const isHere = sheet === this.walk.sheet && i === this.walk.place
+    if (isHere) row.setAttribute("aria-current", "step")
     return element("li", {}, row)
   }
 

@@ -1,6 +1,6 @@
 // The corner of the hall's screen: where the class is joined, its code, a QR code for the first rows, who is here.
 
-import {element, marked} from "../dom.js"
+import {button, element, marked} from "../dom.js"
 
 export class Corner {
   /** @param {page.Opened} room @param {() => void} press */
@@ -8,9 +8,8 @@ export class Corner {
     this.state = element("span", {})
     const words = element("span", {class: "corner-words"}, element("span", {class: "at"}, place(address)))
     words.append(element("b", {}, code), this.state)
-    this.element = element("button", {type: "button", class: "class-corner", title: "Join code, large (J)"}, words)
+    this.element = button({class: "class-corner", title: "Join code, large (J)"}, press, words)
     this.element.append(marked("span", {class: "class-square", "aria-hidden": "true"}, square))
-    this.element.addEventListener("click", press)
   }
 
   /** Beside the scene that stands. @param {HTMLElement} root of its page */

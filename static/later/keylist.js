@@ -1,6 +1,6 @@
 // The list of the keys: beside the paper, so that each can be tried while it is read, and pressed as a button.
 
-import {element} from "../dom.js"
+import {button, chip, element} from "../dom.js"
 
 /**
  * @typedef {{shown: string, does: string}} Key
@@ -13,8 +13,7 @@ export function toggleList(keys, singles, press) {
   if (open) return open.remove()
   const dialog = element("dialog", {class: "keys", "aria-label": "Keys"})
   const rows = keys.map(key => row(key, () => press(key)))
-  const close = element("button", {type: "button", class: "chip"}, "Close")
-  close.addEventListener("click", () => dialog.remove())
+  const close = chip("Close", () => dialog.remove())
   const head = element("header", {}, element("h2", {}, "Keys"), close)
   dialog.append(head, element("ul", {}, ...rows, arrows()), choice(singles))
   document.body.append(dialog)
@@ -24,9 +23,7 @@ export function toggleList(keys, singles, press) {
 
 /** @param {Key} key @param {() => void} press */
 function row({shown, does}, press) {
-  const button = element("button", {type: "button"}, element("kbd", {}, shown), element("span", {}, does))
-  button.addEventListener("click", press)
-  return element("li", {}, button)
+  return element("li", {}, button({}, press, element("kbd", {}, shown), element("span", {}, does)))
 }
 
 /** They have no deed of their own. */

@@ -1,6 +1,6 @@
 // The code and its QR over the whole page, for the last row; and what else an instructor may want of the class.
 
-import {element, marked} from "../dom.js"
+import {button, chip, element, marked} from "../dom.js"
 import {inWords} from "../notes.js"
 import {save} from "../save.js"
 import {place} from "./corner.js"
@@ -71,8 +71,8 @@ export class Large {
       ["Answers as CSV", () => this.#try(() => this.#csv())],
       ["End the class", () => this.#end()],
     ])
-    const chips = deeds.map(([name, act]) => button(name, "chip", act))
-    return [...chips, button("Close (J)", "act filled", () => this.close())]
+    const chips = deeds.map(([name, act]) => chip(name, act))
+    return [...chips, button({class: "act filled"}, () => this.close(), "Close (J)")]
   }
 
   /** @param {number} here */
@@ -140,16 +140,13 @@ export class Large {
         await ask(`${code}/tickets`, {method, body: {digits}, word: key})
         this.#say("done", done)
       })
-    const yes = button("Yes, connect it", "act filled", () => decide("PUT", "The remote control is connected."))
-    const no = button("No", "act", () => decide("DELETE", "The phone was turned away."))
+    const yes = button(
+      {class: "act filled"},
+      () => decide("PUT", "The remote control is connected."),
+      "Yes, connect it",
+    )
+    const no = button({class: "act"}, () => decide("DELETE", "The phone was turned away."), "No")
     const words = element("span", {}, "Does the phone in your hand show ", element("b", {}, digits), "?")
     return element("p", {}, words, yes, no)
   }
-}
-
-/** @param {string} name @param {string} style @param {() => void} act */
-function button(name, style, act) {
-  const made = element("button", {type: "button", class: style}, name)
-  made.addEventListener("click", act)
-  return made
 }

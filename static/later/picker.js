@@ -1,6 +1,6 @@
 // A choice whose options are small pictures, drawn and moved as the stage is.
 
-import {element} from "../dom.js"
+import {button, element} from "../dom.js"
 import {Stage} from "../stage.js"
 
 /**
@@ -12,14 +12,9 @@ export function buildPicker(host, spec, send) {
   const buttons = spec.options.map(({value, label}) => {
     const picture = element("div", {class: "picture"})
     stages.push(new Stage({shapes: spec.pictures[value], label: ""}, picture))
-    const button = element(
-      "button",
-      {type: "button", class: "tile", "aria-pressed": "false", "data-option": value},
-      picture,
-      element("span", {}, label),
-    )
-    button.addEventListener("click", () => send({type: "choose", name: spec.name, value}))
-    return button
+    const look = {class: "tile", "aria-pressed": "false", "data-option": value}
+    const act = () => send({type: "choose", name: spec.name, value})
+    return button(look, act, picture, element("span", {}, label))
   })
   host.append(
     element("div", {class: "tiles", role: "group", "aria-label": spec.label, "data-name": spec.name}, ...buttons),
@@ -29,7 +24,7 @@ export function buildPicker(host, spec, send) {
     /** @param {Record<string, page.Setting>} settings */
     update(settings) {
       const now = settings[spec.name].value
-      for (const button of buttons) button.setAttribute("aria-pressed", String(button.dataset.option === now))
+      for (const one of buttons) one.setAttribute("aria-pressed", String(one.dataset.option === now))
     },
   }
 }

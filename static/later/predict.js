@@ -1,18 +1,18 @@
 // The list of what a visitor can cover until a prediction has been made: the next change, a plot, a number.
 
-import {element} from "../dom.js"
+import {button, element} from "../dom.js"
 import {parts} from "./coverable.js"
 
 /** The list, beside its button; a second press, Escape or a press elsewhere closes it. */
 class Menu {
-  /** @param {PartHost} page @param {HTMLElement} button */
-  constructor(page, button) {
+  /** @param {PartHost} page @param {HTMLElement} opener */
+  constructor(page, opener) {
     this.page = page
-    this.button = button
+    this.opener = opener
     this.element = element("div", {class: "predict", role: "menu", "aria-label": "Hide until you press Reveal"})
     this.element.addEventListener("keydown", event => this.#move(event))
-    button.setAttribute("aria-expanded", "true")
-    button.after(this.element)
+    opener.setAttribute("aria-expanded", "true")
+    opener.after(this.element)
     this.#fill()
     this.gone = new AbortController()
     const {signal} = this.gone
@@ -29,12 +29,11 @@ class Menu {
 
   /** @param {string} cover @param {string} text */
   #add(cover, text) {
-    const item = element("button", {type: "button", role: "menuitem"}, text)
-    item.addEventListener("click", () => {
+    const act = () => {
       this.page.compare.cover(cover)
       this.close(true)
-    })
-    this.element.append(item)
+    }
+    this.element.append(button({role: "menuitem"}, act, text))
   }
 
   /** @param {KeyboardEvent} event */
@@ -52,15 +51,15 @@ class Menu {
   /** @param {PointerEvent} event */
   #elsewhere(event) {
     const {target} = event
-    if (target instanceof Node && !this.element.contains(target) && !this.button.contains(target)) this.close(false)
+    if (target instanceof Node && !this.element.contains(target) && !this.opener.contains(target)) this.close(false)
   }
 
   /** @param {boolean} back the focus */
   close(back) {
     this.gone.abort()
     this.element.remove()
-    this.button.setAttribute("aria-expanded", "false")
-    if (back) this.button.focus()
+    this.opener.setAttribute("aria-expanded", "false")
+    if (back) this.opener.focus()
     open = null
   }
 }
@@ -68,8 +67,8 @@ class Menu {
 /** @type {Menu | null} */
 let open = null
 
-/** @param {PartHost} page @param {HTMLElement} button */
-export function choose(page, button) {
+/** @param {PartHost} page @param {HTMLElement} opener */
+export function choose(page, opener) {
   if (open) open.close(true)
-  else open = new Menu(page, button)
+  else open = new Menu(page, opener)
 }

@@ -1,6 +1,6 @@
 // A phone as the instructor's remote control: let in by the first screen, then two large buttons.
 
-import {element} from "../dom.js"
+import {button, element} from "../dom.js"
 import {inWords} from "../notes.js"
 import {tabStorage} from "../storage.js"
 import {DOUBTS, Refusal, ask, pause} from "./room.js"
@@ -86,11 +86,9 @@ class Remote {
     const deeds = /** @type {[string, page.Done["deed"]][]} */ ([
       ["Next", "next"], ["Back", "back"], ["Show the answer", "show"], ["Close the QR code", "close"],
     ]) // prettier-ignore
-    const buttons = deeds.map(([name, deed]) => {
-      const button = element("button", {type: "button", class: deed === "next" ? "act filled" : "act"}, name)
-      button.addEventListener("click", () => this.#do(deed))
-      return button
-    })
+    const buttons = deeds.map(([name, deed]) =>
+      button({class: deed === "next" ? "act filled" : "act"}, () => this.#do(deed), name),
+    )
     this.host.replaceChildren(this.state, element("div", {class: "remote-deeds"}, ...buttons))
   }
 

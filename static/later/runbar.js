@@ -1,6 +1,6 @@
 // The bar of a scene that measures, in the transport's place: run or cancel, progress, skip.
 
-import {element} from "../dom.js"
+import {button, chip, element} from "../dom.js"
 import {Fit} from "../fit.js"
 import {icon} from "../transport.js"
 
@@ -8,14 +8,13 @@ export class RunBar {
   /** @param {PartHost} page */
   constructor(page) {
     this.page = page
-    this.disc = element("button", {type: "button", class: "icon play"})
-    this.disc.addEventListener("click", () => page.send({type: "run", order: this.busy ? "cancel" : "start"}))
+    const run = () => page.send({type: "run", order: this.busy ? "cancel" : "start"})
+    this.disc = button({class: "icon play"}, run)
     this.name = element("b", {})
     this.count = element("span", {class: "count"})
     this.bar = element("progress", {max: 1, value: 0, "aria-label": "Runs done"})
     this.note = element("span", {class: "note", role: "status"})
-    this.skip = element("button", {type: "button", class: "chip"}, "Skip this method")
-    this.skip.addEventListener("click", () => page.send({type: "run", order: "skip"}))
+    this.skip = chip("Skip this method", () => page.send({type: "run", order: "skip"}))
     this.fit = new Fit(page)
     this.element = element(
       "div",

@@ -1,6 +1,6 @@
 // Files to take away: each plot and the stage as a picture, the numbers as a table.
 
-import {element} from "../dom.js"
+import {button, chip, element} from "../dom.js"
 import {save} from "../save.js"
 import {description, table} from "./describe.js"
 import {plotPicture, png, stagePicture} from "./picture.js"
@@ -58,12 +58,12 @@ class Taking {
     this.says = element("p", {})
     this.table = element("div", {class: "points-room", tabindex: 0, role: "region", "aria-label": "Table"})
     this.choices = all.map(thing => this.#choice(thing))
-    const close = button("Close", () => this.dialog.close(), "×", "close")
+    const close = button({class: "close", "aria-label": "Close"}, () => this.dialog.close(), "×")
     this.dialog = element(
       "dialog",
       {class: "taking", "aria-labelledby": "taking"},
       element("header", {}, element("h2", {id: "taking"}, "Save a picture or its numbers"), close),
-      element("div", {class: "chips", role: "group", "aria-label": "Of"}, ...this.choices.map(({chip}) => chip)),
+      element("div", {class: "chips", role: "group", "aria-label": "Of"}, ...this.choices.map(one => one.chip)),
       element("div", {class: "chips"}, this.#save("PNG", ".png"), this.#save("SVG", ".svg")),
       this.image,
       this.says,
@@ -81,7 +81,7 @@ class Taking {
 
   /** @param {Thing} thing */
   #choice(thing) {
-    return {thing, chip: button(thing.name, () => this.#show(thing))}
+    return {thing, chip: chip(thing.name, () => this.#show(thing))}
   }
 
   /** @param {Thing} thing */
@@ -97,18 +97,11 @@ class Taking {
 
   /** @param {string} name @param {".png" | ".svg"} kind */
   #save(name, kind) {
-    return button(name, async () => {
+    return chip(name, async () => {
       const {thing, picture, page} = this
       if (!thing || !picture) return
       const content = kind === ".png" ? await png(picture) : new Blob([picture.svg], {type: "image/svg+xml"})
       save(`${page.spec.slug}-${thing.file}${kind}`, content, content.type)
     })
   }
-}
-
-/** @param {string} name @param {() => void} act @param {string} [text] @param {string} [style] */
-function button(name, act, text = name, style = "chip") {
-  const made = element("button", {type: "button", class: style, "aria-label": text === name ? undefined : name}, text)
-  made.addEventListener("click", act)
-  return made
 }

@@ -1,6 +1,6 @@
 // The instructor's side of a live class: what this page shows, how its clock runs and what it asks goes to the hall.
 
-import {element} from "../dom.js"
+import {button, chip, element} from "../dom.js"
 import {inWords} from "../notes.js"
 import {browserStorage, tabStorage} from "../storage.js"
 import {Corner} from "./corner.js"
@@ -45,8 +45,7 @@ export class Teach {
     this.votes = new Votes(this)
     this.large = new Large(this)
     this.corner = new Corner(room, () => this.large.toggle())
-    this.sign = element("button", {type: "button", class: "class-code", title: "Join code, large (J)"})
-    this.sign.addEventListener("click", () => this.large.toggle())
+    this.sign = button({class: "class-code", title: "Join code, large (J)"}, () => this.large.toggle())
     document.querySelector("#keys")?.before(this.sign)
     document.documentElement.dataset.class = room.code
     this.stream = new Stream(room.code, room.key, {
@@ -254,12 +253,10 @@ function passphrase(sentence) {
   const field = element("input", {type: "password", name: "passphrase", autocomplete: "current-password"})
   const label = element("label", {}, element("span", {}, "Passphrase"), field)
   const tools = element("div", {class: "tools"}, element("button", {class: "act filled"}, "Open the class"))
-  const cancel = element("button", {type: "button", class: "chip"}, "Cancel")
-  tools.append(cancel)
+  tools.append(chip("Cancel", () => dialog.close("given up")))
   const form = element("form", {class: "ask-form", method: "dialog"}, label, tools)
   const dialog = element("dialog", {class: "asking", "aria-label": "Passphrase"}, element("h1", {}, sentence), form)
   return new Promise(done => {
-    cancel.addEventListener("click", () => dialog.close("given up"))
     dialog.addEventListener("cancel", () => (dialog.returnValue = "given up"))
     dialog.addEventListener("close", () => {
       dialog.remove()

@@ -1,6 +1,6 @@
 // The answers of the hall in front: a count, then bars, dots or sketches when they are asked for.
 
-import {element} from "../dom.js"
+import {chip, element} from "../dom.js"
 import {claim} from "./claim.js"
 import {ask} from "./room.js"
 
@@ -25,10 +25,8 @@ export class Votes {
     this.teach = teach
     this.status = element("p", {role: "status"})
     this.all = element("p", {class: "all"})
-    this.once = element("button", {type: "button", class: "chip"}, "Vote again")
-    this.once.addEventListener("click", () => teach.again())
-    this.hide = element("button", {type: "button", class: "chip"}, "Hide the votes")
-    this.hide.addEventListener("click", () => this.#close())
+    this.once = chip("Vote again", () => teach.again())
+    this.hide = chip("Hide the votes", () => this.#close())
     this.chips = element("div", {class: "chips"})
     this.element = element("div", {class: "votes"}, this.all, this.status, this.chips)
   }

@@ -1,6 +1,6 @@
 // A choice: answers to press, each with its own sentence once it is taught; a class's votes are bars beside them.
 
-import {element, marked} from "../dom.js"
+import {button, element, marked} from "../dom.js"
 import {text} from "./fields.js"
 import {Question, mark} from "./question.js"
 
@@ -33,8 +33,7 @@ export class Choice extends Question {
     const yours = element("span", {class: "yours"})
     const name = marked("span", {class: "name"}, html)
     const key = element("span", {class: "key"}, String(i + 1))
-    const row = element("button", {type: "button", "aria-pressed": "false"}, key, name, yours, line)
-    row.addEventListener("click", () => this.choose(i))
+    const row = button({"aria-pressed": "false"}, () => this.choose(i), key, name, yours, line)
     return {row, line, yours, name, where: /** @type {page.State | null} */ (null)}
   }
 

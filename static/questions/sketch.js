@@ -1,11 +1,11 @@
 // A curve to draw on the empty axes of a plot; a class's sketches lie over each other.
 
-import {element, marked} from "../dom.js"
+import {chip, element, marked} from "../dom.js"
 import {features} from "./features.js"
 import {chooser, text} from "./fields.js"
 import {Pad} from "./pad.js"
 import {Question, mark, plotOf} from "./question.js"
-import {Sketches, chip} from "./sketches.js"
+import {Sketches, toggle} from "./sketches.js"
 
 /** @typedef {import("./question.js").Plot} Plot */
 
@@ -29,20 +29,19 @@ export class Sketch extends Question {
 
   counted = "a sketch"
   pad = new Pad(this.plot, this.step, this.walk.before?.curves ?? {}, () => this.changed())
-  pens = this.step.curves.map((name, i) => chip(`Draw ${name}`, i === 0, () => this.#take(name)))
-  tools = element("div", {class: "chips"}, ...(this.pens.length > 1 ? this.pens : []), this.#clear())
+  pens = this.step.curves.map((name, i) => toggle(`Draw ${name}`, i === 0, () => this.#take(name)))
+  tools = element(
+    "div",
+    {class: "chips"},
+    ...(this.pens.length > 1 ? this.pens : []),
+    chip("Clear", () => this.pad.clear()),
+  )
   hint = element(
     "p",
     {class: "hint"},
     "Draw on the empty axes. With keys: arrows move the pen, Enter lowers or lifts it.",
   )
   element = element("div", {class: "question"}, this.hint, this.pad.status, this.tools)
-
-  #clear() {
-    const clear = element("button", {type: "button", class: "chip"}, "Clear")
-    clear.addEventListener("click", () => this.pad.clear())
-    return clear
-  }
 
   /** @param {string} name */
   #take(name) {

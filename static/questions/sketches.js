@@ -1,6 +1,6 @@
 // The sketches of a class over each other, in faint ink, so that agreement is darkness; the true curve lies over them.
 
-import {element, unitSize, units} from "../dom.js"
+import {chip, element, unitSize, units} from "../dom.js"
 import {bare} from "../later/plain.js"
 import {toPlace, toSI} from "../ruler.js"
 
@@ -38,8 +38,8 @@ export class Sketches {
     const some = sketches.length < answered ? `${sketches.length} of ` : ""
     this.canvas.setAttribute("aria-label", `${some}${answered} sketches of the class`)
     const kinds = lesson ? tally.features.map((name, i) => this.#kind(name, i)) : []
-    const all = chip(`All ${answered}`, this.lit < 0, () => this.#light(-1))
-    const band = chip("Middle 50 %", this.band, () => {
+    const all = toggle(`All ${answered}`, this.lit < 0, () => this.#light(-1))
+    const band = toggle("Middle 50 %", this.band, () => {
       this.#toggle()
       band.setAttribute("aria-pressed", String(this.band))
     })
@@ -65,7 +65,7 @@ export class Sketches {
 
   /** @param {page.Html} name @param {number} i */
   #kind(name, i) {
-    return chip(`${bare(name)} ${this.tally?.now.having[i] ?? 0}`, this.lit === i, () => this.#light(i))
+    return toggle(`${bare(name)} ${this.tally?.now.having[i] ?? 0}`, this.lit === i, () => this.#light(i))
   }
 
   /** @param {number} feature */
@@ -148,12 +148,8 @@ export class Sketches {
   }
 }
 
-/** @param {string} words @param {boolean} pressed @param {() => void} act */
-export function chip(words, pressed, act) {
-  const button = element("button", {type: "button", class: "chip", "aria-pressed": pressed}, words)
-  button.addEventListener("click", act)
-  return button
-}
+/** A chip that is in force or not. @param {string} words @param {boolean} pressed @param {() => void} act */
+export const toggle = (words, pressed, act) => chip(words, act, {"aria-pressed": pressed})
 
 /** The quantity in SI at a share of an axis. @param {page.Ruler} ruler @param {number} share */
 const between = (ruler, share) => toSI(ruler, ruler.start + share * (ruler.end - ruler.start))
