@@ -3,15 +3,12 @@
 import {using} from "./later.js"
 import {polynomial, roots} from "./signals.js"
 import {browserStorage} from "./storage.js"
-import {toPlace, toSI} from "./ruler.js"
+import {PLAIN, toPlace, toSI} from "./ruler.js"
 
 const FLICK = 120 // ms before letting go over which its velocity is taken
 const GRABBED = "grabbed"
 const QUARTER = Math.PI / 2 // of a turn
 const STILL = 40 // pixels a second, below which a hand rests
-
-/** What an axis is to a quantity that is drawn on none. @type {page.Ruler} */
-const PLAIN = {start: 0, end: 1, ticks: [], labels: [], unit: "", exponent: 0, factor: 1, power: 1, log: false}
 
 export class Hand {
   /** @type {Grab | null | undefined} what is held; undefined until something has been */

@@ -7,12 +7,10 @@ import {Figure} from "./figure.js"
 import {Handles} from "./handles.js"
 import {Flags, Labels} from "./labels.js"
 import {Reading, isOnControl} from "./reading.js"
-import {toOneScale} from "./ruler.js"
+import {PLAIN, toOneScale} from "./ruler.js"
 
 const REACH = 16 // units from a press to the point that it picks
 const NOWHERE = {left: 0, top: 0, width: 1, height: 1}
-/** @type {page.Ruler} */
-const UNIT = {start: 0, end: 1, ticks: [], labels: [], unit: "", exponent: 0, factor: 1, power: 1, log: false}
 
 export class Plot {
   /** @type {Drawn} what is shown, from the first answer on */
@@ -33,8 +31,8 @@ export class Plot {
     this.host = host
     this.page = page
     this.absent = true
-    this.x = UNIT
-    this.y = UNIT
+    this.x = PLAIN
+    this.y = PLAIN
     /** @type {Set<string>} */
     this.hidden = new Set()
     this.figure = new Figure(block)
@@ -99,19 +97,7 @@ export class Plot {
   geometry(origin) {
     if (!this.host.checkVisibility()) return {}
     const box = this.host.getBoundingClientRect()
-    const {name} = this.block
-    const dx = (box.left - origin.left) / unitSize()
-    const dy = (box.top - origin.top) / unitSize()
-    return {
-      [`${name}.left`]: this.frame.left + dx,
-      [`${name}.right`]: this.frame.left + this.frame.width + dx,
-      [`${name}.top`]: this.frame.top + dy,
-      [`${name}.bottom`]: this.frame.top + this.frame.height + dy,
-      [`${name}.x0`]: this.px(0) + dx,
-      [`${name}.x1`]: this.frame.width / (this.x.end - this.x.start),
-      [`${name}.y0`]: this.py(0) + dy,
-      [`${name}.y1`]: -this.frame.height / (this.y.end - this.y.start),
-    }
+    return geometry(this, this.block.name, (box.left - origin.left) / unitSize(), (box.top - origin.top) / unitSize())
   }
 
   /** Whether it is seen and has no figure yet. */
@@ -283,6 +269,25 @@ export class Plot {
       dot.style.display = isShown ? "" : "none"
       if (isShown) set(dot, {cx: x, cy: y})
     }
+  }
+}
+
+/**
+ * The frame and the axes of a plot as named quantities, seen from (-dx, -dy).
+ * @param {Pick<Canvas, "frame" | "x" | "y" | "px" | "py">} plot @param {string} name @param {number} dx @param {number} dy
+ * @returns {Named}
+ */
+export function geometry(plot, name, dx = 0, dy = 0) {
+  const {left, top, width, height} = plot.frame
+  return {
+    [`${name}.left`]: left + dx,
+    [`${name}.right`]: left + width + dx,
+    [`${name}.top`]: top + dy,
+    [`${name}.bottom`]: top + height + dy,
+    [`${name}.x0`]: plot.px(0) + dx,
+    [`${name}.x1`]: width / (plot.x.end - plot.x.start),
+    [`${name}.y0`]: plot.py(0) + dy,
+    [`${name}.y1`]: -height / (plot.y.end - plot.y.start),
   }
 }
 

@@ -1,5 +1,8 @@
 // Places on an axis and what they stand for.
 
+/** What an axis is to a quantity that is drawn on none. @type {page.Ruler} */
+export const PLAIN = {start: 0, end: 1, ticks: [], labels: [], unit: "", exponent: 0, factor: 1, power: 1, log: false}
+
 /** The quantity in SI at a place of the axis. @param {page.Ruler} ruler @param {number} place */
 export function toSI({log, power, exponent, factor}, place) {
   return (log ? 10 ** place : place ** (1 / power) * 10 ** (exponent / power)) * factor
@@ -21,7 +24,7 @@ export function toOneScale(x, y, {width, height}) {
 }
 
 /** An axis around the same middle that spans `size`. @param {page.Ruler} ruler @param {number} size */
-function widened(ruler, size) {
+export function widened(ruler, size) {
   const middle = (ruler.start + ruler.end) / 2
   return {...ruler, start: middle - size / 2, end: middle + size / 2}
 }

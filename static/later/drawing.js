@@ -4,6 +4,8 @@ import {SPOKEN, coveredPlots} from "../cover.js"
 import {set, svg, unitSize} from "../dom.js"
 import {Flags, Labels} from "../labels.js"
 import {fixed} from "../numbers.js"
+import {geometry} from "../plots.js"
+import {widened} from "../ruler.js"
 import {evaluate} from "../signals.js"
 import {Stage} from "../stage.js"
 import {axes, measured} from "./describe.js"
@@ -164,8 +166,9 @@ export class Drawing {
     stage.leave()
     const [W, H] = [this.host.offsetWidth / unitSize(), this.host.offsetHeight / unitSize()]
     stage.size = {W, H, narrow: 0, wide: 1, hall: 0, desk: 1, low: 0}
+    // Other plots are not in the picture: what leads there ends here.
     const names = this.page.plots.map(plot => plot.block.name)
-    stage.measure(names.map(name => ({host: this.host, geometry: () => this.#geometry(name)})))
+    stage.measure(names.map(name => ({host: this.host, geometry: () => geometry(this, name)})))
     stage.cover(this.view.left_out, coveredPlots(this.page.shown.state))
     fill(stage.svg, this.view, named)
     stage.frame(named)
@@ -187,24 +190,6 @@ export class Drawing {
     if (!held) return
     new StageGhost(stage).frame(evaluate(held.signals, held.scalars, clock.t), this.view)
     stage.frame(named)
-  }
-
-  /**
-   * The frame and the axes as named quantities: other plots are not in the picture, and what leads there ends here.
-   * @param {string} name
-   */
-  #geometry(name) {
-    const {left, top, width, height} = this.frame
-    return {
-      [`${name}.left`]: left,
-      [`${name}.right`]: left + width,
-      [`${name}.top`]: top,
-      [`${name}.bottom`]: top + height,
-      [`${name}.x0`]: this.px(0),
-      [`${name}.x1`]: width / (this.x.end - this.x.start),
-      [`${name}.y0`]: this.py(0),
-      [`${name}.y1`]: -height / (this.y.end - this.y.start),
-    }
   }
 
   /** A flag, which is HTML on the page. @param {HTMLElement} flag */
@@ -269,10 +254,4 @@ function whole(ruler) {
     ...ruler,
     labels: labels.map((label, i) => label || measured({...ruler, unit: i === last ? unit : bare}, ticks[i])),
   }
-}
-
-/** An axis around the same middle that spans `size`. @param {page.Ruler} ruler @param {number} size */
-function widened(ruler, size) {
-  const middle = (ruler.start + ruler.end) / 2
-  return {...ruler, start: middle - size / 2, end: middle + size / 2}
 }

@@ -32,9 +32,9 @@ FLICKED = """async name => {
   for (let i = 0; i < 5; i++) {
     await new Promise(requestAnimationFrame)
     now += 16
-    hand.move({x: grip.x + 8, y: grip.y}, all)
+    hand.grab.move({x: grip.x + 8, y: grip.y}, all)
   }
-  hand.release(all)
+  hand.grab.release(all)
   delete performance.now
 }"""
 RESTED = "performance.now() > oscillations.page.hand.grab.trail.at(-1).when + 200"  # letting go is no flick any more
