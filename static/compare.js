@@ -76,10 +76,6 @@ export class Compare {
     this.page.host.change(({covered}) => ({covered: covered.filter(name => !open.has(name))}))
   }
 
-  get buttons() {
-    return [this.hold, this.predict]
-  }
-
   /**
    * A value is set by a press of a pointer or a key: what was drawn before it is remembered.
    * @param {string} press @param {string} deed of undo; one of several messages @param {page.Said} message

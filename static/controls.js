@@ -7,8 +7,8 @@ import {Slider, problemElement, symbol} from "./slider.js"
 const TYPING = "A digit begins a number in its field; Enter sets it, Escape takes it back."
 
 /**
- * What builds a choice of small pictures; only some scenes have one, and fetch it.
- * @typedef {typeof import("./later/picker.js").buildPicker} BuildPicker
+ * What draws the small pictures of a choice; only some scenes have one, and fetch it.
+ * @typedef {typeof import("./later/picker.js").pictured} Pictured
  * @typedef {(sets: Record<string, page.Value>) => void} Take a preset
  * @typedef {Pick<Drawn, "settings" | "errors" | "preset" | "here"> & {view: Pick<page.View, "forms">}} State
  */
@@ -56,17 +56,18 @@ function presetButton({name, label, outline: drawing}, take) {
 }
 
 /**
- * Joined buttons for a parameter with a few values.
+ * Joined buttons for a parameter with a few values; tiles where what stands on them is drawn.
  * @param {HTMLElement} host @param {Pick<page.ChoiceRow, "name" | "label" | "options">} spec @param {Send} send
+ * @param {ReturnType<Pictured>["draw"]} [draw]
  */
-export function buildChoice(host, spec, send) {
-  const buttons = spec.options.map(({value, label}) => {
-    const act = () => send({type: "choose", name: spec.name, value})
-    return button({"aria-pressed": "false", "data-option": value}, act, label)
+export function buildChoice(host, spec, send, draw) {
+  const buttons = spec.options.map(option => {
+    const look = {class: draw && "tile", "aria-pressed": "false", "data-option": option.value}
+    const act = () => send({type: "choose", name: spec.name, value: option.value})
+    return button(look, act, ...(draw?.(option) ?? [option.label]))
   })
-  host.append(
-    element("div", {class: "seg", role: "group", "aria-label": spec.label, "data-name": spec.name}, ...buttons),
-  )
+  const look = {class: draw ? "tiles" : "seg", role: "group", "aria-label": spec.label, "data-name": spec.name}
+  host.append(element("div", look, ...buttons))
   return {
     /** @param {Record<string, page.Setting>} settings */
     update(settings) {
@@ -106,13 +107,13 @@ export class Controls {
 
   /**
    * @param {HTMLElement} host @param {page.Panel} spec @param {Send} send @param {Take} take
-   * @param {BuildPicker} [buildPicker]
+   * @param {Pictured} [pictured]
    */
-  constructor(host, spec, send, take, buildPicker) {
+  constructor(host, spec, send, take, pictured) {
     this.host = host
     this.spec = spec
     this.send = send
-    this.buildPicker = buildPicker
+    this.pictured = pictured
     // What is said is about the control that has the focus; without one nothing is.
     this.says = element("p", {class: "says", id: "controls-says"})
     this.sections = spec.groups.map(group => this.#section(group))
@@ -173,9 +174,9 @@ export class Controls {
   #row(host, row) {
     if (row.kind === "slider") return this.#slider(host, row)
     if (!isPicker(row)) return this.choices.push(buildChoice(host, row, this.send))
-    const picker = /** @type {BuildPicker} */ (this.buildPicker)(host, row, this.send)
-    this.choices.push(picker)
-    this.stages.push(...picker.stages)
+    const {draw, stages} = /** @type {Pictured} */ (this.pictured)(row)
+    this.choices.push(buildChoice(host, row, this.send, draw))
+    this.stages.push(...stages)
   }
 
   /** @param {HTMLElement} host @param {page.SliderRow} row */

@@ -1,7 +1,7 @@
 // Grips of a stage: an element over each shape that can be grabbed, for mouse, finger, keys and screen readers.
 
 import {element, long, reword, surface, unitSize} from "./dom.js"
-import {brief} from "./handles.js"
+import {brief, whileHeld} from "./handles.js"
 import {polynomial} from "./signals.js"
 
 const FINGER = 44 // pixels, the least that a finger hits
@@ -137,13 +137,10 @@ export class Grips {
     grip.grip.classList.add("held")
     this.#take(grip)
     const move = (/** @type {PointerEvent} */ moved) => this.#move({x: at(moved).x - off.x, y: at(moved).y - off.y})
-    grip.grip.addEventListener("pointermove", move)
-    const stop = () => {
-      grip.grip.removeEventListener("pointermove", move)
+    whileHeld(grip.grip, move, () => {
       grip.grip.classList.remove("held")
       this.#let(grip)
-    }
-    grip.grip.addEventListener("lostpointercapture", stop, {once: true})
+    })
   }
 
   /** @param {Grip} grip */

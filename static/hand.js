@@ -52,7 +52,7 @@ export class Hand {
   /** @param {Drawn} shown */
   update(shown) {
     this.hint?.update()
-    if (this.grab?.hasEnded(shown)) {
+    if (this.grab?.hear(shown)) {
       const {grab} = this
       this.grab = null
       grab.end()
@@ -206,8 +206,8 @@ class Grab {
     this.first ||= this.page.host.line.last
   }
 
-  /** An answer has come: whether it is the last. @param {Drawn} shown */
-  hasEnded({answer, errors}) {
+  /** An answer has come: true where it is the last. @param {Drawn} shown */
+  hear({answer, errors}) {
     if (answer === null || answer < this.first) return false
     this.refusal = this.spec.ways.map(way => errors[way.parameter]).find(Boolean) ?? ""
     if (this.refusal) Object.assign(this.moved, this.good)

@@ -260,7 +260,7 @@ export function brief(text) {
  * Follows a pointer that `host` has captured.
  * @param {HTMLElement} host @param {(event: PointerEvent) => void} move @param {() => void} end
  */
-function whileHeld(host, move, end) {
+export function whileHeld(host, move, end) {
   host.addEventListener("pointermove", move)
   const stop = () => {
     host.removeEventListener("pointermove", move)

@@ -17,7 +17,7 @@ import {Transport} from "./transport.js"
 /**
  * What only some sheets need.
  * @typedef {{RunBar?: typeof import("./later/runbar.js").RunBar,
- *   buildPicker?: typeof import("./later/picker.js").buildPicker}} Extras
+ *   pictured?: typeof import("./later/picker.js").pictured}} Extras
  */
 
 export class Page {
@@ -49,7 +49,7 @@ export class Page {
   notice = new Notice()
 
   /** @param {page.SceneSheet} sheet @param {Extras} extras @param {PageHost} host */
-  constructor(sheet, {RunBar, buildPicker}, host) {
+  constructor(sheet, {RunBar, pictured}, host) {
     this.spec = sheet
     this.host = host
     this.clock = new Clock(t => this.draw(t))
@@ -62,7 +62,7 @@ export class Page {
     this.paper.append(this.heading, this.notice.element, this.sheet.element, this.transport.element)
     this.panel = element("aside", {class: "panel", "aria-label": "Controls"})
     const send = (/** @type {page.Said} */ message) => this.send(message)
-    this.controls = new Controls(this.panel, sheet.panel, send, sets => host.take(sets), buildPicker)
+    this.controls = new Controls(this.panel, sheet.panel, send, sets => host.take(sets), pictured)
     this.plots = this.sheet.plots
     this.stages = [...this.sheet.stages, ...this.controls.stages]
     for (const stage of this.stages) stage.resized = () => this.redraw()
@@ -194,9 +194,7 @@ export class Page {
 
 /** What only some scenes need, asked for by them alone. @param {page.SceneSheet} sheet @returns {Promise<Extras>} */
 export async function extrasFor({runs, panel}) {
-  /** @type {Promise<Extras>[]} */
-  const wanted = []
-  if (runs) wanted.push(later("runbar"))
-  if (panel.groups.some(group => group.rows.some(isPicker))) wanted.push(later("picker"))
-  return Object.assign({}, ...(await Promise.all(wanted)))
+  const picks = panel.groups.some(group => group.rows.some(isPicker))
+  const [bar, picker] = await Promise.all([runs && later("runbar"), picks && later("picker")])
+  return {...bar, ...picker}
 }

@@ -32,7 +32,7 @@ export class Tools {
       ...ways,
     )
     const away = element("details", {class: "fold away"}, element("summary", {}, "Save and share"), chips)
-    this.element = element("div", {class: "tools"}, ...page.compare.buttons, away)
+    this.element = element("div", {class: "tools"}, page.compare.hold, page.compare.predict, away)
   }
 
   /**

@@ -1,30 +1,17 @@
-// A choice whose options are small pictures, drawn and moved as the stage is.
+// The small pictures of a choice, drawn and moved as the stage is.
 
-import {button, element} from "../dom.js"
+import {element} from "../dom.js"
 import {Stage} from "../stage.js"
 
-/**
- * @param {HTMLElement} host @param {page.ChoiceRow} spec @param {(message: page.Said) => void} send
- */
-export function buildPicker(host, spec, send) {
+/** Draws what stands on the button of an option; the stages are those drawn so far. @param {page.ChoiceRow} row */
+export function pictured({pictures}) {
   /** @type {Stage[]} */
   const stages = []
-  const buttons = spec.options.map(({value, label}) => {
+  /** @param {page.ChoiceRow["options"][0]} option */
+  const draw = ({value, label}) => {
     const picture = element("div", {class: "picture"})
-    stages.push(new Stage({shapes: spec.pictures[value], label: ""}, picture))
-    const look = {class: "tile", "aria-pressed": "false", "data-option": value}
-    const act = () => send({type: "choose", name: spec.name, value})
-    return button(look, act, picture, element("span", {}, label))
-  })
-  host.append(
-    element("div", {class: "tiles", role: "group", "aria-label": spec.label, "data-name": spec.name}, ...buttons),
-  )
-  return {
-    stages,
-    /** @param {Record<string, page.Setting>} settings */
-    update(settings) {
-      const now = settings[spec.name].value
-      for (const one of buttons) one.setAttribute("aria-pressed", String(one.dataset.option === now))
-    },
+    stages.push(new Stage({shapes: pictures[value], label: ""}, picture))
+    return [picture, element("span", {}, label)]
   }
+  return {stages, draw}
 }

@@ -19,7 +19,7 @@ from tests.browser.chromium import find
 
 READY = "document.documentElement.dataset.ready === 'true'"
 SHOW = r"""async data => {
-  const [sheet] = oscillations.sheets.known.keys()  // as this server has it: Bokeh counts its models, and here are others
+  const [sheet] = oscillations.sheets.known.keys()  // as this server has it: Bokeh counts its models
   oscillations.line.receive({sheet, data: Uint8Array.from(data).buffer})
   await oscillations.line.heard
   await oscillations.turning
