@@ -31,7 +31,7 @@ export class Figure {
     this.model = this.document.roots()[0]
     const names = new Set([...this.block.curves, ...this.block.regions].map(part => part.source))
     this.sources = [...names].map(name => ({name, source: this.document.get_model_by_name(name)}))
-    /** @type {{model: BokehModel, lengths: Record<string, number | number[]>}[]} as they are drawn at a unit of one pixel */
+    /** @type {{model: BokehModel, lengths: Record<string, number | number[]>}[]} as drawn at a unit of one pixel */
     this.drawn = [...this.model.renderers.map((/** @type {BokehModel} */ {glyph}) => glyph), ...this.model.center].map(
       model => ({
         model,

@@ -274,8 +274,8 @@ export class Plot {
 
 /**
  * The frame and the axes of a plot as named quantities, seen from (-dx, -dy).
- * @param {Pick<Canvas, "frame" | "x" | "y" | "px" | "py">} plot @param {string} name @param {number} dx @param {number} dy
- * @returns {Named}
+ * @param {Pick<Canvas, "frame" | "x" | "y" | "px" | "py">} plot @param {string} name
+ * @param {number} [dx] @param {number} [dy] @returns {Named}
  */
 export function geometry(plot, name, dx = 0, dy = 0) {
   const {left, top, width, height} = plot.frame

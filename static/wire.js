@@ -61,7 +61,7 @@ export async function connect(token, receive, lost) {
   return {send: message => wire.send(message), close: () => close(session, wire)}
 }
 
-/** Bokeh keeps every document that it has had in a list of its own. @param {BokehModel} session @param {BokehModel} wire */
+/** Bokeh keeps every document in a list of its own. @param {BokehModel} session @param {BokehModel} wire */
 function close(session, wire) {
   wire.receive = () => {}
   session.close()

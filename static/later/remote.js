@@ -36,7 +36,8 @@ async function pairedWith(code, ticket, say) {
 
 /**
  * What is refused for a moment only is asked once more.
- * @template Answer @param {() => Promise<Answer>} question @param {(why: string) => void} say @returns {Promise<Answer>}
+ * @template Answer @param {() => Promise<Answer>} question @param {(why: string) => void} say
+ * @returns {Promise<Answer>}
  */
 async function untilAnswered(question, say) {
   try {
