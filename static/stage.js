@@ -24,7 +24,7 @@ function zigzag(x1, y1, x2, y2, height) {
   return "M" + points.join("L")
 }
 
-/** A line moved along itself by its gap. @param {Placed<page.Arrow>} line */
+/** A line moved along itself by its gap. @param {AtInstant<page.Arrow>} line */
 function ahead({x1, y1, x2, y2, gap}) {
   const length = Math.hypot(x2 - x1, y2 - y1) || 1
   const dx = ((x2 - x1) / length) * gap
@@ -155,10 +155,10 @@ export const kindOf = shape => /** @type {Kind} */ (KINDS[shape.kind])
  * A shape with its numbers worked out: `moving` are those that are none yet.
  * @param {{spec: page.AnyShape, moving: [string, page.Number][]}} shape @param {Named} all
  */
-export function placed({spec, moving}, all) {
+export function atInstant({spec, moving}, all) {
   const shape = {...spec}
   for (const [key, value] of moving) Object.assign(shape, {[key]: polynomial(value, all)})
-  return /** @type {Placed} */ (shape)
+  return /** @type {AtInstant} */ (shape)
 }
 
 export class Stage {
@@ -279,7 +279,7 @@ export class Stage {
       // What lies over a plot does not stand without it.
       const shown = !away && spec.show.every(name => all[name]) && places.every(name => name in this.plots)
       group.style.display = shown ? "" : "none"
-      const now = shown ? placed(shape, all) : null
+      const now = shown ? atInstant(shape, all) : null
       if (now) kind.move(parts, now)
       this.grips?.place(spec, now && kind.hold?.(now), all)
     }

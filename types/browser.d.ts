@@ -25,13 +25,13 @@ type Waits = Map<string, page.Value>
 type Named = Record<string, number>
 
 /** A shape whose numbers are those of an instant. */
-type Placed<Shape = page.AnyShape> = {[Key in keyof Shape]: page.Number extends Shape[Key] ? number : Shape[Key]}
+type AtInstant<Shape = page.AnyShape> = {[Key in keyof Shape]: page.Number extends Shape[Key] ? number : Shape[Key]}
 
 /** A kind of shape: its elements are made once and moved at every frame; what a hand takes has a place and a size. */
 interface Kind<Shape = page.AnyShape> {
   make(shape: Shape): SVGElement[]
-  move(parts: SVGElement[], shape: Placed<Shape>): void
-  hold?(shape: Placed<Shape>): [x: number, y: number, size: number]
+  move(parts: SVGElement[], shape: AtInstant<Shape>): void
+  hold?(shape: AtInstant<Shape>): [x: number, y: number, size: number]
 }
 
 /** What a file of TOML has under a name. */

@@ -6,7 +6,7 @@ import {heldNumbers} from "./heldnumber.js"
 import {toPlace, toSI} from "../ruler.js"
 import {sliderPlace} from "../scales.js"
 import {evaluate} from "../signals.js"
-import {kindOf, placed} from "../stage.js"
+import {atInstant, kindOf} from "../stage.js"
 
 const FAR = 1e4 // pixels beyond which no curve is followed
 const NEAR = 0.05 // pixels between what is the same
@@ -274,7 +274,7 @@ export class StageGhost {
       const {spec, needs, parts, group} = shape
       const isShown = spec.show.every(name => all[name]) && [...needs].every(name => name in all)
       group.style.display = isShown ? "" : "none"
-      if (isShown) kindOf(spec).move(parts, placed(shape, all))
+      if (isShown) kindOf(spec).move(parts, atInstant(shape, all))
     }
   }
 }
