@@ -10,21 +10,21 @@ import numpy as np
 
 from components.beside import moved
 from components.covers import VALUE, spoken_of, without
+from components.encoding import columns_of, signals_of, traces_of
 from components.numbers import three
 from components.page.blocks import PlotBlock, StageBlock
 from components.page.numbers import Expression, names_in
-from components.page.picture import Drawn, Held, LedgerRow
+from components.page.picture import Drawn, Held, LedgerRow, Traced
 from components.page.shapes import AnyShape, Label
 from components.page.signals import AnySignal
 from components.parameters import Quantity
-from components.places import Steps
 from components.readouts import Readout, became, is_same
 from components.scene import Picture, Scene
 from components.scene_sheet import blocks, column_axes
-from components.sent import columns_of, signals_of
 from components.standing import Standing
 from components.text import rich
 from components.traces import Columns
+from components.wire import Steps
 
 MOST_ROWS = 10
 COVERED = "?"
@@ -40,18 +40,23 @@ def told_beside(now: Standing, shown: Picture) -> tuple[Held | None, list[Steps]
     columns: dict[str, dict[str, Drawn]] = {}
     numbers: list[Steps] = []
     signals: dict[str, AnySignal] = {}
+    traces: dict[str, Traced] = {}
     scalars: dict[str, float] = {}
     drawn = now.asked.drawn.beside
     if drawn and differ:
         held, _ = without(kind, drawn, covered)
-        columns, numbers = columns_of(_differing(held, shown), column_axes(kind), shown.axes)
-        if _units(held) == _units(shown):
-            needed, scalars = _needed(held, on_stage(kind))
+        alike = _units(held) == _units(shown)
+        columns, numbers = columns_of(_differing(held, shown, alike), column_axes(kind), shown.axes)
+        if alike:
+            traces = traces_of(held)
+            traced = frozenset[str]().union(*(one.needed for one in held.traces.values()))
+            needed, scalars = _needed(held, on_stage(kind) | traced)
             signals, runs = signals_of(needed)
             numbers += runs
     told = Held(
         columns=columns,
         signals=signals,
+        traces=traces,
         scalars=scalars,
         values={name: getattr(other, name) for name in differ if name in scene.quantities()},
         ledger=ledger(now),
@@ -59,14 +64,14 @@ def told_beside(now: Standing, shown: Picture) -> tuple[Held | None, list[Steps]
     return told, numbers
 
 
-def _differing(held: Picture, shown: Picture) -> dict[str, Columns]:
-    """The sources of which some column is another than that of the picture that stands."""
+def _differing(held: Picture, shown: Picture, traced: bool) -> dict[str, Columns]:
+    """The sources of which some column is another than that of the picture that stands; with the numbers of its traces
+    where these are not told."""
+    ours, theirs = (one.columns if traced else one.sources for one in (held, shown))
     return {
         source: columns
-        for source, columns in held.columns.items()
-        if any(
-            not np.array_equal(column, shown.columns.get(source, {}).get(name, ())) for name, column in columns.items()
-        )
+        for source, columns in ours.items()
+        if any(not np.array_equal(column, theirs.get(source, {}).get(name, ())) for name, column in columns.items())
     }
 
 

@@ -32,6 +32,7 @@ from components.page.shapes import Label
 from components.page.signals import AnySignal, CosineOf, Derived, SineOf
 from components.scene import Picture, Scene
 from components.scene_sheet import blocks, heading_names, live_names, plots
+from components.traces import Columns, Traces
 
 Kept = TypeVar("Kept")
 PLOT, VALUE = "plot:", "value:"
@@ -76,7 +77,8 @@ def refused_covers(scene: type[Scene], picture: Picture, covered: Iterable[str])
 def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> tuple[Picture, tuple[str, ...]]:
     """The picture without what is covered, and the names of the quantities that are left out with it.
 
-    A covered curve takes its columns along, the motions that its dots show, and all that is made of them.
+    A covered curve takes its columns along, the motions that its dots show, and all that is made of them; another curve
+    that is drawn of one of these is told as a column.
     """
     if not covered:
         return picture, ()
@@ -88,9 +90,11 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
     gone = {column for one in hidden for column in one.columns}
     gone -= {column for one in drawn if one not in hidden for column in one.columns}
     texts = names | set(_texts(scene, covered))
+    traces, columns = _traces_less(picture, names, gone)
     left = replace(
         picture,
-        columns=_columns_less(picture.columns, gone),
+        columns=_columns_less(columns, gone),
+        traces=traces,
         axes={name: _covered(name, axis, covered) for name, axis in picture.axes.items()},
         signals=_at_rest(scene, picture, names) if STAGE in covered else _less(picture.signals, names),
         values=_less(picture.values, texts),
@@ -166,6 +170,17 @@ def _texts(scene: type[Scene], covered: tuple[str, ...]) -> Iterator[str]:
         elif isinstance(block, TableBlock) and TABLE in covered:
             cells = (html for row in block.rows for cell in row for html in cell.variants.values())
             yield from (name for html in cells for name in _LIVE.findall(html))
+
+
+def _traces_less(
+    picture: Picture, signals: set[str], gone: set[tuple[str, str]]
+) -> tuple[dict[str, Traces], dict[str, Columns]]:
+    """What is still drawn of signals that are told; and the columns, with those of the sources of which something is
+    drawn of signals that are not."""
+    left = {source: one.less(name for of, name in gone if of == source) for source, one in picture.traces.items()}
+    lost = {source for source, one in left.items() if signals & one.needed}
+    columns = {**picture.columns, **{source: picture.sources[source] for source in lost}}
+    return {source: one for source, one in left.items() if source not in lost}, columns
 
 
 def _columns_less(columns: Mapping[str, Mapping[str, Kept]], gone: set[tuple[str, str]]) -> dict[str, dict[str, Kept]]:

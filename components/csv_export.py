@@ -96,9 +96,9 @@ def _plots(scene: type[Scene], picture: Picture) -> Iterator[str]:
     """The columns of each plot, a line each; the edges of a stack are explained by its layers."""
     for plot in plots(scene):
         curves = [
-            c for c in plot.curves if plot.y in picture.axes and len(picture.columns.get(c.source, {}).get(c.y, ()))
+            c for c in plot.curves if plot.y in picture.axes and len(picture.sources.get(c.source, {}).get(c.y, ()))
         ]
-        layers = [r for r in plot.regions if r.read and len(picture.columns.get(r.source, {}).get(r.high, ()))]
+        layers = [r for r in plot.regions if r.read and len(picture.sources.get(r.source, {}).get(r.high, ()))]
         names = [*dict.fromkeys(curve.y for curve in curves)]
         names += [f"{layer.read} = {layer.high} - {layer.low}" for layer in layers]
         if names:
@@ -109,7 +109,7 @@ def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
     """The columns of all sources that are drawn. Sources with the same columns are pieces of one table, whose first
     column says which."""
     pieces: dict[tuple[str, ...], dict[str, Columns]] = {}
-    for source, columns in picture.columns.items():
+    for source, columns in picture.sources.items():
         drawn = _drawn(scene, picture, source, columns)
         if drawn:
             pieces.setdefault(tuple(drawn), {})[source] = columns

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Literal, Protocol
 
 import msgspec
@@ -16,7 +16,7 @@ from components.page.picture import Digits, Pace
 from components.page.signals import AnySignal
 from components.page.state import Frame
 from components.refusals import check_sendable, in_words
-from components.traces import Columns
+from components.traces import Columns, Traces
 
 Framing = Literal["fitted", "kept", "grown"]
 """Whether a picture chooses its frame, keeps to the one it is given, or widens that where something would leave it."""
@@ -30,9 +30,10 @@ ROUNDS = 3
 class Picture:
     """Everything a scene shows for one set of parameters; data only, in SI units.
 
-    `columns`   numbers of the plots, by source and column
+    `columns`   numbers of the plots that no signal gives, by source and column
     `axes`      range and labels of each axis, by name; TIME_AXIS is the time window, which the clock runs through
     `signals`   what moves, by name: see components.motion
+    `traces`    the signals that are drawn over time, by source
     `pace`      the speeds of the clock
     `scalars`   numbers that the stage and the marks use
     `values`    the texts of the live numbers, by name
@@ -46,6 +47,7 @@ class Picture:
     columns: dict[str, Columns]
     axes: dict[str, Axis]
     signals: Mapping[str, AnySignal] = field(default_factory=dict)
+    traces: Mapping[str, Traces] = field(default_factory=dict)
     pace: Pace = Pace()  # noqa: RUF009 (frozen)
     scalars: dict[str, float] = field(default_factory=dict)
     values: dict[str, str] = field(default_factory=dict)
@@ -55,6 +57,12 @@ class Picture:
     scale: float | None = None
     fits: float | None = None
     spans: dict[str, tuple[float, float]] = field(default_factory=dict)
+
+    @cached_property
+    def sources(self) -> dict[str, Columns]:
+        """All numbers of the plots, by source and column: of what runs over time, the physics' own, in doubles."""
+        traced = {source: traces.columns for source, traces in self.traces.items()}
+        return {name: {**traced.get(name, {}), **self.columns.get(name, {})} for name in {**traced, **self.columns}}
 
 
 def frame_of(picture: Picture) -> Frame:

@@ -77,5 +77,5 @@ def _columns(plot: PlotBlock) -> Iterator[tuple[str, str]]:
 
 def _is_other(before: Picture, after: Picture, source: str, name: str) -> bool:
     """Where the picture has no such column another one may have taken its place."""
-    now, old = (picture.columns.get(source, {}).get(name) for picture in (after, before))
+    now, old = (picture.sources.get(source, {}).get(name) for picture in (after, before))
     return now is not None and (old is None or not np.array_equal(old, now))

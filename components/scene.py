@@ -192,8 +192,8 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     @cached_property
     def sources(self) -> dict[str, ColumnDataSource]:
-        """The columns of the picture in force, in SI units."""
-        return {name: ColumnDataSource(data=data) for name, data in self.shown.columns.items()}
+        """The numbers of the picture in force, in SI units."""
+        return {name: ColumnDataSource(data=data) for name, data in self.shown.sources.items()}
 
     def set(self, values: Values) -> None:
         """Set parameters in one batch, with one picture; a ValueError leaves the face as it was."""
@@ -223,11 +223,12 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
     def _show(self, value: Self) -> None:
         picture = draw(value).picture
+        known: Mapping[str, ColumnDataSource] = vars(self).get("sources", {})
+        numbers = picture.sources if known else {}
         vars(self).update(_value=value, _shown=picture)
         self._restore()
-        if "sources" in vars(self):
-            for name in picture.columns.keys() | self.sources.keys():
-                self.sources.setdefault(name, ColumnDataSource()).data = picture.columns.get(name, {})
+        for name in numbers.keys() | known.keys():
+            self.sources.setdefault(name, ColumnDataSource()).data = numbers.get(name, {})
         for listener in self._listeners:
             listener(picture)
 

@@ -12,11 +12,11 @@ from typing import Any
 import msgspec
 
 from components.controls import panel, settings
+from components.encoding import view_of
 from components.page.blocks import Block, Column, PlotBlock, Row
 from components.page.messages import SceneSheet, Shown
 from components.page.state import State
 from components.scene import Scene
-from components.sent import view_of
 from components.wire import WINDOW, as_json
 
 LIVE = re.compile(r'data-value="(\w+)"')

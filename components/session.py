@@ -17,6 +17,7 @@ from components.commands import Errors, RefusalError
 from components.comparison import told_beside
 from components.controls import preset_name, settings
 from components.csv_export import as_file
+from components.encoding import view_of
 from components.numbers import excerpt
 from components.page.messages import (
     AskAbout,
@@ -35,7 +36,6 @@ from components.refusals import SORRY, report
 from components.running import Later, Running
 from components.scene import Scene
 from components.scene_sheet import column_axes, sheet_address, usual
-from components.sent import view_of
 from components.standing import Standing, changed, with_values
 from components.walks import Walks
 from components.walks.apart import Apart, Errand, Here, Reading, Replied, Teaching

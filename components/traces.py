@@ -1,8 +1,10 @@
-"""What a plot shows of a motion: its curve, or the exact envelope where it is too fast to be drawn."""
+"""Curves over time: signals that the browser draws, and the physics' numbers of them; bands for what is too fast."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -24,6 +26,45 @@ def samples(end: float, fastest: float) -> int:
     return int(min(max(PER_CYCLE * end * float(fastest) / (2 * np.pi), FEWEST), MOST)) + 1
 
 
+@dataclass(frozen=True, eq=False)
+class Traces:
+    """Curves that the browser draws of signals, at `count` instants of [0, end] (s).
+
+    A curve has the name of its signal, or `signals` says what that is called. `exact` gives the physics' numbers of
+    each curve at any instants, in SI units: they are asked for when they are read.
+    """
+
+    end: float
+    count: int
+    names: tuple[str, ...]
+    exact: Callable[[Floats], Columns]
+    signals: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def t(self) -> Floats:
+        """The instants that are drawn (count,)."""
+        return np.linspace(0.0, self.end, self.count)
+
+    @cached_property
+    def columns(self) -> Columns:
+        """The instants t and the numbers of each curve there."""
+        exact = self.exact(self.t)
+        columns = {"t": self.t, **{name: exact[name] for name in self.names}}
+        for column in columns.values():
+            column.setflags(write=False)
+        return columns
+
+    @property
+    def needed(self) -> frozenset[str]:
+        """The signals that the curves are drawn of."""
+        return frozenset(self.signals.get(name, name) for name in self.names)
+
+    def less(self, names: Iterable[str]) -> Traces:
+        """Without some of the curves."""
+        gone = frozenset(names)
+        return replace(self, names=tuple(name for name in self.names if name not in gone))
+
+
 def trace(
     name: str, components: Sequence[Sinusoid], t: Floats, base: Floats | None = None, curve: Floats | None = None
 ) -> tuple[Columns, Columns]:
@@ -39,9 +80,9 @@ def trace(
     return {}, dict(zip(band_columns(name), (low, high), strict=True))
 
 
-def sources_over_time(t: Floats, curves: Columns, bands: Columns) -> dict[str, Columns]:
-    """The sources of what runs over time: the curves, and the bands where there are any."""
-    return {"time": {"t": t, **curves}, BAND: bands and {"t": t, **bands}}
+def bands_over_time(t: Floats, bands: Columns) -> dict[str, Columns]:
+    """The source of the bands, empty where there are none."""
+    return {BAND: bands and {"t": t, **bands}}
 
 
 def band_columns(name: str) -> tuple[str, str]:

@@ -1,9 +1,11 @@
-// A message as it comes, made whole: inflated after the usual text that it refers to, its columns numbers again (the
-// browser's half of components/wire.py and components/places.py).
+// A message as it comes, made whole: inflated after the usual text that it refers to, its numbers read (the browser's half
+// of components/wire.py and components/encoding.py), and its signals over time as columns beside those that were sent.
+
+import {over} from "./signals.js"
 
 const COARSE = 2 ** 16 - 1
 const FINE = 2 ** 24 - 1
-const SUM = 8 // added to the order of a run from which the two before it have been taken
+const ORDER = 4
 const LINE_FEED = 10
 
 /** @param {ArrayBuffer} data @param {string} usual the sheet's @returns {Promise<Told>} */
@@ -36,19 +38,13 @@ async function inflated(data, before) {
  * @param {any} told @param {Uint8Array} data
  */
 function fill({view, held}, data) {
-  const parts = held ? [view, held] : [view]
-  const numbers = new Numbers(
-    data,
-    parts.reduce((count, part) => count + runsIn(part), 0),
-  )
-  for (const part of parts) fillPart(part, view.axes, numbers)
+  const numbers = new Numbers(data)
+  for (const part of held ? [view, held] : [view]) {
+    fillPart(part, view.axes, numbers)
+    for (const [source, trace] of Object.entries(part.traces))
+      part.columns[source] = {...traced(trace, part), ...part.columns[source]}
+  }
 }
-
-/** @param {any} part */
-const sampledIn = ({signals}) => Object.values(signals).filter(({kind}) => kind === "sampled")
-
-/** @param {any} part @returns {number} */
-const runsIn = part => Object.values(part.columns).flatMap(Object.keys).length + 2 * sampledIn(part).length
 
 /** @param {any} part @param {Record<string, page.Ruler>} axes @param {Numbers} numbers */
 function fillPart(part, axes, numbers) {
@@ -57,10 +53,10 @@ function fillPart(part, axes, numbers) {
       const {start, end} = axes[axis]
       const [low, high] = start < end ? [start, end] : [end, start]
       const height = high - low // the steps are of three heights of the frame
-      source[name] = Float32Array.from(numbers.take(count, low - height, high + height, COARSE))
+      source[name] = numbers.take(count, low - height, high + height, COARSE)
     }
   }
-  for (const signal of sampledIn(part)) {
+  for (const signal of Object.values(part.signals).filter(({kind}) => kind === "sampled")) {
     for (const run of ["y", "dy"]) {
       const {count, low, high} = signal[run]
       signal[run] = numbers.take(count, low, high, FINE)
@@ -68,18 +64,24 @@ function fillPart(part, axes, numbers) {
   }
 }
 
-/** Runs of numbers: the order of the differences of each, then all first bytes of these, all second ones, and so on. */
-class Numbers {
-  run = 0
-  at = 0
-  /** @type {Int32Array[]} the two last runs, in steps */
-  before = []
+/**
+ * The columns of signals over time.
+ * @param {page.Traced} trace @param {Pick<page.View, "signals" | "scalars">} part @returns {Record<string, Float64Array>}
+ */
+function traced([end, count, names, called], {signals, scalars}) {
+  const t = Float64Array.from({length: count}, (_, i) => (i / (count - 1)) * end)
+  const drawn = over(signals, scalars, t, new Set(names.map(name => called[name] ?? name)))
+  return {t, ...Object.fromEntries(names.map(name => [name, drawn[called[name] ?? name]]))}
+}
 
-  /** @param {Uint8Array} data @param {number} runs */
-  constructor(data, runs) {
-    this.orders = data.subarray(0, runs)
-    this.bytes = data.subarray(runs)
-    this.total = this.bytes.length / 4
+/** Runs of fourth differences: all first bytes of them, all second ones, and so on. */
+class Numbers {
+  at = 0
+
+  /** @param {Uint8Array} bytes */
+  constructor(bytes) {
+    this.bytes = bytes
+    this.total = bytes.length / 4
   }
 
   /**
@@ -87,16 +89,12 @@ class Numbers {
    * @param {number} count @param {number} low @param {number} high @param {number} steps
    */
   take(count, low, high, steps) {
-    const whole = Int32Array.from({length: count}, (_, i) => this.#difference(this.at + i))
-    const order = this.orders[this.run]
-    for (let left = order % SUM; left > 0; left--) {
-      for (let i = 1; i < count; i++) whole[i] += whole[i - 1]
-    }
-    if (order >= SUM) for (const part of this.before) part.forEach((step, i) => (whole[i] += step))
-    this.before = [...this.before.slice(-1), whole]
-    this.at += count
-    this.run += 1
-    return Float64Array.from(whole, step => low * (1 - step / steps) + high * (step / steps))
+    const sums = new Int32Array(ORDER)
+    return Float64Array.from({length: count}, () => {
+      let step = this.#difference(this.at++)
+      for (let i = 0; i < ORDER; i++) step = sums[i] += step
+      return low * (1 - step / steps) + high * (step / steps)
+    })
   }
 
   /** One that is d >= 0 is sent as 2d, one below as -2d - 1. @param {number} i */

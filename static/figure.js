@@ -168,10 +168,10 @@ export class Figure {
 
 /**
  * Columns that the picture does without (their renderers are not drawn) are filled up to the common length.
- * @param {BokehModel} source @param {Record<string, Float32Array>} given
+ * @param {BokehModel} source @param {Record<string, Float64Array>} given
  */
 function fill(source, given) {
-  const nothing = new Float32Array(Object.values(given)[0]?.length ?? 0)
+  const nothing = new Float64Array(Object.values(given)[0]?.length ?? 0)
   source.data = Object.fromEntries(Object.keys(source.data).map(key => [key, given[key] ?? nothing]))
 }
 

@@ -4,7 +4,7 @@ import {element, long, set, svg, unitSize} from "./dom.js"
 import {short} from "./numbers.js"
 import {evaluate} from "./signals.js"
 
-const STEPS = 2 ** 16 - 1 // of three heights of the frame, in which columns are sent: components/places.py
+const STEPS = 2 ** 16 - 1 // of three heights of the frame, in which columns are sent: components/encoding.py
 const PRESSED = "button, .pill, .flag, .cover"
 
 export class Reading {
@@ -70,7 +70,7 @@ export class Reading {
 
   /**
    * Between two points of a column; of what is outside the column knows no more than that.
-   * @param {Float32Array} xs in order @param {Float32Array} ys @param {number} x @returns {number | null}
+   * @param {Float64Array} xs in order @param {Float64Array} ys @param {number} x @returns {number | null}
    */
   #between(xs, ys, x) {
     if (!xs?.length || x < xs[0] || x > xs[xs.length - 1]) return null
@@ -96,7 +96,7 @@ export class Reading {
 /** Whether the pointer is on something over a plot that is pressed for itself. @param {PointerEvent} event */
 export const isOnControl = ({target}) => target instanceof Element && Boolean(target.closest(PRESSED))
 
-/** The last point but one, or the last before x. @param {Float32Array} xs in order @param {number} x */
+/** The last point but one, or the last before x. @param {Float64Array} xs in order @param {number} x */
 function before(xs, x) {
   let low = 0
   let high = xs.length - 1

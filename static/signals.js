@@ -116,6 +116,31 @@ function valueOf(signal, t, named) {
   }
 }
 
+/** The names that a signal speaks of. @param {page.AnySignal} signal */
+const spokenOf = signal =>
+  signal.kind === "derived" ? signal.value.terms.flatMap(([, names]) => names) : "of" in signal ? [signal.of] : []
+
+/**
+ * Signals of these names at many instants, in columns: what they are made of is evaluated with them, and no more.
+ * @param {Record<string, page.AnySignal>} signals @param {Named} scalars @param {Float64Array} times
+ * @param {Set<string>} names
+ */
+export function over(signals, scalars, times, names) {
+  const needed = new Set(names)
+  for (const [name, signal] of Object.entries(signals).toReversed())
+    if (needed.has(name)) for (const other of spokenOf(signal)) needed.add(other)
+  const wanted = Object.entries(signals).filter(([name]) => needed.has(name))
+  const columns = Object.fromEntries([...names].map(name => [name, new Float64Array(times.length)]))
+  /** @type {Named} */
+  const named = {...scalars, t: 0}
+  for (const [i, t] of times.entries()) {
+    named.t = t
+    for (const [name, signal] of wanted) named[name] = valueOf(signal, t, named)
+    for (const name of names) columns[name][i] = named[name]
+  }
+  return columns
+}
+
 /**
  * The signals that are made of no others, at an instant: what places all that is drawn.
  * @param {Record<string, page.AnySignal>} signals @param {Named} named @returns {Named}

@@ -7,7 +7,7 @@ declare const Bokeh: BokehModel
 declare var oscillations: any
 
 /** Columns of numbers by source and name. */
-type Columns = Record<string, Record<string, Float32Array>>
+type Columns = Record<string, Record<string, Float64Array>>
 
 /** A view whose columns have come out of the array that was sent with it, and the page around it. */
 type Drawn = Omit<page.Shown, "view" | "held"> & {

@@ -487,11 +487,16 @@ declare namespace page {
   /** A column: the name of the axis that it is drawn on, and how many numbers it has. */
   type Drawn = [axis: string, count: number]
 
+  /** Signals that are drawn over time, at `count` equally spaced instants from 0 to `end`: they are the column t, and
+   * columns of these names; `signals` are those that are called otherwise. */
+  type Traced = [end: number, count: number, names: string[], signals: Record<string, string>]
+
   /** What the browser shows of a picture.
    *
    * `columns`   the columns by source and name; their numbers follow the message, then those of the runs of `signals`
    * `axes`      the axes by name; `time` is the name of the one that the clock runs through, "" where nothing moves
    * `signals`   what moves, by name, in the order in which they build on each other
+   * `traces`    those of them that are drawn over time, by the source whose columns they are
    * `scalars`   numbers that shapes and marks use
    * `values`    texts of live numbers, by name; `live` is how those that move are shown, by signal
    * `forms`     which variant of a formula or sentence stands, by name; "" hides it
@@ -503,6 +508,7 @@ declare namespace page {
     time: string
     pace: Pace
     signals: Record<string, AnySignal>
+    traces: Record<string, Traced>
     scalars: Record<string, number>
     values: Record<string, string>
     live: Record<string, Digits>
@@ -524,11 +530,12 @@ declare namespace page {
 
   /** The picture held beside the one that stands, on its axes, as far as it differs and is drawn.
    *
-   * Its numbers follow those of the view. `signals` and `scalars` are those of what a hand can take on the stage,
-   * `values` the numbers of the sliders that have been moved since, `ledger` what is compared. */
+   * Its numbers follow those of the view. `signals` and `scalars` are those of its `traces` and of what a hand can take
+   * on the stage, `values` the numbers of the sliders that have been moved since, `ledger` what is compared. */
   interface Held {
     columns: Record<string, Record<string, Drawn>>
     signals: Record<string, AnySignal>
+    traces: Record<string, Traced>
     scalars: Record<string, number>
     values: Record<string, number | null>
     ledger: LedgerRow[]

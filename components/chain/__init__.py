@@ -12,7 +12,7 @@ from components.chain.parameters import (
     start_positions,
     start_velocities,
 )
-from components.chain.signals import components, free_rates, free_signals
+from components.chain.signals import components, free_rates, free_signals, positions
 from components.chain.stage import (
     BODY,
     EQUILIBRIUM,
@@ -64,6 +64,7 @@ __all__ = [
     "mode_readouts",
     "of_scene",
     "place",
+    "positions",
     "rest",
     "scale",
     "side",

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from components.axes import Axis
 from components.chain.modes import MODES
 from components.chain.parameters import Pair
 from components.motion import rates, sines
 from components.page.signals import AnySignal
+from components.traces import Columns, Floats
 from physics.coupled import FreeModes
 from physics.sampling import Sinusoid
 
@@ -32,6 +35,13 @@ def _parts(free: FreeModes) -> Iterator[tuple[str, tuple[float, float, float], P
     for i, drift in enumerate(zip(free.drift_a.tolist(), free.drift_b.tolist(), strict=True)):
         for (mode, amplitude, omega, phase), line in zip(modes, (drift, (0.0, 0.0)), strict=True):
             yield f"{i + 1}_{mode}", (amplitude[i], omega, phase), line
+
+
+def positions(free: FreeModes, t: Floats) -> Columns:
+    """x1 and x2 in doubles, at times t (n,) that resolve both modes: what a frame is fitted to."""
+    phases = np.outer(free.omega, t) + free.phase[:, None]
+    x = free.amplitude.T @ np.sin(phases) + free.drift_a[:, None] + np.outer(free.drift_b, t)
+    return {"x1": x[0], "x2": x[1]}
 
 
 def components(free: FreeModes, i: int, modes: tuple[int, ...] = (0, 1)) -> list[Sinusoid]:

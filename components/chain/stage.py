@@ -49,13 +49,18 @@ def extremes(curves: Columns, bands: Columns) -> Extremes:
 
     def ends(name: str) -> tuple[float, float]:
         low, high = (curves[name],) * 2 if name in curves else (bands[f"{name}_lo"], bands[f"{name}_hi"])
-        return float(low.min()), float(high.max())
+        return without_roundings(low.min()), without_roundings(high.max())
 
     one, two = ends("x1"), ends("x2")
     if "x1" in curves and "x2" in curves:
         stretch = curves["x2"] - curves["x1"]
-        return {"x1": one, "x2": two, "e2": (float(stretch.min()), float(stretch.max()))}
+        return {"x1": one, "x2": two, "e2": (without_roundings(stretch.min()), without_roundings(stretch.max()))}
     return {"x1": one, "x2": two, "e2": (two[0] - one[1], two[1] - one[0])}
+
+
+def without_roundings(value: float) -> float:
+    """Twelve digits: a motion that starts at 1 mm reaches no less."""
+    return float(f"{value:.12g}")
 
 
 def scale(extremes: Extremes, side: tuple[float, float]) -> float:

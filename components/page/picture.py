@@ -56,12 +56,23 @@ class Drawn(Struct, frozen=True, array_like=True):
     count: int
 
 
+class Traced(Struct, frozen=True, array_like=True):
+    """Signals that are drawn over time, at `count` equally spaced instants from 0 to `end`: they are the column t, and
+    columns of these names; `signals` are those that are called otherwise."""
+
+    end: float
+    count: int
+    names: tuple[str, ...]
+    signals: dict[str, str]
+
+
 class View(Struct, frozen=True, kw_only=True):
     """What the browser shows of a picture.
 
     `columns`   the columns by source and name; their numbers follow the message, then those of the runs of `signals`
     `axes`      the axes by name; `time` is the name of the one that the clock runs through, "" where nothing moves
     `signals`   what moves, by name, in the order in which they build on each other
+    `traces`    those of them that are drawn over time, by the source whose columns they are
     `scalars`   numbers that shapes and marks use
     `values`    texts of live numbers, by name; `live` is how those that move are shown, by signal
     `forms`     which variant of a formula or sentence stands, by name; "" hides it
@@ -74,6 +85,7 @@ class View(Struct, frozen=True, kw_only=True):
     time: str
     pace: Pace
     signals: dict[str, AnySignal]
+    traces: dict[str, Traced]
     scalars: dict[str, float]
     values: dict[str, str]
     live: dict[str, Digits]
@@ -97,12 +109,13 @@ class LedgerRow(Struct, frozen=True, kw_only=True):
 class Held(Struct, frozen=True, kw_only=True):
     """The picture held beside the one that stands, on its axes, as far as it differs and is drawn.
 
-    Its numbers follow those of the view. `signals` and `scalars` are those of what a hand can take on the stage,
-    `values` the numbers of the sliders that have been moved since, `ledger` what is compared.
+    Its numbers follow those of the view. `signals` and `scalars` are those of its `traces` and of what a hand can take
+    on the stage, `values` the numbers of the sliders that have been moved since, `ledger` what is compared.
     """
 
     columns: dict[str, dict[str, Drawn]]
     signals: dict[str, AnySignal]
+    traces: dict[str, Traced]
     scalars: dict[str, float]
     values: dict[str, float | None]
     ledger: tuple[LedgerRow, ...]

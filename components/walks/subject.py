@@ -118,7 +118,7 @@ class Subject:
         block, shown, axes = self._block(plot), self.standing.shown, self.axes(plot)
         places: Traced = []
         for curve in block.curves:
-            columns = shown.columns.get(curve.source, {})
+            columns = shown.sources.get(curve.source, {})
             if curve.y == name and name in columns:
                 across, up = axes.x.places(columns[curve.x]), axes.y.places(columns[name])
                 places += zip(across.tolist(), up.tolist(), strict=True)

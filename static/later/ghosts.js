@@ -212,7 +212,7 @@ function starts(lines) {
   return first ? [...rings, svg("text", {x: first.x + RING + 5, y: first.y - RING - 2}, "same start")] : []
 }
 
-/** Whether a curve goes to and fro so often that its dots would fill a line. @param {Float32Array} xs */
+/** Whether a curve goes to and fro so often that its dots would fill a line. @param {Float64Array} xs */
 function isRetraced(xs) {
   let turns = 0
   for (let i = 2; i < xs.length; i++) if ((xs[i] - xs[i - 1]) * (xs[i - 1] - xs[i - 2]) < 0) turns++

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterator
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
+from components.encoding import COARSE
 from components.numbers import short
-from components.places import COARSE
 from components.scenes import SCENES
 from tests.browser.script_page import Scripts
 from tests.page.playing import played

@@ -15,7 +15,7 @@ from components.serving.server import Server
 from tests.bench.visitor import Visitor
 from tests.live_class.caller import Class, Stream, called
 from tests.live_class.served import CHOICE, run, served
-from tests.page.columns import inflated
+from tests.page.told import text_of
 
 
 def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> None:
@@ -30,7 +30,7 @@ def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> No
         await visitor.say({"type": "set", "values": {"k2": 3.5}})
         told = await stream.until(lambda event: event.get("picture") and event != first)
         assert len(told["picture"]["data"]) < 5000
-        text = inflated(
+        text = text_of(
             {"sheet": told["picture"]["sheet"], "data": base64.b64decode(told["picture"]["data"])},
             await visitor._usual(told["picture"]["sheet"]),
         )

@@ -8,11 +8,11 @@ import msgspec
 import numpy as np
 import pytest
 
+from components.encoding import COARSE, span
 from components.link import read_query
 from components.opening import opened
 from components.page.state import State
 from components.picture import frame_of
-from components.places import COARSE, span
 from components.scene_sheet import column_axes
 from components.scenes import SCENES
 from tests.page.told import Page, change, put, unpacked

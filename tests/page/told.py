@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-import json
+import zlib
 from typing import Any
 
 import msgspec
 
 from components.commands import Command, Errors, RefusalError, asked_values, refusal
 from components.controls import panel
+from components.encoding import view_of
 from components.page.messages import ToldAny
 from components.page.picture import View
-from components.places import encoded
 from components.scene import Picture, Scene
 from components.scene_sheet import column_axes, sheet_address, usual
 from components.scenes import SCENES
-from components.sent import view_of
 from components.session import Session
 from components.standing import Standing, fitted
-from components.wire import Packet, as_json, decoded
-from tests.page.columns import inflated, whole, with_numbers
+from components.wire import Packet, as_json, decoded, packed
+from tests.page import scripts
 
 
 def apply_message(scene: Scene, data: object) -> Errors:
@@ -52,11 +51,10 @@ def take_preset(scene: Scene, label: str) -> Errors:
 
 
 def picture_wire(scene: Scene | Standing) -> dict[str, Any]:
-    """The picture as the browser has it after unpacking: nested lists and dicts, columns as float32."""
+    """The picture as the browser has it after unpacking: nested lists and dicts, columns as arrays."""
     view, numbers = view_of(scene.shown, column_axes(scene.kind if isinstance(scene, Standing) else type(scene)))
-    text = as_json(view)
-    msgspec.json.decode(text, type=View)
-    return dict(with_numbers(json.loads(text), encoded(numbers)))
+    msgspec.json.decode(as_json(view), type=View)
+    return dict(scripts.unpacked(packed({"view": view}, numbers))["view"])  # type: ignore[arg-type]
 
 
 class Page:
@@ -92,13 +90,15 @@ class Page:
 
 def unpacked(packet: Packet) -> dict[str, Any]:
     """A message as the browser has it; each number of it is one, though msgspec writes null for what is not finite."""
-    text, _, numbers = inflated(packet, _usual(packet["sheet"])).partition(b"\n")
-    msgspec.json.decode(text, type=ToldAny)
-    told = json.loads(text)
-    if "view" in told:
-        parts = [told[part] for part in ("view", "held") if told.get(part)]
-        told.update(zip(("view", "held"), whole(parts, told["view"]["axes"], numbers), strict=False))
-    return dict(told)
+    known = _usual(packet["sheet"])
+    msgspec.json.decode(text_of(packet, known), type=ToldAny)
+    return scripts.unpacked(packet, known)
+
+
+def text_of(packet: Packet, usual: bytes = b"") -> bytes:
+    """The line of JSON in a message over the usual text of its sheet."""
+    text, _, _ = zlib.decompressobj(-15, *([usual] if usual else [])).decompress(packet["data"]).partition(b"\n")
+    return text
 
 
 def _usual(sheet: str) -> bytes:

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from components.encoding import COARSE, span
 from components.link import read_query
-from components.places import COARSE, span
 from components.scene import Scene
 from components.scene_sheet import column_axes
 from components.scenes import SCENES

@@ -24,12 +24,13 @@ from components.scenes.absorber import data, drawing
 from components.scenes.absorber.about import absorber_about
 from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.goals import goals
-from components.scenes.absorber.moved import moved
+from components.scenes.absorber.moved import moved, times
 from components.scenes.absorber.played import signals
-from components.scenes.absorber.rest import rest_block, rest_columns
+from components.scenes.absorber.rest import rest_block, rest_columns, rest_exact
 from components.scenes.absorber.watch import WATCH
 from components.scenes.absorber.words import TASK, sentences
 from components.sheet import choice, column, desk, row, when, words
+from components.traces import Traces
 from components.units import Unit
 from physics.absorber import den_hartog, tuned_stiffness
 from physics.forced import antiresonance
@@ -269,14 +270,16 @@ class Absorber(Scene):
         swing = axes["X1"]
         push = nice_axis(0.0, self.F_0, "N")
         columns, seen = data.columns(duty, axes)
-        motion = None if duty.plays else moved(duty, end)
+        motion = None if duty.plays else moved(duty, times(duty, end))
         rest, own = rest_columns(motion if duty.from_rest else None, duty, swing)
+        names = tuple(name for name in rest if name != "t") if motion and motion.in_doubles else ()
         axes |= framed(frame, {"rest": own})
         drawn = data.drawn(duty, motion, end, swing, frame.scale)
         return Picture(
-            columns=columns | {"rest": rest},
+            columns=columns | {"rest": {} if names else rest},
             axes=axes,
-            signals=signals(duty, end, swing, axes["t"], push),
+            signals=signals(duty, end, swing, axes["t"], push, parts="x1_p" in names),
+            traces={"rest": Traces(end, len(rest["t"]), names, lambda t: rest_exact(moved(duty, t)))} if names else {},
             scalars={**drawn.scalars, **data.marks(duty, axes), **seen},
             pace=pace(self.omega, self.omega if duty.plays else duty.fastest),
             scale=drawn.scale,

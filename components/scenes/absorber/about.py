@@ -14,7 +14,7 @@ from physics.reference_single import steady_points, stroke_points
 
 def absorber_about(picture: Picture, duty: Duty) -> About:
     """Swing and stroke, with and without the absorber."""
-    columns = picture.columns["sweep"]
+    columns = picture.sources["sweep"]
     caps = {"swing": picture.axes["X1"].end, "stroke": picture.axes["X2"].end, "alone": picture.axes["X1"].end}
     inside = np.flatnonzero(np.all([columns[name] < cap for name, cap in caps.items()], axis=0))
     at = inside[few(inside)].tolist()

@@ -16,17 +16,18 @@ DRAWN = 1e-11
 
 
 class FromStart(NamedTuple):
-    """x1, x2 and x2 - x1 (3, n) from the start at times t (n,), and of both parts."""
+    """x1, x2 and x2 - x1 (3, n) from the start at times t (n,), and of both parts; `in_doubles` where the terms of x1,
+    summed in doubles, are right to all digits that are drawn."""
 
     t: Floats
     x: Floats
     particular: Floats | None = None
     complementary: Floats | None = None
+    in_doubles: bool = True
 
 
-def moved(duty: Duty, end: float) -> FromStart:
-    """The motion over [0, end]; its parts too where they are drawn. ValueError as Duty.from_rest_at."""
-    t = _times(duty, end)
+def moved(duty: Duty, t: Floats) -> FromStart:
+    """The motion at times t; its parts too where they are drawn. ValueError as Duty.from_rest_at."""
     if not (duty.from_rest and duty.solved):
         return FromStart(t, _displacements(duty.from_rest_at(t)))
     if duty.c:
@@ -36,20 +37,21 @@ def moved(duty: Duty, end: float) -> FromStart:
     x = particular + complementary
     x[:, 0] = duty.x_0[0], duty.x_0[1], duty.x_0[1] - duty.x_0[0]
     one, stretch = duty.bounds
-    doubt = 2.0**-52 * (1 + duty.fastest * end) * np.array([one, one + stretch, stretch])
-    if duty.alike or np.any(doubt > DRAWN * np.abs(x).max(axis=1)):
+    doubt = 2.0**-52 * (1 + duty.fastest * t[-1]) * np.array([one, one + stretch, stretch])
+    doubtful = doubt > DRAWN * np.abs(x).max(axis=1)
+    if duty.alike or np.any(doubtful):
         x = _displacements(duty.from_rest_at(t))
-    return FromStart(t, x, particular, complementary)
+    return FromStart(t, x, particular, complementary, not (duty.alike or doubtful[0]))
 
 
 def reach_alone(duty: Duty, end: float) -> float:
     """The largest displacement of the machine alone over [0, end], from the same start."""
-    t, bare = _times(duty, end), duty.bare
+    t, bare = times(duty, end), duty.bare
     x = np.add(*_parts(bare, t))[0] if bare.split_is_meaningful else bare.motion(t).x[0]
     return float(np.abs(x).max())
 
 
-def _times(duty: Duty, end: float) -> Floats:
+def times(duty: Duty, end: float) -> Floats:
     """So many times as the fastest motion needs to be drawn."""
     return np.linspace(0.0, end, samples(end, duty.fastest))
 

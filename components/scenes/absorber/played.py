@@ -19,8 +19,8 @@ NODES = 401
 """Points of a window that the browser joins by Hermite pieces."""
 
 
-def signals(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> dict[str, AnySignal]:
-    """The machine alone and with the absorber: the particular solution, or the motion from its start."""
+def signals(duty: Duty, end: float, size: Axis, time: Axis, push: Axis, *, parts: bool = False) -> dict[str, AnySignal]:
+    """The machine alone and with the absorber: the particular solution, or the motion from its start, and its parts."""
     drive = (1.0, duty.omega, 0.0)
     unit = Axis(0.0, 1.0)
     moving: dict[str, AnySignal] = {
@@ -44,6 +44,10 @@ def signals(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> dict[
         with precise():
             k2 = rounded("the pull of spring 2", exact(duty.k2).scaleb(size.exponent - push.exponent))
         moving["pull_now"] = derived(k2 * (var("x2") - var("x1")))
+    if parts:
+        X = complex(duty.damped.particular[0]) if duty.c else complex(duty.driven.particular[0])
+        moving["x1_p"] = sines(size, time, (abs(X), duty.omega, cmath.phase(X)))
+        moving["x1_c"] = derived(var("x1") - var("x1_p"))
     moving["pull"] = derived(var("pull_now") / push.place(duty.F_0))
     return moving
 

@@ -74,9 +74,7 @@ def rest_columns(moved: FromStart | None, duty: Duty, unit: Axis) -> tuple[Colum
     """
     if moved is None:
         return {}, replace(unit, start=-unit.end)
-    columns: Columns = {"t": moved.t, "x1": moved.x[0]}
-    if moved.particular is not None and moved.complementary is not None:
-        columns |= {"x1_p": moved.particular[0], "x1_c": moved.complementary[0]}
+    columns = {"t": moved.t, **rest_exact(moved)}
     low, high = widest(*((float(c.min()), float(c.max())) for name, c in columns.items() if name != "t"))
     if duty.over_deflection(max(-low, high)) > TALLEST:
         raise ValueError(
@@ -85,6 +83,13 @@ def rest_columns(moved: FromStart | None, duty: Duty, unit: Axis) -> tuple[Colum
     room = 0.08 * (high - low)
     ticks = nice_ticks(unit.place(low), unit.place(high), 3) if high > low else (0.0,)
     return columns, replace(unit, start=low - room, end=high + room or unit.end, ticks=ticks)
+
+
+def rest_exact(moved: FromStart) -> Columns:
+    """x1, and its parts where they are drawn."""
+    if moved.particular is None or moved.complementary is None:
+        return {"x1": moved.x[0]}
+    return {"x1": moved.x[0], "x1_p": moved.particular[0], "x1_c": moved.complementary[0]}
 
 
 def rest_texts(duty: Duty, unit: Axis) -> dict[str, str]:

@@ -23,13 +23,13 @@ from components.parameters import one_of
 from components.readouts import Readout
 from components.scene import Picture, Scene
 from components.scenes.analogues.about import analogue_about
-from components.scenes.analogues.case import DEGREE, LIMITS, AnalogueCase, late_axes, late_columns, motion_columns
+from components.scenes.analogues.case import CURVES, DEGREE, LIMITS, AnalogueCase, late_axes, late_columns, motion_bands
 from components.scenes.analogues.controls import LARGEST, SHORT, SWINGING, groups, quantities, start_angle
 from components.scenes.analogues.pictures import tiles
 from components.scenes.analogues.reach import REMARKS
 from components.scenes.analogues.sheet import analogue_sheet
 from components.scenes.analogues.watch import WATCH
-from components.traces import samples, sources_over_time
+from components.traces import Traces, bands_over_time, samples
 from physics.analogues import ANALOGUES
 from physics.pendulum import amplitude_at_excess
 
@@ -88,11 +88,13 @@ class Analogues(Scene):
         case = self._case(frame.window)
         axes = framed(frame, {"t": time_axis(case.own_end), "q": case.axis(), **late_axes(case)})
         time, size, energy = axes["t"], axes["q"], case.energy_axis()
-        curves, bands = motion_columns(case)
+        bands = motion_bands(case)
+        drawn = Traces(case.end, case.t.size, () if bands else CURVES, case.exact, {"x": "rule", "q": "level"})
         return Picture(
-            columns={**sources_over_time(case.t, curves, bands), **late_columns(case, axes["angle"].end)},
+            columns={**bands_over_time(case.t, bands), **late_columns(case, axes["angle"].end)},
             axes=axes,
             signals=_signals(case, time, size, energy),
+            traces={"time": drawn},
             scalars=_scalars(case, axes),
             pace=_pace(case),
             values=_values(case, size, energy),
@@ -153,7 +155,7 @@ def _shares(case: AnalogueCase, time: Axis) -> dict[str, AnySignal]:
     """q over q_0, and the square root of V over its largest: both the cosine where the system is linear."""
     if not case.pendulum:
         return dict.fromkeys(("share", "root"), derived(COSINE))
-    _, theta, theta_dot, size = case.swings
+    theta, theta_dot, size = case.swings
     half = math.sin(size / 2)
     return {
         "share": sampled(time, case.period, theta / size, theta_dot / size),

@@ -15,7 +15,7 @@ from physics.reference_single import oscillator_points, pendulum_points
 
 def analogue_about(picture: Picture, case: AnalogueCase) -> About:
     """The coordinate, and that of the spring of equal numbers."""
-    columns = picture.columns["time"]
+    columns = picture.sources["time"]
     at = few(columns["t"])
     t = columns["t"][at].tolist()
     spring = oscillator_points(case.spring, case.q_0, 0.0, t)["x"]
@@ -29,7 +29,7 @@ def analogue_about(picture: Picture, case: AnalogueCase) -> About:
     return About(
         (bounded(f"{symbol} over $t$", 4, "its amplitude, with the roles of $m$ and $k$ rounded to doubles", found),),
         _analogue_drift(case, columns["t"]),
-        drawn_as_bands(picture.columns, names),
+        drawn_as_bands(picture.sources, names),
     )
 
 

@@ -16,9 +16,11 @@ from components.traces import Columns, Floats, samples, trace
 from physics.analogue import Analogue, Tuned
 from physics.oscillator import Oscillator
 from physics.pendulum import Pendulum, PendulumMotion, amplitude_at_excess, excess
-from physics.sampling import Sinusoid, periods
+from physics.sampling import Sinusoid, drawable, periods
 from physics.valid import DOUBLES
 
+CURVES = ("x", "q")
+"""The curves over time: of the spring, and of the system."""
 DEGREE = math.pi / 180
 SWINGS = 3.5
 NODES, MOST_NODES = 96, 512
@@ -30,9 +32,8 @@ LIMITS = {"late_01": 0.001, "late_1": 0.01, "late_5": 0.05}
 
 
 class Swings(NamedTuple):
-    """A pendulum's angle over the window; its angle and rate over one period; and the size of the latter's swing."""
+    """A pendulum's angle and rate over one period, and the size of its swing."""
 
-    q: Floats
     theta: Floats
     theta_dot: Floats
     size: float
@@ -103,11 +104,18 @@ class AnalogueCase:
 
     @cached_property
     def swings(self) -> Swings:
-        """The motion of a pendulum over the window, and over a period for the clock."""
+        """One swing of a pendulum, which the clock repeats."""
         count = min(math.ceil(NODES * (1 + self.excess)), MOST_NODES)
-        motion, size = self.swing(np.concatenate([self.t, np.linspace(0.0, self.period, count + 1)]))
-        lap = slice(self.t.size, None)
-        return Swings(motion.theta[: self.t.size] * (self.q_0 / size), motion.theta[lap], motion.theta_dot[lap], size)
+        motion, size = self.swing(np.linspace(0.0, self.period, count + 1))
+        return Swings(motion.theta, motion.theta_dot, size)
+
+    def exact(self, t: Floats) -> Columns:
+        """The coordinate q, and that of the spring, x."""
+        x = self.spring.motion(self.q_0, 0.0, t).x
+        if not self.pendulum:
+            return {"x": x, "q": x}
+        motion, size = self.swing(t)
+        return {"x": x, "q": motion.theta * (self.q_0 / size)}
 
     def swing(self, t: Floats) -> tuple[PendulumMotion, float]:
         """The exact motion, and its size: that of q_0, or a small one of the same shape."""
@@ -136,14 +144,12 @@ class AnalogueCase:
         return nice_axis(0.0, self.energy, "J")
 
 
-def motion_columns(case: AnalogueCase) -> tuple[Columns, Columns]:
-    """The coordinate q and that of the spring, x: curves, or bands where too fast."""
+def motion_bands(case: AnalogueCase) -> Columns:
+    """What the coordinates q and x fill where they are too fast to draw."""
+    if drawable(case.omega, case.t):
+        return {}
     rule = [Sinusoid(case.q_0, case.omega, math.pi / 2)]
-    x = case.spring.motion(case.q_0, 0.0, case.t).x
-    q = case.swings.q if case.pendulum else x
-    curve_x, band_x = trace("x", rule, case.t, curve=x)
-    curve_q, band_q = trace("q", rule, case.t, curve=q)
-    return curve_x | curve_q, band_x | band_q
+    return {end: column for name in CURVES for end, column in trace(name, rule, case.t)[1].items()}
 
 
 def late_axes(case: AnalogueCase) -> dict[str, Axis]:

@@ -17,7 +17,7 @@ from components.chain.forces import Forces, forces
 from components.chain.grabs import shares
 from components.controls import Group
 from components.frames import FITTED, framed
-from components.motion import derived, pace, scaled, total
+from components.motion import derived, pace, scaled, sines, total
 from components.page.blocks import Block
 from components.page.numbers import var
 from components.page.signals import AnySignal
@@ -30,11 +30,14 @@ from components.scenes.coupled.about import coupled_about
 from components.scenes.coupled.sheet import coupled_sheet
 from components.scenes.coupled.watch import WATCH
 from components.scenes.coupled.words import forms, values
-from components.traces import Columns, samples, sources_over_time, trace
-from physics.coupled import FreeModes, Motion
-from physics.energy import chain_energy, mean_energy
+from components.traces import Columns, Floats, Traces, bands_over_time, samples, trace
+from physics.coupled import FreeModes
+from physics.energy import ChainEnergy, chain_energy, mean_energy
 from physics.sampling import drawable, time_window
 
+LAYERS = ("e0", "e1", "e2", "e3", "e4")
+"""The edges of the stack of energies."""
+LEVELS = ("E_slow", "E_fast", "E_total")
 NAMED = 0.8
 """The names in the plane stand at this share of the way to its edge."""
 
@@ -96,25 +99,27 @@ class Coupled(Scene):
         own_window = self.window or time_window(slow, fast)
         end = frame.window or own_window
         t = np.linspace(0.0, end, samples(end, fast))
-        parts = free.parts(t)
-        whole = parts[0] + parts[1]
-        curves, bands = _motion_columns(free, parts, whole)
-        stack, flat = _energy_columns(self.energy, free, whole)
+        resolved = drawable(fast, t)
+        curves, bands = (chain.positions(free, t), Columns()) if resolved else _motion_columns(free, t)
         extremes = chain.extremes(curves, bands)
         own = nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 3)
         axes = framed(frame, {"t": time_axis(own_window), "x": own, "E": whole_axis(float(free.energy.sum()), "J")})
         time, size, energy = axes["t"], axes["x"], axes["E"]
         drawn = chain.to_scale(system, extremes, size, frame.scale)
         standing = (self.energy, f"view_{self.view}", f"start_{self.given_by}")
-        pulled = forces(system, whole, size) if self.view == "forces" else Forces()
+        pulled = forces(system, free.motion(t), size) if self.view == "forces" else Forces()
+        motions = _motions(free) if resolved else tuple(curves)
+        averaged = self.energy == "parts" and not drawable(2 * fast, t)
+        energies = () if averaged else LAYERS if self.energy == "parts" else LEVELS
         return Picture(
             columns={
-                **sources_over_time(t, curves | stack, bands),
-                "flat": flat,
+                "time": _edges(mean_energy(free, t)) if averaged else {},
+                **bands_over_time(t, bands),
                 "modes": _mode_lines(free, size),
             },
             axes=axes,
             signals=_signals(self, free, size, time, energy) | pulled.signals,
+            traces={"time": Traces(end, t.size, (*motions, *energies), lambda t: _exact(free, t))},
             scalars={**drawn.scalars, **_mode_places(free, size), f"by_{self.given_by}": 1.0, **pulled.scalars},
             pace=pace(slow or fast, fast),
             scale=drawn.scale,
@@ -148,44 +153,42 @@ class Coupled(Scene):
         return coupled_about(shown, starting.motion(self), *chain.start_of(self), by_modes)
 
 
-def _motion_columns(free: FreeModes, parts: tuple[Motion, Motion], whole: Motion) -> tuple[Columns, Columns]:
-    """Columns of x1, x2, their parts, and the elongation of spring 2; curves, and bands where too fast."""
-    t, motions = whole.t, dict[str, tuple[int, tuple[int, ...], NDArray[np.float64]]]()
-    for i in (0, 1):
-        motions[f"x{i + 1}"] = i, (0, 1), whole.x[i]
-        if free.omega[1]:
-            motions |= {f"x{i + 1}_{mode}": (i, (j,), parts[j].x[i]) for j, mode in enumerate(chain.MODES)}
-        else:  # two drifts: the slow part has both, as on the stage
-            motions[f"x{i + 1}_slow"] = motions[f"x{i + 1}"]
-    if drawable(free.omega[1], t):
-        return {name: exact for name, (_, _, exact) in motions.items()}, {}
+def _exact(free: FreeModes, t: Floats) -> Columns:
+    """All that may be drawn over time."""
+    curves, _ = _motion_columns(free, t)
+    energies = zip(LEVELS, (*free.energy, free.energy.sum()), strict=True)
+    levels = {name: np.full_like(t, level) for name, level in energies}
+    return {**curves, **_edges(chain_energy(free.chain, free.motion(t))), **levels}
+
+
+def _motions(free: FreeModes) -> tuple[str, ...]:
+    """The names of x1, x2 and their parts; of two drifts the slow part has both, as on the stage."""
+    parts = ("", "_slow", "_fast") if free.omega[1] else ("", "_slow")
+    return tuple(f"x{i}{part}" for i in (1, 2) for part in parts)
+
+
+def _motion_columns(free: FreeModes, t: Floats) -> tuple[Columns, Columns]:
+    """Columns of x1, x2 and their parts: curves, and bands where too fast."""
+    parts = free.parts(t)
+    whole = parts[0] + parts[1]
+    exact = {"": whole, "_slow": parts[0] if free.omega[1] else whole, "_fast": parts[1]}
+    modes = {"": (0, 1), "_slow": (0,) if free.omega[1] else (0, 1), "_fast": (1,)}
     curves: Columns = {}
     bands: Columns = {}
-    for name, (i, modes, exact) in motions.items():
-        drifts = any(free.omega[j] == 0 for j in modes)
+    for name in _motions(free):
+        i, part = int(name[1]) - 1, name[2:]
+        drifts = any(free.omega[j] == 0 for j in modes[part])
         base = free.drift_a[i] + free.drift_b[i] * t if drifts else None
-        curve, band = trace(name, chain.components(free, i, modes), t, base, exact)
+        curve, band = trace(name, chain.components(free, i, modes[part]), t, base, exact[part].x[i])
         curves |= curve
         bands |= band
     return curves, bands
 
 
-def _energy_columns(view: str, free: FreeModes, whole: Motion) -> tuple[Columns, Columns]:
-    """Columns of the chosen energy view: the stack's edges over time, or the flat lines of the modes."""
-    t = whole.t
-    if view == "modes":
-        slow, fast = free.energy
-        flat = {"E_slow": slow, "E_fast": fast, "E_total": slow + fast}
-        return {}, {"t": t[[0, -1]], **{name: np.full(2, level) for name, level in flat.items()}}
-    layers = accumulate([np.zeros_like(t), *_energies(free, whole)])
-    return {f"e{i}": edge for i, edge in enumerate(layers)}, {}
-
-
-def _energies(free: FreeModes, whole: Motion) -> list[NDArray[np.float64]]:
-    """T1, V1, V2, T2; where a swing is too fast to draw, its mean."""
-    resolved = drawable(2 * free.omega[1], whole.t)
-    energy = chain_energy(free.chain, whole) if resolved else mean_energy(free, whole.t)
-    return [energy.T[0], energy.V[0], energy.V[1], energy.T[1]]
+def _edges(energy: ChainEnergy) -> Columns:
+    """The edges of the stack of T1, V1, V2, T2."""
+    layers = [energy.T[0], energy.V[0], energy.V[1], energy.T[1]]
+    return dict(zip(LAYERS, accumulate([np.zeros_like(layers[0]), *layers]), strict=True))
 
 
 def _notes(fast: float, t: NDArray[np.float64]) -> list[str]:
@@ -211,15 +214,21 @@ def _mode_places(free: FreeModes, size: Axis) -> dict[str, float]:
 
 
 def _signals(scene: Coupled, free: FreeModes, size: Axis, time: Axis, energy: Axis) -> dict[str, AnySignal]:
-    """The parts of each displacement and velocity, their sums, and the four energies."""
+    """The parts of each displacement and velocity, their sums, and the energies: stacked, or those of the modes."""
     signals = chain.free_signals(free, size, time) | chain.free_rates(free, size, time)
     for name in ("x1", "x2", "v1", "v2"):
         signals[name] = total(f"{name}_slow", f"{name}_fast")
     signals |= starting.turns(scene, free.omega.tolist(), time)
-    signals["stretch"] = derived(var("x2") - var("x1"))
+    swings = zip(free.stretch.tolist(), free.omega.tolist(), free.phase.tolist(), strict=True)
+    drift = tuple(two - one for one, two in (free.drift_a.tolist(), free.drift_b.tolist()))
+    signals["stretch"] = sines(size, time, *swings, line=drift)
     kinetic, potential = energy.exponent - 2 * size.exponent + 2 * time.exponent, energy.exponent - 2 * size.exponent
     for name, factor, rate in (("T1", scene.m1, "v1"), ("T2", scene.m2, "v2")):
         signals[name] = derived(scaled(kinetic, 0.5, factor) * var(rate) * var(rate))
     for name, factor, stretch in (("V1", scene.k1, "x1"), ("V2", scene.k2, "stretch")):
         signals[name] = derived(scaled(potential, 0.5, factor) * var(stretch) * var(stretch))
-    return signals
+    layers = ("T1", "V1", "V2", "T2")
+    if scene.energy == "parts":
+        return signals | {edge: total(*layers[:i]) for i, edge in enumerate(LAYERS)}
+    levels = (*free.energy.tolist(), float(free.energy.sum()))
+    return signals | {name: derived(energy.place(level)) for name, level in zip(LEVELS, levels, strict=True)}

@@ -18,7 +18,7 @@ BANDS = MASSES | {f"x{i}_{mode}": f"the {mode} mode" for i in (1, 2) for mode in
 def coupled_about(picture: Picture, free: FreeModes, x_0: Pair, v_0: Pair, by_modes: ByModes | None = None) -> About:
     """Displacements, or where these are bands the modes that are not; `by_modes` are amplitudes and phases of a motion
     that is given by them."""
-    columns = picture.columns["time"]
+    columns = picture.sources["time"]
     names = {key: name for key, name in PARTS.items() if key[:2] not in columns}
     shown = MASSES | names
     if by_modes:
@@ -27,4 +27,4 @@ def coupled_about(picture: Picture, free: FreeModes, x_0: Pair, v_0: Pair, by_mo
     else:
         motion = motion_rows(shown, columns, free.chain, x_0, v_0)
     points = bounded("$x_1(t)$, $x_2(t)$ or a mode", 2, "its amplitudes", motion)
-    return About((points,), free_drift(free, columns["t"]), drawn_as_bands(picture.columns, BANDS))
+    return About((points,), free_drift(free, columns["t"]), drawn_as_bands(picture.sources, BANDS))

@@ -167,9 +167,9 @@ def _mode_energies() -> Block:
         y="E",
         title="Energy of the slow mode and of the fast mode: both constant",
         curves=(
-            curve("E_slow", source="flat", tint="slow", label="slow"),
-            curve("E_fast", source="flat", tint="fast", width="dash", label="fast"),
-            curve("E_total", source="flat", tint="ink", width="sum", label="*E*"),
+            curve("E_slow", tint="slow", label="slow"),
+            curve("E_fast", tint="fast", width="dash", label="fast"),
+            curve("E_total", tint="ink", width="sum", label="*E*"),
         ),
         heading=(
             term("", "none", "ink", formula=r"T + V = \val{E_total} ="),

@@ -7,7 +7,6 @@ import math
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from components.about import About
 from components.axes import ONE, Axis
@@ -28,7 +27,7 @@ from components.scenes.energy.hanging import PLANETS
 from components.scenes.energy.sheet import hanging_sheet
 from components.scenes.energy.watch import WATCH
 from components.stage import wire
-from components.traces import Columns, samples, sources_over_time, trace
+from components.traces import Columns, Floats, Traces, band_columns, bands_over_time, samples, trace
 from physics.hanging import Datum, HangingMass
 from physics.sampling import Sinusoid, drawable
 
@@ -117,16 +116,13 @@ class Energy(Scene):
             datum=self.datum,
         )
         t = np.linspace(0.0, case.end, samples(case.end, 2 * case.omega))
-        curves, bands = _motion_columns(case, t)
+        names, bands = _drawn(case, t)
         axes = framed(frame, case_axes(case))
         return Picture(
-            columns={
-                **sources_over_time(t, curves, bands),
-                "level": {"t": t[[0, -1]], **_levels(case)},
-                "well": _well_columns(case, axes["x_well"]),
-            },
+            columns={**bands_over_time(t, bands), "well": _well_columns(case, axes["x_well"])},
             axes=axes,
             signals=_signals(case, axes),
+            traces={"time": Traces(case.end, t.size, names, lambda t: _exact(case, t))},
             scalars=_scalars(case, axes, t),
             pace=pace(case.omega, case.omega),
             values=_values(case, axes),
@@ -153,35 +149,37 @@ class Energy(Scene):
         return energy_about(shown, system, self.x_0, self.v_0, datum)
 
 
-def _motion_columns(case: HangingCase, t: NDArray[np.float64]) -> tuple[Columns, Columns]:
-    """x, T, V and, counted apart, the energies of spring and gravity: curves, or bands where too fast."""
+def _exact(case: HangingCase, t: Floats) -> Columns:
+    """x, T and V, the energies of spring and gravity counted apart, and what stands still."""
     motion = case.system.motion(case.x_0, case.v_0, t)
     energies = case.system.energies(motion.x, motion.v, "separate" if case.separate else "equilibrium")
-    omega, phi = case.omega, case.constants.phi
-    nothing, half = np.zeros_like(t), case.E / 2
+    levels = {"total": case.total, "constant": -case.constant}
+    return {
+        "x": motion.x,
+        **{name: getattr(energies, name) for name in ("T", "V", "spring", "gravity")},
+        **{name: np.full_like(t, level) for name, level in levels.items()},
+    }
+
+
+def _drawn(case: HangingCase, t: Floats) -> tuple[tuple[str, ...], Columns]:
+    """The names of the curves over time, and the bands of those that are too fast."""
+    omega, phi, half = case.omega, case.constants.phi, case.E / 2
     potential = Sinusoid(half, 2 * omega, 2 * phi - QUARTER)
-    parts: dict[str, tuple[list[Sinusoid], float, NDArray[np.float64]]] = {
-        "x": ([Sinusoid(case.constants.C, omega, phi)], 0.0, motion.x),
-        "T": ([Sinusoid(half, 2 * omega, 2 * phi + QUARTER)], half, energies.T),
-        "V": ([potential], half + case.shift, energies.V),
+    swings: dict[str, tuple[list[Sinusoid], float]] = {
+        "x": ([Sinusoid(case.constants.C, omega, phi)], 0.0),
+        "T": ([Sinusoid(half, 2 * omega, 2 * phi + QUARTER)], half),
+        "V": ([potential], half + case.shift),
     }
     if case.apart:
         stretch = Sinusoid(case.weight, omega, phi)
-        parts["spring"] = ([potential, stretch], half + case.constant, energies.spring)
-        parts["gravity"] = ([stretch._replace(phase=phi + math.pi)], 0.0, energies.gravity)
-    curves: Columns = {}
+        swings["spring"] = [potential, stretch], half + case.constant
+        swings["gravity"] = [stretch._replace(phase=phi + math.pi)], 0.0
     bands: Columns = {}
-    for name, (components, base, curve) in parts.items():
-        column, band = trace(name, components, t, nothing + base, curve)
-        curves |= column
-        bands |= band
-    return curves, bands
-
-
-def _levels(case: HangingCase) -> Columns:
-    """The levels that stand still: the sum, and the constant that the slide takes off."""
-    levels = {"total": np.full(2, case.total)}
-    return levels | {"constant": np.full(2, -case.constant)} if case.datum == "slide" else levels
+    for name, (parts, base) in swings.items():
+        if not drawable(max(part.omega for part in parts), t):
+            bands |= trace(name, parts, t, np.full_like(t, base))[1]
+    levels = ("total", "constant") if case.datum == "slide" else ("total",)
+    return (*(name for name in swings if band_columns(name)[0] not in bands), *levels), bands
 
 
 def _well_columns(case: HangingCase, axis: Axis) -> Columns:
@@ -221,7 +219,7 @@ def _share(part: float, whole: float) -> float:
     return part / whole if whole else 0.0
 
 
-def _scalars(case: HangingCase, axes: dict[str, Axis], t: NDArray[np.float64]) -> dict[str, float]:
+def _scalars(case: HangingCase, axes: dict[str, Axis], t: Floats) -> dict[str, float]:
     """Places on the stage, sizes, and the clock's speed."""
     x, delta, C = axes["x"], case.system.delta_st, case.constants.C
     span = x.start - x.end

@@ -13,7 +13,7 @@ from physics.reference_single import oscillator_points
 
 
 def energy_about(picture: Picture, system: HangingMass, x_0: float, v_0: float, datum: Datum) -> About:
-    columns = picture.columns["time"]
+    columns = picture.sources["time"]
     at = few(columns["t"])
     true = oscillator_points(system.oscillator, x_0, v_0, columns["t"][at].tolist())
     energies = {"T": "$T$", "V": "$V$", "spring": "spring", "gravity": "gravity"}
@@ -27,7 +27,7 @@ def energy_about(picture: Picture, system: HangingMass, x_0: float, v_0: float, 
     motion = system.motion(x_0, v_0, columns["t"])
     total = system.energies(motion.x, motion.v).total
     return About(
-        tables, drift(total, system.total_energy(x_0, v_0)), drawn_as_bands(picture.columns, {"x": "$x$", **energies})
+        tables, drift(total, system.total_energy(x_0, v_0)), drawn_as_bands(picture.sources, {"x": "$x$", **energies})
     )
 
 

@@ -76,8 +76,8 @@ def _energies() -> Block:
         traced("T", tint="T", width="dash", read="*T*", signal="T"),
     ]
     curves, bands = zip(*parts, strict=True)
-    constant = curve("constant", source="level", tint="k", width="dots", label="const.", signal="constant")
-    total = curve("total", source="level", tint="total", width="sum", read="*T*+*V*", signal="total")
+    constant = curve("constant", tint="k", width="dots", label="const.", signal="constant")
+    total = curve("total", tint="total", width="sum", read="*T*+*V*", signal="total")
     return plot(
         "energy",
         x="t",

@@ -20,13 +20,12 @@ from components.parameters import Values, angular_frequency, force, one_of
 from components.readouts import Readout
 from components.scene import Picture, Scene
 from components.scenes.forced.about import forced_about
-from components.scenes.forced.driven import energy_columns, limit_columns, motion_columns, motion_signals
+from components.scenes.forced.driven import energy_columns, limits, motion_columns, motion_signals, motions
 from components.scenes.forced.response import response_curves
 from components.scenes.forced.sheet import forced_sheet
 from components.scenes.forced.watch import WATCH
 from components.scenes.forced.words import forms, notes, sizes, values
-from components.traces import Columns, samples, sources_over_time
-from physics.coupled import Motion
+from components.traces import Columns, Floats, Traces, bands_over_time, samples
 from physics.forced import DrivenModes, driven_modes, steady_start
 from physics.particular import at_natural_frequency
 from physics.sampling import drawable, time_window
@@ -105,32 +104,34 @@ class Forced(Scene):
         end = frame.window or own_window
         fastest = max(fast, self.omega)
         t = np.linspace(0.0, end, samples(end, fastest))
-        motion, curves, bands = motion_columns(driven, t)
-        extremes, limit = chain.extremes(curves, bands), limit_columns(driven, t)
-        work = energy_columns(driven, motion) if self.view == "work" and drawable(2 * fastest, t) else {}
+        resolved = drawable(fastest, t)
+        curves, bands = (motions(driven, t), Columns()) if resolved else motion_columns(driven, t)
+        extremes, limit = chain.extremes(curves, bands), limits(driven, end)
+        work = energy_columns(driven, t) if self.view == "work" and drawable(2 * fastest, t) else {}
         lecture = self.axes == "lecture" and self.k1 > 0 and self.F_0 > 0
         swing = response_curves(driven, self.curve, lecture, frame)
         own = {"t": time_axis(own_window), "x": nice_axis(*_span(extremes, curves), "m", 2), "E": _energy_axis(work)}
         axes, push = framed(frame, own) | swing.axes, nice_axis(0.0, self.F_0 or 1.0, "N")
         size = axes["x"]
         drawn = chain.to_scale(driven.free.chain, extremes, size, frame.scale)
-        pushed = self._forces(motion, size)
+        pushed = self._forces(driven, t, size)
         return Picture(
-            columns={
-                **sources_over_time(t, curves, bands),
-                "limit": limit,
-                "energy": work and {"t": t, **work},
-                **swing.columns,
-            },
+            columns={**bands_over_time(t, bands), "energy": work and {"t": t, **work}, **swing.columns},
             axes=axes,
-            signals=motion_signals(driven, size, axes["t"], push) | pushed.signals,
+            signals=motion_signals(driven, size, axes["t"], push)
+            | {name: limit[name].signal(size, axes["t"]) for name in limit}
+            | pushed.signals,
+            traces={
+                "time": Traces(end, t.size, tuple(curves), lambda t: motion_columns(driven, t)[0]),
+                "limit": Traces(end, t.size, tuple(limit), lambda t: {name: limit[name].at(t) for name in limit}),
+            },
             scalars={**drawn.scalars, **swing.scalars, **pushed.scalars},
             pace=pace(slow or fast or self.omega, fastest),
             scale=drawn.scale,
             fits=drawn.fits,
             values={**values(driven), **swing.values, **drawn.values, **pushed.values, "F_unit": push.full_unit},
             live={**_digits(size, push), **pushed.live},
-            forms=forms(driven, limit, self.view),
+            forms=forms(driven, limit.keys(), self.view),
             notes=(*drawn.notes, *notes(driven, self.axes, lecture, self.view == "work" and not work)),
             spans={"omega": (0.0, 2.5 * fast if fast else 5.0)},
         )
@@ -146,10 +147,10 @@ class Forced(Scene):
     def _driven(self) -> DrivenModes:
         return driven_modes(chain.of_scene(self), self.F_0, self.omega, *chain.start_of(self))
 
-    def _forces(self, motion: Motion, size: Axis) -> Forces:
+    def _forces(self, driven: DrivenModes, t: Floats, size: Axis) -> Forces:
         if self.view != "forces":
             return Forces()
-        return forces(chain.of_scene(self), motion, size, self.F_0, self.omega)
+        return forces(driven.chain, driven.motion(t), size, self.F_0, self.omega)
 
 
 def _digits(size: Axis, push: Axis) -> dict[str, Digits]:

@@ -21,7 +21,7 @@ BANDS = MASSES | {
 
 def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) -> About:
     """Displacements, and both amplitudes of the particular solution."""
-    columns, sweep = picture.columns["time"], picture.columns["response"]
+    columns, sweep = picture.sources["time"], picture.sources["response"]
     motion = motion_rows(MASSES, columns, driven.chain, x_0, v_0, driven.F_0, driven.omega)
     at = few(sweep["omega"])
     points = steady_points(driven.chain, 0.0, driven.F_0, sweep["omega"][at].tolist())
@@ -31,7 +31,7 @@ def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) ->
         bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement possible by then", motion),
         bounded("the particular solution", 2, "its own value", rows(swings, sweep, true, at, DRIVE)),
     )
-    return About(tables, _work_gap(driven, columns["t"]), drawn_as_bands(picture.columns, BANDS))
+    return About(tables, _work_gap(driven, columns["t"]), drawn_as_bands(picture.sources, BANDS))
 
 
 def _work_gap(driven: DrivenModes, t: NDArray[np.float64]) -> str:

@@ -2,39 +2,54 @@
 
 from __future__ import annotations
 
+import math
+from typing import NamedTuple
+
 import numpy as np
 
 from components.axes import Axis
-from components.chain import components, free_signals
+from components.chain import components, free_signals, positions
 from components.motion import derived, responses, sines, total
 from components.page.numbers import var
-from components.page.signals import AnySignal
+from components.page.signals import AnySignal, Sines
 from components.traces import Columns, Floats, band_columns, trace
-from physics.coupled import Motion
 from physics.energy import chain_energy
 from physics.forced import DrivenModes
 from physics.sampling import Sinusoid, drawable
 
 APART = 0.98
 """An envelope that falls below this share of the straight line is seen beside it."""
+STRAIGHT = 1e-8
+"""rad; an envelope that turns no further in its window is the line to the last digit."""
 
 
-def motion_columns(driven: DrivenModes, t: Floats) -> tuple[Motion, Columns, Columns]:
-    """The motion; x1, x2 and their particular and complementary parts, as curves, or as bands where too fast to draw.
+def motions(driven: DrivenModes, t: Floats) -> Columns:
+    """x1, x2 and their particular and complementary parts in doubles, at times that resolve them: what a frame is
+    fitted to. Where the parts are huge and opposite they are left out: see `limits`."""
+    if not driven.split_is_meaningful:
+        x = driven.motion(t).x
+        return {"x1": x[0], "x2": x[1]}
+    particular = np.outer(driven.particular, np.sin(driven.omega * t))
+    found: Columns = {}
+    for i, complementary in enumerate(positions(driven.complementary_modes, t).values()):
+        name = f"x{i + 1}"
+        found |= {name: particular[i] + complementary, f"{name}_p": particular[i], f"{name}_c": complementary}
+    return found
 
-    Where the parts are huge and opposite they are left out: see `limit_columns`.
-    """
+
+def motion_columns(driven: DrivenModes, t: Floats) -> tuple[Columns, Columns]:
+    """The same to the last digits, as curves, or as bands where too fast to draw."""
     split = driven.split_is_meaningful
     motion, *parts = driven.apart(t) if split else (driven.motion(t),)
     drawn = dict(zip(("", "_p", "_c"), (motion.x, *parts), strict=False))
     if drawable(max(driven.free.omega[1], driven.omega), t):
-        return motion, {f"x{i + 1}{part}": x[i] for i in (0, 1) for part, x in drawn.items()}, {}
+        return {f"x{i + 1}{part}": x[i] for i in (0, 1) for part, x in drawn.items()}, {}
     curves, bands = Columns(), Columns()
     for i in (0, 1):
         for part, x in drawn.items():
             curve, band = _trace(driven, i, t, part, x[i]) if split else ({}, _band(driven, i, t))
             curves, bands = curves | curve, bands | band
-    return motion, curves, bands
+    return curves, bands
 
 
 def _trace(driven: DrivenModes, i: int, t: Floats, part: str, x: Floats) -> tuple[Columns, Columns]:
@@ -57,28 +72,49 @@ def growth_rate(driven: DrivenModes, i: int) -> float:
     return float(driven.F_0 * abs(driven.coupling[j, i]) / (2 * driven.free.omega[j]))
 
 
-def limit_columns(driven: DrivenModes, t: Floats) -> Columns:
+class Swing(NamedTuple):
+    """size sin(rate t)/rate in m, at rate 0 size t: what a response next to resonance grows by."""
+
+    size: float
+    rate: float
+
+    def at(self, t: Floats) -> Floats:
+        swing: Floats = self.size * t * np.sinc(self.rate * t / np.pi)
+        return swing
+
+    def signal(self, size: Axis, time: Axis) -> Sines:
+        if self.rate:
+            return sines(size, time, (self.size / self.rate, self.rate, 0.0))
+        return sines(size, time, line=(0.0, self.size))
+
+
+def limits(driven: DrivenModes, end: float) -> dict[str, Swing]:
     """Near resonance the envelope of the growing part, up and down; empty elsewhere.
 
     With 2 d the detuning from the nearest mode it is growth_rate |sin(d t)/d|, at d = 0 growth_rate t; where the
     window is long enough to tell them apart, the straight line is there too.
     """
-    if not resonant(driven):
-        return {}
-    columns: Columns = {"t": t}
-    for i in (0, 1):
-        beat, line = _beat(driven, i, t), growth_rate(driven, i) * t
-        columns |= {f"x{i + 1}_beat": beat, f"x{i + 1}_fall": -beat}
-        if np.any(beat < APART * line):
-            columns[f"x{i + 1}_growth"] = line
-    return columns
+    found: dict[str, Swing] = {}
+    if resonant(driven):
+        d = _halfway(driven)
+        if abs(d) * end < STRAIGHT:
+            d = 0.0
+        bent = abs(d) * end > 1 or np.sinc(d * end / np.pi) < APART
+        for i in (0, 1):
+            rate = math.copysign(growth_rate(driven, i), np.sinc(d * end / np.pi))
+            found |= {f"x{i + 1}_beat": Swing(rate, d), f"x{i + 1}_fall": Swing(-rate, d)}
+            if bent:
+                found[f"x{i + 1}_growth"] = Swing(abs(rate), 0.0)
+    return found
+
+
+def _halfway(driven: DrivenModes) -> float:
+    """Half the detuning from the nearest mode, in rad/s."""
+    return float(driven.detuning[np.argmin(np.abs(driven.detuning))] / 2)
 
 
 def _beat(driven: DrivenModes, i: int, t: Floats) -> Floats:
-    j = int(np.argmin(np.abs(driven.detuning)))
-    # |sin(d t)/(d t)|, exactly 1 at d = 0.
-    beat: Floats = growth_rate(driven, i) * t * np.abs(np.sinc(driven.detuning[j] / 2 * t / np.pi))
-    return beat
+    return np.abs(Swing(growth_rate(driven, i), _halfway(driven)).at(t))
 
 
 def _band(driven: DrivenModes, i: int, t: Floats) -> Columns:
@@ -99,10 +135,10 @@ def _others(driven: DrivenModes, i: int, j: int) -> float:
     return reach
 
 
-def energy_columns(driven: DrivenModes, motion: Motion) -> Columns:
+def energy_columns(driven: DrivenModes, t: Floats) -> Columns:
     """The gain of T + V since the start and the work of the drive."""
-    energy = chain_energy(driven.chain, motion).total
-    return {"gain": energy - energy[0], "work": driven.work(motion.t), "none": np.zeros_like(motion.t)}
+    energy = chain_energy(driven.chain, driven.motion(t)).total
+    return {"gain": energy - energy[0], "work": driven.work(t), "none": np.zeros_like(t)}
 
 
 def motion_signals(driven: DrivenModes, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 
 import numpy as np
 
 from components.numbers import signed, three
 from components.scenes.forced.driven import growth_rate, resonant
 from components.sheet import Paragraph, either
-from components.traces import Columns
 from physics.forced import DrivenModes, determinant
 
 TASK = "Drag ω: where does mass 1 swing farthest, where not at all, and when against the push?"
@@ -96,7 +96,7 @@ def steady(driven: DrivenModes) -> str:
     return "near" if resonant(driven) else "finite" if driven.chain.k2 else "loose"
 
 
-def forms(driven: DrivenModes, limit: Columns, view: str) -> dict[str, str]:
+def forms(driven: DrivenModes, limit: Collection[str], view: str) -> dict[str, str]:
     """Close to a natural frequency the two parts are huge and opposite: there the envelope stands in their place."""
     split = driven.split_is_meaningful
     parts = {f"x{i}_{part}": "formula" if split else "" for i in (1, 2) for part in "pc"}

@@ -16,7 +16,7 @@ from physics.reference import Point, determinants, modes_of
 
 def guess_about(picture: Picture, chain: TwoMassChain) -> About:
     """The crossings, and the curve of the determinant."""
-    columns = picture.columns["det"]
+    columns = picture.sources["det"]
     at = few(columns["w"])
     exponent = determinant_curve(chain, columns["w"])[1]
     D = [value.scaleb(-exponent) for value in determinants(chain, columns["w"][at].tolist())]
@@ -31,7 +31,7 @@ def solve_about(chain: TwoMassChain) -> About:
 
 def sweep_about(picture: Picture, chain: TwoMassChain, swept: str) -> About:
     """The frequencies of three of the chains that are swept through."""
-    columns = picture.columns["omega_sweep"]
+    columns = picture.sources["omega_sweep"]
     at = few(columns["p"])
     chains = [replace(chain, **{swept: float(columns["p"][i])}) for i in at]
     pairs = zip(*([Point(omega, omega) for omega, _ in modes_of(each)] for each in chains), strict=True)
@@ -43,7 +43,7 @@ def sweep_about(picture: Picture, chain: TwoMassChain, swept: str) -> About:
 
 def hunt_about(picture: Picture, chain: TwoMassChain, x_0: Pair) -> About:
     """Points of the path; the modes only where the answer is shown."""
-    path, rest = picture.columns["path"], (0.0, 0.0)
+    path, rest = picture.sources["path"], (0.0, 0.0)
     points = bounded("the path", 2, "its amplitudes", motion_rows(MASSES, path, chain, x_0, rest))
-    tables = (points, modes_table(chain)) if picture.columns["answer"] else (points,)
+    tables = (points, modes_table(chain)) if picture.sources["answer"] else (points,)
     return About(tables, free_drift(free_modes(chain, x_0, rest), path["t"]))

@@ -22,8 +22,8 @@ from components.plots import Room, curve, plot
 from components.scene import Picture
 from components.sheet import Paragraph, choice, column, either, row, stage, when, words
 from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
-from components.traces import Columns
-from physics.coupled import FreeModes, TwoMassChain, free_modes, free_motion
+from components.traces import Traces
+from physics.coupled import FreeModes, TwoMassChain, free_modes
 from physics.modes import Mixture, mixture
 from physics.sampling import time_window
 from physics.valid import DOUBLES
@@ -140,7 +140,7 @@ def picture(
     slow, fast = (float(w) for w in modes.omega)
     own_window = window or time_window(slow, fast)
     end = frame.window or own_window
-    path, bound = _path(system, x_0, end, fast), _bound(free)
+    bound = _bound(free)
     axes = framed(frame, {"t": time_axis(own_window), "x": _size(bound)})
     size, time = axes["x"], axes["t"]
     extremes = {f"x{i}": (-bound[i - 1], bound[i - 1]) for i in (1, 2)} | {"e2": (-bound[2], bound[2])}
@@ -148,9 +148,10 @@ def picture(
     signals = chain.free_signals(free, size, time)
     signals |= {f"x{i}": total(f"x{i}_slow", f"x{i}_fast") for i in (1, 2)}
     return Picture(
-        columns={"path": path, "answer": chain.direction_lines(system, 2 * size.end) if revealed else {}},
+        columns={"answer": chain.direction_lines(system, 2 * size.end) if revealed else {}},
         axes=axes,
         signals=signals,
+        traces={"path": _path(free, end, fast)},
         scalars={
             **drawn.scalars,
             "start1": size.place(x_0[0]),
@@ -167,12 +168,10 @@ def picture(
     )
 
 
-def _path(system: TwoMassChain, x_0: tuple[float, float], end: float, fast: float) -> Columns:
+def _path(free: FreeModes, end: float, fast: float) -> Traces:
     shown = min(end, SWINGS * 2 * math.pi / fast) if fast else end
     count = int(min(max(PER_SWING * shown * fast / (2 * math.pi), 300), MOST))
-    t = np.linspace(0.0, shown, count)
-    motion = free_motion(system, x_0, (0.0, 0.0), t)
-    return {"t": t, "x1": motion.x[0], "x2": motion.x[1]}
+    return Traces(shown, count, ("x1", "x2"), lambda t: dict(zip(("x1", "x2"), free.motion(t).x, strict=True)))
 
 
 def _bound(free: FreeModes) -> tuple[float, float, float]:

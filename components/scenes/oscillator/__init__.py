@@ -25,7 +25,7 @@ from components.scenes.oscillator.about import oscillator_about
 from components.scenes.oscillator.pull import Force, force
 from components.scenes.oscillator.sheet import WATCH, oscillator_sheet
 from components.stage import wire
-from components.traces import Columns, Floats, samples, sources_over_time, trace
+from components.traces import Columns, Floats, Traces, bands_over_time, samples, trace
 from physics.oscillator import Oscillator, OscillatorConstants
 from physics.sampling import Sinusoid, drawable, periods, time_window
 
@@ -80,6 +80,16 @@ class Oscillation:
             return {"x": abs(self.x_0), "v": abs(self.v_0), "a": 0.0}
         return {row: scaled(0, self.constants.C, *[self.omega] * i) for i, row in enumerate(LEADS)}
 
+    @property
+    def loop(self) -> tuple[float, int]:
+        """How long the planes (x, v) and (x, a) are drawn, and by how many points: one turn; of a free mass, all."""
+        return (self.oscillator.period, 145) if self.omega else (self.end, 2)
+
+    def exact(self, t: Floats) -> Columns:
+        """x, v and a."""
+        motion = self.oscillator.motion(self.x_0, self.v_0, t)
+        return {name: getattr(motion, name) for name in LEADS}
+
 
 class OscillatorScene(Scene):
     slug = "oscillator"
@@ -132,18 +142,19 @@ class OscillatorScene(Scene):
     def picture(self, frame: Frame = FITTED) -> Picture:
         swing = self._swing(frame)
         t = np.linspace(0.0, swing.end, samples(swing.end, swing.omega))
-        curves, bands = _motion_columns(swing, t)
-        axes = framed(frame, _axes(swing, curves))
+        bands = {} if drawable(swing.omega, t) else _bands(swing, t)
+        axes = framed(frame, _axes(swing))
         reach = max(swing.amplitudes["x"], abs(self.x_0))
         pull = force(self.k, reach, axes["x"]) if self.view == "force" else Force()
         values = _values(swing, axes) | pull.values
         return Picture(
-            columns={
-                **sources_over_time(t, curves, bands),
-                "loop": _loop(swing, curves),
-            },
+            columns=bands_over_time(t, bands),
             axes=axes,
             signals=_signals(swing, axes) | pull.signals,
+            traces={
+                "time": Traces(swing.end, t.size, () if bands else tuple(LEADS), swing.exact),
+                "loop": Traces(*swing.loop, tuple(LEADS), swing.exact),
+            },
             scalars=_scalars(swing, axes, t) | pull.scalars,
             pace=pace(swing.omega, swing.omega),
             values=values,
@@ -171,28 +182,23 @@ class OscillatorScene(Scene):
         return oscillator_about(shown, Oscillator(m=self.m, k=self.k), self.x_0, self.v_0)
 
 
-def _motion_columns(swing: Oscillation, t: Floats) -> tuple[Columns, Columns]:
-    """x, v and a: curves, or bands where too fast."""
-    motion = swing.oscillator.motion(swing.x_0, swing.v_0, t)
-    curves: Columns = {}
-    bands: Columns = {}
+def _bands(swing: Oscillation, t: Floats) -> Columns:
+    """What x, v and a fill where they are too fast to draw."""
+    phi, bands = swing.constants.phi, Columns()
     for name, shift in LEADS.items():
-        exact = getattr(motion, name)
-        parts = [Sinusoid(swing.amplitudes[name], swing.omega, swing.constants.phi + shift)] if swing.omega else []
-        curve, band = trace(name, parts, t, None if parts else exact, exact)
-        curves |= curve
-        bands |= band
-    return curves, bands
+        bands |= trace(name, [Sinusoid(swing.amplitudes[name], swing.omega, phi + shift)], t)[1]
+    return bands
 
 
-def _axes(swing: Oscillation, curves: Columns) -> dict[str, Axis]:
+def _axes(swing: Oscillation) -> dict[str, Axis]:
     """Ticks stand at the amplitudes; the path of a free mass has round ones."""
     axes = {"t": time_axis(swing.own_end)}
     for name, room in ROOM.items():
         marked = swing.turns and name != "x"
         axes[name] = _amplitude_axis(swing.amplitudes[name], UNITS[name], *room, 0.95 * room[1] if marked else 1.0)
     if not swing.omega and swing.v_0:
-        low, high = min(0.0, float(curves["x"].min())), max(0.0, float(curves["x"].max()))
+        ends = 0.0, swing.x_0, swing.x_0 + swing.v_0 * swing.end
+        low, high = min(ends), max(ends)
         power_unit(2 * (high - low))
         axes["x"] = nice_axis(low, high, "m")
     return axes | {"a_bare": replace(axes["a"], labels=("",) * len(axes["a"].ticks))}
@@ -207,14 +213,6 @@ def _amplitude_axis(size: float, unit: str, below: float, above: float, seen: fl
     bare = Axis(-below * size, above * size, unit, exponent, suffix, drawn=(-size, seen * size))
     top = bare.place(size)
     return replace(bare, ticks=(-top, 0.0, top), labels=(MINUS + three(top), "0", f"{three(top)} {bare.full_unit}"))
-
-
-def _loop(swing: Oscillation, curves: Columns) -> Columns:
-    """One turn in the planes (x, v) and (x, a); of a free mass, its whole path."""
-    if not swing.omega:
-        return {name: curves[name][[0, -1]] for name in LEADS}
-    turn = np.linspace(0.0, 2 * math.pi, 145)
-    return {name: swing.amplitudes[name] * np.sin(turn + shift) for name, shift in LEADS.items()}
 
 
 def _signals(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, AnySignal]:

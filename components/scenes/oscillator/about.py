@@ -13,7 +13,7 @@ from physics.reference_single import oscillator_points
 
 
 def oscillator_about(picture: Picture, oscillator: Oscillator, x_0: float, v_0: float) -> About:
-    columns = picture.columns["time"]
+    columns = picture.sources["time"]
     at = few(columns["t"])
     true = oscillator_points(oscillator, x_0, v_0, columns["t"][at].tolist())
     names = {"x": "$x$", "v": "$v$", "a": "$a$"}
@@ -21,7 +21,7 @@ def oscillator_about(picture: Picture, oscillator: Oscillator, x_0: float, v_0: 
     return About(
         (bounded("$x(t)$, $v(t)$ or $a(t)$", 4, "its amplitude", found),),
         _oscillator_drift(oscillator, x_0, v_0, columns["t"]),
-        drawn_as_bands(picture.columns, names),
+        drawn_as_bands(picture.sources, names),
     )
 
 

@@ -37,26 +37,28 @@ from components.scenes.phugoid.plots import (
     velocity_plot,
 )
 from components.scenes.phugoid.swing import (
-    NODES,
+    CORNER,
+    PATH,
     Swing,
     along_path,
-    energy_shares,
+    exact_over_time,
     family_velocities,
-    flown,
-    lift_columns,
     lift_signals,
     motion_signals,
     over_time,
+    path_band,
     path_times,
+    share_signals,
     velocities,
     verdict,
 )
 from components.scenes.phugoid.watch import WATCH
 from components.sheet import choice, column, desk, row, stage, when, words
 from components.stage import NARROW, WIDE, Shape, W, text
-from components.traces import samples, sources_over_time
+from components.traces import Traces, bands_over_time, samples
 from components.units import Unit
-from physics.phugoid import CUSP_EXCESS, EXCESS_AT_LATENESS, linear_phugoid
+from physics.phugoid import CUSP_EXCESS, EXCESS_AT_LATENESS, flight, linear_phugoid
+from physics.sampling import drawable
 
 FOOT, KNOT = 0.3048, 1852 / 3600
 SPEEDS = {"ft/s": FOOT, "m/s": 1.0, "knots": KNOT, "km/h": 1 / 3.6}
@@ -189,26 +191,30 @@ class Phugoid(Scene):
         t = np.linspace(0.0, end, samples(end, swing.fastest))
         axes = framed(frame, {"t": time_axis(own_window), **self._axes(swing, end)})
         to_the_end = path_times(swing, end, axes["along"].end / swing.length)
-        motion, ahead, lap = flown(swing, t, to_the_end, np.linspace(0.0, swing.period, NODES))
-        curves, bands = over_time(swing, motion)
-        path, path_band = along_path(swing, ahead)
-        shares = energy_shares(swing, motion.exact) if self.show == "exchange" else {}
-        lift, lift_band = lift_columns(swing, motion.exact) if self.show == "lift" else ({}, {})
-        bands |= lift_band
+        lap = flight(self.v_0, self.g, self.excess, np.linspace(0.0, swing.period, swing.nodes))
+        names, bands = over_time(swing, t, self.show)
         limits = self.show == "limits"
         reach = np.array([0.0, axes["v_0"].end])
+        path = PATH if drawable(swing.fastest, to_the_end) else ()
+        traces = {
+            "time": Traces(end, t.size, names, lambda t: exact_over_time(swing, t)),
+            "path": Traces(float(to_the_end[-1]), to_the_end.size, path, lambda t: along_path(swing, t)),
+        }
+        cornered = abs(swing.lap.C) < CORNER
         return Picture(
             columns={
-                **sources_over_time(t, {**curves, **shares, **lift}, bands),
-                "path": path,
-                "path_band": path_band,
+                **({source: one.columns for source, one in traces.items()} if cornered else {}),
+                **bands_over_time(t, bands),
+                "path_band": {} if path else path_band(swing, to_the_end),
                 "velocity": velocities(swing) if limits else {},
                 "family": family_velocities() if limits else {},
                 "periods": {"v_0": reach, "tau": linear_phugoid(1.0, self.g).tau * reach},
             },
             axes=axes,
-            signals=motion_signals(swing, lap.exact, axes["t"], axes["along"], axes["h"], axes["v"])
-            | (lift_signals(swing, axes["v"]) if self.show == "lift" else {}),
+            signals=motion_signals(swing, lap, axes["t"], axes["along"], axes["h"], axes["v"])
+            | (lift_signals(swing, axes["v"]) if self.show == "lift" else {})
+            | (share_signals(swing, axes, t) if self.show == "exchange" else {}),
+            traces={} if cornered else traces,
             scalars=self._scalars(swing, axes),
             pace=pace(swing.linear.omega, swing.fastest),
             values=self._values(swing, axes),

@@ -16,7 +16,7 @@ FLIGHT, EACH_SWING = 32, 32
 
 
 def flight_about(picture: Picture, swing: Swing) -> About:
-    columns = picture.columns["time"]
+    columns = picture.sources["time"]
     t = columns["t"]
     at = few(t)
     true = flight_points(swing.v_0, swing.g, swing.excess, t[at].tolist())
@@ -33,4 +33,4 @@ def flight_about(picture: Picture, swing: Swing) -> About:
     C = invariant(swing.excess)
     strays = float(np.max(np.abs(u - V**3 / 3 - C)))
     kept = f"The flight's invariant $C = u - V^3/3$ = {three(C)}, within {short(strays)} over the window."
-    return About((bound,), kept, drawn_as_bands(picture.columns, names))
+    return About((bound,), kept, drawn_as_bands(picture.sources, names))

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property
-from typing import NamedTuple
 
 import numpy as np
 
@@ -29,13 +29,16 @@ from physics.phugoid import (
 )
 from physics.sampling import Sinusoid, drawable
 
-NODES = 65
-"""Points of a period that the browser joins by Hermite pieces: heights are within 1e-6 v_0^2/g, and so are speeds in
-v_0 but near the cusp, whose corner is cut by 1 %."""
+NODES = 64
+"""Points of a period that the browser joins by Hermite pieces, times sqrt(|C|): it is then within 1e-6 of the frame."""
+CORNER = 1 / 64
+"""Where |C| is less the path has a corner, or nearly: its curves are sent as they are."""
 SWINGS = 28
 """As many swings of a path can be told apart."""
 FAMILY = {"a": 0.2, "b": 0.4, "cusp": CUSP_EXCESS, "loop": 1.0}
 """Speed excesses of the flights shown for comparison."""
+PATH = ("x", "y", "x_lin", "y_lin")
+"""The curves of the path."""
 SMALLEST, GREATEST = 1e-290, 1e290
 
 
@@ -89,6 +92,11 @@ class Swing:
         return self.lap.period * self.v_0 / self.g
 
     @property
+    def nodes(self) -> int:
+        """Points of a period that the browser is told: one is at its middle, where the corner is."""
+        return 2 * math.ceil(NODES / 2 / math.sqrt(max(abs(self.lap.C), CORNER))) + 1
+
+    @property
     def omega(self) -> float:
         return 2 * math.pi / self.period
 
@@ -122,47 +130,53 @@ class Swing:
         return t / self.period * self.lap.advance
 
 
-class Flown(NamedTuple):
-    """The flight at the same times exactly and by the linear theory."""
-
-    exact: Flight
-    linear: Flight
-
-
-def flown(swing: Swing, *times: Floats) -> list[Flown]:
-    """The flight at each of these times, all worked out in one sweep."""
-    joined, sizes = np.concatenate(times), [t.size for t in times]
-    theories = (fly(swing.v_0, swing.g, swing.excess, joined).split(sizes) for fly in (flight, linear_flight))
-    return [Flown(exact, linear) for exact, linear in zip(*theories, strict=True)]
-
-
-def over_time(swing: Swing, motion: Flown) -> tuple[Columns, Columns]:
-    """h' and v' over time, exact and linear (_lin), and as bands where they are too fast to draw."""
-    curves: Columns = {}
-    bands: Columns = {}
-    t, omega = motion.exact.t, swing.linear.omega
-    gain = swing.excess * swing.v_0
-    for name, size, phase, exact in (
-        ("h_lin", swing.climb, -math.pi / 2, motion.linear.h),
-        ("v_lin", gain, math.pi / 2, gain * np.cos(omega * t)),
-    ):
-        curve, band = trace(name, [Sinusoid(size, omega, phase)], t, curve=exact)
-        curves |= curve
-        bands |= band
-    for name, column in (("h", motion.exact.h), ("v", motion.exact.gain(swing.v_0, swing.g))):
-        curve, band = _drawn(name, column, swing.omega, t)
-        curves |= curve
-        bands |= band
-    return curves, bands
-
-
-def _drawn(name: str, column: Floats, omega: float, t: Floats) -> tuple[Columns, Columns]:
-    """A periodic column as a curve, or where the times do not resolve it as the band that it fills."""
-    if drawable(omega, t):
-        return {name: column}, {}
-    return {}, {
-        end: np.full_like(t, reach(column)) for end, reach in zip(band_columns(name), (np.min, np.max), strict=True)
+def exact_over_time(swing: Swing, t: Floats) -> Columns:
+    """h' and v', exact and linear (_lin), lift over weight, and kinetic shares of the energy."""
+    exact, linear = (fly(swing.v_0, swing.g, swing.excess, t) for fly in (flight, linear_flight))
+    V = exact.V / swing.v_0
+    return {
+        "h_lin": linear.h,
+        "v_lin": swing.excess * swing.v_0 * np.cos(swing.linear.omega * t),
+        "h": exact.h,
+        "v": exact.gain(swing.v_0, swing.g),
+        "lift": V * V,
+        "lift_linear": 2 * V - 1,
+        **_shares(swing, exact),
     }
+
+
+def _shares(swing: Swing, motion: Flight) -> Columns:
+    """Kinetic shares: of the aircraft's energy, counted from its lowest point, and of the spring's."""
+    t, fastest = motion.t, swing.lap.u[0] * swing.v_0
+    share = (motion.V / fastest) ** 2
+    twin = np.sin(swing.linear.omega * t) ** 2
+    if not drawable(2 * swing.fastest, t):
+        share, twin = np.full_like(t, share.mean()), np.full_like(t, 0.5)
+    nothing = np.zeros_like(t)
+    return {"nothing": nothing, "share": share, "all": nothing + 1, "twin": twin}
+
+
+def over_time(swing: Swing, t: Floats, show: str) -> tuple[tuple[str, ...], Columns]:
+    """The names of the curves over time, and the bands of those that are too fast to draw."""
+    gain = swing.excess * swing.v_0
+    drawn = {"h_lin": (swing.climb, -math.pi / 2), "v_lin": (gain, math.pi / 2)}
+    names, bands = list[str](), Columns()
+    if drawable(swing.linear.omega, t):
+        names += drawn
+    else:
+        for name, (size, phase) in drawn.items():
+            bands |= trace(name, [Sinusoid(size, swing.linear.omega, phase)], t)[1]
+    others = ("h", "v", *(("lift", "lift_linear") if show == "lift" else ()))
+    if drawable(swing.omega, t):
+        names += others
+    else:
+        exact = exact_over_time(swing, t)
+        for name in others:
+            reach = exact[name].min(), exact[name].max()
+            bands |= {end: np.full_like(t, level) for end, level in zip(band_columns(name), reach, strict=True)}
+    if show == "exchange":
+        names += ("nothing", "share", "all", *(("twin",) if swing.excess else ()))
+    return tuple(names), bands
 
 
 def path_times(swing: Swing, window: float, end: float) -> Floats:
@@ -171,26 +185,17 @@ def path_times(swing: Swing, window: float, end: float) -> Floats:
     return np.linspace(0.0, last, samples(last, 3 * swing.fastest))
 
 
-def along_path(swing: Swing, motion: Flown) -> tuple[Columns, Columns]:
+def along_path(swing: Swing, t: Floats) -> Columns:
     """The path over distance, exact and linear."""
-    exact, linear = motion
-    if drawable(swing.fastest, exact.t):
-        return {"x": exact.x, "y": exact.h, "x_lin": linear.x, "y_lin": linear.h}, {}
-    height = np.full_like(exact.t, swing.length)
-    reach = {"y_lo": swing.lap.h.min() * height, "y_hi": swing.lap.h.max() * height}
-    return {}, {"x": exact.x, **reach}
+    exact, linear = (fly(swing.v_0, swing.g, swing.excess, t) for fly in (flight, linear_flight))
+    return {"x": exact.x, "y": exact.h, "x_lin": linear.x, "y_lin": linear.h}
 
 
-def energy_shares(swing: Swing, motion: Flight) -> Columns:
-    """Kinetic shares: of the aircraft's energy, counted from its lowest point, and of the spring's."""
-    t, fastest = motion.t, swing.lap.u[0] * swing.v_0
-    share = (motion.V / fastest) ** 2
-    twin = np.sin(swing.linear.omega * t) ** 2
-    if not drawable(2 * swing.fastest, t):
-        share, twin = np.full_like(t, share.mean()), np.full_like(t, 0.5)
-    nothing = np.zeros_like(t)
-    shares = {"nothing": nothing, "share": share, "all": nothing + 1}
-    return shares if swing.excess == 0 else {**shares, "twin": twin}
+def path_band(swing: Swing, t: Floats) -> Columns:
+    """What the exact path fills where its swings are too close to be drawn."""
+    height = np.full_like(t, swing.length)
+    ends = {"y_lo": swing.lap.h.min() * height, "y_hi": swing.lap.h.max() * height}
+    return {"x": flight(swing.v_0, swing.g, swing.excess, t).x, **ends}
 
 
 def velocities(swing: Swing) -> Columns:
@@ -215,12 +220,16 @@ def family_velocities() -> Columns:
     return columns
 
 
-def lift_columns(swing: Swing, motion: Flight) -> tuple[Columns, Columns]:
-    """Lift over weight, (v/v_0)^2, and to first order 1 + 2 v'/v_0; as bands where they are too fast to draw."""
-    V = motion.V / swing.v_0
-    columns = (("lift", V * V), ("lift_linear", 2 * V - 1))
-    drawn = [_drawn(name, column, swing.omega, motion.t) for name, column in columns]
-    return {k: v for curves, _ in drawn for k, v in curves.items()}, {k: v for _, b in drawn for k, v in b.items()}
+def share_signals(swing: Swing, axes: Mapping[str, Axis], t: Floats) -> dict[str, AnySignal]:
+    """Kinetic shares over the times t, their means where these do not resolve them; the floor and the ceiling."""
+    nothing, whole = (axes["share"].place(end) for end in (0.0, 1.0))
+    levels: dict[str, AnySignal] = {"nothing": derived(nothing), "all": derived(whole)}
+    if not drawable(2 * swing.fastest, t):
+        exact = _shares(swing, flight(swing.v_0, swing.g, swing.excess, t))
+        return levels | {name: derived(axes["share"].place(float(exact[name][0]))) for name in ("share", "twin")}
+    V = (1 + var("v") * (1 / axes["v"].place(swing.v_0))) * (1 / float(swing.lap.u[0]))
+    twin = sines(Axis(0.0, 1.0), axes["t"], (whole / 2, 2 * swing.linear.omega, -math.pi / 2), line=(whole / 2, 0.0))
+    return levels | {"share": derived(whole * V * V), "twin": twin}
 
 
 def lift_signals(swing: Swing, speed: Axis) -> dict[str, AnySignal]:

@@ -1,36 +1,45 @@
-"""A picture as it is sent: what the browser shows of it, and its numbers in steps."""
+"""A picture as it is sent: the signals that the browser draws, and the numbers of what has none.
+
+What is drawn needs no doubles: the numbers are whole steps of a range, 65535 over three heights of the frame, which are
+70 steps a pixel.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from itertools import accumulate, pairwise
 
 import numpy as np
 from msgspec.structs import replace
+from numpy.typing import NDArray
 
 from components.axes import TIME_AXIS, Axis
-from components.page.picture import Drawn, View
+from components.page.picture import Drawn, Ruler, Traced, View
 from components.page.signals import AnySignal, Sampled, Samples
-from components.places import COARSE, FINE, Floats, Steps, span, steps
-from components.scene import Picture
+from components.picture import Picture
 from components.traces import Columns
+from components.wire import Steps
 
+Floats = NDArray[np.float64]
 ColumnAxes = Mapping[str, Mapping[str, str]]
 """The axis that each column of each source is drawn on."""
+
+COARSE = 2**16 - 1
+"""Steps of a column that is drawn."""
+FINE = 2**24 - 1
+"""Steps of numbers that more is made of than a curve: as fine as float32."""
 
 
 def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) -> tuple[View, list[Steps]]:
     """The view of a picture, and the numbers that follow it: its columns, then the runs of its signals."""
-    rulers = {name: axis.ruler for name, axis in picture.axes.items()}
     columns, numbers = columns_of(picture.columns, axes, picture.axes)
     signals, runs = signals_of(picture.signals)
-    numbers += runs
     view = View(
         columns=columns,
-        axes=rulers,
+        axes={name: axis.ruler for name, axis in picture.axes.items()},
         time=TIME_AXIS if TIME_AXIS in picture.axes else "",
         pace=picture.pace,
         signals=signals,
+        traces=traces_of(picture),
         scalars=picture.scalars,
         values=picture.values,
         live=picture.live,
@@ -38,7 +47,15 @@ def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) 
         notes=picture.notes,
         left_out=left_out,
     )
-    return view, numbers
+    return view, [*numbers, *runs]
+
+
+def traces_of(picture: Picture) -> dict[str, Traced]:
+    """The signals that the browser draws over time, by source."""
+    return {
+        source: Traced(picture.axes[TIME_AXIS].place(one.end), one.count, one.names, dict(one.signals))
+        for source, one in picture.traces.items()
+    }
 
 
 def columns_of(
@@ -46,22 +63,14 @@ def columns_of(
 ) -> tuple[dict[str, dict[str, Drawn]], list[Steps]]:
     """What is said of each column, and its numbers: where they stand on the axis that they are drawn on."""
     columns: dict[str, dict[str, Drawn]] = {}
-    values: list[Floats] = []
-    on: dict[str, list[int]] = {}
+    numbers: list[Steps] = []
     for source, drawn in drawn_on.items():
         known = given.get(source, {})
-        for column, axis in drawn.items():
-            if column in known:
-                columns.setdefault(source, {})[column] = Drawn(axis, len(known[column]))
-                on.setdefault(axis, []).append(len(values))
-                values.append(known[column])
-    numbers: dict[int, Steps] = {}
-    for axis, places in on.items():  # all that are drawn on one at once: a scene may have a hundred
-        ends = accumulate((len(values[i]) for i in places), initial=0)
-        stand = axes[axis].places(np.concatenate([values[i] for i in places]))
-        found = steps(stand, *span(axes[axis].ruler), COARSE)
-        numbers |= {i: found[start:end] for i, (start, end) in zip(places, pairwise(ends), strict=True)}
-    return columns, [numbers[i] for i in range(len(values))]
+        for name, on in drawn.items():
+            if name in known:
+                columns.setdefault(source, {})[name] = Drawn(on, len(known[name]))
+                numbers.append(steps(axes[on].places(known[name]), *span(axes[on].ruler), COARSE))
+    return columns, numbers
 
 
 def signals_of(given: Mapping[str, AnySignal]) -> tuple[dict[str, AnySignal], list[Steps]]:
@@ -86,3 +95,18 @@ def _run_of(signal: Sampled) -> tuple[Sampled, list[Steps]]:
         told[name] = Samples(len(values), low, high)
         numbers.append(steps(values, low, high, FINE))
     return replace(signal, **told), numbers
+
+
+def span(ruler: Ruler) -> tuple[float, float]:
+    """The range of the steps of what is drawn on an axis: its frame, and as much again on either side."""
+    low, high = sorted((ruler.start, ruler.end))
+    return low - (high - low), high + (high - low)
+
+
+def steps(values: Floats, low: float, high: float, count: int) -> Steps:
+    """The nearest of `count` + 1 places from low to high; what is outside is at the first or the last."""
+    half = high / 2 - low / 2  # all of it may be more than a double holds
+    if not half > 0:
+        return np.zeros(len(values), np.int32)
+    shares = (np.minimum(np.maximum(values, low), high) / 2 - low / 2) / half
+    return np.rint(count * shares).astype(np.int32)

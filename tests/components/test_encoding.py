@@ -1,0 +1,72 @@
+"""Numbers on the wire: what is put in steps and second differences comes back in the page's own scripts."""
+
+from __future__ import annotations
+
+import zlib
+from typing import Any
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+from components.axes import Axis
+from components.encoding import COARSE, span, steps, view_of
+from components.page.messages import File
+from components.page.picture import Ruler
+from components.page.signals import Sampled
+from components.picture import Picture
+from components.wire import packed
+from tests.page.scripts import unpacked
+
+AXES = {"x": "x", "w": "x"}
+
+
+def read(picture: Picture, usual: bytes = b"") -> Any:
+    """A picture as the page has it."""
+    view, numbers = view_of(picture, {"time": AXES, "other": AXES})
+    return unpacked(packed({"view": view}, numbers, usual=usual), usual)["view"]  # type: ignore[arg-type]
+
+
+COLUMN = arrays.arrays(float, st.integers(0, 40), elements=st.floats(-3.9, 3.9))
+
+
+@given(COLUMN, COLUMN, st.booleans())
+def test_columns_come_back_to_half_a_step_of_three_heights(first: Any, second: Any, down: bool) -> None:
+    axis = Axis(1.5, -1.5) if down else Axis(-1.5, 1.5)
+    columns = read(Picture(columns={"time": {"x": first}, "other": {"w": second}}, axes={"x": axis}))["columns"]
+    for found, meant in ((columns["time"]["x"], first), (columns["other"]["w"], second)):
+        np.testing.assert_allclose(found, meant, rtol=0, atol=0.501 * 9 / COARSE)
+
+
+@given(arrays.arrays(float, st.integers(2, 40), elements=st.floats(-1e6, 1e6)))
+def test_samples_of_a_signal_come_back_as_fine_as_float32(values: Any) -> None:
+    signal = Sampled(period=6.28, y=tuple(values.tolist()), dy=tuple((2 * values).tolist()), drift=0.5)
+    found = read(Picture(columns={}, axes={}, signals={"x": signal}))["signals"]["x"]
+    step = float(np.ptp(values)) * 2.0**-24 + 1e-9
+    np.testing.assert_allclose(found["y"], values, rtol=0, atol=step)
+    np.testing.assert_allclose(found["dy"], 2 * values, rtol=0, atol=2 * step)
+
+
+@given(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6), st.lists(st.floats(allow_nan=False), max_size=20))
+def test_what_is_near_the_frame_is_within_half_a_step_and_the_rest_is_outside(
+    start: float, height: float, values: list[float]
+) -> None:
+    axis = {"ticks": (), "labels": (), "unit": "", "exponent": 0, "factor": 1.0, "power": 1, "log": False}
+    low, high = span(Ruler(start=start, end=start + height, **axis))
+    numbers = np.array(values, dtype=float)
+    whole = steps(numbers, low, high, COARSE)
+    near = (numbers >= low) & (numbers <= high)
+    step = (high - low) / COARSE
+    assert np.all(np.abs(low + step * whole[near] - numbers[near]) <= 0.501 * step)
+    assert np.all(whole[numbers < low] == 0) and np.all(whole[numbers > high] == COARSE)
+
+
+def test_what_a_message_repeats_of_the_usual_text_costs_next_to_nothing() -> None:
+    name = "".join(np.random.default_rng(1).choice(list("abcdefghijklmnopqrstuvwxyz"), 2000))
+    file = File(name=name, kind="text/plain", content=b"")
+    alone, known = packed(file), packed(file, sheet="s", usual=name.encode())
+    assert len(known["data"]) < 0.1 * len(alone["data"])
+    inflated = zlib.decompressobj(-15, name.encode()).decompress(known["data"])
+    assert inflated == zlib.decompress(alone["data"], -15)
+    assert unpacked(known, name.encode()) == unpacked(alone) == {**unpacked(alone), "name": name}

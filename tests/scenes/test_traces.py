@@ -1,0 +1,56 @@
+"""What the browser draws of signals is the motion of the physics, and as dense as it moves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+
+from components.axes import TIME_AXIS
+from components.scene import Picture
+from components.scene_sheet import column_axes, plots
+from components.scenes import SCENES
+from tests.page.told import picture_wire
+
+NEAR = {"analogues": 1e-7, "absorber": 1e-7, "phugoid": 1e-6}
+"""Of the frame; a motion that is told as a table of one period is that much off."""
+CLOSED = 1e-9
+
+
+def views(slug: str) -> Iterator[dict[str, Any]]:
+    """The presets of a scene, each shown in all ways, and some that its presets leave out."""
+    scene = SCENES[slug]
+    choices = [
+        {name: value}
+        for name, one in scene.linked().items()
+        if hasattr(one, "objects") and name not in scene.physical
+        for value in one.objects
+    ]
+    for preset in ({}, *scene.presets.values()):
+        for choice in ({}, *choices):
+            yield {**preset, **choice}
+
+
+def traced(picture: Picture) -> dict[tuple[str, str], np.ndarray]:
+    return {(source, name): one.columns[name] for source, one in picture.traces.items() for name in one.names}
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_what_is_drawn_is_the_motion_of_the_physics(slug: str) -> None:
+    scene, checked = SCENES[slug], 0
+    axes_of = column_axes(scene)
+    for values in views(slug):
+        shown = scene.at(values).shown
+        wire = picture_wire(scene.at(values))["columns"]
+        for (source, name), exact in traced(shown).items():
+            axis = shown.axes[axes_of[source][name]]
+            off = np.abs(wire[source][name] - axis.places(exact)).max() / abs(
+                axis.place(axis.end) - axis.place(axis.start)
+            )
+            assert off < NEAR.get(slug, CLOSED), (values, source, name, off)
+            checked += 1
+        for source, one in shown.traces.items():
+            np.testing.assert_allclose(wire[source]["t"], shown.axes[TIME_AXIS].places(one.t), rtol=1e-14, atol=0)
+    assert checked or not any(plot.time for plot in plots(scene))
