@@ -32,7 +32,7 @@ from components.page.messages import (
     Taught,
     Walking,
 )
-from components.refusals import SORRY, report
+from components.refusals import SORRY, in_words, report
 from components.running import Later, Running
 from components.scene import Scene
 from components.scene_sheet import column_axes, sheet_address, usual
@@ -146,7 +146,7 @@ class Session:
         its first answer was lost."""
         match said:
             case AskCsv(page=page):
-                return packed(as_file(self.now.asked, self.now.told[0], page, answer))
+                return self._file(page, answer)
             case AskAbout():
                 return packed(about_numbers(self._about, answer))
             case GiveAnswer(answer=given) if step := self._own_step(given):
@@ -164,6 +164,13 @@ class Session:
             return self._packed(self.now, answer)
         after = self._ordered(said.order) if isinstance(said, RunOrder) else changed(self.now, said, self.scenes)
         return self._stand(dataclasses.replace(after, number=answer), answer)
+
+    def _file(self, page: str, answer: int | None) -> Packet:
+        try:
+            with in_words():
+                return packed(as_file(self.now.asked, self.now.told[0], page, answer))
+        except ValueError as error:
+            raise RefusalError({"message": f"These numbers cannot be saved: {error}."}) from error
 
     def _ordered(self, order: str) -> Standing:
         if self.running is None:

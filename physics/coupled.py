@@ -205,13 +205,6 @@ class FreeModes:
         return np.array(rows)
 
     @cached_property
-    def stretch(self) -> Array:
-        """The elongation of spring 2 (2,), swinging as the amplitude of each mode."""
-        with precise():
-            pairs = zip(self.amplitude, self.chain.exact_modes, strict=True)
-            return np.array([rounded("an amplitude", exact(row[0]) * mode.stretch) for row, mode in pairs])
-
-    @cached_property
     def phase(self) -> Array:
         with precise():
             return np.array([phase_of(q * mode.omega, v) if mode.omega else 0.0 for mode, q, v in self.each()])

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.coupled import FreeModes, Motion, TwoMassChain
-from physics.exact import Array
+from physics.exact import Array, exact, precise, rounded
 from physics.sampling import Sinusoid, root_mean_square
 from physics.valid import in_range, rows_in_range
 
@@ -50,7 +50,9 @@ def _energies(chain: TwoMassChain, values: Array) -> ChainEnergy:
 def mean_energy(free: FreeModes, t: Array) -> ChainEnergy:
     """The energies of a free motion, averaged over the swings that the grid t (n,) is too coarse to draw."""
     chain = free.chain
-    shapes = np.column_stack([free.amplitude, free.stretch])
+    with precise():
+        stretches = [exact(row[0]) * mode.stretch for row, mode in zip(free.amplitude, chain.exact_modes, strict=True)]
+    shapes = [[*row, rounded("an amplitude", e)] for row, e in zip(free.amplitude, stretches, strict=True)]
     drifts = list(zip(free.drift_a, free.drift_b, strict=True))
     stretch = (drifts[1][0] - drifts[0][0], drifts[1][1] - drifts[0][1])
 

@@ -37,10 +37,10 @@ def each(slug: str) -> list[Scene]:
 def same(one: Picture, other: Picture) -> None:
     assert one.axes == other.axes
     assert (one.signals, one.scalars, one.values, one.pace) == (other.signals, other.scalars, other.values, other.pace)
-    assert one.columns.keys() == other.columns.keys()
-    for source, columns in one.columns.items():
+    assert one.sources.keys() == other.sources.keys()
+    for source, columns in one.sources.items():
         for name, column in columns.items():
-            np.testing.assert_array_equal(column, other.columns[source][name])
+            np.testing.assert_array_equal(column, other.sources[source][name])
 
 
 @scenes
@@ -71,10 +71,10 @@ def test_a_picture_keeps_to_its_frame(slug: str) -> None:
             assert all(low - 1e-9 <= tick <= high + 1e-9 for tick in axis.ticks)
         if slug not in SINES:
             continue
-        assert picture.columns.get("time", {"t": [frame.window]})["t"][-1] == pytest.approx(frame.window)
-        for name, column in picture.columns.get("time", {}).items():
+        assert picture.sources.get("time", {"t": [frame.window]})["t"][-1] == pytest.approx(frame.window)
+        for name, column in picture.sources.get("time", {}).items():
             if name in picture.signals and name in picture.axes:
-                at = picture.axes["t"].places(picture.columns["time"]["t"])
+                at = picture.axes["t"].places(picture.sources["time"]["t"])
                 places, size = picture.axes[name].places(column), picture.axes[name]
                 reach = abs(size.place(size.end)) + abs(size.place(size.start))
                 np.testing.assert_allclose(played(picture, at)[name], places, atol=1e-9 * reach)

@@ -55,7 +55,7 @@ def check_nothing_outside(slug: str, shown: Picture) -> None:
         slack = 1e-9 * max(abs(low), abs(high))
         assert low - slack <= least <= most <= high + slack or name == TIME_AXIS, (name, axis)
     for name in WHOLLY_SEEN.get(slug, "").split():
-        column = shown.columns["time"].get(name)
+        column = shown.sources["time"].get(name)
         if column is not None:
             # The energies of the hanging mass share an axis, and so do the displacements of the chain.
             axis = shown.axes.get(name, shown.axes.get({"x1": "x", "x2": "x"}.get(name, "E")))

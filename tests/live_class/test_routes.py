@@ -15,7 +15,7 @@ from components.serving.server import Server
 from tests.bench.visitor import Visitor
 from tests.live_class.caller import Class, Stream, called
 from tests.live_class.served import CHOICE, run, served
-from tests.page.told import text_of
+from tests.page.scripts import text_of
 
 
 def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> None:

@@ -76,7 +76,7 @@ def names(scene: Scene) -> Names:
     found.given |= {("axis", name) for name in picture.axes} | {("signal", name) for name in picture.signals}
     found.given |= {("signal", name) for name in picture.scalars}  # a dot may stand at one
     found.given |= {("show", name) for name in (*picture.scalars, *picture.signals, *OF_THE_STAGE)}
-    found.given |= {("column", f"{s}.{name}") for s, columns in picture.columns.items() for name in columns}
+    found.given |= {("column", f"{s}.{name}") for s, columns in picture.sources.items() for name in columns}
     found.given |= {("form", f"{name}={variant}") for name, variant in picture.forms.items()}
     for block in blocks(sheet.paper):
         if block.form:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import atexit
 import json
 import subprocess
+import zlib
 from base64 import b64encode
 from functools import cache
 from pathlib import Path
@@ -32,11 +33,20 @@ def unpacked(packet: Packet, usual: bytes = b"") -> dict[str, Any]:
     assert process.stdin and process.stdout
     process.stdin.write(json.dumps({"data": b64encode(packet["data"]).decode(), "usual": usual.decode()}) + "\n")
     process.stdin.flush()
-    told: dict[str, Any] = json.loads(process.stdout.readline())
-    for part in (told.get("view"), told.get("held")):
-        if part:
-            part["columns"] = {
-                source: {name: np.array(column) for name, column in columns.items()}
-                for source, columns in part["columns"].items()
+    read, told = json.loads(process.stdout.readline()), json.loads(text_of(packet, usual))
+    for name in ("view", "held"):
+        if told.get(name):
+            sources = read[name]["columns"].items()
+            told[name]["columns"] = {
+                source: dict(zip(of, map(np.array, of.values()), strict=True)) for source, of in sources
             }
-    return told
+            told[name]["signals"] |= {
+                key: one for key, one in read[name]["signals"].items() if one["kind"] == "sampled"
+            }
+    return dict(told)
+
+
+def text_of(packet: Packet, usual: bytes = b"") -> bytes:
+    """The line of JSON in a message over the usual text of its sheet."""
+    text, _, _ = zlib.decompressobj(-15, *([usual] if usual else [])).decompress(packet["data"]).partition(b"\n")
+    return text

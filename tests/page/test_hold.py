@@ -8,6 +8,7 @@ import msgspec
 import numpy as np
 import pytest
 
+from components.axes import TIME_AXIS
 from components.encoding import COARSE, span
 from components.link import read_query
 from components.opening import opened
@@ -43,9 +44,9 @@ def test_what_is_held_is_the_picture_from_before_in_the_frame_that_stands(slug: 
     axes = column_axes(SCENES[slug])
     for source, columns in told["held"]["columns"].items():
         for name, column in columns.items():
-            axis = page.shown.axes[axes[source][name]]
+            axis = page.shown.axes[axes[source].get(name, TIME_AXIS)]
             low, high = span(axis.ruler)
-            true = np.clip(axis.places(wanted.columns[source][name]), low, high)
+            true = np.clip(axis.places(wanted.sources[source][name]), low, high)
             assert np.allclose(column, true, rtol=1e-6, atol=0.51 * (high - low) / COARSE)
 
 

@@ -85,7 +85,7 @@ def csv_of(page: Page) -> list[list[Any]]:
 def told_of_scene(page: Page) -> list[Any]:
     """The picture that stands, whole: as it would be told."""
     picture = page.shown
-    columns = {name: column.tolist() for given in picture.columns.values() for name, column in given.items()}
+    columns = {name: column.tolist() for given in picture.sources.values() for name, column in given.items()}
     axes = {name: axis.ruler for name, axis in picture.axes.items()}
     parts = (picture.signals, picture.scalars, picture.values, picture.notes, picture.pace, picture.spans, axes)
     return [columns, *(json.loads(as_json(part)) for part in parts)]

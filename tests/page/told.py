@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import zlib
 from typing import Any
 
 import msgspec
@@ -91,14 +90,8 @@ class Page:
 def unpacked(packet: Packet) -> dict[str, Any]:
     """A message as the browser has it; each number of it is one, though msgspec writes null for what is not finite."""
     known = _usual(packet["sheet"])
-    msgspec.json.decode(text_of(packet, known), type=ToldAny)
+    msgspec.json.decode(scripts.text_of(packet, known), type=ToldAny)
     return scripts.unpacked(packet, known)
-
-
-def text_of(packet: Packet, usual: bytes = b"") -> bytes:
-    """The line of JSON in a message over the usual text of its sheet."""
-    text, _, _ = zlib.decompressobj(-15, *([usual] if usual else [])).decompress(packet["data"]).partition(b"\n")
-    return text
 
 
 def _usual(sheet: str) -> bytes:

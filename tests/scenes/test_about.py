@@ -102,7 +102,7 @@ def test_every_point_is_within_its_bound(slug: str, values: dict[str, Any]) -> N
     about = told_by(scene)
     assert about is not None and about.tables
     assert not beyond(about.tables)
-    drawn = {float(value) for data in scene.shown.columns.values() for column in data.values() for value in column}
+    drawn = {float(value) for data in scene.shown.sources.values() for column in data.values() for value in column}
     for each in about.tables:
         for row in each.rows:
             where = re.search(r"= (\S+) ", row.place)
@@ -135,10 +135,10 @@ def test_a_curve_that_is_off_is_found_out(slug: str) -> None:
 
     columns = {
         source: {name: column if name in places else moved(column) for name, column in data.items()}
-        for source, data in scene.shown.columns.items()
+        for source, data in scene.shown.sources.items()
         if not source.startswith("band")
     }
-    vars(scene)["_shown"] = replace(scene.shown, columns=columns)
+    vars(scene)["_shown"] = replace(scene.shown, columns=columns, traces={})
     wrong = told_by(scene)
     assert wrong is not None
     of_curves = [each for each in wrong.tables if each.limit >= 1]
@@ -154,8 +154,8 @@ def test_what_is_drawn_as_an_envelope_is_said_and_has_no_points(slug: str) -> No
         return
     scene.set(FAST[slug])
     about = told_by(scene)
-    bands = {name.removesuffix("_lo") for name in scene.shown.columns["band"] if name.endswith("_lo")}
-    assert about is not None and bands and not bands & set(scene.shown.columns["time"])
+    bands = {name.removesuffix("_lo") for name in scene.shown.sources["band"] if name.endswith("_lo")}
+    assert about is not None and bands and not bands & set(scene.shown.sources["time"])
     assert "**envelope**" in about.envelope and NO_BAND not in about.envelope
     assert not any(row.name in about.envelope and row.place.startswith("$t$") for t in about.tables for row in t.rows)
     assert all(sentence.rows for sentence in about_numbers(partial(scene.about, scene.shown)).tables)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from components.scenes.absorber.duty import Duty
-from components.scenes.absorber.moved import DRAWN, moved, reach_alone
+from components.scenes.absorber.moved import DRAWN, moved, reach_alone, times
 
 MACHINE = {"m1": 100.0, "k1": 250e3, "F_0": 500.0, "omega": 48.0, "m2": 16.0, "k2": 36864.0, "from_rest": True}
 CASES: list[dict[str, Any]] = [
@@ -32,7 +32,7 @@ SLIDERS = [(10.0, 1000.0), (1e4, 1e7), (0.01, 1.0), (0.0, 0.16, 0.8), (4e-6, 4e-
 def test_what_is_drawn_is_the_motion(values: dict[str, Any], end: float) -> None:
     """In the shortest window x2 is a small difference of its parts."""
     duty = Duty(**{**MACHINE, **values})
-    found = moved(duty, end)
+    found = moved(duty, times(duty, end))
     motion = duty.damped.motion(found.t) if duty.c else duty.driven.motion(found.t)
     for row, true in zip(found.x, (*motion.x, motion.e[1]), strict=True):
         np.testing.assert_allclose(row, true, rtol=0.0, atol=DRAWN * np.abs(true).max())
@@ -42,7 +42,7 @@ def test_what_is_drawn_is_the_motion(values: dict[str, Any], end: float) -> None
 @pytest.mark.parametrize("values", [case for case in CASES if "c" not in case], ids=str)
 def test_without_damping_both_parts_are_the_ones_of_the_physics(values: dict[str, Any]) -> None:
     duty = Duty(**{**MACHINE, **values})
-    found = moved(duty, 1.0)
+    found = moved(duty, times(duty, 1.0))
     assert found.particular is not None and found.complementary is not None
     for row in (0, 1):
         for part, true in (
@@ -59,12 +59,12 @@ def test_no_state_of_the_sliders_takes_more_time_than_there_is(window: float) ->
         own = math.sqrt(k1 / m1)
         machine = {"m1": m1, "k1": k1, "F_0": 500.0, "omega": speed * own, "m2": ratio * m1, "k2": stiff * k1}
         duty = Duty(**machine, c=damped * own * m1, from_rest=True)
-        assert np.all(np.isfinite(moved(duty, 2 * math.pi * window / duty.omega).x))
+        assert np.all(np.isfinite(moved(duty, times(duty, 2 * math.pi * window / duty.omega)).x))
 
 
 @pytest.mark.parametrize("omega", [48.0, 50.0])
 def test_the_machine_alone_reaches_as_far_as_it_moves(omega: float) -> None:
     """At 50 rad/s it grows."""
     duty = Duty(**{**MACHINE, "omega": omega})
-    x = duty.bare.motion(moved(duty, 1.0).t).x[0]
+    x = duty.bare.motion(moved(duty, times(duty, 1.0)).t).x[0]
     assert reach_alone(duty, 1.0) == pytest.approx(np.abs(x).max(), rel=1e-12)

@@ -54,8 +54,8 @@ def test_energies_are_stacked_to_a_flat_top() -> None:
 
 def test_energies_of_the_modes_are_two_flat_lines() -> None:
     scene = Coupled(energy="modes")
-    flat = scene.sources["flat"].data
-    np.testing.assert_allclose([flat["E_slow"], flat["E_fast"]], [[1 / 3] * 2, [8 / 3] * 2], rtol=1e-14)
+    flat = scene.sources["time"].data
+    np.testing.assert_allclose([flat["E_slow"], flat["E_fast"]], [[1 / 3] * 301, [8 / 3] * 301], rtol=1e-14)
     assert "e1" not in scene.sources["time"].data
 
 

@@ -54,7 +54,7 @@ def test_energies_of_the_motion_from_the_ceiling(datum: str) -> None:
     spring, gravity = k * stretch**2 / 2, -m * g * (stretch - sag)
     shift = 0.0 if datum == "separate" else k * sag**2 / 2
     np.testing.assert_allclose(data["V"], spring + gravity - shift, atol=1e-9)
-    np.testing.assert_allclose(data["T"] + data["V"], columns(scene, "level")["total"][0], rtol=1e-14)
+    np.testing.assert_allclose(data["T"] + data["V"], columns(scene, "time")["total"][0], rtol=1e-14)
     if datum == "separate":
         np.testing.assert_allclose(data["spring"], spring, atol=1e-9)
         np.testing.assert_allclose(data["gravity"], gravity, atol=1e-9)
@@ -110,7 +110,7 @@ def test_gravity_moves_the_equilibrium_and_nothing_else() -> None:
 def test_turning_points_stand_on_the_level() -> None:
     scene = Energy(**CASE)
     C = scene.shown.scalars["C"]
-    assert CASE["k"] * C**2 / 2 == pytest.approx(columns(scene, "level")["total"][0])
+    assert CASE["k"] * C**2 / 2 == pytest.approx(columns(scene, "time")["total"][0])
     assert np.abs(columns(scene)["x"]).max() == pytest.approx(C, rel=1e-3)
 
 
@@ -130,7 +130,7 @@ def test_the_three_terms_of_the_slide_add_up_to_half_k_x_squared() -> None:
     """k (x + delta)^2/2 - k delta^2/2 - m g x = k x^2/2: gravity drops out, and T_max = V_max as from equilibrium."""
     scene = Energy(**CASE, datum="slide")
     time, well = scene.sources["time"].data, scene.sources["well"].data
-    constant = scene.sources["level"].data["constant"][0]
+    constant = scene.sources["time"].data["constant"][0]
     assert constant == pytest.approx(-((CASE["m"] * CASE["g"]) ** 2) / (2 * CASE["k"]))
     for columns, x in ((time, time["x"]), (well, well["x"])):
         total = columns["spring"] + constant + columns["gravity"]

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from components.axes import TIME_AXIS
 from components.encoding import COARSE, span
 from components.link import read_query
 from components.scene import Scene
@@ -110,11 +111,11 @@ def test_what_follows_is_told_of_one_change_alone(scene_class: type[Scene], monk
 
 def test_sources_hold_what_another_view_draws_and_nothing_of_the_one_before() -> None:
     scene = SCENES["accuracy"]()
-    assert scene.sources.keys() == scene.shown.columns.keys()
+    assert scene.sources.keys() == scene.shown.sources.keys()
     for view in ("growth", "stability", "time"):
         scene.set({"view": view})
         data = {name: dict(source.data) for name, source in scene.sources.items() if source.data}
-        assert data.keys() == {name for name, columns in scene.shown.columns.items() if columns}
+        assert data.keys() == {name for name, columns in scene.shown.sources.items() if columns}
 
 
 @scenes
@@ -154,12 +155,12 @@ def test_what_is_sent_is_the_picture(scene_class: type[Scene]) -> None:
     picture, sent = page.shown, 0
     for source, columns in told["view"]["columns"].items():
         for column, places in columns.items():
-            axis = picture.axes[column_axes(scene_class)[source][column]]
+            axis = picture.axes[column_axes(scene_class)[source].get(column, TIME_AXIS)]
             low, high = span(axis.ruler)
-            true = np.clip(axis.places(picture.columns[source][column]), low, high)
+            true = np.clip(axis.places(picture.sources[source][column]), low, high)
             assert np.allclose(places, true, rtol=1e-6, atol=0.51 * (high - low) / COARSE)
             sent += 1
-    assert sent
+    assert sent == sum(len(columns) for columns in told["view"]["columns"].values()) > 0
 
 
 @scenes

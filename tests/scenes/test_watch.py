@@ -57,22 +57,22 @@ def test_analogues_and_flights() -> None:
         assert least < late < most, label
     assert "speed falls to 0" in SCENES["phugoid"].watch["Cusp, 0.732"]
     speed = {label: taken("phugoid", label) for label in SCENES["phugoid"].presets}
-    lowest = {label: scene.v_0 + scene.shown.columns["time"]["v"].min() for label, scene in speed.items()}
+    lowest = {label: scene.v_0 + scene.shown.sources["time"]["v"].min() for label, scene in speed.items()}
     assert abs(lowest["Cusp, 0.732"]) < 0.01 * speed["Cusp, 0.732"].v_0
 
 
 def test_the_modes_of_the_coupled_masses() -> None:
     for label, other in (("Slow", "fast"), ("Fast", "slow")):
-        columns = taken("coupled", label).shown.columns["time"]
+        columns = taken("coupled", label).shown.sources["time"]
         assert np.abs(columns[f"x1_{other}"]).max() < 1e-15
         ways = np.sign(columns["x1"] * columns["x2"])
         assert set(ways[np.abs(columns["x1"]) > 1e-9]) == {1.0 if label == "Slow" else -1.0}
     omega = [readout(taken("coupled", "All equal"), name) for name in ("omega_minus", "omega_plus")]
     assert omega == pytest.approx([0.618, 1.618], abs=5e-4)
     assert omega[1] / omega[0] == pytest.approx((3 + math.sqrt(5)) / 2), "not rational"
-    beats = taken("coupled", "Beats").shown.columns["time"]
+    beats = taken("coupled", "Beats").shown.sources["time"]
     assert np.abs(beats["x1"][:40]).max() > 0.19
-    heavy = taken("coupled", "Heavy, light").shown.columns["time"]
+    heavy = taken("coupled", "Heavy, light").shown.sources["time"]
     assert np.abs(heavy["x1_fast"]).max() < 0.02 * np.abs(heavy["x1_slow"]).max()
     assert np.abs(heavy["x2_fast"]).max() > 0.9 * np.abs(heavy["x2_slow"]).max()
 
@@ -80,7 +80,7 @@ def test_the_modes_of_the_coupled_masses() -> None:
 def test_the_driven_masses() -> None:
     assert readout(taken("forced", "All equal"), "Xp1") < 0
     still = taken("forced", "Still mass 1")
-    assert np.abs(still.shown.columns["time"]["x1"]).max() < 1e-15
+    assert np.abs(still.shown.sources["time"]["x1"]).max() < 1e-15
     light = taken("forced", "Light mass 2")
     slow, fast = readout(light, "omega_minus"), readout(light, "omega_plus")
     assert slow < 1 < fast < 1.3 * slow

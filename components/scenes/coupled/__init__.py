@@ -17,7 +17,7 @@ from components.chain.forces import Forces, forces
 from components.chain.grabs import shares
 from components.controls import Group
 from components.frames import FITTED, framed
-from components.motion import derived, pace, scaled, sines, total
+from components.motion import derived, pace, scaled, total
 from components.page.blocks import Block
 from components.page.numbers import var
 from components.page.signals import AnySignal
@@ -219,9 +219,7 @@ def _signals(scene: Coupled, free: FreeModes, size: Axis, time: Axis, energy: Ax
     for name in ("x1", "x2", "v1", "v2"):
         signals[name] = total(f"{name}_slow", f"{name}_fast")
     signals |= starting.turns(scene, free.omega.tolist(), time)
-    swings = zip(free.stretch.tolist(), free.omega.tolist(), free.phase.tolist(), strict=True)
-    drift = tuple(two - one for one, two in (free.drift_a.tolist(), free.drift_b.tolist()))
-    signals["stretch"] = sines(size, time, *swings, line=drift)
+    signals["stretch"] = derived(var("x2") - var("x1"))
     kinetic, potential = energy.exponent - 2 * size.exponent + 2 * time.exponent, energy.exponent - 2 * size.exponent
     for name, factor, rate in (("T1", scene.m1, "v1"), ("T2", scene.m2, "v2")):
         signals[name] = derived(scaled(kinetic, 0.5, factor) * var(rate) * var(rate))

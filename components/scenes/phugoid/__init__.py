@@ -195,17 +195,21 @@ class Phugoid(Scene):
         names, bands = over_time(swing, t, self.show)
         limits = self.show == "limits"
         reach = np.array([0.0, axes["v_0"].end])
-        path = PATH if drawable(swing.fastest, to_the_end) else ()
+        path = drawable(swing.fastest, to_the_end)
         traces = {
             "time": Traces(end, t.size, names, lambda t: exact_over_time(swing, t)),
-            "path": Traces(float(to_the_end[-1]), to_the_end.size, path, lambda t: along_path(swing, t)),
+            **(
+                {"path": Traces(float(to_the_end[-1]), to_the_end.size, PATH, lambda t: along_path(swing, t))}
+                if path
+                else {}
+            ),
         }
         cornered = abs(swing.lap.C) < CORNER
         return Picture(
             columns={
                 **({source: one.columns for source, one in traces.items()} if cornered else {}),
                 **bands_over_time(t, bands),
-                "path_band": {} if path else path_band(swing, to_the_end),
+                **({} if path else {"path": {}, "path_band": path_band(swing, to_the_end)}),
                 "velocity": velocities(swing) if limits else {},
                 "family": family_velocities() if limits else {},
                 "periods": {"v_0": reach, "tau": linear_phugoid(1.0, self.g).tau * reach},

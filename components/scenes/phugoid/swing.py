@@ -30,7 +30,7 @@ from physics.phugoid import (
 from physics.sampling import Sinusoid, drawable
 
 NODES = 64
-"""Points of a period that the browser joins by Hermite pieces, times sqrt(|C|): it is then within 1e-6 of the frame."""
+"""Points of a period that the browser joins by Hermite pieces, over sqrt(|C|): it is then within 1e-6 of the frame."""
 CORNER = 1 / 64
 """Where |C| is less the path has a corner, or nearly: its curves are sent as they are."""
 SWINGS = 28
@@ -94,7 +94,7 @@ class Swing:
     @property
     def nodes(self) -> int:
         """Points of a period that the browser is told: one is at its middle, where the corner is."""
-        return 2 * math.ceil(NODES / 2 / math.sqrt(max(abs(self.lap.C), CORNER))) + 1
+        return 2 * math.ceil(NODES / 2 / math.sqrt(min(max(abs(self.lap.C), CORNER), 1.0))) + 1
 
     @property
     def omega(self) -> float:
