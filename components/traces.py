@@ -65,6 +65,13 @@ class Traces:
         return replace(self, names=tuple(name for name in self.names if name not in gone))
 
 
+def over_time(
+    end: float, fastest: float, names: tuple[str, ...], exact: Callable[[Floats], Columns]
+) -> dict[str, Traces]:
+    """The curves of the source "time": these signals over [0, end], dense enough for the `fastest` motion (rad/s)."""
+    return {"time": Traces(end, samples(end, fastest), names, exact)}
+
+
 def trace(
     name: str, components: Sequence[Sinusoid], t: Floats, base: Floats | None = None, curve: Floats | None = None
 ) -> tuple[Columns, Columns]:

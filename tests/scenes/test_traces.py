@@ -54,3 +54,18 @@ def test_what_is_drawn_is_the_motion_of_the_physics(slug: str) -> None:
         for source, one in shown.traces.items():
             np.testing.assert_allclose(wire[source]["t"], shown.axes[TIME_AXIS].places(one.t), rtol=1e-14, atol=0)
     assert checked or not any(plot.time for plot in plots(scene))
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_no_curve_is_too_sparse_for_its_motion(slug: str) -> None:
+    """At eight times as many instants it reaches as far, but for the least that twelve points a cycle leave out."""
+    axes_of = column_axes(SCENES[slug])
+    for values in views(slug):
+        shown = SCENES[slug].at(values).shown
+        for source, one in shown.traces.items():
+            dense = one.exact(np.linspace(0.0, one.end, 8 * (one.count - 1) + 1))
+            for name in one.names:
+                axis, drawn = shown.axes[axes_of[source][name]], one.columns[name]
+                reached = dense[name].max() - drawn.max(), drawn.min() - dense[name].min()
+                roundings = 1e-12 * abs(axis.end - axis.start)
+                assert 0 <= max(reached) <= 0.035 * np.ptp(dense[name]) + roundings, (values, source, name)

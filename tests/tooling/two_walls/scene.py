@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from functools import cache
 
-import numpy as np
-
 from components.axes import nice_axis, time_axis
 from components.controls import Group
 from components.frames import FITTED, framed
@@ -19,6 +17,7 @@ from components.plots import curve, plot
 from components.scene import Picture, Scene
 from components.sheet import column, stage, term, words
 from components.stage import H, Shape, W, box, line, spring, text, wall, wire
+from components.traces import over_time
 from physics.oscillator import Oscillator
 
 TASK = "Exchange the two springs: what does the mass feel of it?"
@@ -55,13 +54,13 @@ class Walls(Scene):
         system = Oscillator(m=self.m, k=self.k1 + self.k2)
         swing = system.constants(self.x_0, 0.0)
         end = frame.window or self.window or float(f"{4 * system.period:.2g}")
-        t = np.linspace(0.0, end, 601)
         axes = framed(frame, {"t": time_axis(end), "x": nice_axis(-swing.C, swing.C, "m", 3)})
         size = axes["x"]
         return Picture(
-            columns={"time": {"t": t, "x": system.motion(self.x_0, 0.0, t).x}},
+            columns={},
             axes=axes,
             signals={"x": sines(size, axes["t"], (swing.C, system.omega_n, swing.phi))},
+            traces=over_time(end, system.omega_n, ("x",), lambda t: {"x": system.motion(self.x_0, 0.0, t).x}),
             scalars={
                 "reach": 0.2 / max(abs(size.place(size.start)), abs(size.place(size.end))),
                 "wire1": wire(self.k1),
