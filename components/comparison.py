@@ -14,7 +14,7 @@ from components.encoding import columns_of, signals_of, traces_of
 from components.numbers import three
 from components.page.blocks import PlotBlock, StageBlock
 from components.page.numbers import Expression, names_in
-from components.page.picture import Drawn, Held, LedgerRow, Traced
+from components.page.picture import Drawn, Held, LedgerRow, Trace
 from components.page.shapes import AnyShape, Label
 from components.page.signals import AnySignal
 from components.parameters import Quantity
@@ -40,7 +40,7 @@ def told_beside(now: Standing, shown: Picture) -> tuple[Held | None, list[Steps]
     columns: dict[str, dict[str, Drawn]] = {}
     numbers: list[Steps] = []
     signals: dict[str, AnySignal] = {}
-    traces: dict[str, Traced] = {}
+    traces: dict[str, Trace] = {}
     scalars: dict[str, float] = {}
     drawn = now.asked.drawn.beside
     if drawn and differ:

@@ -113,7 +113,7 @@ def tables(scene: type[Scene], picture: Picture) -> list[CsvTable]:
         drawn = _drawn(scene, picture, source, columns)
         if drawn:
             pieces.setdefault(tuple(drawn), {})[source] = columns
-    return [_table(scene, picture, names, sources) for names, sources in pieces.items()]
+    return [_table(scene, picture, _with_times(names, sources), sources) for names, sources in pieces.items()]
 
 
 def readouts(told: Standing, picture: Picture) -> list[CsvTable]:
@@ -132,9 +132,13 @@ def _headed(name: str, unit: str) -> str:
 
 def _drawn(scene: type[Scene], picture: Picture, source: str, columns: Columns) -> list[str]:
     axes = column_axes(scene).get(source, {})
-    found = [name for name, column in columns.items() if len(column) and axes.get(name) in picture.axes]
-    # A path in a plane has its times beside it, though no axis shows them.
-    return ["t", *found] if found and "t" in columns and "t" not in found else found
+    return [name for name, column in columns.items() if len(column) and axes.get(name) in picture.axes]
+
+
+def _with_times(names: tuple[str, ...], sources: dict[str, Columns]) -> tuple[str, ...]:
+    """A path in a plane has its times beside it, though no axis shows them."""
+    timed = "t" not in names and all("t" in columns for columns in sources.values())
+    return ("t", *names) if timed else names
 
 
 def _table(scene: type[Scene], picture: Picture, names: tuple[str, ...], sources: dict[str, Columns]) -> CsvTable:

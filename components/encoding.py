@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from components.axes import TIME_AXIS, Axis
-from components.page.picture import Drawn, Ruler, Traced, View
+from components.page.picture import Drawn, Ruler, Trace, View
 from components.page.signals import AnySignal, Sampled, Samples
 from components.picture import Picture
 from components.traces import Columns
@@ -50,10 +50,10 @@ def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) 
     return view, [*numbers, *runs]
 
 
-def traces_of(picture: Picture) -> dict[str, Traced]:
+def traces_of(picture: Picture) -> dict[str, Trace]:
     """The signals that the browser draws over time, by source."""
     return {
-        source: Traced(picture.axes[TIME_AXIS].place(one.end), one.count, one.names, dict(one.signals))
+        source: Trace(picture.axes[TIME_AXIS].place(one.end), one.count, one.names, dict(one.signals))
         for source, one in picture.traces.items()
     }
 

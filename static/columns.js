@@ -1,5 +1,5 @@
-// A message as it comes, made whole: inflated after the usual text that it refers to, its numbers read (the browser's half
-// of components/wire.py and components/encoding.py), and its signals over time as columns beside those that were sent.
+// A message as it comes, made whole: inflated after the usual text that it refers to, its numbers read (the browser's
+// half of components/wire.py and components/encoding.py), its signals over time as columns beside those that were sent.
 
 import {over} from "./signals.js"
 
@@ -66,7 +66,8 @@ function fillPart(part, axes, numbers) {
 
 /**
  * The columns of signals over time.
- * @param {page.Traced} trace @param {Pick<page.View, "signals" | "scalars">} part @returns {Record<string, Float64Array>}
+ * @param {page.Trace} trace @param {Pick<page.View, "signals" | "scalars">} part
+ * @returns {Record<string, Float64Array>}
  */
 function traced([end, count, names, called], {signals, scalars}) {
   const t = Float64Array.from({length: count}, (_, i) => (i / (count - 1)) * end)

@@ -489,7 +489,7 @@ declare namespace page {
 
   /** Signals that are drawn over time, at `count` equally spaced instants from 0 to `end`: they are the column t, and
    * columns of these names; `signals` are those that are called otherwise. */
-  type Traced = [end: number, count: number, names: string[], signals: Record<string, string>]
+  type Trace = [end: number, count: number, names: string[], signals: Record<string, string>]
 
   /** What the browser shows of a picture.
    *
@@ -508,7 +508,7 @@ declare namespace page {
     time: string
     pace: Pace
     signals: Record<string, AnySignal>
-    traces: Record<string, Traced>
+    traces: Record<string, Trace>
     scalars: Record<string, number>
     values: Record<string, string>
     live: Record<string, Digits>
@@ -535,7 +535,7 @@ declare namespace page {
   interface Held {
     columns: Record<string, Record<string, Drawn>>
     signals: Record<string, AnySignal>
-    traces: Record<string, Traced>
+    traces: Record<string, Trace>
     scalars: Record<string, number>
     values: Record<string, number | null>
     ledger: LedgerRow[]

@@ -56,7 +56,7 @@ class Drawn(Struct, frozen=True, array_like=True):
     count: int
 
 
-class Traced(Struct, frozen=True, array_like=True):
+class Trace(Struct, frozen=True, array_like=True):
     """Signals that are drawn over time, at `count` equally spaced instants from 0 to `end`: they are the column t, and
     columns of these names; `signals` are those that are called otherwise."""
 
@@ -85,7 +85,7 @@ class View(Struct, frozen=True, kw_only=True):
     time: str
     pace: Pace
     signals: dict[str, AnySignal]
-    traces: dict[str, Traced]
+    traces: dict[str, Trace]
     scalars: dict[str, float]
     values: dict[str, str]
     live: dict[str, Digits]
@@ -115,7 +115,7 @@ class Held(Struct, frozen=True, kw_only=True):
 
     columns: dict[str, dict[str, Drawn]]
     signals: dict[str, AnySignal]
-    traces: dict[str, Traced]
+    traces: dict[str, Trace]
     scalars: dict[str, float]
     values: dict[str, float | None]
     ledger: tuple[LedgerRow, ...]

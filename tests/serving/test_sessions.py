@@ -20,7 +20,7 @@ from bokeh.util.token import generate_jwt_token, generate_session_id
 from app import SHEETS, open_page
 from components.serving.server import Server
 from components.serving.settings import Settings
-from components.serving.sockets import MOST_MISSED, MOST_PINGS, Socket
+from components.serving.sockets import CHEAP, MOST_MISSED, MOST_PINGS, SURCHARGE, Socket
 from components.serving.tokens import opens_session
 from tests.attack.caller import Caller, Reply, ask, connect, contents, event, header, patch, refused, said, token_of
 from tests.bench.visitor import Visitor
@@ -256,7 +256,7 @@ def test_pings_without_end_close_their_socket() -> None:
     asyncio.run(go())
 
 
-def test_a_visitor_waits_as_long_as_the_last_answer_took(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_visitor_waits_for_what_the_last_answer_took(monkeypatch: pytest.MonkeyPatch) -> None:
     now, slept = [100.0], list[float]()
 
     async def answer(self: Socket, message: object) -> None:
@@ -271,7 +271,8 @@ def test_a_visitor_waits_as_long_as_the_last_answer_took(monkeypatch: pytest.Mon
             caller = await Caller.arrive(url(server))
             (socket,) = server.context.admission.sockets
             monkeypatch.setattr(Socket, "_answer", answer)
-            monkeypatch.setattr("components.serving.sockets.monotonic", lambda: now[0])
+            for clock in ("monotonic", "thread_time"):
+                monkeypatch.setattr(f"components.serving.sockets.{clock}", lambda: now[0])
             monkeypatch.setattr("components.serving.sockets.asyncio", SimpleNamespace(sleep=sleep))
             socket._waiting.extend([(0.0, None)] * 3)
             await socket._work_off()
@@ -279,7 +280,7 @@ def test_a_visitor_waits_as_long_as_the_last_answer_took(monkeypatch: pytest.Mon
             await caller.depart()
 
     asyncio.run(go())
-    assert slept == [-100.0, 3.0, 3.0]
+    assert slept == [-100.0, *[pytest.approx(3.0 + SURCHARGE * (3.0 - CHEAP))] * 2]
 
 
 def test_answers_are_not_held_back() -> None:

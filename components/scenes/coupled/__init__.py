@@ -97,20 +97,19 @@ class Coupled(Scene):
         system = free.chain
         slow, fast = system.modes().omega.tolist()
         own_window = self.window or time_window(slow, fast)
-        end = frame.window or own_window
-        t = np.linspace(0.0, end, samples(end, fast))
+        t = np.linspace(0.0, end := frame.window or own_window, samples(end, fast))
         resolved = drawable(fast, t)
         curves, bands = (chain.positions(free, t), Columns()) if resolved else _motion_columns(free, t)
         extremes = chain.extremes(curves, bands)
         own = nice_axis(*widest(extremes["x1"], extremes["x2"]), "m", 3)
         axes = framed(frame, {"t": time_axis(own_window), "x": own, "E": whole_axis(float(free.energy.sum()), "J")})
-        time, size, energy = axes["t"], axes["x"], axes["E"]
+        size, energy = axes["x"], axes["E"]
         drawn = chain.to_scale(system, extremes, size, frame.scale)
         standing = (self.energy, f"view_{self.view}", f"start_{self.given_by}")
         pulled = forces(system, free.motion(t), size) if self.view == "forces" else Forces()
-        motions = _motions(free) if resolved else tuple(curves)
         averaged = self.energy == "parts" and not drawable(2 * fast, t)
         energies = () if averaged else LAYERS if self.energy == "parts" else LEVELS
+        names = (*(_motions(free) if resolved else curves), *energies)
         return Picture(
             columns={
                 "time": _edges(mean_energy(free, t)) if averaged else {},
@@ -118,8 +117,8 @@ class Coupled(Scene):
                 "modes": _mode_lines(free, size),
             },
             axes=axes,
-            signals=_signals(self, free, size, time, energy) | pulled.signals,
-            traces={"time": Traces(end, t.size, (*motions, *energies), lambda t: _exact(free, t))},
+            signals=_signals(self, free, size, axes["t"], energy) | pulled.signals,
+            traces={"time": Traces(end, t.size, names, lambda t: _exact(free, t))},
             scalars={**drawn.scalars, **_mode_places(free, size), f"by_{self.given_by}": 1.0, **pulled.scalars},
             pace=pace(slow or fast, fast),
             scale=drawn.scale,

@@ -72,7 +72,7 @@ def growth_rate(driven: DrivenModes, i: int) -> float:
     return float(driven.F_0 * abs(driven.coupling[j, i]) / (2 * driven.free.omega[j]))
 
 
-class Swing(NamedTuple):
+class Growth(NamedTuple):
     """size sin(rate t)/rate in m, at rate 0 size t: what a response next to resonance grows by."""
 
     size: float
@@ -88,13 +88,13 @@ class Swing(NamedTuple):
         return sines(size, time, line=(0.0, self.size))
 
 
-def limits(driven: DrivenModes, end: float) -> dict[str, Swing]:
+def limits(driven: DrivenModes, end: float) -> dict[str, Growth]:
     """Near resonance the envelope of the growing part, up and down; empty elsewhere.
 
     With 2 d the detuning from the nearest mode it is growth_rate |sin(d t)/d|, at d = 0 growth_rate t; where the
     window is long enough to tell them apart, the straight line is there too.
     """
-    found: dict[str, Swing] = {}
+    found: dict[str, Growth] = {}
     if resonant(driven):
         d = _halfway(driven)
         if abs(d) * end < STRAIGHT:
@@ -102,9 +102,9 @@ def limits(driven: DrivenModes, end: float) -> dict[str, Swing]:
         bent = abs(d) * end > 1 or np.sinc(d * end / np.pi) < APART
         for i in (0, 1):
             rate = math.copysign(growth_rate(driven, i), np.sinc(d * end / np.pi))
-            found |= {f"x{i + 1}_beat": Swing(rate, d), f"x{i + 1}_fall": Swing(-rate, d)}
+            found |= {f"x{i + 1}_beat": Growth(rate, d), f"x{i + 1}_fall": Growth(-rate, d)}
             if bent:
-                found[f"x{i + 1}_growth"] = Swing(abs(rate), 0.0)
+                found[f"x{i + 1}_growth"] = Growth(abs(rate), 0.0)
     return found
 
 
@@ -114,7 +114,7 @@ def _halfway(driven: DrivenModes) -> float:
 
 
 def _beat(driven: DrivenModes, i: int, t: Floats) -> Floats:
-    return np.abs(Swing(growth_rate(driven, i), _halfway(driven)).at(t))
+    return np.abs(Growth(growth_rate(driven, i), _halfway(driven)).at(t))
 
 
 def _band(driven: DrivenModes, i: int, t: Floats) -> Columns:

@@ -37,16 +37,11 @@ from components.scenes.phugoid.plots import (
     velocity_plot,
 )
 from components.scenes.phugoid.swing import (
-    CORNER,
-    PATH,
     Swing,
-    along_path,
-    exact_over_time,
+    curves,
     family_velocities,
     lift_signals,
     motion_signals,
-    over_time,
-    path_band,
     path_times,
     share_signals,
     velocities,
@@ -55,10 +50,9 @@ from components.scenes.phugoid.swing import (
 from components.scenes.phugoid.watch import WATCH
 from components.sheet import choice, column, desk, row, stage, when, words
 from components.stage import NARROW, WIDE, Shape, W, text
-from components.traces import Traces, bands_over_time, samples
+from components.traces import samples
 from components.units import Unit
 from physics.phugoid import CUSP_EXCESS, EXCESS_AT_LATENESS, flight, linear_phugoid
-from physics.sampling import drawable
 
 FOOT, KNOT = 0.3048, 1852 / 3600
 SPEEDS = {"ft/s": FOOT, "m/s": 1.0, "knots": KNOT, "km/h": 1 / 3.6}
@@ -192,24 +186,12 @@ class Phugoid(Scene):
         axes = framed(frame, {"t": time_axis(own_window), **self._axes(swing, end)})
         to_the_end = path_times(swing, end, axes["along"].end / swing.length)
         lap = flight(self.v_0, self.g, self.excess, np.linspace(0.0, swing.period, swing.nodes))
-        names, bands = over_time(swing, t, self.show)
+        traces, columns = curves(swing, t, to_the_end, self.show)
         limits = self.show == "limits"
         reach = np.array([0.0, axes["v_0"].end])
-        path = drawable(swing.fastest, to_the_end)
-        traces = {
-            "time": Traces(end, t.size, names, lambda t: exact_over_time(swing, t)),
-            **(
-                {"path": Traces(float(to_the_end[-1]), to_the_end.size, PATH, lambda t: along_path(swing, t))}
-                if path
-                else {}
-            ),
-        }
-        cornered = abs(swing.lap.C) < CORNER
         return Picture(
             columns={
-                **({source: one.columns for source, one in traces.items()} if cornered else {}),
-                **bands_over_time(t, bands),
-                **({} if path else {"path": {}, "path_band": path_band(swing, to_the_end)}),
+                **columns,
                 "velocity": velocities(swing) if limits else {},
                 "family": family_velocities() if limits else {},
                 "periods": {"v_0": reach, "tau": linear_phugoid(1.0, self.g).tau * reach},
@@ -218,7 +200,7 @@ class Phugoid(Scene):
             signals=motion_signals(swing, lap, axes["t"], axes["along"], axes["h"], axes["v"])
             | (lift_signals(swing, axes["v"]) if self.show == "lift" else {})
             | (share_signals(swing, axes, t) if self.show == "exchange" else {}),
-            traces={} if cornered else traces,
+            traces=traces,
             scalars=self._scalars(swing, axes),
             pace=pace(swing.linear.omega, swing.fastest),
             values=self._values(swing, axes),

@@ -14,7 +14,7 @@ from components.motion import derived, sampled, scaled, sines
 from components.numbers import short, three
 from components.page.numbers import var
 from components.page.signals import AnySignal
-from components.traces import Columns, Floats, band_columns, samples, trace
+from components.traces import Columns, Floats, Traces, band_columns, bands_over_time, samples, trace
 from physics.phugoid import (
     CUSP_EXCESS,
     EXCESS_AT_LATENESS,
@@ -156,7 +156,22 @@ def _shares(swing: Swing, motion: Flight) -> Columns:
     return {"nothing": nothing, "share": share, "all": nothing + 1, "twin": twin}
 
 
-def over_time(swing: Swing, t: Floats, show: str) -> tuple[tuple[str, ...], Columns]:
+def curves(swing: Swing, t: Floats, ahead: Floats, show: str) -> tuple[dict[str, Traces], dict[str, Columns]]:
+    """The motion over the times t and the path over the times `ahead`: as curves of signals, and as columns where they
+    are too fast for a line, or have a corner."""
+    names, bands = _over_time(swing, t, show)
+    traces = {"time": Traces(float(t[-1]), t.size, names, lambda t: exact_over_time(swing, t))}
+    columns = bands_over_time(t, bands) | {"path": {}}
+    if drawable(swing.fastest, ahead):
+        traces["path"] = Traces(float(ahead[-1]), ahead.size, PATH, lambda t: along_path(swing, t))
+    else:
+        columns["path_band"] = path_band(swing, ahead)
+    if abs(swing.lap.C) < CORNER:
+        return {}, columns | {source: one.columns for source, one in traces.items()}
+    return traces, columns
+
+
+def _over_time(swing: Swing, t: Floats, show: str) -> tuple[tuple[str, ...], Columns]:
     """The names of the curves over time, and the bands of those that are too fast to draw."""
     gain = swing.excess * swing.v_0
     drawn = {"h_lin": (swing.climb, -math.pi / 2), "v_lin": (gain, math.pi / 2)}
