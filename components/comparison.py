@@ -31,8 +31,8 @@ COVERED = "?"
 
 
 def told_beside(now: Standing, shown: Picture) -> tuple[Held | None, list[Steps]]:
-    """What is told of the picture held, without what is covered, and the numbers that follow; `shown` is the picture
-    that is told of the one that stands."""
+    """The picture held as it is told, without what is covered, and the numbers that follow; `shown` is the picture that
+    is told of the one that stands."""
     if now.held is None:
         return None, []
     kind, scene, other, covered = now.kind, now.scene, now.held, now.covered
@@ -76,7 +76,7 @@ def _differing(held: Picture, shown: Picture, traced: bool) -> dict[str, Columns
 
 
 def _units(picture: Picture) -> dict[str, tuple[int, float, int, bool]]:
-    """How numbers count on each axis: scalars and signals are told in these units."""
+    """The units in which numbers count on each axis: scalars and signals are told in these."""
     return {name: (axis.exponent, axis.factor, axis.power, axis.log) for name, axis in picture.axes.items()}
 
 
@@ -90,7 +90,7 @@ def on_stage(scene: type[Scene]) -> frozenset[str]:
 
 
 def _kept(scene: type[Scene]) -> Iterator[AnyShape]:
-    """What a hand takes to begin a motion, and what says so."""
+    """The shapes of a scene that begin a motion in a hand, and those that say what is held."""
     for block in blocks(scene.sheet()):
         if isinstance(block, (StageBlock, PlotBlock)):
             yield from (shape for shape in block.shapes if shape.held or (shape.grab and shape.grab.begins))

@@ -1,4 +1,4 @@
-"""What is covered until the visitor has made a prediction: it is not sent, so that nobody finds it before.
+"""Covers: parts of a page that are not sent until the visitor has made a prediction, so that nobody finds them before.
 
 A cover is named by its kind and its name in the sheet or the picture:
 
@@ -43,7 +43,8 @@ _LIVE = re.compile(r'data-value="(\w+)"')
 
 
 def coverable(scene: type[Scene], picture: Picture) -> set[str]:
-    """What can be covered: all parts of the sheet, the numbers that it speaks of, and those of the picture."""
+    """The names of all that can be covered: parts of the sheet, the numbers that it speaks of, and those of the
+    picture."""
     found = {VALUE + name for name in (*live_names(scene), *picture.values, *picture.live)}
     found |= {f"form:{name}" for name in picture.forms} | {NEXT}
     found |= {f"{kind}:{name}" for name in picture.axes for kind in ("ticks", "numbers")}
@@ -108,9 +109,9 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
 def as_it_stood(
     scene: type[Scene], before: Picture, covered: tuple[str, ...], forms: Mapping[str, str]
 ) -> tuple[Picture, tuple[str, ...]]:
-    """The same of a picture that has been seen, while what follows it is to be predicted: its stage stands as it was,
-    but for what was covered even then, and loses the marks alone. The `forms` of the picture that follows say which
-    controls stand."""
+    """A picture that has been seen, while the one that follows is to be predicted: its stage stands as it was, but for
+    what was covered even then, and loses the marks alone. The `forms` of the picture that follows say which controls
+    stand."""
     told, left_out = without(scene, before, covered)
     stood, _ = without(scene, before, covered[: covered.index(NEXT)])
     marks = _marks(covered)
@@ -175,8 +176,7 @@ def _texts(scene: type[Scene], covered: tuple[str, ...]) -> Iterator[str]:
 def _traces_less(
     picture: Picture, signals: set[str], gone: set[tuple[str, str]]
 ) -> tuple[dict[str, Traces], dict[str, Columns]]:
-    """What is still drawn of signals that are told; and the columns, with those of the sources of which something is
-    drawn of signals that are not."""
+    """The traces that are left, and the columns, with those of sources in which something is drawn of other signals."""
     left = {source: one.less(name for of, name in gone if of == source) for source, one in picture.traces.items()}
     lost = {source for source, one in left.items() if signals & one.needed}
     columns = {**picture.columns, **{source: picture.sources[source] for source in lost}}

@@ -61,7 +61,7 @@ def traces_of(picture: Picture) -> dict[str, Trace]:
 def columns_of(
     given: Mapping[str, Columns], drawn_on: ColumnAxes, axes: Mapping[str, Axis]
 ) -> tuple[dict[str, dict[str, Drawn]], list[Steps]]:
-    """What is said of each column, and its numbers: where they stand on the axis that they are drawn on."""
+    """The columns as they are told, and their numbers: places on the axes that they are drawn on."""
     columns: dict[str, dict[str, Drawn]] = {}
     numbers: list[Steps] = []
     for source, drawn in drawn_on.items():

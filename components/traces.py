@@ -22,7 +22,7 @@ FEWEST, MOST, PER_CYCLE = 300, 680, 32
 
 
 def samples(end: float, fastest: float) -> int:
-    """How many times a plot of [0, end] needs: 32 a cycle of the fastest motion (rad/s), within what a screen shows."""
+    """The times that a plot of [0, end] needs: 32 a cycle of the fastest motion (rad/s), within what a screen shows."""
     return int(min(max(PER_CYCLE * end * float(fastest) / (2 * np.pi), FEWEST), MOST)) + 1
 
 

@@ -1,4 +1,4 @@
-// What is done with a page as a whole: it is held or predicted, copied as a link, saved, and left for another scene.
+// The tools of a page: it is held or predicted, copied as a link, saved, and left for another scene.
 
 import {copyButton} from "./copy.js"
 import {button, chip, element} from "./dom.js"

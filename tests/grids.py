@@ -1,4 +1,4 @@
-"""How far grids of values are walked: whole by `make test-all`, a sample of each by `make test`."""
+"""Grids of values: walked whole by `make test-all`, a sample of each by `make test`."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ WHOLE = os.environ.get("GRIDS") == "whole"
 
 
 def tries(count: int) -> int:
-    """How many random examples are drawn, of so many."""
+    """The number of random examples that are drawn, of so many."""
     return count if WHOLE else count // 4 + 1
 
 

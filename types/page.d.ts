@@ -472,10 +472,10 @@ declare namespace page {
     limit: number | null
   }
 
-  /** How a number that moves is shown: decimals, and whether its sign always stands. */
+  /** The digits of a moving number: its decimals, and whether its sign always stands. */
   type Digits = [decimals: number, signed: boolean]
 
-  /** How far a measurement has come: so many of a total, counted in `unit`. */
+  /** The progress of a measurement: so many of a total, counted in `unit`. */
   interface Progress {
     state: "idle" | "waiting" | "running" | "done"
     done: number
@@ -491,7 +491,7 @@ declare namespace page {
    * columns of these names; `signals` are those that are called otherwise. */
   type Trace = [end: number, count: number, names: string[], signals: Record<string, string>]
 
-  /** What the browser shows of a picture.
+  /** A picture as the browser shows it.
    *
    * `columns`   the columns by source and name; their numbers follow the message, then those of the runs of `signals`
    * `axes`      the axes by name; `time` is the name of the one that the clock runs through, "" where nothing moves

@@ -33,14 +33,14 @@ class Pace(Struct, frozen=True):
 
 
 class Digits(Struct, frozen=True, array_like=True):
-    """How a number that moves is shown: decimals, and whether its sign always stands."""
+    """The digits of a moving number: its decimals, and whether its sign always stands."""
 
     decimals: int
     signed: bool
 
 
 class Progress(Struct, frozen=True, kw_only=True):
-    """How far a measurement has come: so many of a total, counted in `unit`."""
+    """The progress of a measurement: so many of a total, counted in `unit`."""
 
     state: Literal["idle", "waiting", "running", "done"]
     done: int
@@ -67,7 +67,7 @@ class Trace(Struct, frozen=True, array_like=True):
 
 
 class View(Struct, frozen=True, kw_only=True):
-    """What the browser shows of a picture.
+    """A picture as the browser shows it.
 
     `columns`   the columns by source and name; their numbers follow the message, then those of the runs of `signals`
     `axes`      the axes by name; `time` is the name of the one that the clock runs through, "" where nothing moves

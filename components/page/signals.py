@@ -1,4 +1,4 @@
-"""What moves: a few scalars a signal, which the browser evaluates at any instant.
+"""Signals: numbers that move, a few scalars each, which the browser evaluates at any instant.
 
 Times count in the unit of the time axis from the start of the window, sizes in the unit of the signal's own axis, so
 what is sent is of order one. A signal may speak of the signals before it and of the picture's scalars.

@@ -1,4 +1,4 @@
-"""What the browser draws of signals is the motion of the physics, and as dense as it moves."""
+"""Traces: the browser draws of signals the motion of the physics, as densely as it moves."""
 
 from __future__ import annotations
 

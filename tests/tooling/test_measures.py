@@ -88,6 +88,21 @@ def test_no_import_is_for_types_alone() -> None:
     assert [name for name in PRODUCT if any("TYPE_CHECKING" in line for line in lines(name))] == []
 
 
+def docstrings(name: str) -> Iterator[tuple[str, str]]:
+    """The docstrings of a module, of its classes and of its functions, each with its place."""
+    for node in ast.walk(parsed(name)):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
+            yield f"{name}:{node.body[0].lineno}", ast.get_docstring(node) or ""
+
+
+def test_docstrings_and_headers_name_the_thing() -> None:
+    """A stranger reads the first words without another file: a noun of the field, not what, how or the same."""
+    said = [one for name in PYTHON for one in docstrings(name)]
+    said += [(name, lines(name)[0].removeprefix("// ")) for name in CODE if name.endswith(".js")]
+    assert len(said) > 3000
+    assert [place for place, text in said if re.match(r"(The same|What|That|How|Those|This)\b", text)] == []
+
+
 def glossary() -> set[str]:
     terms = re.findall(r"\*\*(.+?)\*\*", (ROOT / "docs" / "glossary.md").read_text(encoding="utf-8"))
     return {term.lower().removesuffix("s") for found in terms for term in found.split(", ")}

@@ -34,7 +34,7 @@ def reached(start: Path, imports: dict[Path, set[Path]]) -> set[Path]:
 
 
 def test_no_circle_of_imports_is_large() -> None:
-    """What needs what it stands in knows that as a host, of which types/hosts.d.ts has the members."""
+    """A module that needs what it stands in knows that as a host, of which types/hosts.d.ts has the members."""
     imports = {
         path: {(path.parent / name).resolve() for name in IMPORTED.findall(path.read_text(encoding="utf-8"))}
         for path in SCRIPTS

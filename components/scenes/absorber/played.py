@@ -1,4 +1,4 @@
-"""What the clock plays of the absorber: the particular solution, or the motion from its start."""
+"""The absorber's motion as the clock plays it: the particular solution, or the motion from its start."""
 
 from __future__ import annotations
 

@@ -145,7 +145,7 @@ class AnalogueCase:
 
 
 def motion_bands(case: AnalogueCase) -> Columns:
-    """What the coordinates q and x fill where they are too fast to draw."""
+    """The bands that the coordinates q and x fill where they are too fast to draw."""
     if drawable(case.omega, case.t):
         return {}
     rule = [Sinusoid(case.q_0, case.omega, math.pi / 2)]

@@ -38,7 +38,7 @@ def motions(driven: DrivenModes, t: Floats) -> Columns:
 
 
 def motion_columns(driven: DrivenModes, t: Floats) -> tuple[Columns, Columns]:
-    """The same to the last digits, as curves, or as bands where too fast to draw."""
+    """The motion and its parts to the last digits, as curves, or as bands where too fast to draw."""
     split = driven.split_is_meaningful
     motion, *parts = driven.apart(t) if split else (driven.motion(t),)
     drawn = dict(zip(("", "_p", "_c"), (motion.x, *parts), strict=False))
@@ -67,7 +67,7 @@ def resonant(driven: DrivenModes) -> bool:
 
 
 def growth_rate(driven: DrivenModes, i: int) -> float:
-    """How much the swing of mass i (0, 1) grows in a second at the nearest natural frequency, from rest, in m/s."""
+    """The growth of the swing of mass i (0, 1) in a second at the nearest natural frequency, from rest, in m/s."""
     j = int(np.argmin(np.abs(driven.detuning)))
     return float(driven.F_0 * abs(driven.coupling[j, i]) / (2 * driven.free.omega[j]))
 
@@ -118,7 +118,7 @@ def _beat(driven: DrivenModes, i: int, t: Floats) -> Floats:
 
 
 def _band(driven: DrivenModes, i: int, t: Floats) -> Columns:
-    """What the displacement of mass i fills next to resonance."""
+    """The band that the displacement of mass i fills next to resonance."""
     beat = _beat(driven, i, t) if resonant(driven) else 0.0
     size = beat + _others(driven, i, int(np.argmin(np.abs(driven.detuning))))
     drift = driven.free.drift_a[i] + driven.free.drift_b[i] * t
@@ -126,7 +126,7 @@ def _band(driven: DrivenModes, i: int, t: Floats) -> Columns:
 
 
 def _others(driven: DrivenModes, i: int, j: int) -> float:
-    """How far all but the resonant response can reach: the free motion of the start and the other mode's response."""
+    """The reach of all but the resonant response: the free motion of the start and the other mode's response."""
     other = 1 - j
     omega_n = driven.free.omega[other]
     reach = float(np.abs(driven.free.amplitude[:, i]).sum())
@@ -142,7 +142,7 @@ def energy_columns(driven: DrivenModes, t: Floats) -> Columns:
 
 
 def motion_signals(driven: DrivenModes, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
-    """What the clock plays: the free motion of the start plus each mode's response, regular at resonance."""
+    """The signals of the clock: the free motion of the start plus each mode's response, regular at resonance."""
     signals = free_signals(driven.free, size, time)
     X, omega = driven.particular.tolist(), driven.omega
     coupling, natural = driven.coupling.tolist(), driven.free.omega.tolist()

@@ -82,7 +82,7 @@ class Oscillation:
 
     @property
     def loop(self) -> tuple[float, int]:
-        """How long the planes (x, v) and (x, a) are drawn, and by how many points: one turn; of a free mass, all."""
+        """The time for which the planes (x, v) and (x, a) are drawn, and the points: one turn; of a free mass, all."""
         return (self.oscillator.period, 145) if self.omega else (self.end, 2)
 
     def exact(self, t: Floats) -> Columns:
@@ -183,7 +183,7 @@ class OscillatorScene(Scene):
 
 
 def _bands(swing: Oscillation, t: Floats) -> Columns:
-    """What x, v and a fill where they are too fast to draw."""
+    """The bands that x, v and a fill where they are too fast to draw."""
     phi, bands = swing.constants.phi, Columns()
     for name, shift in LEADS.items():
         bands |= trace(name, [Sinusoid(swing.amplitudes[name], swing.omega, phi + shift)], t)[1]

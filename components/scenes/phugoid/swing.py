@@ -207,7 +207,7 @@ def along_path(swing: Swing, t: Floats) -> Columns:
 
 
 def path_band(swing: Swing, t: Floats) -> Columns:
-    """What the exact path fills where its swings are too close to be drawn."""
+    """The band that the exact path fills where its swings are too close to be drawn."""
     height = np.full_like(t, swing.length)
     ends = {"y_lo": swing.lap.h.min() * height, "y_hi": swing.lap.h.max() * height}
     return {"x": flight(swing.v_0, swing.g, swing.excess, t).x, **ends}
@@ -262,7 +262,7 @@ def lift_signals(swing: Swing, speed: Axis) -> dict[str, AnySignal]:
 def motion_signals(
     swing: Swing, lap: Flight, time: Axis, along: Axis, height: Axis, speed: Axis
 ) -> dict[str, AnySignal]:
-    """What the clock moves: places on the path, h' and v', and velocities in v_0; `lap` is a period from the start."""
+    """The signals of the clock: places on the path, h', v', and velocities in v_0; `lap` is a period from the start."""
     v_0, g, omega = swing.v_0, swing.g, swing.linear.omega
     u_dot, w_dot, v_dot = lap.rates(v_0, g)
     gain = lap.gain(v_0, g)
