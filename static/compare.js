@@ -44,13 +44,10 @@ export class Compare {
     this.hold = chip("Hold", () => this.toggle(), {title: "Keep these curves for comparison (H)"})
     this.predict = chip("Predict", () => this.#predict(), {title: "Hide a picture and guess it first"})
     this.gone = new AbortController()
-    for (const event of ["pointerdown", "keydown"]) this.#on(event, () => (this.pressed = true))
-    for (const event of ["pointerup", "pointercancel", "keyup"]) this.#on(event, released => this.#released(released))
-  }
-
-  /** @param {string} event @param {(event: Event) => void} act */
-  #on(event, act) {
-    addEventListener(event, act, {capture: true, signal: this.gone.signal})
+    const how = {capture: true, signal: this.gone.signal}
+    for (const name of ["pointerdown", "keydown"]) addEventListener(name, () => (this.pressed = true), how)
+    for (const name of ["pointerup", "pointercancel", "keyup"])
+      addEventListener(name, event => this.#released(event), how)
   }
 
   /** What is drawn now is kept under what follows, or no longer. */
@@ -131,7 +128,7 @@ export class Compare {
     // All but the sentence why, which is heard.
     for (const part of transport.element.children) part.toggleAttribute("inert", isAsked && part !== transport.note)
     const {t} = clock
-    this.still = isAsked ? {...roots(signals, evaluate(signals, scalars, t, hand.named)), t} : null
+    this.still = isAsked ? {...roots(signals, evaluate(signals, scalars, t, hand.grab?.named ?? {})), t} : null
     if (!isAsked) clock.restart()
   }
 
@@ -139,7 +136,7 @@ export class Compare {
   named(t) {
     const {hand, shown} = this.page
     const {signals, scalars} = shown.view
-    const named = evaluate(signals, scalars, this.still?.t ?? t, {...this.still, ...hand.named})
+    const named = evaluate(signals, scalars, this.still?.t ?? t, {...this.still, ...hand.grab?.named})
     if (this.still && hand.grab) this.still = {...roots(signals, named), t: named.t}
     return named
   }

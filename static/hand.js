@@ -22,11 +22,6 @@ export class Hand {
     this.page = page
   }
 
-  /** The numbers that are drawn in place of those of the picture. @returns {Named} */
-  get named() {
-    return this.grab?.named ?? {}
-  }
-
   /** Says once what a hand can do. */
   introduce() {
     if (browserStorage.text(GRABBED) === null)

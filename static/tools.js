@@ -3,7 +3,6 @@
 import {copyButton} from "./copy.js"
 import {button, chip, element} from "./dom.js"
 import {using} from "./later.js"
-import {tables} from "./tables.js"
 
 /** @typedef {import("./plots.js").Plot | import("./stage.js").Stage} Subject */
 
@@ -69,4 +68,22 @@ export class Tools {
     const blocks = this.page.plots.map(({block}) => block)
     this.csv.textContent = tables(blocks, view) > 1 ? "CSV (ZIP)" : "CSV"
   }
+}
+
+/**
+ * The number of tables that the CSV export has: several are packed into one ZIP file (components/csv_export.py).
+ * @param {page.PlotBlock[]} blocks @param {Drawn["view"]} view
+ */
+function tables(blocks, view) {
+  /** @type {Map<string, string>} the axis of each column */
+  const axes = new Map()
+  for (const {curves, regions, x, y} of blocks) {
+    for (const curve of curves) axes.set(`${curve.source}.${curve.x}`, x).set(`${curve.source}.${curve.y}`, y)
+    for (const {source, ...own} of regions)
+      axes.set(`${source}.${own.x}`, x).set(`${source}.${own.low}`, y).set(`${source}.${own.high}`, y)
+  }
+  const heads = Object.entries(view.columns).map(([source, columns]) =>
+    Object.keys(columns).filter(name => columns[name].length && (axes.get(`${source}.${name}`) ?? "") in view.axes),
+  )
+  return new Set(heads.filter(names => names.length).map(names => names.toSorted().join())).size
 }

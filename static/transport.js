@@ -1,7 +1,6 @@
 // The transport: play, step, restart, speed and time window.
 
-import {button, element, reword} from "./dom.js"
-import {Fit} from "./fit.js"
+import {button, chip, element, reword} from "./dom.js"
 import {MINUS, grouped, short} from "./numbers.js"
 
 /** @typedef {keyof typeof ICONS} Icon */
@@ -39,6 +38,23 @@ function speedText(factor) {
   if (Math.abs(factor - 1) < 1e-9) return ""
   const times = Math.max(factor, 1 / factor)
   return `played ${grouped(times)} times ${factor < 1 ? "slower" : "faster"}`
+}
+
+/** The button that fits the frame, which changes of values never shrink; there while it is another, its place kept. */
+export class Fit {
+  /** @param {PartHost} page */
+  constructor(page) {
+    const look = {class: "chip fit", title: "Fit axes, time window and speed (0)"}
+    this.element = chip("Fit", () => page.host.fit(), look)
+    page.paper.addEventListener("dblclick", event => {
+      if (event.target instanceof Element && event.target.closest(".plot-area")) page.host.fit()
+    })
+  }
+
+  /** @param {Drawn} shown */
+  update({state}) {
+    this.element.classList.toggle("fitted", !state.frame)
+  }
 }
 
 export class Transport {

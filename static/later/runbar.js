@@ -1,8 +1,7 @@
 // The bar of a scene that measures, in the transport's place: run or cancel, progress, skip.
 
 import {button, chip, element} from "../dom.js"
-import {Fit} from "../fit.js"
-import {icon} from "../transport.js"
+import {Fit, icon} from "../transport.js"
 
 export class RunBar {
   /** @param {PartHost} page */
