@@ -9,10 +9,11 @@ from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage, Page, Request, Route, expect, sync_playwright
+from playwright.sync_api import Browser, Page, Request, Route, expect, sync_playwright
 
 from components.scenes import SCENES
 from tests.browser.chromium import find
+from tests.browser.tabs import Tab, Tabs
 from tests.browser.waiting import unfold
 from tests.serving.server import ROOT, Server, serving
 
@@ -45,27 +46,40 @@ def browser() -> Iterator[Browser]:
         chromium.close()
 
 
+@pytest.fixture(scope="session")
+def tabs(browser: Browser) -> Tabs:
+    return Tabs(browser)
+
+
 @pytest.fixture
-def new_page(browser: Browser, server: Server) -> Iterator[Callable[..., Page]]:
+def new_page(browser: Browser, tabs: Tabs, server: Server) -> Iterator[Callable[..., Page]]:
     """Makes pages: `new_page(width=390, height=844, color_scheme="dark")` and whatever else a context takes.
 
-    The test fails if one of them logged an error to the console or asked another host for anything.
+    Each is a visitor's first, in a tab that tests of before have used; `fresh=True` where the test changes the tab
+    itself. The test fails if one of them logged an error to the console or asked another host for anything.
     """
-    contexts, faults = [], []
+    taken: list[tuple[Tab, dict[str, Any] | None]] = []
+    faults: list[str] = []
 
-    def make(width: int = 1280, height: int = 720, **options: Any) -> Page:
+    def look(request: Request) -> None:
+        faults.extend(_foreign(request, server))
+
+    def make(width: int = 1280, height: int = 720, fresh: bool = False, **given: Any) -> Page:
         # Playwright's waiting for an expression is an eval, which the page forbids; test_serving_headers.py tests that.
-        context = browser.new_context(viewport={"width": width, "height": height}, **{"bypass_csp": True, **options})
-        contexts.append(context)
-        page = context.new_page()
-        page.on("console", lambda message: faults.extend(_console_fault(message)))
-        page.on("pageerror", lambda error: faults.append(f"page error: {error}"))
-        page.on("request", lambda request: faults.extend(_foreign(request, server)))
-        return page
+        size, options = {"width": width, "height": height}, {"bypass_csp": True, **given}
+        tab = Tab(browser, size, options) if fresh else tabs.take(size, options)
+        taken.append((tab, None if fresh else options))
+        tab.page.on("request", look)
+        return tab.page
 
     yield make
-    for context in contexts:
-        context.close()
+    for tab, options in taken:
+        faults.extend(tab.faults)
+        tab.page.remove_listener("request", look)
+        if options is None:
+            tab.close()
+        else:
+            tabs.give_back(tab, options, server.url)
     assert not faults, "\n".join(faults)
 
 
@@ -105,10 +119,6 @@ def screenshot() -> Callable[[Page, str], Path]:
         return path
 
     return take
-
-
-def _console_fault(message: ConsoleMessage) -> list[str]:
-    return [f"console: {message.text} {message.location}"] if message.type == "error" else []
 
 
 def _foreign(request: Request, server: Server) -> list[str]:

@@ -62,7 +62,10 @@ def unfold(page: Page) -> None:
     expect(page.locator(".about tbody, .about table").first).to_be_visible()
 
 
-def test_it_is_asked_when_opened_and_after_a_change_and_never_while_folded(page: Page, open_scene: Open) -> None:
+def test_it_is_asked_when_opened_and_after_a_change_and_never_while_folded(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = new_page(fresh=True)
     questions = asked(page)
     page.clock.install()
     open_scene(page, scene="coupled")

@@ -74,7 +74,6 @@ def test_no_violation_and_nothing_undecided(new_page: Callable[..., Page], serve
         page.wait_for_function(READY)
         seek(page, 0.0)  # what moves would be another by the time that it is looked at once more
         assert faults(page) == [], (link, theme, width)
-        page.context.close()
 
 
 def test_the_choice_of_pictures_has_no_fault(new_page: Callable[..., Page], open_scene: Callable[..., Page]) -> None:

@@ -134,7 +134,10 @@ def test_full_screen_comes_back_with_the_next_key(page: Page, open_scene: Callab
     expect(page.locator(".offer")).to_have_count(0)
 
 
-def test_a_walk_is_printed_with_space_for_answers_and_then_the_answers(server: Server, page: Page) -> None:
+def test_a_walk_is_printed_with_space_for_answers_and_then_the_answers(
+    server: Server, new_page: Callable[..., Page]
+) -> None:
+    page = new_page(fresh=True)
     page.add_init_script("print = () => { globalThis.printed = true }")
     page.goto(f"{server.url}?walk=tour")
     page.wait_for_function(f"{READY} && document.querySelector('.card')")

@@ -65,8 +65,10 @@ def test_a_link_can_be_chosen_before_the_first_page_stands(server: Server, page:
     assert page.locator(".page").count() == 1
 
 
-def test_the_back_button_steps_through_scenes_and_presets_and_not_through_values(page: Page, open_scene: Open) -> None:
-    open_scene(page, scene="coupled")
+def test_the_back_button_steps_through_scenes_and_presets_and_not_through_values(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    page = open_scene(new_page(fresh=True), scene="coupled")
     length = page.evaluate("history.length")
     page.locator("input[name=k2]").fill("3")
     page.locator("input[name=k2]").press("Enter")

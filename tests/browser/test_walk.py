@@ -20,7 +20,7 @@ BLOCKED = "Object.defineProperty(window, 'localStorage', {get() { throw new DOME
 @pytest.fixture
 def walk(server: Server, new_page: Callable[..., Page]) -> Callable[..., Page]:
     def open_step(step: str, init: str = "", **options: int) -> Page:
-        page = new_page(**options)
+        page = new_page(fresh=bool(init), **options)
         if init:
             page.add_init_script(init)
         page.goto(f"{server.url}?walk={step.split('-')[0]}&step={step}")
