@@ -1,4 +1,5 @@
-"""The app served by a process of its own on a free loopback port, by the command that README names."""
+"""The app served by a process of its own on a free loopback port: by the command that README names, in tests by what
+that command runs."""
 
 from __future__ import annotations
 
@@ -12,6 +13,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from tests.serving.nursery import WANTED, Forked
+
 ROOT = Path(__file__).parents[2]
 START = ("-m", "components.serving")
 
@@ -19,7 +22,7 @@ START = ("-m", "components.serving")
 @dataclass(frozen=True, kw_only=True)
 class Server:
     port: int
-    process: subprocess.Popen[bytes]
+    process: subprocess.Popen[bytes] | Forked
     log: Path
 
     @property
@@ -54,16 +57,21 @@ def serving(
 ) -> Iterator[Server]:
     """A server that listens; ended on leaving. `command` in place of the usual one must listen on `port`."""
     port = port or free_port()
-    at = ("--address", "127.0.0.1", "--port", str(port))
-    with log.open("wb") as stream:
-        process = subprocess.Popen(
-            command or (sys.executable, *START, *at, *options),
-            cwd=folder,
-            env={**os.environ, **(environment or {})},
-            stdout=stream,
-            stderr=subprocess.STDOUT,
-            **({} if user is None else {"user": user, "group": user, "extra_groups": []}),
-        )
+    arguments = ("--address", "127.0.0.1", "--port", str(port), *options)
+    variables = {**os.environ, **(environment or {})}
+    process: subprocess.Popen[bytes] | Forked
+    if WANTED and not command and folder == ROOT:
+        process = Forked(list(arguments), variables, log)
+    else:
+        with log.open("wb") as stream:
+            process = subprocess.Popen(
+                command or (sys.executable, *START, *arguments),
+                cwd=folder,
+                env=variables,
+                stdout=stream,
+                stderr=subprocess.STDOUT,
+                **({} if user is None else {"user": user, "group": user, "extra_groups": []}),
+            )
     try:
         _wait_until_listening(process, port, log)
         yield Server(port=port, process=process, log=log)
@@ -76,7 +84,7 @@ def serving(
             process.wait()
 
 
-def _wait_until_listening(process: subprocess.Popen[bytes], port: int, log: Path, limit: float = 180) -> None:
+def _wait_until_listening(process: subprocess.Popen[bytes] | Forked, port: int, log: Path, limit: float = 180) -> None:
     end = time.monotonic() + limit
     while time.monotonic() < end and process.poll() is None:
         try:
