@@ -353,7 +353,7 @@ def test_a_step_lets_the_hand_set_what_it_names_alone(page: Page, open_scene: Op
     for step, free in (("d31-02", False), ("d31-03", True)):
         open_scene(page, walk="d31", step=step)
         mass = page.locator(".grip[data-grab=x_0]")
-        assert mass.evaluate("grip => Boolean(grip.closest('[inert]'))")
+        expect(page.locator("[inert] .grip[data-grab=x_0]")).to_be_attached()
         page.keyboard.press("PageDown")
         page.wait_for_function("oscillations.walks.walk.lesson")
         assert mass.evaluate("grip => !grip.closest('[inert]')") is free
