@@ -13,20 +13,20 @@ from typing import NamedTuple
 import panel as pn
 from bokeh.document import Document
 
-from components.link import read_query
 from components.live_class.question_bank import QuestionBank
-from components.opening import opened
-from components.panel_bridge import SceneView
-from components.scene_sheet import sheet_address, sheet_json
 from components.scenes import SCENES
 from components.serving.shell import navigation, page_template, when_open
-from components.session import Publish, Session
+from components.session.opening import opened
+from components.session.panel_bridge import SceneView
+from components.session.session import Publish, Session
+from components.state.link import read_query
+from components.state.scene_sheet import sheet_address, sheet_json
+from components.state.wire import on_page
 from components.walks import Query, Walks
 from components.walks.apart import Apart, work
 from components.walks.cards import walk_file
 from components.walks.links import read_link
 from components.walks.registry import all_walks, asked_step
-from components.wire import on_page
 from physics.accuracy_worker import restrain
 
 pn.config.browser_info = False

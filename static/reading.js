@@ -4,7 +4,7 @@ import {element, long, set, svg, unitSize} from "./dom.js"
 import {short} from "./numbers.js"
 import {evaluate} from "./signals.js"
 
-const STEPS = 2 ** 16 - 1 // of three heights of the frame, in which columns are sent: components/encoding.py
+const STEPS = 2 ** 16 - 1 // of three heights of the frame, in which columns are sent: components/state/encoding.py
 const PRESSED = "button, .pill, .flag, .cover"
 
 export class Reading {

@@ -1,4 +1,4 @@
-// Signals, evaluated from a few scalars at any instant: the browser's half of components/page/signals.py.
+// Signals, evaluated from a few scalars at any instant: the browser's half of components/language/signals.py.
 
 const SERIES = 1 // below this largest angle the power series has every digit, and the closed forms cancel
 const TERMS = 9

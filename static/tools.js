@@ -71,7 +71,7 @@ export class Tools {
 }
 
 /**
- * The number of tables that the CSV export has: several are packed into one ZIP file (components/csv_export.py).
+ * The number of tables that the CSV export has: several are packed into one ZIP file (components/state/csv_export.py).
  * @param {page.PlotBlock[]} blocks @param {Drawn["view"]} view
  */
 function tables(blocks, view) {

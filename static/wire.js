@@ -7,7 +7,7 @@ import {bokeh} from "./bokeh.js"
 /** @type {boolean} whether Bokeh knows the model */
 let defined = false
 
-/** The other half of components/panel_bridge.py. */
+/** The other half of components/session/panel_bridge.py. */
 function define() {
   if (defined) return
   defined = true
@@ -28,7 +28,7 @@ function define() {
   server_event("told")(Told)
   class Wire extends Bokeh.require("model").Model {
     static __name__ = "Wire"
-    static __module__ = "components.panel_bridge"
+    static __module__ = "components.session.panel_bridge"
 
     /** @param {page.Said} message */
     send(message) {

@@ -52,12 +52,14 @@ MUTANTS = (
     ),
     # what a page says and hides
     Mutant(
-        "cover", "components/covers.py",
+        "cover", "components/state/covers.py",
         "for one in hidden for column in one.columns", "for one in () for column in ()",
         "tests/page/test_covers.py",
     ),
-    Mutant("rounding", "components/numbers.py", "{value:.2e}", "{value:.1e}", "tests/components/test_numbers.py"),
-    Mutant("link", "components/link.py", "DIGITS = 4\n", "DIGITS = 2\n", "tests/components/test_let_go.py"),
+    Mutant(
+        "rounding", "components/quantities/numbers.py", "{value:.2e}", "{value:.1e}", "tests/components/test_numbers.py"
+    ),
+    Mutant("link", "components/state/link.py", "DIGITS = 4\n", "DIGITS = 2\n", "tests/components/test_let_go.py"),
     Mutant(
         "answer", "components/walks/content/d31.toml",
         'answer = { is = 2.0, unit = "s"', 'answer = { is = 4.0, unit = "s"',

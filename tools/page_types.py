@@ -1,4 +1,4 @@
-"""Reads the types of components/page as data, for whatever is written from them."""
+"""Reads the types of components/language as data, for whatever is written from them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import Any
 
 import msgspec
 
-PACKAGE = "components.page"
+PACKAGE = "components.language"
 MODULES = (
     "messages",
     "state",

@@ -1,4 +1,4 @@
-"""`python -m tools.protocol` writes docs/protocol.md and types/page.d.ts from the types of components/page."""
+"""`python -m tools.protocol` writes docs/protocol.md and types/page.d.ts from the types of components/language."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from tools.notation import limit, notation
 from tools.page_types import Alias, Chapter, Field, Record, chapters, only_said, said
 
 ROOT = Path(__file__).parents[1]
-WRITTEN = "Written by `make protocol` from components/page; a change there is a change here."
+WRITTEN = "Written by `make protocol` from components/language; a change there is a change here."
 
 
 def page() -> str:
@@ -34,7 +34,7 @@ asked, as a measurement does. What a scene is made of comes once, as its `SceneS
 first picture is in the page itself.
 
 A message of the server is deflated, with the sheet's `usual` text as what it may refer to: a line of JSON and, with a
-`View`, the numbers of its columns and of the runs of its signals, in steps: components/encoding.py.
+`View`, the numbers of its columns and of the runs of its signals, in steps: components/state/encoding.py.
 
 Types are in TypeScript's notation, numbers are doubles. What may be left out has what then stands in its place.
 

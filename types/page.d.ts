@@ -1,4 +1,4 @@
-// Written by `make protocol` from components/page; a change there is a change here.
+// Written by `make protocol` from components/language; a change there is a change here.
 
 declare namespace page {
   type Name = string
@@ -1116,7 +1116,7 @@ declare namespace page {
   /** A number of a shape: fixed, or worked out at every frame. */
   type Number = number | Expression
 
-  /** HTML that components.text made of our own source; live numbers in it are elements with `data-value`. */
+  /** HTML that components.layout.text made of our own source; live numbers in it are elements with `data-value`. */
   type Html = string
 
   /** A piece of a text in a drawing: plain, the symbol of a quantity, its index, or the live number of that name. */

@@ -8,10 +8,10 @@ from math import fsum
 import numpy as np
 from numpy.typing import NDArray
 
-from components.about import CheckedPoint, Place, Table, drift, few, rows
 from components.chain.modes import MODES
 from components.chain.parameters import Pair
-from components.traces import Columns
+from components.scene.about import CheckedPoint, Place, Table, drift, few, rows
+from components.scene.traces import Columns
 from physics.coupled import FreeModes, TwoMassChain
 from physics.energy import chain_energy
 from physics.exact import precise

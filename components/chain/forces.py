@@ -9,14 +9,14 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from components.axes import Axis, nice_axis
 from components.chain.stage import place, side
-from components.motion import derived, scaled
-from components.page.numbers import Number, var
-from components.page.picture import Digits
-from components.page.signals import AnySignal
-from components.stage import Shape, W, arrow, text
-from components.traces import Floats
+from components.language.numbers import Number, var
+from components.language.picture import Digits
+from components.language.signals import AnySignal
+from components.layout.stage import Shape, W, arrow, text
+from components.quantities.axes import Axis, nice_axis
+from components.quantities.motion import derived, scaled
+from components.scene.traces import Floats
 from physics.coupled import Motion, TwoMassChain
 from physics.valid import DOUBLES
 

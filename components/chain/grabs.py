@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Literal
 
-from components.axes import TIME_AXIS
 from components.chain.modes import MODES, directions
 from components.chain.stage import rest
-from components.grabs import at_rest, begin, on_plot
-from components.page.numbers import Number, var
-from components.page.shapes import Along, Begin, Grab, Share, Swung
-from components.stage import W
+from components.language.numbers import Number, var
+from components.language.shapes import Along, Begin, Grab, Share, Swung
+from components.layout.grabs import at_rest, begin, on_plot
+from components.layout.stage import W
+from components.quantities.axes import TIME_AXIS
 from physics.coupled import TwoMassChain
 
 PLACES = (Begin("x1_0", "x1", "x"), Begin("x2_0", "x2", "x"))

@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from components.readouts import Readout
-from components.traces import Columns
+from components.quantities.readouts import Readout
+from components.scene.traces import Columns
 from physics.coupled import TwoMassChain
 
 MODES = ("slow", "fast")

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from components.controls import Group
-from components.page.messages import Onward
-from components.parameters import Quantity, displacement, mass, stiffness, velocity
+from components.language.messages import Onward
+from components.layout.controls import Group
+from components.quantities.parameters import Quantity, displacement, mass, stiffness, velocity
 from physics.coupled import TwoMassChain
 
 Pair = tuple[float, float]

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from components.axes import Axis
 from components.chain.modes import MODES
 from components.chain.parameters import Pair
-from components.motion import rates, sines
-from components.page.signals import AnySignal
-from components.traces import Columns, Floats
+from components.language.signals import AnySignal
+from components.quantities.axes import Axis
+from components.quantities.motion import rates, sines
+from components.scene.traces import Columns, Floats
 from physics.coupled import FreeModes
 from physics.sampling import Sinusoid
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from components.axes import Axis
-from components.motion import round_down, scaled
-from components.numbers import short
-from components.page.numbers import Number, var
-from components.page.shapes import Grab
-from components.stage import LOW, Looks, Shape, W, arrow, box, line, spring, text, wall, wire
-from components.traces import Columns
+from components.language.numbers import Number, var
+from components.language.shapes import Grab
+from components.layout.stage import LOW, Looks, Shape, W, arrow, box, line, spring, text, wall, wire
+from components.quantities.axes import Axis
+from components.quantities.motion import round_down, scaled
+from components.quantities.numbers import short
+from components.scene.traces import Columns
 from physics.coupled import TwoMassChain
 
 Extremes = dict[str, tuple[float, float]]

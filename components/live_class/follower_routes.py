@@ -10,12 +10,12 @@ from time import monotonic, time
 from msgspec.structs import replace
 from tornado.iostream import IOStream, StreamClosedError
 
+from components.language.messages import Given, Taught
+from components.language.room import Entered
 from components.live_class.codes import as_code, is_key
 from components.live_class.context import ClassContext
 from components.live_class.handler import ClassHandler
 from components.live_class.room import LEADERS, ClassRoom, RoomListener, as_event, name_of
-from components.page.messages import Given, Taught
-from components.page.room import Entered
 from components.serving.handlers import RefusedError
 from components.serving.visitors import network_of
 

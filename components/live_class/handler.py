@@ -9,12 +9,12 @@ from typing import Any, TypeVar
 import msgspec
 import segno
 
+from components.language.room import Opened
 from components.live_class.codes import as_code, join_key
 from components.live_class.context import ClassContext
 from components.live_class.registry import ClosedError
 from components.live_class.room import ClassRoom
 from components.live_class.store import AwayError
-from components.page.room import Opened
 from components.serving.handlers import SENTENCES, RefusedError, VisitorHandler
 from components.serving.settings import own_address
 from components.serving.shell import version

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from urllib.parse import unquote
 
+from components.language.room import Order, Tally
 from components.live_class.codes import digest, is_key
 from components.live_class.handler import ClassHandler
 from components.live_class.store import ALONE
 from components.live_class.votes_csv import votes_csv
-from components.page.room import Order, Tally
 from components.serving.handlers import RefusedError
 from components.serving.visitors import network_of
 

@@ -6,10 +6,10 @@ import asyncio
 import logging
 from collections.abc import Callable
 
+from components.language.room import SentPicture
 from components.live_class.registry import ClosedError, Registry
 from components.live_class.store import AwayError, FullError
-from components.page.room import SentPicture
-from components.wire import Packet
+from components.state.wire import Packet
 
 log = logging.getLogger(__name__)
 

@@ -10,10 +10,10 @@ from hashlib import sha256
 import msgspec
 from msgspec.structs import asdict
 
-from components.numbers import excerpt
-from components.page.messages import Given
-from components.page.room import Counted, PutTo
-from components.page.walk import Lesson
+from components.language.messages import Given
+from components.language.room import Counted, PutTo
+from components.language.walk import Lesson
+from components.quantities.numbers import excerpt
 from components.walks import Walks
 from components.walks.apart import Apart, Here, Reading
 from components.walks.cards import place_in_lecture, step_card

@@ -8,14 +8,8 @@ from time import monotonic, time
 
 import msgspec
 
-from components.live_class.codes import digest, is_key, join_key, new_code, new_key
-from components.live_class.pauses import by_and_by
-from components.live_class.question_bank import QuestionBank
-from components.live_class.remotes import decided
-from components.live_class.room import NOTHING_PUT, ClassRoom
-from components.live_class.store import MOST_VOTES, AwayError, Parts, Store
-from components.page.messages import Given
-from components.page.room import (
+from components.language.messages import Given
+from components.language.room import (
     EndRoom,
     HandWalk,
     Order,
@@ -27,6 +21,12 @@ from components.page.room import (
     Tally,
     Withdraw,
 )
+from components.live_class.codes import digest, is_key, join_key, new_code, new_key
+from components.live_class.pauses import by_and_by
+from components.live_class.question_bank import QuestionBank
+from components.live_class.remotes import decided
+from components.live_class.room import NOTHING_PUT, ClassRoom
+from components.live_class.store import MOST_VOTES, AwayError, Parts, Store
 from components.walks.questions.question import Judged
 
 MOST_AHEAD, MOST_BEHIND = 200.0, 5000.0

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import msgspec
 
+from components.language.room import Confirmed, Done, Paired, Ticket
 from components.live_class.codes import as_code, digest, new_key
 from components.live_class.handler import ClassHandler, square
 from components.live_class.remotes import begun, is_in, new_digits, waits
 from components.live_class.room import ClassRoom
-from components.page.room import Confirmed, Done, Paired, Ticket
 from components.serving.handlers import RefusedError
 
 TICKET = 60.0

@@ -10,10 +10,10 @@ from typing import Any, Protocol, TypeVar
 
 import msgspec
 
+from components.language.room import News, PutTo, RunClock, SentPicture
 from components.live_class.question_bank import QuestionBank, ReadWalks
 from components.live_class.remotes import WAITS, waiting
 from components.live_class.store import Parts
-from components.page.room import News, PutTo, RunClock, SentPicture
 from components.walks.walk import Walk
 
 SILENCE = 15.0

@@ -72,7 +72,7 @@ class Ready(Struct, frozen=True, forbid_unknown_fields=True, tag_field="name", t
 
 
 class DataEvent(Struct, frozen=True, forbid_unknown_fields=True, tag_field="name", tag="said"):
-    """A message of our component (components/panel_bridge.py)."""
+    """A message of our component (components/session/panel_bridge.py)."""
 
     class Values(Struct, frozen=True, forbid_unknown_fields=True, tag_field="type", tag="map"):
         entries: tuple[tuple[Literal["model"], ModelReference], tuple[Literal["data"], Level5]]

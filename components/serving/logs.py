@@ -9,7 +9,7 @@ import json
 import logging
 from datetime import UTC, datetime
 
-from components.refusals import Once
+from components.quantities.refusals import Once
 from components.serving.handlers import LectureHandler
 
 log = logging.getLogger(__name__)

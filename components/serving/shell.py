@@ -9,9 +9,9 @@ from bokeh.document import Document
 from jinja2 import Template
 
 from components.scene import Scene
-from components.scene_sheet import sheet_address
 from components.serving.assets import folder_of, library_files, static_files
 from components.serving.handlers import templates
+from components.state.scene_sheet import sheet_address
 
 
 @cache

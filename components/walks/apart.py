@@ -11,9 +11,9 @@ from typing import BinaryIO, Protocol, TypeAlias
 import msgspec
 from msgspec import Struct
 
-from components.page.messages import Given, Taught
-from components.page.walk import WalkSheet
-from components.refusals import SORRY, report
+from components.language.messages import Given, Taught
+from components.language.walk import WalkSheet
+from components.quantities.refusals import SORRY, report
 from components.walks import Walks
 from components.walks.cards import walk_sheet
 from components.walks.checking import problems

@@ -7,8 +7,8 @@ from hashlib import sha256
 
 import msgspec
 
-from components.page.walk import StepCard, WalkSheet
-from components.text import rich
+from components.language.walk import StepCard, WalkSheet
+from components.layout.text import rich
 from components.walks.links import Scenes, answer_state, opening_state
 from components.walks.subject import Subject
 from components.walks.texts import FORMULA

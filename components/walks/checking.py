@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from functools import partial
 
-from components.covers import coverable
-from components.numbers import excerpt
-from components.text import rich
+from components.layout.text import rich
+from components.quantities.numbers import excerpt
+from components.state.covers import coverable
 from components.walks.links import Scenes, standing_at
 from components.walks.questions.question import refused
 from components.walks.subject import Subject

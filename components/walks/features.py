@@ -13,11 +13,11 @@ from typing import ClassVar, Literal, NamedTuple, TypeAlias
 import numpy as np
 from msgspec import field
 
-from components.axes import Axis
-from components.numbers import short
-from components.page.walk import Finding
-from components.text import rich
-from components.traces import Floats
+from components.language.walk import Finding
+from components.layout.text import rich
+from components.quantities.axes import Axis
+from components.quantities.numbers import short
+from components.scene.traces import Floats
 from components.walks.sketch import FEWEST, Sketch, crossings, upward
 from components.walks.subject import PlotAxes, place_of
 from components.walks.types import Above0, Entry

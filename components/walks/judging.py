@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from components.numbers import excerpt
-from components.page.messages import Given, Taught
+from components.language.messages import Given, Taught
+from components.quantities.numbers import excerpt
 from components.walks import Walks
 from components.walks.links import Scenes
 from components.walks.subject import Subject

@@ -7,11 +7,11 @@ from urllib.parse import parse_qs
 
 from msgspec.structs import replace
 
-from components.link import Link, read_query
-from components.page.state import State
+from components.language.state import State
 from components.scene import Scene
-from components.standing import Standing, standing_in
-from components.states import state_in, strange_axes, strange_curves
+from components.state.link import Link, read_query
+from components.state.standing import Standing, standing_in
+from components.state.states import state_in, strange_axes, strange_curves
 from components.walks.types import BaseStep
 
 Scenes = Mapping[str, type[Scene]]

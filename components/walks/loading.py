@@ -10,8 +10,8 @@ from typing import Any
 
 import msgspec
 
-from components.numbers import excerpt
-from components.typed import typed_number
+from components.quantities.numbers import excerpt
+from components.quantities.typed import typed_number
 from components.walks.walk import Step, Walk
 
 OWN = Path(__file__).parent / "content"

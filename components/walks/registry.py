@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from itertools import islice
 from pathlib import Path
 
-from components.numbers import excerpt
+from components.quantities.numbers import excerpt
 from components.walks import Query, Walks
 from components.walks.checking import problems
 from components.walks.links import Scenes

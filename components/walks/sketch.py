@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from components.traces import Floats
+from components.scene.traces import Floats
 
 SLACK = 0.03  # of the frame's width, by which a drawing may fall short of its edges
 FEWEST = 2  # points of a curve

@@ -10,13 +10,13 @@ import numpy as np
 from msgspec.structs import replace
 from scipy.interpolate import CubicSpline
 
-from components.axes import Axis
-from components.covers import without
-from components.page.blocks import PlotBlock
-from components.page.messages import HEIGHTS, Sketched
-from components.page.state import State
-from components.scene_sheet import plots
-from components.standing import Standing
+from components.language.blocks import PlotBlock
+from components.language.messages import HEIGHTS, Sketched
+from components.language.state import State
+from components.quantities.axes import Axis
+from components.state.covers import without
+from components.state.scene_sheet import plots
+from components.state.standing import Standing
 from components.walks.links import Scenes, answer_state, standing_at, state_of_link
 from components.walks.sketch import Ranges, Sketch, sketch
 from components.walks.types import BaseStep

@@ -6,8 +6,8 @@ import re
 from collections.abc import Iterator
 from itertools import pairwise
 
-from components.page.text import Html
-from components.text import mathml
+from components.language.text import Html
+from components.layout.text import mathml
 
 FORMULA = re.compile(r"\$([^$]+)\$")
 LIVE = re.compile(r"(?<!_)(?<!\\val)\{(\w+)\}")

@@ -1,5 +1,5 @@
-// "About these numbers", folded away until asked for: what components/about.py knows of the errors of what is drawn.
-// Asked again a moment after a change, while it is open.
+// "About these numbers", folded away until asked for: what components/scene/about.py knows of the errors of what is
+// drawn. Asked again a moment after a change, while it is open.
 
 import {element, marked} from "../dom.js"
 

@@ -5,7 +5,7 @@ import {short} from "../numbers.js"
 import {evaluate} from "../signals.js"
 import {indexed, plain} from "./plain.js"
 
-const STEPS = 2 ** 16 - 1 // of three heights of the frame, in which columns are sent: components/encoding.py
+const STEPS = 2 ** 16 - 1 // of three heights of the frame, in which columns are sent: components/state/encoding.py
 const BEYOND = "outside the frame"
 const HALVINGS = 40 // of the way between two points, in which a curve turns
 const ROWS = 25 // of a table: enough to follow a curve by ear

@@ -5,7 +5,7 @@ import {Dots} from "./dots.js"
 import {answerIn, labelled, text} from "./fields.js"
 import {Question, mark} from "./question.js"
 
-const LONGEST = 60 // characters: components/page/messages.py
+const LONGEST = 60 // characters: components/language/messages.py
 
 export class Numeric extends Question {
   static label = "Number"

@@ -9,7 +9,7 @@ import {mark} from "./question.js"
 const COLUMNS = 200 // across the frame
 const SLACK = 12 // units around the frame that a hand may go to
 const STEP = 0.02 // of the frame, by an arrow key with Shift
-const SENT = 101 // heights of a curve, as it is sent: components/page/messages.py
+const SENT = 101 // heights of a curve, as it is sent: components/language/messages.py
 
 export class Pad {
   /** @type {Map<string, (number | null)[]>} heights by curve */

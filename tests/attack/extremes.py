@@ -9,9 +9,9 @@ import param
 from hypothesis import strategies as st
 from hypothesis.strategies import SearchStrategy
 
-from components.choices import options, word
-from components.numbers import shortest
-from components.parameters import Quantity
+from components.layout.choices import options, word
+from components.quantities.numbers import shortest
+from components.quantities.parameters import Quantity
 from components.scene import Scene
 from components.scenes import SCENES
 

@@ -8,11 +8,11 @@ from typing import Any
 from hypothesis import HealthCheck, Phase, given, seed, settings
 from playwright.sync_api import Page, sync_playwright
 
-from components.link import Link
-from components.opening import opened
 from components.scene import Scene
 from components.scenes import SCENES
-from components.standing import fitted
+from components.session.opening import opened
+from components.state.link import Link
+from components.state.standing import fitted
 from tests.attack.extremes import Values, values
 from tests.attack.finding import Finding
 from tests.browser.chromium import find

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from components.link import Link
 from components.scene import Scene
 from components.scenes import SCENES
+from components.state.link import Link
 from tests.attack.__main__ import hunt
 from tests.attack.extremes import Message, Values, messages, queries, values
 from tests.attack.visit import Visit, follow, visit

@@ -10,12 +10,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from components.link import Link
-from components.opening import opened
-from components.refusals import SORRY
+from components.quantities.refusals import SORRY
 from components.scenes import SCENES
 from components.serving.apart import ReadingProcess
-from components.session import ONE_AT_A_TIME, Session
+from components.session.opening import opened
+from components.session.session import ONE_AT_A_TIME, Session
+from components.state.link import Link
 from components.walks.apart import Errand, Replied
 from physics import exact, sinusoids, transient
 from physics.transient import DampedModes

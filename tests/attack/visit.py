@@ -7,10 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from components.link import Link, read_query
-from components.opening import opened
-from components.refusals import LINK_LOST, SORRY
+from components.quantities.refusals import LINK_LOST, SORRY
 from components.scenes import SCENES
+from components.session.opening import opened
+from components.state.link import Link, read_query
 from tests.attack.extremes import Message, Values
 from tests.page.told import unpacked
 from tests.scenes.checks import as_arguments, check_picture

@@ -22,8 +22,8 @@ import panel as pn
 from bokeh.document import Document
 from bokeh.models import Model
 
-from components import plots, text
-from components.controls import settings
+from components.layout import plots, text
+from components.layout.controls import settings
 from components.scenes import SCENES
 from components.serving.assets import STATIC, static_files
 from components.serving.scripts import FIRST

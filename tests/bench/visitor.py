@@ -104,7 +104,7 @@ class Visitor:
         await asyncio.wait_for(welcome, PATIENCE)
         document = await self._pull()
         models = {model["name"]: model["id"] for model in _models(document["roots"])}
-        self._view = models.get("components.panel_bridge.Wire", "")
+        self._view = models.get("components.session.panel_bridge.Wire", "")
         if info := models.get("panel.models.browser.BrowserInfo"):
             for name, value in ABOUT.items():
                 await self._patch({"kind": "ModelChanged", "model": {"id": info}, "attr": name, "new": value})

@@ -8,15 +8,15 @@ from typing import Any, ClassVar
 from msgspec import to_builtins
 from playwright.sync_api import Page, Route
 
-from components.controls import Group
-from components.controls import panel as described
-from components.frames import FITTED
-from components.page.blocks import Block
-from components.page.state import Frame
-from components.parameters import displacement, mass, stiffness
+from components.language.blocks import Block
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.layout.controls import panel as described
+from components.layout.sheet import column
+from components.quantities.parameters import displacement, mass, stiffness
 from components.scene import Picture, Scene
+from components.scene.frames import FITTED
 from components.serving.assets import TYPES, static_files, written_files
-from components.sheet import column
 from tests.page.told import Page as Told
 
 HTML = """<!DOCTYPE html><html lang="en"><title>Controls</title>

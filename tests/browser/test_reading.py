@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterator
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from components.encoding import COARSE
-from components.numbers import short
+from components.quantities.numbers import short
 from components.scenes import SCENES
+from components.state.encoding import COARSE
 from tests.browser.script_page import Scripts
 from tests.page.playing import played
 

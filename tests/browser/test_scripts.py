@@ -15,8 +15,8 @@ from mpmath import mp, mpf
 from msgspec import to_builtins
 from playwright.sync_api import Browser
 
-from components.page.numbers import Expression, Product
-from components.page.signals import AnySignal, CosineOf, Derived, Response, Responses, Sampled, Sine, SineOf, Sines
+from components.language.numbers import Expression, Product
+from components.language.signals import AnySignal, CosineOf, Derived, Response, Responses, Sampled, Sine, SineOf, Sines
 from components.scenes import SCENES
 from tests.browser.script_page import Scripts
 from tests.page.playing import played

@@ -15,9 +15,9 @@ import pandas as pd
 import pytest
 from playwright.sync_api import Download, Page, expect
 
-from components.csv_export import as_file
 from components.scenes import SCENES
-from components.standing import fitted
+from components.state.csv_export import as_file
+from components.state.standing import fitted
 from tests.browser.waiting import seek
 
 pytestmark = pytest.mark.browser

@@ -8,7 +8,7 @@ import param
 
 from components.scene import Scene
 from components.scenes import SCENES
-from components.standing import fitted
+from components.state.standing import fitted
 from tests.grids import WHOLE
 
 

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from components.axes import log_axis
-from components.numbers import parse_number
+from components.quantities.axes import log_axis
+from components.quantities.numbers import parse_number
 
 
 @given(st.floats(-300, 300), st.floats(0.05, 20), st.integers(3, 6))

@@ -9,12 +9,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from components.controls import Group, control, panel, settings
-from components.frames import FITTED
-from components.page.blocks import Block, Option
-from components.page.controls import ChoiceRow, PresetButton, Setting, SliderRow
-from components.page.state import Frame
-from components.parameters import (
+from components.language.blocks import Block, Option
+from components.language.controls import ChoiceRow, PresetButton, Setting, SliderRow
+from components.language.state import Frame
+from components.layout.controls import Group, control, panel, settings
+from components.layout.sheet import column
+from components.quantities.parameters import (
     Quantity,
     angular_frequency,
     displacement,
@@ -25,7 +25,7 @@ from components.parameters import (
     velocity,
 )
 from components.scene import Picture, Scene
-from components.sheet import column
+from components.scene.frames import FITTED
 from tests.page.told import apply_message, take_preset
 from tests.scenes.checks import solves
 

@@ -10,13 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as arrays
 
-from components.axes import Axis
-from components.encoding import COARSE, span, steps, view_of
-from components.page.messages import File
-from components.page.picture import Ruler
-from components.page.signals import Sampled
-from components.picture import Picture
-from components.wire import packed
+from components.language.messages import File
+from components.language.picture import Ruler
+from components.language.signals import Sampled
+from components.quantities.axes import Axis
+from components.scene.picture import Picture
+from components.state.encoding import COARSE, span, steps, view_of
+from components.state.wire import packed
 from tests.page.scripts import unpacked
 
 AXES = {"x": "x", "w": "x"}

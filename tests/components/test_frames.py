@@ -12,11 +12,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from components.axes import nice_axis
-from components.frames import FITTED, checked, grown, unfitted
-from components.page.state import Frame, State
-from components.picture import draw, frame_of
+from components.language.state import Frame, State
+from components.quantities.axes import nice_axis
 from components.scene import Picture, Scene
+from components.scene.frames import FITTED, checked, grown, unfitted
+from components.scene.picture import draw, frame_of
 from components.scenes import SCENES
 from tests.page.playing import played
 from tests.page.told import Page

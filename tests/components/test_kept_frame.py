@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from components.axes import TIME_AXIS, ordered
-from components.choices import stated
-from components.page.state import Frame
-from components.picture import draw, frame_of
+from components.language.state import Frame
+from components.layout.choices import stated
+from components.quantities.axes import TIME_AXIS, ordered
 from components.scene import Picture, Scene
+from components.scene.picture import draw, frame_of
 from components.scenes import SCENES
 from tests.grids import WHOLE
 from tests.page.told import Page

@@ -11,14 +11,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 from msgspec.structs import replace
 
-from components.axes import TIME_AXIS, Axis, nice_axis, widest
-from components.frames import FITTED, loosened, unfitted
-from components.link import read_query
-from components.opening import opened
-from components.page.state import Frame
-from components.picture import frame_of
+from components.language.state import Frame
+from components.quantities.axes import TIME_AXIS, Axis, nice_axis, widest
 from components.scene import Picture
+from components.scene.frames import FITTED, loosened, unfitted
+from components.scene.picture import frame_of
 from components.scenes import SCENES
+from components.session.opening import opened
+from components.state.link import read_query
 from tests.page.told import Page
 from tests.scenes.checks import as_arguments, quantities
 

@@ -8,14 +8,14 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from components.frames import FITTED
-from components.link import MOST_PROBLEMS, read_query
-from components.page.blocks import Block
-from components.page.state import Frame
-from components.parameters import displacement, mass, positive, stiffness
+from components.language.blocks import Block
+from components.language.state import Frame
+from components.layout.sheet import column
+from components.quantities.parameters import displacement, mass, positive, stiffness
 from components.scene import Picture, Scene
-from components.sheet import column
-from components.standing import fitted
+from components.scene.frames import FITTED
+from components.state.link import MOST_PROBLEMS, read_query
+from components.state.standing import fitted
 
 
 class First(Scene):

@@ -8,7 +8,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from components.numbers import at_tick, excerpt, parse_number, power_unit, short, shortest, signed, three, tidy
+from components.quantities.numbers import (
+    at_tick,
+    excerpt,
+    parse_number,
+    power_unit,
+    short,
+    shortest,
+    signed,
+    three,
+    tidy,
+)
 from tests.serving.server import ROOT
 
 TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))

@@ -11,17 +11,17 @@ from urllib.parse import parse_qs
 import numpy as np
 import pytest
 
-from components.frames import FITTED
-from components.link import Link, read_query
-from components.opening import opened
-from components.page.blocks import Block
-from components.page.state import Frame
-from components.parameters import stiffness
-from components.refusals import BEYOND, LINK_LOST, SORRY, Once, in_words
+from components.language.blocks import Block
+from components.language.state import Frame
+from components.layout.sheet import column
+from components.quantities.parameters import stiffness
+from components.quantities.refusals import BEYOND, LINK_LOST, SORRY, Once, in_words
 from components.scene import Picture, Scene
+from components.scene.frames import FITTED
 from components.scenes import SCENES
-from components.sheet import column
-from components.standing import with_values
+from components.session.opening import opened
+from components.state.link import Link, read_query
+from components.state.standing import with_values
 from tests.page.told import Page, unpacked
 from tests.scenes.checks import EXTREME_LINKS
 
@@ -133,7 +133,7 @@ def test_a_link_that_is_refused_says_why(value: float) -> None:
 
 
 def test_the_log_is_told_of_each_place_once(caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch) -> None:
-    log = logging.getLogger("components.refusals")
+    log = logging.getLogger("components.quantities.refusals")
     monkeypatch.setattr(log, "filters", [Once()])
     page = Page(Faulty())
     for number in range(6):

@@ -9,9 +9,9 @@ from html import unescape
 import pytest
 from fontTools.ttLib import TTFont
 
-from components.scene_sheet import sheet_json
+from components.layout.text import _SENTENCES, _SHORT, kept, mathml, rich
 from components.scenes import SCENES
-from components.text import _SENTENCES, _SHORT, kept, mathml, rich
+from components.state.scene_sheet import sheet_json
 from tests.tooling.math_font import FONT
 
 

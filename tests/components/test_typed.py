@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from components.measures import measure
-from components.numbers import parse_number, tidy
-from components.parameters import Quantity
+from components.quantities.measures import measure
+from components.quantities.numbers import parse_number, tidy
+from components.quantities.parameters import Quantity
+from components.quantities.typed import typed_number
 from components.scenes import SCENES
-from components.typed import typed_number
 
 UNITS = sorted({q.unit for scene in SCENES.values() for q in scene.param.objects().values() if isinstance(q, Quantity)})
 OWN_UNITS = {"v₀"}

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from components.controls import control, settings
-from components.page.controls import Setting, SliderRow
-from components.scene_sheet import scene_sheet
+from components.language.controls import Setting, SliderRow
+from components.layout.controls import control, settings
+from components.quantities.units import Unit
 from components.scenes.phugoid import Phugoid
-from components.units import Unit
+from components.state.scene_sheet import scene_sheet
 from tests.page.told import apply_message
 
 FOOT_PER_SECOND, KNOT = Unit("ft/s", 0.3048), Unit("knots", 1852 / 3600)

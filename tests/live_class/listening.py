@@ -7,8 +7,8 @@ from collections.abc import Callable
 
 import msgspec
 
+from components.language.room import News
 from components.live_class.question_bank import QuestionBank
-from components.page.room import News
 from components.scenes import SCENES
 from components.walks.registry import all_walks
 

@@ -9,6 +9,8 @@ from time import monotonic, time
 import msgspec
 import pytest
 
+from components.language.messages import Given
+from components.language.room import PutQuestion, RunClock, SentPicture
 from components.live_class import publisher
 from components.live_class import room as room_of
 from components.live_class.publisher import Publisher
@@ -16,11 +18,9 @@ from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import KEPT, ClassRoom
 from components.live_class.store import AwayError, FullError, MemoryStore, Parts
 from components.live_class.upkeep import Upkeep
-from components.page.messages import Given
-from components.page.room import PutQuestion, RunClock, SentPicture
 from components.scenes import SCENES
-from components.session import Session
-from components.standing import fitted
+from components.session.session import Session
+from components.state.standing import fitted
 from tests.live_class.listening import BANK, CHOICE, Listener, until
 
 CLOCK = RunClock(t=1.0, rate=0.0, end=20.0, at=0.0)

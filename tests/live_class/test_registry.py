@@ -9,16 +9,8 @@ from time import time
 import msgspec
 import pytest
 
-from components.live_class import pauses, question_bank
-from components.live_class import registry as registry_of
-from components.live_class import room as room_of
-from components.live_class.codes import SIGNS, Tokens, as_code, new_code
-from components.live_class.registry import ClosedError, Registry
-from components.live_class.room import ClassRoom
-from components.live_class.upkeep import Upkeep
-from components.live_class.votes_csv import cell, votes_csv
-from components.page.messages import Given
-from components.page.room import (
+from components.language.messages import Given
+from components.language.room import (
     EndRoom,
     HandWalk,
     PutQuestion,
@@ -29,6 +21,14 @@ from components.page.room import (
     Tally,
     Withdraw,
 )
+from components.live_class import pauses, question_bank
+from components.live_class import registry as registry_of
+from components.live_class import room as room_of
+from components.live_class.codes import SIGNS, Tokens, as_code, new_code
+from components.live_class.registry import ClosedError, Registry
+from components.live_class.room import ClassRoom
+from components.live_class.upkeep import Upkeep
+from components.live_class.votes_csv import cell, votes_csv
 from components.walks.loading import read_walk
 from components.walks.questions import sketch
 from components.walks.questions.sketch import SketchStep

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from components.page.blocks import PlotBlock, StageBlock
-from components.page.picture import Ruler
-from components.page.shapes import AnyShape, AnyWay, Box, Grab, Quotient, Share, Stretch, Swung, Turn
+from components.language.blocks import PlotBlock, StageBlock
+from components.language.picture import Ruler
+from components.language.shapes import AnyShape, AnyWay, Box, Grab, Quotient, Share, Stretch, Swung, Turn
 from components.scene import Scene
-from components.scene_sheet import blocks
-from components.standing import Standing, with_values
+from components.state.scene_sheet import blocks
+from components.state.standing import Standing, with_values
 from tests.page.playing import number, played
 
 WIDTH, HEIGHT = 640.0, 240.0

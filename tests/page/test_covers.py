@@ -10,9 +10,9 @@ import pytest
 from playwright.sync_api import Page as BrowserPage
 from playwright.sync_api import expect
 
-from components.covers import PLOT, VALUE
-from components.scene_sheet import plots
 from components.scenes import SCENES
+from components.state.covers import PLOT, VALUE
+from components.state.scene_sheet import plots
 from tests.page.told import Page
 
 scenes = pytest.mark.parametrize("slug", SCENES)

@@ -8,14 +8,14 @@ import msgspec
 import numpy as np
 import pytest
 
-from components.axes import TIME_AXIS
-from components.encoding import COARSE, span
-from components.link import read_query
-from components.opening import opened
-from components.page.state import State
-from components.picture import frame_of
-from components.scene_sheet import column_axes
+from components.language.state import State
+from components.quantities.axes import TIME_AXIS
+from components.scene.picture import frame_of
 from components.scenes import SCENES
+from components.session.opening import opened
+from components.state.encoding import COARSE, span
+from components.state.link import read_query
+from components.state.scene_sheet import column_axes
 from tests.page.told import Page, change, put, unpacked
 from tests.scenes.checks import as_arguments, moved
 

@@ -13,7 +13,7 @@ import pytest
 from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.accuracy.recorded import recorded
-from components.standing import fitted
+from components.state.standing import fitted
 from physics.accuracy import SYSTEMS
 from tests.page.names import Names, missing, names
 

@@ -11,13 +11,13 @@ import msgspec
 import numpy as np
 import pytest
 
-from components.csv_export import tables
-from components.link import read_query
-from components.numbers import three
-from components.opening import opened
+from components.quantities.numbers import three
 from components.scene import Scene
 from components.scenes import SCENES
-from components.wire import as_json
+from components.session.opening import opened
+from components.state.csv_export import tables
+from components.state.link import read_query
+from components.state.wire import as_json
 from tests.page.told import Page, change, put
 from tests.scenes.checks import as_arguments, moved, quantities
 

@@ -1,4 +1,4 @@
-"""docs/protocol.md and the browser's types say what the types of components/page say."""
+"""docs/protocol.md and the browser's types say what the types of components/language say."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-import components.page
+import components.language
 from tools import page_types
 from tools.notation import limit, notation
 from tools.protocol import FILES
@@ -21,7 +21,7 @@ def test_what_is_written_is_current(path: Path) -> None:
 
 
 def test_every_module_is_written_of() -> None:
-    assert {module.name for module in pkgutil.iter_modules(components.page.__path__)} == set(page_types.MODULES)
+    assert {module.name for module in pkgutil.iter_modules(components.language.__path__)} == set(page_types.MODULES)
 
 
 def test_no_two_types_share_a_name() -> None:

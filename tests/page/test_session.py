@@ -10,16 +10,16 @@ import param
 import pytest
 from msgspec.structs import replace
 
-from components.axes import TIME_AXIS
-from components.covers import coverable
-from components.link import read_query
-from components.opening import opened
-from components.page.state import State
-from components.picture import draw
+from components.language.state import State
+from components.quantities.axes import TIME_AXIS
 from components.scene import Scene
-from components.scene_sheet import sheet_address
+from components.scene.picture import draw
 from components.scenes import SCENES
-from components.standing import fitted
+from components.session.opening import opened
+from components.state.covers import coverable
+from components.state.link import read_query
+from components.state.scene_sheet import sheet_address
+from components.state.standing import fitted
 from tests.page.told import Page, unpacked
 from tests.scenes.checks import as_arguments, quantities
 

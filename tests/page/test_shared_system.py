@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from components.link import read_query
-from components.opening import opened
 from components.scenes import SCENES
+from components.session.opening import opened
+from components.state.link import read_query
 from tests.page.told import Page, change, put
 from tests.scenes.checks import as_arguments
 

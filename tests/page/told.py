@@ -6,17 +6,17 @@ from typing import Any
 
 import msgspec
 
-from components.commands import Command, Errors, RefusalError, asked_values, refusal
-from components.controls import panel
-from components.encoding import view_of
-from components.page.messages import ToldAny
-from components.page.picture import View
+from components.language.messages import ToldAny
+from components.language.picture import View
+from components.layout.controls import panel
 from components.scene import Picture, Scene
-from components.scene_sheet import column_axes, sheet_address, usual
 from components.scenes import SCENES
-from components.session import Session
-from components.standing import Standing, fitted
-from components.wire import Packet, as_json, decoded, packed
+from components.session.session import Session
+from components.state.commands import Command, Errors, RefusalError, asked_values, refusal
+from components.state.encoding import view_of
+from components.state.scene_sheet import column_axes, sheet_address, usual
+from components.state.standing import Standing, fitted
+from components.state.wire import Packet, as_json, decoded, packed
 from tests.page import scripts
 
 

@@ -11,10 +11,10 @@ from urllib.parse import parse_qs
 
 import numpy as np
 
-from components.parameters import Quantity
+from components.quantities.parameters import Quantity
 from components.scene import Picture, Scene
-from components.standing import Standing
-from components.traces import Columns
+from components.scene.traces import Columns
+from components.state.standing import Standing
 from tests.grids import WHOLE
 from tests.page.told import picture_wire
 

@@ -15,9 +15,9 @@ import msgspec
 import numpy as np
 import pytest
 
-from components.about import NO_BAND, SHARES, About, CheckedPoint, Table, about_numbers, bounded, digits, drift
-from components.numbers import parse_number
+from components.quantities.numbers import parse_number
 from components.scene import Scene
+from components.scene.about import NO_BAND, SHARES, About, CheckedPoint, Table, about_numbers, bounded, digits, drift
 from components.scenes import SCENES
 from physics.reference import Point
 from tests.page.told import Page

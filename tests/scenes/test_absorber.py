@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from components.axes import nice_axis
-from components.page.signals import AnySignal, Responses
+from components.language.signals import AnySignal, Responses
+from components.quantities.axes import nice_axis
 from components.scenes.absorber import Absorber
 from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.played import _tables

@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from components.link import read_query
 from components.scenes import SCENES
 from components.scenes.analogues import Analogues
 from components.scenes.analogues.reach import REACHES, REMARKS
-from components.standing import fitted
+from components.state.link import read_query
+from components.state.standing import fitted
 from physics.analogues import ANALOGUES
 from tests.page.playing import played
 from tests.page.told import apply_message

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from components.commands import sentence
 from components.scenes.analogues import Analogues
 from components.scenes.analogues.controls import LINEAR, SWINGING
 from components.scenes.energy import Energy
 from components.scenes.oscillator import OscillatorScene
 from components.scenes.phugoid import Phugoid
+from components.state.commands import sentence
 from physics.analogues import ANALOGUES
 from tests.page.playing import played
 from tests.scenes.said import Draw, said, sentences

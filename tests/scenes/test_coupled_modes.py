@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from components.chain import of_scene as chain_of
-from components.link import read_query
-from components.opening import opened
 from components.scenes import SCENES
 from components.scenes.coupled.starting import motion
+from components.session.opening import opened
+from components.state.link import read_query
 from physics.coupled import TwoMassChain, free_modes
 from physics.modal_start import amplitudes_and_phases, modes_given, start_given
 from tests.page.hand import Hand, grabs, sets

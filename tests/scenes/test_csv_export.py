@@ -18,13 +18,13 @@ import param
 import pytest
 
 from components.chain import of_scene
-from components.csv_export import as_csv, tables
-from components.csv_export import comments as comments_of
-from components.link import read_query
 from components.scene import Scene
-from components.scene_sheet import plots
 from components.scenes import SCENES
-from components.standing import fitted
+from components.state.csv_export import as_csv, tables
+from components.state.csv_export import comments as comments_of
+from components.state.link import read_query
+from components.state.scene_sheet import plots
+from components.state.standing import fitted
 from tests.grids import sample
 from tests.page.told import Page, put
 from tests.scenes.checks import as_arguments, quantities

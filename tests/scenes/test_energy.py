@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from components.link import read_query
 from components.scenes import SCENES
 from components.scenes.energy import Energy
 from components.scenes.energy.hanging import PLANETS
-from components.standing import fitted
+from components.state.link import read_query
+from components.state.standing import fitted
 from tests.page.playing import played
 from tests.page.told import apply_message, take_preset
 from tests.scenes.checks import check_picture, corners, typed

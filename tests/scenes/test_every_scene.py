@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from components.axes import TIME_AXIS
-from components.encoding import COARSE, span
-from components.link import read_query
+from components.quantities.axes import TIME_AXIS
 from components.scene import Scene
-from components.scene_sheet import column_axes
 from components.scenes import SCENES
-from components.standing import fitted
+from components.state.encoding import COARSE, span
+from components.state.link import read_query
+from components.state.scene_sheet import column_axes
+from components.state.standing import fitted
 from tests.page.told import Page, apply_message, take_preset
 from tests.scenes.checks import as_arguments, check_picture, corners, quantities, solves, typed
 

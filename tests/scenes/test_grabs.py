@@ -10,12 +10,12 @@ import param
 import pytest
 
 from components.chain import START
-from components.page.shapes import AnyShape, Grab
-from components.picture import frame_of
+from components.language.shapes import AnyShape, Grab
 from components.scene import Scene
+from components.scene.picture import frame_of
 from components.scenes import SCENES
 from components.scenes.coupled.starting import BY_MODES
-from components.standing import fitted
+from components.state.standing import fitted
 from physics.analogues import ANALOGUES
 from tests.page.hand import Hand, grabs, sets
 from tests.page.told import Page

@@ -8,10 +8,10 @@ import random
 import numpy as np
 import pytest
 
-from components.link import read_query
 from components.scenes import SCENES
 from components.scenes.modes import VIEWS, ModesScene
-from components.standing import fitted
+from components.state.link import read_query
+from components.state.standing import fitted
 from tests.page.told import apply_message, take_preset
 from tests.scenes.checks import check_picture
 

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from components.link import read_query
 from components.scenes import SCENES
 from components.scenes.oscillator import OscillatorScene
-from components.standing import fitted
+from components.state.link import read_query
+from components.state.standing import fitted
 from tests.page.playing import played, value_of
 from tests.page.told import apply_message, take_preset
 from tests.scenes.checks import check_picture

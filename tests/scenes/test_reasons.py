@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 import physics
-from components.commands import sentence
+from components.state.commands import sentence
 from physics.valid import DOUBLES
 
 ROOT = Path(physics.__file__).parent

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from components.axes import TIME_AXIS
+from components.quantities.axes import TIME_AXIS
 from components.scene import Picture
-from components.scene_sheet import column_axes, plots
 from components.scenes import SCENES
+from components.state.scene_sheet import column_axes, plots
 from tests.page.told import picture_wire
 
 NEAR = {"analogues": 1e-7, "absorber": 1e-7, "phugoid": 1e-6}

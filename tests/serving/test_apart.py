@@ -7,13 +7,13 @@ from concurrent.futures import Future
 
 import pytest
 
-from components.page.messages import Given
+from components.language.messages import Given
 from components.scenes import SCENES
 from components.serving.apart import BUSY, GONE, SHARED, WAITING, ReadingProcess
-from components.session import ONE_AT_A_TIME, Session
-from components.standing import fitted
+from components.session.session import ONE_AT_A_TIME, Session
+from components.state.standing import fitted
+from components.state.wire import Packet
 from components.walks.apart import TOO_LONG, Errand, Reading, Replied, Teaching
-from components.wire import Packet
 from tests.page.told import unpacked
 
 MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'

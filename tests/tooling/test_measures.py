@@ -123,3 +123,9 @@ def test_the_glossary_has_the_word_of_every_name() -> None:
     assert len(found) > 300
     words = {one: {one.lower(), re.findall("[A-Z]?[a-z]+|[A-Z]+", one)[-1].lower()} for one in found}
     assert {one for one in found if not {word.removesuffix("s") for word in words[one]} & known} == set()
+
+
+def test_what_is_in_components_stands_in_a_room() -> None:
+    """A folder is a subject, and hardly a file stands beside them."""
+    flat = [path.stem for path in (ROOT / "components").glob("*.py") if path.stem != "__init__"]
+    assert flat == ["processes"]

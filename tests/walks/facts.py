@@ -7,7 +7,7 @@ import math
 from scipy.optimize import brentq
 
 from components.scenes import SCENES
-from components.standing import Standing
+from components.state.standing import Standing
 from components.walks.links import standing_at
 from physics.coupled import TwoMassChain, free_modes
 from physics.hanging import HangingMass

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from components.page.messages import HEIGHTS, Sketched
+from components.language.messages import HEIGHTS, Sketched
 from components.scenes import SCENES
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject, Traced, number_at, place_of

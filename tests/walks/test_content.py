@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from components.numbers import three
-from components.page.messages import Given
+from components.language.messages import Given
+from components.layout.text import rich
+from components.quantities.numbers import three
 from components.scenes import SCENES
-from components.text import rich
 from components.walks.checking import problems
 from components.walks.features import Period
 from components.walks.links import standing_at

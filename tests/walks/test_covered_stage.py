@@ -7,14 +7,14 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from components.covers import PLOT, STAGE, without
-from components.motion import derived, starts
-from components.page.blocks import StageBlock
-from components.page.shapes import Begin
-from components.page.signals import Derived
-from components.scene_sheet import blocks, plots
+from components.language.blocks import StageBlock
+from components.language.shapes import Begin
+from components.language.signals import Derived
+from components.quantities.motion import derived, starts
 from components.scenes import SCENES
-from components.standing import Standing
+from components.state.covers import PLOT, STAGE, without
+from components.state.scene_sheet import blocks, plots
+from components.state.standing import Standing
 from components.walks.links import standing_at
 from components.walks.loading import load_walks
 from components.walks.walk import Step

@@ -8,8 +8,8 @@ from typing import get_args
 import msgspec
 import pytest
 
+from components.language.messages import Given
 from components.live_class.question_bank import QuestionBank
-from components.page.messages import Given
 from components.scenes import SCENES
 from components.walks.loading import load_walks
 from components.walks.walk import Step

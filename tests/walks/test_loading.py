@@ -9,11 +9,11 @@ from msgspec import to_builtins
 from msgspec.structs import replace
 
 from app import visited
-from components.page.state import Frame
+from components.language.state import Frame
+from components.layout.text import mathml
 from components.scenes import SCENES
-from components.session import Session
-from components.standing import fitted
-from components.text import mathml
+from components.session.session import Session
+from components.state.standing import fitted
 from components.walks.cards import parted, walk_sheet
 from components.walks.checking import problems
 from components.walks.links import standing_at

@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from components.markup import CLASSES, LENGTHS, MATH, NAMES, check_markup
+from components.layout.markup import CLASSES, LENGTHS, MATH, NAMES, check_markup
+from components.layout.text import rich
 from components.scenes import SCENES
-from components.text import rich
 from components.walks.cards import parted, walk_sheet
 from components.walks.checking import problems
 from components.walks.loading import load_walks, read_walk

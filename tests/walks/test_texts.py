@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from components.text import mathml
+from components.layout.text import mathml
 from components.walks.loading import load_walks, steps_of
 from components.walks.texts import line, pieces
 

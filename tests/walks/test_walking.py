@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from app import visited
+from components.language.messages import Given
 from components.live_class.question_bank import QuestionBank
-from components.page.messages import Given
-from components.scene_sheet import plots
 from components.scenes import SCENES
+from components.state.scene_sheet import plots
 from components.walks.cards import walk_sheet
 from components.walks.links import standing_at
 from components.walks.loading import load_walks

@@ -10,16 +10,19 @@ import param
 from msgspec.structs import replace
 
 from components import chain
-from components.about import About
-from components.axes import nice_axis, time_axis
-from components.controls import Group
-from components.frames import FITTED, framed
-from components.motion import pace
-from components.page.blocks import Block
-from components.page.state import Frame
-from components.parameters import Values, angular_frequency, mass, not_negative, one_of, positive, stiffness
-from components.readouts import Readout
+from components.language.blocks import Block
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.layout.sheet import choice, column, desk, row, when, words
+from components.quantities.axes import nice_axis, time_axis
+from components.quantities.motion import pace
+from components.quantities.parameters import Values, angular_frequency, mass, not_negative, one_of, positive, stiffness
+from components.quantities.readouts import Readout
+from components.quantities.units import Unit
 from components.scene import Picture, Scene
+from components.scene.about import About
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Traces
 from components.scenes.absorber import data, drawing
 from components.scenes.absorber.about import absorber_about
 from components.scenes.absorber.duty import Duty
@@ -28,10 +31,7 @@ from components.scenes.absorber.moved import moved, times
 from components.scenes.absorber.played import signals
 from components.scenes.absorber.rest import rest_block, rest_columns, rest_exact
 from components.scenes.absorber.watch import WATCH
-from components.scenes.absorber.words import TASK, sentences
-from components.sheet import choice, column, desk, row, when, words
-from components.traces import Traces
-from components.units import Unit
+from components.scenes.absorber.wording import TASK, sentences
 from physics.absorber import den_hartog, tuned_stiffness
 from physics.forced import antiresonance
 from physics.sampling import periods

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from components.about import NO_BAND, About, bounded, few, rows
 from components.chain.about import FREQUENCY
 from components.scene import Picture
+from components.scene.about import NO_BAND, About, bounded, few, rows
 from components.scenes.absorber.duty import Duty
 from physics.reference import Point
 from physics.reference_single import steady_points, stroke_points

@@ -7,16 +7,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from components.axes import Axis
-from components.motion import round_down
-from components.numbers import short, three
+from components.layout.stage import wire
+from components.quantities.axes import Axis
+from components.quantities.motion import round_down
+from components.quantities.numbers import short, three
+from components.scene.traces import Columns, Floats
 from components.scenes.absorber.duty import AWAY, Duty
 from components.scenes.absorber.moved import FromStart, reach_alone
 from components.scenes.absorber.played import pull
 from components.scenes.absorber.rest import length, rest_texts
-from components.scenes.absorber.words import VERDICTS
-from components.stage import wire
-from components.traces import Columns, Floats
+from components.scenes.absorber.wording import VERDICTS
 from physics.absorber import damped_amplitude, den_hartog, fixed_points, highest_peak
 from physics.absorber_curves import machine_curves
 

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from components.axes import Axis, nice_axis, nice_ticks
 from components.chain.grabs import VELOCITIES
-from components.grabs import begin, grab, linear, on_plot
-from components.page.blocks import Block
-from components.page.numbers import Number, var
-from components.page.plots import Handle, Mark
-from components.page.shapes import Begin, Grab
-from components.plots import Room, curve, plot, region
+from components.language.blocks import Block
+from components.language.numbers import Number, var
+from components.language.plots import Handle, Mark
+from components.language.shapes import Begin, Grab
+from components.layout.grabs import begin, grab, linear, on_plot
+from components.layout.plots import Room, curve, plot, region
+from components.layout.sheet import phrase, stage
+from components.layout.stage import H, Shape, W, arrow, box, circle, line, on_x, on_y, spring, text, wall
+from components.quantities.axes import Axis, nice_axis, nice_ticks
 from components.scenes.absorber.goals import frequencies
-from components.scenes.absorber.words import HELPED, VERDICTS
-from components.sheet import phrase, stage
-from components.stage import H, Shape, W, arrow, box, circle, line, on_x, on_y, spring, text, wall
+from components.scenes.absorber.wording import HELPED, VERDICTS
 
 WALL, REST = 0.024, (0.36, 0.687)
 """Where the wall and the masses at rest stand, as fractions of the stage's width."""

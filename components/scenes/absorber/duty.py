@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from components.chain.parameters import Pair
-from components.numbers import three
-from components.traces import Floats
+from components.quantities.numbers import three
+from components.scene.traces import Floats
 from physics.absorber import Band, alone, damped_solution, helped_band, swing_and_stroke
 from physics.absorber_curves import machine_curves
 from physics.coupled import Motion, TwoMassChain

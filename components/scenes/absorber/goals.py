@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from components.page.blocks import Block
-from components.page.numbers import Number, var
-from components.sheet import stage
-from components.stage import Shape, circle, line, on_x, on_y, path, text
-from components.text import rich
+from components.language.blocks import Block
+from components.language.numbers import Number, var
+from components.layout.sheet import stage
+from components.layout.stage import Shape, circle, line, on_x, on_y, path, text
+from components.layout.text import rich
 
 TICK, CROSS = "M-3.5 .5l2.6 2.6 5-5.600", "M-2.800 -2.800l5.600 5.600M2.800 -2.800l-5.600 5.600"
 MARKS = (("slow", r"$\omega_-$ {slow}"), ("F", r"$\omega$ {omega}"), ("fast", r"$\omega_+$ {fast}"))

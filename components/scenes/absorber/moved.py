@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from components.scene.traces import Floats, samples
 from components.scenes.absorber.duty import Duty
-from components.traces import Floats, samples
 from physics.coupled import Motion
 from physics.forced import DrivenModes
 

@@ -7,10 +7,10 @@ import math
 
 import numpy as np
 
-from components.axes import Axis
-from components.motion import derived, responses, sampled, sines, total
-from components.page.numbers import var
-from components.page.signals import AnySignal
+from components.language.numbers import var
+from components.language.signals import AnySignal
+from components.quantities.axes import Axis
+from components.quantities.motion import derived, responses, sampled, sines, total
 from components.scenes.absorber.duty import Duty
 from physics.exact import exact, precise, rounded
 from physics.forced import DrivenModes

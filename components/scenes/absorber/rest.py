@@ -7,14 +7,14 @@ import math
 import numpy as np
 from msgspec.structs import replace
 
-from components.axes import Axis, nice_ticks, widest
-from components.numbers import three
-from components.page.blocks import Block
-from components.plots import Room, curve, plot
+from components.language.blocks import Block
+from components.layout.plots import Room, curve, plot
+from components.layout.sheet import Paragraph, column, either, term, words
+from components.quantities.axes import Axis, nice_ticks, widest
+from components.quantities.numbers import three
+from components.scene.traces import Columns
 from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.moved import FromStart
-from components.sheet import Paragraph, column, either, term, words
-from components.traces import Columns
 from physics.exact import exact, precise
 
 TALLEST = 1e30

@@ -7,13 +7,14 @@ from functools import cache
 import param
 
 from components import chain
-from components.axes import Axis, log_axis, nice_axis
-from components.controls import Group
-from components.frames import FITTED, framed
-from components.page.blocks import Block
-from components.page.state import Frame
-from components.parameters import angular_frequency, force, one_of, positive
+from components.language.blocks import Block
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.quantities.axes import Axis, log_axis, nice_axis
+from components.quantities.parameters import angular_frequency, force, one_of, positive
 from components.scene import Picture, Scene
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Columns
 from components.scenes.accuracy.data import (
     ALONE,
     MORE,
@@ -39,7 +40,6 @@ from components.scenes.accuracy.studies import (
     study_axes,
 )
 from components.scenes.accuracy.watch import WATCH
-from components.traces import Columns
 from physics.accuracy import SYSTEMS, Run, System, entered
 from physics.price import LEAST
 from physics.solvers import METHODS

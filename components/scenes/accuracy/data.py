@@ -10,9 +10,9 @@ from itertools import product
 
 import numpy as np
 
-from components.numbers import ten
+from components.quantities.numbers import ten
+from components.scene.traces import Columns
 from components.scenes.accuracy.measuring import LIVE
-from components.traces import Columns
 from physics.accuracy import MARKS, Run
 from physics.price import LEAST, at_cost, at_error, grouped
 from physics.solvers import METHODS

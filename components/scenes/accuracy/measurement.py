@@ -7,9 +7,9 @@ from typing import Any, Protocol
 
 from msgspec.structs import replace
 
-from components.page.picture import Progress
-from components.parameters import Values
-from components.running import Running
+from components.language.picture import Progress
+from components.quantities.parameters import Values
+from components.scene.running import Running
 from components.scenes.accuracy.data import Known, Series
 from components.scenes.accuracy.measuring import LIVE, Job, queue
 from components.scenes.accuracy.recorded import recorded, records

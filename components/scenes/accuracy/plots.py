@@ -11,17 +11,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from components.axes import Axis
-from components.page.blocks import Block
-from components.page.numbers import var
-from components.page.plots import Curve, Handle, Mark
-from components.page.shapes import AnyShape
-from components.plots import Room, curve, plot
+from components.language.blocks import Block
+from components.language.numbers import var
+from components.language.plots import Curve, Handle, Mark
+from components.language.shapes import AnyShape
+from components.layout.plots import Room, curve, plot
+from components.layout.sheet import phrase
+from components.layout.stage import circle, on_x, on_y, text
+from components.quantities.axes import Axis
+from components.scene.traces import Columns
 from components.scenes.accuracy.data import ALONE, BEHIND, MORE
 from components.scenes.accuracy.measuring import LIVE
-from components.sheet import phrase
-from components.stage import circle, on_x, on_y, text
-from components.traces import Columns
 from physics.solvers import METHODS
 
 LOOK: dict[str, dict[str, str]] = {

@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
-from components.numbers import short, three
-from components.page.blocks import Block
-from components.page.text import Forms
+from components.language.blocks import Block
+from components.language.text import Forms
+from components.layout.sheet import either, table
+from components.quantities.numbers import short, three
 from components.scenes.accuracy.data import Known
-from components.sheet import either, table
 from physics.accuracy import Run
 from physics.price import Price, prices
 from physics.solvers import METHODS

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from components.numbers import short, three
-from components.page.blocks import Block
+from components.language.blocks import Block
+from components.layout.sheet import choice, column, desk, either, row, when, words
+from components.quantities.numbers import short, three
 from components.scenes.accuracy.plots import growth_plot, picked_plot, work_plot
 from components.scenes.accuracy.prices import power, price_rows, time_text
 from components.scenes.accuracy.studies import digits_view, length_view, stability_view
-from components.sheet import choice, column, desk, either, row, when, words
 from physics.accuracy import System
 
 VIEWS = {"time": "Run time", "growth": "Growth", "length": "Length", "digits": "Digits", "stability": "Stability"}

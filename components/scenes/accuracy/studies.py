@@ -7,18 +7,18 @@ from functools import cache, lru_cache
 
 import numpy as np
 
-from components.axes import Axis, log_axis, nice_axis
-from components.page.blocks import Block
-from components.page.numbers import var
-from components.page.plots import Mark
-from components.plots import Room, curve, plot
+from components.language.blocks import Block
+from components.language.numbers import var
+from components.language.plots import Mark
+from components.layout.plots import Room, curve, plot
+from components.layout.sheet import column, phrase, row, when, words
+from components.layout.stage import on_x, text
+from components.quantities.axes import Axis, log_axis, nice_axis
+from components.scene.traces import Columns
 from components.scenes.accuracy.data import done
 from components.scenes.accuracy.plots import LOOK
 from components.scenes.accuracy.prices import power, time_text
 from components.scenes.accuracy.recorded import digits, recorded
-from components.sheet import column, phrase, row, when, words
-from components.stage import on_x, text
-from components.traces import Columns
 from physics.accuracy import MARKS
 from physics.coupled import TwoMassChain
 from physics.integrators import FIXED_STEP

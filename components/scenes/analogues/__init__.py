@@ -8,20 +8,21 @@ from functools import cache
 import numpy as np
 from msgspec.structs import replace
 
-from components.about import About
-from components.axes import ONE, Axis, time_axis
-from components.controls import Group
-from components.frames import FITTED, framed
-from components.motion import cosine_of, derived, pace, sampled, sine_of, sines
-from components.numbers import short, three
-from components.page.blocks import Block
-from components.page.numbers import var
-from components.page.picture import Pace
-from components.page.signals import AnySignal
-from components.page.state import Frame
-from components.parameters import one_of
-from components.readouts import Readout
+from components.language.blocks import Block
+from components.language.numbers import var
+from components.language.picture import Pace
+from components.language.signals import AnySignal
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.quantities.axes import ONE, Axis, time_axis
+from components.quantities.motion import cosine_of, derived, pace, sampled, sine_of, sines
+from components.quantities.numbers import short, three
+from components.quantities.parameters import one_of
+from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
+from components.scene.about import About
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Traces, bands_over_time, samples
 from components.scenes.analogues.about import analogue_about
 from components.scenes.analogues.case import CURVES, DEGREE, LIMITS, AnalogueCase, late_axes, late_columns, motion_bands
 from components.scenes.analogues.controls import LARGEST, SHORT, SWINGING, groups, quantities, start_angle
@@ -29,7 +30,6 @@ from components.scenes.analogues.pictures import tiles
 from components.scenes.analogues.reach import REMARKS
 from components.scenes.analogues.sheet import analogue_sheet
 from components.scenes.analogues.watch import WATCH
-from components.traces import Traces, bands_over_time, samples
 from physics.analogues import ANALOGUES
 from physics.pendulum import amplitude_at_excess
 

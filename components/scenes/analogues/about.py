@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from components.about import About, bounded, drawn_as_bands, drift, few, rows
 from components.scene import Picture
+from components.scene.about import About, bounded, drawn_as_bands, drift, few, rows
 from components.scenes.analogues.case import AnalogueCase
 from physics.reference import Point
 from physics.reference_single import oscillator_points, pendulum_points

@@ -10,9 +10,9 @@ from typing import NamedTuple
 import numpy as np
 from msgspec.structs import replace
 
-from components.axes import Axis, nice_axis
-from components.numbers import MINUS, short
-from components.traces import Columns, Floats, samples, trace
+from components.quantities.axes import Axis, nice_axis
+from components.quantities.numbers import MINUS, short
+from components.scene.traces import Columns, Floats, samples, trace
 from physics.analogue import Analogue, Tuned
 from physics.oscillator import Oscillator
 from physics.pendulum import Pendulum, PendulumMotion, amplitude_at_excess, excess

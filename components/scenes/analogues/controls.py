@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from components.controls import Group
-from components.parameters import Quantity, count, finite, positive
+from components.layout.controls import Group
+from components.quantities.parameters import Quantity, count, finite, positive
 from components.scenes.analogues.reach import REACHES
 from physics.analogue import Analogue, Parameter
 from physics.analogues import ANALOGUES

@@ -6,13 +6,13 @@ import math
 from collections.abc import Callable
 from typing import Literal
 
-from components.grabs import begin, linear
-from components.page.numbers import Expression, Number, var
-from components.page.shapes import Begin, Turn
+from components.language.numbers import Expression, Number, var
+from components.language.shapes import Begin, Turn
+from components.layout.grabs import begin, linear
+from components.layout.stage import Shape, circle
 from components.scenes.analogues.case import DEGREE
 from components.scenes.analogues.controls import LARGEST, SWINGING
 from components.scenes.analogues.pictures import MARK, MARKED, ROCKS_ABOUT, TWIST, Canvas, rotor_mark
-from components.stage import Shape, circle
 from physics.analogues import ANALOGUES
 
 ANGLE = (Begin("theta_0", "angle", size=DEGREE),)

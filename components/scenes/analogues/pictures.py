@@ -12,8 +12,23 @@ from dataclasses import dataclass
 
 from msgspec.structs import replace
 
-from components.page.numbers import Expression, Number, as_expression, var
-from components.stage import H, Shape, W, arrow, box, circle, layers, line, path, shown_by, spring, text, wall, wave
+from components.language.numbers import Expression, Number, as_expression, var
+from components.layout.stage import (
+    H,
+    Shape,
+    W,
+    arrow,
+    box,
+    circle,
+    layers,
+    line,
+    path,
+    shown_by,
+    spring,
+    text,
+    wall,
+    wave,
+)
 
 WIDTH, HEIGHT = 84, 54
 TWIST = 0.9

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 
-from components.numbers import three
-from components.page.blocks import Block
-from components.page.plots import Handle, Mark
-from components.plots import Room, curve, plot
+from components.language.blocks import Block
+from components.language.plots import Handle, Mark
+from components.layout.plots import Room, curve, plot
+from components.layout.sheet import Paragraph, column, desk, either, row, stage, table, term, when, words
+from components.quantities.numbers import three
+from components.scene.traces import traced
 from components.scenes.analogues.case import LIMITS
 from components.scenes.analogues.controls import SWINGING
 from components.scenes.analogues.reach import IN_TRUTH, REMARKS
 from components.scenes.analogues.stage import over_lateness, over_motion, shapes
-from components.sheet import Paragraph, column, desk, either, row, stage, table, term, when, words
-from components.traces import traced
 from physics.analogues import ANALOGUES
 from physics.pendulum import amplitude_at_excess
 

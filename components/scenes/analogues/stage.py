@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from components.grabs import begin
-from components.page.numbers import Expression, Number, var
-from components.page.shapes import Turn
-from components.scenes.analogues.case import DEGREE
-from components.scenes.analogues.held import ANGLE, HELD, held, held_spring, rocked, turned
-from components.scenes.analogues.pictures import HEIGHT, PICTURES, WIDTH, Canvas, large
-from components.stage import (
+from components.language.numbers import Expression, Number, var
+from components.language.shapes import Turn
+from components.layout.grabs import begin
+from components.layout.stage import (
     NARROW,
     WIDE,
     H,
@@ -26,6 +23,9 @@ from components.stage import (
     text,
     wall,
 )
+from components.scenes.analogues.case import DEGREE
+from components.scenes.analogues.held import ANGLE, HELD, held, held_spring, rocked, turned
+from components.scenes.analogues.pictures import HEIGHT, PICTURES, WIDTH, Canvas, large
 from physics.analogues import ANALOGUES
 
 PLOT = "motion"

@@ -11,26 +11,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from components import chain
-from components.about import About
-from components.axes import Axis, nice_axis, time_axis, whole_axis, widest
 from components.chain.forces import Forces, forces
 from components.chain.grabs import shares
-from components.controls import Group
-from components.frames import FITTED, framed
-from components.motion import derived, pace, scaled, total
-from components.page.blocks import Block
-from components.page.numbers import var
-from components.page.signals import AnySignal
-from components.page.state import Frame
-from components.parameters import Values, one_of
-from components.readouts import Readout
+from components.language.blocks import Block
+from components.language.numbers import var
+from components.language.signals import AnySignal
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.quantities.axes import Axis, nice_axis, time_axis, whole_axis, widest
+from components.quantities.motion import derived, pace, scaled, total
+from components.quantities.parameters import Values, one_of
+from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
+from components.scene.about import About
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Columns, Floats, Traces, bands_over_time, samples, trace
 from components.scenes.coupled import starting
 from components.scenes.coupled.about import coupled_about
 from components.scenes.coupled.sheet import coupled_sheet
 from components.scenes.coupled.watch import WATCH
 from components.scenes.coupled.words import forms, values
-from components.traces import Columns, Floats, Traces, bands_over_time, samples, trace
 from physics.coupled import FreeModes
 from physics.energy import ChainEnergy, chain_energy, mean_energy
 from physics.sampling import drawable, time_window

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from components.about import About, bounded, drawn_as_bands, few
 from components.chain import MODES
 from components.chain.about import MASSES, free_drift, modal_rows, motion_rows
 from components.chain.parameters import Pair
 from components.scene import Picture
+from components.scene.about import About, bounded, drawn_as_bands, few
 from physics.coupled import FreeModes
 from physics.reference import points_of_modes
 

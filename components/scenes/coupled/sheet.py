@@ -5,13 +5,13 @@ from __future__ import annotations
 from components import chain
 from components.chain.forces import arrows
 from components.chain.grabs import mass_grab, mode_grab, plane_grab, swing_grab
-from components.page.blocks import Block
-from components.page.numbers import var
-from components.plots import Room, curve, plot, region
+from components.language.blocks import Block
+from components.language.numbers import var
+from components.layout.plots import Room, curve, plot, region
+from components.layout.sheet import choice, column, desk, either, row, stage, table, term, when, words
+from components.layout.stage import H, Shape, W, arrow, circle, line, on_x, on_y, shown_by, text
+from components.scene.traces import traced
 from components.scenes.coupled.words import CONSTANTS, CONSTANTS_TABLE, FORCES, TASK, captions
-from components.sheet import choice, column, desk, either, row, stage, table, term, when, words
-from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, shown_by, text
-from components.traces import traced
 
 FEET = (0.56, 0.815, 0.99)
 """Where the motion, its slow part and its fast part stand, as fractions of the stage's height."""

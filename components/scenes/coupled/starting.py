@@ -6,11 +6,11 @@ import math
 from typing import Protocol
 
 from components import chain
-from components.axes import Axis
 from components.chain.parameters import Pair
-from components.motion import sines
-from components.page.signals import AnySignal
-from components.parameters import Quantity, Values, finite, not_negative
+from components.language.signals import AnySignal
+from components.quantities.axes import Axis
+from components.quantities.motion import sines
+from components.quantities.parameters import Quantity, Values, finite, not_negative
 from physics.coupled import FreeModes, free_modes
 from physics.modal_start import amplitudes_and_phases, modes_given, start_given
 

@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 
-from components.axes import Axis
 from components.chain import MODES
-from components.numbers import plus, signed, three
-from components.sheet import Paragraph, either
+from components.layout.sheet import Paragraph, either
+from components.quantities.axes import Axis
+from components.quantities.numbers import plus, signed, three
 from physics.coupled import FreeModes
 
 TASK = "Pull mass 1, hold mass 2, let go of both: does any part of the motion die out?"

@@ -8,26 +8,26 @@ from functools import cache
 
 import numpy as np
 
-from components.about import About
-from components.axes import ONE, Axis
-from components.controls import Group
-from components.frames import FITTED, framed
-from components.motion import QUARTER, derived, pace, scaled, sines
-from components.numbers import three
-from components.page.blocks import Block
-from components.page.numbers import var
-from components.page.signals import AnySignal
-from components.page.state import Frame
-from components.parameters import Values, displacement, mass, not_negative, one_of, positive, velocity
-from components.readouts import Readout
+from components.language.blocks import Block
+from components.language.numbers import var
+from components.language.signals import AnySignal
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.layout.stage import wire
+from components.quantities.axes import ONE, Axis
+from components.quantities.motion import QUARTER, derived, pace, scaled, sines
+from components.quantities.numbers import three
+from components.quantities.parameters import Values, displacement, mass, not_negative, one_of, positive, velocity
+from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
+from components.scene.about import About
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Columns, Floats, Traces, band_columns, bands_over_time, samples, trace
 from components.scenes.energy.about import energy_about
 from components.scenes.energy.case import HangingCase, case_axes, claim
 from components.scenes.energy.hanging import PLANETS
 from components.scenes.energy.sheet import hanging_sheet
 from components.scenes.energy.watch import WATCH
-from components.stage import wire
-from components.traces import Columns, Floats, Traces, band_columns, bands_over_time, samples, trace
 from physics.hanging import Datum, HangingMass
 from physics.sampling import Sinusoid, drawable
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from decimal import Decimal
 
-from components.about import About, bounded, drawn_as_bands, drift, few, rows
 from components.scene import Picture
+from components.scene.about import About, bounded, drawn_as_bands, drift, few, rows
 from physics.exact import exact, precise
 from physics.hanging import Datum, HangingMass
 from physics.reference import Point

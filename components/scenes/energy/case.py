@@ -7,8 +7,8 @@ from functools import cached_property
 
 from msgspec.structs import replace
 
-from components.axes import Axis, nice_axis, nice_ticks, time_axis
-from components.numbers import at_tick, power_unit, three
+from components.quantities.axes import Axis, nice_axis, nice_ticks, time_axis
+from components.quantities.numbers import at_tick, power_unit, three
 from physics.exact import exact, precise, rounded
 from physics.hanging import HangingMass
 from physics.oscillator import OscillatorConstants

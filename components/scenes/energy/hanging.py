@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from components.grabs import at_rest, begin, linear, on_plot
-from components.page.numbers import Expression, Number, var
-from components.page.shapes import Begin
-from components.stage import (
+from components.language.numbers import Expression, Number, var
+from components.language.shapes import Begin
+from components.layout.grabs import at_rest, begin, linear, on_plot
+from components.layout.stage import (
     NARROW,
     WIDE,
     H,

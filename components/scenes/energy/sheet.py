@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from components.page.blocks import Block
-from components.page.plots import Term
-from components.plots import Room, curve, plot
+from components.language.blocks import Block
+from components.language.plots import Term
+from components.layout.plots import Room, curve, plot
+from components.layout.sheet import column, desk, either, phrase, row, stage, term, words
+from components.scene.traces import traced
 from components.scenes.energy.hanging import natural_length, shapes, well
-from components.sheet import column, desk, either, phrase, row, stage, term, words
-from components.traces import traced
 
 UPPER, LOWER, BETWEEN, ABOVE = 300, 190, 44, 78
 """Shares of the height, pixels between the rows, and the share over x(t) where the spring hangs."""

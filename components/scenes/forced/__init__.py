@@ -7,25 +7,25 @@ from functools import cache
 import numpy as np
 
 from components import chain
-from components.about import About
-from components.axes import Axis, nice_axis, time_axis, widest
 from components.chain.forces import Forces, forces
-from components.controls import Group
-from components.frames import FITTED, framed
-from components.motion import pace
-from components.page.blocks import Block
-from components.page.picture import Digits
-from components.page.state import Frame
-from components.parameters import Values, angular_frequency, force, one_of
-from components.readouts import Readout
+from components.language.blocks import Block
+from components.language.picture import Digits
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.quantities.axes import Axis, nice_axis, time_axis, widest
+from components.quantities.motion import pace
+from components.quantities.parameters import Values, angular_frequency, force, one_of
+from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
+from components.scene.about import About
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Columns, Floats, Traces, bands_over_time, samples
 from components.scenes.forced.about import forced_about
 from components.scenes.forced.driven import energy_columns, limits, motion_columns, motion_signals, motions
 from components.scenes.forced.response import response_curves
 from components.scenes.forced.sheet import forced_sheet
 from components.scenes.forced.watch import WATCH
 from components.scenes.forced.words import forms, notes, sizes, values
-from components.traces import Columns, Floats, Traces, bands_over_time, samples
 from physics.forced import DrivenModes, driven_modes, steady_start
 from physics.particular import at_natural_frequency
 from physics.sampling import drawable, time_window

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from components.about import About, bounded, drawn_as_bands, few, rows
 from components.chain.about import DRIVE, MASSES, motion_rows
 from components.chain.parameters import Pair
-from components.numbers import short
+from components.quantities.numbers import short
 from components.scene import Picture
+from components.scene.about import About, bounded, drawn_as_bands, few, rows
 from physics.energy import chain_energy
 from physics.forced import DrivenModes
 from physics.reference_single import steady_points

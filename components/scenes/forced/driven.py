@@ -7,12 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from components.axes import Axis
 from components.chain import components, free_signals, positions
-from components.motion import derived, responses, sines, total
-from components.page.numbers import var
-from components.page.signals import AnySignal, Sines
-from components.traces import Columns, Floats, band_columns, trace
+from components.language.numbers import var
+from components.language.signals import AnySignal, Sines
+from components.quantities.axes import Axis
+from components.quantities.motion import derived, responses, sines, total
+from components.scene.traces import Columns, Floats, band_columns, trace
 from physics.energy import chain_energy
 from physics.forced import DrivenModes
 from physics.sampling import Sinusoid, drawable

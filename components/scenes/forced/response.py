@@ -9,19 +9,19 @@ from itertools import accumulate, pairwise
 import numpy as np
 from msgspec.structs import replace
 
-from components.axes import Axis, log_axis, nice_axis
-from components.frames import FITTED, framed
-from components.grabs import grab, on_plot
-from components.numbers import three
-from components.page.blocks import PlotBlock
-from components.page.numbers import var
-from components.page.plots import Curve, Handle, Mark
-from components.page.state import Frame
-from components.plots import Room, curve, plot
-from components.sheet import phrase
-from components.stage import Shape, arrow, circle, on_x, on_y, text
-from components.text import rich
-from components.traces import Columns, Floats
+from components.language.blocks import PlotBlock
+from components.language.numbers import var
+from components.language.plots import Curve, Handle, Mark
+from components.language.state import Frame
+from components.layout.grabs import grab, on_plot
+from components.layout.plots import Room, curve, plot
+from components.layout.sheet import phrase
+from components.layout.stage import Shape, arrow, circle, on_x, on_y, text
+from components.layout.text import rich
+from components.quantities.axes import Axis, log_axis, nice_axis
+from components.quantities.numbers import three
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Columns, Floats
 from physics.coupled import TwoMassChain
 from physics.forced import DrivenModes, antiresonance, particular_solution
 

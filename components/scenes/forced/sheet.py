@@ -5,14 +5,14 @@ from __future__ import annotations
 from components import chain
 from components.chain.forces import arrows
 from components.chain.grabs import mass_grab
-from components.page.blocks import Block
-from components.page.numbers import var
-from components.plots import Room, curve, plot, region
+from components.language.blocks import Block
+from components.language.numbers import var
+from components.layout.plots import Room, curve, plot, region
+from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
+from components.layout.stage import H, Shape, W, arrow, circle, text
+from components.scene.traces import traced
 from components.scenes.forced.response import response_plot
 from components.scenes.forced.words import MOTION, SOLUTION, TASK
-from components.sheet import choice, column, desk, phrase, row, stage, term, when, words
-from components.stage import H, Shape, W, arrow, circle, text
-from components.traces import traced
 
 
 def forced_sheet() -> Block:

@@ -7,9 +7,9 @@ from collections.abc import Collection
 
 import numpy as np
 
-from components.numbers import signed, three
+from components.layout.sheet import Paragraph, either
+from components.quantities.numbers import signed, three
 from components.scenes.forced.driven import growth_rate, resonant
-from components.sheet import Paragraph, either
 from physics.forced import DrivenModes, determinant
 
 TASK = "Drag ω: where does mass 1 swing farthest, where not at all, and when against the push?"

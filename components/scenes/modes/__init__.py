@@ -6,18 +6,18 @@ from dataclasses import replace
 from functools import cache
 
 from components import chain
-from components.about import About
-from components.controls import Group
-from components.frames import FITTED
-from components.page.blocks import Block
-from components.page.state import Frame
-from components.parameters import Values, angular_frequency, finite, one_of
-from components.readouts import Readout
+from components.language.blocks import Block
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.layout.sheet import choice, column, desk, when, words
+from components.quantities.parameters import Values, angular_frequency, finite, one_of
+from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
+from components.scene.about import About
+from components.scene.frames import FITTED
 from components.scenes.modes import guess, guess_picture, hunt, solve, sweep
 from components.scenes.modes.about import guess_about, hunt_about, solve_about, sweep_about
 from components.scenes.modes.watch import WATCH
-from components.sheet import choice, column, desk, when, words
 from physics.coupled import TwoMassChain
 from physics.sweeps import PARAMETERS
 

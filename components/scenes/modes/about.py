@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from components.about import About, Place, bounded, few, rows
 from components.chain.about import FREQUENCY, MASSES, free_drift, modes_table, motion_rows
 from components.chain.parameters import Pair
-from components.numbers import ten
+from components.quantities.numbers import ten
 from components.scene import Picture
+from components.scene.about import About, Place, bounded, few, rows
 from physics.coupled import TwoMassChain, free_modes
 from physics.modes import determinant_curve
 from physics.reference import Point, determinants, modes_of

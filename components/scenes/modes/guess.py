@@ -5,15 +5,15 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from components import chain
-from components.page.blocks import Block
-from components.page.numbers import Number, var
-from components.page.plots import Handle, Mark
-from components.plots import Room, curve, plot
+from components.language.blocks import Block
+from components.language.numbers import Number, var
+from components.language.plots import Handle, Mark
+from components.layout.plots import Room, curve, plot
+from components.layout.sheet import Paragraph, column, either, phrase, row, stage, term, words
+from components.layout.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
+from components.layout.text import rich
 from components.scenes.modes.guess_hand import METRE, full_swing, guess_point
 from components.scenes.modes.guess_picture import REACH, ROWS
-from components.sheet import Paragraph, column, either, phrase, row, stage, term, words
-from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
-from components.text import rich
 
 ARROWS = W - 0.36 * W * var("narrow") - 0.3 * W * var("hall")
 """The length of which force arrows are a fraction: beside short ones there is room for numbers on a narrow stage."""

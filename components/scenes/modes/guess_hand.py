@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from components import chain
-from components.grabs import grab, on_plot
-from components.page.numbers import Number, var
-from components.page.shapes import Along, Quotient
-from components.stage import Shape, W, box, circle, shown_by
+from components.language.numbers import Number, var
+from components.language.shapes import Along, Quotient
+from components.layout.grabs import grab, on_plot
+from components.layout.stage import Shape, W, box, circle, shown_by
 
 METRE = 0.112
 """The share of the stage's width that an amplitude of 1 m takes."""

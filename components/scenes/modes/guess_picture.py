@@ -10,15 +10,15 @@ from functools import cached_property
 import numpy as np
 from msgspec.structs import replace
 
-from components.axes import Axis, nice_axis, squared_axis, time_axis
 from components.chain import MODES
-from components.frames import FITTED, framed
-from components.motion import pace, sines
-from components.numbers import signed, ten, three
-from components.page.signals import AnySignal
-from components.page.state import Frame
+from components.language.signals import AnySignal
+from components.language.state import Frame
+from components.quantities.axes import Axis, nice_axis, squared_axis, time_axis
+from components.quantities.motion import pace, sines
+from components.quantities.numbers import signed, ten, three
 from components.scene import Picture
-from components.traces import Columns
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Columns
 from physics.coupled import Modes, TwoMassChain
 from physics.exact import exact, precise, within_an_ulp
 from physics.modes import Trial, TrialForces, determinant_curve, row_curves, trial, trial_forces

@@ -8,21 +8,21 @@ import numpy as np
 from msgspec.structs import replace
 
 from components import chain
-from components.axes import Axis, nice_axis, time_axis
 from components.chain.grabs import mass_grab
-from components.frames import FITTED, framed
-from components.grabs import grab, on_plot
-from components.motion import pace, round_down, total
-from components.numbers import signed, three
-from components.page.blocks import Block
-from components.page.numbers import var
-from components.page.plots import Handle
-from components.page.state import Frame
-from components.plots import Room, curve, plot
+from components.language.blocks import Block
+from components.language.numbers import var
+from components.language.plots import Handle
+from components.language.state import Frame
+from components.layout.grabs import grab, on_plot
+from components.layout.plots import Room, curve, plot
+from components.layout.sheet import Paragraph, choice, column, either, row, stage, when, words
+from components.layout.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
+from components.quantities.axes import Axis, nice_axis, time_axis
+from components.quantities.motion import pace, round_down, total
+from components.quantities.numbers import signed, three
 from components.scene import Picture
-from components.sheet import Paragraph, choice, column, either, row, stage, when, words
-from components.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
-from components.traces import Traces
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Traces
 from physics.coupled import FreeModes, TwoMassChain, free_modes
 from physics.modes import Mixture, mixture
 from physics.sampling import time_window

@@ -6,17 +6,17 @@ import math
 from decimal import Decimal
 
 from components import chain
-from components.axes import Axis, time_axis
-from components.frames import FITTED, framed
-from components.motion import pace, sines
-from components.numbers import signed, three
-from components.page.blocks import Block
-from components.page.numbers import var
-from components.page.signals import AnySignal
-from components.page.state import Frame
+from components.language.blocks import Block
+from components.language.numbers import var
+from components.language.signals import AnySignal
+from components.language.state import Frame
+from components.layout.sheet import Paragraph, either, row, stage, words
+from components.layout.stage import H, Shape, W, arrow, box, circle, line, text
+from components.quantities.axes import Axis, time_axis
+from components.quantities.motion import pace, sines
+from components.quantities.numbers import signed, three
 from components.scene import Picture
-from components.sheet import Paragraph, either, row, stage, words
-from components.stage import H, Shape, W, arrow, box, circle, line, text
+from components.scene.frames import FITTED, framed
 from physics.coupled import TwoMassChain
 from physics.exact import precise
 from physics.modes import quadratic

@@ -8,18 +8,18 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from components.axes import Axis, log_axis
 from components.chain import MODES
-from components.frames import FITTED, framed
-from components.numbers import signed, three
-from components.page.blocks import Block
-from components.page.plots import Curve, Handle, Mark
-from components.page.state import Frame
-from components.plots import Room, curve, plot
+from components.language.blocks import Block
+from components.language.plots import Curve, Handle, Mark
+from components.language.state import Frame
+from components.layout.plots import Room, curve, plot
+from components.layout.sheet import Paragraph, choice, column, either, row, term, words
+from components.layout.text import rich
+from components.quantities.axes import Axis, log_axis
+from components.quantities.numbers import signed, three
 from components.scene import Picture
-from components.sheet import Paragraph, choice, column, either, row, term, words
-from components.text import rich
-from components.traces import Columns
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Columns
 from physics.coupled import TwoMassChain
 from physics.sweeps import PARAMETERS, Sweep, limit, sweep
 from physics.valid import DOUBLES

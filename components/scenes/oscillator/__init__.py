@@ -9,23 +9,23 @@ from functools import cache, cached_property
 import numpy as np
 from msgspec.structs import replace
 
-from components.about import About
-from components.axes import ONE, Axis, nice_axis, time_axis
-from components.controls import Group
-from components.frames import FITTED, framed
-from components.motion import QUARTER, pace, scaled, sines
-from components.numbers import MINUS, plus, power_unit, signed, three
-from components.page.blocks import Block
-from components.page.signals import AnySignal
-from components.page.state import Frame
-from components.parameters import displacement, mass, one_of, stiffness, velocity
-from components.readouts import Readout
+from components.language.blocks import Block
+from components.language.signals import AnySignal
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.layout.stage import wire
+from components.quantities.axes import ONE, Axis, nice_axis, time_axis
+from components.quantities.motion import QUARTER, pace, scaled, sines
+from components.quantities.numbers import MINUS, plus, power_unit, signed, three
+from components.quantities.parameters import displacement, mass, one_of, stiffness, velocity
+from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
+from components.scene.about import About
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Columns, Floats, Traces, bands_over_time, samples, trace
 from components.scenes.oscillator.about import oscillator_about
 from components.scenes.oscillator.pull import Force, force
 from components.scenes.oscillator.sheet import WATCH, oscillator_sheet
-from components.stage import wire
-from components.traces import Columns, Floats, Traces, bands_over_time, samples, trace
 from physics.oscillator import Oscillator, OscillatorConstants
 from physics.sampling import Sinusoid, drawable, periods, time_window
 

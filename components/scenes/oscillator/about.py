@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from components.about import About, bounded, drawn_as_bands, drift, few, reason_of, rows
 from components.scene import Picture
+from components.scene.about import About, bounded, drawn_as_bands, drift, few, reason_of, rows
 from physics.energy import half_square
 from physics.hanging import HangingMass
 from physics.oscillator import Oscillator

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from components.axes import Axis, nice_axis
-from components.motion import derived, scaled
-from components.page.numbers import Number, var
-from components.page.picture import Digits
-from components.page.signals import AnySignal
-from components.stage import Shape, arrow, shown_by, text
+from components.language.numbers import Number, var
+from components.language.picture import Digits
+from components.language.signals import AnySignal
+from components.layout.stage import Shape, arrow, shown_by, text
+from components.quantities.axes import Axis, nice_axis
+from components.quantities.motion import derived, scaled
 
 SHARE = 0.75
 """The arrow at the turning point is this long, over the amplitude."""

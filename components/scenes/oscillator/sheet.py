@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from components.page.blocks import Block
-from components.plots import HEADING, NUMBERS, Room, curve, plot
+from components.language.blocks import Block
+from components.layout.plots import HEADING, NUMBERS, Room, curve, plot
+from components.layout.sheet import column, desk, either, phrase, row, stage, term, when, words
+from components.layout.stage import Shape
+from components.scene.traces import traced
 from components.scenes.oscillator.turning import FIRST, first, hero, lead, planes
-from components.sheet import column, desk, either, phrase, row, stage, term, when, words
-from components.stage import Shape
-from components.traces import traced
 
 TINTS = {"x": "m1", "v": "T", "a": "F"}
 SHIFTS = {"x": "", "v": r"+ \tfrac{\pi}{2}", "a": r"+ \pi"}

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from math import pi
 
-from components.grabs import at_rest, begin, grab, linear, on_plot
-from components.page.numbers import Expression, Number, var
-from components.page.shapes import Begin, Grab
-from components.scenes.oscillator.pull import pulled
-from components.stage import (
+from components.language.numbers import Expression, Number, var
+from components.language.shapes import Begin, Grab
+from components.layout.grabs import at_rest, begin, grab, linear, on_plot
+from components.layout.stage import (
     NARROW,
     WIDE,
     H,
@@ -29,6 +28,7 @@ from components.stage import (
     wall,
     wave,
 )
+from components.scenes.oscillator.pull import pulled
 
 MASS = WIDE * 0.15 * W + NARROW * 0.1 * W
 """Where the mass stands, and below where the arrow turns: across the stage."""

@@ -7,17 +7,21 @@ from functools import cache
 import numpy as np
 from msgspec.structs import replace
 
-from components.about import About
-from components.axes import Axis, nice_axis, time_axis
-from components.controls import Group
-from components.frames import FITTED, framed
-from components.motion import pace
-from components.numbers import MINUS, signed, three
-from components.page.blocks import Block
-from components.page.state import Frame
-from components.parameters import Quantity, Values, mass, one_of, positive
-from components.readouts import Readout
+from components.language.blocks import Block
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.layout.sheet import choice, column, desk, row, stage, when, words
+from components.layout.stage import NARROW, WIDE, Shape, W, text
+from components.quantities.axes import Axis, nice_axis, time_axis
+from components.quantities.motion import pace
+from components.quantities.numbers import MINUS, signed, three
+from components.quantities.parameters import Quantity, Values, mass, one_of, positive
+from components.quantities.readouts import Readout
+from components.quantities.units import Unit
 from components.scene import Picture, Scene
+from components.scene.about import About
+from components.scene.frames import FITTED, framed
+from components.scene.traces import samples
 from components.scenes.phugoid.about import flight_about
 from components.scenes.phugoid.flight import (
     flight_shapes,
@@ -48,10 +52,6 @@ from components.scenes.phugoid.swing import (
     verdict,
 )
 from components.scenes.phugoid.watch import WATCH
-from components.sheet import choice, column, desk, row, stage, when, words
-from components.stage import NARROW, WIDE, Shape, W, text
-from components.traces import samples
-from components.units import Unit
 from physics.phugoid import CUSP_EXCESS, EXCESS_AT_LATENESS, flight, linear_phugoid
 
 FOOT, KNOT = 0.3048, 1852 / 3600

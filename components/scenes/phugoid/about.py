@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from components.about import About, bounded, drawn_as_bands, few, rows
-from components.numbers import short, three
+from components.quantities.numbers import short, three
 from components.scene import Picture
+from components.scene.about import About, bounded, drawn_as_bands, few, rows
 from components.scenes.phugoid.swing import Swing
 from physics.phugoid import flight, invariant
 from physics.reference_single import flight_points

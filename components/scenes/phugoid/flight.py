@@ -8,13 +8,13 @@ from functools import cache
 import numpy as np
 from msgspec.structs import replace
 
-from components.axes import Axis, nice_axis, nice_ticks
-from components.grabs import begin, grab, on_plot
-from components.numbers import short
-from components.page.numbers import Number, var
-from components.page.shapes import Grab, Trade
+from components.language.numbers import Number, var
+from components.language.shapes import Grab, Trade
+from components.layout.grabs import begin, grab, on_plot
+from components.layout.stage import Looks, Shape, W, arrow, box, circle, line, on_x, on_y, path, spring, text, wall
+from components.quantities.axes import Axis, nice_axis, nice_ticks
+from components.quantities.numbers import short
 from components.scenes.phugoid.swing import Swing
-from components.stage import Looks, Shape, W, arrow, box, circle, line, on_x, on_y, path, spring, text, wall
 from physics.phugoid import flight
 
 HULL = (

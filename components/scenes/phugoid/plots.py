@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from components.page.blocks import Block
-from components.page.numbers import var
-from components.page.plots import Handle, Mark
-from components.plots import Room, curve, plot, region
+from components.language.blocks import Block
+from components.language.numbers import var
+from components.language.plots import Handle, Mark
+from components.layout.plots import Room, curve, plot, region
+from components.layout.sheet import term, words
+from components.layout.stage import Looks, Shape, circle, line, on_x, on_y
+from components.layout.text import rich
+from components.scene.traces import traced
 from components.scenes.phugoid.swing import FAMILY
-from components.sheet import term, words
-from components.stage import Looks, Shape, circle, line, on_x, on_y
-from components.text import rich
-from components.traces import traced
 
 EQUATIONS = {"h": r"\ddot{h} + 2 (g/v_0)^2\, h' = 0", "v": r"g\, h' + v_0\, v' = 0"}
 """To first order: the equation of motion, and what the two trade."""

@@ -9,12 +9,12 @@ from functools import cache, cached_property
 
 import numpy as np
 
-from components.axes import Axis
-from components.motion import derived, sampled, scaled, sines
-from components.numbers import short, three
-from components.page.numbers import var
-from components.page.signals import AnySignal
-from components.traces import Columns, Floats, Traces, band_columns, bands_over_time, samples, trace
+from components.language.numbers import var
+from components.language.signals import AnySignal
+from components.quantities.axes import Axis
+from components.quantities.motion import derived, sampled, scaled, sines
+from components.quantities.numbers import short, three
+from components.scene.traces import Columns, Floats, Traces, band_columns, bands_over_time, samples, trace
 from physics.phugoid import (
     CUSP_EXCESS,
     EXCESS_AT_LATENESS,

@@ -9,10 +9,10 @@ from typing import Annotated, Any
 
 from msgspec import Meta
 
-from components.page.messages import Given
-from components.page.room import Counted
-from components.page.walk import Lesson, StepCard, Verdict
-from components.text import rich
+from components.language.messages import Given
+from components.language.room import Counted
+from components.language.walk import Lesson, StepCard, Verdict
+from components.layout.text import rich
 from components.walks.links import standing_at
 from components.walks.questions.question import Judged, Judgement, Question, refused
 from components.walks.subject import Subject

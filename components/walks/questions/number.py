@@ -7,11 +7,11 @@ from typing import Annotated, Any
 
 from msgspec import Meta, field
 
-from components.numbers import shortest, three
-from components.page.messages import Given
-from components.page.room import Counted
-from components.page.walk import Lesson, StepCard
-from components.typed import typed_number
+from components.language.messages import Given
+from components.language.room import Counted
+from components.language.walk import Lesson, StepCard
+from components.quantities.numbers import shortest, three
+from components.quantities.typed import typed_number
 from components.walks.questions.question import Judged, Judgement, Question
 from components.walks.subject import Subject
 from components.walks.types import Above0, Entry, Sentence

@@ -8,11 +8,11 @@ from typing import Annotated, Any, Literal
 from msgspec import Meta
 from msgspec.structs import replace
 
-from components.axes import Axis
-from components.numbers import excerpt
-from components.page.messages import Given
-from components.page.room import Counted
-from components.page.walk import Lesson, StepCard
+from components.language.messages import Given
+from components.language.room import Counted
+from components.language.walk import Lesson, StepCard
+from components.quantities.axes import Axis
+from components.quantities.numbers import excerpt
 from components.walks.questions.number import NumericStep
 from components.walks.questions.question import Judged
 from components.walks.subject import Subject, number_at, place_of

@@ -7,10 +7,10 @@ from typing import Any, ClassVar, NamedTuple
 
 from msgspec.structs import replace
 
-from components.page.messages import Given
-from components.page.room import Counted
-from components.page.walk import Lesson, StepCard
-from components.text import rich
+from components.language.messages import Given
+from components.language.room import Counted
+from components.language.walk import Lesson, StepCard
+from components.layout.text import rich
 from components.walks.subject import Subject
 from components.walks.texts import line
 from components.walks.types import BaseStep

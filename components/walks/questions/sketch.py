@@ -7,10 +7,10 @@ from typing import Annotated, Any
 
 from msgspec import Meta
 
-from components.numbers import excerpt
-from components.page.messages import HEIGHTS, Given
-from components.page.room import Counted, SketchOf
-from components.page.walk import Lesson, StepCard
+from components.language.messages import HEIGHTS, Given
+from components.language.room import Counted, SketchOf
+from components.language.walk import Lesson, StepCard
+from components.quantities.numbers import excerpt
 from components.walks.features import Feature
 from components.walks.questions.question import UNFIT, Judged, Judgement, Question
 from components.walks.sketch import Sketch

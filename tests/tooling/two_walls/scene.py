@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from functools import cache
 
-from components.axes import nice_axis, time_axis
-from components.controls import Group
-from components.frames import FITTED, framed
-from components.motion import pace, sines
-from components.numbers import three
-from components.page.blocks import Block
-from components.page.numbers import var
-from components.page.state import Frame
-from components.parameters import displacement, mass, positive
-from components.plots import curve, plot
+from components.language.blocks import Block
+from components.language.numbers import var
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.layout.plots import curve, plot
+from components.layout.sheet import column, stage, term, words
+from components.layout.stage import H, Shape, W, box, line, spring, text, wall, wire
+from components.quantities.axes import nice_axis, time_axis
+from components.quantities.motion import pace, sines
+from components.quantities.numbers import three
+from components.quantities.parameters import displacement, mass, positive
 from components.scene import Picture, Scene
-from components.sheet import column, stage, term, words
-from components.stage import H, Shape, W, box, line, spring, text, wall, wire
-from components.traces import over_time
+from components.scene.frames import FITTED, framed
+from components.scene.traces import over_time
 from physics.oscillator import Oscillator
 
 TASK = "Exchange the two springs: what does the mass feel of it?"

@@ -1,0 +1,110 @@
+"""Plots: all that a plot is made of besides its frame. Names of axes, scalars, forms and values are the picture's."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from msgspec import Struct
+
+from components.language.text import Html, Runs
+
+
+class Room(Struct, frozen=True):
+    """The room around the frame of a plot, in pixels: for numbers at the left and below, labels at the right, flags
+    over it."""
+
+    left: int = 40
+    right: int = 56
+    top: int = 4
+    bottom: int = 2
+
+
+class Curve(Struct, frozen=True, kw_only=True):
+    """A line: column `y` of `source` over its column `x`, coloured as the quantity `tint`.
+
+    `signal` moves a dot along it (with `signal_x` as its abscissa where that is not the time); `label` stands at its
+    right end and in the read-out at the pointer, `read` there alone; `group` is the name by which it is switched off.
+    With a `marker` its points are marked; with width "none" only they are drawn. Of a group drawn as a band its name
+    stands at the band's middle.
+    """
+
+    source: str
+    x: str
+    y: str
+    group: str
+    tint: str = "ink"
+    width: Literal["sum", "line", "dash", "dots", "thin", "none"] = "line"
+    label: Runs = ()
+    read: str = ""
+    signal: str = ""
+    signal_x: str = ""
+    marker: Literal["", "disc", "ring"] = ""
+
+
+class Region(Struct, frozen=True, kw_only=True):
+    """A filled band between the columns `low` and `high`: the envelope of the curve `of`, or a layer of a stack."""
+
+    source: str
+    x: str
+    low: str
+    high: str
+    tint: str = "ink"
+    alpha: float = 1.0
+    group: str = ""
+    of: str = ""
+    label: Runs = ()
+    read: str = ""
+
+
+class Handle(Struct, frozen=True, kw_only=True):
+    """A pill on an axis that sets a parameter, no lower than `least`.
+
+    It shows `symbol` and the parameter's number, or the value called `text`, then `unit`; where it stands over the unit
+    of the axis it says `covering`. A `bare` one is moved by a press on the plot alone. It stands by the form `form`.
+    """
+
+    parameter: str
+    label: str
+    symbol: str = ""
+    tint: str = "ink"
+    axis: Literal["x", "y"] = "x"
+    least: float | None = None
+    text: str = ""
+    unit: str = ""
+    covering: str = ""
+    form: str = ""
+    bare: bool = False
+
+
+class Mark(Struct, frozen=True, kw_only=True):
+    """A line with a flag across the plot at the scalar `at`, a place on the axis.
+
+    The flag is the button for the action `act`, or sets the parameter `set` to the scalar `exactly` where given, else
+    to what the place stands for. `lift` is its height over the frame, `shift` its way to the right, in pixels.
+    """
+
+    at: str
+    tint: str = "ink"
+    html: Html = ""
+    label: str = ""
+    set: str = ""
+    exactly: str = ""
+    act: str = ""
+    axis: Literal["x", "y"] = "x"
+    style: str = ""
+    flag: str = ""
+    lift: float | None = None
+    shift: float = 0.0
+
+
+class Term(Struct, frozen=True, kw_only=True):
+    """One term of the heading: a formula or words by form, a sample of the line, and the switch of the group `curve`.
+
+    `form` names the picture's form that says which variant stands; the variant "formula" where the picture has none.
+    """
+
+    variants: dict[str, Html]
+    curve: str = ""
+    form: str = ""
+    key: Literal["sum", "line", "dash", "band", "none"] = "line"
+    tint: str = "ink"

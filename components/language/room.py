@@ -1,0 +1,169 @@
+"""The language of a live class: what the instructor's page asks of a room, what followers answer, what all are told."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, TypeAlias
+
+from msgspec import Meta, Struct
+
+from components.language.messages import Name, Sketched
+from components.language.text import Html
+from components.language.walk import Lesson, StepCard
+
+
+class Ordered(Struct, frozen=True, kw_only=True, tag_field="type", forbid_unknown_fields=True):
+    """Anything that the instructor's page asks of the room."""
+
+
+class RunClock(Ordered, frozen=True, kw_only=True, tag="clock"):
+    """Sets the class's clock: the lecture's stood at `t` at the server's time `at`, in ms, and goes on by `rate` a
+    second, up to `end`: in the unit of the time axis."""
+
+    t: float
+    rate: float
+    end: float
+    at: float
+
+
+class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
+    """Puts the question of a step to all; where `vote` is given, once more, as that vote."""
+
+    walk: Name
+    step: Name
+    vote: Annotated[int, Meta(ge=0, le=9)] = 0
+
+
+class HandWalk(Ordered, frozen=True, kw_only=True, tag="walk"):
+    """Hands in a walk from the instructor's own file, whose questions can be put from now on."""
+
+    name: Name
+    text: Annotated[str, Meta(max_length=48_000)]
+
+
+class ShowAnswer(Ordered, frozen=True, kw_only=True, tag="show"):
+    """Shows all the lesson of the step; no answer is taken any more."""
+
+
+class Withdraw(Ordered, frozen=True, kw_only=True, tag="withdraw"):
+    """Withdraws the question: none is open."""
+
+
+class EndRoom(Ordered, frozen=True, kw_only=True, tag="end"):
+    """Ends the class: the room and all that was answered are forgotten."""
+
+
+Order: TypeAlias = RunClock | HandWalk | PutQuestion | ShowAnswer | Withdraw | EndRoom
+
+
+class PutTo(Struct, frozen=True, kw_only=True):
+    """The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
+    teaches once the answer is shown. Without a step none is."""
+
+    walk: str = ""
+    step: str = ""
+    card: StepCard | None = None
+    place: str = ""
+    vote: int = 1
+    lesson: Lesson | None = None
+
+
+class SentPicture(Struct, frozen=True, kw_only=True):
+    """The picture of the instructor's page: a packed `Shown` and the sheet whose usual text it refers to."""
+
+    sheet: str
+    data: bytes
+
+
+class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
+    """The changes in a room since the last news; the first that a follower hears has all of it.
+
+    `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
+    answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
+    remote control, and of all `remotes` that wait to be let in, by the two digits that each shows.
+    """
+
+    number: str
+    picture: SentPicture | None = None
+    clock: RunClock | None = None
+    question: PutTo | None = None
+    here: int | None = None
+    lost: bool | None = None
+    ended: bool = False
+    answers: bool = False
+    deed: Literal["", "next", "back", "show", "close"] = ""
+    remotes: tuple[str, ...] | None = None
+
+
+class Opened(Struct, frozen=True, kw_only=True):
+    """A room: its code, its key, which its instructor's browser keeps, and the address to join at, also as a QR code
+    (SVG)."""
+
+    code: str
+    key: str
+    address: str
+    square: str
+
+
+class SketchOf(Struct, frozen=True, kw_only=True):
+    """One sketch and which of the features asked for it has."""
+
+    curves: dict[str, Sketched]
+    has: tuple[bool, ...]
+
+
+class Counted(Struct, frozen=True, kw_only=True):
+    """The answers to one vote: how many, of each option, as numbers or places on the axis of a point, as sketches: some
+    hundreds of them, and how many of all have each of the features asked for."""
+
+    answered: int
+    options: tuple[int, ...] = ()
+    numbers: tuple[float, ...] = ()
+    sketches: tuple[SketchOf, ...] = ()
+    having: tuple[int, ...] = ()
+
+
+class Tally(Struct, frozen=True, kw_only=True):
+    """The answers to the question that is put, for the instructor; `before` is the first vote where this is another,
+    `features` what a right sketch has, by name, `right` how many answers are."""
+
+    walk: str
+    step: str
+    vote: int
+    now: Counted
+    before: Counted | None
+    features: tuple[Html, ...]
+    right: int
+
+
+class Entered(Struct, frozen=True, kw_only=True):
+    """A follower's way in: the code as it is written, and the token under which answers are kept."""
+
+    code: str
+    token: str
+
+
+class Ticket(Struct, frozen=True, kw_only=True):
+    """A ticket for a remote control, good once: its address, also as a QR code (SVG); the phone sends the secret
+    alone."""
+
+    address: str
+    square: str = ""
+
+
+class Paired(Struct, frozen=True, kw_only=True):
+    """A remote control that waits: the two digits that it shows, and the key that is good once it has been let in."""
+
+    digits: str
+    key: str
+
+
+class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """The digits that the instructor has seen on the phone."""
+
+    digits: Annotated[str, Meta(max_length=2)]
+
+
+class Done(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """A press of a button on a remote control."""
+
+    deed: Literal["next", "back", "show", "close"]

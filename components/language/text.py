@@ -1,0 +1,30 @@
+"""Texts: sentences as HTML, and the short texts of a drawing, which SVG sets, as runs."""
+
+from __future__ import annotations
+
+from typing import Literal, TypeAlias
+
+from msgspec import Struct
+
+Html: TypeAlias = str
+"""HTML that components.layout.text made of our own source; live numbers in it are elements with `data-value`."""
+
+
+class TextRun(Struct, frozen=True):
+    """A piece of a text in a drawing: plain, the symbol of a quantity, its index, or the live number of that name."""
+
+    kind: Literal["plain", "symbol", "index", "value"]
+    text: str
+
+
+Runs: TypeAlias = tuple[TextRun, ...]
+
+
+class Forms(Struct, frozen=True):
+    """A sentence in several forms: the picture's form called `name` says which stands, "" that none does.
+
+    Without a name the only form, "", always stands.
+    """
+
+    variants: dict[str, Html]
+    name: str = ""

@@ -1,0 +1,85 @@
+"""A guided walk: what is asked at each step, and what a session says of an answer."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from msgspec import Struct
+
+from components.language.picture import Ruler
+from components.language.state import State
+from components.language.text import Html
+
+
+class StepCard(Struct, frozen=True, kw_only=True):
+    """The card of a step, before its answer.
+
+    `place` says where in the lecture it is, `given` stands over the question, `options` are the answers of a choice,
+    `unit` that of a number; `plot` is where a point is marked or a sketch drawn, `axis` the one of the point, `curves`
+    what is drawn, by name, and `frame` the axes x and y of a sketch that a class shares. `opens` is the state that the
+    question is asked of, `reveals` the one of the answer, where the parameters in `controls` may be moved.
+    """
+
+    id: str
+    kind: str
+    place: str
+    scene: str
+    given: Html
+    question: Html
+    minutes: float
+    opens: State
+    reveals: State
+    controls: tuple[str, ...]
+    options: tuple[Html, ...] = ()
+    unit: str = ""
+    plot: str = ""
+    axis: Literal["", "x", "y"] = ""
+    curves: tuple[str, ...] = ()
+    frame: tuple[Ruler, Ruler] | None = None
+
+
+class WalkSheet(Struct, frozen=True, kw_only=True):
+    """A walk from its first step to its last."""
+
+    name: str
+    title: str
+    steps: tuple[StepCard, ...]
+
+
+class Verdict(Struct, frozen=True, kw_only=True):
+    """The verdict on one answer of a choice: its sentence, and the state in which it would be right, if any."""
+
+    right: bool
+    reply: Html
+    where: State | None = None
+
+
+class Finding(Struct, frozen=True, kw_only=True):
+    """A feature that a sketch has or misses: its name, what is said of it, and where in the plot it is, in places of
+    its axes."""
+
+    has: bool
+    name: Html
+    words: Html
+    at: tuple[float, float] | None
+
+
+class Lesson(Struct, frozen=True, kw_only=True):
+    """The lesson of a step, told once it has been answered.
+
+    `right` is None where nothing was answered; `reply` is the sentence of the answer given; `verdicts` are those of the
+    options, `findings` those of a sketch, `truth` the right number or places; `places` has them in the unit of the
+    number, or on the axis of the point. `shows` is the state of the answer where that is not the card's `reveals`.
+    """
+
+    title: Html
+    explain: Html
+    follows: tuple[Html, ...]
+    next: Html
+    right: bool | None = None
+    reply: Html = ""
+    verdicts: tuple[Verdict, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    truth: str = ""
+    shows: State | None = None
+    places: tuple[float, ...] = ()

@@ -1,0 +1,1 @@
+"""What stands where: sheets, stages, plots, controls, texts."""

@@ -1,0 +1,65 @@
+"""Choices: the values that a parameter other than a number may have, and their words in links and messages."""
+
+import re
+
+import param
+
+from components.language.state import Value
+from components.quantities.numbers import excerpt, shortest
+from components.quantities.parameters import AnyParameter
+
+MOST_ITEMS = 50
+_ITEM = re.compile(r"[A-Za-z0-9_.:+-]{1,40}")
+
+
+def word(value: object) -> str:
+    """The word for one value: signed, true, 0.5."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    return shortest(value) if isinstance(value, float) else str(value)
+
+
+def stated(value: object) -> Value:
+    """A parameter's value as a state carries it: numbers as they are, all else by its words."""
+    if isinstance(value, list):
+        return [word(item) for item in value]
+    return value if value is None or (isinstance(value, float) and not isinstance(value, bool)) else word(value)
+
+
+def options(parameter: AnyParameter) -> dict[str, object]:
+    """The values to choose from, by word."""
+    values = (False, True) if isinstance(parameter, param.Boolean) else parameter.get_range().values()
+    return {word(value): value for value in values}
+
+
+def chosen(parameter: AnyParameter, given: object) -> object:
+    """The value that `given` stands for; ValueError, in words for a person, where there is none.
+
+    `given` is a value or its word; for a list, a list or its words with commas between.
+    """
+    if isinstance(parameter, param.ListSelector):
+        return [_one(parameter, item) for item in _items(given)]
+    if isinstance(parameter, param.List):
+        return [_name(item) for item in _items(given)]
+    return _one(parameter, given)
+
+
+def _one(parameter: AnyParameter, given: object) -> object:
+    possible = options(parameter)
+    text = word(given)
+    if text not in possible:
+        raise ValueError(f"“{excerpt(text)}” is not possible: choose one of {', '.join(possible)}.")
+    return possible[text]
+
+
+def _items(given: object) -> list[object]:
+    items = [item for item in given.split(",") if item] if isinstance(given, str) else given
+    if not isinstance(items, list) or len(items) > MOST_ITEMS:
+        raise ValueError(f"“{excerpt(str(given))}” is not possible: give at most {MOST_ITEMS} names.")
+    return items
+
+
+def _name(item: object) -> str:
+    if not isinstance(item, str) or not _ITEM.fullmatch(item):
+        raise ValueError(f"“{excerpt(str(item))}” is not possible: a name has letters, digits, _.:+- only.")
+    return item

@@ -1,0 +1,170 @@
+"""The control panel: which controls a scene has, and what they show."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import lru_cache
+from typing import Any
+
+import param
+from msgspec.structs import replace
+
+from components.language.blocks import Option
+from components.language.controls import (
+    ActionButton,
+    ChoiceRow,
+    ControlRow,
+    GroupSection,
+    NamedValue,
+    Panel,
+    PresetButton,
+    Setting,
+    SliderRow,
+)
+from components.language.shapes import AnyShape
+from components.layout.choices import options, stated, word
+from components.layout.text import rich
+from components.quantities.numbers import MINUS, shortest, tidy
+from components.quantities.parameters import AnyParameter, Quantity, Values
+from components.quantities.units import Unit
+
+Choice = (param.Selector, param.Boolean)
+Pictures = Mapping[str, list[AnyShape]]
+
+
+@dataclass(frozen=True)
+class Group:
+    """Parameters that belong together, under a title; the hint names another way to set them.
+
+    Without a title they go on with the group before; folded, the hint is what opens them, and the actions with them.
+
+    `actions` are buttons, (name, label): the scene's `action(name)` says what they set. A `folded` group opens when
+    asked for and when one of its values is not the default. `form` is the one by which a group stands. `pictures` makes
+    a choice one of pictures: the shapes of a stage for each value. `facts` are rows of cells, texts for `rich`, under
+    the controls. While a `dense` group stands the panel has less room between its groups. What a group `apart` sets
+    counts in its form alone.
+    """
+
+    title: str
+    names: tuple[str, ...]
+    hint: str = ""
+    actions: tuple[tuple[str, str], ...] = ()
+    folded: bool = False
+    form: str = ""
+    pictures: Pictures = field(default_factory=dict)
+    facts: tuple[tuple[str, ...], ...] = ()
+    dense: bool = False
+    apart: bool = False
+
+
+def panel(
+    parameters: Mapping[str, AnyParameter],
+    groups: tuple[Group, ...],
+    *,
+    start: str = "Start from",
+    folded: bool = False,
+    presets: Mapping[str, Values] | None = None,
+    drawings: Mapping[str, str] | None = None,
+    watch: Mapping[str, str] | None = None,
+    places: Iterable[str] = (),
+) -> Panel:
+    """The panel of a scene: `drawings` are outlines of presets by label, `watch` what to watch in each, `places` the
+    actions that are places."""
+    return Panel(
+        start=start,
+        folded=folded,
+        presets=tuple(_preset_buttons(parameters, presets or {}, drawings or {}, watch or {})),
+        groups=tuple(_section(parameters, group, frozenset(places)) for group in groups),
+    )
+
+
+def _preset_buttons(
+    parameters: Mapping[str, AnyParameter],
+    presets: Mapping[str, Values],
+    outlines: Mapping[str, str],
+    watch: Mapping[str, str],
+) -> Iterator[PresetButton]:
+    defaults = {name: parameters[name].default for values in presets.values() for name in values}
+    for label, values in presets.items():
+        sets = {name: stated(value) for name, value in {**defaults, **values}.items()}
+        yield PresetButton(preset_name(label), label, sets, outlines.get(label, ""), watch.get(label, ""))
+
+
+def preset_name(label: str) -> str:
+    """The name by which a page knows a preset, whatever it is called there."""
+    return "-".join(re.findall(r"\w+", label.lower()))
+
+
+def _section(parameters: Mapping[str, AnyParameter], group: Group, places: frozenset[str]) -> GroupSection:
+    return GroupSection(
+        title=group.title,
+        hint=group.hint,
+        rows=tuple(control(name, parameters[name], group.pictures) for name in group.names),
+        actions=tuple(ActionButton(name, label, name in places) for name, label in group.actions),
+        folded=group.folded,
+        form=group.form,
+        dense=group.dense,
+        facts=tuple(tuple(map(rich, cells)) for cells in group.facts),
+    )
+
+
+def control(name: str, parameter: AnyParameter, pictures: Pictures | None = None) -> ControlRow:
+    """A slider with a field for a quantity, joined buttons or small pictures for anything else."""
+    return _slider(name, parameter) if isinstance(parameter, Quantity) else _choice(name, parameter, pictures or {})
+
+
+def _slider(name: str, quantity: Quantity) -> SliderRow:
+    parts = (quantity.symbol.replace("_", ""), quantity.label)
+    return SliderRow(
+        name=name,
+        symbol=quantity.symbol,
+        unit=quantity.unit,
+        tint=quantity.tint,
+        scale=quantity.scale,
+        soft=quantity.softbounds,
+        says=quantity.says,
+        label=", ".join(part for part in parts if part),
+        marks=tuple(NamedValue(value, text) for value, text in quantity.marks),
+    )
+
+
+def _choice(name: str, parameter: AnyParameter, pictures: Pictures) -> ChoiceRow:
+    labels = parameter.names if isinstance(parameter, param.Selector) else None
+    by_word = {word(value): label for label, value in labels.items()} if labels else {}
+    values = list(options(parameter))
+    return ChoiceRow(
+        name=name,
+        label=parameter.label or name,
+        options=tuple(Option(value, by_word.get(value, value)) for value in values),
+        pictures={value: tuple(pictures[value]) for value in values if value in pictures},
+    )
+
+
+def settings(
+    parameters: Mapping[str, AnyParameter],
+    values: Mapping[str, Any],
+    units: Mapping[str, Unit],
+    spans: Mapping[str, tuple[float, float]],
+) -> dict[str, Setting]:
+    """The settings of all controls for these values: `units` are those shown in place of a quantity's own, `spans` the
+    ends of the sliders that follow the scene."""
+    found: dict[str, Setting] = {}
+    for name, parameter in parameters.items():
+        value = values.get(name)
+        if isinstance(parameter, Quantity):
+            found[name] = _setting(parameter, value, units.get(name), spans.get(name))
+        elif isinstance(parameter, Choice) and not isinstance(parameter, param.ListSelector):
+            found[name] = Setting(value=word(value), text=word(value), changed=value != parameter.default)
+    return found
+
+
+@lru_cache(2000)
+def _setting(quantity: Quantity, value: float | None, unit: Unit | None, span: tuple[float, float] | None) -> Setting:
+    """Remembered, as a change moves one of many."""
+    text = "" if value is None else shortest(value) if quantity.scale == "count" else tidy(value)
+    own = Setting(value=value, text=text.replace("-", MINUS), soft=span, changed=value != quantity.default)
+    if unit is None or value is None:
+        return own
+    return replace(own, text=unit.field(value).replace("-", MINUS), unit=unit.text, size=unit.size)

@@ -1,0 +1,195 @@
+"""The plots: Bokeh figures without data, built once a process and mounted by every visitor's browser.
+
+A session owns only its numbers. A figure knows the names of its columns; the browser fills them from the one message
+that answers a change, and draws the time cursor, the labels at the curves' ends and the handles over the figure.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import Any, TypedDict, Unpack
+
+import numpy as np
+from bokeh.embed import json_item
+from bokeh.models import ColumnDataSource, FixedTicker, Range1d, Span
+from bokeh.models import Plot as BokehPlot
+from bokeh.plotting import figure
+from msgspec.structs import replace
+
+from components.language.blocks import PlotBlock
+from components.language.plots import Curve, Handle, Mark, Region, Term
+from components.language.plots import Room as Room
+from components.language.shapes import AnyShape
+from components.layout.text import plain as plain_text
+from components.layout.text import runs
+
+USUAL_ROOM = Room()
+NUMBERS = 30
+"""The room of the numbers under a plot, in pixels: a plot beside it has the same frame if it leaves as much free."""
+HEADING = 24
+"""The height of the heading over a plot; likewise."""
+DASHES = {"dash": [7, 5], "dots": [1, 3]}
+
+
+def curve(y: str, *, source: str = "time", x: str = "", label: str = "", read: str = "", **look: Any) -> Curve:
+    """A line of a plot: column `y` of `source`, over the plot's own abscissae where no `x` is given.
+
+    `label` stands at its right end and in the read-out at the pointer, `read` there alone; its `group` is `y` where
+    not given. The rest is as in components.language.plots.
+    """
+    named = {"group": y, "label": runs(label), "read": plain_text(read or label)}
+    return Curve(y=y, source=source, x=x, **(named | look))
+
+
+def region(
+    low: str, high: str, *, source: str = "time", x: str = "", label: str = "", read: str = "", **look: Any
+) -> Region:
+    """A filled region between the columns `low` and `high`: an envelope, or a layer of a stack."""
+    return Region(low=low, high=high, source=source, x=x, label=runs(label), read=plain_text(read or label), **look)
+
+
+class Details(TypedDict, total=False):
+    """The fields of a plot that are passed on to components.language.blocks.PlotBlock, which explains them."""
+
+    handles: tuple[Handle, ...]
+    marks: tuple[Mark, ...]
+    shapes: tuple[AnyShape, ...]
+    square: bool
+    plain: bool
+    x_labels: bool
+    pick: str
+    form: str
+    style: str
+    grow: float
+    basis: int
+    phone: int
+    height: int
+
+
+USUAL: Details = {
+    "handles": (),
+    "marks": (),
+    "shapes": (),
+    "square": False,
+    "plain": False,
+    "x_labels": True,
+    "pick": "",
+    "grow": 1,
+    "basis": 0,
+    "phone": 50,
+    "height": 130,
+}
+
+
+def plot(
+    name: str,
+    *,
+    x: str,
+    y: str,
+    title: str,
+    curves: Iterable[Curve] = (),
+    bands: Iterable[Region] = (),
+    heading: Sequence[Term] = (),
+    x_column: str = "t",
+    room: Room = USUAL_ROOM,
+    cursor: str = "",
+    **details: Unpack[Details],
+) -> PlotBlock:
+    """A plot as a block of the sheet.
+
+    `x` and `y` name axes of the picture, `title` is its text alternative, `x_column` the column of abscissae.
+    `cursor="time"` draws the instant shown and lets it be dragged. `shapes` use `on_x`, `on_y` of this plot.
+    """
+    given: Details = {**USUAL, **details}
+    given["x_labels"] = x_labels = given["x_labels"] and not given["plain"]
+    room = replace(room, bottom=NUMBERS if x_labels else room.bottom)
+    given["basis"] += (NUMBERS if room.bottom == NUMBERS else 0) + (HEADING if heading else 0)
+    drawn = tuple(replace(one, x=one.x or x_column) for one in curves)
+    filled = tuple(replace(one, x=one.x or x_column) for one in bands)
+    return PlotBlock(
+        name=name,
+        title=title,
+        brief=re.split("[,:]", title)[0],
+        x=x,
+        y=y,
+        curves=drawn,
+        regions=filled,
+        heading=tuple(heading),
+        room=room,
+        cursor=bool(cursor),
+        time=cursor == "time",
+        figure=json_item(_figure(drawn, filled, room, x_labels, given["plain"])),
+        **given,
+    )
+
+
+def _figure(
+    curves: tuple[Curve, ...], regions: tuple[Region, ...], room: Room, x_labels: bool, plain: bool
+) -> BokehPlot:
+    figure_ = figure(
+        tools="",
+        toolbar_location=None,
+        sizing_mode="stretch_both",
+        x_range=Range1d(0, 1),
+        y_range=Range1d(0, 1),
+        min_border=0,
+        min_border_left=room.left,
+        min_border_right=room.right,
+        min_border_top=room.top,
+        min_border_bottom=room.bottom,
+        outline_line_color=None,
+        background_fill_color=None,
+        border_fill_color=None,
+        output_backend="canvas",
+        lod_threshold=None,
+    )
+    _glyphs(figure_, curves, regions)
+    _lines(figure_, x_labels, plain)
+    return figure_
+
+
+def _glyphs(figure_: BokehPlot, curves: tuple[Curve, ...], regions: tuple[Region, ...]) -> None:
+    """Regions under curves. The name of a renderer is its place in the block, "regions.0": the browser asks there for
+    its colour, its width and its group."""
+    sources = _sources(curves, regions)
+    for n, one in enumerate(regions):
+        place = {"x": one.x, "y1": one.low, "y2": one.high, "source": sources[one.source]}
+        figure_.varea(**place, fill_alpha=one.alpha, name=f"regions.{n}")
+    for n, line in enumerate(curves):
+        place = {"x": line.x, "y": line.y, "source": sources[line.source], "name": f"curves.{n}"}
+        if line.width != "none":
+            figure_.line(**place, line_dash=DASHES.get(line.width, []), line_join="round")
+        if line.marker:
+            figure_.scatter(**place, size=9)
+
+
+def _sources(curves: tuple[Curve, ...], regions: tuple[Region, ...]) -> dict[str, ColumnDataSource]:
+    """The sources by name, with empty columns."""
+    columns: dict[str, set[str]] = {}
+    for curve_ in curves:
+        columns.setdefault(curve_.source, set()).update((curve_.x, curve_.y))
+    for one in regions:
+        columns.setdefault(one.source, set()).update((one.x, one.low, one.high))
+    empty = np.empty(0, np.float32)
+    return {
+        name: ColumnDataSource(name=name, data=dict.fromkeys(sorted(columns[name]), empty)) for name in sorted(columns)
+    }
+
+
+def _lines(figure_: BokehPlot, x_labels: bool, plain: bool) -> None:
+    """Axes without lines of their own, a grid at their numbers, and the zeros."""
+    for axis in (*figure_.xaxis, *figure_.yaxis):
+        axis.ticker = FixedTicker(ticks=[])
+        axis.axis_line_color = axis.minor_tick_line_color = axis.major_tick_line_color = None
+        axis.major_label_text_font_size = "13px"
+        axis.major_label_standoff = 5
+    for grid in (*figure_.xgrid, *figure_.ygrid):
+        grid.ticker = figure_.xaxis[0].ticker if grid.dimension == 0 else figure_.yaxis[0].ticker
+    figure_.xaxis.visible, figure_.yaxis.visible = x_labels, False
+    zeros = ["width"]
+    if plain:
+        figure_.xgrid.visible = figure_.ygrid.visible = False
+        zeros.append("height")
+    for dimension in zeros:
+        figure_.add_layout(Span(location=0, dimension=dimension, line_width=1, level="underlay"))

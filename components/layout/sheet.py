@@ -1,0 +1,119 @@
+"""Builders of the paper's blocks (components.language.blocks), with texts in the language of components.layout.text."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from msgspec.structs import replace
+
+from components.language.blocks import (
+    Block,
+    ChoiceBlock,
+    Column,
+    Option,
+    Row,
+    StageBlock,
+    TableBlock,
+    WordsBlock,
+)
+from components.language.plots import Term
+from components.language.shapes import AnyShape
+from components.language.text import Forms
+from components.layout.text import rich
+
+Paragraph = str | Forms
+"""A text, or several forms of it."""
+
+
+def row(*blocks: Block, grow: float = 1, basis: int = 0, gap: int = 24) -> Block:
+    return Row(blocks=blocks, grow=grow, basis=basis, gap=gap)
+
+
+def column(*blocks: Block, grow: float = 1, basis: int = 0, gap: int = 0) -> Block:
+    return Column(blocks=blocks, grow=grow, basis=basis, gap=gap)
+
+
+def stage(
+    *shapes: AnyShape,
+    label: str,
+    grow: float = 1,
+    basis: int = 0,
+    phone: int = 0,
+    height: int = 180,
+    widest: float = 3.4,
+    style: str = "",
+) -> Block:
+    """The picture. `label` describes it to those who do not see it."""
+    place = {"grow": grow, "basis": basis, "phone": phone, "height": height}
+    return StageBlock(shapes=shapes, label=label, widest=widest, style=style, **place)  # type: ignore[arg-type]
+
+
+def words(*paragraphs: Paragraph, style: str = "facts", grow: float = 0, basis: int = 0, phone: int = 50) -> Block:
+    """Sentences and formulas."""
+    items = tuple(map(_item, paragraphs))
+    return WordsBlock(items=items, style=style, grow=grow, basis=basis, phone=phone)
+
+
+def table(
+    *rows: Sequence[Paragraph],
+    head: Sequence[str] = (),
+    grow: float = 0,
+    basis: int = 0,
+    phone: int = 50,
+    style: str = "",
+) -> Block:
+    """Rows of cells, each a paragraph as in `words`; the first cell of a row is its name. `style` may be tight."""
+    cells = tuple(tuple(map(_item, line)) for line in rows)
+    heads = tuple(map(rich, head))
+    return TableBlock(head=heads, rows=cells, style=style, grow=grow, basis=basis, phone=phone)
+
+
+def either(form: str, /, **variants: str) -> Forms:
+    """A text in several forms: the picture's form of that name says which stands, "" that none does."""
+    return Forms({name: rich(text) for name, text in variants.items()}, form)
+
+
+def _item(paragraph: Paragraph) -> Forms:
+    return paragraph if isinstance(paragraph, Forms) else Forms({"": rich(paragraph)})
+
+
+def when(form: str, block: Block) -> Block:
+    """The block, standing only while the picture has a form of that name: how a scene has several views."""
+    return replace(block, form=form)
+
+
+def desk(block: Block) -> Block:
+    """The block, for a reader at a desk alone: in a hall, with type for the last row, fewer parts stand."""
+    return replace(block, hall=False)
+
+
+def choice(
+    name: str,
+    options: Mapping[str, str],
+    label: str,
+    grow: float = 0,
+    basis: int = 34,
+    phone: int = 50,
+    style: str = "",
+) -> Block:
+    """A joined segment of two to four options that sets the Selector parameter `name`.
+
+    With the style "views" it stands right of the headline and switches the views of the scene.
+    """
+    pairs = tuple(Option(value, text) for value, text in options.items())
+    return ChoiceBlock(name=name, options=pairs, label=label, style=style, grow=grow, basis=basis, phone=phone)
+
+
+def term(curve: str = "", key: str = "line", tint: str = "ink", *, form: str = "", **forms: str) -> Term:
+    """One term of a plot's heading: the formula of a curve, its line sample and its switch.
+
+    `key` is sum, line, dash, band or none. Forms are LaTeX by variant; a single form is called `formula`. `form` names
+    the picture's form that chooses, that of the curve where not given.
+    """
+    return phrase(curve, key, tint, form=form, **{name: f"${latex}$" if latex else "" for name, latex in forms.items()})
+
+
+def phrase(curve: str = "", key: str = "line", tint: str = "ink", *, form: str = "", **forms: str) -> Term:
+    """A term of a heading with words in place of formulas."""
+    variants = {name: rich(text) for name, text in forms.items()}
+    return Term(curve=curve, form=form or curve, key=key, tint=tint, variants=variants)  # type: ignore[arg-type]

@@ -1,0 +1,162 @@
+r"""The one language of texts: plain words, and in them
+
+    $formula$              LaTeX, turned into MathML once a process
+    {name}                 the live number called `name`
+    *x*_1, *x*_{max}       the symbol of a quantity and its index
+    **strong**, [tint|words in the colour of a quantity], [scene:slug|words that lead there]
+
+`rich` makes HTML of it, `runs` the pieces that a drawing sets; there formulas, strong and coloured words have no place.
+In a formula two commands are our own:
+
+    \val{name}             the live number called `name`
+    \tint{class}{...}      the colour of a quantity: m1, m2, slow, fast, T, V, F, k, ...
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from functools import lru_cache
+from html import escape
+
+from latex2mathml.converter import convert
+
+from components.language.text import Html, Runs, TextRun
+from components.layout.markup import check_markup
+from components.quantities.numbers import excerpt
+
+_SENTENCES = 2048  # kept; those with numbers in them, or from anybody's file, have no end
+_SHORT = 400  # characters of what is kept: a long text is made of its formulas anew
+_VALUE = re.compile(r"\\val\{(\w+)\}")
+_VALUE_MATHML = re.compile(r"<mtext>@(\w+)@</mtext>")
+_THIN = '<mspace width="0.15em" />'
+_FUNCTION = re.compile(r"<mi>([a-z]{2,})</mi>")
+_FRACTION = re.compile(r"<mstyle[^>]*><mfrac><mrow><mn>1</mn></mrow><mrow><mn>([24])</mn></mrow></mfrac></mstyle>")
+_ONE_OVER = {"2": "½", "4": "¼"}  # one sign each, so that a line stays low
+_SIGN = re.compile(r"(<mo>&#x0003D;</mo>)<mo>&#x02212;</mo>")
+# Signs that the converter takes for letters, whose spaces are too wide, or that are another φ than in texts.
+_OPERATORS = {
+    "<mi>&#x000B1;</mi>": "<mo>&#x000B1;</mo>",
+    "&#x003D5;": "&#x003C6;",
+    '<mo stretchy="false">&#x0007C;</mo>': '<mo stretchy="false" lspace="0" rspace="0">&#x0007C;</mo>',
+    "<mo>&#x0002F;</mo>": '<mo lspace="0.1em" rspace="0.1em">&#x0002F;</mo>',
+}
+_PRIMED = re.compile(r"<msup>(<mi>\w</mi>)<mi>&#x02032;</mi></msup>")
+_PRIMED_POWER = re.compile(r"<msup>(<mi>\w</mi>)<mrow><mi>&#x02032;</mi>(<mn>\d+</mn>)</mrow></msup>")
+_PRIME = '<mo lspace="0" rspace="0">&#x02032;</mo>'
+_TINT = re.compile(r"\\tint\{(\w+)\}")
+_TINT_MATHML = re.compile(r'<mstyle mathcolor="(\w+)">')
+
+
+def kept(make: Callable[[str], str]) -> Callable[[str], str]:
+    """Remembers what was made of short texts."""
+    remembering = lru_cache(maxsize=_SENTENCES)(make)
+    return lambda text: (remembering if len(text) <= _SHORT else make)(text)
+
+
+@kept
+def mathml(latex: str) -> str:
+    """MathML of a formula; its live numbers are elements with a `data-value` attribute.
+
+    ValueError, in words, for what is no formula, or would be more than one.
+    """
+    try:
+        markup = _converted(latex)
+    except Exception as error:  # whatever the converter, made for formulas that are right, stumbles over
+        raise ValueError(f"“{excerpt(latex)}” cannot be set as a formula") from error
+    try:
+        check_markup(markup)
+    except ValueError as reason:
+        raise ValueError(f"“{excerpt(latex)}”: {reason}") from reason
+    return markup
+
+
+def _converted(latex: str) -> str:
+    source = _VALUE.sub(r"\\text{@\1@}", latex)
+    markup = convert(_TINT.sub(r"\\color{\1}", source))
+    markup = _VALUE_MATHML.sub(r'<mn class="n" data-value="\1"></mn>', markup)
+    markup = _FRACTION.sub(lambda match: f"<mn>{_ONE_OVER[match[1]]}</mn>", markup)
+    # A prime is high enough as it is: as an exponent it would be tiny.
+    markup = _PRIMED.sub(rf"<mrow>\1{_PRIME}</mrow>", markup)
+    markup = _PRIMED_POWER.sub(rf"<msup><mrow>\1{_PRIME}</mrow>\2</msup>", markup)
+    for wrong, right in _OPERATORS.items():
+        markup = markup.replace(wrong, right)
+    markup = _FUNCTION.sub(rf'<mi class="up">\1</mi>{_THIN}', markup)
+    markup = markup.replace('</mi><mi class="up">', f'</mi>{_THIN}<mi class="up">')
+    # Not the minus of a difference, which would stand apart from its number.
+    markup = _SIGN.sub(r'\1<mo form="prefix">&#x02212;</mo>', markup)
+    return _TINT_MATHML.sub(r'<mstyle class="tint \1">', markup)
+
+
+_INLINE = re.compile(
+    r"\$(?P<formula>[^$]+)\$|\*\*(?P<strong>[^*]+)\*\*|\{(?P<value>\w+)\}|\[(?P<tint>\w+)\|(?P<coloured>[^\]]+)\]"
+    r"|\[scene:(?P<slug>\w+)\|(?P<leading>[^\]]+)\]"
+    r"|\*(?P<symbol>[^*\s][^*]*)\*|(?P<index>_(?:\{[^}]+\}|\w))"
+)
+
+
+@kept
+def rich(text: str) -> Html:
+    """HTML of a sentence; what is strong or coloured may hold the others. ValueError, in words, as for a formula, and
+    for a colour that there is not."""
+    html = _set(text)
+    check_markup(html)
+    return html
+
+
+def _set(text: str) -> Html:
+    parts, end, symbol_ends = [], 0, -1
+    for match in _INLINE.finditer(text):
+        parts.append(escape(text[end : match.start()]))
+        parts.append(_markup(match, indexed=match.start() == symbol_ends))
+        end = match.end()
+        symbol_ends = end if match["symbol"] else -1
+    return "".join(parts) + escape(text[end:])
+
+
+def _markup(match: re.Match[str], indexed: bool) -> Html:
+    if match["formula"]:
+        return mathml(match["formula"])
+    if match["strong"]:
+        return f"<b>{_set(match['strong'])}</b>"
+    if match["coloured"]:
+        return f'<span class="tint {match["tint"]}">{_set(match["coloured"])}</span>'
+    if match["leading"]:
+        return f'<a href="?scene={match["slug"]}">{_set(match["leading"])}</a>'
+    if match["value"]:
+        return f'<span class="n" data-value="{match["value"]}"></span>'
+    if match["symbol"]:
+        return f'<span class="v">{escape(match["symbol"])}</span>'
+    # Elsewhere an underscore is an underscore.
+    return f"<sub>{escape(_index(match))}</sub>" if indexed else escape(match[0])
+
+
+def _index(match: re.Match[str]) -> str:
+    return match["index"][1:].strip("{}")
+
+
+@lru_cache(maxsize=_SENTENCES)
+def runs(text: str) -> Runs:
+    """The pieces of a short text in a drawing; ValueError for what a drawing cannot set."""
+    found: list[TextRun] = []
+    end = 0
+    for match in _INLINE.finditer(text):
+        if match["formula"] or match["strong"] or match["coloured"] or match["leading"]:
+            raise ValueError(f"a drawing sets no {match[0]!r}: plain words, symbols and live numbers only")
+        if match.start() > end:
+            found.append(TextRun("plain", text[end : match.start()]))
+        if match["symbol"]:
+            found.append(TextRun("symbol", match["symbol"]))
+        elif match["value"]:
+            found.append(TextRun("value", match["value"]))
+        else:
+            found.append(TextRun("index", _index(match)))
+        end = match.end()
+    if end < len(text):
+        found.append(TextRun("plain", text[end:]))
+    return tuple(found)
+
+
+def plain(text: str) -> str:
+    """A text without its marks, for the read-out at the pointer and for names that are read aloud."""
+    return "".join(run.text for run in runs(text))

@@ -1,0 +1,184 @@
+"""Motions as the browser's clock plays them: a few scalars a signal, evaluated sixty times a second without a server.
+
+Times are counted in the unit of the time axis (10**exponent seconds), from the start of the window; sizes in the unit
+of the signal's own axis. What is sent is therefore of order one, whatever the parameters.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from decimal import Decimal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from components.language.numbers import Expression, Number, Product, as_expression
+from components.language.picture import Pace
+from components.language.signals import AnySignal, CosineOf, Derived, Response, Responses, Sampled, Sine, SineOf, Sines
+from components.quantities.axes import Axis
+from physics.valid import DOUBLES
+
+QUARTER = math.pi / 2
+"""A quarter turn: the sine so much ahead is the cosine."""
+
+
+def scaled(exponent: int, *factors: float) -> float:
+    """The product of the factors divided by 10**exponent, though intermediate products leave the range of doubles."""
+    others = [factor for factor in factors if factor != 1]
+    if not exponent and len(others) <= 1:  # in most pictures
+        result = float(*others) if others else 1.0
+    else:
+        result = float(math.prod(map(Decimal, others), start=Decimal(1).scaleb(-exponent)))
+    if math.isinf(result):
+        raise ValueError(f"the motion does not fit this time window: its numbers leave {DOUBLES}")
+    return result
+
+
+def sines(
+    size: Axis,
+    time: Axis,
+    *terms: tuple[float, float, float] | tuple[float, float, float, float],
+    line: tuple[float, float] = (0, 0),
+) -> Sines:
+    """a + b t + sum of A exp(-decay t) sin(omega t + phi), from (A, omega, phi) or (A, omega, phi, decay) in SI units
+    and line = (a, b)."""
+    a = scaled(size.exponent, line[0], 1 / size.factor)
+    b = scaled(size.exponent - time.exponent, line[1], 1 / size.factor)
+    found = [
+        Sine(
+            scaled(size.exponent, amplitude, 1 / size.factor),
+            scaled(-time.exponent, omega),
+            phase,
+            *(scaled(-time.exponent, rate) for rate in decay),
+        )
+        for amplitude, omega, phase, *decay in terms
+    ]
+    return Sines(sines=tuple(found), line=(a, b))
+
+
+def decays(size: Axis, time: Axis, *terms: tuple[float, float, float, float, float]) -> Sines:
+    """A sum of (A + B t) exp(-r t) sin(omega t + phi), from (A, B, r, omega, phi) in SI units, as
+    physics.damped.Decay has them."""
+    found = [
+        Sine(
+            scaled(size.exponent, amplitude, 1 / size.factor),
+            scaled(-time.exponent, omega),
+            phase,
+            scaled(-time.exponent, rate),
+            scaled(size.exponent - time.exponent, slope, 1 / size.factor),
+        )
+        for amplitude, slope, rate, omega, phase in terms
+    ]
+    return Sines(sines=tuple(found))
+
+
+def rates(size: Axis, time: Axis, *terms: tuple[float, float, float], drift: float = 0.0) -> Sines:
+    """The rate of change of the same undamped motion, in the size's unit per unit of time."""
+    unit = size.exponent - time.exponent
+    found = [
+        Sine(scaled(unit, amplitude, omega), scaled(-time.exponent, omega), phase + math.pi / 2)
+        for amplitude, omega, phase in terms
+    ]
+    return Sines(sines=tuple(found), line=(scaled(unit, drift), 0.0))
+
+
+def responses(size: Axis, time: Axis, *terms: tuple[float, float, float, float]) -> Responses:
+    """Motion from rest under a drive: sum of F c g(t), g'' + omega_n^2 g = sin(omega t), from (F, c, omega, omega_n).
+
+    F in N, c in 1/kg. It is regular at resonance and at omega_n = 0.
+    """
+    found = [
+        Response(
+            scaled(size.exponent - 2 * time.exponent, F, c),
+            scaled(-time.exponent, omega),
+            scaled(-time.exponent, omega_n),
+        )
+        for F, c, omega, omega_n in terms
+    ]
+    return Responses(responses=tuple(found))
+
+
+def derived(expression: Number) -> Derived:
+    """A signal that is a polynomial in signals named before it and in scalars."""
+    return Derived(value=as_expression(expression))
+
+
+def sine_of(name: str) -> SineOf:
+    """The sine of a signal in rad named before it: for what turns."""
+    return SineOf(of=name)
+
+
+def cosine_of(name: str) -> CosineOf:
+    """The cosine of a signal in rad named before it."""
+    return CosineOf(of=name)
+
+
+def starts(signals: Mapping[str, AnySignal], scalars: Mapping[str, float]) -> dict[str, float]:
+    """The values of the signals at the start."""
+    named = {"t": 0.0, **scalars}
+    for name, signal in signals.items():
+        match signal:
+            case Sines(sines=terms, line=(first, _)):
+                named[name] = first + math.fsum(one.size * math.sin(one.phase) for one in terms)
+            case Derived(value=Expression(terms=products)):
+                named[name] = math.fsum(one.factor * math.prod(named[of] for of in one.names) for one in products)
+            case Sampled(y=tuple(values)):
+                named[name] = values[0]
+            case SineOf() | CosineOf():
+                named[name] = (math.sin if isinstance(signal, SineOf) else math.cos)(named[signal.of])
+            case _:  # a response begins at rest
+                named[name] = 0.0
+    return named
+
+
+def total(*names: str) -> Derived:
+    """The sum of signals named before it."""
+    return Derived(value=Expression(tuple(Product(1.0, (name,)) for name in names)))
+
+
+def sampled(
+    time: Axis, period: float, columns: NDArray[np.float64], slopes: NDArray[np.float64], drift: float = 0.0
+) -> Sampled:
+    """A sampled periodic motion, equally spaced over one period, joined by Hermite pieces, `drift` gained each period.
+
+    `columns` and `drift` are in the signal's unit, `slopes` in that unit per second.
+    """
+    unit = 10.0**time.exponent
+    return Sampled(
+        period=period / unit,
+        y=tuple(columns.tolist()),
+        dy=tuple((slopes * unit).tolist()),
+        drift=drift,
+    )
+
+
+FLASHES = 6.0
+"""Swings a second that the eye can still follow."""
+MOST = 1e308
+"""So many seconds are a double still."""
+
+
+def pace(omega: float, fastest: float) -> Pace:
+    """The speeds of the clock: at `auto` a period of `omega` takes 4 to 10 s, at `limit` `fastest` shows.
+
+    Both in rad/s; where there is none (0) a second lasts a second.
+    """
+    if not omega:
+        return Pace()
+    period, limit = (min(count * 2 * math.pi / float(w), MOST) for count, w in ((1, omega), (FLASHES, fastest)))
+    return Pace(1.0 if 4 <= period <= 10 else round_down(period / 4), limit)
+
+
+def round_up(value: float, digits: tuple[int, ...] = (1, 2, 5)) -> float:
+    """The least of these digits (1 among them) times a power of ten that is not below `value`."""
+    exponent = math.floor(math.log10(value))
+    steps = [float(f"{digit}e{exponent}") for digit in digits] + [float(f"1e{exponent + 1}")]
+    return min(step for step in steps if step >= value * (1 - 1e-9))
+
+
+def round_down(value: float, digits: tuple[int, ...] = (1, 2, 5)) -> float:
+    """The largest of these digits (1 among them) times a power of ten that is not above `value`."""
+    exponent = math.floor(math.log10(value))
+    steps = [float(f"{digit}e{exponent}") for digit in digits]
+    return max(step for step in steps if step <= value * (1 + 1e-9))

@@ -1,0 +1,200 @@
+"""Parameters: each kind's name, unit, bounds and slider, written once."""
+
+import math
+from collections.abc import Iterable, Mapping
+from numbers import Real
+from typing import Any, Literal, TypeAlias, TypeVar
+
+import param
+
+from components.quantities.numbers import MINUS, excerpt, shortest
+
+Scale = Literal["linear", "log", "near0", "count"]
+
+
+AnyParameter: TypeAlias = param.Parameter[Any]
+"""A parameter; what it holds is told by its kind alone."""
+
+Values: TypeAlias = Mapping[str, object]
+"""Values of parameters, by name."""
+
+Word = TypeVar("Word", bound=str)
+
+
+def one_of(
+    default: Word, objects: Iterable[Word] | Mapping[str, Word], label: str, doc: str = ""
+) -> param.Selector[Word]:
+    """A choice of one among words; a mapping gives them by what stands on the screen."""
+    options = dict(objects) if isinstance(objects, Mapping) else list(objects)
+    return param.Selector(default=default, objects=options, label=label, doc=doc or None)
+
+
+class Quantity(param.Number[Any]):  # a float, or None where the scene chooses itself
+    """A physical number: `bounds` are what physics allows, `softbounds` what its slider spans.
+
+    `symbol` is written k_2; `tint` names its colour; `scale` says how the slider runs ("near0" is finer near 0,
+    "count" has whole numbers only); `says` continues the symbol to a sentence; `allowed` says in words what values
+    are possible.
+    `marks` are values with a name under the slider, which then has the width of the panel.
+    """
+
+    __slots__ = ["allowed", "marks", "says", "scale", "symbol", "tint", "unit"]
+
+    softbounds: tuple[float, float]  # never None here
+
+    def __init__(
+        self,
+        default: float | None,
+        *,
+        symbol: str,
+        unit: str,
+        allowed: str,
+        says: str,
+        label: str | None = None,
+        softbounds: tuple[float, float],
+        tint: str = "ink",
+        scale: Scale = "linear",
+        marks: tuple[tuple[float, str], ...] = (),
+        **options: Any,
+    ) -> None:
+        facts = {
+            "symbol": symbol,
+            "unit": unit,
+            "tint": tint,
+            "scale": scale,
+            "says": says,
+            "allowed": allowed,
+            "marks": marks,
+        }
+        for slot, fact in facts.items():
+            object.__setattr__(self, slot, fact)
+        super().__init__(
+            default=None if default is None else float(default),
+            label=label,
+            doc=says,
+            softbounds=softbounds,
+            per_instance=False,  # or else param copies it for each scene in which it is set
+            **options,
+        )
+
+    def __get__(self, obj: Any, objtype: Any = None) -> Any:
+        """The value as it was set. Number asks twice whether it is one of param's generators of numbers: none is."""
+        return param.Parameter.__get__(self, obj, objtype)
+
+    def __set__(self, obj: Any, value: Any) -> None:
+        self._validate(value)
+        super().__set__(obj, None if value is None else float(value))
+
+    def refusal(self, value: object, given: str | None = None, unit: str | None = None) -> str | None:
+        """Why `value` is not possible, in a sentence that shows it as `given` in `unit`; None where it is possible."""
+        if self._possible(value):
+            return None
+        sign = self.unit if unit is None else unit
+        measured = isinstance(value, Real) and not isinstance(value, bool)
+        text = _shown(value) if given is None else given
+        return f"{text} {sign if measured else ''}".rstrip() + f" is not possible: {self.allowed}."
+
+    def _possible(self, value: object) -> bool:
+        if value is None:
+            return bool(self.allow_None)
+        if isinstance(value, bool) or not isinstance(value, Real):
+            return False
+        number = _as_float(value)
+        low, high = self.bounds or (None, None)
+        low_included, high_included = self.inclusive_bounds
+        return (
+            math.isfinite(number)
+            and (low is None or number > low or (low_included and number == low))
+            and (high is None or number < high or (high_included and number == high))
+            and (self.scale != "count" or number.is_integer())
+        )
+
+    def _validate(self, val: object) -> None:
+        refusal = self.refusal(val)
+        if refusal:
+            raise ValueError(f"{self.name or self.label} = {refusal}")
+
+
+def mass(default: float, *, symbol: str, **facts: Any) -> Quantity:
+    """A mass in kg, above 0; slider logarithmic from 0.01 to 10."""
+    kind = {"unit": "kg", "label": "mass", "softbounds": (0.01, 10.0), "scale": "log"}
+    says = {"says": "is a mass. Type any value above 0."}
+    return positive(default, symbol=symbol, **(kind | says | facts))
+
+
+def stiffness(default: float, *, symbol: str, **facts: Any) -> Quantity:
+    """A stiffness in N/m, 0 or more; slider from 0 to 100, finer near 0."""
+    kind = {"unit": "N/m", "label": "stiffness", "softbounds": (0.0, 100.0), "scale": "near0", "tint": "k"}
+    says = {"says": "is the stiffness of a spring. Type any value from 0 up."}
+    return not_negative(default, symbol=symbol, **(kind | says | facts))
+
+
+def displacement(default: float = 0.0, *, symbol: str, **facts: Any) -> Quantity:
+    """A displacement from equilibrium in m; slider from -2 to 2."""
+    kind = {"unit": "m", "label": "displacement", "softbounds": (-2.0, 2.0)}
+    says = {"says": "is where the mass starts, from equilibrium. Type any value."}
+    return finite(default, symbol=symbol, **(kind | says | facts))
+
+
+def velocity(default: float = 0.0, *, symbol: str, **facts: Any) -> Quantity:
+    """A velocity in m/s; slider from -5 to 5."""
+    kind = {"unit": "m/s", "label": "velocity", "softbounds": (-5.0, 5.0)}
+    says = {"says": "is how fast the mass starts. Type any value."}
+    return finite(default, symbol=symbol, **(kind | says | facts))
+
+
+def force(default: float = 1.0, *, symbol: str = "F_0", **facts: Any) -> Quantity:
+    """The amplitude of a force in N, 0 or more; slider from 0 to 10."""
+    kind = {"unit": "N", "label": "force", "softbounds": (0.0, 10.0), "tint": "F"}
+    says = {"says": "is the amplitude of the drive. Type any value from 0 up."}
+    return not_negative(default, symbol=symbol, **(kind | says | facts))
+
+
+def angular_frequency(default: float = 1.0, *, symbol: str = "ω", **facts: Any) -> Quantity:
+    """An angular frequency in rad/s, 0 or more; the scene moves the slider's range with its modes."""
+    kind = {"unit": "rad/s", "label": "angular frequency", "softbounds": (0.0, 5.0), "tint": "F"}
+    says = {"says": "is the drive frequency. Type any value from 0 up."}
+    return not_negative(default, symbol=symbol, **(kind | says | facts))
+
+
+def positive(default: float | None, *, label: str, **facts: Any) -> Quantity:
+    """Any quantity above 0."""
+    allowed = f"{_a(label)} is a finite number above 0"
+    options = {"bounds": (0.0, None), "inclusive_bounds": (False, True), "allowed": allowed} | facts
+    return Quantity(default, label=label, **options)
+
+
+def count(default: float, *, label: str, **facts: Any) -> Quantity:
+    """A whole number from 1 on."""
+    kind = {"bounds": (1.0, None), "scale": "count", "unit": "", "allowed": f"{_a(label)} is a whole number, 1 or more"}
+    return Quantity(default, label=label, **(kind | facts))
+
+
+def not_negative(default: float | None, *, label: str, **facts: Any) -> Quantity:
+    """Any quantity that is 0 or more."""
+    options = {"bounds": (0.0, None), "allowed": f"{_a(label)} is a finite number, 0 or more"} | facts
+    return Quantity(default, label=label, **options)
+
+
+def finite(default: float | None, *, label: str, **facts: Any) -> Quantity:
+    """Any quantity that may have either sign."""
+    return Quantity(default, label=label, **({"allowed": f"{_a(label)} is any finite number"} | facts))
+
+
+def _a(noun: str) -> str:
+    return noun if noun == "gravity" else f"{'an' if noun[0] in 'aeiou' else 'a'} {noun}"
+
+
+def _as_float(value: Real) -> float:
+    try:
+        return float(value)
+    except OverflowError:
+        return math.inf
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, float) and math.isinf(value):
+        return "∞" if value > 0 else MINUS + "∞"
+    if isinstance(value, float) and math.isfinite(value):
+        return shortest(value).replace("-", MINUS)
+    return excerpt(str(value)).replace("-", MINUS) if isinstance(value, Real) else excerpt(repr(value))

@@ -1,0 +1,49 @@
+"""Readouts: the numbers of a picture that are compared with those of another one."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection
+from dataclasses import dataclass
+from decimal import Decimal
+
+from components.quantities.numbers import short, signed
+
+SAME = 1e-12
+"""Relative difference of numbers worked out from the same ones: less is that of roundings."""
+PARTS = {0.5: "½", 0.25: "¼", 0.75: "¾"}
+
+
+@dataclass(frozen=True)
+class Readout:
+    """A number of a picture: `name` is that of its live number, for the covers, and `also` are others that tell it; an
+    angle is compared by difference."""
+
+    name: str
+    symbol: str
+    value: float
+    unit: str
+    tint: str = "ink"
+    angle: bool = False
+    also: tuple[str, ...] = ()
+
+    def is_in(self, covered: Collection[str]) -> bool:
+        """Whether one of these names tells it."""
+        return any(name in covered for name in (self.name, *self.also))
+
+
+def is_same(held: float, now: float) -> bool:
+    """Whether two numbers differ by roundings at most."""
+    return held == now or (math.isfinite(held) and math.isfinite(now) and math.isclose(held, now, rel_tol=SAME))
+
+
+def became(held: float, now: float, angle: bool = False) -> str:
+    """The change of a number in words: "× 4", or its difference where no factor says it."""
+    if not (math.isfinite(held) and math.isfinite(now)):
+        return ""
+    if not angle and held and now:
+        ratio = Decimal(now) / Decimal(held)
+        text = PARTS.get(float(ratio), short(ratio))
+        if text != "1":
+            return f"× {text}"
+    return signed(Decimal(now) - Decimal(held))

@@ -1,0 +1,34 @@
+"""Units in which a visitor reads and types a quantity, where they are not the quantity's own."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from components.quantities.numbers import MINUS, tidy
+
+ROUND = 6
+"""The most digits of a number that counts as round in another unit; others are shown with four."""
+
+
+@dataclass(frozen=True)
+class Unit:
+    """`text` is its sign, `size` what one of it is in the quantity's own unit: Unit("ft/s", 0.3048)."""
+
+    text: str
+    size: float
+
+    def field(self, value: float) -> str:
+        """The text of an input field for a value in the quantity's own unit."""
+        number = value / self.size
+        few = float(f"{number:.{ROUND}g}")
+        return tidy(few if abs(few - number) <= 1e-12 * abs(number) else float(f"{number:.4g}"))
+
+    def shown(self, value: object) -> str | None:
+        """Any value of a message as its field would show it; None where that is no number of any use."""
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or not abs(value) < 1e300:
+            return None
+        return self.field(value).replace("-", MINUS)
+
+    def value(self, number: float) -> float:
+        """A number in this unit, in the quantity's own: 150 ft/s are 45.72 m/s, not 45.720000000000006."""
+        return float(f"{number * self.size:.15g}")

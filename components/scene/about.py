@@ -1,0 +1,187 @@
+"""'About these numbers': how far what is drawn may be off, and a few of its points in arbitrary precision."""
+
+from __future__ import annotations
+
+import re
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
+from dataclasses import dataclass
+from decimal import ROUND_CEILING, Context, Decimal
+from math import ulp
+from typing import NamedTuple
+
+import numpy as np
+
+from components.language.messages import AboutNumbers, AboutPoint, AboutTable
+from components.layout.text import rich
+from components.quantities.numbers import MINUS, PLAIN_EXPONENTS, short, shortest, ten_to, three
+from components.quantities.refusals import SORRY, as_on_screen, in_words, report
+from components.scene.traces import BAND, Columns, Floats, band_columns
+from physics.exact import precise
+from physics.reference import Point
+
+SHARES = (0.21, 0.55, 0.93)
+"""Where in a column the points are taken: no round places."""
+PLACES = 20
+READING = (
+    "**Shown**: the computed number that is drawn, a double of about 16 digits, in SI units and radians. **Exact**: "
+    "its value by other formulas, with 40 digits or more. Digits that differ are grey. An **ulp**, a unit in the last "
+    "place, is the step from one double to the next: at most 2 in the 16th digit of the size that is named."
+)
+NO_BAND = "All curves are drawn as lines."
+
+
+@dataclass(frozen=True)
+class CheckedPoint:
+    """One number: its name and place (texts for `rich`), as it is drawn, and as it truly is."""
+
+    name: str
+    place: str
+    drawn: float
+    true: Point
+
+    @property
+    def off(self) -> float:
+        """The difference in units in the last place (ulp) of the size that it is measured by."""
+        with precise():
+            unit = ulp(min(float(self.true.size), sys.float_info.max))
+            return float(abs(Decimal(self.drawn) - self.true.value) / Decimal(unit))
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table of checked points under the sentence that bounds their errors, which is `limit` ulp."""
+
+    bound: str
+    limit: float
+    rows: tuple[CheckedPoint, ...]
+
+
+@dataclass(frozen=True)
+class About:
+    """'About these numbers' of a picture: tables; how far the energy strays, where one is kept; what is an envelope."""
+
+    tables: tuple[Table, ...]
+    energy: str = ""
+    envelope: str = NO_BAND
+
+
+def few(column: Sized) -> list[int]:
+    """The indices of a few entries."""
+    return [round(share * (len(column) - 1)) for share in SHARES] if len(column) else []
+
+
+def bounded(names: str, limit: float, of: str, rows: Iterable[CheckedPoint]) -> Table:
+    """A table of curves: `names` are the curves, `of` what their errors are measured by; what is said is what holds."""
+    limit = float(Context(prec=3, rounding=ROUND_CEILING).create_decimal(limit))
+    bound = f"The error of {names} is at most {short(limit)} ulp of {of}."
+    return Table(bound, limit, tuple(rows))
+
+
+class Place(NamedTuple):
+    """The variable that a curve is drawn against: its column, its symbol and its unit."""
+
+    column: str
+    symbol: str
+    unit: str
+
+
+TIME = Place("t", "$t$", "s")
+
+
+def rows(
+    names: Mapping[str, str],
+    columns: Columns,
+    true: Mapping[str, Sequence[Point]],
+    indices: list[int],
+    place: Place = TIME,
+) -> list[CheckedPoint]:
+    """The points at `indices` of each named curve that is drawn, place by place."""
+    found = []
+    for n, i in enumerate(indices):
+        where = f"{place.symbol} = {every_digit(columns[place.column][i])} {place.unit}"
+        found += [
+            CheckedPoint(name, where, float(columns[key][i]), true[key][n])
+            for key, name in names.items()
+            if key in columns
+        ]
+    return found
+
+
+def every_digit(value: float) -> str:
+    """Every digit of a place, so that the point can be recomputed."""
+    head, _, power = shortest(float(value)).replace("-", MINUS).partition("e")
+    return head + (ten_to(int(power.replace(MINUS, "-"))) if power else "")
+
+
+def drift(total: Floats, level: float, what: str = "$T + V$", unit: str = "J") -> str:
+    """A sentence on how far a conserved quantity strays from its level over the window."""
+    if not level:
+        return f"{what} is 0: nothing moves."
+    strays = float(np.max(np.abs(total / level - 1)))
+    by = f"changes by at most {short(strays)} of this value" if strays else "keeps every digit"
+    return f"{what} = {three(level)} {unit}; over the window it {by}."
+
+
+def drawn_as_bands(columns: Mapping[str, Columns], names: Mapping[str, str], source: str = BAND) -> str:
+    """Which of the named curves are drawn as bands."""
+    bands = list(dict.fromkeys(name for key, name in names.items() if band_columns(key)[0] in columns.get(source, {})))
+    if not bands:
+        return f"{NO_BAND} Each has at least 12 points a swing."
+    one = len(bands) == 1
+    return (
+        f"{listed(bands)} {'is' if one else 'are'} too fast for a line and drawn as an **envelope**: the band that "
+        f"the motion fills. {'It has' if one else 'They have'} no single points to recompute."
+    )
+
+
+def listed(names: Sequence[str]) -> str:
+    """a, b and c."""
+    return " and ".join(part for part in (", ".join(names[:-1]), names[-1]) if part)
+
+
+def digits(value: Decimal) -> str:
+    """Twenty significant digits."""
+    if not value:
+        return "0"
+    with precise():
+        rounded = Decimal(f"{value:.{PLACES - 1}e}")
+        if rounded.adjusted() in PLAIN_EXPONENTS:
+            return f"{rounded:.{PLACES - 1 - rounded.adjusted()}f}".replace("-", MINUS)
+        mantissa = f"{rounded.scaleb(-rounded.adjusted()):.{PLACES - 1}f}"
+        return mantissa.replace("-", MINUS) + ten_to(rounded.adjusted())
+
+
+def reason_of(error: ValueError) -> str:
+    """The reason of an error for running text, without its full stop."""
+    text = as_on_screen(str(error)).rstrip(".")
+    return re.sub(r"(?<=\d)e\+?(-?\d+)", lambda found: ten_to(int(found[1])), text)
+
+
+def about_numbers(ask: Callable[[], About | None], answer: int | None = None) -> AboutNumbers:
+    """The message that tells of the errors of a scene's numbers, or the reason why that cannot be done."""
+    try:
+        with in_words():
+            return _numbers(ask() or About(()), answer)
+    except ValueError as reason:
+        note = f"These numbers cannot be recomputed: {reason_of(reason)}."
+    except Exception as error:
+        report(error)
+        note = SORRY
+    return AboutNumbers(answer=answer, reading="", tables=(), notes=(rich(note),))
+
+
+def _numbers(about: About, answer: int | None) -> AboutNumbers:
+    tables = tuple(AboutTable(rich(each.bound), tuple(map(_point, each.rows))) for each in about.tables if each.rows)
+    notes = tuple(rich(text) for text in (about.energy, about.envelope) if text)
+    return AboutNumbers(answer=answer, reading=rich(READING) if tables else "", tables=tables, notes=notes)
+
+
+def _point(row: CheckedPoint) -> AboutPoint:
+    return AboutPoint(
+        name=rich(row.name),
+        place=rich(row.place),
+        drawn=digits(Decimal(row.drawn)),
+        true=digits(row.true.value),
+        off=f"{row.off:.2f}" if row.off < 1000 else three(row.off),
+    )

@@ -1,0 +1,177 @@
+"""The frame that a picture is drawn in: a value, so that a change of parameters need not change it.
+
+A scene's `picture(frame)` keeps to the ranges that a frame names and chooses the others; what it chooses without any is
+the fitted frame. A frame grows where what is drawn would leave it, in steps of 1, 2, 5; an axis that is hardly used is
+fitted anew when a hand lets go.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+
+from msgspec.structs import replace
+
+from components.language.picture import Pace
+from components.language.state import Frame
+from components.quantities.axes import TIME_AXIS, Axis, Range, log_axis, nice_ticks, ordered, scale_by_ten, widest
+from components.quantities.motion import round_down, round_up
+from components.quantities.numbers import excerpt, power_unit
+
+FITTED = Frame()
+"""The frame that leaves everything to the scene."""
+SIZES = ("window", "scale", "speed")
+"""The numbers that a frame has beside the ranges of its axes."""
+FEW = 0.3
+"""Marks that fill less of a frame than this give way to round numbers."""
+USED = 0.25
+"""An axis of which less than this share is used is fitted anew when a hand lets go."""
+ALIKE, NOISE = 5e-4, 1e-14
+"""Relative difference of numbers in whose place a screen shows the same, and that of roundings, over a range."""
+LARGEST = 1e307
+"""As far as a frame grows by steps; beyond it the doubles end."""
+
+
+def checked(frame: Frame) -> Frame:
+    """The frame; ValueError, in words, for one that nothing can be drawn in."""
+    for name, (low, high) in frame.ranges.items():
+        if not (math.isfinite(low) and math.isfinite(high) and low != high):
+            raise ValueError(f"The range of “{excerpt(name)}” is from {low} to {high}: its ends must differ.")
+    for name, value in (("window", frame.window), ("scale", frame.scale), ("speed", frame.speed)):
+        if value is not None and not 0 < value < math.inf:
+            raise ValueError(f"The {name} of a frame is {value}: it must be above 0.")
+    return frame
+
+
+def framed(frame: Frame, axes: Mapping[str, Axis]) -> dict[str, Axis]:
+    """The axes over the ranges of a frame, where it has one for them."""
+    return {name: with_range(axis, _range_in(frame, name, axis)) for name, axis in axes.items()}
+
+
+def _range_in(frame: Frame, name: str, axis: Axis) -> Range:
+    if name == TIME_AXIS:
+        return (0.0, frame.window) if frame.window else (axis.start, axis.end)
+    return frame.ranges.get(name, (axis.start, axis.end))
+
+
+def with_range(axis: Axis, span: Range) -> Axis:
+    """The axis over another range in SI units.
+
+    Round numbers are chosen anew; numbers that mark something stay where they are, unless they are crowded.
+    """
+    if span == (axis.start, axis.end):
+        return axis
+    wide = replace(axis, start=span[0], end=span[1], own=axis.chosen)
+    if axis.log:
+        return replace(wide, ticks=log_axis(*ordered(span), count=axis.count).ticks)
+    if axis.labels:
+        low, high = ordered((wide.place(wide.start), wide.place(wide.end)))
+        inside = [(tick, label) for tick, label in zip(axis.ticks, axis.labels, strict=True) if low <= tick <= high]
+        ticks, labels = zip(*inside, strict=True) if inside else ((), ())
+        if not ticks or max(ticks) - min(ticks) >= FEW * (high - low):
+            return replace(wide, ticks=ticks, labels=labels)
+        wide = replace(wide, labels=())
+    return _rounded(wide, named=not axis.labels or any(axis.labels))
+
+
+def _rounded(axis: Axis, named: bool) -> Axis:
+    """The axis with round numbers, in another power of ten where its own does not suit the range."""
+    reach = max(abs(axis.start), abs(axis.end)) / axis.factor
+    named_alike = axis.power == 1 and bool(axis.exponent) == bool(axis.suffix)
+    if named_alike and not 1e-2 <= scale_by_ten(reach, -axis.exponent) < 1e5:
+        exponent, suffix = power_unit(reach)
+        axis = replace(axis, exponent=exponent, suffix=suffix)
+    ticks = nice_ticks(*ordered((axis.place(axis.start), axis.place(axis.end))), axis.count)
+    return replace(axis, ticks=ticks, labels=() if named else ("",) * len(ticks))
+
+
+def unfitted(frame: Frame, fitted: Frame) -> Frame | None:
+    """The parts of a frame that are seen to differ from the fitted ones; None where none does."""
+    known = {**fitted.ranges, **({TIME_AXIS: (0.0, frame.window)} if frame.window else {})}
+    sizes = {name: getattr(frame, name) for name in SIZES}
+    rest = Frame(
+        ranges={name: span for name, span in frame.ranges.items() if not _alike(span, known.get(name, ()))},
+        **{name: size for name, size in sizes.items() if size and not _alike((size,), (getattr(fitted, name) or 0.0,))},
+    )
+    return replace(rest, given=frame.given) if rest != FITTED else None
+
+
+def _alike(span: Sequence[float], other: Sequence[float]) -> bool:
+    """Whether a screen shows the same in both."""
+    noise = NOISE * abs(span[0] - span[-1])
+    pairs = zip(span, other, strict=False)
+    return len(span) == len(other) and all(math.isclose(*ends, rel_tol=ALIKE, abs_tol=noise) for ends in pairs)
+
+
+def paced(frame: Frame, pace: Pace) -> Pace:
+    """The speed of a frame in place of the one chosen; its limit stands."""
+    return pace if frame.speed is None else Pace(frame.speed, pace.limit)
+
+
+def grown(frame: Frame, axes: Mapping[str, Axis], scale: float | None = None) -> Frame:
+    """The frame, wide enough for what must be seen on the axes; `scale` is the largest at which the stage has room.
+
+    Window and speed stand, and so does a range that holds what is drawn; one that does not grows to round numbers.
+    """
+    spans = {name: _range_in(frame, name, axis) for name, axis in axes.items()}
+    ranges = {name: span if name == TIME_AXIS else _grown(span, axes[name]) for name, span in spans.items()}
+    scales = [one for one in (frame.scale, scale) if one is not None]
+    return replace(frame, ranges=ranges, scale=min(scales, default=None))
+
+
+def loosened(frame: Frame, fitted: Frame, drawn: Sequence[Mapping[str, Axis]]) -> Frame:
+    """The frame, fitted anew along each axis of which all that is `drawn`, on the axes of one picture or two, uses less
+    than a quarter. The time window stands: curves fill it."""
+    if frame.given:
+        return frame
+    hardly = {name for name in frame.ranges if name != TIME_AXIS and _is_hardly_used(frame, fitted, name, drawn)}
+    ranges = {name: fitted.ranges[name] if name in hardly else span for name, span in frame.ranges.items()}
+    tiny = frame.scale and fitted.scale and frame.scale < USED * fitted.scale
+    return replace(frame, ranges=ranges, scale=fitted.scale if tiny else frame.scale)
+
+
+def _is_hardly_used(frame: Frame, fitted: Frame, name: str, drawn: Sequence[Mapping[str, Axis]]) -> bool:
+    axes = [one[name] for one in drawn if name in one]
+    if name not in fitted.ranges or not axes:
+        return False
+    seen = widest(*(axis.seen for axis in axes))
+    used, whole, wanted = (
+        abs(axes[0].place(high) - axes[0].place(low)) for low, high in (seen, frame.ranges[name], fitted.ranges[name])
+    )
+    return used < USED * whole and wanted < whole
+
+
+def together(frame: Frame, axes: Mapping[str, Axis], scale: float | None) -> Frame:
+    """The frame, wide enough for another picture as well; the time window stands."""
+    others = {name: axis for name, axis in axes.items() if name in frame.ranges and name != TIME_AXIS}
+    wide = grown(frame, others, scale)
+    return replace(wide, ranges={**frame.ranges, **wide.ranges})
+
+
+def _grown(span: Range, axis: Axis) -> Range:
+    """The range that holds what must be seen; an axis that runs downwards keeps its way."""
+    (low, high), (least, most), (start, end) = ordered(span), axis.seen, ordered(axis.chosen)
+    if most > high:
+        high = _up(max(end, most))
+    if least < low:
+        low = -_up(-min(start, least))
+    return (low, high) if span[0] < span[1] else (high, low)
+
+
+def _up(value: float) -> float:
+    """A step of 1, 2, 5 above a value of either sign."""
+    if not 0 < abs(value) < LARGEST:
+        return value
+    return round_up(value) if value > 0 else -round_down(-value)
+
+
+def refitted(frame: Frame, before: Frame, fitted: Frame) -> Frame:
+    """The frame with what another way of showing changes: what fitted otherwise `before` is `fitted` anew."""
+    if before.window != fitted.window:
+        frame = replace(frame, window=fitted.window, speed=fitted.speed)
+    ranges = {
+        name: frame.ranges.get(name, span) if before.ranges.get(name) == span else span
+        for name, span in fitted.ranges.items()
+    }
+    scale = frame.scale if before.scale == fitted.scale else fitted.scale
+    return replace(frame, ranges=ranges, scale=scale)

@@ -1,0 +1,190 @@
+"""A picture of a scene, drawn in a frame: fitted, kept, or grown where what is drawn would leave it."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property, lru_cache
+from typing import Literal, Protocol
+
+import msgspec
+from msgspec.structs import replace as changed
+
+from components.language.picture import Digits, Pace
+from components.language.signals import AnySignal
+from components.language.state import Frame
+from components.quantities.axes import TIME_AXIS, Axis
+from components.quantities.refusals import check_sendable, in_words
+from components.scene.frames import FITTED, grown, loosened, paced, refitted, together
+from components.scene.traces import Columns, Traces
+
+Framing = Literal["fitted", "kept", "grown"]
+"""Whether a picture chooses its frame, keeps to the one it is given, or widens that where something would leave it."""
+MOST_DRAWN = 64
+"""Pictures that a process remembers, for all visitors: those held, undone, opened by many, come again."""
+ROUNDS = 3
+"""A frame that has grown along one axis may have to grow along another."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Picture:
+    """Everything a scene shows for one set of parameters; data only, in SI units.
+
+    `columns`   numbers of the plots that no signal gives, by source and column
+    `axes`      range and labels of each axis, by name; TIME_AXIS is the time window, which the clock runs through
+    `signals`   what moves, by name: see components.quantities.motion
+    `traces`    the signals that are drawn over time, by source
+    `pace`      the speeds of the clock
+    `scalars`   numbers that the stage and the marks use
+    `values`    the texts of the live numbers, by name
+    `live`      how the numbers that change while playing are shown, by signal
+    `forms`     which variant of a formula or sentence stands, by name; "" hides it
+    `notes`     sentences about this picture that the visitor must know (slowed down, drawn to a scale)
+    `scale`     the scale of the stage, where it has one, and `fits` the one that suits what is drawn
+    `spans`     the ends of the sliders that follow the scene, by parameter
+    """
+
+    columns: dict[str, Columns]
+    axes: dict[str, Axis]
+    signals: Mapping[str, AnySignal] = field(default_factory=dict)
+    traces: Mapping[str, Traces] = field(default_factory=dict)
+    pace: Pace = Pace()  # noqa: RUF009 (frozen)
+    scalars: dict[str, float] = field(default_factory=dict)
+    values: dict[str, str] = field(default_factory=dict)
+    live: dict[str, Digits] = field(default_factory=dict)
+    forms: dict[str, str] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
+    scale: float | None = None
+    fits: float | None = None
+    spans: dict[str, tuple[float, float]] = field(default_factory=dict)
+
+    @cached_property
+    def sources(self) -> dict[str, Columns]:
+        """All numbers of the plots, by source and column: of what runs over time, the physics' own, in doubles."""
+        traced = {source: traces.columns for source, traces in self.traces.items()}
+        return {name: {**traced.get(name, {}), **self.columns.get(name, {})} for name in {**traced, **self.columns}}
+
+
+def frame_of(picture: Picture) -> Frame:
+    """The frame that a picture is drawn in."""
+    ranges = {name: (axis.start, axis.end) for name, axis in picture.axes.items()}
+    return _frame(ranges, picture.scale, picture.pace)
+
+
+def fitted_to(picture: Picture) -> Frame:
+    """The frame that the scene would choose for a picture, in whatever frame it is drawn."""
+    return _frame({name: axis.chosen for name, axis in picture.axes.items()}, picture.fits, picture.pace)
+
+
+def _frame(ranges: dict[str, tuple[float, float]], scale: float | None, pace: Pace) -> Frame:
+    spans = {name: (float(start), float(end)) for name, (start, end) in ranges.items()}
+    window = spans[TIME_AXIS][1] if TIME_AXIS in spans else None
+    return Frame(ranges=spans, window=window, scale=scale, speed=float(pace.auto))
+
+
+@dataclass(frozen=True)
+class Framed:
+    """A picture, its frame, and the frame that the scene would choose for it; `beside` is the one held."""
+
+    picture: Picture
+    frame: Frame
+    fitted: Frame
+    beside: Picture | None = None
+
+    @property
+    def loosened(self) -> Frame:
+        """The frame, fitted anew along each axis that is hardly used; what is held counts."""
+        return loosened(self.frame, self.fitted, [one.axes for one in (self.picture, self.beside) if one])
+
+
+class Drawable(Protocol):
+    """Anything that can be drawn; equal keys, equal pictures."""
+
+    @property
+    def key(self) -> Hashable: ...
+    def picture(self, frame: Frame) -> Picture: ...
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """A picture that is asked for: of a scene, in a frame."""
+
+    key: Hashable
+    scene: Drawable = field(compare=False)
+    frame: Frame = field(compare=False)
+
+
+@lru_cache(MOST_DRAWN)
+def _drawn(asked: _Asked) -> Framed:
+    """A picture that many pages may hold: its columns refuse to be written. ArithmeticError where a number cannot be
+    sent."""
+    picture, frame = asked.scene.picture(asked.frame), asked.frame
+    shown = replace(picture, pace=paced(frame, picture.pace))
+    _check(shown)
+    for columns in shown.columns.values():
+        for column in columns.values():
+            column.setflags(write=False)
+    return Framed(shown, changed(frame_of(shown), given=frame.given), fitted_to(picture))
+
+
+def drawing(scene: Drawable, frame: Frame = FITTED) -> Framed:
+    """The picture of a scene in a frame, of which what it leaves open is fitted; worked out once for all who ask."""
+    return _drawn(_Asked((scene.key, msgspec.json.encode(frame)), scene, frame))
+
+
+def draw(
+    scene: Drawable,
+    held: Drawable | None = None,
+    framing: Framing = "fitted",
+    frame: Frame = FITTED,
+    before: Frame | None = None,
+) -> Framed:
+    """The picture of a scene, with the one held in the same frame; fitted where nothing can be drawn in the one given.
+
+    `before` is what fitted before another way of showing was chosen: what that changes is fitted anew. ValueError, in
+    words, where there is no picture.
+    """
+    with in_words():
+        drawn = drawing(scene) if framing == "fitted" else _in_frame(scene, framing, frame, before)
+        return _with_held(drawn, scene, held) if held else drawn
+
+
+def _in_frame(scene: Drawable, framing: Framing, frame: Frame, before: Frame | None) -> Framed:
+    try:
+        drawn = drawing(scene, frame)
+        return drawn if framing == "kept" else _grown(drawn, scene, before)
+    except (ValueError, ArithmeticError):
+        return drawing(scene)
+
+
+def _grown(drawn: Framed, scene: Drawable, before: Frame | None) -> Framed:
+    if before is not None:
+        drawn = drawing(scene, refitted(drawn.frame, before, drawn.fitted))
+    for _ in range(ROUNDS):
+        frame = grown(drawn.frame, drawn.picture.axes, drawn.picture.fits)
+        if frame == drawn.frame:
+            break
+        drawn = drawing(scene, frame)
+    return drawn
+
+
+def _with_held(drawn: Framed, scene: Drawable, held: Drawable) -> Framed:
+    """The picture with the one held in the same frame, which has room for both and is fitted to both.
+
+    Where what is held cannot be drawn in that frame there is none of it.
+    """
+    try:
+        beside = drawing(held, drawn.frame).picture
+        wide = together(drawn.frame, beside.axes, beside.fits)
+        if wide != drawn.frame:
+            drawn = replace(drawing(scene, wide), fitted=drawn.fitted)
+            beside = drawing(held, drawn.frame).picture
+    except (ValueError, ArithmeticError):
+        return drawn
+    return replace(drawn, fitted=together(drawn.fitted, beside.axes, beside.fits), beside=beside)
+
+
+def _check(picture: Picture) -> None:
+    rulers = [axis.ruler for axis in picture.axes.values()]
+    axes = [(ruler.start, ruler.end, ruler.ticks) for ruler in rulers]  # their labels hold no numbers
+    check_sendable([picture.columns, axes, picture.pace, picture.signals, picture.scalars, picture.spans])

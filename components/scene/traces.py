@@ -1,0 +1,104 @@
+"""Curves over time: signals that the browser draws, and the physics' numbers of them; bands for what is too fast."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from components.language.plots import Curve, Region
+from components.layout.plots import curve, region
+from physics.sampling import Sinusoid, curve_or_band, drawable
+
+Floats = NDArray[np.float64]
+Columns = dict[str, Floats]
+BAND = "band"
+"""The source of the bands that stand for curves too fast to be drawn."""
+FEWEST, MOST, PER_CYCLE = 300, 680, 32
+
+
+def samples(end: float, fastest: float) -> int:
+    """The times that a plot of [0, end] needs: 32 a cycle of the fastest motion (rad/s), within what a screen shows."""
+    return int(min(max(PER_CYCLE * end * float(fastest) / (2 * np.pi), FEWEST), MOST)) + 1
+
+
+@dataclass(frozen=True, eq=False)
+class Traces:
+    """Curves that the browser draws of signals, at `count` instants of [0, end] (s).
+
+    A curve has the name of its signal, or `signals` says what that is called. `exact` gives the physics' numbers of
+    each curve at any instants, in SI units: they are asked for when they are read.
+    """
+
+    end: float
+    count: int
+    names: tuple[str, ...]
+    exact: Callable[[Floats], Columns]
+    signals: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def t(self) -> Floats:
+        """The instants that are drawn (count,)."""
+        return np.linspace(0.0, self.end, self.count)
+
+    @cached_property
+    def columns(self) -> Columns:
+        """The instants t and the numbers of each curve there."""
+        exact = self.exact(self.t)
+        columns = {"t": self.t, **{name: exact[name] for name in self.names}}
+        for column in columns.values():
+            column.setflags(write=False)
+        return columns
+
+    @property
+    def needed(self) -> frozenset[str]:
+        """The signals that the curves are drawn of."""
+        return frozenset(self.signals.get(name, name) for name in self.names)
+
+    def less(self, names: Iterable[str]) -> Traces:
+        """Without some of the curves."""
+        gone = frozenset(names)
+        return replace(self, names=tuple(name for name in self.names if name not in gone))
+
+
+def over_time(
+    end: float, fastest: float, names: tuple[str, ...], exact: Callable[[Floats], Columns]
+) -> dict[str, Traces]:
+    """The curves of the source "time": these signals over [0, end], dense enough for the `fastest` motion (rad/s)."""
+    return {"time": Traces(end, samples(end, fastest), names, exact)}
+
+
+def trace(
+    name: str, components: Sequence[Sinusoid], t: Floats, base: Floats | None = None, curve: Floats | None = None
+) -> tuple[Columns, Columns]:
+    """Columns of the curve `name`, and of its band `name_lo`, `name_hi`: one of the two is empty.
+
+    `curve` is the motion itself, where its owner has it to more digits than the sum of the components.
+    """
+    if curve is not None and drawable(max((component.omega for component in components), default=0.0), t):
+        return {name: curve}, {}
+    sum_, low, high = curve_or_band(components, t, base)
+    if sum_ is not None:
+        return {name: sum_}, {}
+    return {}, dict(zip(band_columns(name), (low, high), strict=True))
+
+
+def bands_over_time(t: Floats, bands: Columns) -> dict[str, Columns]:
+    """The source of the bands, empty where there are none."""
+    return {BAND: bands and {"t": t, **bands}}
+
+
+def band_columns(name: str) -> tuple[str, str]:
+    """The columns of the band that stands for the curve `name`."""
+    return f"{name}_lo", f"{name}_hi"
+
+
+def traced(name: str, **look: Any) -> tuple[Curve, Region]:
+    """The line of a trace and its band, for a plot."""
+    line = curve(name, **look)
+    low, high = band_columns(name)
+    return line, region(low, high, source=BAND, tint=line.tint, alpha=0.4, group=line.group, of=name)

@@ -1,0 +1,89 @@
+"""The words of the absorber's scene: formulas, explanations, verdicts."""
+
+from __future__ import annotations
+
+from components.layout.sheet import Paragraph, either
+
+TASK = "Meet all three goals, then meet them with less mass."
+
+HELPED = {
+    "band": "less vibration from {help_low} to {help_high} rad/s",
+    "above": "less vibration above {help_low} rad/s",
+    "never": "no improvement",
+}
+
+VERDICTS = {
+    "still": "Tuned, it stands still",
+    "almost": "Nearly tuned, it hardly moves",
+    "same": "With it, hardly a change",
+    "less": "With it, it shakes less",
+    **dict.fromkeys(("more", "adds", "over"), "With it, it shakes more"),
+    "aside": "By a resonance of mass 2",
+    "grow": "At a resonance, it grows",
+    "beat": "By a resonance, it beats",
+    "detached": "Detached, it shakes",
+    "rest": "With it, within {rest1} {x_unit}",
+}
+
+_FIRST = either(
+    "first",
+    undamped=(
+        r"$\tint{m1}{X_{\mathrm{p}1} = \dfrac{(k_2 - m_2 \omega^2) F_0}{D} = \val{Xp1}}$"
+        " [m1|{x_unit}]"
+    ),
+    damped=(r"$\tint{m1}{|X_1| = \dfrac{|\kappa - m_2 \omega^2| F_0}{|D|} = \val{swing}}$ [m1|{x_unit}]"),
+    none=r"$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = 0$",
+)
+_SECOND = either(
+    "second",
+    still=(r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = -\dfrac{F_0}{k_2} = \val{Xp2}}$ [m2|{x_unit}]"),
+    undamped=r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = \val{Xp2}}$ [m2|{x_unit}]",
+    damped="",
+)
+_BOTH = "alone the machine swings {alone} {x_unit}, with it {swing} {x_unit}."
+_WHY = either(
+    "why",
+    still=(
+        r"$k_2 = m_2 \omega^2$: spring 2 pulls exactly as hard as the drive pushes, and nothing is left to move the "
+        "machine. From rest it still swings up to {rest1} {x_unit}: nothing damps that part."
+    ),
+    less=(
+        r"$k_2 \ne m_2 \omega^2$: spring 2 pulls with {pull} {F_unit} at the most, the drive pushes with "
+        "{push}. What is left moves the machine."
+    ),
+    almost=(
+        r"$k_2 \approx m_2 \omega^2$: spring 2 pulls almost as hard as the drive pushes, and {swing} {x_unit} are "
+        "left. From rest it swings up to {rest1} {x_unit}: nothing damps that part."
+    ),
+    same=f"Here the absorber hardly changes anything: {_BOTH}",
+    more=f"Here the absorber does harm: {_BOTH} A resonance is too near.",
+    adds=f"Here spring 2 pulls with the drive: the absorber only adds to it. {_BOTH[0].upper()}{_BOTH[1:]}",
+    over=f"Here spring 2 pulls against the drive, more than twice as hard as that pushes: {_BOTH}",
+    grow=(
+        "The drive meets a natural frequency: no particular solution exists. From rest the swing grows in "
+        "proportion to time."
+    ),
+    beat=(
+        "The drive is next to a natural frequency: from rest the machine's swing grows for long in proportion to "
+        "time, then it beats."
+    ),
+    aside=(
+        "The drive is next to a natural frequency at which almost mass 2 alone swings: from rest its swing grows for "
+        "long, the machine's stays within {rest1} {x_unit}."
+    ),
+    detached="Nothing pulls back: the machine takes the whole drive.",
+    damped=(r"$\kappa = k_2 + i c \omega$ takes the place of $k_2$. $P$ and $Q$ do not depend on $c$."),
+)
+_OPTIMUM = either(
+    "optimum",
+    shown=(
+        r"Den Hartog makes them equal, {height} {x_unit}, and nearly the peaks, which are {over_height} higher: "
+        r"$\omega_2 = \dfrac{\omega_1}{1 + \mu}$, "
+        r"$\dfrac{c}{2 m_2 \omega_1} = \sqrt{\dfrac{3 \mu}{8 (1 + \mu)^3}}$"
+    ),
+)
+
+
+def sentences() -> list[Paragraph]:
+    """Both amplitudes and why they are what they are; beyond the lecture, the best damping."""
+    return [_FIRST, _SECOND, _WHY, _OPTIMUM]

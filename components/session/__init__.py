@@ -1,0 +1,1 @@
+"""One visitor's conversation with the server."""

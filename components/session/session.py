@@ -1,0 +1,284 @@
+"""The session of one visitor: it holds what the page stands for, and answers its messages.
+
+It knows neither Panel nor sockets.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Mapping
+from concurrent.futures import Future
+from typing import Protocol
+
+from msgspec.structs import replace
+
+from components.language.messages import (
+    AskAbout,
+    AskCsv,
+    GiveAnswer,
+    Given,
+    Lead,
+    RunOrder,
+    RunWalk,
+    Said,
+    Shown,
+    Taught,
+    Walking,
+)
+from components.layout.controls import preset_name, settings
+from components.quantities.numbers import excerpt
+from components.quantities.refusals import SORRY, in_words, report
+from components.scene import Scene
+from components.scene.about import About, about_numbers
+from components.scene.running import Later, Running
+from components.state.commands import Errors, RefusalError
+from components.state.comparison import told_beside
+from components.state.csv_export import as_file
+from components.state.encoding import view_of
+from components.state.scene_sheet import column_axes, sheet_address, usual
+from components.state.standing import Standing, changed, with_values
+from components.state.wire import Packet, decoded, packed
+from components.walks import Walks
+from components.walks.apart import Apart, Errand, Here, Reading, Replied, Teaching
+from components.walks.judging import taught
+from components.walks.walk import Step
+
+MOST_MESSAGES = 2**53
+"""Messages are numbered below this; beyond it a browser counts no further."""
+
+MOST_OWN = 5
+TOO_MANY = (
+    f"A page keeps {MOST_OWN} walks from files, and this would be one more: "
+    "give it the name of one that it may replace, or open another tab."
+)
+ONE_AT_A_TIME = "A walk from a file is being read or answered. Try again in a moment."
+
+Send = Callable[[Packet], None]
+
+
+class Publish(Protocol):
+    """A function that makes a picture ready for a class, when it is needed, until it is ended."""
+
+    def __call__(self, make: Callable[[], Packet], /) -> None: ...
+
+    def end(self) -> None: ...
+
+
+class Session:
+    """One visitor's session: all that a message can change is `now`, one value; the rest is what it is connected to.
+
+    `send` takes what the browser is told, packed; `scenes` are those that the session can be put into; `later` runs a
+    function under the page's own lock: for what comes from another thread.
+    """
+
+    def __init__(
+        self,
+        now: Standing,
+        problems: tuple[str, ...] = (),
+        *,
+        scenes: Mapping[str, type[Scene]] | None = None,
+        walks: Walks | None = None,
+    ) -> None:
+        self.scenes = scenes or {}
+        self.walks: Walks = walks or {}
+        self.apart: Apart | None = None
+        """Who reads walks from files; without anybody it is done here."""
+        self._apart: tuple[int | None, Future[Replied]] | None = None
+        """The answer that is awaited from there, after the number of the message that asked."""
+        self.send: Send = lambda packet: None
+        self.first: Packet | None = None
+        """The first picture, made ready while it was seen whether it can be."""
+        self._errors: Errors = {}
+        """The reasons of the last refusal."""
+        self._problems = problems
+        self.later: Later = lambda act: act()
+        self.network = ""
+        """Where the visitor comes from, if that is known: a network has one measurement waiting, and one walk."""
+        self.lead: Callable[[str, str], Publish | None] = lambda code, key: None
+        self._publish: Publish | None = None
+        self.running = self._work_for(now)
+        self.now = with_news(now, self.running)
+
+    def close(self) -> None:
+        """The visitor has left."""
+        if self._apart:
+            self._apart[1].cancel()
+        if self.running:
+            self.running.close()
+        self._end_publishing()
+
+    def _end_publishing(self) -> None:
+        if self._publish:
+            self._publish.end()
+
+    def opening(self) -> Packet:
+        """The page as it is shown first, with what was refused of its link."""
+        return self._packed(self.now, problems=self._problems)
+
+    def hear(self, data: object) -> None:
+        """Do what the visitor asks and answer, whatever happens: the browser waits for it. What comes need not be what
+        our page sends; its number goes back only where it is one."""
+        number = data.get("number") if isinstance(data, dict) else None
+        answer = number if isinstance(number, int) and 0 <= number < MOST_MESSAGES else None
+        before = self.now
+        try:
+            reply = self._reply(self._decoded(data), answer)
+        except RefusalError as refused:
+            self._errors = refused.errors
+            reply = self._packed(before, answer)
+        except Exception as error:
+            report(error)
+            self._errors = {}
+            reply = self._packed(before, answer, (SORRY,))
+        if reply:
+            self.send(reply)
+        if self.now is not before:
+            self._tell_class()
+
+    def _decoded(self, data: object) -> Said:
+        try:
+            return decoded(data)
+        except ValueError as error:
+            raise RefusalError({"message": excerpt(str(error), 200)}) from error
+
+    def _reply(self, said: Said, answer: int | None) -> Packet | None:
+        """The answer to a message, or None where that comes later; a message that comes again is only answered again:
+        its first answer was lost."""
+        match said:
+            case AskCsv(page=page):
+                return self._file(page, answer)
+            case AskAbout():
+                return packed(about_numbers(self._about, answer))
+            case GiveAnswer(answer=given) if step := self._own_step(given):
+                return self._ask_apart(Teaching(given, step), answer)
+            case GiveAnswer(answer=given):
+                return packed(replace(taught(given, self.walks, self.scenes), answer=answer))
+            case RunWalk():
+                return self._ask_apart(Reading(said.name, said.text), answer)
+            case Lead(code=code, key=key):
+                self._end_publishing()
+                self._publish = self.lead(code, key) if code else None
+                self._tell_class()
+                return self._packed(self.now, answer)
+        if answer is not None and answer == self.now.number:
+            return self._packed(self.now, answer)
+        after = self._ordered(said.order) if isinstance(said, RunOrder) else changed(self.now, said, self.scenes)
+        return self._stand(dataclasses.replace(after, number=answer), answer)
+
+    def _file(self, page: str, answer: int | None) -> Packet:
+        try:
+            with in_words():
+                return packed(as_file(self.now.asked, self.now.told[0], page, answer))
+        except ValueError as error:
+            raise RefusalError({"message": f"These numbers cannot be saved: {error}."}) from error
+
+    def _ordered(self, order: str) -> Standing:
+        if self.running is None:
+            raise RefusalError({"run": f"“{excerpt(order)}” is not possible: there is nothing to run here."})
+        try:
+            self.running.obey(order, self.now.scene)
+        except ValueError as error:
+            raise RefusalError({"run": str(error)}) from error
+        return self.now
+
+    def _stand(self, after: Standing, answer: int | None) -> Packet:
+        """From now on the page stands for another value, if it can be told."""
+        running = self.running if after.kind is self.now.kind else self._work_for(after)
+        after = with_news(after, running)
+        told = self._packed(after, answer, errors={}, running=running)
+        if self.running and running is not self.running:
+            self.running.close()
+        self.now, self.running, self._errors = after, running, {}
+        return told
+
+    def _work_for(self, now: Standing) -> Running | None:
+        """The work of a scene that has some."""
+        if now.kind.work is None:
+            return None
+        running = now.kind.work(lambda: self.network)
+        running.heard = lambda: self.later(lambda: self._hear_of(running))
+        return running
+
+    def _hear_of(self, running: Running) -> None:
+        """Tell at once of all that work has found, unless the visitor has left its scene."""
+        if running is self.running:
+            self.now = with_news(self.now, running)
+            self.send(self._packed(self.now))
+            self._tell_class()
+
+    def _own_step(self, given: Given) -> Step | None:
+        """The step that is answered, where it is of a walk from the visitor's own files."""
+        steps = self.now.own[given.walk].steps if given.walk in self.now.own else ()
+        return next((step for step in steps if step.id == given.step), None)
+
+    def _ask_apart(self, asked: Errand, answer: int | None) -> Packet | None:
+        """Have done elsewhere, one thing at a time, all that a stranger's file asks for, and tell it when it comes."""
+        if self._apart and not self._apart[1].done():
+            return None if self._apart[0] == answer else self._told_apart(asked, Replied(refused=ONE_AT_A_TIME), answer)
+        future = (self.apart or Here(self.walks, self.scenes)).ask(asked, self.network)
+        self._apart = answer, future
+
+        def tell(done: Future[Replied]) -> None:
+            if not done.cancelled():
+                self.later(lambda: self.send(self._told_apart(asked, done.result(), answer)))
+
+        future.add_done_callback(tell)
+        return None
+
+    def _told_apart(self, asked: Errand, replied: Replied, answer: int | None) -> Packet:
+        if isinstance(asked, Teaching):
+            given = asked.given
+            nothing = Taught(walk=given.walk, step=given.step, lesson=None, refused=replied.refused)
+            return packed(replace(replied.taught or nothing, answer=answer))
+        if replied.walk:
+            own = {**self.now.own, replied.walk.name: replied.walk}
+            if len(own) > MOST_OWN:
+                return packed(Walking(answer=answer, sheet=None, refused=TOO_MANY))
+            self.now = dataclasses.replace(self.now, own=own)
+        return packed(Walking(answer=answer, sheet=replied.sheet, refused=replied.refused))
+
+    def _about(self) -> About | None:
+        if self.now.covered:
+            raise ValueError("they would give away what is covered")
+        return self.now.scene.about(self.now.shown)
+
+    def _tell_class(self) -> None:
+        """The followers' picture is that of the page, without what was refused."""
+        if self._publish:
+            self._publish(lambda: self._packed(self.now, errors={}))
+
+    def _packed(
+        self,
+        now: Standing,
+        answer: int | None = None,
+        problems: tuple[str, ...] = (),
+        *,
+        errors: Errors | None = None,
+        running: Running | None = None,
+    ) -> Packet:
+        """All that the browser needs to show what stands."""
+        shown, left_out = now.told
+        view, numbers = view_of(shown, column_axes(now.kind), left_out)
+        held, more = told_beside(now, shown)
+        scene, work = now.scene, running or self.running
+        told = Shown(
+            answer=answer,
+            scene=scene.slug,
+            sheet=sheet_address(now.kind),
+            view=view,
+            held=held,
+            settings=settings(now.kind.param.objects("existing"), scene.values, scene.units(), now.asked.shown.spans),
+            state=now.state,
+            preset=preset_name(label) if (label := scene.preset()) else None,
+            here=tuple(now.asked.scene.here()),
+            errors=self._errors if errors is None else errors,
+            problems=problems,
+            query=now.query,
+            progress=work.progress(scene) if work and now.kind.work else None,
+        )
+        return packed(told, [*numbers, *more], sheet=told.sheet, usual=usual(now.kind))
+
+
+def with_news(now: Standing, running: Running | None) -> Standing:
+    """The standing, with all that work has found of its scene."""
+    return with_values(now, running.news(now.scene)) if running else now

@@ -1,0 +1,45 @@
+"""Hold: another scene of the same kind, drawn under the one that stands, in its frame and its view.
+
+What is held are quantities, and choices that make another system (`Scene.physical`). How things are shown is that of
+the scene that stands: so what is held survives every change of view.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import TypeVar
+
+from components.quantities.parameters import AnyParameter, Quantity
+from components.scene import Scene
+
+WINDOW, HIDDEN = "window", "hidden"
+
+AnyScene = TypeVar("AnyScene", bound=Scene)
+
+
+@cache
+def holdable(scene: type[Scene]) -> dict[str, AnyParameter]:
+    """The parameters that are held; the others say how a picture is shown, or what has been reached."""
+    known = scene.linked().items()
+    return {name: one for name, one in known if name not in scene.reached and not _is_view(scene, name, one)}
+
+
+def _is_view(scene: type[Scene], name: str, parameter: AnyParameter) -> bool:
+    return name == WINDOW or (not isinstance(parameter, Quantity) and name not in scene.physical)
+
+
+def own_values(scene: Scene) -> dict[str, object]:
+    """The parameters that are not at their defaults, but for how a scene is shown."""
+    known = holdable(type(scene))
+    return {name: value for name, value in scene.off_default().items() if name in known}
+
+
+def shown_as(scene: AnyScene, other: Scene, *also: str) -> AnyScene:
+    """A scene, shown as another of its kind is; of the curves switched off only where that is said too."""
+    views = [name for name, one in scene.linked().items() if _is_view(type(scene), name, one)]
+    return scene.changed({name: other.values[name] for name in views if name != HIDDEN or name in also})
+
+
+def moved(scene: Scene, other: Scene) -> tuple[str, ...]:
+    """The parameters in which two scenes of one kind differ, but for how they are shown."""
+    return tuple(name for name in holdable(type(scene)) if scene.values[name] != other.values[name])

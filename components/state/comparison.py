@@ -1,0 +1,182 @@
+"""The comparison with a picture held: its curves, what of it moves on the stage, and the ledger of numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cache
+
+import numpy as np
+
+from components.language.blocks import PlotBlock, StageBlock
+from components.language.numbers import Expression, names_in
+from components.language.picture import Drawn, Held, LedgerRow, Trace
+from components.language.shapes import AnyShape, Label
+from components.language.signals import AnySignal
+from components.layout.text import rich
+from components.quantities.numbers import three
+from components.quantities.parameters import Quantity
+from components.quantities.readouts import Readout, became, is_same
+from components.scene import Picture, Scene
+from components.scene.traces import Columns
+from components.state.beside import moved
+from components.state.covers import VALUE, spoken_of, without
+from components.state.encoding import columns_of, signals_of, traces_of
+from components.state.scene_sheet import blocks, column_axes
+from components.state.standing import Standing
+from components.state.wire import Steps
+
+MOST_ROWS = 10
+COVERED = "?"
+
+
+def told_beside(now: Standing, shown: Picture) -> tuple[Held | None, list[Steps]]:
+    """The picture held as it is told, without what is covered, and the numbers that follow; `shown` is the picture that
+    is told of the one that stands."""
+    if now.held is None:
+        return None, []
+    kind, scene, other, covered = now.kind, now.scene, now.held, now.covered
+    differ = moved(scene, other)
+    columns: dict[str, dict[str, Drawn]] = {}
+    numbers: list[Steps] = []
+    signals: dict[str, AnySignal] = {}
+    traces: dict[str, Trace] = {}
+    scalars: dict[str, float] = {}
+    drawn = now.asked.drawn.beside
+    if drawn and differ:
+        held, _ = without(kind, drawn, covered)
+        alike = _units(held) == _units(shown)
+        columns, numbers = columns_of(_differing(held, shown, alike), column_axes(kind), shown.axes)
+        if alike:
+            traces = traces_of(held)
+            traced = frozenset[str]().union(*(one.needed for one in held.traces.values()))
+            needed, scalars = _needed(held, on_stage(kind) | traced)
+            signals, runs = signals_of(needed)
+            numbers += runs
+    told = Held(
+        columns=columns,
+        signals=signals,
+        traces=traces,
+        scalars=scalars,
+        values={name: getattr(other, name) for name in differ if name in scene.quantities()},
+        ledger=ledger(now),
+    )
+    return told, numbers
+
+
+def _differing(held: Picture, shown: Picture, traced: bool) -> dict[str, Columns]:
+    """The sources of which some column is another than that of the picture that stands; with the numbers of its traces
+    where these are not told."""
+    ours, theirs = (one.columns if traced else one.sources for one in (held, shown))
+    return {
+        source: columns
+        for source, columns in ours.items()
+        if any(not np.array_equal(column, theirs.get(source, {}).get(name, ())) for name, column in columns.items())
+    }
+
+
+def _units(picture: Picture) -> dict[str, tuple[int, float, int, bool]]:
+    """The units in which numbers count on each axis: scalars and signals are told in these."""
+    return {name: (axis.exponent, axis.factor, axis.power, axis.log) for name, axis in picture.axes.items()}
+
+
+@cache
+def on_stage(scene: type[Scene]) -> frozenset[str]:
+    """The quantities that place what is drawn of a picture held, and those that the labels of a stage tell."""
+    placed = (name for shape in _kept(scene) for name in (*_quantities(shape), *shape.show))
+    stages = (block for block in blocks(scene.sheet()) if isinstance(block, StageBlock))
+    labels = (shape.words for stage in stages for shape in stage.shapes if isinstance(shape, Label))
+    return frozenset((*placed, *(run.text for words in labels for run in words if run.kind == "value")))
+
+
+def _kept(scene: type[Scene]) -> Iterator[AnyShape]:
+    """The shapes of a scene that begin a motion in a hand, and those that say what is held."""
+    for block in blocks(scene.sheet()):
+        if isinstance(block, (StageBlock, PlotBlock)):
+            yield from (shape for shape in block.shapes if shape.held or (shape.grab and shape.grab.begins))
+
+
+def _quantities(shape: AnyShape) -> Iterator[str]:
+    for field in shape.__struct_fields__:
+        value = getattr(shape, field)
+        if isinstance(value, Expression):
+            yield from names_in(value)
+
+
+def _needed(picture: Picture, names: frozenset[str]) -> tuple[dict[str, AnySignal], dict[str, float]]:
+    """The signals and scalars of these names, and those that they are made of."""
+    wanted = set(names)
+    for name, signal in reversed(list(picture.signals.items())):
+        if name in wanted:
+            wanted |= spoken_of(signal)
+    signals = {name: signal for name, signal in picture.signals.items() if name in wanted}
+    return signals, {name: value for name, value in picture.scalars.items() if name in wanted}
+
+
+@dataclass(frozen=True)
+class _Pair:
+    """One row: a readout held and the one that stands, written in a unit of so many of its own."""
+
+    held: Readout
+    now: Readout
+    size: float
+    hidden: bool
+
+    @property
+    def same(self) -> bool:
+        return not self.hidden and is_same(self.held.value, self.now.value)
+
+    def row(self) -> LedgerRow:
+        now = self.now
+        became_ = became(self.held.value / self.size, now.value / self.size, now.angle)
+        return LedgerRow(
+            symbol=rich(" − ".join(_italic(symbol) for symbol in now.symbol.split(" − "))),
+            tint=now.tint,
+            held=three(self.held.value / self.size),
+            now=COVERED if self.hidden else three(now.value / self.size),
+            unit=now.unit,
+            ratio=COVERED if self.hidden else "same" if self.same else became_,
+            same=self.same,
+        )
+
+
+def _italic(symbol: str) -> str:
+    letter, index, name = symbol.partition("_")
+    return f"*{letter}*{index}{name}"
+
+
+def ledger(now: Standing) -> tuple[LedgerRow, ...]:
+    """At most ten rows: what has been moved, what follows from it, and then what is the same."""
+    if now.held is None:
+        return ()
+    scene, other = now.scene, now.held
+    _, left_out = without(now.kind, now.shown, now.covered)
+    hidden = {*left_out, *(name.removeprefix(VALUE) for name in now.covered), *_followed(scene, now.before)}
+    followed = dict(zip((one.name for one in other.readouts()), other.readouts(), strict=True))
+    pairs = [
+        *_moved(now, other),
+        *(_Pair(followed[one.name], one, 1.0, one.is_in(hidden)) for one in scene.readouts() if one.name in followed),
+    ]
+    return tuple(pair.row() for pair in sorted(pairs, key=lambda pair: pair.same)[:MOST_ROWS])
+
+
+def _followed(scene: Scene, asked: Standing | None) -> set[str]:
+    """The readouts that a change has made others, also where their texts are the same."""
+    if asked is None:
+        return set()
+    before = {one.name: one.value for one in asked.scene.readouts()}
+    return {one.name for one in scene.readouts() if before.get(one.name) != one.value}
+
+
+def _moved(now: Standing, other: Scene) -> Iterator[_Pair]:
+    """The quantities that the panel now shows."""
+    scene = now.scene
+    standing = [group for group in scene.groups if not group.form or now.shown.forms.get(group.form)]
+    for name in dict.fromkeys(name for group in standing for name in group.names):
+        quantity, held, stands = now.kind.param[name], getattr(other, name), getattr(scene, name)
+        if not isinstance(quantity, Quantity) or held is None or stands is None:
+            continue
+        unit = scene.units().get(name)
+        text, size = (unit.text, unit.size) if unit else (quantity.unit, 1.0)
+        before, after = (Readout(name, quantity.symbol, value, text, quantity.tint) for value in (held, stands))
+        yield _Pair(before, after, size, hidden=False)

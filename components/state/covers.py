@@ -1,0 +1,246 @@
+"""Covers: parts of a page that are not sent until the visitor has made a prediction, so that nobody finds them before.
+
+A cover is named by its kind and its name in the sheet or the picture:
+
+    plot:x2, curve:energy.T, band:energy.T_lo, mark:det.w_slow    a plot, or one curve, band, flag in it
+    value:tau, form:why                                           a live number, a sentence
+    ticks:x                                                       the numbers at an axis, which round ones replace,
+                                                                  over a wider range that is no hint
+    numbers:x                                                     the same over the range that stands
+    stage, table                                                  the numbers of the apparatus, which rests where it
+                                                                  starts; a table
+    next                                                          all that each change from now on changes
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any, TypeVar
+
+from msgspec.structs import replace as changed
+
+from components.language.blocks import PlotBlock, StageBlock, TableBlock, WordsBlock
+from components.language.numbers import names_in
+from components.language.plots import Curve, Region
+from components.language.shapes import Label
+from components.language.signals import AnySignal, CosineOf, Derived, SineOf
+from components.quantities.axes import Axis, nice_ticks
+from components.quantities.motion import derived, starts
+from components.quantities.numbers import excerpt
+from components.scene import Picture, Scene
+from components.scene.traces import Columns, Traces
+from components.state.scene_sheet import blocks, heading_names, live_names, plots
+
+Kept = TypeVar("Kept")
+PLOT, VALUE = "plot:", "value:"
+STAGE, TABLE, NEXT = "stage", "table", "next"
+ROOM = 0.5
+"""By how much the range of an axis without its own numbers is wider, so that it is no hint."""
+_LIVE = re.compile(r'data-value="(\w+)"')
+
+
+def coverable(scene: type[Scene], picture: Picture) -> set[str]:
+    """The names of all that can be covered: parts of the sheet, the numbers that it speaks of, and those of the
+    picture."""
+    found = {VALUE + name for name in (*live_names(scene), *picture.values, *picture.live)}
+    found |= {f"form:{name}" for name in picture.forms} | {NEXT}
+    found |= {f"{kind}:{name}" for name in picture.axes for kind in ("ticks", "numbers")}
+    for block in blocks(scene.sheet()):
+        if isinstance(block, PlotBlock):
+            found |= {PLOT + block.name} | {name for drawn in _drawn(block) for name in drawn.covers}
+            found |= {f"mark:{block.name}.{mark.at}" for mark in block.marks}
+        elif isinstance(block, WordsBlock):
+            found |= {f"form:{item.name}" for item in block.items if item.name}
+        elif isinstance(block, StageBlock):
+            found.add(STAGE)
+        elif isinstance(block, TableBlock):
+            found.add(TABLE)
+    return found
+
+
+def checked_covers(scene: type[Scene], picture: Picture, covered: Iterable[str]) -> tuple[str, ...]:
+    """The covers; ValueError, in words, for one that covers nothing, neither in this picture nor in any other."""
+    covers = tuple(covered)
+    for refusal in refused_covers(scene, picture, covers).values():
+        raise ValueError(refusal)
+    return covers
+
+
+def refused_covers(scene: type[Scene], picture: Picture, covered: Iterable[str]) -> dict[str, str]:
+    """The covers that cover nothing, each with a sentence that says so."""
+    known = coverable(scene, picture) if covered else set()
+    return {name: f"“{excerpt(name)}” cannot be covered here." for name in covered if name not in known}
+
+
+def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> tuple[Picture, tuple[str, ...]]:
+    """The picture without what is covered, and the names of the quantities that are left out with it.
+
+    A covered curve takes its columns along, the motions that its dots show, and all that is made of them; another curve
+    that is drawn of one of these is told as a column.
+    """
+    if not covered:
+        return picture, ()
+    drawn = [one for plot in plots(scene) for one in _drawn(plot)]
+    hidden = [one for one in drawn if one.covers.intersection(covered) or PLOT + one.plot in covered]
+    names = set(_named(covered, VALUE)) | _marks(covered)
+    names |= {name for one in hidden for name in one.signals}
+    names = _made_of(picture.signals, names)
+    gone = {column for one in hidden for column in one.columns}
+    gone -= {column for one in drawn if one not in hidden for column in one.columns}
+    texts = names | set(_texts(scene, covered))
+    traces, columns = _traces_less(picture, names, gone)
+    left = replace(
+        picture,
+        columns=_columns_less(columns, gone),
+        traces=traces,
+        axes={name: _covered(name, axis, covered) for name, axis in picture.axes.items()},
+        signals=_at_rest(scene, picture, names) if STAGE in covered else _less(picture.signals, names),
+        values=_less(picture.values, texts),
+        live=_less(picture.live, texts),
+        scalars=_less(picture.scalars, names),
+        forms={**picture.forms, **{name: "" for name in _named(covered, "form:")}},
+    )
+    return left, tuple(sorted(texts))
+
+
+def as_it_stood(
+    scene: type[Scene], before: Picture, covered: tuple[str, ...], forms: Mapping[str, str]
+) -> tuple[Picture, tuple[str, ...]]:
+    """A picture that has been seen, while the one that follows is to be predicted: its stage stands as it was, but for
+    what was covered even then, and loses the marks alone. The `forms` of the picture that follows say which controls
+    stand."""
+    told, left_out = without(scene, before, covered)
+    stood, _ = without(scene, before, covered[: covered.index(NEXT)])
+    marks = _marks(covered)
+    groups = {group.form for group in scene.groups if group.form}
+    left = replace(
+        told,
+        signals=_less(stood.signals, _made_of(stood.signals, marks)),
+        scalars=_less(stood.scalars, marks),
+        forms={**told.forms, **{name: form for name, form in forms.items() if name in groups}},
+    )
+    return left, left_out
+
+
+@dataclass(frozen=True)
+class _Drawn:
+    """A curve or a band of a plot: the names that cover it, its columns and its motions."""
+
+    plot: str
+    covers: frozenset[str]
+    columns: frozenset[tuple[str, str]]
+    signals: frozenset[str] = frozenset()
+
+
+def _drawn(plot: PlotBlock) -> list[_Drawn]:
+    return [*(_curve(plot.name, curve) for curve in plot.curves), *(_band(plot.name, band) for band in plot.regions)]
+
+
+def _curve(plot: str, curve: Curve) -> _Drawn:
+    covers = frozenset(f"curve:{plot}.{name}" for name in (curve.y, curve.group) if name)
+    signals = frozenset(name for name in (curve.signal, curve.signal_x) if name)
+    return _Drawn(plot, covers, frozenset({(curve.source, curve.x), (curve.source, curve.y)}), signals)
+
+
+def _band(plot: str, band: Region) -> _Drawn:
+    """An envelope goes with its curve."""
+    covers = {f"band:{plot}.{band.low}", *(f"curve:{plot}.{name}" for name in (band.of, band.group) if name)}
+    return _Drawn(plot, frozenset(covers), frozenset((band.source, name) for name in (band.x, band.low, band.high)))
+
+
+def _marks(covered: Iterable[str]) -> set[str]:
+    return {name.partition(".")[2] for name in _named(covered, "mark:")}
+
+
+def _named(covered: Iterable[str], kind: str) -> list[str]:
+    return [cover.removeprefix(kind) for cover in covered if cover.startswith(kind)]
+
+
+def _texts(scene: type[Scene], covered: tuple[str, ...]) -> Iterator[str]:
+    """The live numbers in what is covered: the headings of plots, the stage, tables."""
+    headings = heading_names(scene)
+    open_ = {name for plot, names in headings.items() if PLOT + plot not in covered for name in names}
+    yield from (name for plot in _named(covered, PLOT) for name in headings.get(plot, ()) if name not in open_)
+    for block in blocks(scene.sheet()):
+        if isinstance(block, StageBlock) and STAGE in covered:
+            words = (shape.words for shape in block.shapes if isinstance(shape, Label))
+            yield from (run.text for runs in words for run in runs if run.kind == "value")
+        elif isinstance(block, TableBlock) and TABLE in covered:
+            cells = (html for row in block.rows for cell in row for html in cell.variants.values())
+            yield from (name for html in cells for name in _LIVE.findall(html))
+
+
+def _traces_less(
+    picture: Picture, signals: set[str], gone: set[tuple[str, str]]
+) -> tuple[dict[str, Traces], dict[str, Columns]]:
+    """The traces that are left, and the columns, with those of sources in which something is drawn of other signals."""
+    left = {source: one.less(name for of, name in gone if of == source) for source, one in picture.traces.items()}
+    lost = {source for source, one in left.items() if signals & one.needed}
+    columns = {**picture.columns, **{source: picture.sources[source] for source in lost}}
+    return {source: one for source, one in left.items() if source not in lost}, columns
+
+
+def _columns_less(columns: Mapping[str, Mapping[str, Kept]], gone: set[tuple[str, str]]) -> dict[str, dict[str, Kept]]:
+    return {
+        source: {name: column for name, column in given.items() if (source, name) not in gone}
+        for source, given in columns.items()
+    }
+
+
+def _less(given: Mapping[str, Kept], names: set[str]) -> dict[str, Kept]:
+    return {name: value for name, value in given.items() if name not in names}
+
+
+def _at_rest(scene: type[Scene], picture: Picture, names: set[str]) -> dict[str, AnySignal]:
+    """The signals, of which those named stand where the motion begins if a hand sets that, else at zero, and what is
+    made of them where that puts it."""
+    begun = starts(picture.signals, picture.scalars)
+    rest = {
+        name: derived(begun[name] if name in _held(scene) else 0.0)
+        for name, signal in picture.signals.items()
+        if name in names and (name in _held(scene) or not spoken_of(signal))
+    }
+    return {**picture.signals, **rest}
+
+
+@cache
+def _held(scene: type[Scene]) -> frozenset[str]:
+    """The motions that a hand on the stage begins: their start is among what is set, and no secret."""
+    stages = (block for block in blocks(scene.sheet()) if isinstance(block, StageBlock))
+    grabs = (shape.grab for block in stages for shape in block.shapes if shape.grab)
+    return frozenset(begin.of for grab in grabs for begin in grab.start if begin.axis and not begin.per)
+
+
+def _covered(name: str, axis: Axis, covered: tuple[str, ...]) -> Axis:
+    if f"ticks:{name}" in covered:
+        return _rounded(axis, ROOM)
+    return _rounded(axis, 0.0) if f"numbers:{name}" in covered else axis
+
+
+def _rounded(axis: Axis, wider: float) -> Axis:
+    """The axis over a wider range, with round numbers in place of its own."""
+    room = wider * abs(axis.end - axis.start)
+    way = 1 if axis.end > axis.start else -1
+    start = axis.start if axis.start == 0 else axis.start - way * room / 2
+    wide = changed(axis, start=start, end=axis.end + way * room / 2, ticks=(), labels=())
+    low, high = sorted((wide.place(wide.start), wide.place(wide.end)))
+    return changed(wide, ticks=nice_ticks(low, high, axis.count))
+
+
+def _made_of(signals: Mapping[str, AnySignal], names: set[str]) -> set[str]:
+    """The names, and the signals that speak of one of them, in the order in which they build on each other."""
+    found = set(names)
+    for name, signal in signals.items():
+        if found & spoken_of(signal):
+            found.add(name)
+    return found
+
+
+def spoken_of(signal: AnySignal) -> frozenset[Any]:
+    """The signals and scalars that a signal is made of."""
+    if isinstance(signal, Derived):
+        return names_in(signal.value)
+    return frozenset((signal.of,)) if isinstance(signal, (SineOf, CosineOf)) else frozenset()

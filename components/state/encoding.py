@@ -1,0 +1,112 @@
+"""A picture as it is sent: the signals that the browser draws, and the numbers of what has none.
+
+What is drawn needs no doubles: the numbers are whole steps of a range, 65535 over three heights of the frame, which are
+70 steps a pixel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from msgspec.structs import replace
+from numpy.typing import NDArray
+
+from components.language.picture import Drawn, Ruler, Trace, View
+from components.language.signals import AnySignal, Sampled, Samples
+from components.quantities.axes import TIME_AXIS, Axis
+from components.scene.picture import Picture
+from components.scene.traces import Columns
+from components.state.wire import Steps
+
+Floats = NDArray[np.float64]
+ColumnAxes = Mapping[str, Mapping[str, str]]
+"""The axis that each column of each source is drawn on."""
+
+COARSE = 2**16 - 1
+"""Steps of a column that is drawn."""
+FINE = 2**24 - 1
+"""Steps of numbers that more is made of than a curve: as fine as float32."""
+
+
+def view_of(picture: Picture, axes: ColumnAxes, left_out: tuple[str, ...] = ()) -> tuple[View, list[Steps]]:
+    """The view of a picture, and the numbers that follow it: its columns, then the runs of its signals."""
+    columns, numbers = columns_of(picture.columns, axes, picture.axes)
+    signals, runs = signals_of(picture.signals)
+    view = View(
+        columns=columns,
+        axes={name: axis.ruler for name, axis in picture.axes.items()},
+        time=TIME_AXIS if TIME_AXIS in picture.axes else "",
+        pace=picture.pace,
+        signals=signals,
+        traces=traces_of(picture),
+        scalars=picture.scalars,
+        values=picture.values,
+        live=picture.live,
+        forms=picture.forms,
+        notes=picture.notes,
+        left_out=left_out,
+    )
+    return view, [*numbers, *runs]
+
+
+def traces_of(picture: Picture) -> dict[str, Trace]:
+    """The signals that the browser draws over time, by source."""
+    return {
+        source: Trace(picture.axes[TIME_AXIS].place(one.end), one.count, one.names, dict(one.signals))
+        for source, one in picture.traces.items()
+    }
+
+
+def columns_of(
+    given: Mapping[str, Columns], drawn_on: ColumnAxes, axes: Mapping[str, Axis]
+) -> tuple[dict[str, dict[str, Drawn]], list[Steps]]:
+    """The columns as they are told, and their numbers: places on the axes that they are drawn on."""
+    columns: dict[str, dict[str, Drawn]] = {}
+    numbers: list[Steps] = []
+    for source, drawn in drawn_on.items():
+        known = given.get(source, {})
+        for name, on in drawn.items():
+            if name in known:
+                columns.setdefault(source, {})[name] = Drawn(on, len(known[name]))
+                numbers.append(steps(axes[on].places(known[name]), *span(axes[on].ruler), COARSE))
+    return columns, numbers
+
+
+def signals_of(given: Mapping[str, AnySignal]) -> tuple[dict[str, AnySignal], list[Steps]]:
+    """The signals as they are told, and the numbers of those that are sampled."""
+    signals: dict[str, AnySignal] = {}
+    numbers: list[Steps] = []
+    for name, signal in given.items():
+        if isinstance(signal, Sampled):
+            signal, runs = _run_of(signal)
+            numbers += runs
+        signals[name] = signal
+    return signals, numbers
+
+
+def _run_of(signal: Sampled) -> tuple[Sampled, list[Steps]]:
+    """The signal with runs in place of its numbers, and these."""
+    told: dict[str, Samples] = {}
+    numbers: list[Steps] = []
+    for name in ("y", "dy"):
+        values = np.asarray(getattr(signal, name))
+        low, high = float(values.min()), float(values.max())
+        told[name] = Samples(len(values), low, high)
+        numbers.append(steps(values, low, high, FINE))
+    return replace(signal, **told), numbers
+
+
+def span(ruler: Ruler) -> tuple[float, float]:
+    """The range of the steps of what is drawn on an axis: its frame, and as much again on either side."""
+    low, high = sorted((ruler.start, ruler.end))
+    return low - (high - low), high + (high - low)
+
+
+def steps(values: Floats, low: float, high: float, count: int) -> Steps:
+    """The nearest of `count` + 1 places from low to high; what is outside is at the first or the last."""
+    half = high / 2 - low / 2  # all of it may be more than a double holds
+    if not half > 0:
+        return np.zeros(len(values), np.int32)
+    shares = (np.minimum(np.maximum(values, low), high) / 2 - low / 2) / half
+    return np.rint(count * shares).astype(np.int32)

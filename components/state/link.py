@@ -1,0 +1,216 @@
+"""Links: the state of a page, written into and read from the query of an address.
+
+It has the scene, the parameters that differ from their defaults, what of the frame is not fitted (frame.x=-2,2 is a
+range, frame.window a time window), the curves switched off, what is covered: cover=plot:x2,value:tau, and what is held
+beside the picture: held.k=20, or held=default where that is how the scene opens. What was before the change that is to
+be predicted stands there in the same way: before.k=20.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context
+from urllib.parse import urlencode
+
+from msgspec.structs import replace
+
+from components.language.state import Frame, State
+from components.layout.choices import MOST_ITEMS, chosen, word
+from components.quantities.axes import Range, ordered
+from components.quantities.numbers import MINUS, excerpt, parse_number, shortest
+from components.quantities.parameters import AnyParameter, Quantity, Values
+from components.scene import Scene
+from components.scene.frames import FITTED, SIZES, checked
+from components.state.beside import HIDDEN, holdable
+
+FOREIGN_KEYS = ("bokeh-", "panel-")
+PAGE_KEYS = frozenset({"theme", "projector", "walk", "step"})
+MOST_PROBLEMS = 8
+COVER = "cover"
+FRAME, GIVEN = "frame.", Frame(given=True)
+HELD, BEFORE = "held", "before"
+DEFAULT = "default"
+DIGITS = 4
+"""Of a number of a frame in a link; a range so narrow that these would not tell its ends apart has more."""
+MOST_ROOM = 1.02
+"""By how much a range may be wider in few digits."""
+AUTOMATIC = "auto"
+"""The word of a quantity that the scene chooses itself."""
+
+
+@dataclass(frozen=True)
+class Link:
+    """A query as it is read: a scene, its values, what is covered, and a sentence for each part that is refused.
+
+    Of the frame it names parts; the others are fitted. Without any there is none.
+    """
+
+    slug: str
+    values: Values = field(default_factory=dict)
+    problems: list[str] = field(default_factory=list)
+    frame: Frame | None = None
+    covered: tuple[str, ...] = ()
+    held: Values | None = None
+    before: Values | None = None
+
+    def as_opened(self, scenes: Mapping[str, type[Scene]]) -> Link:
+        """The link, or where it has no part of a state, that of the scene as a page of it opens."""
+        bare = self == Link(self.slug)
+        return Link(self.slug, scenes[self.slug].opens) if bare else self
+
+
+def read_query(args: Mapping[str, Sequence[bytes]], scenes: Mapping[str, type[Scene]]) -> Link:
+    """Read a query key by key: what is good is kept, what is bad is named. Without a scene: the first one."""
+    slug, problems = _read_slug(args.get("scene", ()), scenes)
+    known = scenes[slug].linked()
+    values: dict[str, object] = {}
+    others: dict[str, Values | None] = {HELD: None, BEFORE: None}
+    frame: Frame | None = None
+    covered: tuple[str, ...] = ()
+    for key, given in args.items():
+        if key == "scene" or key in PAGE_KEYS or key.startswith(FOREIGN_KEYS):
+            continue
+        try:
+            if key == COVER:
+                covered = _read_covers(_only(key, given))
+            elif key.startswith(FRAME):
+                frame = _with_part(frame or GIVEN, key.removeprefix(FRAME), _only(key, given))
+            elif (other := key.partition(".")[0]) in others:
+                others[other] = {**(others[other] or {}), **_read_other(scenes[slug], key, given)}
+            else:
+                values[key] = _read(known, key, given)
+        except ValueError as error:
+            problems.append(str(error))
+    return Link(slug, values, _shortened(problems), frame, covered, others[HELD], others[BEFORE])
+
+
+def write_query(state: State, scene: type[Scene]) -> str:
+    """The text after the question mark that brings a state of the scene back.
+
+    Its slug comes first, then what differs from the default, in the order of the scene's parameters, then the frame;
+    numbers are the shortest text that reads back as the same double.
+    """
+    own = {**state.parameters} | ({} if state.hidden is None else {HIDDEN: list(state.hidden)})
+    parts = {"scene": scene.slug} | {name: _written(own[name]) for name in scene.linked() if name in own}
+    parts |= _frame_parts(state.frame or FITTED)
+    for which, others in ((HELD, state.held), (BEFORE, state.before)):
+        if others is not None:
+            parts |= {f"{which}.{name}": _written(value) for name, value in others.items()} or {which: DEFAULT}
+    if len(parts) == 1 and not state.covered:  # alone, the name of a scene opens it otherwise
+        parts |= {name: _written(scene.param[name].default) for name in scene.opens}
+    return urlencode(parts | ({COVER: ",".join(state.covered)} if state.covered else {}), safe=",:")
+
+
+def step_query(step: str) -> str:
+    """The query that opens a step of a walk, "d34/d34-07"."""
+    walk, _, name = step.partition("/")
+    return urlencode({"walk": walk, "step": name})
+
+
+def _frame_parts(frame: Frame) -> dict[str, str]:
+    ranges = {FRAME + name: ",".join(map(shortest, _brief(span))) for name, span in frame.ranges.items()}
+    sizes = {name: getattr(frame, name) for name in SIZES}
+    return ranges | {FRAME + name: shortest(float(f"{size:.{DIGITS}g}")) for name, size in sizes.items() if size}
+
+
+def _brief(span: Range) -> Range:
+    """A range in few digits, with room for all of the other."""
+    low, high = ordered(span)
+    wide = _towards(low, ROUND_FLOOR), _towards(high, ROUND_CEILING)
+    if wide[1] - wide[0] > MOST_ROOM * (high - low):
+        return span
+    return wide if span[0] < span[1] else wide[::-1]
+
+
+def _towards(value: float, way: str) -> float:
+    return float(Context(prec=DIGITS, rounding=way).create_decimal(shortest(value)))
+
+
+def _read_other(scene: type[Scene], key: str, given: Sequence[bytes]) -> dict[str, object]:
+    """The value that one key gives of the scene held, or of the one from before a change."""
+    which, dot, name = key.partition(".")
+    if dot:
+        return {name: _read(holdable(scene), name, given)}
+    if _only(key, given) != DEFAULT:
+        raise ValueError(f"{which}: write {which}={DEFAULT}, or {which}. before a parameter.")
+    return {}
+
+
+def _with_part(frame: Frame, name: str, text: str) -> Frame:
+    """The frame, with one more part of it as a link gives it."""
+    try:
+        part = {name: parse_number(text)} if name in SIZES else {"ranges": {**frame.ranges, name: _range(text)}}
+        return checked(replace(frame, **part))
+    except ValueError as error:
+        raise ValueError(f"{FRAME}{excerpt(name)}: {error}") from error
+
+
+def _range(text: str) -> tuple[float, float]:
+    ends = text.split(",")
+    if len(ends) != 2:
+        raise ValueError(f"“{excerpt(text)}” is not a range: give two numbers, such as -1,1.")
+    return parse_number(ends[0]), parse_number(ends[1])
+
+
+def _read_covers(text: str) -> tuple[str, ...]:
+    covers = tuple(dict.fromkeys(name for name in text.split(",") if name))
+    if len(covers) > MOST_ITEMS:
+        raise ValueError(f"{COVER}: give at most {MOST_ITEMS} names.")
+    return covers
+
+
+def _read_slug(given: Sequence[bytes], scenes: Mapping[str, type[Scene]]) -> tuple[str, list[str]]:
+    first = next(iter(scenes))
+    if not given:
+        return first, []
+    try:
+        slug = _only("scene", given)
+    except ValueError as error:
+        return first, [str(error)]
+    if slug in scenes:
+        return slug, []
+    return first, [f"scene: “{excerpt(slug)}” is not a scene: choose one of {', '.join(scenes)}."]
+
+
+def _read(known: Mapping[str, AnyParameter], key: str, given: Sequence[bytes]) -> object:
+    """The value of one key; ValueError, naming the key, where it has none."""
+    if key not in known:
+        raise ValueError(f"“{excerpt(key)}” is not a parameter of this scene.")
+    parameter = known[key]
+    text = _only(key, given)
+    try:
+        return _read_quantity(parameter, text) if isinstance(parameter, Quantity) else chosen(parameter, text)
+    except ValueError as error:
+        raise ValueError(f"{key}: {error}") from error
+
+
+def _read_quantity(quantity: Quantity, text: str) -> float | None:
+    if quantity.allow_None and text.strip() in ("", AUTOMATIC):
+        return None
+    value = parse_number(text)
+    refusal = quantity.refusal(value, excerpt(text.strip()).replace("-", MINUS))
+    if refusal:
+        raise ValueError(refusal)
+    return value
+
+
+def _only(key: str, given: Sequence[bytes]) -> str:
+    if len(given) != 1:
+        raise ValueError(f"{key} is given {len(given)} times: give it once.")
+    return given[0].decode("utf-8", errors="replace")
+
+
+def _written(value: object) -> str:
+    if value is None:
+        return AUTOMATIC
+    if isinstance(value, float):
+        return shortest(value)
+    return ",".join(map(word, value)) if isinstance(value, list) else word(value)
+
+
+def _shortened(problems: list[str]) -> list[str]:
+    left_out = len(problems) - MOST_PROBLEMS
+    if left_out <= 0:
+        return problems
+    return [*problems[:MOST_PROBLEMS], f"{left_out} more parts of this link are refused."]

@@ -1,0 +1,146 @@
+"""The sheet of a scene: all that the browser must know of it once, the same for every visitor, built once a process."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from functools import cache
+from hashlib import sha256
+from typing import Any
+
+import msgspec
+
+from components.language.blocks import Block, Column, PlotBlock, Row
+from components.language.messages import SceneSheet, Shown
+from components.language.state import State
+from components.layout.controls import panel, settings
+from components.scene import Scene
+from components.state.encoding import view_of
+from components.state.wire import WINDOW, as_json
+
+LIVE = re.compile(r'data-value="(\w+)"')
+"""A live number in HTML."""
+
+
+@cache
+def scene_sheet(scene: type[Scene]) -> SceneSheet:
+    return SceneSheet(
+        slug=scene.slug,
+        title=scene.title,
+        headline=scene.headline,
+        hidden=tuple(scene.param["hidden"].default),
+        runs=scene.work is not None,
+        about=scene.about is not Scene.about,
+        onward=scene.onward,
+        spoken=dict(scene.spoken),
+        usual=usual(scene).decode(),
+        paper=scene.sheet(),
+        panel=panel(
+            scene.param.objects("existing"),
+            scene.groups,
+            start=scene.start,
+            folded=scene.start_folded,
+            presets=scene.presets,
+            drawings=scene.drawings(),
+            watch=scene.watch,
+            places=scene.places,
+        ),
+    )
+
+
+@cache
+def usual(scene: type[Scene]) -> bytes:
+    """The usual text of messages about the scene, which they are deflated against: that of its first picture, in six
+    digits, which are the same on every machine that serves it."""
+    first = scene.at()
+    view, _ = view_of(first.shown, column_axes(scene))
+    told = Shown(
+        scene=scene.slug,
+        sheet="",
+        view=view,
+        settings=settings(first.param.objects("existing"), first.values, first.units(), first.shown.spans),
+        state=State(scene=scene.slug),
+        preset=None,
+        here=(),
+        errors={},
+        problems=(),
+        query=f"scene={scene.slug}",
+        progress=None,
+    )
+    rounded = json.loads(as_json(told), parse_float=lambda number: float(f"{float(number):.6g}"))
+    return as_json(rounded)[-WINDOW:]
+
+
+@cache
+def sheet_json(scene: type[Scene]) -> bytes:
+    """The sheet as the browser reads it."""
+    return msgspec.json.encode(scene_sheet(scene))
+
+
+@cache
+def sheet_address(scene: type[Scene]) -> str:
+    """The address of the sheet, under the hash of its content, so that it never changes."""
+    return f"sheets/{scene.slug}.{sha256(sheet_json(scene)).hexdigest()[:16]}.json"
+
+
+def blocks(block: Block) -> Iterator[Block]:
+    """A block and all that it holds."""
+    yield block
+    if isinstance(block, (Row, Column)):
+        for inner in block.blocks:
+            yield from blocks(inner)
+
+
+def plots(scene: type[Scene]) -> Iterator[PlotBlock]:
+    """The plots of a scene's sheet."""
+    return (block for block in blocks(scene.sheet()) if isinstance(block, PlotBlock))
+
+
+@cache
+def live_names(scene: type[Scene]) -> frozenset[str]:
+    """The live numbers that the sheet speaks of, in whatever form they stand."""
+    return frozenset(_named(msgspec.json.decode(sheet_json(scene))))
+
+
+@cache
+def heading_names(scene: type[Scene]) -> dict[str, frozenset[str]]:
+    """The live numbers that stand in the heading of a plot and nowhere else but in headings, by plot."""
+    sheet = msgspec.json.decode(sheet_json(scene))
+    headings = {plot.name: frozenset(_named(msgspec.to_builtins(plot.heading))) for plot in plots(scene)}
+    elsewhere = frozenset(_named(_without_headings(sheet)))
+    return {name: names - elsewhere for name, names in headings.items()}
+
+
+def _without_headings(part: Any) -> Any:
+    if isinstance(part, list):
+        return [_without_headings(one) for one in part]
+    if isinstance(part, dict):
+        return {key: _without_headings(value) for key, value in part.items() if key != "heading"}
+    return part
+
+
+def _named(part: Any) -> Iterator[str]:
+    """Live numbers in HTML, and in the words of a stage."""
+    if isinstance(part, str):
+        yield from LIVE.findall(part)
+    elif isinstance(part, list):
+        for one in part:
+            yield from _named(one)
+    elif isinstance(part, dict):
+        if part.get("kind") == "value":
+            yield part["text"]
+        yield from _named(list(part.values()))
+
+
+@cache
+def column_axes(scene: type[Scene]) -> dict[str, dict[str, str]]:
+    """The axis that each column of each source is drawn on: {source: {column: axis}}."""
+    axes: dict[str, dict[str, str]] = {}
+    for plot in plots(scene):
+        for curve in plot.curves:
+            axes.setdefault(curve.source, {}).update({curve.x: plot.x, curve.y: plot.y})
+        for region in plot.regions:
+            own = {region.x: plot.x, region.low: plot.y, region.high: plot.y}
+            axes.setdefault(region.source, {}).update(own)
+    return axes

@@ -1,0 +1,243 @@
+"""A standing: all that a page stands for, one frozen value, and the one that comes of a message."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import msgspec
+
+from components.language.messages import Open, SetValues
+from components.language.state import Frame, State
+from components.quantities.numbers import excerpt
+from components.quantities.parameters import Values
+from components.scene import Scene
+from components.scene.frames import FITTED, checked, unfitted
+from components.scene.picture import Framed, Framing, Picture, draw
+from components.state.beside import HIDDEN, WINDOW, moved, own_values, shown_as
+from components.state.commands import Command, RefusalError, asked_values, refusal, sentence
+from components.state.covers import NEXT, checked_covers
+from components.state.link import step_query, write_query
+from components.state.predicting import covers_after, put_last, told_of
+from components.state.shared_system import Shared, brought, taken_along
+from components.state.states import other_in, scene_in, stated_all, stated_own
+
+Scenes = Mapping[str, type[Scene]]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Standing:
+    """A scene, its picture, and what else of a page a message can change.
+
+    `held`     the scene held for comparison, shown as the one that stands is
+    `before`   what stood before the change that is to be predicted: it is told in place of this
+    `covered`  the plots, numbers and sentences that are not told
+    `step`     the step of a walk that it belongs to, "d34/d34-07"
+    `shared`   the system that goes along to other scenes
+    `in_hand`  whether a hand holds on to what is drawn: then its frame stands, though something leaves it
+    `number`   of the message that led here: one that comes again is not done again
+    `own`      walks from the visitor's files, by name
+    """
+
+    scene: Scene
+    drawn: Framed
+    held: Scene | None = None
+    before: Standing | None = None
+    covered: tuple[str, ...] = ()
+    step: str = ""
+    shared: Shared = field(default_factory=dict)
+    in_hand: bool = False
+    number: int | None = None
+    own: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def kind(self) -> type[Scene]:
+        return type(self.scene)
+
+    @property
+    def shown(self) -> Picture:
+        """The picture in force."""
+        return self.drawn.picture
+
+    @property
+    def asked(self) -> Standing:
+        """The standing that is told in its place."""
+        return self.before or self
+
+    @cached_property
+    def frame(self) -> Frame | None:
+        """The parts of the frame that are not as they would be fitted; None where all are."""
+        return unfitted(self.drawn.frame, self.drawn.fitted)
+
+    @property
+    def told(self) -> tuple[Picture, tuple[str, ...]]:
+        """The picture that is told, and the names of the quantities that are left out of it."""
+        return told_of(self.kind, self.shown, self.before.shown if self.before else None, self.covered)
+
+    @cached_property
+    def state(self) -> State:
+        """The part of it that links and messages carry."""
+        own = self.scene.off_default()
+        return State(
+            scene=self.scene.slug,
+            parameters=stated_all({name: value for name, value in own.items() if name != HIDDEN}),
+            frame=self.asked.frame,
+            held=None if self.held is None else stated_own(self.held),
+            covered=self.covered,
+            before=None if self.before is None else stated_own(self.before.scene),
+            hidden=tuple(self.scene.values[HIDDEN]) if HIDDEN in own else None,
+            step=self.step,
+        )
+
+    @property
+    def query(self) -> str:
+        """The link to it."""
+        return step_query(self.step) if self.step else write_query(self.state, self.kind)
+
+
+def fitted(scene: Scene) -> Standing:
+    """A page on which a scene stands by itself, in the frame that fits it."""
+    return Standing(scene=scene.value, drawn=draw(scene.value))
+
+
+def changed(now: Standing, said: Command | Open, scenes: Scenes) -> Standing:
+    """The standing after a message; RefusalError, with a sentence for each reason, where that cannot be."""
+    return _turned(now, said, scenes) if isinstance(said, Open) else _done(now, said)
+
+
+def with_values(now: Standing, values: Values, *, holding: bool = False, released: bool = False) -> Standing:
+    """The standing with other values: in its frame, which grows where it must, but in the hand that is `holding`.
+
+    Another window is chosen by its field; another way of showing things fits anew what it changes. ValueError, in
+    words, for values that the scene cannot have.
+    """
+    scene = now.scene.changed(values, in_hand=now.in_hand or holding)
+    if scene is now.scene and not released:
+        return now
+    ways = not now.kind.quantities() >= now.scene.differing(values)
+    return _redrawn(now, scene, "kept" if holding else "grown", refits=ways)
+
+
+def _redrawn(now: Standing, scene: Scene, framing: Framing = "grown", *, refits: bool) -> Standing:
+    """The standing with another scene of its kind, in its frame; a new way of showing `refits` what it changes."""
+    frame, held = now.drawn.frame, now.held and shown_as(now.held, scene)
+    if scene.values[WINDOW] != now.scene.values[WINDOW]:
+        frame = msgspec.structs.replace(frame, window=None)
+    drawn = draw(scene, held, framing, frame, now.drawn.fitted if refits else None)
+    return replace(now, scene=scene, held=held, drawn=drawn)
+
+
+def _done(now: Standing, command: Command) -> Standing:
+    """When a hand lets go, the frame grows where it must, and what is hardly used of it is fitted anew, but in a step
+    of a walk and while something waits to be predicted."""
+    said = command.holding if isinstance(command, SetValues) else None
+    values = asked_values(now.scene, command)
+    try:
+        after = with_values(now, values, holding=bool(said), released=now.in_hand and not said)
+    except ValueError as error:
+        raise refusal(now.scene, command, error) from error
+    if said is False and not (now.step or now.covered) and (frame := after.drawn.loosened) != after.drawn.frame:
+        after = replace(after, drawn=draw(after.scene, after.held, "grown", frame))
+    return _predicted(replace(after, in_hand=bool(said)), now.before or now, begins=now.before is None)
+
+
+def _predicted(after: Standing, before: Standing | None, begins: bool) -> Standing:
+    """The standing, in which all that has changed since `before` is covered, where that is to be predicted.
+
+    A prediction that `begins` with the change is there as soon as these are two; a view is no change.
+    """
+    if NEXT not in after.covered or before is None or (begins and not moved(after.scene, before.scene)):
+        return replace(after, before=None)
+    before = _shown_like(before, after)
+    covered = put_last(after.covered) if begins else after.covered
+    return replace(after, before=before, covered=covers_after(after.scene, after.shown, before.shown, covered))
+
+
+def _shown_like(before: Standing, after: Standing) -> Standing:
+    """An earlier standing, shown as the present one is."""
+    scene = shown_as(before.scene, after.scene, HIDDEN)
+    if scene is before.scene and _key(before.held) == _key(after.held):
+        return before
+    return _redrawn(replace(before, held=after.held), scene, refits=True)
+
+
+def _key(scene: Scene | None) -> object:
+    return scene and scene.key
+
+
+def _turned(now: Standing, said: Open, scenes: Scenes) -> Standing:
+    """A scene that is gone to without parameters opens as a page of it does; what goes along is left behind where the
+    scene cannot be shown with it."""
+    state = said.state
+    if state.scene not in scenes:
+        raise RefusalError({"state": f"“{excerpt(state.scene)}” is not a scene. Still drawn as before."})
+    kind = scenes[state.scene]
+    now = replace(now, shared=taken_along(now.scene, now.shared))
+    if said.carried:
+        if not state.parameters:
+            state = msgspec.structs.replace(state, parameters=stated_all(kind.opens))
+        given = stated_all(brought(kind, now.shared)) if kind is not now.kind else {}
+        if given:
+            with suppress(ValueError):
+                return standing_in(kind, msgspec.structs.replace(state, parameters={**given, **state.parameters}), now)
+    try:
+        return standing_in(kind, state, now, keeps=said.keeps)
+    except ValueError as error:
+        raise RefusalError({"state": f"{sentence(error)} Still drawn as before."}) from error
+
+
+def standing_in(kind: type[Scene], state: State, now: Standing | None = None, *, keeps: bool = False) -> Standing:
+    """The standing of a page that is put into a state of a scene; ValueError, in words, where it cannot be.
+
+    Of a page that stands `now` it goes on with what the state does not tell. A state that `keeps` the frame has that
+    one for other quantities; another scene, window or way of showing is fitted anew.
+    """
+    scene, held = scene_in(kind, state), other_in(kind, state.held)
+    held = held and shown_as(held, scene)
+    same = now if now and kind is now.kind else None
+    frame = state.frame and checked(state.frame)
+    if keeps and frame is None and same and _only_quantities(same.scene, scene):
+        frame = same.drawn.frame
+    told = other_in(kind, state.before if NEXT in state.covered else None)
+    before = _before(told, scene, held, frame, same)
+    asked = before or (same and same.before)
+    if asked and asked.frame == frame:
+        frame = asked.drawn.frame  # whole: what is then revealed is seen in it
+    if same and (scene.key, _key(held), frame) == (same.scene.key, _key(same.held), same.frame):
+        drawn = same.drawn
+    else:
+        drawn = draw(scene, held, "grown" if frame else "fitted", frame or FITTED)
+    after = replace(
+        now or Standing(scene=scene, drawn=drawn),
+        scene=scene,
+        drawn=drawn,
+        held=held,
+        covered=checked_covers(kind, drawn.picture, state.covered),
+        step=state.step,
+        in_hand=False,
+    )
+    begins = state.before is None
+    if begins and same and same.before is None and NEXT in same.covered:
+        before = same
+    return _predicted(after, before, begins)
+
+
+def _only_quantities(before: Scene, after: Scene) -> bool:
+    """Whether two scenes differ in quantities alone, and not in their window."""
+    return after.differing(before.values) - {HIDDEN} <= after.quantities() - {WINDOW}
+
+
+def _before(
+    scene: Scene | None, after: Scene, held: Scene | None, frame: Frame | None, same: Standing | None
+) -> Standing | None:
+    """The standing before the change that is to be predicted, as a state tells it: the one that is there already, if it
+    is the same."""
+    if scene is None:
+        return None
+    if same and same.before and own_values(same.before.scene) == own_values(scene) and same.before.frame == frame:
+        return same.before
+    scene = shown_as(scene, after, HIDDEN)
+    return Standing(scene=scene, held=held, drawn=draw(scene, held, "grown" if frame else "fitted", frame or FITTED))

@@ -1,0 +1,94 @@
+"""States of a page: of a link, and the scenes that they stand for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from components.language.state import State, Value
+from components.layout.choices import chosen, stated
+from components.quantities.numbers import excerpt
+from components.quantities.parameters import AnyParameter, Quantity, Values
+from components.scene import Picture, Scene
+from components.state.beside import HIDDEN, holdable, own_values
+from components.state.link import Link
+from components.state.scene_sheet import plots
+
+
+def state_in(link: Link, scene: type[Scene]) -> State:
+    """The state that a link to the scene stands for: of an address as of a step of a walk."""
+    values = {**link.values}
+    hidden = values.pop(HIDDEN, None)
+    held, before = (None if other is None else stated_all(other) for other in (link.held, link.before))
+    return State(
+        scene=link.slug,
+        parameters=stated_all(values),
+        frame=link.frame,
+        held=held,
+        covered=link.covered,
+        before=before,
+        hidden=None if hidden is None else tuple(hidden),  # type: ignore[arg-type]  # a list of names
+    )
+
+
+def strange_axes(picture: Picture, state: State) -> Iterator[str]:
+    """A sentence for each axis that a state names and that its picture does not have."""
+    for name in state.frame.ranges if state.frame else ():
+        if name not in picture.axes:
+            yield f"frame.{excerpt(name)}: “{excerpt(name)}” is not an axis of this picture."
+
+
+def strange_curves(kind: type[Scene], state: State) -> Iterator[str]:
+    """A sentence for each curve that a state switches off and that the scene does not have."""
+    blocks = list(plots(kind))
+    drawn = {curve.group for plot in blocks for curve in plot.curves}
+    drawn |= {band.group for plot in blocks for band in plot.regions}
+    yield from (
+        f"hidden: “{excerpt(name)}” is no curve of this scene." for name in state.hidden or () if name not in drawn
+    )
+
+
+def scene_in(kind: type[Scene], state: State) -> Scene:
+    """The scene of a state.
+
+    ValueError, naming the parameter, for one that the scene does not have or that cannot have such a value.
+    """
+    known = kind.linked()
+    hidden = {} if state.hidden is None else {HIDDEN: chosen(known[HIDDEN], list(state.hidden))}
+    return kind.at({name: _value(known, name, value) for name, value in state.parameters.items()} | hidden)
+
+
+def other_in(kind: type[Scene], values: Mapping[str, Value] | None) -> Scene | None:
+    """The scene that a state holds, or that was before the change to be predicted; how things were shown is not told.
+
+    ValueError as in `scene_in`.
+    """
+    if values is None:
+        return None
+    known, linked = holdable(kind), kind.linked()
+    given = {name: _value(linked, name, value) for name, value in values.items()}
+    return kind.at({name: value for name, value in given.items() if name in known and value != known[name].default})
+
+
+def stated_own(scene: Scene) -> dict[str, Value]:
+    """The parameters of a scene that are not at their defaults, but for how it is shown, as a state carries them."""
+    return stated_all(own_values(scene))
+
+
+def stated_all(values: Values) -> dict[str, Value]:
+    """Values of parameters as a state carries them."""
+    return {name: stated(value) for name, value in values.items()}
+
+
+def _value(known: dict[str, AnyParameter], name: str, value: Value) -> object:
+    if name not in known or name == HIDDEN:
+        raise ValueError(f"“{excerpt(name)}” is not a parameter of this scene.")
+    parameter = known[name]
+    if not isinstance(parameter, Quantity):
+        try:
+            return chosen(parameter, value)
+        except ValueError as reason:
+            raise ValueError(f"{name}: {reason}") from reason
+    refusal = parameter.refusal(value)
+    if refusal:
+        raise ValueError(f"{name}: {refusal}")
+    return value

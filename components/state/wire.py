@@ -1,0 +1,81 @@
+"""The encoding of a message: one block of bytes, deflated once, whoever hears it.
+
+Inside stand a line of JSON and, where it shows a picture, the numbers of its columns. A message about a
+scene refers to the scene's `usual` text, which the browser has in its sheet: what it repeats of that costs next to
+nothing.
+"""
+
+from __future__ import annotations
+
+import zlib
+from base64 import b64encode
+from collections.abc import Sequence
+from typing import TypedDict
+
+import msgspec
+import numpy as np
+from numpy.typing import NDArray
+
+from components.language.messages import Said, Told
+
+Steps = NDArray[np.int32]
+"""Numbers of a column, in whole steps of a range."""
+WINDOW = 2**15
+"""Bytes that deflate looks back."""
+ORDER = 4
+"""Neighbours on a curve differ little, their differences less, and so on: fourth differences are sent."""
+
+
+class Packet(TypedDict):
+    """A message as Bokeh sends it. `sheet` is the address of the sheet whose usual text it refers to, or ""."""
+
+    sheet: str
+    data: bytes
+
+
+def _plain(value: object) -> float:
+    """NumPy's scalars, which pictures are full of, as Python's."""
+    if isinstance(value, np.floating):
+        return float(value)
+    raise TypeError(f"{type(value).__name__} does not cross")
+
+
+_encoder = msgspec.json.Encoder(enc_hook=_plain)
+
+
+def as_json(value: object) -> bytes:
+    """Anything of the page language as the browser reads it."""
+    return _encoder.encode(value)
+
+
+def packed(told: Told, columns: Sequence[Steps] = (), *, sheet: str = "", usual: bytes = b"") -> Packet:
+    """A message made ready; `usual` is the text in the sheet."""
+    known = (usual,) if usual else ()
+    deflate = zlib.compressobj(6, zlib.DEFLATED, -15, zlib.DEF_MEM_LEVEL, zlib.Z_DEFAULT_STRATEGY, *known)
+    data = deflate.compress(as_json(told) + b"\n" + _in_bytes(columns)) + deflate.flush()
+    return {"sheet": sheet, "data": data}
+
+
+def _in_bytes(columns: Sequence[Steps]) -> bytes:
+    """Four times as many bytes as there are numbers: all first bytes of the fourth differences, all second ones, and so
+    on. A difference d >= 0 is 2d, one below is -2d - 1."""
+    if not columns:
+        return b""
+    before = np.zeros(ORDER, np.int32)
+    differences = np.concatenate([np.diff(column, ORDER, prepend=before) for column in columns])
+    folded = (differences << 1) ^ (differences >> 31)
+    return folded.astype("<u4").view(np.uint8).reshape(-1, 4).T.tobytes()
+
+
+def on_page(packet: Packet) -> str:
+    """A message as text that can stand in a page."""
+    return b64encode(packet["data"]).decode()
+
+
+def decoded(data: object) -> Said:
+    """A message of the browser; ValueError, in words, for what our page does not send."""
+    try:
+        said: Said = msgspec.convert(data, Said)
+    except (msgspec.ValidationError, RecursionError) as error:
+        raise ValueError(f"This is not a message that this page sends: {error}.") from error
+    return said
