@@ -1,5 +1,5 @@
-// A message as it comes, made whole: inflated after the usual text that it refers to, its numbers read, its signals over
-// time as columns beside those that were sent (the browser's half of wire.py and encoding.py in components/state).
+// A message as it comes, made whole: inflated after the usual text that it refers to, its numbers read, its signals
+// over time as columns beside those that were sent (the browser's half of wire.py and encoding.py in components/state).
 
 import {over} from "./signals.js"
 

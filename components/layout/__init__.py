@@ -1,1 +1,1 @@
-"""What stands where: sheets, stages, plots, controls, texts."""
+"""The arrangement of a scene: sheets, stages, plots, controls, texts."""

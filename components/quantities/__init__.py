@@ -1,1 +1,1 @@
-"""What numbers are: parameters, axes, units, motions, how a number is written, typed and refused."""
+"""Numbers: parameters, axes, units, motions; how a number is written, typed and refused."""

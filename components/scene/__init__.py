@@ -1,4 +1,4 @@
-"""What a scene is made of: parameters, one pure picture of them, the frame that it is drawn in."""
+"""A scene: its parameters, one pure picture of them, the frame that it is drawn in."""
 
 from components.scene.scene import Picture, Scene
 
