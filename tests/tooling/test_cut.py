@@ -31,12 +31,13 @@ def packages(tmp_path_factory: pytest.TempPathFactory) -> Path:
         except PackageNotFoundError:  # of another system or Python
             continue
         for file in files:
-            if file.suffix != ".pyc" and ".." not in file.parts:
+            source = Path(str(file.locate()))
+            if ".." not in file.parts and source.exists():  # bytecode may be gone
                 (folder / file).parent.mkdir(parents=True, exist_ok=True)
                 try:
-                    os.link(str(file.locate()), folder / file)
+                    os.link(source, folder / file)
                 except OSError:  # on another disk
-                    shutil.copyfile(str(file.locate()), folder / file)
+                    shutil.copy2(source, folder / file)
     assert sum(saved for _, saved in cut(folder)) > 100
     return folder
 
