@@ -1,0 +1,19 @@
+"""The faults of `make mutants` can be put in: each pattern stands once, each file of tests is there."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.serving.server import ROOT
+from tools.mutants import MUTANTS, Mutant, broken
+
+
+@pytest.mark.parametrize("mutant", MUTANTS, ids=lambda mutant: mutant.name)
+def test_a_fault_can_be_put_in(mutant: Mutant) -> None:
+    assert mutant.old not in broken(mutant, ROOT) or mutant.old in mutant.new
+    assert all((ROOT / name).exists() for name in mutant.tests.split())
+
+
+def test_a_pattern_that_is_missing_is_an_error() -> None:
+    with pytest.raises(ValueError, match="gone: 'no such words' stands 0 times in app.py"):
+        broken(Mutant("gone", "app.py", "no such words", "", "tests"), ROOT)
