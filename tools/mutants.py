@@ -1,5 +1,5 @@
 """`python -m tools.mutants [NAME ...]` breaks a copy of the project in twenty ways, one after the other, and says which
-test finds each fault: in the files of tests that are named for it at least one must fail.
+test finds each fault: in the files of tests that are named for it at least one must fail, all of which pass without it.
 
 A pattern that does not stand exactly once in its file is an error, so that no fault is passed over.
 """
@@ -87,7 +87,7 @@ MUTANTS = (
         "dead button", "static/transport.js", '() => clock.step(1), "icon forward"', '() => {}, "icon forward"',
         "tests/browser/test_page.py",
     ),
-    Mutant("dead key", "static/keys.js", "l => l.page.compare.toggle()", "() => {}", "tests/browser/test_keys.py"),
+    Mutant("dead key", "static/keys.js", "l => l.page.compare.toggle()", "() => {}", "tests/browser/test_compare.py"),
     Mutant(
         "undo", "static/undo.js", 'this.go(event.shiftKey ? "future" : "past")', 'this.go("past")',
         "tests/browser/test_undo.py",

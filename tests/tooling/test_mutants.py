@@ -15,5 +15,5 @@ def test_a_fault_can_be_put_in(mutant: Mutant) -> None:
 
 
 def test_a_pattern_that_is_missing_is_an_error() -> None:
-    with pytest.raises(ValueError, match="gone: 'no such words' stands 0 times in app.py"):
+    with pytest.raises(ValueError, match=r"gone: 'no such words' stands 0 times in app\.py"):
         broken(Mutant("gone", "app.py", "no such words", "", "tests"), ROOT)
