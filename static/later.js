@@ -45,9 +45,17 @@ let missing = 0
 
 /** A part, when it is there. @template {Name} Key @param {Key} name @returns {ReturnType<Parts[Key]>} */
 export function later(name) {
-  /** @type {() => Promise<unknown>} */
-  const fetching = PARTS[name]
-  return /** @type {ReturnType<Parts[Key]>} */ (fetched[name] ??= insisting(fetching))
+  return /** @type {ReturnType<Parts[Key]>} */ (fetched[name] ??= insisting(() => imported(name)))
+}
+
+/**
+ * Its file is asked for first: a module that could not be imported once never can be, in some browsers.
+ * @param {Name} name @returns {Promise<unknown>}
+ */
+async function imported(name) {
+  const {ok, status} = await fetch(new URL(`./later/${name}.js`, import.meta.url))
+  if (!ok) throw new Error(`${name}: ${status}`)
+  return PARTS[name]()
 }
 
 /**
