@@ -45,17 +45,10 @@ let missing = 0
 
 /** A part, when it is there. @template {Name} Key @param {Key} name @returns {ReturnType<Parts[Key]>} */
 export function later(name) {
-  return /** @type {ReturnType<Parts[Key]>} */ (fetched[name] ??= insisting(() => imported(name)))
-}
-
-/**
- * Its file is asked for first: a module that could not be imported once never can be, in some browsers.
- * @param {Name} name @returns {Promise<unknown>}
- */
-async function imported(name) {
-  const {ok, status} = await fetch(new URL(`./later/${name}.js`, import.meta.url))
-  if (!ok) throw new Error(`${name}: ${status}`)
-  return PARTS[name]()
+  let tries = 0
+  /** Some browsers keep a failed import for good: each further try has an address of its own. */
+  const fetching = () => (tries++ ? import(`./later/${name}.js?again=${tries}`) : PARTS[name]())
+  return /** @type {ReturnType<Parts[Key]>} */ (fetched[name] ??= insisting(fetching))
 }
 
 /**
