@@ -7,6 +7,7 @@ What is drawn needs no doubles: the numbers are whole steps of a range, 65535 ov
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import accumulate, pairwise
 
 import numpy as np
 from msgspec.structs import replace
@@ -63,14 +64,22 @@ def columns_of(
 ) -> tuple[dict[str, dict[str, Drawn]], list[Steps]]:
     """The columns as they are told, and their numbers: places on the axes that they are drawn on."""
     columns: dict[str, dict[str, Drawn]] = {}
-    numbers: list[Steps] = []
+    values: list[Floats] = []
+    on: dict[str, list[int]] = {}
     for source, drawn in drawn_on.items():
         known = given.get(source, {})
-        for name, on in drawn.items():
+        for name, axis in drawn.items():
             if name in known:
-                columns.setdefault(source, {})[name] = Drawn(on, len(known[name]))
-                numbers.append(steps(axes[on].places(known[name]), *span(axes[on].ruler), COARSE))
-    return columns, numbers
+                columns.setdefault(source, {})[name] = Drawn(axis, len(known[name]))
+                on.setdefault(axis, []).append(len(values))
+                values.append(known[name])
+    numbers: dict[int, Steps] = {}
+    for axis, places in on.items():  # all that are drawn on one at once: a scene may have a hundred
+        ends = accumulate((len(values[i]) for i in places), initial=0)
+        stand = axes[axis].places(np.concatenate([values[i] for i in places]))
+        found = steps(stand, *span(axes[axis].ruler), COARSE)
+        numbers |= {i: found[start:end] for i, (start, end) in zip(places, pairwise(ends), strict=True)}
+    return columns, [numbers[i] for i in range(len(values))]
 
 
 def signals_of(given: Mapping[str, AnySignal]) -> tuple[dict[str, AnySignal], list[Steps]]:

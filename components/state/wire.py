@@ -10,6 +10,7 @@ from __future__ import annotations
 import zlib
 from base64 import b64encode
 from collections.abc import Sequence
+from itertools import accumulate, pairwise
 from typing import TypedDict
 
 import msgspec
@@ -61,9 +62,11 @@ def _in_bytes(columns: Sequence[Steps]) -> bytes:
     on. A difference d >= 0 is 2d, one below is -2d - 1."""
     if not columns:
         return b""
-    before = np.zeros(ORDER, np.int32)
-    differences = np.concatenate([np.diff(column, ORDER, prepend=before) for column in columns])
-    folded = (differences << 1) ^ (differences >> 31)
+    before = np.zeros(ORDER, np.int32)  # each column begins as if it came from 0
+    differences = np.diff(np.concatenate([part for column in columns for part in (before, column)]), ORDER)
+    ends = accumulate((len(column) + ORDER for column in columns), initial=-ORDER)
+    whole = np.concatenate([differences[start + ORDER : end] for start, end in pairwise(ends)])
+    folded = (whole << 1) ^ (whole >> 31)
     return folded.astype("<u4").view(np.uint8).reshape(-1, 4).T.tobytes()
 
 

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Browser, ConsoleMessage
 
 LASTING = ("add_init_script", "expose_function", "expose_binding")
-"""What a page cannot be freed of again."""
+"""Methods of a page whose effect lasts as long as the page: a tab that tests share refuses them."""
 EMPTY = '<!DOCTYPE html><link rel="icon" href="data:,">'
 FORGET = "() => { localStorage.clear(); sessionStorage.clear() }"
 

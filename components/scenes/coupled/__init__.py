@@ -25,7 +25,7 @@ from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED, framed
-from components.scene.traces import Columns, Floats, Traces, bands_over_time, samples, trace
+from components.scene.traces import Columns, Floats, bands_over_time, over_time, samples, trace
 from components.scenes.coupled import starting
 from components.scenes.coupled.about import coupled_about
 from components.scenes.coupled.sheet import coupled_sheet
@@ -38,6 +38,7 @@ from physics.sampling import drawable, time_window
 LAYERS = ("e0", "e1", "e2", "e3", "e4")
 """The edges of the stack of energies."""
 LEVELS = ("E_slow", "E_fast", "E_total")
+"""The energies of the modes and their sum, which stay as they are."""
 NAMED = 0.8
 """The names in the plane stand at this share of the way to its edge."""
 
@@ -118,7 +119,7 @@ class Coupled(Scene):
             },
             axes=axes,
             signals=_signals(self, free, size, axes["t"], energy) | pulled.signals,
-            traces={"time": Traces(end, t.size, names, lambda t: _exact(free, t))},
+            traces=over_time(end, fast, names, lambda t: _exact(free, t)),
             scalars={**drawn.scalars, **_mode_places(free, size), f"by_{self.given_by}": 1.0, **pulled.scalars},
             pace=pace(slow or fast, fast),
             scale=drawn.scale,

@@ -22,7 +22,7 @@ from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED, framed
-from components.scene.traces import Columns, Floats, Traces, band_columns, bands_over_time, samples, trace
+from components.scene.traces import Columns, Floats, band_columns, bands_over_time, over_time, samples, trace
 from components.scenes.energy.about import energy_about
 from components.scenes.energy.case import HangingCase, case_axes, claim
 from components.scenes.energy.hanging import PLANETS
@@ -122,7 +122,7 @@ class Energy(Scene):
             columns={**bands_over_time(t, bands), "well": _well_columns(case, axes["x_well"])},
             axes=axes,
             signals=_signals(case, axes),
-            traces={"time": Traces(case.end, t.size, names, lambda t: _exact(case, t))},
+            traces=over_time(case.end, 2 * case.omega, names, lambda t: _exact(case, t)),
             scalars=_scalars(case, axes, t),
             pace=pace(case.omega, case.omega),
             values=_values(case, axes),
