@@ -1,31 +1,31 @@
 // Modules that only some pages need, fetched when asked for. One that cannot be fetched is said, and comes when it can.
 
-import {note} from "./notes.js"
+import {note} from "./core/notes.js"
 
 const PAUSE = 10000 // ms until it is asked for anew; sooner where the network or the server is back
 
 const MISSING = "Part of this page could not be loaded; it follows as soon as the server is reached."
 
 const PARTS = {
-  about: () => import("./later/about.js"),
-  ask: () => import("./later/ask.js"),
-  framed: () => import("./later/framed.js"),
-  ghosts: () => import("./later/ghosts.js"),
-  handout: () => import("./later/handout.js"),
-  hint: () => import("./later/hint.js"),
-  keylist: () => import("./later/keylist.js"),
-  ownwalk: () => import("./later/ownwalk.js"),
-  picker: () => import("./later/picker.js"),
-  pointer: () => import("./later/pointer.js"),
-  predict: () => import("./later/predict.js"),
-  print: () => import("./later/print.js"),
-  runbar: () => import("./later/runbar.js"),
-  own: () => import("./later/own.js"),
-  take: () => import("./later/take.js"),
-  teach: () => import("./later/teach.js"),
-  values: () => import("./later/values.js"),
-  voice: () => import("./later/voice.js"),
-  walk: () => import("./later/walk.js"),
+  "compare/ghosts": () => import("./compare/ghosts.js"),
+  "compare/predict": () => import("./compare/predict.js"),
+  "export/handout": () => import("./export/handout.js"),
+  "export/print": () => import("./export/print.js"),
+  "export/take": () => import("./export/take.js"),
+  "input/hint": () => import("./input/hint.js"),
+  "input/keylist": () => import("./input/keylist.js"),
+  "input/pointer": () => import("./input/pointer.js"),
+  "live_class/own": () => import("./live_class/own.js"),
+  "live_class/teach": () => import("./live_class/teach.js"),
+  "paper/about": () => import("./paper/about.js"),
+  "paper/picker": () => import("./paper/picker.js"),
+  "paper/runbar": () => import("./paper/runbar.js"),
+  "paper/voice": () => import("./paper/voice.js"),
+  "shell/framed": () => import("./shell/framed.js"),
+  "shell/values": () => import("./shell/values.js"),
+  "walks/ask": () => import("./walks/ask.js"),
+  "walks/ownwalk": () => import("./walks/ownwalk.js"),
+  "walks/walk": () => import("./walks/walk.js"),
 }
 
 /**
@@ -47,7 +47,7 @@ let missing = 0
 export function later(name) {
   let tries = 0
   /** Some browsers keep a failed import for good: each further try has an address of its own. */
-  const fetching = () => (tries++ ? import(`./later/${name}.js?again=${tries}`) : PARTS[name]())
+  const fetching = () => (tries++ ? import(`./${name}.js?again=${tries}`) : PARTS[name]())
   return /** @type {ReturnType<Parts[Key]>} */ (fetched[name] ??= insisting(fetching))
 }
 

@@ -1,25 +1,25 @@
 // The lecture in the browser: one conversation with the server, one page after the other, without loading anew.
 
-import {plainLink, written} from "./address.js"
-import {unpacked} from "./columns.js"
-import {Classes} from "./classes.js"
-import {Busy} from "./busy.js"
-import {Connection} from "./connection.js"
-import {Hall} from "./hall.js"
-import {frame} from "./dom.js"
-import {listen} from "./keys.js"
-import {Line} from "./line.js"
-import {Page, extrasFor} from "./page.js"
-import {download} from "./save.js"
-import {Sheets} from "./sheets.js"
-import {Shell} from "./shell.js"
-import {Undo} from "./undo.js"
-import {showWaiting} from "./waiting.js"
-import {Walks} from "./walks.js"
+import {plainLink, written} from "./net/address.js"
+import {unpacked} from "./net/columns.js"
+import {Classes} from "./live_class/classes.js"
+import {Busy} from "./core/busy.js"
+import {Connection} from "./net/connection.js"
+import {Hall} from "./shell/hall.js"
+import {frame} from "./core/dom.js"
+import {listen} from "./input/keys.js"
+import {Line} from "./net/line.js"
+import {Page, extrasFor} from "./paper/page.js"
+import {download} from "./export/save.js"
+import {Sheets} from "./net/sheets.js"
+import {Shell} from "./shell/shell.js"
+import {Undo} from "./shell/undo.js"
+import {showWaiting} from "./input/waiting.js"
+import {Walks} from "./walks/walks.js"
 
 const MOMENT = 200 // ms without a further change until the address is written: browsers ration that
 
-/** @typedef {import("./line.js").Asked} Asked */
+/** @typedef {import("./net/line.js").Asked} Asked */
 
 export class Lecture {
   /** @type {Page} the one that is seen */

@@ -80,19 +80,19 @@ MUTANTS = (
     ),
     Mutant("header", "components/serving/headers.py", "\"base-uri 'none'\", ", "", "tests/serving/test_headers.py"),
     # scripts
-    Mutant("silence", "static/later/stream.js", "this.heardAt > SILENCE", "this.heardAt > 9 * SILENCE", "tests/js"),
-    Mutant("twice told", "static/storage.js", "if (!told) note(NOTHING)", "note(NOTHING)", "tests/js"),
-    Mutant("slider", "static/scales.js", "Math.cbrt(value", "Math.sqrt(value", "tests/browser/test_controls.py"),
+    Mutant("silence", "static/live_class/stream.js", "heardAt > SILENCE", "heardAt > 9 * SILENCE", "tests/js"),
+    Mutant("twice told", "static/core/storage.js", "if (!told) note(NOTHING)", "note(NOTHING)", "tests/js"),
+    Mutant("slider", "static/input/scales.js", "Math.cbrt(value", "Math.sqrt(value", "tests/browser/test_controls.py"),
     Mutant(
-        "dead button", "static/transport.js", '() => clock.step(1), "icon forward"', '() => {}, "icon forward"',
+        "dead button", "static/input/transport.js", '() => clock.step(1), "icon forward"', '() => {}, "icon forward"',
         "tests/browser/test_page.py",
     ),
-    Mutant("dead key", "static/keys.js", "l => l.page.compare.toggle()", "() => {}", "tests/browser/test_compare.py"),
+    Mutant("dead key", "static/input/keys.js", "=> l.page.compare.toggle()", "=> {}", "tests/browser/test_compare.py"),
     Mutant(
-        "undo", "static/undo.js", 'this.go(event.shiftKey ? "future" : "past")', 'this.go("past")',
+        "undo", "static/shell/undo.js", 'this.go(event.shiftKey ? "future" : "past")', 'this.go("past")',
         "tests/browser/test_undo.py",
     ),
-    Mutant("overlap", "static/labels.js", "Math.min(y + 4.5,", "Math.min(99,", "tests/browser/test_screens.py"),
+    Mutant("overlap", "static/paper/labels.js", "Math.min(y + 4.5,", "Math.min(99,", "tests/browser/test_screens.py"),
     Mutant("pale", "static/styles/tokens.css", "--mute: #59636e", "--mute: #a9b3be", "tests/browser/test_axe.py"),
 )  # fmt: skip
 

@@ -2,7 +2,7 @@
 
 /** A part of a page, or of a plot: it takes every picture, stands where there is room for it, and leaves at last. */
 interface Part {
-  update?(shown: Drawn, asked: import("../static/line.js").Asked | null): void
+  update?(shown: Drawn, asked: import("../static/net/line.js").Asked | null): void
   place?(): void
   leave?(): void
 }
@@ -20,14 +20,14 @@ interface PartHost {
   readonly paper: HTMLElement
   readonly panel: HTMLElement
   readonly heading: HTMLElement
-  readonly clock: import("../static/clock.js").Clock
-  readonly live: import("../static/live.js").Live
-  readonly hand: import("../static/hand.js").Hand
-  readonly compare: import("../static/compare.js").Compare
-  readonly controls: import("../static/controls.js").Controls
-  readonly sheet: import("../static/sheet.js").Sheet
-  readonly plots: import("../static/plots.js").Plot[]
-  readonly stages: import("../static/stage.js").Stage[]
+  readonly clock: import("../static/core/clock.js").Clock
+  readonly live: import("../static/paper/live.js").Live
+  readonly hand: import("../static/input/hand.js").Hand
+  readonly compare: import("../static/compare/compare.js").Compare
+  readonly controls: import("../static/input/controls.js").Controls
+  readonly sheet: import("../static/paper/sheet.js").Sheet
+  readonly plots: import("../static/paper/plots.js").Plot[]
+  readonly stages: import("../static/paper/stage.js").Stage[]
   readonly transport: {readonly element: HTMLElement; readonly note: HTMLElement}
   send(message: page.Said): void
   redraw(): void
@@ -62,7 +62,7 @@ interface PlotHost extends Canvas {
 /** What shows a page: the lecture, or a follower of one, who sets nothing. */
 interface PageHost {
   readonly hall: {readonly on: boolean; readonly ending: string}
-  readonly line: Pick<import("../static/line.js").Line, "send" | "last" | "rests">
+  readonly line: Pick<import("../static/net/line.js").Line, "send" | "last" | "rests">
   send(message: page.Said): void
   take(sets: page.State["parameters"]): void
   open(state: Pick<page.State, "scene"> & Partial<page.State>): void
@@ -89,13 +89,13 @@ interface WalkHost {
 
 /** The lecture, for what stands around its pages. */
 interface LectureHost extends PageHost {
-  readonly page: import("../static/page.js").Page
-  readonly clock: import("../static/clock.js").Clock
-  readonly line: import("../static/line.js").Line
-  readonly sheets: import("../static/sheets.js").Sheets
-  readonly walks: import("../static/walks.js").Walks
-  readonly classes: import("../static/classes.js").Classes
-  readonly hall: import("../static/hall.js").Hall
+  readonly page: import("../static/paper/page.js").Page
+  readonly clock: import("../static/core/clock.js").Clock
+  readonly line: import("../static/net/line.js").Line
+  readonly sheets: import("../static/net/sheets.js").Sheets
+  readonly walks: import("../static/walks/walks.js").Walks
+  readonly classes: import("../static/live_class/classes.js").Classes
+  readonly hall: import("../static/shell/hall.js").Hall
   readonly kept: page.State
   open(state: Pick<page.State, "scene"> & Partial<page.State>, carried?: boolean): void
   readdress(): void

@@ -17,7 +17,7 @@ import bokeh.server
 import brotli
 
 from components.serving.handlers import LectureHandler, RefusedError
-from components.serving.scripts import FIRST, joined, later
+from components.serving.scripts import sent
 
 STATIC = Path(__file__).parents[2] / "static"
 STYLES = STATIC / "styles"
@@ -65,9 +65,8 @@ def static_files() -> dict[str, bytes]:
     """Our own files as they are sent: the style sheet in one, and the scripts that every page needs."""
     scripts = {name: content.decode() for name, content in written_files().items() if name.endswith(".js")}
     others = {name: content for name, content in written_files().items() if name not in scripts}
-    first = {name.removesuffix(".js"): text for name, text in scripts.items() if "/" not in name}
-    parts = {name: later(text).encode() for name, text in scripts.items() if "/" in name}
-    return {**others, **parts, f"{FIRST}.js": joined(first).encode(), "style.css": style_sheet()}
+    linked = {name: text.encode() for name, text in sent(scripts).items()}
+    return {**others, **linked, "style.css": style_sheet()}
 
 
 def style_sheet() -> bytes:

@@ -2,8 +2,8 @@
 
 Each module stands in a function of its own, line by line as it was written, but for its imports and exports:
 
-    const $fit = (() => {
-    const {element} = $dom
+    const $input_fitting = (() => {
+    const {element} = $core_dom
     class Fit { ... }
     return {Fit}
     })()
@@ -15,45 +15,69 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from itertools import chain
+from posixpath import dirname, join, normpath, relpath
 
-FIRST = "start"
-"""The module that needs all others, and the name of the file."""
-IMPORT = re.compile(r'^import (\{[^}]*\}) from "\./([\w-]+)\.js"$', re.M)
+FIRST = "start.js"
+"""The module that needs all others of the first page, and the name of the file."""
+IMPORT = re.compile(r'^import (\{[^}]*\}) from "(\.[^"]*)"$', re.M)
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const) (\w+))", re.M)
-FROM_LATER = re.compile(r'^(import .* from )"\.\./[\w-]+\.js"$', re.M)
 
 
-def joined(modules: Mapping[str, str]) -> str:
-    """One module of those by name, as far as the first needs them."""
-    names = _in_order(FIRST, modules, ())
-    parts = (_enclosed(name, modules[name]) for name in names)
-    exported = {name: EXPORT.findall(modules[name]) for name in names}
+def sent(modules: Mapping[str, str]) -> dict[str, str]:
+    """The scripts by path, of modules by path: all that the first one needs as one file, and each of the others."""
+    first = _in_order(FIRST, modules, ())
+    return {FIRST: joined(modules, first)} | {
+        path: _linked(path, module, first) for path, module in modules.items() if path not in first
+    }
+
+
+def joined(modules: Mapping[str, str], paths: Sequence[str]) -> str:
+    """One module of several, in this order."""
+    parts = (_enclosed(path, modules[path]) for path in paths)
+    exported = {path: EXPORT.findall(modules[path]) for path in paths}
     if twice := [name for name, count in Counter(chain(*exported.values())).items() if count > 1]:
         raise ValueError(f"Two scripts export {', '.join(twice)}.")
-    exports = (f"export const {{{', '.join(found)}}} = ${name}\n" for name, found in exported.items() if found)
+    exports = (f"export const {{{', '.join(found)}}} = {_name(path)}\n" for path, found in exported.items() if found)
     return "".join([*parts, *exports])
 
 
-def later(module: str) -> str:
-    """A module that is fetched later: what it imports of the others is in the joined file."""
-    return FROM_LATER.sub(rf'\1"../{FIRST}.js"', module)
+def _linked(path: str, module: str, first: Sequence[str]) -> str:
+    """A module that is fetched later: what it imports of the first ones is in the joined file."""
+    start = relpath(FIRST, dirname(path))
+
+    def taken(found: re.Match[str]) -> str:
+        return f'import {found[1]} from "{start}"' if _found(path, found[2]) in first else found[0]
+
+    return IMPORT.sub(taken, module)
 
 
-def _in_order(name: str, modules: Mapping[str, str], asking: tuple[str, ...]) -> list[str]:
+def _found(path: str, imported: str) -> str:
+    """The path of what a module imports."""
+    return normpath(join(dirname(path), imported))
+
+
+def _name(path: str) -> str:
+    """The name of a module within the joined file."""
+    return "$" + path.removesuffix(".js").replace("/", "_")
+
+
+def _in_order(path: str, modules: Mapping[str, str], asking: tuple[str, ...]) -> list[str]:
     """The modules that one needs, then itself; each once."""
-    if name in asking:
-        raise ValueError(f"The scripts import each other in a circle: {', '.join([*asking, name])}.")
-    found: dict[str, None] = {}
-    for _, needed in IMPORT.findall(modules[name]):
-        found |= dict.fromkeys(_in_order(needed, modules, (*asking, name)))
-    return [*found, name]
+    if path in asking:
+        raise ValueError(f"The scripts import each other in a circle: {', '.join([*asking, path])}.")
+    needed: dict[str, None] = {}
+    for _, imported in IMPORT.findall(modules[path]):
+        needed |= dict.fromkeys(_in_order(_found(path, imported), modules, (*asking, path)))
+    return [*needed, path]
 
 
-def _enclosed(name: str, module: str) -> str:
-    body = IMPORT.sub(lambda found: f"const {found[1].replace(' as ', ': ')} = ${found[2]}", module)
-    body = EXPORT.sub("", body)
+def _enclosed(path: str, module: str) -> str:
+    def taken(found: re.Match[str]) -> str:
+        return f"const {found[1].replace(' as ', ': ')} = {_name(_found(path, found[2]))}"
+
+    body = EXPORT.sub("", IMPORT.sub(taken, module))
     if left := re.findall(r"^(?:import|export)\b.*", body, re.M):
-        raise ValueError(f"{name}.js: {left[0]} cannot be joined.")
-    return f"const ${name} = (() => {{\n{body}return {{{', '.join(EXPORT.findall(module))}}}\n}})()\n"
+        raise ValueError(f"{path}: {left[0]} cannot be joined.")
+    return f"const {_name(path)} = (() => {{\n{body}return {{{', '.join(EXPORT.findall(module))}}}\n}})()\n"

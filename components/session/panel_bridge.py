@@ -15,7 +15,7 @@ from components.state.wire import Packet
 
 
 class Wire(Model):  # type: ignore[misc]  # Bokeh's are not looked into
-    """The Bokeh model through which browser and server exchange messages. Its other half is static/wire.js."""
+    """The Bokeh model through which browser and server exchange messages. Its other half is static/net/wire.js."""
 
 
 class SaidEvent(ModelEvent):  # type: ignore[misc]  # Bokeh's are not looked into

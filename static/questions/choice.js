@@ -1,6 +1,6 @@
 // A choice: answers to press, each with its own sentence once it is taught; a class's votes are bars beside them.
 
-import {button, element, marked} from "../dom.js"
+import {button, element, marked} from "../core/dom.js"
 import {text} from "./fields.js"
 import {Question, mark} from "./question.js"
 

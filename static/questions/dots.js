@@ -1,7 +1,7 @@
 // The numbers that a class has given, each a dot: for a point on the axis itself, for a typed number on its own line.
 
-import {short} from "../numbers.js"
-import {inUnits, set, svg, unitSize} from "../dom.js"
+import {short} from "../core/numbers.js"
+import {inUnits, set, svg, unitSize} from "../core/dom.js"
 
 const R = 3.5
 const WIDTH = 280
@@ -13,7 +13,7 @@ export class Dots {
   constructor({step, plot, element}) {
     this.step = step
     this.unit = step.unit
-    /** @type {import("../plots.js").Plot | undefined} */
+    /** @type {import("../paper/plots.js").Plot | undefined} */
     this.plot = plot
     this.svg = svg("svg", {class: this.plot ? "vote-dots" : "vote-line", role: "img"})
     if (this.plot) this.plot.host.append(this.svg)
@@ -53,7 +53,7 @@ export class Dots {
     this.svg.replaceChildren(...place.marks, ...dots, ...place.over)
   }
 
-  /** @param {import("../plots.js").Plot} plot */
+  /** @param {import("../paper/plots.js").Plot} plot */
   #onAxis(plot) {
     const {left, top, width, height} = plot.frame
     inUnits(this.svg, plot.host.clientWidth / unitSize(), plot.host.clientHeight / unitSize())

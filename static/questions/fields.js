@@ -1,6 +1,6 @@
 // Fields of the form in which a question is written.
 
-import {element} from "../dom.js"
+import {element} from "../core/dom.js"
 
 /** @param {string} label @param {string} name @param {string} [value] @param {boolean} [required] */
 export function labelled(label, name, value = "", required = false) {

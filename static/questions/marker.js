@@ -1,7 +1,7 @@
 // A place to mark on an axis of a plot: an open pill that is pressed, dragged, or moved by the arrow keys.
 
-import {short} from "../numbers.js"
-import {element, long, set} from "../dom.js"
+import {short} from "../core/numbers.js"
+import {element, long, set} from "../core/dom.js"
 
 const STEPS = 100 // arrow keys from end to end
 
@@ -12,7 +12,7 @@ export class Marker {
   /** @type {number[]} */
   truths = []
 
-  /** @param {import("../plots.js").Plot} plot @param {page.StepCard} step @param {() => void} moved */
+  /** @param {import("../paper/plots.js").Plot} plot @param {page.StepCard} step @param {() => void} moved */
   constructor(plot, {axis, unit}, moved) {
     this.plot = plot
     this.which = axis || "x"

@@ -1,6 +1,6 @@
 // A number to type; a class's answers are dots on a line of their own.
 
-import {element} from "../dom.js"
+import {element} from "../core/dom.js"
 import {Dots} from "./dots.js"
 import {answerIn, labelled, text} from "./fields.js"
 import {Question, mark} from "./question.js"

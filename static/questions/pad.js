@@ -1,9 +1,9 @@
 // Empty axes to draw on, with mouse, pen, finger or keys: one height for each abscissa, so that drawing over a part
 // replaces it. What leaves the frame is kept; gaps stay gaps.
 
-import {element, inUnits, long, set, svg, unitSize} from "../dom.js"
-import {short} from "../numbers.js"
-import {toPlace, toSI} from "../ruler.js"
+import {element, inUnits, long, set, svg, unitSize} from "../core/dom.js"
+import {short} from "../core/numbers.js"
+import {toPlace, toSI} from "../core/ruler.js"
 import {mark} from "./question.js"
 
 const COLUMNS = 200 // across the frame
@@ -25,7 +25,7 @@ export class Pad {
 
   /**
    * `drawn` is called after every stroke; what was sent `before` stays, dotted.
-   * @param {import("../plots.js").Plot} plot
+   * @param {import("../paper/plots.js").Plot} plot
    * @param {page.StepCard} step @param {page.Given["curves"]} before @param {() => void} drawn
    */
   constructor(plot, {curves, frame}, before, drawn) {

@@ -1,6 +1,6 @@
 // A place to mark on an axis of a plot; a class's answers are dots on that axis.
 
-import {element} from "../dom.js"
+import {element} from "../core/dom.js"
 import {Dots} from "./dots.js"
 import {answerIn, chooser, labelled, text} from "./fields.js"
 import {Marker} from "./marker.js"

@@ -1,9 +1,9 @@
 // A question of any kind, and what cards, classes, handouts and 'Write a question' ask of it: kinds.js has all kinds.
 
-import {element, svg} from "../dom.js"
+import {element, svg} from "../core/dom.js"
 
 /**
- * @typedef {import("../plots.js").Plot} Plot
+ * @typedef {import("../paper/plots.js").Plot} Plot
  * @typedef {Omit<page.Given, "walk" | "step" | "vote">} Answer
  * @typedef {Record<string, Toml>} Fields of a step, as a walk's file names them
  */

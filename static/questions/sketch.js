@@ -1,6 +1,6 @@
 // A curve to draw on the empty axes of a plot; a class's sketches lie over each other.
 
-import {chip, element, marked} from "../dom.js"
+import {chip, element, marked} from "../core/dom.js"
 import {features} from "./features.js"
 import {chooser, text} from "./fields.js"
 import {Pad} from "./pad.js"

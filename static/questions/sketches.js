@@ -1,8 +1,8 @@
 // The sketches of a class over each other, in faint ink, so that agreement is darkness; the true curve lies over them.
 
-import {chip, element, unitSize, units} from "../dom.js"
-import {bare} from "../later/plain.js"
-import {toPlace, toSI} from "../ruler.js"
+import {chip, element, unitSize, units} from "../core/dom.js"
+import {bare} from "../core/plain.js"
+import {toPlace, toSI} from "../core/ruler.js"
 
 const FAINT = 0.1
 const PASSED = 0.03 // what the chip in force leaves out

@@ -25,7 +25,7 @@ from bokeh.models import Model
 from components.layout import plots, text
 from components.layout.controls import settings
 from components.scenes import SCENES
-from components.serving.assets import STATIC, static_files
+from components.serving.assets import static_files, written_files
 from components.serving.scripts import FIRST
 from physics import exact
 from physics.coupled import TwoMassChain, free_motion
@@ -131,7 +131,9 @@ def formulas() -> Iterator[str]:
 
 def modules() -> Iterator[str]:
     """Our scripts one by one, and as one file."""
-    files, one = [path.read_bytes() for path in sorted(STATIC.glob("*.js"))], static_files()[f"{FIRST}.js"]
+    sent = static_files()
+    written = {name: content for name, content in written_files().items() if name.endswith(".js")}
+    files, one = [content for name, content in written.items() if name == FIRST or name not in sent], sent[FIRST]
     yield f"{len(files)} modules: {sum(map(len, files)) / 1e3:.0f} kB, {sum(map(packed, files)):.1f} kB with brotli"
     yield f"one file: {len(one) / 1e3:.0f} kB, {packed(one):.1f} kB with brotli"
 

@@ -134,7 +134,7 @@ def taken(page: Page, hand: Mouse | Finger, grip: Locator) -> None:
 def test_no_hint_comes_once_something_has_been_grabbed(new_page: Callable[..., Page], open_scene: Open) -> None:
     """However late its script is: it would move the page under a hand."""
     page, late = new_page(390, 844), list[Route]()
-    page.route("**/later/hint.js", lambda route: late.append(route))
+    page.route("**/input/hint.js", lambda route: late.append(route))
     open_scene(page, scene="coupled")
     next(new_grips(page, "coupled")).focus()
     page.keyboard.press("ArrowRight")

@@ -5,7 +5,7 @@ import {beforeEach, test} from "node:test"
 
 import "./browser.js"
 
-const {browserStorage, tabStorage} = await import("../../static/storage.js")
+const {browserStorage, tabStorage} = await import("../../static/core/storage.js")
 
 /** @param {string} name @param {PropertyDescriptor} how */
 const define = (name, how) => Object.defineProperty(globalThis, name, {configurable: true, ...how})
@@ -59,7 +59,7 @@ for (const [name, storage] of [
 ]) {
   test(`a storage that is ${name} keeps nothing, and that is said once`, async () => {
     define("localStorage", {get: storage})
-    const {browserStorage: anew} = await import(`../../static/storage.js?${name}`)
+    const {browserStorage: anew} = await import(`../../static/core/storage.js?${name}`)
     const before = document.body.children.length
     assert.equal(anew.keep("visited", "yes"), false)
     assert.equal(anew.text("visited"), null)

@@ -5,7 +5,7 @@ import {afterEach, beforeEach, mock, test} from "node:test"
 
 import {FakeServer, clock, events, happens, pass} from "./browser.js"
 
-const {STATES, Stream} = await import("../../static/later/stream.js")
+const {STATES, Stream} = await import("../../static/live_class/stream.js")
 
 let server, stream, heard
 

@@ -1,4 +1,4 @@
-"""A hand on a page without a browser: what static/hand.js makes of a place on a stage, on a layout made up here."""
+"""A hand on a page without a browser: what static/input/hand.js makes of a place, on a layout made up here."""
 
 from __future__ import annotations
 
@@ -126,7 +126,7 @@ def _at(value: Any, named: Named) -> float:
 
 
 def _si(ruler: Ruler, place: float) -> float:
-    """The quantity in SI at a place of the axis: static/ruler.js."""
+    """The quantity in SI at a place of the axis: static/core/ruler.js."""
     power = ruler.power
     return float(10**place if ruler.log else place ** (1 / power) * 10 ** (ruler.exponent / power)) * ruler.factor
 

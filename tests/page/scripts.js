@@ -1,7 +1,7 @@
 // The page's own reading of messages, for tests in Python: one message a line, in and out.
 
 import {createInterface} from "node:readline"
-import {unpacked} from "../../static/columns.js"
+import {unpacked} from "../../static/net/columns.js"
 
 /** @param {string} _ @param {unknown} value */
 const plain = (_, value) => (ArrayBuffer.isView(value) ? Array.from(value) : value)

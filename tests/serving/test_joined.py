@@ -8,19 +8,22 @@ from posixpath import normpath
 
 import pytest
 
-from components.serving.assets import STATIC, assets, static_files
-from components.serving.scripts import FIRST, IMPORT, joined, later
+from components.serving.assets import assets, static_files, written_files
+from components.serving.scripts import FIRST, IMPORT, sent
 from components.serving.shell import version
 
-MODULES = {path.stem: path.read_text(encoding="utf-8") for path in STATIC.glob("*.js")}
+MODULES = {name: text.decode() for name, text in written_files().items() if name.endswith(".js")}
 
 
 def test_every_line_of_every_module_is_sent_but_for_its_imports() -> None:
-    sent = joined(MODULES).splitlines()
-    for module in MODULES.values():
+    scripts = sent(MODULES)
+    first = scripts[FIRST].splitlines()
+    joined = MODULES.keys() - scripts.keys()
+    for name, module in MODULES.items():
         lines = IMPORT.sub("", module).splitlines()
-        assert {line.removeprefix("export ") for line in lines} <= set(sent)
-    assert len(MODULES) > 30
+        assert {line.removeprefix("export ") for line in lines if name in joined} <= set(first)
+        assert set(lines) <= {*scripts.get(name, module).splitlines(), ""}
+    assert len(joined) > 30
 
 
 def test_every_import_of_a_script_that_is_sent_is_sent() -> None:
@@ -37,32 +40,37 @@ def test_every_import_of_a_script_that_is_sent_is_sent() -> None:
 
 def test_a_module_comes_after_what_it_needs_and_says_what_others_may_use() -> None:
     modules = {
-        FIRST: 'import {twice as double} from "./sum.js"\n\ndouble(1)\n',
-        "sum": 'import {one} from "./one.js"\n\nexport const twice = n => n + n + one - one\n',
-        "one": "export const one = 1\n",
+        FIRST: 'import {twice as double} from "./core/sum.js"\n\ndouble(1)\n',
+        "core/sum.js": 'import {one} from "./one.js"\n\nexport const twice = n => n + n + one - one\n',
+        "core/one.js": "export const one = 1\n",
+        "late/x.js": 'import {one} from "../core/one.js"\nimport {y} from "./y.js"\n',
+        "late/y.js": "export const y = 1\n",
     }
-    assert joined(modules) == (
-        "const $one = (() => {\nconst one = 1\nreturn {one}\n})()\n"
-        "const $sum = (() => {\nconst {one} = $one\n\nconst twice = n => n + n + one - one\nreturn {twice}\n})()\n"
-        "const $start = (() => {\nconst {twice: double} = $sum\n\ndouble(1)\nreturn {}\n})()\n"
-        "export const {one} = $one\nexport const {twice} = $sum\n"
-    )
-    assert later('import {one} from "../one.js"\nimport {x} from "./x.js"\n') == (
-        'import {one} from "../start.js"\nimport {x} from "./x.js"\n'
-    )
+    assert sent(modules) == {
+        FIRST: "const $core_one = (() => {\nconst one = 1\nreturn {one}\n})()\n"
+        "const $core_sum = (() => {\nconst {one} = $core_one\n\n"
+        "const twice = n => n + n + one - one\nreturn {twice}\n})()\n"
+        "const $start = (() => {\nconst {twice: double} = $core_sum\n\ndouble(1)\nreturn {}\n})()\n"
+        "export const {one} = $core_one\nexport const {twice} = $core_sum\n",
+        "late/x.js": 'import {one} from "../start.js"\nimport {y} from "./y.js"\n',
+        "late/y.js": "export const y = 1\n",
+    }
 
 
 @pytest.mark.parametrize(
     ("modules", "refused"),
     [
-        ({FIRST: 'import {a} from "./a.js"\n', "a": 'import {b} from "./start.js"\n'}, "in a circle: start, a, start"),
+        (
+            {FIRST: 'import {a} from "./a.js"\n', "a.js": 'import {b} from "./start.js"\n'},
+            "in a circle: start.js, a.js, start.js",
+        ),
         ({FIRST: 'import * as a from "./a.js"\n'}, "cannot be joined"),
         (
-            {FIRST: 'import {a} from "./a.js"\nexport const a = 1\n', "a": "export const a = 1\n"},
+            {FIRST: 'import {a} from "./a.js"\nexport const a = 1\n', "a.js": "export const a = 1\n"},
             "Two scripts export a",
         ),
     ],
 )
 def test_what_cannot_be_joined_is_refused(modules: dict[str, str], refused: str) -> None:
     with pytest.raises(ValueError, match=refused):
-        joined(modules)
+        sent(modules)

@@ -1,0 +1,210 @@
+// Comparison: the picture held beside the one that stands, the curves from before a drag, and what is covered
+// until a prediction has been made. The modules that draw them are fetched when there is something to draw.
+
+import {chip} from "../core/dom.js"
+import {later, using} from "../later.js"
+import {toSI} from "../core/ruler.js"
+import {evaluate, roots} from "../core/signals.js"
+
+const LINGER = 1500 // ms for which the curves from before a drag lie there when the server has heard of letting go
+const LAST = 500 // ms after a key until it is taken for the last one
+
+export class Compare {
+  /** @type {import("./ghosts.js").Ghosts | undefined} */
+  ghosts
+
+  /** @type {Promise<void> | undefined} */
+  coming
+
+  /** @type {Drawn | null} the picture from before a drag */
+  before = null
+
+  /** @type {string} the press that changes it */
+  press = ""
+
+  pressed = false
+
+  /** @type {Named | null} the instant and the signals that stand still until a prediction is revealed */
+  still = null
+
+  /** @type {number | undefined} */
+  ending
+
+  /** @type {number | undefined} until the server hears that a hand or a key has let go */
+  leaving
+
+  deed = "" // of undo: what the frame does when a hand lets go belongs to it
+
+  /** @type {Drawn | null} */
+  last = null
+
+  /** @param {PartHost} page */
+  constructor(page) {
+    this.page = page
+    this.hold = chip("Hold", () => this.toggle(), {title: "Keep these curves for comparison (H)"})
+    this.predict = chip("Predict", () => this.#predict(), {title: "Hide a picture and guess it first"})
+    this.gone = new AbortController()
+    const how = {capture: true, signal: this.gone.signal}
+    for (const name of ["pointerdown", "keydown"]) addEventListener(name, () => (this.pressed = true), how)
+    for (const name of ["pointerup", "pointercancel", "keyup"])
+      addEventListener(name, event => this.#released(event), how)
+  }
+
+  /** What is drawn now is kept under what follows, or no longer. */
+  toggle() {
+    this.page.host.change(({held, before, parameters}) => ({held: held ? null : (before ?? parameters)}))
+  }
+
+  /** The choice of what to cover; where something is covered, all of it comes back. */
+  #predict() {
+    const {host, shown} = this.page
+    if (shown.state.covered.length) return host.change(() => ({covered: []}))
+    using("compare/predict", ({choose}) => choose(this.page, this.predict))
+  }
+
+  /** One more part of the page waits for a prediction. @param {string} cover */
+  cover(cover) {
+    this.page.host.change(({covered}) => ({covered: [...covered, cover]}))
+  }
+
+  /** What is covered comes back, and the stage, which moves as it tells. @param {string} cover */
+  reveal(cover) {
+    const open = new Set([cover, "next", "stage"])
+    this.page.host.change(({covered}) => ({covered: covered.filter(name => !open.has(name))}))
+  }
+
+  /**
+   * A value is set by a press of a pointer or a key: what was drawn before it is remembered.
+   * @param {string} press @param {string} deed of undo; one of several messages @param {page.Said} message
+   */
+  set(press, deed, message) {
+    if (!deed) return
+    const goesOn = press === this.press || (this.before && press.startsWith("key") && this.press.startsWith("key"))
+    if (!goesOn || !this.before) this.before = this.page.shown
+    this.press = press
+    this.deed = "holding" in message ? "" : deed // a hand on a grip says itself when it lets go
+    clearTimeout(this.ending)
+    clearTimeout(this.leaving)
+    if (!this.pressed) this.#released()
+  }
+
+  /** @param {Event} [event] */
+  #released(event) {
+    this.pressed = false
+    if (!this.before) return
+    clearTimeout(this.leaving)
+    const isLast = !this.press.startsWith("key") || (event instanceof KeyboardEvent && event.key === "Enter")
+    this.leaving = setTimeout(() => this.#letGo(), isLast ? 0 : LAST)
+  }
+
+  /** A slider or a key has been let go; what the frame then does is one change with what has been set. */
+  #letGo() {
+    const {deed} = this
+    if (deed) this.page.host.line.send({type: "set", values: {}, holding: false}, {deed})
+    Object.assign(this, {deed: "", press: ""})
+  }
+
+  /** What is shown next is another picture to be compared with this one, in whose frame it is drawn. */
+  keep() {
+    this.before = this.page.shown
+    this.press = ""
+    clearTimeout(this.ending)
+  }
+
+  #forget() {
+    this.before = null
+    this.#draw()
+  }
+
+  /**
+   * As soon as there is something to predict, all stands still as it was drawn; what is revealed plays from its start.
+   * @param {Drawn} shown
+   */
+  stand({state, view: {signals, scalars}}) {
+    const {clock, hand, transport} = this.page
+    const isAsked = Boolean(state.before)
+    if (isAsked) clock.playing = false
+    if (isAsked === Boolean(this.still)) return
+    // All but the sentence why, which is heard.
+    for (const part of transport.element.children) part.toggleAttribute("inert", isAsked && part !== transport.note)
+    const {t} = clock
+    this.still = isAsked ? {...roots(signals, evaluate(signals, scalars, t, hand.grab?.named ?? {})), t} : null
+    if (!isAsked) clock.restart()
+  }
+
+  /** The numbers of an instant as they are drawn, while a hand may move some of them. @param {number} t */
+  named(t) {
+    const {hand, shown} = this.page
+    const {signals, scalars} = shown.view
+    const named = evaluate(signals, scalars, this.still?.t ?? t, {...this.still, ...hand.grab?.named})
+    if (this.still && hand.grab) this.still = {...roots(signals, named), t: named.t}
+    return named
+  }
+
+  /** @param {Drawn} shown @param {import("../net/line.js").Asked | null} asked */
+  update(shown, asked) {
+    const {held, state} = shown
+    if (asked && !asked.deed) this.before = null
+    if (hasLetGo(asked?.message)) this.ending = setTimeout(() => this.#forget(), LINGER)
+    if (this.last && isCloser(shown, this.last)) clearTimeout(this.ending) // until the next change
+    this.last = shown
+    const isHeld = Boolean(state.held)
+    this.hold.textContent = isHeld ? "Release" : "Hold"
+    this.hold.setAttribute("aria-pressed", String(isHeld))
+    const isCovered = state.covered.length > 0
+    this.predict.textContent = isCovered ? "Reveal" : "Predict"
+    this.predict.setAttribute("aria-pressed", String(isCovered))
+    this.predict.hidden = Boolean(state.step)
+    if (held || this.before) this.coming ??= this.#come()
+    this.#draw()
+  }
+
+  /** What is covered by the visitor, and how it comes back. @param {page.State} state */
+  says({covered, before, step}) {
+    if (step || !covered.length) return ""
+    if (before) return "Covered: what do you expect? Press Reveal to see it and to play."
+    if (covered.includes("next")) return "The next change is covered until you press Reveal: change something."
+    return "Covered until you press Reveal."
+  }
+
+  async #come() {
+    const {Ghosts} = await later("compare/ghosts")
+    this.ghosts = new Ghosts(this.page)
+    this.#draw()
+  }
+
+  /** What is held goes before what was there before a drag. */
+  #draw() {
+    const {shown} = this.page
+    const {held, view} = shown
+    /** @type {import("./ghosts.js").Under | null} */
+    let under = null
+    if (held) under = {columns: held.columns, axes: view.axes, name: "held"}
+    else if (this.before && this.before !== shown) {
+      under = {columns: this.before.view.columns, axes: this.before.view.axes, name: ""}
+    }
+    this.ghosts?.update(under, held)
+  }
+
+  /** Once a frame. @param {number} t */
+  frame(t) {
+    this.ghosts?.frame(t)
+  }
+
+  leave() {
+    this.gone.abort()
+    clearTimeout(this.ending)
+    clearTimeout(this.leaving)
+  }
+}
+
+/** @param {page.Said | undefined} message */
+const hasLetGo = message => message?.type === "set" && message.holding === false
+
+/** Whether an axis shows less than it did: it has been fitted anew. @param {Drawn} shown @param {Drawn} before */
+function isCloser({view: {axes}}, {view: {axes: old}}) {
+  return Object.keys(axes).some(name => name in old && size(axes[name]) < 0.999 * size(old[name]))
+}
+
+/** @param {page.Ruler} ruler */
+const size = ruler => Math.abs(toSI(ruler, ruler.end) - toSI(ruler, ruler.start))

@@ -1,0 +1,63 @@
+// A cover in place of a plot or a number that waits for a prediction: the numbers under it have not been sent.
+
+import {chip, element, long} from "../core/dom.js"
+
+const FIGURE_SPACE = "\u2007"
+
+const LONGEST = 16 // signs of what passes for a number: a sentence keeps no width, which could not be broken
+
+/** A number that is covered keeps its width. @param {Element} number */
+export function coverNumber(number) {
+  const {length} = number.textContent ?? ""
+  const side = FIGURE_SPACE.repeat(length > LONGEST ? 0 : Math.floor(Math.max(length - 1, 0) / 2))
+  number.textContent = `${side}?${side}`
+}
+
+/** What of a drawing speaks while the stage is covered: sketch.css hides it on the page. */
+export const SPOKEN = ".told, .shaft, .shaft + .fill, text:has([data-value])"
+
+/** The plots that are covered, by name. @param {page.State} state */
+export const coveredPlots = ({covered}) =>
+  covered.filter(name => name.startsWith("plot:")).map(name => name.slice("plot:".length))
+
+/**
+ * Whether a shape would tell of what is covered: what needs it, texts and dots over a plot, what lies inside one.
+ * @param {{spec: page.AnyShape, needs: Set<string>, plots: Set<string>}} shape
+ * @param {string[]} leftOut @param {string[]} covered plots
+ */
+export function tells({spec, needs, plots}, leftOut, covered) {
+  const isNamed = (spec.kind === "text" || spec.kind === "circle") && covered.some(plot => plots.has(plot))
+  return isNamed || covered.includes(spec.inside) || leftOut.some(name => needs.has(name))
+}
+
+export class Cover {
+  /** @type {HTMLElement | undefined} */
+  element
+
+  /** @param {PlotHost} plot */
+  constructor(plot) {
+    this.plot = plot
+  }
+
+  /** @param {string[]} covered */
+  update(covered) {
+    const {block, host} = this.plot
+    const isCovered = covered.includes(`plot:${block.name}`)
+    if (isCovered && !this.element) {
+      const act = () => this.plot.page.compare.reveal(`plot:${block.name}`)
+      const reveal = chip("Reveal", act, {"aria-label": `Reveal ${block.title}`})
+      this.element = element("div", {class: "cover"}, element("span", {}, "Covered. What do you expect?"), reveal)
+      host.append(this.element)
+    }
+    if (this.element) this.element.hidden = !isCovered
+    this.place()
+  }
+
+  /** It lies on the frame alone: predicting needs the axes. */
+  place() {
+    const {left, top, width, height} = this.plot.frame
+    for (const [side, size] of Object.entries({left, top, width, height})) {
+      this.element?.style.setProperty(side, long(size))
+    }
+  }
+}

@@ -1,0 +1,36 @@
+// The parts of a page that can be covered, each by the name that it has on the screen.
+
+import {plain} from "../core/plain.js"
+
+const LONGEST = 48 // signs of a sentence that stands for itself
+
+/**
+ * A part that waits for an answer, as covers name it and as it is called in a list.
+ * @typedef {{cover: string, text: string}} Part
+ */
+
+/** Plots, numbers and the stage. @param {PartHost} page @returns {Part[]} */
+export function parts({plots, spec, stages}) {
+  const seen = plots.filter(({absent, host}) => !absent && host.offsetParent)
+  const numbers = Object.entries(spec.spoken).flatMap(([name, text]) => {
+    const [, value] = text.match(/\{(\w+)\}/) ?? []
+    return value ? [{cover: `value:${value}`, text: `Number: ${name}`}] : []
+  })
+  const moves = stages.some(stage => stage.svg.role === "img")
+  return [
+    ...seen.map(({block}) => ({cover: `plot:${block.name}`, text: block.brief})),
+    ...numbers,
+    ...(moves ? [{cover: "stage", text: "Motion and numbers of the apparatus"}] : []),
+  ]
+}
+
+/**
+ * The sentences and formulas that come and go, each by how it begins.
+ * @param {PartHost} page @returns {Part[]}
+ */
+export const sentences = ({sheet}) =>
+  sheet.items.flatMap(({name, holder}) => {
+    const text = holder.hidden || !holder.offsetParent ? "" : plain(holder).trim()
+    const [start] = text.match(new RegExp(`^.{0,${LONGEST}}(?!\\S)`, "u")) ?? [text.slice(0, LONGEST)]
+    return text ? [{cover: `form:${name}`, text: `Text: ${start}${start === text ? "" : " …"}`}] : []
+  })

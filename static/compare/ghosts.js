@@ -1,0 +1,280 @@
+// Curves of another picture under the live ones, dotted; of one that is held also what moves on the stage, as outlines,
+// where the sliders stood, and the ledger of numbers.
+
+import {element, long, marked, set, svg} from "../core/dom.js"
+import {heldNumbers} from "./heldnumber.js"
+import {toPlace, toSI} from "../core/ruler.js"
+import {sliderPlace} from "../input/scales.js"
+import {evaluate} from "../core/signals.js"
+import {atInstant, kindOf} from "../paper/stage.js"
+
+const FAR = 1e4 // pixels beyond which no curve is followed
+const NEAR = 0.05 // pixels between what is the same
+const RING = 5.5 // radius around what is the same
+
+/**
+ * Columns that are drawn under the live ones, on axes that may have been others, and what they are called.
+ * @typedef {{columns: Columns, axes: Record<string, page.Ruler>, name: string}} Under
+ * @typedef {{look: string, d: string, end: number, start: Point, same: boolean, named: boolean, above: boolean}} Line
+ * a path, its ends, and whether it starts where the live one does
+ */
+
+export class Ghosts {
+  /** @type {Kept | null} */
+  held = null
+
+  /** @param {PartHost} page */
+  constructor(page) {
+    this.page = page
+    this.plots = page.plots.map(plot => new PlotGhost(plot))
+    this.stages = page.sheet.stages.map(stage => new StageGhost(stage))
+    this.thumbs = [...page.controls.sliders.values()].map(slider => new Thumb(slider))
+    this.ledger = element("section", {class: "group ledger", "aria-label": "Held and now", hidden: ""})
+    const {sections, says} = page.controls
+    const last = sections[sections.length - 1] ?? says
+    last.after(this.ledger)
+  }
+
+  /** @param {Under | null} under @param {Kept | null} held */
+  update(under, held) {
+    this.held = held
+    for (const plot of this.plots) plot.update(under)
+    for (const stage of this.stages) stage.show(Boolean(held))
+    for (const thumb of this.thumbs) thumb.update(held)
+    this.ledger.hidden = !held
+    if (held) this.ledger.replaceChildren(element("h2", {}, "Held and now"), table(held.ledger))
+    this.page.redraw()
+  }
+
+  /** Once a frame. @param {number} t */
+  frame(t) {
+    if (!this.held) return
+    const named = evaluate(this.held.signals, this.held.scalars, t)
+    for (const stage of this.stages) stage.frame(named, this.page.shown.view)
+  }
+}
+
+/** @param {page.LedgerRow[]} rows */
+function table(rows) {
+  const head = element(
+    "tr",
+    {},
+    element("td"),
+    ...["held", "", "now", ""].map(name => element("th", {scope: "col"}, name)),
+  )
+  const lines = rows.map(({symbol, tint, held, now, unit, ratio, same}, i) => {
+    const name = marked("th", {scope: "row", class: `tint ${tint}`}, symbol)
+    const value = element("td", {}, now, " ", element("span", {class: "unit"}, unit))
+    const became = element("td", {class: "became"}, ratio)
+    const line = element("tr", {}, name, element("td", {}, held), element("td", {}, same ? "=" : "→"), value, became)
+    line.classList.toggle("first-same", same && !rows[i - 1]?.same && i > 0)
+    return line
+  })
+  return element("table", {}, head, ...lines)
+}
+
+/** Where a slider stood. */
+class Thumb {
+  /** @param {import("../input/slider.js").Slider} slider */
+  constructor(slider) {
+    this.slider = slider
+    this.mark = element("i", {class: "was", hidden: ""})
+    slider.slider.before(this.mark)
+  }
+
+  /** @param {Kept | null} held */
+  update(held) {
+    const {spec, size, soft} = this.slider
+    const value = held?.values[spec.name]
+    this.mark.hidden = typeof value !== "number"
+    if (typeof value !== "number") return
+    const place = sliderPlace(spec.scale, value / size, [soft[0] / size, soft[1] / size])
+    this.mark.style.setProperty("--at", String(Math.min(Math.max(place, 0), 1)))
+  }
+}
+
+/** Which lines of a plot are those of a picture held: their name, and a ring where they start as the live ones do. */
+export class HeldName {
+  /** @type {number | null} where the name wants to stand */
+  end = null
+
+  /** @param {SVGElement} over what is drawn over the plot */
+  constructor(over) {
+    this.name = svg("text", {class: "curve-label held-name"})
+    this.same = svg("g", {class: "same"})
+    over.append(this.name, this.same)
+  }
+
+  /** @param {Line[]} lines @param {string} name of what they are of, if it has one @param {boolean} isTime */
+  tell(lines, name, isTime) {
+    const named = lines.find(line => line.named)
+    this.same.replaceChildren(...(name && isTime ? starts(lines) : []))
+    this.end = name && named ? named.end : null
+    this.name.textContent = this.end === null ? "" : name
+    this.name.setAttribute("class", `curve-label held-name ${named?.look ?? ""}`)
+  }
+}
+
+/** Over a plot. */
+export class PlotGhost extends HeldName {
+  /** @type {Under | null} */
+  under = null
+
+  /** @param {import("../paper/plots.js").Plot} plot */
+  constructor(plot) {
+    super(plot.over)
+    this.plot = plot
+    this.lines = svg("svg", {class: "ghosts", "aria-hidden": "true"})
+    this.edges = svg("svg", {class: "ghosts", "aria-hidden": "true"}) // of what is filled, which hides what is under it
+    plot.host.prepend(this.lines)
+    plot.figure.element.after(this.edges)
+    plot.ghost = this
+  }
+
+  /** @param {Under | null} under */
+  update(under) {
+    if (!under && !this.under) return
+    this.under = under
+    this.plot.still()
+  }
+
+  /** With the names of curves that they stand beside. */
+  place() {
+    const {left, top, width, height} = this.plot.frame
+    const lines = this.under ? linesOf(this.plot, this.under) : []
+    for (const [host, above] of /** @type {[SVGSVGElement, boolean][]} */ ([
+      [this.lines, false],
+      [this.edges, true],
+    ])) {
+      set(host, {viewBox: `${left} ${top} ${width} ${height}`})
+      for (const [side, length] of Object.entries({left, top, width, height}))
+        host.style.setProperty(side, long(length))
+      const drawn = lines.filter(line => line.above === above)
+      host.replaceChildren(...drawn.map(({look, d}) => svg("path", {class: `held ${look}`, d})))
+    }
+    this.tell(lines, this.under?.name ?? "", this.plot.block.time)
+  }
+}
+
+/**
+ * The paths of all curves of a plot that columns hold, and of the edges of its bands.
+ * @param {Canvas} plot @param {Under} under @returns {Line[]}
+ */
+export function linesOf(plot, {columns, axes}) {
+  const {block, hidden} = plot
+  const right = translated(axes[block.x], plot.x)
+  const up = translated(axes[block.y], plot.y)
+  /** @type {Map<string, Line>} */
+  const lines = new Map()
+  const live = plot.view?.columns ?? {}
+  /**
+   * @param {page.Curve | page.Region} part @param {string} name
+   * @param {Pick<Line, "look" | "named" | "above">} line
+   */
+  const add = ({source, x, group}, name, line) => {
+    const {[x]: xs, [name]: ys} = columns[source] ?? {}
+    const key = `${source} ${name}`
+    if (hidden.has(group) || !xs?.length || xs.length !== ys?.length || lines.has(key)) return
+    const points = Array.from(xs, (_, i) => [plot.px(right(xs[i])), plot.py(up(ys[i]))])
+    const look = isRetraced(xs) ? `${line.look} part` : line.look
+    const [[x0, y0]] = points
+    const {[x]: [across] = [NaN], [name]: [high] = [NaN]} = live[source] ?? {}
+    const same = isOne(plot.px(across) - x0) && isOne(plot.py(high) - y0)
+    lines.set(key, {...line, look, d: path(points), end: points[points.length - 1][1], start: {x: x0, y: y0}, same})
+  }
+  const sums = block.curves.some(({width}) => width === "sum")
+  for (const curve of block.curves) {
+    const look = `${curve.tint} ${sums && curve.width !== "sum" ? "part" : ""}`
+    if (curve.width !== "none") add(curve, curve.y, {look, named: curve.label.length > 0, above: false})
+  }
+  for (const region of block.regions) {
+    const above = region.alpha === 1 && !region.of
+    const look = above ? "ink" : region.tint
+    for (const edge of [region.low, region.high]) add(region, edge, {look, named: false, above})
+  }
+  return [...lines.values()]
+}
+
+/** @param {number} far */
+const isOne = far => Math.abs(far) < NEAR
+
+/**
+ * A ring where a curve and the one held start alike: what is the same is as visible as what is not.
+ * @param {Line[]} lines
+ */
+function starts(lines) {
+  const places = lines.filter(({same, above}) => same && !above).map(({start}) => start)
+  const apart = places.filter(
+    ({x, y}, i) => !places.slice(0, i).some(one => Math.hypot(one.x - x, one.y - y) < 2 * RING),
+  )
+  const rings = apart.map(({x, y}) => svg("circle", {cx: x, cy: y, r: RING}))
+  const [first] = apart
+  return first ? [...rings, svg("text", {x: first.x + RING + 5, y: first.y - RING - 2}, "same start")] : []
+}
+
+/** Whether a curve goes to and fro so often that its dots would fill a line. @param {Float64Array} xs */
+function isRetraced(xs) {
+  let turns = 0
+  for (let i = 2; i < xs.length; i++) if ((xs[i] - xs[i - 1]) * (xs[i - 1] - xs[i - 2]) < 0) turns++
+  return turns > 3
+}
+
+/** From the places of one axis to those of another. @param {page.Ruler | undefined} from @param {page.Ruler} to */
+function translated(from, to) {
+  const isSame =
+    !from ||
+    ["exponent", "factor", "power", "log"].every(
+      key => from[/** @type {"log"} */ (key)] === to[/** @type {"log"} */ (key)],
+    )
+  return isSame
+    ? (/** @type {number} */ place) => place
+    : (/** @type {number} */ place) => toPlace(to, toSI(from, place))
+}
+
+/** @param {number[][]} points */
+function path(points) {
+  let d = ""
+  let joined = false
+  for (const [x, y] of points) {
+    const isNear = Math.abs(x) < FAR && Math.abs(y) < FAR
+    if (isNear) d += `${joined ? "L" : "M"}${x.toFixed(1)} ${y.toFixed(1)}`
+    joined = isNear
+  }
+  return d
+}
+
+/** What moves on a stage: what a hand can take to begin a motion, and what else says so. */
+export class StageGhost {
+  /** @param {import("../paper/stage.js").Stage} stage */
+  constructor(stage) {
+    this.stage = stage
+    this.shapes = stage.shapes
+      .filter(({spec}) => spec.held || spec.grab?.begins)
+      .map(({spec, moving, needs}) => {
+        const parts = kindOf(spec).make(spec)
+        const group = svg("g", {class: `held-shape ${spec.tint}`}, ...parts)
+        group.style.display = "none"
+        stage.svg.prepend(group)
+        return {spec, moving, needs, parts, group}
+      })
+    this.numbers = heldNumbers(stage)
+  }
+
+  /** @param {boolean} isHeld */
+  show(isHeld) {
+    if (!isHeld) for (const {group} of [...this.shapes, ...this.numbers]) group.style.display = "none"
+  }
+
+  /** @param {Named} named @param {Drawn["view"]} view */
+  frame(named, view) {
+    const {stage} = this
+    for (const number of this.numbers) number.frame(named, view)
+    const all = {...named, ...stage.plots, ...stage.size}
+    for (const shape of this.shapes) {
+      const {spec, needs, parts, group} = shape
+      const isShown = spec.show.every(name => all[name]) && [...needs].every(name => name in all)
+      group.style.display = isShown ? "" : "none"
+      if (isShown) kindOf(spec).move(parts, atInstant(shape, all))
+    }
+  }
+}

@@ -1,0 +1,41 @@
+// The origin of a picture: the parameters as the panel shows them, the instant, and the link.
+
+import {marked} from "../core/dom.js"
+import {brief} from "../input/handles.js"
+import {indexed, plain} from "../core/plain.js"
+
+/** Those that stand, as "m₁ = 2.00 kg"; then those that only stand in a table. @param {PartHost} page */
+export function parameters({spec, panel, shown: {settings, view}}) {
+  const groups = spec.panel.groups.filter(({form}) => !form || view.forms[form])
+  const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")
+  const set = rows.map(row => {
+    const {text, unit} = settings[row.name]
+    return `${indexed(row.symbol)} = ${counted(brief(text).replace("-", "−"), unit ?? row.unit)}`
+  })
+  const facts = [...panel.querySelectorAll("section:not([hidden]) .cells-4")].map(row => {
+    const [symbol, , number, unit] = [...row.children].map(cell => plain(cell).trim())
+    return `${symbol} = ${counted(number, unit)}`
+  })
+  const lines = [...panel.querySelectorAll("section:not([hidden], :has(.control)) .cells-1")].map(row =>
+    plain(row).replace(/,$/, ""),
+  )
+  return [...facts, ...lines, ...set]
+}
+
+/** @param {string} number @param {string} unit */
+const counted = (number, unit) => `${number}${unit === "°" ? "" : " "}${unit}`.trim()
+
+/** @param {PartHost} page */
+export const link = page => new URL(page.link, location.href).href
+
+/** @param {PartHost} page */
+export const instant = page => (page.shown.view.time ? `t = ${page.clock.t.toFixed(page.clock.places)} s` : "")
+
+/** What of the picture held is another number, after how that is drawn. @param {PartHost} page @param {string} drawn */
+export function held({shown}, drawn) {
+  const rows = shown.held?.ledger.filter(({same}) => !same) ?? []
+  const told = rows.map(({symbol, held: number, unit}) => {
+    return `${plain(marked("i", {}, symbol))} = ${counted(number, unit)}`
+  })
+  return told.length ? [`${drawn}: held, ${told[0]}`, ...told.slice(1)] : []
+}

@@ -1,0 +1,293 @@
+// A plot or the stage as a picture for a report: light, with a title, its legend, the parameters and the link.
+
+import {element, long, set, svg, textWidth, unitSize} from "../core/dom.js"
+import {evaluate} from "../core/signals.js"
+import {Drawing, numbered} from "./drawing.js"
+import {held, instant, link, parameters} from "./given.js"
+import {plain} from "../core/plain.js"
+
+const WIDE = 560 // of a picture; its type is that of the page, so large beside it
+const HIGH = 300 // of the frame of a plot
+const EDGE = 14
+const LINE = 20
+const UNIT = 4 // signs at the end of a formula, no more than this, are the unit of what they follow
+/** What of a style an element is drawn with, and its value where nothing is said. @type {Record<string, string>} */
+const LOOK = {
+  fill: "rgb(0, 0, 0)",
+  "fill-opacity": "1",
+  stroke: "none",
+  "stroke-width": "1px",
+  "stroke-dasharray": "none",
+  "stroke-linecap": "butt",
+  "stroke-linejoin": "miter",
+  "stroke-opacity": "1",
+  opacity: "1",
+  "vector-effect": "none",
+  "paint-order": "normal",
+}
+const TYPE = ["font-family", "font-size", "font-style", "font-weight"]
+
+/**
+ * @typedef {import("../paper/plots.js").Plot} Plot
+ * @typedef {import("../paper/stage.js").Stage} Stage
+ */
+/** @typedef {{svg: string, width: number, height: number}} Picture */
+
+/** A sheet of paper that nobody sees, in the light theme, while a picture is drawn on it. */
+class Easel {
+  /** @param {number} [width] */
+  constructor(width = WIDE) {
+    this.width = width
+    this.svg = svg("svg", {class: "picture"})
+    this.host = element("div", {class: "easel", "data-theme": "light"}, this.svg)
+    document.body.append(this.host)
+    this.y = EDGE
+  }
+
+  /**
+   * Words from the left, on as many lines as they need; then what follows stands lower.
+   * @param {string} text @param {string} style @param {RegExp} [gaps] where a line may end
+   */
+  write(text, style, gaps = /(?<= )/) {
+    const line = () => svg("text", {class: style, x: EDGE, y: (this.y += LINE) - 5})
+    let now = line()
+    this.svg.append(now)
+    for (const word of text.split(gaps)) {
+      const before = now.textContent ?? ""
+      now.textContent = before + word
+      if (!before || now.getComputedTextLength() <= this.width - 2 * EDGE) continue
+      now.textContent = before
+      now = line()
+      now.textContent = word
+      this.svg.append(now)
+    }
+  }
+
+  /**
+   * The legend: a sample of each line with its formula as text.
+   * @param {{key: string, tint: string, text: string}[]} terms
+   */
+  list(terms) {
+    let x = EDGE
+    this.y += LINE
+    for (const {key, tint, text} of terms) {
+      const words = svg("text", {class: `t1 ${key === "band" ? "ink" : ""}`}, text)
+      const term = svg("g", {class: tint}, ...sample(key), words)
+      this.svg.append(term)
+      const room = key === "none" ? 0 : 28
+      const width = room + words.getComputedTextLength()
+      if (x > EDGE && x + width > this.width - EDGE) {
+        x = EDGE
+        this.y += LINE
+      }
+      set(words, {x: room})
+      set(term, {transform: `translate(${x} ${this.y - 5})`})
+      x += width + 14
+    }
+  }
+
+  /** @param {PartHost} page @param {string} [when] */
+  caption(page, when) {
+    this.y += 4
+    for (const one of [[when, ...parameters(page)], held(page, when === undefined ? "Dotted" : "In outline")])
+      if (one.some(Boolean)) this.write(one.filter(Boolean).join(",  "), "t0 mute", /(?<=, {2})/)
+    this.write(link(page), "t0 mute", /(?<=[?&,])|(?<=.{60})(?=.{20})/)
+  }
+
+  /** @param {string} title @returns {Picture} */
+  done(title) {
+    const {width} = this
+    const height = Math.ceil(this.y + EDGE)
+    this.svg.prepend(svg("title", {}, title), svg("rect", {class: "ground", width, height}))
+    set(this.svg, {width, height, viewBox: `0 0 ${width} ${height}`, xmlns: "http://www.w3.org/2000/svg"})
+    leaveOut(this.svg)
+    inline(this.svg)
+    const picture = {svg: new XMLSerializer().serializeToString(this.svg), width, height}
+    this.host.remove()
+    return picture
+  }
+}
+
+/**
+ * Without a caption where the parameters and the link stand beside it; narrower, its type is larger beside it.
+ * @param {Plot} plot @param {boolean} [captioned] @param {number} [wide] @returns {Picture}
+ */
+export function plotPicture(plot, captioned = true, wide = WIDE) {
+  const {block, page, view} = plot
+  const easel = new Easel(wide)
+  easel.write(`${block.title}.`, "t1 b title")
+  const terms = legend(plot)
+  if (terms.length) easel.list(terms)
+  else if (block.marks.length) easel.y += LINE // for flags over the frame
+  const frame = frameFor(plot, wide)
+  const host = element("div", {class: "easel-part"})
+  host.style.width = long(wide)
+  host.style.height = long(frame.top + frame.height + 30)
+  easel.host.append(host)
+  const drawing = new Drawing(plot, host, frame, true)
+  set(drawing.over, {transform: `translate(0 ${easel.y})`})
+  easel.svg.append(drawing.over)
+  drawing.draw(evaluate(view.signals, view.scalars, page.clock.t))
+  easel.y += frame.top + frame.height + 26
+  if (captioned) easel.caption(page)
+  return easel.done(block.title)
+}
+
+/**
+ * The room around the frame: for its numbers, names and flags, which on the page may stand out of it.
+ * @param {Plot} plot @param {number} wide
+ */
+function frameFor(plot, wide) {
+  const {frame, host, block} = plot
+  const left = Math.max(frame.left, ...numbered(plot).y.labels.map(label => textWidth(label) + 7)) + 10
+  const names = block.curves.map(({label}) => 1.15 * textWidth(label.map(({text}) => text).join("")) + 14)
+  const right = Math.max(host.clientWidth / unitSize() - frame.left - frame.width, 40, ...names)
+  const most = wide - left - right
+  const height = block.square ? Math.min((most * frame.height) / frame.width, most) : (HIGH * wide) / WIDE
+  return {left, top: frame.top + 8, width: block.square ? (height * frame.width) / frame.height : most, height}
+}
+
+/** What is seen over a plot, but for what the title begins with. @param {Plot} plot */
+function legend({block, host}) {
+  const parts = [...(host.parentElement?.querySelectorAll(".head .part") ?? [])]
+  const seen = parts.map(part => getComputedStyle(part).visibility === "visible")
+  const terms = parts.map((part, i) => ({...block.heading[i], text: seen[i] ? plain(part).trim() : ""}))
+  const isTitle = (/** @type {string} */ text) =>
+    block.title.split(/[,: ]+/).includes(text) || block.title.startsWith(`${text}:`)
+  const told = terms.filter(
+    ({key, text, curve}, i) =>
+      text && !(key === "none" && isTitle(text)) && !(curve && parts[i].classList.contains("off")),
+  )
+  const [before, last] = told.slice(-2)
+  if (last?.key !== "none" || last.text.length > UNIT) return told
+  return [...told.slice(0, -2), {...before, text: `${before.text} ${last.text}`}]
+}
+
+/** @param {string} key */
+function sample(key) {
+  if (key === "none") return []
+  if (key === "band") return [svg("rect", {class: "body", width: 12, height: 12, y: -10, x: 8})]
+  return [svg("line", {class: `ln ${key}`, x1: 0, x2: 22, y1: -4, y2: -4})]
+}
+
+/**
+ * The stage as it stands, with the plots that it is drawn over.
+ * @param {Stage} stage @param {PartHost} page @param {boolean} [captioned] @returns {Picture}
+ */
+export function stagePicture(stage, page, captioned = true) {
+  const under = plotsUnder(stage, page)
+  const written = [...stage.svg.querySelectorAll("text")].filter(text => text.getBoundingClientRect().width)
+  const box = around([stage.host, ...under.map(plot => plot.host), ...written])
+  const easel = new Easel(Math.max(Math.ceil(box.width) + 4 * EDGE, WIDE))
+  if (captioned) easel.write(`${page.spec.headline}.`, "t1 b title")
+  const drawn = svg("g", {transform: `translate(${2 * EDGE} ${easel.y + EDGE})`})
+  easel.svg.append(drawn)
+  const {view} = page.shown
+  const named = evaluate(view.signals, view.scalars, page.clock.t)
+  for (const plot of under) drawn.append(shifted(plotAt(plot, easel, named), plot.host, box))
+  drawn.append(shifted(svg("g", {}, ...seenOf(stage.svg)), stage.host, box))
+  easel.y += box.height + 2 * EDGE
+  if (captioned) easel.caption(page, instant(page))
+  return easel.done(page.spec.headline)
+}
+
+/** The plots in the picture of a stage. @param {Stage} stage @param {PartHost} page */
+export const plotsUnder = (stage, page) =>
+  page.plots.filter(plot => plot.box && isSeen(plot) && (beside(plot, stage) || writesInto(stage, plot)))
+
+/** What a question hides is not in its picture. @param {SVGElement} drawn */
+function seenOf(drawn) {
+  const copy = /** @type {SVGElement} */ (drawn.cloneNode(true))
+  const copies = [...copy.querySelectorAll("*")]
+  for (const [i, one] of [...drawn.querySelectorAll("*")].entries())
+    if (getComputedStyle(one).visibility === "hidden") copies[i].remove()
+  return copy.childNodes
+}
+
+/** @param {Plot} plot @param {Easel} easel @param {Named} named */
+function plotAt(plot, easel, named) {
+  const host = element("div", {class: "easel-part"})
+  host.style.width = `${plot.host.clientWidth}px`
+  host.style.height = `${plot.host.clientHeight}px`
+  easel.host.append(host)
+  const drawing = new Drawing(plot, host, plot.frame)
+  easel.svg.append(drawing.over)
+  drawing.draw(named, []) // what the stage draws over it comes with the stage
+  return drawing.over
+}
+
+/** @param {Plot} plot */
+const isSeen = plot => plot.host.offsetParent !== null
+
+/** @param {Plot} plot @param {Stage} stage */
+const beside = (plot, stage) => plot.host.closest(".column") === stage.host.parentElement
+
+/** Whether a stage writes into the frame of a plot. @param {Stage} stage @param {Plot} plot */
+const writesInto = (stage, {block}) =>
+  stage.shapes.some(({spec, group, needs}) => {
+    const isShown = spec.kind === "text" && group.style.display === ""
+    return isShown && needs.has(`${block.name}.y1`) && [...needs].some(name => name.endsWith(".x1"))
+  })
+
+/** The rectangle that holds all of these. @param {Element[]} hosts */
+function around(hosts) {
+  const boxes = hosts.map(host => host.getBoundingClientRect())
+  const left = Math.min(...boxes.map(box => box.left))
+  const top = Math.min(...boxes.map(box => box.top))
+  const width = Math.max(...boxes.map(box => box.right)) - left
+  const height = Math.max(...boxes.map(box => box.bottom)) - top
+  return {left, top, width: width / unitSize(), height: height / unitSize()}
+}
+
+/** @param {SVGElement} part @param {HTMLElement} host @param {Frame} box */
+function shifted(part, host, box) {
+  const {left, top} = host.getBoundingClientRect()
+  set(part, {transform: `translate(${(left - box.left) / unitSize()} ${(top - box.top) / unitSize()})`})
+  return part
+}
+
+/** Lines that lead elsewhere on the page, most of whose way is outside the picture. @param {SVGElement} root */
+function leaveOut(root) {
+  const paper = root.getBoundingClientRect()
+  for (const line of root.querySelectorAll("line")) {
+    const {left, right, top, bottom} = line.getBoundingClientRect()
+    const across = Math.min(right, paper.right) - Math.max(left, paper.left)
+    const down = Math.min(bottom, paper.bottom) - Math.max(top, paper.top)
+    if (2 * Math.max(across, down) < Math.max(right - left, bottom - top)) line.remove()
+  }
+}
+
+/**
+ * The look that the style sheets give, on the elements themselves: what is not drawn is taken out.
+ * @param {Element} root
+ */
+function inline(root) {
+  const all = [...root.querySelectorAll("*")].map(one => ({one, look: lookOf(one)}))
+  for (const {one, look} of all) {
+    if (!look) one.remove()
+    for (const name of ["class", "style", "data-value"]) one.removeAttribute(name)
+    set(one, look ?? {})
+  }
+  root.removeAttribute("class")
+}
+
+/** @param {Element} one @returns {Record<string, string> | null} */
+function lookOf(one) {
+  const style = getComputedStyle(one)
+  if (style.display === "none") return null
+  const names = one.matches("text, tspan") ? [...Object.keys(LOOK), ...TYPE] : Object.keys(LOOK)
+  const pairs = names.map(name => [name, style.getPropertyValue(name)])
+  return Object.fromEntries(pairs.filter(([name, value]) => value !== LOOK[name]))
+}
+
+/** Twice the size, as a PNG. @param {Picture} picture @returns {Promise<Blob>} */
+export async function png({svg: text, width, height}) {
+  const image = new Image()
+  image.src = `data:image/svg+xml,${encodeURIComponent(text)}`
+  await image.decode()
+  const canvas = element("canvas", {width: 2 * width, height: 2 * height})
+  canvas.getContext("2d")?.drawImage(image, 0, 0, canvas.width, canvas.height)
+  return new Promise((done, fail) =>
+    canvas.toBlob(blob => (blob ? done(blob) : fail(new Error("no room"))), "image/png"),
+  )
+}

@@ -1,0 +1,18 @@
+// Saving: gives the visitor a file to keep.
+
+import {element} from "../core/dom.js"
+
+/** @param {string} name @param {BlobPart} content @param {string} kind its media type */
+export function save(name, content, kind) {
+  const link = element("a", {href: URL.createObjectURL(new Blob([content], {type: kind})), download: name})
+  link.click()
+  URL.revokeObjectURL(link.href)
+}
+
+/** A file that the server has made. @param {page.File} file */
+export const download = ({name, kind, content}) =>
+  save(
+    name,
+    Uint8Array.from(atob(content), sign => sign.charCodeAt(0)),
+    kind,
+  )

@@ -1,0 +1,240 @@
+// The control panel: presets, sliders with typed fields, and choices. It shows the state that the server sends and
+// sends what the visitor does; it never decides what is possible.
+
+import {button, chip, element, marked, svg} from "../core/dom.js"
+import {Slider, problemElement, symbol} from "./slider.js"
+
+const TYPING = "A digit begins a number in its field; Enter sets it, Escape takes it back."
+
+/**
+ * What draws the small pictures of a choice; only some scenes have one, and fetch it.
+ * @typedef {typeof import("../paper/picker.js").pictured} Pictured
+ * @typedef {(sets: Record<string, page.Value>) => void} Take a preset
+ * @typedef {Pick<Drawn, "settings" | "errors" | "preset" | "here"> & {view: Pick<page.View, "forms">}} State
+ */
+
+/** A small drawing, if there is one. @param {string} d */
+function outline(d) {
+  return d ? svg("svg", {viewBox: "0 0 128 46", "aria-hidden": "true"}, svg("path", {class: "ln m1", d})) : ""
+}
+
+class Presets {
+  /** @type {page.PresetButton | undefined} the last */
+  taken
+
+  /** @param {page.Panel} panel @param {Take} take */
+  constructor({start, folded, presets}, take) {
+    this.buttons = presets.map(preset =>
+      presetButton(preset, () => {
+        this.taken = preset
+        take(preset.sets)
+      }),
+    )
+    const look = presets.some(preset => preset.outline) ? "tiles pair" : "chips"
+    const chips = element("div", {class: look, role: "group", "aria-label": start}, ...this.buttons)
+    const parts = folded
+      ? [element("details", {class: "fold"}, element("summary", {}, start), chips)]
+      : [element("h2", {}, start), chips]
+    this.element = element("section", {class: "group"}, ...parts)
+  }
+
+  /** What to watch in the preset in force, where a press has brought it. @param {string | null} preset */
+  watch(preset) {
+    return (this.taken?.name === preset && this.taken.watch) || ""
+  }
+
+  /** @param {string | null} preset */
+  update(preset) {
+    for (const one of this.buttons) one.setAttribute("aria-pressed", String(one.dataset.preset === preset))
+  }
+}
+
+/** @param {page.PresetButton} preset @param {() => void} take */
+function presetButton({name, label, outline: drawing}, take) {
+  const look = {class: drawing ? "tile" : "chip", "aria-pressed": "false", "data-preset": name}
+  return button(look, take, outline(drawing), element("span", {}, label))
+}
+
+/**
+ * Joined buttons for a parameter with a few values; tiles where what stands on them is drawn.
+ * @param {HTMLElement} host @param {Pick<page.ChoiceRow, "name" | "label" | "options">} spec @param {Send} send
+ * @param {ReturnType<Pictured>["draw"]} [draw]
+ */
+export function buildChoice(host, spec, send, draw) {
+  const buttons = spec.options.map(option => {
+    const look = {class: draw && "tile", "aria-pressed": "false", "data-option": option.value}
+    const act = () => send({type: "choose", name: spec.name, value: option.value})
+    return button(look, act, ...(draw?.(option) ?? [option.label]))
+  })
+  const look = {class: draw ? "tiles" : "seg", role: "group", "aria-label": spec.label, "data-name": spec.name}
+  host.append(element("div", look, ...buttons))
+  return {
+    /** @param {Record<string, page.Setting>} settings */
+    update(settings) {
+      const now = settings[spec.name].value
+      for (const one of buttons) one.setAttribute("aria-pressed", String(one.dataset.option === now))
+    },
+  }
+}
+
+/** Rows of cells with live numbers. @param {page.Html[][]} rows */
+function factTable(rows) {
+  const lines = rows.map(row => {
+    const cells = row.map(html => marked("td", {}, html))
+    return element("tr", {class: `cells-${row.length}`}, ...cells)
+  })
+  return element("table", {class: "facts-table"}, ...lines)
+}
+
+export class Controls {
+  /** @type {Map<string, Slider>} */
+  sliders = new Map()
+
+  /** @type {ReturnType<typeof buildChoice>[]} */
+  choices = []
+
+  /** @type {{rows: HTMLDetailsElement, names: string[], wanted: boolean}[]} */
+  folds = []
+
+  /** @type {import("../paper/stage.js").Stage[]} */
+  stages = []
+
+  /** @type {HTMLElement[]} */
+  actionProblems = []
+
+  /** @type {{span: HTMLElement, hint: string, names: string[]}[]} what stands beside the titles of groups */
+  hints = []
+
+  /**
+   * @param {HTMLElement} host @param {page.Panel} spec @param {Send} send @param {Take} take
+   * @param {Pictured} [pictured]
+   */
+  constructor(host, spec, send, take, pictured) {
+    this.host = host
+    this.spec = spec
+    this.send = send
+    this.pictured = pictured
+    // What is said is about the control that has the focus; without one nothing is.
+    this.says = element("p", {class: "says", id: "controls-says"})
+    this.sections = spec.groups.map(group => this.#section(group))
+    this.presets = new Presets(spec, take)
+    host.classList.add("controls")
+    if (spec.presets.length) host.append(this.presets.element)
+    host.append(...this.sections, this.says)
+  }
+
+  /** Another state speaks for every control: what was typed or refused before it is over. */
+  release() {
+    for (const slider of this.sliders.values()) slider.release()
+  }
+
+  /** @param {page.GroupSection} group */
+  #section(group) {
+    const look = {class: `group ${group.dense ? "dense" : ""}`, "aria-label": group.title || undefined}
+    const section = element("section", look)
+    if (group.title) section.append(element("h2", {}, group.title, this.#hint(group.hint)))
+    else section.classList.add("on")
+    const rows = group.folded ? this.#fold(group) : section
+    this.hints[this.hints.length - 1]?.names.push(...group.rows.map(row => row.name))
+    for (const row of group.rows) this.#row(rows, row)
+    const actions = group.title ? section : rows
+    if (group.actions.length) actions.append(this.#actions(group.actions))
+    if (group.facts.length) section.append(factTable(group.facts))
+    if (rows !== section) section.append(rows)
+    return section
+  }
+
+  /** @param {string} hint */
+  #hint(hint) {
+    const span = element("span", {}, hint)
+    this.hints.push({span, hint, names: []})
+    return span
+  }
+
+  /** The values that have been set and wait for an answer stay as they are. @param {Waits} waiting */
+  wait(waiting) {
+    for (const [name, slider] of this.sliders) slider.wait(waiting.get(name))
+    for (const {span, hint, names} of this.hints) {
+      const count = names.filter(name => waiting.has(name)).length
+      span.textContent = count ? `${count} change${count > 1 ? "s wait" : " waits"}` : hint
+    }
+  }
+
+  /** @param {page.GroupSection} group */
+  #fold(group) {
+    const summary = group.title
+      ? element("summary", {}, "Set each value")
+      : element("summary", {}, `${group.hint} `, this.#hint(""))
+    const rows = element("details", {class: "fold"}, summary)
+    this.folds.push({rows, names: group.rows.map(row => row.name), wanted: false})
+    return rows
+  }
+
+  /** @param {HTMLElement} host @param {page.ControlRow} row */
+  #row(host, row) {
+    if (row.kind === "slider") return this.#slider(host, row)
+    if (!isPicker(row)) return this.choices.push(buildChoice(host, row, this.send))
+    const {draw, stages} = /** @type {Pictured} */ (this.pictured)(row)
+    this.choices.push(buildChoice(host, row, this.send, draw))
+    this.stages.push(...stages)
+  }
+
+  /** @param {HTMLElement} host @param {page.SliderRow} row */
+  #slider(host, row) {
+    const slider = new Slider(row, this.send)
+    this.sliders.set(row.name, slider)
+    this.help(slider.element, row.name)
+    const says = `${row.symbol.replace("_", "")} ${row.says} ${TYPING}`
+    slider.element.append(element("span", {class: "heard", id: `help-${row.name}`}, says))
+    host.append(slider.element)
+  }
+
+  /**
+   * While the focus is in `part`, the help is of this parameter: in its slider, or in a handle that does the same.
+   * @param {HTMLElement} part @param {string} name
+   */
+  help(part, name) {
+    part.addEventListener("focusin", () => this.#speak(name))
+    part.addEventListener("focusout", () => this.says.replaceChildren())
+  }
+
+  /** @param {string} name */
+  #speak(name) {
+    const spec = this.sliders.get(name)?.spec
+    if (!spec) return
+    const {symbol: letter, says} = spec
+    const [first, ...rest] = says.split(/(?<=\.) /)
+    this.says.replaceChildren(symbol(letter), " ", element("b", {}, first), rest.length ? ` ${rest.join(" ")}` : "")
+  }
+
+  /** Buttons that have the server set several parameters at once. @param {page.ActionButton[]} actions */
+  #actions(actions) {
+    const buttons = actions.map(({name, label, place}) =>
+      chip(label, () => this.send({type: "act", name}), {"data-place": place ? name : undefined}),
+    )
+    const problem = problemElement(`problem-${actions[0].name}`)
+    this.actionProblems.push(problem)
+    return element("div", {class: "chips"}, ...buttons, problem)
+  }
+
+  /** @param {State} told */
+  update({settings, errors, preset, here, view: {forms}}) {
+    for (const [i, {form}] of this.spec.groups.entries()) this.sections[i].hidden = Boolean(form) && !forms[form]
+    for (const [name, slider] of this.sliders) slider.update(settings[name], errors[name])
+    for (const choice of this.choices) choice.update(settings)
+    this.presets.update(preset)
+    for (const problem of this.actionProblems) problem.textContent = errors.action ?? ""
+    for (const one of this.host.querySelectorAll("[data-place]")) {
+      one.setAttribute("aria-pressed", String(here.includes(one.getAttribute("data-place") ?? "")))
+    }
+    for (const fold of this.folds) {
+      const wanted = fold.names.some(name => settings[name].changed)
+      // A fold that its reader closes stays closed until there is a new reason to open it.
+      if (wanted && !fold.wanted) fold.rows.open = true
+      fold.wanted = wanted
+    }
+  }
+}
+
+/** Whether a row is a choice of small pictures. @param {page.ControlRow} row */
+export const isPicker = row => row.kind === "choice" && Object.keys(row.pictures).length > 0

@@ -1,0 +1,38 @@
+// A number with more digits than its field has room for: as many as fit, and the whole while the field has the focus.
+
+import {MINUS, short} from "../core/numbers.js"
+
+const MOST = 12 // digits that are tried
+const USUAL = 7 // characters of a field that is not laid out yet
+
+/** @param {HTMLInputElement} field */
+export function fitting(field) {
+  let whole = ""
+  const isFocused = () => document.activeElement === field
+
+  function shorten() {
+    const value = Number(whole.replaceAll(MINUS, "-"))
+    for (let count = MOST; count > 0 && !fits(field); count--) field.value = short(value, count)
+    field.title = field.value === whole ? "" : whole
+  }
+
+  field.addEventListener("focus", () => {
+    if (field.title) field.value = whole
+    field.title = ""
+  })
+  field.addEventListener("blur", () => {
+    if (field.value === whole) shorten()
+  })
+
+  /** @param {string} text a number as Python writes it */
+  return text => {
+    whole = field.value = text
+    if (!isFocused()) shorten()
+  }
+}
+
+/** @param {HTMLInputElement} field */
+function fits({clientWidth, scrollWidth, value}) {
+  if (value.length < USUAL) return true
+  return clientWidth ? scrollWidth <= clientWidth : value.length <= USUAL
+}

@@ -1,0 +1,226 @@
+// Grips of a stage: an element over each shape that can be grabbed, for mouse, finger, keys and screen readers.
+
+import {element, long, reword, surface, unitSize} from "../core/dom.js"
+import {brief, whileHeld} from "./handles.js"
+import {polynomial} from "../core/signals.js"
+
+const FINGER = 44 // pixels, the least that a finger hits
+const STEP = 4 // pixels that an arrow key moves; with Shift it is one
+const LEAP = 40 // pixels that Page Up and Page Down move
+
+/** Where keys lead on the screen, to the right and up. @type {Record<string, [number, number]>} */
+const KEYS = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+  PageUp: [0, LEAP / STEP],
+  PageDown: [0, -LEAP / STEP],
+}
+/** Which end of its slider. @type {Record<string, 0 | 1>} */
+const ENDS = {Home: 0, End: 1}
+
+/** @typedef {{grip: HTMLElement, grab: page.Grab, needs: string[], x: number, y: number, lift: number}} Grip */
+
+export class Grips {
+  /** @type {Map<object, Grip>} by the shape */
+  grips = new Map()
+
+  /** @type {Named} */
+  all = {}
+
+  /** @param {HTMLElement} host @param {PartHost} page */
+  constructor(host, page) {
+    this.page = page
+    this.element = element("div", {class: "grips"})
+    this.why = element("div", {class: "why", role: "status"})
+    host.append(this.element)
+  }
+
+  /** @param {object} shape @param {page.Grab} grab */
+  add(shape, grab) {
+    const look = {class: `grip ${grab.begins ? "begins" : ""}`, role: "slider", tabindex: 0, "aria-label": grab.label}
+    const grip = {
+      grip: element("div", {...look, "data-grab": set(grab).join(" ")}),
+      grab,
+      needs: needed(grab),
+      x: 0,
+      y: 0,
+      lift: 0,
+    }
+    const [only, ...more] = grab.ways.filter(way => way.parameter)
+    if (!more.length && only.kind !== "turn") {
+      const upright = only.kind === "trade" || only.across === "y"
+      grip.grip.setAttribute("aria-orientation", upright ? "vertical" : "horizontal")
+    }
+    grip.grip.addEventListener("pointerdown", event => this.#drag(event, grip))
+    grip.grip.addEventListener("keydown", event => this.#key(event, grip))
+    grip.grip.addEventListener("pointercancel", () => this.page.hand.grab?.rest()) // what is taken away is no flick
+    grip.grip.addEventListener("blur", () => this.#let(grip))
+    this.element.append(grip.grip, this.why)
+    this.grips.set(shape, grip)
+  }
+
+  /**
+   * Once a frame: where a hand takes a shape, and how large that is, while it is drawn.
+   * @param {object} shape @param {[number, number, number] | null | undefined} hold @param {Named} all
+   */
+  place(shape, hold, all) {
+    const found = this.grips.get(shape)
+    if (!found) return
+    const shown = hold && found.needs.every(name => name in all)
+    this.all = all
+    const isHeld = this.page.hand.holds(found.grab)
+    found.grip.hidden = !shown && !isHeld // what a hand holds does not vanish under it
+    if (!shown) return
+    const [x, y, size] = hold
+    Object.assign(found, {x, y})
+    const wide = Math.max(size, FINGER / Math.min(unitSize(), 1))
+    const {style} = found.grip
+    style.width = style.height = long(wide)
+    // At the foot of the picture a hand takes it above: below are the buttons of the transport. Then it is held there.
+    if (!isHeld) found.lift = y <= all.H ? Math.min(0, all.H - wide / 2 - y) : 0
+    style.transform = `translate(${long(x - wide / 2)}, ${long(y - wide / 2 + found.lift)})`
+    if (isHeld) this.#say(found, wide)
+  }
+
+  /** Why a value cannot be, beside the hand. @param {Grip} grip @param {number} wide */
+  #say({x, y}, wide) {
+    reword(this.why, this.page.hand.grab?.refusal ?? "")
+    this.why.style.transform = `translate(${long(x + wide / 2)}, ${long(y - 12)})`
+  }
+
+  /** The numbers of what is grabbed, for a screen reader. */
+  update() {
+    const {settings} = this.page.shown
+    for (const {grip, grab} of this.grips.values()) {
+      const names = set(grab)
+      const [low, high] = this.#ends(names[0])
+      grip.setAttribute("aria-valuenow", String(settings[names[0]].value))
+      grip.setAttribute("aria-valuemin", String(low))
+      grip.setAttribute("aria-valuemax", String(high))
+      grip.setAttribute("aria-valuetext", names.map(name => this.#spoken(name)).join("; "))
+    }
+    if (!this.page.hand.grab) this.why.textContent = ""
+  }
+
+  /** A parameter as its slider calls it, and its value: x1, displacement: 0.40 m. @param {string} name */
+  #spoken(name) {
+    const {text, unit} = this.page.shown.settings[name]
+    const spec = this.page.controls.sliders.get(name)?.spec
+    return `${spec?.label ?? name}: ${brief(text)} ${unit ?? spec?.unit ?? ""}`.trim()
+  }
+
+  /** What the slider of a parameter spans. @param {string} name @returns {[number, number]} */
+  #ends(name) {
+    return this.page.shown.settings[name].soft ?? this.page.controls.sliders.get(name)?.spec.soft ?? [0, 1]
+  }
+
+  /** Of grips that lie on each other the nearest is meant. @param {PointerEvent} event @param {Grip} hit */
+  #drag(event, hit) {
+    if (event.button) return
+    event.preventDefault()
+    event.stopPropagation()
+    /** Lines that come and go move the stage. @param {PointerEvent} event */
+    const at = ({clientX, clientY}) => {
+      const {left, top} = this.element.getBoundingClientRect()
+      return {x: (clientX - left) / unitSize(), y: (clientY - top) / unitSize()}
+    }
+    const {x, y} = at(event)
+    const far = (/** @type {Grip} */ one) => Math.hypot(x - one.x, y - one.y - one.lift)
+    const under = document.elementsFromPoint(event.clientX, event.clientY)
+    const all = [...this.grips.values()].filter(one => under.includes(one.grip))
+    const grip = all.reduce((best, one) => (far(one) < far(best) ? one : best), hit)
+    const off = {x: x - grip.x, y: y - grip.y}
+    grip.grip.focus({preventScroll: true})
+    grip.grip.setPointerCapture(event.pointerId)
+    grip.grip.classList.add("held")
+    this.#take(grip)
+    const move = (/** @type {PointerEvent} */ moved) => this.#move({x: at(moved).x - off.x, y: at(moved).y - off.y})
+    whileHeld(grip.grip, move, () => {
+      grip.grip.classList.remove("held")
+      this.#let(grip)
+    })
+  }
+
+  /** @param {Grip} grip */
+  #take(grip) {
+    this.page.hand.take(grip.grab)
+    const begun = new Set(grip.grab.start.map(({parameter}) => parameter))
+    if (grip.grab.begins && !set(grip.grab).every(name => begun.has(name)))
+      this.page.hand.grab?.move({x: grip.x, y: grip.y}, this.all)
+  }
+
+  /** Where the hand is, no further than the paper or the frame of a plot. @param {Point} at */
+  #move({x, y}) {
+    const {grab} = this.page.hand
+    const {left, right, top, bottom} = grab?.spec.inside ? this.#frame(grab.spec.inside) : this.#paper()
+    grab?.move({x: Math.min(Math.max(x, left), right), y: Math.min(Math.max(y, top), bottom)}, this.all)
+  }
+
+  #paper() {
+    const own = this.element.getBoundingClientRect()
+    const {left, right, top, bottom} = surface(this.element) ?? own
+    const [x, y] = [own.left, own.top]
+    const [start, end, first, last] = [left - x, right - x, top - y, bottom - y].map(far => far / unitSize())
+    return {left: start, right: end, top: first, bottom: last}
+  }
+
+  /** @param {string} plot */
+  #frame(plot) {
+    const [left, right, top, bottom] = ["left", "right", "top", "bottom"].map(side => this.all[`${plot}.${side}`])
+    return {left, right, top, bottom}
+  }
+
+  /**
+   * Arrows and Page keys move what has the focus, Home and End take its first value to an end of the slider; all hold
+   * it still until Enter or Space lets it go.
+   * @param {KeyboardEvent} event @param {Grip} grip
+   */
+  #key(event, grip) {
+    const {hand} = this.page
+    const way = KEYS[event.key]
+    const end = ENDS[event.key]
+    const held = hand.holds(grip.grab)
+    const lets = held && (event.key === "Enter" || event.key === " ")
+    if (!way && end === undefined && !lets) return
+    event.preventDefault()
+    if (lets) return this.#let(grip)
+    if (!held) this.#take(grip)
+    if (way) this.#move(stepped(grip, way, event.shiftKey ? 1 : STEP, this.all))
+    else hand.grab?.put(this.#ends(set(grip.grab)[0])[end])
+    hand.grab?.rest()
+  }
+
+  /** @param {Grip} grip */
+  #let(grip) {
+    if (this.page.hand.holds(grip.grab)) this.page.hand.grab?.release(this.all)
+  }
+}
+
+/** What a start is made of: without it, as while it is covered, nothing can be begun. @param {page.Grab} grab */
+const needed = grab =>
+  [...grab.start.map(({of}) => of), ...grab.ways.map(way => ("rest" in way ? way.rest : ""))].filter(Boolean)
+
+/** The parameters that a hand sets. @param {page.Grab} grab */
+const set = grab => grab.ways.map(way => way.parameter).filter(Boolean)
+
+/**
+ * Where a key leads: what has but one way goes along that with each of them, up and to the right alike.
+ * @param {Grip} grip @param {[number, number]} way @param {number} far @param {Named} all
+ */
+function stepped({grab, x, y}, [across, up], far, all) {
+  const ways = grab.ways.filter(one => one.parameter)
+  const both = (across + up) * far
+  const [{kind}] = ways
+  if (kind === "turn") {
+    const {x: cx, y: cy, tall} = /** @type {page.Turn} */ (ways[0])
+    const [dx, dy] = [x - polynomial(cx, all), (y - polynomial(cy, all)) / tall]
+    const radius = Math.hypot(dx, dy)
+    const angle = Math.atan2(dx, dy) + both / radius
+    return {x: x - dx + radius * Math.sin(angle), y: y + (radius * Math.cos(angle) - dy) * tall}
+  }
+  if (new Set(ways.map(one => ("across" in one ? one.across : "y"))).size > 1)
+    return {x: x + across * far, y: y - up * far}
+  return "across" in ways[0] && ways[0].across === "x" ? {x: x + both, y} : {x, y: y - both}
+}

@@ -1,0 +1,277 @@
+// The hand on a page: what it holds is drawn where it is, at once; the server hears of it and answers when it can.
+
+import {using} from "../later.js"
+import {polynomial, roots} from "../core/signals.js"
+import {browserStorage} from "../core/storage.js"
+import {PLAIN, toPlace, toSI} from "../core/ruler.js"
+
+const FLICK = 120 // ms before letting go over which its velocity is taken
+const GRABBED = "grabbed"
+const QUARTER = Math.PI / 2 // of a turn
+const STILL = 40 // pixels a second, below which a hand rests
+
+export class Hand {
+  /** @type {Grab | null | undefined} what is held; undefined until something has been */
+  grab
+
+  /** @type {import("./hint.js").Hint | undefined} until something has been grabbed */
+  hint
+
+  /** @param {PartHost} page */
+  constructor(page) {
+    this.page = page
+  }
+
+  /** Says once what a hand can do. */
+  introduce() {
+    if (browserStorage.text(GRABBED) === null)
+      using("input/hint", ({Hint}) => this.page.left || this.grab !== undefined || (this.hint ??= new Hint(this.page)))
+  }
+
+  /** @param {page.Grab} spec */
+  holds(spec) {
+    return this.grab?.spec === spec
+  }
+
+  /** @param {page.Grab} spec */
+  take(spec) {
+    browserStorage.keep(GRABBED, "yes")
+    this.hint?.leave()
+    if (this.grab?.spec === spec) return this.grab.again()
+    const {clock, compare} = this.page
+    const now = compare.named(clock.t)
+    this.grab = new Grab(spec, this.page)
+    if (spec.begins) this.grab.begin(now)
+  }
+
+  /** @param {Drawn} shown */
+  update(shown) {
+    this.hint?.update()
+    if (this.grab?.hear(shown)) {
+      const {grab} = this
+      this.grab = null
+      grab.end()
+    }
+  }
+}
+
+/** One thing that a hand has taken hold of, until the last answer after it has let go. */
+class Grab {
+  /** @type {Named} what is drawn in place of the picture's own numbers, in SI by the name that it moves */
+  moved = {}
+
+  /** @type {Named} the same as it was last drawn without a refusal */
+  good = {}
+
+  /** @type {Named} what stands still until the first answer */
+  frozen = {}
+
+  /** @type {Named} what the motion has begun with */
+  begun = {}
+
+  /** @type {{at: Point, when: number}[]} */
+  trail = []
+
+  refusal = ""
+  first = 0 // the number of its first message
+  leaving = false
+  plays = false // as the clock did before
+
+  /** @param {page.Grab} spec @param {PartHost} page */
+  constructor(spec, page) {
+    this.spec = spec
+    this.page = page
+  }
+
+  /** The numbers that are drawn in place of those of the picture. @returns {Named} */
+  get named() {
+    /** @type {Named} */
+    const named = {...this.frozen}
+    for (const {moves, axis} of this.spec.ways) {
+      if (moves in this.moved) named[moves] = toPlace(this.#ruler(axis), this.moved[moves])
+    }
+    return named
+  }
+
+  /** @param {string} axis */
+  #ruler(axis) {
+    return this.page.shown.view.axes[axis] ?? PLAIN
+  }
+
+  /** A motion is to begin with what stands at an instant. @param {Named} now */
+  begin(now) {
+    const {start} = this.spec
+    const {clock, shown} = this.page
+    this.frozen = roots(shown.view.signals, now)
+    this.plays = clock.playing
+    clock.playing = false
+    clock.seek(0)
+    if (!start.length) return
+    const values = start.map(({parameter, of, axis, size, per, exactly, angle}) => {
+      const seconds = per ? 10 ** this.#ruler(per).exponent : 1
+      const value = of ? toSI(this.#ruler(axis), now[of]) / seconds / size : 0
+      return [parameter, angle ? turned(value) : exactly ? value : digits(value)]
+    })
+    this.begun = Object.fromEntries(values)
+    this.#send(this.begun)
+  }
+
+  /** It is taken once more before all is answered. */
+  again() {
+    this.leaving = false
+    this.refusal = ""
+    this.rest()
+  }
+
+  /**
+   * The hand is at a point of a stage, whose named quantities are `all`.
+   * @param {Point} at @param {Named} all
+   */
+  move(at, all) {
+    this.trail.push({at, when: performance.now()})
+    /** @type {Record<string, number>} */
+    const values = {}
+    for (const way of this.spec.ways) {
+      const {si, value, pixel} = placed(way, at, all, this.#ruler(way.axis))
+      if (way.moves && !this.refusal) this.moved[way.moves] = si
+      if (way.parameter) values[way.parameter] = pixel === null ? value : rounded(value / way.size, pixel / way.size)
+    }
+    if (Object.keys(values).length) this.#send(values)
+    this.page.clock.dirty = true
+  }
+
+  /** The first value is to be this one; the others stay. @param {number} value */
+  put(value) {
+    const way = this.spec.ways.find(one => one.parameter)
+    if (!way) return
+    this.moved = {}
+    this.#send({[way.parameter]: value})
+  }
+
+  /** The hand stands still: letting go is no flick. */
+  rest() {
+    this.trail = []
+  }
+
+  /** Letting go: the motion starts as soon as all is answered, with the velocity of the hand. @param {Named} all */
+  release(all) {
+    this.leaving = true
+    this.#send(this.#flick(all), false)
+  }
+
+  /** What a flick gives; without one nothing, but the frame may grow again. @param {Named} all */
+  #flick(all) {
+    const {spec, trail, page} = this
+    const last = trail[trail.length - 1]
+    const recent = trail.findIndex(({when}) => when > last.when - FLICK)
+    const first = trail[Math.min(recent, trail.length - 2)]
+    if (!first || performance.now() - last.when > FLICK) return {}
+    /** @type {Record<string, number>} */
+    const values = {}
+    for (const way of spec.ways) {
+      if (this.refusal || !(way.rate || way.kind === "swung")) continue
+      const seconds = (last.when - first.when) / 1000
+      const far = Math.hypot(last.at.x - first.at.x, last.at.y - first.at.y)
+      if (!seconds || far / seconds < STILL) continue
+      const ruler = this.#ruler(way.axis)
+      const [before, after] = [first, last].map(({at}) => placed(way, at, all, ruler))
+      const [from, to] = [before, after].map(({goes, value}) => goes ?? value)
+      const rate = (to - from) / seconds / page.clock.factor
+      if (way.kind === "swung") Object.assign(values, this.#swung(way, to, rate))
+      else values[way.rate] = digits((this.begun[way.rate] ?? 0) + rate / way.size)
+    }
+    return values
+  }
+
+  /**
+   * Amplitude or phase of a sine that starts at a place with a velocity; nothing of one that never turns.
+   * @param {page.Swung} way @param {number} place @param {number} velocity
+   */
+  #swung({parameter, of, turn}, place, velocity) {
+    const signal = this.page.shown.view.signals[turn]
+    const omega = signal?.kind === "sines" ? signal.line[1] / this.page.clock.unit : 0
+    if (!omega) return {}
+    const lag = velocity / omega
+    return {[parameter]: digits(of === "phase" ? Math.atan2(place, lag) : Math.hypot(place, lag))}
+  }
+
+  /** @param {Record<string, number>} values @param {boolean} [holding] */
+  #send(values, holding = true) {
+    this.page.send({type: "set", values, holding})
+    this.first ||= this.page.host.line.last
+  }
+
+  /** An answer has come: true where it is the last. @param {Drawn} shown */
+  hear({answer, errors}) {
+    if (answer === null || answer < this.first) return false
+    this.refusal = this.spec.ways.map(way => errors[way.parameter]).find(Boolean) ?? ""
+    if (this.refusal) Object.assign(this.moved, this.good)
+    else this.good = {...this.moved}
+    this.frozen = {}
+    return this.leaving && this.page.host.line.rests
+  }
+
+  /** What has been begun plays. */
+  end() {
+    const {clock, compare} = this.page
+    if (this.spec.begins && !compare.still)
+      clock.playing = this.plays || !matchMedia("(prefers-reduced-motion: reduce)").matches
+  }
+}
+
+/**
+ * What the place of a hand stands for: in SI as it is drawn; as a value, and how much of that a pixel is, or null where
+ * every digit counts; and what a flick gives a velocity, where that is not the value.
+ * @typedef {{si: number, value: number, pixel: number | null, goes?: number}} Placed
+ */
+
+/**
+ * @param {page.AnyWay} way @param {Point} at @param {Named} all @param {page.Ruler} ruler @returns {Placed}
+ */
+function placed(way, at, all, ruler) {
+  if (way.kind === "turn") {
+    const [across, down] = [at.x - polynomial(way.x, all), (at.y - polynomial(way.y, all)) / way.tall]
+    const si = (Math.atan2(across, down) - way.zero) / way.unit
+    return {si, value: si, pixel: 1 / Math.hypot(across, down) / Math.abs(way.unit)}
+  }
+  const unit = polynomial(way.unit, all)
+  const place = ((way.kind === "trade" ? at.y : at[way.across]) - polynomial(way.zero, all)) / unit
+  if (way.kind !== "trade") return onLine(way, place, Math.abs(1 / unit), all, ruler)
+  const head = toSI(ruler, all[way.head])
+  const high = Math.min(toSI(ruler, place), head / 2)
+  return {si: high, value: Math.sqrt(1 - (2 * high) / head) - 1, pixel: 0.01}
+}
+
+/**
+ * @param {page.Along | page.Share | page.Quotient | page.Swung} way
+ * @param {number} place @param {number} pixel of the axis
+ * @param {Named} all @param {page.Ruler} ruler @returns {Placed}
+ */
+function onLine(way, place, pixel, all, ruler) {
+  const [least, most] = [way.least, way.most].map(end => (end === null ? end : toPlace(ruler, end)))
+  const inside = Math.min(Math.max(place, least ?? -Infinity), most ?? Infinity)
+  const [si, beside] = [inside, inside + pixel].map(one => toSI(ruler, one))
+  if (way.kind === "along") return {si, value: si, pixel: Math.abs(beside - si)}
+  if (way.kind === "quotient") {
+    const value = all[way.over] / inside
+    return {si, value, pixel: Math.abs(value - all[way.over] / (inside + pixel))}
+  }
+  const part = polynomial(way.share, all) * si
+  if (way.kind === "share") return {si: part, value: part + toSI(ruler, all[way.rest]), pixel: null}
+  const [goes, near] = [si, beside].map(one => polynomial(way.counted, all) * one)
+  if (way.of === "phase") return {si: part, value: goes < 0 ? -QUARTER : QUARTER, pixel: null, goes}
+  return {si: part, value: Math.abs(goes), pixel: Math.abs(near - goes), goes}
+}
+
+/** A value to the digits that a hand can tell apart. @param {number} value @param {number} pixel */
+function rounded(value, pixel) {
+  if (!pixel) return digits(value)
+  const step = 10 ** Math.floor(Math.log10(pixel))
+  return Number((Math.round(value / step) * step).toPrecision(12)) + 0
+}
+
+/** An angle without whole turns. @param {number} angle */
+const turned = angle => angle - 4 * QUARTER * Math.round(angle / (4 * QUARTER))
+
+/** @param {number} value */
+const digits = value => Number(value.toPrecision(4)) + 0

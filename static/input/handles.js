@@ -1,0 +1,270 @@
+// Pills at the axes of a plot that set a parameter, and the one that moves the instant shown.
+
+import {element, long, reword, textWidth} from "../core/dom.js"
+import {MINUS, three, tidy} from "../core/numbers.js"
+import {toPlace, toSI} from "../core/ruler.js"
+
+const LONGEST = 7 // characters of a number that a handle shows as typed
+const STEPS = 200 // arrow keys that cross an axis
+/** @type {Record<string, number>} */
+const KEYS = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10}
+
+/**
+ * A pill; without a handle it is that of the time.
+ * @typedef {{element: HTMLElement, handle: page.Handle | null, off: boolean}} Pill
+ * @typedef {Pill & {handle: page.Handle}} Setter
+ */
+
+export class Handles {
+  /** @param {PlotHost} plot */
+  constructor(plot) {
+    this.plot = plot
+    const {handles, time, x_labels: numbered} = plot.block
+    this.setters = handles.map(handle => /** @type {Setter} */ (this.#pill(handle.tint, handle.label, handle)))
+    this.time = time && numbered ? this.#pill("ink", "Time", null) : null
+    /** @type {Record<string, page.Ruler> | null} */
+    this.held = null
+  }
+
+  /** An axis stands still while a handle is dragged along it: what moves the value must not move the scale. */
+  ruler(/** @type {string} */ name) {
+    const now = this.plot.view.axes[name]
+    const held = this.held?.[name]
+    return held && held.exponent === now?.exponent ? held : now
+  }
+
+  /**
+   * A handle that has the focus is explained as the slider of its parameter is.
+   * @param {PartHost["controls"]} controls
+   */
+  help(controls) {
+    for (const {element: pill, handle} of this.setters) {
+      if (controls.sliders.has(handle.parameter)) pill.setAttribute("aria-describedby", `help-${handle.parameter}`)
+      controls.help(pill, handle.parameter)
+    }
+  }
+
+  place() {
+    for (const pill of this.setters) {
+      const {parameter, text, form, bare} = pill.handle
+      pill.off = Boolean(form) && !this.plot.view.forms[form]
+      pill.element.hidden = pill.off || bare
+      const {text: told, size} = this.plot.shown.settings[parameter]
+      const waits = this.plot.page.waiting.get(parameter)
+      const own = typeof waits === "number" ? tidy(waits / size) : told
+      this.#place(pill, this.#value(pill), text ? this.plot.view.values[text] : brief(own))
+    }
+  }
+
+  /** @param {number} t @param {string} text */
+  placeTime(t, text) {
+    if (this.time) this.#place(this.time, t, text)
+  }
+
+  /** A press on a plot takes its handles there, and they follow until it ends. @param {PointerEvent} event */
+  follow(event) {
+    event.preventDefault()
+    const {host} = this.plot
+    host.setPointerCapture(event.pointerId)
+    const pills = this.setters.filter(({off, element: pill}) => !off && !pill.inert)
+    const move = (/** @type {PointerEvent} */ moved) =>
+      pills.forEach(pill => this.#moveTo(pill, this.plot.valueAt(moved, pill.handle.axis)))
+    this.#hold(pills)
+    move(event)
+    whileHeld(host, move, () => this.#release())
+  }
+
+  /** A drag over a plot against time moves the instant along; letting go plays on. @param {PointerEvent} event */
+  followTime(event) {
+    const {host, page} = this.plot
+    const {clock} = page
+    const {playing} = clock
+    const move = (/** @type {PointerEvent} */ moved) => clock.seek(this.plot.valueAt(moved))
+    host.setPointerCapture(event.pointerId)
+    clock.playing = false
+    move(event)
+    whileHeld(host, move, () => {
+      clock.playing = playing
+      clock.touch()
+    })
+  }
+
+  /** @param {string} tint @param {string} label @param {page.Handle | null} handle */
+  #pill(tint, label, handle) {
+    const isUpright = handle?.axis === "y"
+    const made = element("div", {
+      class: `pill ${tint} ${isUpright ? "upright" : ""}`,
+      role: "slider",
+      tabindex: 0,
+      "aria-label": label,
+      "aria-orientation": isUpright ? "vertical" : "horizontal",
+      "data-grab": handle?.parameter,
+    })
+    const pill = {element: made, handle, off: false}
+    made.addEventListener("keydown", event => this.#key(event, pill))
+    made.addEventListener("pointerdown", event => this.#drag(event, pill))
+    this.plot.controls.append(made)
+    return pill
+  }
+
+  /** @param {KeyboardEvent} event @param {Pill} pill */
+  #key(event, pill) {
+    const axis = this.#axis(pill)
+    const step = KEYS[event.key] * ((axis.end - axis.start) / (event.shiftKey ? STEPS / 10 : STEPS))
+    const here = isSetter(pill) ? this.#value(pill) : this.plot.page.clock.t
+    /** @type {Record<string, number>} */
+    const ends = {Home: axis.start, End: axis.end}
+    const to = ends[event.key] ?? here + step
+    if (Number.isNaN(to)) return
+    event.preventDefault()
+    this.#moveTo(pill, to)
+  }
+
+  /** @param {Pill} pill */
+  #axis({handle}) {
+    return handle?.axis === "y" ? this.plot.y : this.plot.x
+  }
+
+  /** @param {Pill} pill @param {number} value @param {string} text */
+  #place(pill, value, text) {
+    const {left, top, height} = this.plot.frame
+    const axis = this.#axis(pill)
+    const inside = clamp(value, axis)
+    const {style, classList} = pill.element
+    style.left = long(axis === this.plot.y ? left - 6 : this.plot.px(inside))
+    style.top = long(axis === this.plot.y ? this.plot.py(inside) - 12 : top + height + 3)
+    classList.toggle("outside", inside !== value)
+    const shown = this.#text(pill, text, inside)
+    reword(pill.element, shown)
+    pill.element.setAttribute("aria-valuenow", String(value))
+    pill.element.setAttribute("aria-valuetext", `${text ?? ""} ${this.#unit(pill)}`.trim())
+    pill.element.setAttribute("aria-valuemin", String(axis.start))
+    pill.element.setAttribute("aria-valuemax", String(axis.end))
+  }
+
+  /** What is said after a handle's number: of its parameter, or of the axis where it shows a number of the scene's. */
+  #unit(/** @type {Pill} */ pill) {
+    const {handle} = pill
+    if (!handle) return ""
+    if (handle.unit || handle.text) return handle.unit.trim() || this.#axis(pill).unit
+    const {page, shown} = this.plot
+    return shown.settings[handle.parameter].unit ?? page.controls.sliders.get(handle.parameter)?.spec.unit ?? ""
+  }
+
+  /** @param {Pill} pill @param {string} text @param {number} at */
+  #text({handle}, text, at) {
+    if (!handle) return text
+    const bare = `${handle.symbol ? `${handle.symbol} ` : ""}${text ?? ""}${handle.unit}`
+    return handle.covering && this.#hidesUnit(bare, at) ? `${bare} ${handle.covering}` : bare
+  }
+
+  /**
+   * Whether a handle with this text hides the last number of the axis, with which the unit stands.
+   * @param {string} text @param {number} at
+   */
+  #hidesUnit(text, at) {
+    return this.#touches(this.plot.x.ticks.length - 1, text, at)
+  }
+
+  /**
+   * Whether but a part of a number of the axis could be read, because a handle stands on it.
+   * @param {number} i its place
+   */
+  cuts(i) {
+    const {x} = this.plot
+    const isLast = i === x.ticks.length - 1
+    return this.setters
+      .filter(({element: pill, handle}) => handle.axis === "x" && !pill.hidden && (handle.covering || !isLast))
+      .some(pill => this.#touches(i, pill.element.textContent ?? "", clamp(this.#value(pill), x)))
+  }
+
+  /** @param {number} i @param {string} text of a handle @param {number} at */
+  #touches(i, text, at) {
+    const {ticks, labels} = this.plot.x
+    return Math.abs(this.plot.px(ticks[i]) - this.plot.px(at)) < (textWidth(labels[i]) + textWidth(text)) / 2 + 12
+  }
+
+  /** @param {Setter} pill */
+  #value(pill) {
+    const {parameter} = pill.handle
+    const waits = this.plot.page.waiting.get(parameter)
+    const {value} = this.plot.shown.settings[parameter]
+    return toPlace(this.#axis(pill), Number(typeof waits === "number" ? waits : value))
+  }
+
+  /** @param {Pill} pill @param {number} place */
+  #moveTo(pill, place) {
+    const axis = this.#axis(pill)
+    const inside = clamp(place, axis)
+    if (!pill.handle) this.plot.page.clock.seek(inside)
+    else
+      this.plot.page.send({type: "set", values: {[pill.handle.parameter]: settable(axis, inside, pill.handle.least)}})
+  }
+
+  /** @param {PointerEvent} event @param {Pill} pill */
+  #drag(event, pill) {
+    event.preventDefault()
+    pill.element.focus({preventScroll: true})
+    pill.element.setPointerCapture(event.pointerId)
+    const {clock} = this.plot.page
+    const {playing} = clock
+    const move = (/** @type {PointerEvent} */ moved) => this.#moveTo(pill, this.plot.valueAt(moved, pill.handle?.axis))
+    if (isSetter(pill)) this.#hold([pill])
+    else clock.playing = false
+    whileHeld(pill.element, move, () => {
+      if (pill.handle) return this.#release()
+      clock.playing = playing
+      clock.touch()
+    })
+  }
+
+  /** @param {Setter[]} pills */
+  #hold(pills) {
+    const {x, y, square} = this.plot.block
+    const names = square ? [x, y] : pills.map(pill => (pill.handle.axis === "y" ? y : x))
+    this.held = Object.fromEntries(names.map(name => [name, this.plot.view.axes[name]]))
+  }
+
+  #release() {
+    this.held = null
+    this.plot.update(this.plot.shown)
+    this.plot.page.redraw()
+  }
+}
+
+/** @param {Pill} pill @returns {pill is Setter} */
+const isSetter = pill => pill.handle !== null
+
+/**
+ * What the place of a handle stands for: four digits of the unit of the axis, two where it spans many decades.
+ * @param {page.Ruler} ruler @param {number} place @param {number | null} least
+ */
+function settable(ruler, place, least) {
+  const {factor, log, power, start, end} = ruler
+  const isPlain = factor === 1 || log || power > 1
+  const value = isPlain
+    ? toSI(ruler, place).toPrecision(log && end - start > 4 ? 2 : 4)
+    : toSI(ruler, Number(place.toPrecision(4))).toPrecision(15)
+  return Math.max(Number(value), least ?? -Infinity)
+}
+
+/** @param {number} value @param {Span} span */
+const clamp = (value, {start, end}) => Math.min(Math.max(value, start), end)
+
+/** A handle shows three digits of a number that was typed with more. @param {string} text */
+export function brief(text) {
+  return text.length > LONGEST ? three(Number(text.replaceAll(MINUS, "-"))) : text
+}
+
+/**
+ * Follows a pointer that `host` has captured.
+ * @param {HTMLElement} host @param {(event: PointerEvent) => void} move @param {() => void} end
+ */
+export function whileHeld(host, move, end) {
+  host.addEventListener("pointermove", move)
+  const stop = () => {
+    host.removeEventListener("pointermove", move)
+    end()
+  }
+  host.addEventListener("lostpointercapture", stop, {once: true})
+}

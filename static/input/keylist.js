@@ -1,0 +1,43 @@
+// The list of the keys: beside the paper, so that each can be tried while it is read, and pressed as a button.
+
+import {button, chip, element} from "../core/dom.js"
+
+/**
+ * @typedef {{shown: string, does: string}} Key
+ * @typedef {{off: boolean, set: (off: boolean) => void}} Singles whether keys of a single letter act
+ */
+
+/** @template {Key} Known @param {Known[]} keys @param {Singles} singles @param {(key: Known) => void} press */
+export function toggleList(keys, singles, press) {
+  const open = document.querySelector("dialog.keys")
+  if (open) return open.remove()
+  const dialog = element("dialog", {class: "keys", "aria-label": "Keys"})
+  const rows = keys.map(key => row(key, () => press(key)))
+  const close = chip("Close", () => dialog.remove())
+  const head = element("header", {}, element("h2", {}, "Keys"), close)
+  dialog.append(head, element("ul", {}, ...rows, arrows()), choice(singles))
+  document.body.append(dialog)
+  dialog.show()
+  close.focus()
+}
+
+/** @param {Key} key @param {() => void} press */
+function row({shown, does}, press) {
+  return element("li", {}, button({}, press, element("kbd", {}, shown), element("span", {}, does)))
+}
+
+/** They have no deed of their own. */
+const arrows = () =>
+  element(
+    "li",
+    {},
+    element("p", {}, element("kbd", {}, "Arrows"), element("span", {}, "Move the slider or mark that has the focus")),
+  )
+
+/** @param {Singles} singles */
+function choice(singles) {
+  const box = element("input", {type: "checkbox"})
+  box.checked = !singles.off
+  box.addEventListener("change", () => singles.set(!box.checked))
+  return element("label", {class: "singles"}, box, " Single-letter shortcuts on")
+}

@@ -1,0 +1,146 @@
+// Keys that act wherever the focus is, but while something is typed. Each stands in the list that `?` opens, where it
+// is a button too; those of a single letter can be switched off.
+
+import {browserStorage} from "../core/storage.js"
+import {using} from "../later.js"
+import {BEGINS_NUMBER} from "../core/numbers.js"
+
+/**
+ * A key by what the event calls it, as it is shown, what it does in words, and the deed; what matches `own` and has the
+ * focus keeps it for itself; one that is `shared` is heard by others too.
+ * @typedef {(lecture: LectureHost) => void} Act
+ * @typedef {{keys: string[], shown: string, does: string, act: Act, own?: string, shared?: boolean}} Key
+ */
+
+const PRESSED = "button, a, summary, input, select, [role=slider], [role=application]"
+const MOVED = "input, [role=slider], [role=application], [role=menuitem]"
+const OPEN = ".walks[open], .scene-menu[open], .card .follows[open], dialog.keys"
+const OFF = "single-keys"
+
+/** @param {LectureHost} lecture @param {() => void} act on a clock that is not held by a question */
+function timed({page}, act) {
+  if (!page.compare.still && !page.transport.element.inert && !page.transport.element.classList.contains("idle")) act()
+}
+
+/** @param {number} n @returns {Key["act"]} */
+const numbered =
+  n =>
+  ({walks, page}) => {
+    if (walks.walk) walks.walk.choose(n - 1)
+    else page.controls.presets.buttons[n - 1]?.click()
+  }
+
+/** @type {Key[]} */
+export const KEYS = [
+  {keys: [" "], shown: "Space", does: "Play or pause", own: PRESSED, act: l => timed(l, () => l.clock.toggle())},
+  {keys: ["["], shown: "[", does: "Step back in time", act: l => timed(l, () => l.clock.step(-1))},
+  {keys: ["]"], shown: "]", does: "Step forward in time", act: l => timed(l, () => l.clock.step(1))},
+  {keys: ["Home"], shown: "Home", does: "Restart", own: MOVED, act: l => timed(l, () => l.clock.seek(0))},
+  {keys: ["0"], shown: "0", does: "Fit axes, time window and speed", act: l => l.fit()},
+  {
+    keys: ["PageDown"],
+    shown: "Page Down",
+    does: "In a walk: show the answer, then go on",
+    act: l => l.walks.walk?.forward(true),
+  },
+  {keys: ["PageUp"], shown: "Page Up", does: "In a walk: one step back", act: l => l.walks.walk?.back()},
+  ...[1, 2, 3, 4].map(n => ({keys: [`${n}`], shown: `${n}`, does: `Answer ${n}, or preset ${n}`, act: numbered(n)})),
+  {
+    keys: ["h", "H"],
+    shown: "H",
+    does: "Hold: keep these curves for comparison, or release them",
+    act: l => l.page.compare.toggle(),
+  },
+  {keys: ["w", "W"], shown: "W", does: "Choose a walk, or leave it", act: l => l.walks.toggle()},
+  {keys: ["r", "R"], shown: "R", does: "Reveal what is covered", act: l => l.walks.reveal()},
+  {keys: ["c", "C"], shown: "C", does: "Hide the controls, or show them again", act: l => l.hall.fold()},
+  {keys: ["p", "P"], shown: "P", does: "Projector: large type for a lecture hall", act: l => l.hall.toggle()},
+  {keys: ["f", "F"], shown: "F", does: "Full screen", act: l => l.hall.full()},
+  {keys: ["t", "T"], shown: "T", does: "Start a live class", act: l => void (l.classes.led ?? l.classes.begin())},
+  {keys: ["j", "J"], shown: "J", does: "Show the code of the class, large", act: l => l.classes.led?.large.toggle()},
+  {keys: [".", "b", "B"], shown: "B or .", does: "Blank the screen; any key brings it back", act: () => blank()},
+  {keys: ["Escape"], shown: "Esc", does: "Close what is open", act: close, shared: true},
+  {keys: ["?"], shown: "?", does: "Show this list", act: list},
+]
+
+const isLetter = (/** @type {string} */ key) => /^[a-z.]$/i.test(key)
+
+/** Whether keys of a single letter act, as long as the browser remembers. */
+export const singles = {
+  off: false,
+  read() {
+    this.off = browserStorage.text(OFF) === "off"
+  },
+  /** @param {boolean} off */
+  set(off) {
+    this.off = off
+    browserStorage.keepOrSay(OFF, off ? "off" : "on")
+  },
+}
+
+/** @param {LectureHost} lecture */
+export function listen(lecture) {
+  singles.read()
+  document.querySelector("#keys")?.addEventListener("click", () => list(lecture))
+  addEventListener("keydown", event => hear(event, lecture), true)
+}
+
+/**
+ * Page Down and Page Up belong to a walk, and without one to what has the focus.
+ * @param {KeyboardEvent} event @param {LectureHost} lecture
+ */
+function hear(event, lecture) {
+  const black = document.querySelector(".blank")
+  if (black) {
+    // The key that brings the screen back does nothing else.
+    black.remove()
+    event.preventDefault()
+    return event.stopImmediatePropagation()
+  }
+  const known = KEYS.find(({keys}) => keys.includes(event.key))
+  if (!known || !lecture.page || !acts(event, known)) return
+  if (event.key.startsWith("Page") && !lecture.walks.walk) return
+  if (!known.shared) {
+    event.preventDefault()
+    event.stopPropagation()
+  }
+  known.act(lecture)
+}
+
+/** @param {KeyboardEvent} event @param {Key} known */
+function acts(event, {own}) {
+  const {target, key} = event
+  if (event.ctrlKey || event.metaKey || event.altKey) return false
+  if (document.querySelector("dialog:modal") || (singles.off && isLetter(key))) return false
+  if (!(target instanceof HTMLElement)) return true
+  const isTyped = key.length === 1 || key === "Home"
+  if (isTyped && isTyping(target)) return false
+  // A number goes to the field of a slider.
+  return !(BEGINS_NUMBER.test(key) && target.matches("[type=range]")) && !(own && target.matches(own))
+}
+
+/** @param {HTMLElement} target */
+const isTyping = target =>
+  target.isContentEditable || target.matches("input:not([type=range], [type=checkbox]), textarea, select")
+
+function blank() {
+  const black = document.createElement("div")
+  black.className = "blank"
+  black.addEventListener("pointerdown", () => black.remove())
+  document.body.append(black)
+}
+
+/** Menus, the equations of a step, the list of the keys; a walk is left by its own key alone. */
+function close() {
+  for (const open of document.querySelectorAll(OPEN)) {
+    const summary = open.querySelector("summary")
+    if (summary && open.contains(document.activeElement)) summary.focus()
+    if (open instanceof HTMLDetailsElement) open.open = false
+    else open.remove()
+  }
+}
+
+/** @param {LectureHost} lecture */
+function list(lecture) {
+  using("input/keylist", ({toggleList}) => toggleList(KEYS, singles, ({act}) => act(lecture)))
+}

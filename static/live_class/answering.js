@@ -1,0 +1,156 @@
+// The lecture's question on a phone: answered by a touch, changed until the answer is shown.
+
+import {element} from "../core/dom.js"
+import {Card} from "../walks/card.js"
+import {answer, mine} from "./mine.js"
+import {Refusal, ask, pause} from "./room.js"
+
+const SENT = "Sent. You can change it until the answer is shown."
+const MOMENT = 400 // ms without a change until an answer is sent
+const SPREAD = 1500 // ms over which all phones ask what is said of their answers
+
+export class AskedPut {
+  /** @type {page.PutTo | null} */
+  question = null
+
+  /** @type {Card | null} */
+  card = null
+
+  /** @type {page.Given | null} the answer that was sent last */
+  given = null
+
+  /** @type {number | undefined} */
+  timer
+
+  changes = 0
+
+  /** @param {import("./follow.js").Following} following */
+  constructor(following) {
+    this.following = following
+    this.status = element("p", {class: "hint", role: "status"})
+  }
+
+  /** @param {page.PutTo} question */
+  async put(question) {
+    const before = this.question
+    this.question = question
+    const same = before && nameOf(before) === nameOf(question) && isSame(before.card, question.card)
+    if (!question.step) this.#leave()
+    else if (!same || !this.card) await this.#lay()
+    if (this.card && question.lesson) await this.#teach(question.lesson)
+  }
+
+  /** A picture of another scene has no card yet. @param {Drawn} shown */
+  shown(shown) {
+    if (this.card && this.card.page === this.following.page) this.card.update(shown)
+    else if (this.question?.step) this.put(this.question)
+  }
+
+  async #lay() {
+    const question = /** @type {page.PutTo} */ (this.question)
+    this.#leave()
+    const {page, shown} = this.following
+    // Its plot may not be there before the picture that belongs to it.
+    if (!page || !question.card || shown.state.scene !== question.card.opens.scene) return
+    this.card = new Card(this.#walk(question.card, question.place), page)
+    this.card.question.element.after(this.status)
+    const {changed} = this.card.question
+    this.card.question.changed = () => {
+      changed()
+      this.changes++
+      clearTimeout(this.timer)
+      this.status.textContent = ""
+      this.timer = setTimeout(() => this.#send(), MOMENT)
+    }
+    this.status.textContent = ""
+    this.#restore()
+    page.redraw() // plots have made way for it
+  }
+
+  /** A phone goes nowhere by itself. @param {page.StepCard} step @param {string} where @returns {WalkHost} */
+  #walk(step, where) {
+    const [sheet, answers] = [{steps: [step]}, {of: () => null}]
+    const own = {sheet, place: 0, where, step: {...step, controls: []}, answers, before: null, lesson: null}
+    return {...own, unfolded: false, show: () => this.#send(), forward: none, back: none, again: none, open: none}
+  }
+
+  get #name() {
+    return nameOf(/** @type {page.PutTo} */ (this.question))
+  }
+
+  /** @returns {page.Given | null} */
+  #vote() {
+    const {walk, step, vote} = /** @type {page.PutTo} */ (this.question)
+    const given = this.card?.question.given()
+    if (!given) return null
+    return {walk, step, vote, ...given}
+  }
+
+  /** What is sent, one after the other: an answer never takes the place of a newer one. @type {Promise<unknown>} */
+  sending = Promise.resolve()
+
+  #send() {
+    this.sending = this.sending.then(() => this.#sendNow()).catch(error => console.warn(error))
+  }
+
+  async #sendNow() {
+    const vote = this.question?.lesson ? null : this.#vote()
+    if (!vote) return
+    const {changes, card} = this
+    try {
+      await ask(`${this.following.code}/answer`, {method: "PUT", body: vote, word: this.following.token})
+      answer(this.following.code, nameOf(vote), vote)
+      if (card !== this.card) return // the lecture has gone on
+      this.given = vote
+      if (card?.walk.lesson) return
+      if (changes === this.changes) this.status.textContent = SENT
+    } catch (reason) {
+      if (!(reason instanceof Refusal)) throw reason
+      if (card !== this.card || card?.walk.lesson) return
+      this.status.textContent = reason.status ? reason.message : "Not sent yet; trying again."
+      if (reason.passes) this.timer = setTimeout(() => this.#send(), 2000)
+    }
+  }
+
+  /** What was answered before the page was loaded anew. */
+  #restore() {
+    this.given = mine(this.following.code)?.answers[this.#name] ?? null
+    if (!this.given) return
+    this.card?.question.restore(this.given)
+    clearTimeout(this.timer)
+    this.status.textContent = SENT
+  }
+
+  /** @param {page.Lesson} lesson what it teaches everybody; of one's own answer the server says more */
+  async #teach(lesson) {
+    const {card} = this
+    clearTimeout(this.timer)
+    this.status.textContent = ""
+    if (!card || card.walk.lesson) return
+    card.walk.lesson = lesson
+    await Promise.race([this.sending, pause(SPREAD)]) // of an answer that is on its way
+    if (card !== this.card) return // the lecture has gone on
+    const {given} = this
+    if (!given) return card.teach(lesson)
+    await pause(Math.random() * SPREAD)
+    if (card !== this.card) return
+    const {code, token} = this.following
+    const taught = await ask(`${code}/answer`, {method: "POST", body: given, word: token}).catch(() => null)
+    if (card === this.card) card.teach(taught?.lesson ?? lesson)
+  }
+
+  #leave() {
+    clearTimeout(this.timer)
+    this.card?.leave()
+    this.card?.page.redraw()
+    this.card = null
+  }
+}
+
+const none = () => {}
+
+/** @param {{walk: string, step: string, vote?: number}} question or answer */
+const nameOf = ({walk, step, vote}) => `${walk}/${step}/${vote}`
+
+/** @param {unknown} one @param {unknown} other */
+const isSame = (one, other) => JSON.stringify(one) === JSON.stringify(other)

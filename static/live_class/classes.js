@@ -1,0 +1,56 @@
+// The live class as an ordinary page knows it: one is opened or joined here; what it is made of is fetched then.
+
+import {later} from "../later.js"
+import {inWords} from "../core/notes.js"
+import {tabStorage} from "../core/storage.js"
+
+const LEFT = "class-left" // where a follower is kept who looks around on their own
+const LED = "class-room"
+
+export class Classes {
+  /** @type {import("./teach.js").Teach | null} the class that this page leads */
+  led = null
+
+  /** @param {LectureHost} lecture */
+  constructor(lecture) {
+    this.lecture = lecture
+    const form = document.querySelector(".class-join")
+    form?.addEventListener("submit", event => {
+      event.preventDefault()
+      const code = /** @type {HTMLInputElement} */ (form.querySelector("input")).value
+      location.assign(`./?class=${encodeURIComponent(code)}`)
+    })
+  }
+
+  /** Opens a class, or comes back to the one that this browser leads; shows its code where there is one. */
+  async begin() {
+    if (this.led) return this.led.large.toggle()
+    if (this.opening) return
+    this.opening = true
+    try {
+      const {teach} = await later("live_class/teach")
+      this.led = await teach(this.lecture)
+    } catch (reason) {
+      this.lecture.page.notice.tell(inWords(reason))
+    }
+    this.opening = false
+  }
+
+  opening = false // one class, however often the key is pressed
+
+  /** Another connection: its session learns of the class too. */
+  connected() {
+    if (this.led) this.led.lead()
+    else if (!this.asked) this.#kept()
+    this.asked = true
+  }
+
+  asked = false
+
+  /** A tab that leads a class goes on with it; one of a follower on their own knows the way back. */
+  async #kept() {
+    if (tabStorage.text(LED)) await this.begin()
+    const left = tabStorage.text(LEFT)
+    if (left) (await later("live_class/own")).ownWay(left)
+  }
+}

@@ -1,0 +1,37 @@
+// The corner of the hall's screen: where the class is joined, its code, a QR code for the first rows, who is here.
+
+import {button, element, marked} from "../core/dom.js"
+
+export class Corner {
+  /** @param {page.Opened} room @param {() => void} press */
+  constructor({address, code, square}, press) {
+    this.state = element("span", {})
+    const words = element("span", {class: "corner-words"}, element("span", {class: "at"}, place(address)))
+    words.append(element("b", {}, code), this.state)
+    this.element = button({class: "class-corner", title: "Join code, large (J)"}, press, words)
+    this.element.append(marked("span", {class: "class-square", "aria-hidden": "true"}, square))
+  }
+
+  /** Beside the scene that stands. @param {HTMLElement} root of its page */
+  stand(root) {
+    if (this.element.parentElement === root) return
+    root.append(this.element)
+    root.classList.add("led")
+  }
+
+  /** @param {string} state */
+  say(state) {
+    this.state.textContent = state
+  }
+
+  leave() {
+    this.element.parentElement?.classList.remove("led")
+    this.element.remove()
+  }
+}
+
+/** As it is typed. @param {string} address */
+export function place(address) {
+  const {host, pathname} = new URL(address)
+  return `${host}${pathname}`.replace(/\/$/, "")
+}

@@ -1,0 +1,205 @@
+// The page of who follows a class: the instructor's messages, drawn by the same modules, without a session.
+
+import {unpacked} from "../net/columns.js"
+import {element, frame} from "../core/dom.js"
+import {inWords} from "../core/notes.js"
+import {Page, extrasFor} from "../paper/page.js"
+import {Sheets} from "../net/sheets.js"
+import {tabStorage} from "../core/storage.js"
+import {turnTheme} from "../shell/theme.js"
+import {AskedPut} from "./answering.js"
+import {Bar} from "./followbar.js"
+import {enter, forget, mine} from "./mine.js"
+import {Refusal, ask} from "./room.js"
+import {Stream} from "./stream.js"
+import {Timing} from "./timing.js"
+
+const PATIENCE = 10000 // ms for a sheet
+const RENEWED = "class-renewed" // when a page of another version was last loaded anew
+const PAUSE = 10000 // ms until it may be once more
+const AGAIN = 500 // ms until it is fetched again
+const OVER = "The class is over. Thank you for coming."
+
+/** @implements {PageHost} */
+export class Following {
+  /** @type {Page} */
+  page
+
+  /** @type {Drawn} */
+  shown
+
+  /** @type {Partial<page.News>} all that has been told, the newest of each */
+  news = {}
+
+  sheets = new Sheets(PATIENCE)
+
+  /** @type {Promise<unknown>} */
+  turning = Promise.resolve()
+
+  // Here nothing is set.
+  hall = {on: false, ending: ""}
+  line = {send() {}, last: 0, rests: true}
+  send() {}
+  take() {}
+  open() {}
+  change() {}
+  fit() {}
+
+  /** @param {string} code @param {string} token */
+  constructor(code, token) {
+    this.code = code
+    this.token = token
+    this.host = /** @type {HTMLElement} */ (document.getElementById("app"))
+    this.timing = new Timing(() => this.bar?.update())
+    this.bar = new Bar(this)
+    this.asked = new AskedPut(this)
+    this.stream = new Stream(code, token, {
+      news: news => this.#hear(news),
+      refused: refusal => this.#over(this.news.number ? OVER : refusal.message),
+      connected: (is, why) => this.bar.connected(is, why),
+      outdated,
+    })
+  }
+
+  get clock() {
+    return this.page.clock
+  }
+  get plots() {
+    return this.page.plots
+  }
+
+  /** @param {Partial<page.News>} news */
+  #hear(news) {
+    if (news.ended) return this.#over(OVER)
+    Object.assign(this.news, news)
+    this.bar.update()
+    if (news.picture) this.#next(() => this.#show(/** @type {page.SentPicture} */ (news.picture)))
+    if (news.clock) this.#run()
+    if (news.question) this.#next(() => this.asked.put(/** @type {page.PutTo} */ (news.question)))
+  }
+
+  /** @param {() => Promise<void>} act */
+  #next(act) {
+    this.turning = this.turning.then(act).catch(error => console.warn(error))
+  }
+
+  /** Draws a picture, unless a newer one has overtaken it. @param {page.SentPicture} picture */
+  async #show(picture) {
+    if (picture !== this.news.picture) return
+    const sheet = await this.sheets.fetch(picture.sheet).catch(() => null)
+    if (!sheet) return void setTimeout(() => this.#next(() => this.#show(picture)), AGAIN)
+    const {usual} = sheet
+    const bytes = Uint8Array.from(atob(String(picture.data)), sign => sign.charCodeAt(0))
+    const told = await unpacked(bytes.buffer, usual)
+    if (told.type !== "shown") return
+    this.shown = told
+    if (told.scene === this.page?.spec.slug) this.page.apply(told)
+    else await this.#turn(told)
+    this.asked.shown(told)
+    this.bar.update()
+  }
+
+  /** @param {Drawn} shown */
+  async #turn(shown) {
+    document.documentElement.dataset.ready = "false"
+    const sheet = await this.sheets.fetch(shown.sheet)
+    const page = new Page(sheet, await extrasFor(sheet), this)
+    this.page?.leave()
+    this.host.replaceChildren(page.root)
+    this.page = page
+    page.start(shown)
+    for (const part of page.root.querySelectorAll(".transport, .handles, .grips, .seg")) part.setAttribute("inert", "")
+    document.title = `${sheet.headline} – Oscillations`
+    const place = document.querySelector(".class-place")
+    if (place) place.textContent = sheet.title
+    this.#run()
+    await frame()
+    await page.join().catch(error => console.warn(error))
+    document.documentElement.dataset.ready = "true"
+  }
+
+  /** The instructor's clock; who asked for less motion sees where it was set to. */
+  #run() {
+    const {clock} = this.news
+    if (!clock || !this.page) return
+    const {t, rate, end, at} = clock
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches
+    this.page.clock.follow(rate > 0, () => {
+      const now = t + (still ? 0 : (rate * (this.timing.now - at)) / 1000)
+      return now > end ? now % end : Math.max(now, 0)
+    })
+  }
+
+  /** @param {string} sentence */
+  #over(sentence) {
+    this.stream?.close()
+    this.bar.over()
+    this.page?.leave()
+    forget(this.code)
+    const again = element("a", {class: "chip", href: "./"}, "Look around on your own")
+    this.host.replaceChildren(
+      element("main", {class: "class-wait", role: "status"}, element("h1", {}, sentence), again),
+    )
+  }
+}
+
+/** The server has another version of this page. For a while there may be servers of both: no haste to ask again. */
+function outdated() {
+  const last = Number(tabStorage.text(RENEWED))
+  setTimeout(
+    () => {
+      // A browser that keeps nothing would load without end.
+      if (tabStorage.keep(RENEWED, Date.now())) location.reload()
+    },
+    last + PAUSE - Date.now(),
+  )
+}
+
+/** The token that this browser keeps, or a new one. @param {string} typed @param {string} word of the QR code */
+async function entered(typed, word) {
+  const code = typed.toUpperCase().replace(/[\s-]/g, "")
+  const token = mine(code)?.token
+  if (token) return {code, token}
+  const found = await ask(`${encodeURIComponent(code)}/token`, {method: "POST", word})
+  enter(found.code, found.token)
+  return found
+}
+
+async function begin() {
+  const query = new URLSearchParams(location.search)
+  const typed = query.get("class") ?? ""
+  theme()
+  if (query.has("remote")) {
+    const {control} = await import("./remote.js")
+    return control(typed, query.get("remote") ?? "")
+  }
+  try {
+    if (!/^[\s-]*([0-9a-z][\s-]*){4}$/i.test(typed)) throw new Refusal("A code has four letters and digits.", 404)
+    const {code, token} = await entered(typed, query.get("join") ?? "")
+    globalThis.oscillations = new Following(code, token)
+  } catch (reason) {
+    wait(inWords(reason))
+  }
+}
+
+/** A field for another code. @param {string} sentence */
+function wait(sentence) {
+  const field = element("input", {name: "class", "aria-label": "Code of the class", autocapitalize: "characters",
+    autocomplete: "off", maxlength: 8, required: ""}) // prettier-ignore
+  const form = element("form", {}, field, element("button", {class: "act filled"}, "Join"))
+  form.addEventListener("submit", event => {
+    event.preventDefault()
+    location.assign(`./?class=${encodeURIComponent(field.value)}`)
+  })
+  document.querySelector(".class-wait")?.replaceChildren(element("h1", {}, sentence), form)
+  field.focus()
+}
+
+function theme() {
+  document.querySelector("#theme")?.addEventListener("click", () => {
+    turnTheme()
+    globalThis.oscillations?.page?.theme()
+  })
+}
+
+begin()

@@ -1,0 +1,60 @@
+// The bars around a follower's picture: where the lecture is, whether it is heard, and the way to look around.
+
+import {element} from "../core/dom.js"
+import {tabStorage} from "../core/storage.js"
+
+export class Bar {
+  away = false
+  why = ""
+
+  /** @param {import("./follow.js").Following} following */
+  constructor(following) {
+    this.following = following
+    this.element = /** @type {HTMLElement} */ (document.querySelector(".class-bar"))
+    this.here = /** @type {HTMLElement} */ (document.querySelector(".class-here"))
+    this.state = element("b", {}, "Following")
+    this.within = element("span", {class: "within"})
+    this.line = element("span", {})
+    this.own = element("a", {class: "act", href: "./"}, "Look around on your own")
+    this.own.addEventListener("click", () => this.#leave())
+    this.element.append(
+      element("div", {}, element("div", {role: "status"}, this.state, this.line), this.within),
+      this.own,
+    )
+  }
+
+  /** @param {boolean} is @param {string} why not, where the server says so */
+  connected(is, why = "") {
+    if (this.away === !is && this.why === why) return
+    this.away = !is
+    this.why = why
+    const coming = document.querySelector(".class-wait h1")
+    if (coming && why) coming.textContent = why
+    this.update()
+  }
+
+  update() {
+    const {news, shown, code} = this.following
+    const {bound} = this.following.timing
+    this.state.textContent = this.away ? "Not connected" : "Following"
+    this.within.textContent =
+      this.away || bound === Infinity ? "" : `clock within ${Math.ceil(bound)} ms of the lecture`
+    const behind = news.lost ? "The lecturer's page is not connected; this is what it showed last." : ""
+    const calm = news.question?.place || "the lecture"
+    this.line.textContent = this.away
+      ? this.why || "The picture still plays; the connection comes back by itself."
+      : behind || calm
+    this.here.textContent = [code, news.here ? `${news.here} here` : ""].filter(Boolean).join(", ")
+    if (shown) this.own.href = `./?${shown.query}`
+  }
+
+  /** The page that opens knows the way back. */
+  #leave() {
+    tabStorage.keep("class-left", this.following.code)
+  }
+
+  over() {
+    this.element.replaceChildren()
+    this.here.textContent = ""
+  }
+}

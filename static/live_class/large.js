@@ -1,0 +1,152 @@
+// The code and its QR over the whole page, for the last row; and what else an instructor may want of the class.
+
+import {button, chip, element, marked} from "../core/dom.js"
+import {inWords} from "../core/notes.js"
+import {save} from "../export/save.js"
+import {place} from "./corner.js"
+import {ask, asked} from "./room.js"
+
+const PATIENCE = 60000 // ms for the answers of a whole lecture
+
+export class Large {
+  /** @type {HTMLDialogElement | null} */
+  dialog = null
+
+  /** @type {HTMLElement | null} how many are here */
+  here = null
+
+  /** The digits of remote controls that wait to be let in. @type {string[]} */
+  remotes = []
+
+  asking = element("div", {class: "class-asking", role: "status"}) // whether they are
+
+  said = element("p", {class: "done", role: "status"})
+
+  ends = false // a second press of the button ends the class
+
+  /** @param {import("./teach.js").Teach} teach */
+  constructor(teach) {
+    this.teach = teach
+  }
+
+  toggle() {
+    if (this.dialog) this.close()
+    else this.open()
+  }
+
+  close() {
+    this.dialog?.remove()
+    this.dialog = null
+  }
+
+  open() {
+    const {room, news} = this.teach
+    this.here = element("b", {})
+    const square = marked("div", {class: "class-square", role: "img", "aria-label": "QR code"}, room.square)
+    const words = element(
+      "div",
+      {class: "class-words"},
+      element("span", {}, "Join at"),
+      element("b", {class: "at"}, place(room.address)),
+      element("span", {}, "with the code"),
+      element("b", {class: "code"}, room.code),
+    )
+    words.append(element("p", {}, this.here, " here"))
+    this.#say("done", "")
+    const tools = element("div", {class: "class-tools"}, this.asking, this.said, ...this.#tools())
+    this.dialog = element("dialog", {class: "class-large", "aria-label": "Join the class"}, square, words, tools)
+    this.dialog.addEventListener("keydown", event => {
+      if (event.key === "Escape") this.close()
+    })
+    document.body.append(this.dialog)
+    this.dialog.show()
+    this.say(news.here ?? 0)
+    const [close] = [...tools.querySelectorAll("button")].slice(-1)
+    close?.focus()
+  }
+
+  #tools() {
+    const deeds = /** @type {[string, () => void][]} */ ([
+      ["Remote control", () => this.#try(() => this.#remote())],
+      ["Answers as CSV", () => this.#try(() => this.#csv())],
+      ["End the class", () => this.#end()],
+    ])
+    const chips = deeds.map(([name, act]) => chip(name, act))
+    return [...chips, button({class: "act filled"}, () => this.close(), "Close (J)")]
+  }
+
+  /** @param {number} here */
+  say(here) {
+    if (this.here) this.here.textContent = String(here)
+  }
+
+  /** A second press ends it. */
+  #end() {
+    if (this.ends) return this.teach.end()
+    this.#say("problem", "Press again to end the class: the code and all answers are deleted.")
+    this.ends = true
+  }
+
+  /** @param {"done" | "problem"} kind @param {string} sentence */
+  #say(kind, sentence) {
+    this.ends = false
+    this.said.className = kind
+    this.said.textContent = sentence
+  }
+
+  /** What cannot be done is said. @param {() => Promise<void>} act */
+  async #try(act) {
+    try {
+      this.#say("done", "")
+      await act()
+    } catch (reason) {
+      this.#say("problem", inWords(reason))
+    }
+  }
+
+  async #csv() {
+    const {code, key} = this.teach.room
+    const answer = await asked(`${code}/answers.csv`, {word: key, signal: AbortSignal.timeout(PATIENCE)})
+    save(`class-${code}.csv`, await answer.blob(), "text/csv")
+  }
+
+  /** A code that lets one phone in, within a minute. */
+  async #remote() {
+    const {dialog} = this
+    const {code, key} = this.teach.room
+    const ticket = await ask(`${code}/tickets`, {method: "POST", word: key})
+    const square = this.dialog?.querySelector(".class-square")
+    if (!square || dialog !== this.dialog) return // it was closed meanwhile
+    square.innerHTML = ticket.square
+    square.setAttribute("aria-label", "QR code of the remote control")
+    const words = element("div", {class: "class-words"}, element("b", {class: "at"}, "A remote control"))
+    words.append(element("span", {}, "Scan it with one phone within a minute, then confirm its two digits here."))
+    this.dialog?.querySelector(".class-words")?.replaceWith(words)
+  }
+
+  /** Phones wait that show these digits: of a new one this is asked at once. @param {string[]} digits all that wait */
+  wait(digits) {
+    const isNew = digits.some(each => !this.remotes.includes(each))
+    this.remotes = digits
+    this.asking.replaceChildren(...digits.map(each => this.#question(each)))
+    if (isNew && !this.dialog) this.open()
+  }
+
+  /** @param {string} digits */
+  #question(digits) {
+    const {code, key} = this.teach.room
+    const decide = (/** @type {string} */ method, /** @type {string} */ done) =>
+      this.#try(async () => {
+        await ask(`${code}/tickets`, {method, body: {digits}, word: key})
+        this.#say("done", done)
+      })
+    const yes = button(
+      {class: "act filled"},
+      () => decide("PUT", "The remote control is connected."),
+      "Yes, connect it",
+    )
+    const no = button({class: "act"}, () => decide("DELETE", "The phone was turned away."), "No")
+    const words = element("span", {}, "Does the phone in your hand show ", element("b", {}, digits), "?")
+    return element("p", {}, words, yes, no)
+  }
+}

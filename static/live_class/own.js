@@ -1,0 +1,32 @@
+// A follower who looks around on their own: the bar that leads back to the lecture, and says when it asks.
+
+import {element} from "../core/dom.js"
+import {tabStorage} from "../core/storage.js"
+import {forget, mine} from "./mine.js"
+import {Stream} from "./stream.js"
+
+/** @param {string} code */
+export function ownWay(code) {
+  const token = mine(code)?.token
+  if (!token) return
+  const line = element("span", {role: "status"}, code)
+  const back = element("a", {class: "act filled", href: `./?class=${code}`}, "Back to the lecture")
+  back.addEventListener("click", () => tabStorage.forget("class-left"))
+  const bar = element("footer", {class: "class-bar"})
+  bar.append(element("div", {}, element("b", {}, "On your own"), line), back)
+  document.body.append(bar)
+  const over = () => {
+    stream.close()
+    bar.remove()
+    forget(code)
+  }
+  const stream = new Stream(code, token, {
+    news: ({question, ended}) => {
+      if (question)
+        line.textContent = question.step && !question.lesson ? `a question is open: ${question.place}` : code
+      if (ended) over()
+    },
+    refused: () => over(),
+    connected: () => {},
+  })
+}

@@ -1,0 +1,115 @@
+// A phone as the instructor's remote control: let in by the first screen, then two large buttons.
+
+import {button, element} from "../core/dom.js"
+import {inWords} from "../core/notes.js"
+import {tabStorage} from "../core/storage.js"
+import {DOUBTS, Refusal, ask, pause} from "./room.js"
+
+const ASKING = 1000 // ms between looks whether it is in, and at which step the lecture is
+
+/** @param {string} code @param {string} ticket */
+export async function control(code, ticket) {
+  const host = /** @type {HTMLElement} */ (document.querySelector(".class-wait"))
+  host.classList.add("class-remote")
+  try {
+    const paired = await pairedWith(code, ticket, why => host.replaceChildren(element("h1", {}, why)))
+    history.replaceState(null, "", location.search)
+    const remote = new Remote(host, code, paired)
+    remote.begin()
+  } catch (reason) {
+    host.replaceChildren(element("h1", {}, inWords(reason)))
+  }
+}
+
+/**
+ * A page that is loaded anew has its key still.
+ * @param {string} code @param {string} ticket @param {(why: string) => void} say @returns {Promise<page.Paired>}
+ */
+async function pairedWith(code, ticket, say) {
+  const name = `remote-${code}-${ticket}`
+  const kept = /** @type {page.Paired | null} */ (tabStorage.value(name))
+  if (kept) return kept
+  const paired = await untilAnswered(() => ask(`${code}/remote`, {method: "PUT", body: {address: ticket}}), say)
+  tabStorage.keep(name, paired)
+  return paired
+}
+
+/**
+ * What is refused for a moment only is asked once more.
+ * @template Answer @param {() => Promise<Answer>} question @param {(why: string) => void} say
+ * @returns {Promise<Answer>}
+ */
+async function untilAnswered(question, say) {
+  try {
+    return await question()
+  } catch (reason) {
+    if (!(reason instanceof Refusal && reason.passes)) throw reason
+    say(reason.message)
+  }
+  await pause(ASKING)
+  return untilAnswered(question, say)
+}
+
+class Remote {
+  /** @param {HTMLElement} host @param {string} code @param {page.Paired} paired */
+  constructor(host, code, paired) {
+    this.host = host
+    this.code = code
+    this.paired = paired
+    this.state = element("p", {role: "status"})
+    this.host.replaceChildren(
+      element("h1", {class: "digits"}, paired.digits),
+      element("p", {}, "Confirm on the lecturer's screen: it shows these two digits."),
+    )
+  }
+
+  isIn = false
+  over = false
+  doubts = 0
+
+  begin() {
+    this.#look()
+  }
+
+  async #look() {
+    const {code, paired} = this
+    const question = await ask(`${code}/remote`, {word: paired.key}).catch(reason => this.#failed(reason))
+    if (this.over) return
+    if (question !== undefined) this.doubts = 0
+    if (question === null) this.state.textContent = "" // it waits
+    if (question && !this.isIn) this.#enter()
+    if (question) this.state.textContent = question.place || "No question is open now."
+    setTimeout(() => this.#look(), ASKING)
+  }
+
+  #enter() {
+    this.isIn = true
+    const deeds = /** @type {[string, page.Done["deed"]][]} */ ([
+      ["Next", "next"], ["Back", "back"], ["Show the answer", "show"], ["Close the QR code", "close"],
+    ]) // prettier-ignore
+    const buttons = deeds.map(([name, deed]) =>
+      button({class: deed === "next" ? "act filled" : "act"}, () => this.#do(deed), name),
+    )
+    this.host.replaceChildren(this.state, element("div", {class: "remote-deeds"}, ...buttons))
+  }
+
+  /** Presses, one after the other. @type {Promise<unknown>} */
+  deeds = Promise.resolve()
+
+  /** @param {page.Done["deed"]} deed */
+  #do(deed) {
+    const {code, paired} = this
+    this.deeds = this.deeds
+      .then(() => ask(`${code}/remote`, {method: "POST", body: {deed}, word: paired.key}))
+      .catch(reason => this.#failed(reason))
+  }
+
+  /** @param {unknown} reason */
+  #failed(reason) {
+    const isGone = reason instanceof Refusal && reason.status === 404
+    this.over = isGone && this.doubts++ >= DOUBTS
+    if (this.over) this.host.replaceChildren(element("h1", {}, "The class is over."))
+    this.state.textContent = reason instanceof Refusal ? reason.message : String(reason)
+    if (!this.isIn && !this.over) this.host.append(this.state)
+  }
+}

@@ -1,0 +1,274 @@
+// The instructor's side of a live class: what this page shows, how its clock runs and what it asks goes to the hall.
+
+import {button, chip, element} from "../core/dom.js"
+import {inWords} from "../core/notes.js"
+import {browserStorage, tabStorage} from "../core/storage.js"
+import {Corner} from "./corner.js"
+import {Large} from "./large.js"
+import {Refusal, ask, pause} from "./room.js"
+import {Stream} from "./stream.js"
+import {Timing} from "./timing.js"
+import {Votes} from "./votes.js"
+
+const LOOK = 50 // ms between looks at the clock
+const OFF = 0.04 // s by which followers may be off before they are told anew
+const AGAIN = 1000 // ms until an order is sent again
+const KEPT = "class-room"
+
+/** @typedef {import("../walks/walk.js").Walk} Walk */
+
+export class Teach {
+  /** @type {Partial<page.News>} */
+  news = {}
+
+  /** @type {page.RunClock | null} what followers were told of the clock */
+  told = null
+
+  /** @type {string} the question that followers have, as it is named here */
+  put = ""
+
+  /** @type {page.WalkSheet | undefined} its walk: one that is read from its file anew is another */
+  sheet
+
+  away = false
+  isOver = false
+  looking = 0
+
+  /** Orders to the room, one after the other. @type {Promise<unknown>} */
+  orders = Promise.resolve()
+
+  /** @param {LectureHost} lecture @param {page.Opened} room */
+  constructor(lecture, room) {
+    this.lecture = lecture
+    this.room = room
+    this.timing = new Timing()
+    this.votes = new Votes(this)
+    this.large = new Large(this)
+    this.corner = new Corner(room, () => this.large.toggle())
+    this.sign = button({class: "class-code", title: "Join code, large (J)"}, () => this.large.toggle())
+    document.querySelector("#keys")?.before(this.sign)
+    document.documentElement.dataset.class = room.code
+    this.stream = new Stream(room.code, room.key, {
+      news: news => this.#hear(news),
+      refused: refusal => this.#over(refusal.message),
+      connected: is => this.#connected(is),
+    })
+    this.looking = setInterval(() => this.#look(), LOOK)
+    this.lead()
+    this.say()
+  }
+
+  /** The session that is there now shows what it shows to all. */
+  lead() {
+    this.lecture.line.send({type: "lead", code: this.room.code, key: this.room.key})
+  }
+
+  /** @param {boolean} is */
+  #connected(is) {
+    this.away = !is
+    this.say()
+  }
+
+  say() {
+    const {here = 0, lost} = this.news
+    const state = this.away || lost ? "not connected" : `${here} here`
+    this.sign.replaceChildren(element("b", {}, this.room.code), element("span", {role: "status"}, state))
+    this.corner.say(state)
+    this.large.say(here ?? 0)
+  }
+
+  /** @param {Partial<page.News>} news */
+  #hear(news) {
+    if (news.ended) return this.#over("The class is over.")
+    const isFirst = !this.news.number
+    const wasShown = this.news.question?.lesson
+    Object.assign(this.news, news)
+    this.say()
+    if (isFirst && this.lecture.walks.walk) this.walked(this.lecture.walks.walk)
+    const {walk} = this.lecture.walks
+    // By another window of the instructor's.
+    if (news.question?.lesson && !wasShown && !isFirst && walk?.card && !walk.lesson && this.#isAsked(walk))
+      walk.show(true)
+    if (news.answers || news.question || news.lost === false) this.votes.count()
+    else if (news.here !== undefined) this.votes.update()
+    if (news.remotes) this.large.wait(news.remotes)
+    if (news.deed) this.#obey(news.deed)
+  }
+
+  /** Does what the remote control asks for. @param {page.News["deed"]} deed */
+  #obey(deed) {
+    const {walk} = this.lecture.walks
+    if (deed === "close") this.large.close()
+    else if (deed === "back") walk?.back()
+    else if (deed === "next") walk?.forward(true)
+    else if (deed === "show" && walk && !walk.lesson) walk.show(true)
+  }
+
+  /** Whether it was done. @param {page.Order} order @returns {Promise<boolean>} */
+  order(order) {
+    const done = this.orders.then(() => this.#sent(order))
+    this.orders = done
+    return done
+  }
+
+  /**
+   * Nothing overtakes it: what nobody answers is asked until somebody does.
+   * @param {page.Order} order @returns {Promise<boolean>}
+   */
+  async #sent(order) {
+    const {code, key} = this.room
+    if (this.isOver || (order.type === "clock" && order !== this.told)) return false // the clock has been told anew
+    try {
+      await ask(`${code}/lead`, {method: "POST", body: order, word: key})
+      return true
+    } catch (reason) {
+      if (order.type !== "clock" && !(reason instanceof Refusal && reason.passes)) {
+        this.lecture.page.notice.tell(inWords(reason))
+        return false
+      }
+    }
+    await pause(AGAIN)
+    if (order.type !== "clock") return this.#sent(order)
+    if (order === this.told) this.told = null // it is told as it stands by now
+    return false
+  }
+
+  /** Where followers would see another instant than this page, they are told. */
+  #look() {
+    this.corner.stand(this.lecture.page.root)
+    if (this.timing.bound === Infinity) return
+    const {clock} = this.lecture
+    const now = this.timing.now
+    const rate = clock.playing && clock.running ? clock.factor / clock.unit : 0
+    const {told} = this
+    const expected = told ? (told.t + (told.rate * (now - told.at)) / 1000) % (told.end || 1) : NaN
+    const off = Math.abs(expected - clock.t)
+    const apart = Math.min(off, Math.abs(clock.end - off))
+    const slack = rate ? OFF * rate : 1e-9 * clock.end
+    if (told && told.rate === rate && told.end === clock.end && apart <= slack) return
+    this.told = {type: "clock", t: clock.t, rate, end: clock.end, at: now}
+    this.order(this.told)
+  }
+
+  /** After whatever happens in a walk; null when it is left. @param {Walk | null} walk */
+  walked(walk) {
+    if (!this.news.number) return // it is not known yet what has been asked
+    if (nameOf(walk) !== this.put || (walk && walk.sheet !== this.sheet)) {
+      const isShown = this.#isShown(walk)
+      this.put = nameOf(walk)
+      this.sheet = walk?.sheet
+      this.votes.begin(walk)
+      if (walk && isShown) walk.show(true)
+      else if (walk?.step) this.#put(walk)
+      else this.order({type: "withdraw"})
+    } else if (walk?.card && this.votes.card !== walk.card) this.votes.begin(walk)
+    if (walk?.lesson && !this.shown) {
+      this.shown = true
+      this.order({type: "show"})
+      this.votes.open()
+    } else if (!walk?.lesson) this.shown = false
+    this.votes.update()
+  }
+
+  shown = false
+
+  /** Whether the class has seen the answer: a page loaded anew does not ask once more. @param {Walk | null} walk */
+  #isShown(walk) {
+    return !this.sheet && this.news.question?.lesson && this.#isAsked(walk)
+  }
+
+  /** @param {Walk | null} walk */
+  #isAsked(walk) {
+    const {question} = this.news
+    return nameOf(walk) === `${question?.walk}/${question?.step}`
+  }
+
+  /** The room must know a walk from a file before it can be asked of phones. @param {Walk} walk */
+  async #put({sheet: {name}, step, walks: {own, texts}}) {
+    const {put} = this
+    if (own.has(name) && !(await this.order({type: "walk", name, text: texts[name]}))) return
+    if (put === this.put) this.order({type: "put", walk: name, step: step.id, vote: 0})
+  }
+
+  /** Puts the question once more, after talk. */
+  again() {
+    const {walk} = this.lecture.walks
+    if (!walk?.step) return
+    const vote = (this.news.question?.vote ?? 1) + 1
+    this.order({type: "put", walk: walk.sheet.name, step: walk.step.id, vote}).then(() => this.votes.count())
+  }
+
+  end() {
+    clearInterval(this.looking) // nothing more is said to a class that is over
+    this.order({type: "end"})
+  }
+
+  /** @param {string} sentence */
+  #over(sentence) {
+    this.isOver = true
+    this.stream.close()
+    clearInterval(this.looking)
+    this.large.close()
+    this.votes.leave()
+    this.sign.remove()
+    this.corner.leave()
+    delete document.documentElement.dataset.class
+    forget()
+    this.lecture.classes.led = null
+    this.lecture.line.send({type: "lead", code: "", key: ""})
+    this.lecture.page.notice.tell(sentence)
+  }
+}
+
+/** The question that a walk stands at. @param {Walk | null} walk */
+const nameOf = walk => (walk?.step ? `${walk.sheet.name}/${walk.step.id}` : "")
+
+function forget() {
+  browserStorage.forget(KEPT)
+  tabStorage.forget(KEPT)
+}
+
+/** The room that this browser has the key of, or a new one. @param {LectureHost} lecture */
+export async function teach(lecture) {
+  const room = (await kept()) ?? (await opened())
+  browserStorage.keepOrSay(KEPT, room)
+  tabStorage.keep(KEPT, "open") // this tab comes back to it by itself
+  return new Teach(lecture, room)
+}
+
+/** A new room, with the instructors' passphrase where the server asks for one. @returns {Promise<page.Opened>} */
+async function opened(phrase = "") {
+  try {
+    return await ask("", {method: "POST", word: encodeURIComponent(phrase)})
+  } catch (reason) {
+    if (!(reason instanceof Refusal) || reason.status !== 401) throw reason
+    const typed = await passphrase(reason.message)
+    if (!typed) throw new Refusal("No class was opened.", 401)
+    return opened(typed)
+  }
+}
+
+/** The passphrase that is typed; nothing where it is given up. @param {string} sentence @returns {Promise<string>} */
+function passphrase(sentence) {
+  const field = element("input", {type: "password", name: "passphrase", autocomplete: "current-password"})
+  const label = element("label", {}, element("span", {}, "Passphrase"), field)
+  const tools = element("div", {class: "tools"}, element("button", {class: "act filled"}, "Open the class"))
+  tools.append(chip("Cancel", () => dialog.close("given up")))
+  const form = element("form", {class: "ask-form", method: "dialog"}, label, tools)
+  const dialog = element("dialog", {class: "asking", "aria-label": "Passphrase"}, element("h1", {}, sentence), form)
+  return new Promise(done => {
+    dialog.addEventListener("cancel", () => (dialog.returnValue = "given up"))
+    dialog.addEventListener("close", () => {
+      dialog.remove()
+      done(dialog.returnValue ? "" : field.value)
+    })
+    document.body.append(dialog)
+    dialog.showModal()
+  })
+}
+
+/** @returns {Promise<page.Opened | null>} */
+async function kept() {
+  const room = /** @type {page.Opened | null} */ (browserStorage.value(KEPT))
+  return room && ask(`${room.code}/lead`, {word: room.key}).catch(() => null)
+}

@@ -1,0 +1,120 @@
+// The answers of the hall in front: a count, then bars, dots or sketches when they are asked for.
+
+import {chip, element} from "../core/dom.js"
+import {claim} from "../walks/claim.js"
+import {ask} from "./room.js"
+
+const MOMENT = 250 // ms between counts; one that fails is taken anew
+
+export class Votes {
+  /** @type {page.Tally | null} */
+  tally = null
+
+  /** @type {import("../walks/card.js").Card | null} the card that they stand on */
+  card = null
+
+  /** @type {import("../questions/question.js").Votes | null} */
+  layer = null
+
+  isOpen = false
+  counting = false
+  again = false
+
+  /** @param {import("./teach.js").Teach} teach */
+  constructor(teach) {
+    this.teach = teach
+    this.status = element("p", {role: "status"})
+    this.all = element("p", {class: "all"})
+    this.once = chip("Vote again", () => teach.again())
+    this.hide = chip("Hide the votes", () => this.#close())
+    this.chips = element("div", {class: "chips"})
+    this.element = element("div", {class: "votes"}, this.all, this.status, this.chips)
+  }
+
+  /** A question begins, or its card is another. @param {import("../walks/walk.js").Walk | null} walk */
+  begin(walk) {
+    this.#clear()
+    this.isOpen = false
+    this.tally = null
+    this.card = walk?.card ?? null
+    this.card?.question.element.after(this.element)
+    if (this.card) this.count()
+    else this.element.remove()
+  }
+
+  /** What the filled button does in a class, before it shows the answer. */
+  get waits() {
+    return Boolean(this.card) && !this.isOpen && !this.teach.lecture.walks.walk?.lesson
+  }
+
+  open() {
+    this.isOpen = true
+    this.update()
+  }
+
+  #close() {
+    const {walk} = this.teach.lecture.walks
+    this.isOpen = false
+    if (this.card && walk?.lesson) claim(this.card.page, walk.lesson.title)
+    this.#clear()
+    this.update()
+  }
+
+  #clear() {
+    this.card?.page.root.classList.remove("voted")
+    this.layer?.leave()
+    this.layer = null
+  }
+
+  /** Asks for the answers, not more often than they can be looked at. */
+  async count() {
+    this.again = true
+    if (this.counting || !this.card) return
+    this.counting = true
+    this.again = false
+    const {code, key} = this.teach.room
+    const tally = await ask(`${code}/tally`, {word: key}).catch(() => {
+      this.again = true
+    })
+    if (tally && `${tally.walk}/${tally.step}` === this.teach.put) this.tally = tally
+    this.update()
+    setTimeout(() => {
+      this.counting = false
+      if (this.again) this.count()
+    }, MOMENT)
+  }
+
+  update() {
+    const {card, tally} = this
+    const {walk} = this.teach.lecture.walks
+    if (!card || !walk) return
+    const here = this.teach.news.here ?? 0
+    const before = tally?.before ? ", outlined: first vote" : ""
+    const answered = tally?.now.answered ?? 0
+    const of = answered > here ? "" : ` of ${here}` // some have left since
+    const drawn = tally?.now.sketches.length ?? 0
+    const some = drawn && drawn < answered ? `, ${drawn} of them drawn here` : "" // more would be one dark area
+    this.status.textContent = `${answered}${of} have answered${this.isOpen ? some + before : ""}`
+    if (!walk.lesson) card.forward.textContent = this.waits ? "Show the votes" : "Show the answer"
+    if (!walk.lesson) card.forward.classList.remove("waiting")
+    const tools = this.isOpen ? [this.hide, ...(walk.lesson ? [] : [this.once])] : []
+    this.chips.replaceChildren(...tools)
+    this.all.textContent = ""
+    card.page.root.classList.toggle("voted", this.isOpen)
+    if (this.isOpen && tally) this.#draw(walk, tally)
+  }
+
+  /** @param {import("../walks/walk.js").Walk} walk @param {page.Tally} tally */
+  #draw({lesson}, tally) {
+    const card = /** @type {import("../walks/card.js").Card} */ (this.card)
+    this.layer ??= card.question.tally(this.chips)
+    this.layer.update(tally, lesson)
+    if (lesson) this.all.textContent = this.layer.headline(tally)
+  }
+
+  leave() {
+    this.#clear()
+    this.element.remove()
+    this.card = null
+  }
+}

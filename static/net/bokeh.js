@@ -1,0 +1,21 @@
+// BokehJS, which draws the plots and talks to the server: fetched when the first picture has been seen without it.
+
+import {element} from "../core/dom.js"
+
+/** @type {Promise<unknown> | undefined} */
+let fetched
+
+/** Settled once it is there; what could not be fetched is asked for anew. */
+export function bokeh() {
+  fetched ??= new Promise((done, failed) => {
+    const script = element("script", {src: document.documentElement.dataset.bokeh})
+    script.addEventListener("load", done)
+    script.addEventListener("error", () => {
+      fetched = undefined
+      script.remove()
+      failed(new Error("BokehJS could not be fetched."))
+    })
+    document.head.append(script)
+  })
+  return fetched
+}

@@ -1,0 +1,107 @@
+// A message as it comes, made whole: inflated after the usual text that it refers to, its numbers read, its signals
+// over time as columns beside those that were sent (the browser's half of wire.py and encoding.py in components/state).
+
+import {over} from "../core/signals.js"
+
+const COARSE = 2 ** 16 - 1
+const FINE = 2 ** 24 - 1
+const ORDER = 4
+const LINE_FEED = 10
+
+/** @param {ArrayBuffer} data @param {string} usual the sheet's @returns {Promise<Told>} */
+export async function unpacked(data, usual) {
+  const bytes = await inflated(new Uint8Array(data), new TextEncoder().encode(usual))
+  const end = bytes.indexOf(LINE_FEED)
+  const told = JSON.parse(new TextDecoder().decode(bytes.subarray(0, end)))
+  if (told.view) fill(told, bytes.subarray(end + 1))
+  return told
+}
+
+/**
+ * What the message refers to comes first, in a block that is stored as it is: so any inflate knows it.
+ * @param {Uint8Array<ArrayBuffer>} data @param {Uint8Array} before
+ */
+async function inflated(data, before) {
+  const {length} = before
+  const stored = new Uint8Array(5 + length)
+  stored.set([0, length & 255, length >> 8, ~length & 255, (~length >> 8) & 255])
+  stored.set(before, 5)
+  const {readable, writable} = new DecompressionStream("deflate-raw")
+  const writer = writable.getWriter()
+  const written = [writer.write(stored), writer.write(data), writer.close()]
+  const [whole] = await Promise.all([new Response(readable).arrayBuffer(), ...written])
+  return new Uint8Array(whole, length)
+}
+
+/**
+ * Puts numbers in place of what is said of columns and samples: of the view, then of what is held beside it.
+ * @param {any} told @param {Uint8Array} data
+ */
+function fill({view, held}, data) {
+  const numbers = new Numbers(data)
+  for (const part of held ? [view, held] : [view]) {
+    fillPart(part, view.axes, numbers)
+    for (const [source, trace] of Object.entries(part.traces))
+      part.columns[source] = {...traced(trace, part), ...part.columns[source]}
+  }
+}
+
+/** @param {any} part @param {Record<string, page.Ruler>} axes @param {Numbers} numbers */
+function fillPart(part, axes, numbers) {
+  for (const source of Object.values(part.columns)) {
+    for (const [name, [axis, count]] of Object.entries(source)) {
+      const {start, end} = axes[axis]
+      const [low, high] = start < end ? [start, end] : [end, start]
+      const height = high - low // the steps are of three heights of the frame
+      source[name] = numbers.take(count, low - height, high + height, COARSE)
+    }
+  }
+  for (const signal of Object.values(part.signals).filter(({kind}) => kind === "sampled")) {
+    for (const run of ["y", "dy"]) {
+      const {count, low, high} = signal[run]
+      signal[run] = numbers.take(count, low, high, FINE)
+    }
+  }
+}
+
+/**
+ * The columns of signals over time.
+ * @param {page.Trace} trace @param {Pick<page.View, "signals" | "scalars">} part
+ * @returns {Record<string, Float64Array>}
+ */
+function traced([end, count, names, called], {signals, scalars}) {
+  const t = Float64Array.from({length: count}, (_, i) => (i / (count - 1)) * end)
+  const drawn = over(signals, scalars, t, new Set(names.map(name => called[name] ?? name)))
+  return {t, ...Object.fromEntries(names.map(name => [name, drawn[called[name] ?? name]]))}
+}
+
+/** Runs of fourth differences: all first bytes of them, all second ones, and so on. */
+class Numbers {
+  at = 0
+
+  /** @param {Uint8Array} bytes */
+  constructor(bytes) {
+    this.bytes = bytes
+    this.total = bytes.length / 4
+  }
+
+  /**
+   * The next run, sent in steps from low to high.
+   * @param {number} count @param {number} low @param {number} high @param {number} steps
+   */
+  take(count, low, high, steps) {
+    const sums = new Int32Array(ORDER)
+    return Float64Array.from({length: count}, () => {
+      let step = this.#difference(this.at++)
+      for (let i = 0; i < ORDER; i++) step = sums[i] += step
+      return low * (1 - step / steps) + high * (step / steps)
+    })
+  }
+
+  /** One that is d >= 0 is sent as 2d, one below as -2d - 1. @param {number} i */
+  #difference(i) {
+    const {bytes, total} = this
+    const sent = bytes[i] | (bytes[total + i] << 8) | (bytes[2 * total + i] << 16) | (bytes[3 * total + i] << 24)
+    return (sent >>> 1) ^ -(sent & 1)
+  }
+}

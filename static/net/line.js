@@ -1,0 +1,214 @@
+// The conversation with the server: one message in flight, numbered, sent again where its answer is lost; without a
+// wire all waits.
+
+const PATIENCE = 5000 // ms without an answer until a message is sent once more, and until the wire is given up
+
+/**
+ * What is known of a message beside it: whether it is a turn, which the back button returns from, whether the clock
+ * starts anew with its answer, whether it is there for a new session alone, who waits for its answer, and what undo
+ * makes of it.
+ * @typedef {{turn?: boolean, start?: boolean, anew?: boolean, answered?: (told: Told) => void,
+ *   way?: import("../shell/undo.js").Way, deed?: string}} About
+ * @typedef {About & {message: page.Said}} Asked
+ * @typedef {About & {message: page.Said | ((state: page.State) => page.Said | null)}} Waiting
+ */
+
+export class Line {
+  /** @type {Waiting[]} what waits */
+  outbox = []
+
+  /** @type {Asked | null} what is in flight */
+  asked = null
+
+  /** @type {import("./wire.js").Wire | null} */
+  wire = null
+
+  /** @type {page.State} what the page stands for, as it was told last */
+  state
+
+  behind = true // until what waited for a wire has been answered
+
+  /** What a new session is told first. @returns {page.Said[]} */
+  before = () => []
+
+  /** Called when a message has been sent twice without an answer. */
+  overdue = () => {}
+
+  wires = 0 // lost
+  number = 0
+  patience = PATIENCE
+
+  /** @type {number | undefined} */
+  reminder
+
+  /** @type {Promise<void>} what has come is heard in its order */
+  heard = Promise.resolve()
+
+  /**
+   * `unpack` reads what comes, `hear` takes what is told and, where that is an answer, the message that it answers;
+   * `fail` is told what cannot be read.
+   * @param {(packet: Packet) => Promise<Told>} unpack
+   * @param {(told: Told, asked: Asked | null) => void} hear @param {(error: unknown) => void} fail
+   */
+  constructor(unpack, hear, fail) {
+    this.unpack = unpack
+    this.hear = hear
+    this.fail = fail
+  }
+
+  /**
+   * A wire to the session that the page was served with; or to a new one, which is put into the state that stands
+   * before it hears the message that was in flight once more.
+   * @param {import("./wire.js").Wire} wire @param {boolean} anew
+   */
+  attach(wire, anew) {
+    this.wire = wire
+    if (anew) {
+      if (this.asked && !this.asked.anew) this.outbox.unshift(this.asked)
+      this.asked = null
+      const said = this.before().map(message => ({anew, message}))
+      const stand = {anew, message: (/** @type {page.State} */ state) => ({type: /** @type {const} */ ("open"), state})}
+      this.outbox = [...said, stand, ...this.outbox.filter(waiting => !waiting.anew)]
+    }
+    this.#flush()
+    this.behind = Boolean(this.asked)
+  }
+
+  /** The wire is gone. */
+  detach() {
+    clearTimeout(this.reminder)
+    this.wire = null
+    this.wires++
+    this.heard = Promise.resolve()
+    this.behind = true
+  }
+
+  /**
+   * A message that depends on the state is made when all before it has been answered, and need not be sent then.
+   * @param {Waiting["message"]} message @param {About} [about]
+   */
+  send(message, about = {}) {
+    const names = namesIn(message)
+    if (names.length) this.#supersede(names)
+    const last = this.outbox[this.outbox.length - 1]
+    const values = valuesOf(message)
+    const before = last && valuesOf(last.message)
+    const copy = values ? {.../** @type {page.SetValues} */ (message), values: {...before, ...values}} : message
+    if (before && values) Object.assign(last, about, {message: copy})
+    else this.outbox.push({...about, message: copy})
+    this.#flush()
+  }
+
+  /** The answer to a message, whatever else is told meanwhile. @param {page.Said} message @returns {Promise<Told>} */
+  ask(message) {
+    return new Promise(answered => this.send(message, {answered}))
+  }
+
+  /** Of what waits, the newest value of each parameter wins. @param {string[]} names */
+  #supersede(names) {
+    for (let i = this.outbox.length - 1; i >= 0; i--) {
+      const {message} = this.outbox[i]
+      if (!namesIn(message).length) return // it may depend on what stands before it
+      for (const name of names) delete valuesOf(message)?.[name]
+      if (namesIn(message).every(name => names.includes(name))) this.outbox.splice(i, 1)
+    }
+  }
+
+  /** The number that what was said last has, or will have. */
+  get last() {
+    return this.number + this.outbox.length
+  }
+
+  /** Whether all has been answered. */
+  get rests() {
+    return !this.#queue.length
+  }
+
+  /** What waits for a wire, by parameter: the newest value, or what was typed. @returns {Waits} */
+  get waiting() {
+    return new Map(this.behind ? this.#queue.flatMap(({message}) => Object.entries(givenIn(message))) : [])
+  }
+
+  /** What waits, as plain messages: for a page that takes the place of this one. @returns {page.Said[]} */
+  get left() {
+    let {state} = this
+    const plain = this.#queue.flatMap(({message: made, anew}) => {
+      if (anew) return []
+      const message = typeof made === "function" ? made(state) : made
+      if (message?.type === "open") ({state} = message)
+      if (message?.type === "set") state = {...state, parameters: {...state.parameters, ...message.values}}
+      return message
+    })
+    return plain.filter(message => message !== null)
+  }
+
+  /** @returns {Waiting[]} */
+  get #queue() {
+    return this.asked ? [this.asked, ...this.outbox] : this.outbox
+  }
+
+  #flush() {
+    while (this.wire && !this.asked && this.outbox.length) {
+      const next = /** @type {Waiting} */ (this.outbox.shift())
+      const message = typeof next.message === "function" ? next.message(this.state) : next.message
+      if (!message) continue
+      this.asked = {...next, message: {...message, number: message.number ?? ++this.number}}
+      this.#ask(() => this.#ask(() => this.overdue()))
+    }
+  }
+
+  // What is lost on the way is sent once more: the server applies a number once, however often it comes.
+  #ask(/** @type {() => void} */ otherwise) {
+    if (this.asked) this.wire?.send(this.asked.message)
+    this.reminder = setTimeout(otherwise, this.patience)
+  }
+
+  /** @param {Packet} packet */
+  receive(packet) {
+    const {wires} = this
+    const told = this.unpack(packet)
+    // What a wire brought that has been lost since is of no use: the next one brings it again.
+    const take = async () => {
+      const read = await told
+      if (wires === this.wires) this.#hear(read)
+    }
+    this.heard = this.heard.then(take).catch(error => {
+      if (wires === this.wires) this.fail(error)
+    })
+  }
+
+  /**
+   * Answers but for the one awaited have been heard before; what has no number the server tells of itself.
+   * @param {Told} told
+   */
+  #hear(told) {
+    if (told.answer === null) return this.#take(told, null)
+    const {asked} = this
+    if (told.answer !== asked?.message.number) return
+    clearTimeout(this.reminder)
+    this.asked = null
+    this.#take(told, asked)
+    this.#flush()
+    if (!this.asked) this.behind = false
+  }
+
+  /** @param {Told} told @param {Asked | null} asked */
+  #take(told, asked) {
+    if (told.type === "shown") this.state = told.state
+    this.hear(told, asked)
+  }
+}
+
+/** What a message gives to parameters. @param {Waiting["message"]} message @returns {Record<string, page.Value>} */
+function givenIn(message) {
+  if (typeof message === "function") return {}
+  if (message.type === "set") return message.values
+  if (message.type === "typed") return {[message.name]: message.text}
+  return message.type === "choose" ? {[message.name]: message.value} : {}
+}
+
+/** @param {Waiting["message"]} message */
+const namesIn = message => Object.keys(givenIn(message))
+
+/** What a slider or handle sets. @param {Waiting["message"]} message */
+const valuesOf = message => (typeof message !== "function" && message.type === "set" ? message.values : null)

@@ -1,0 +1,182 @@
+// A Bokeh figure: mounted in the page, filled with the columns of a message, coloured as the quantities now are.
+
+import {colour, element, unitSize, units} from "../core/dom.js"
+
+/** The token that says how wide a line is. @type {Partial<Record<page.Curve["width"], string>>} */
+const LINES = {sum: "w2", line: "w1", dash: "w1", dots: "w0", thin: "w0"}
+const LENGTHS = ["line_dash", "size"]
+
+const LACK = "The program that draws the curves could not be loaded. Trying again."
+
+export class Figure {
+  /** @type {HTMLElement | undefined} */
+  lack
+
+  /** @param {page.PlotBlock} block */
+  constructor(block) {
+    this.block = block
+    this.says = element("p", {class: "heard", id: `says-${block.name}`})
+    this.element = element("div", {
+      class: "figure",
+      role: "img",
+      "aria-label": block.title,
+      "aria-describedby": this.says.id,
+    })
+  }
+
+  /** The models, without a view yet: what is set on them now is drawn once, when they are mounted. */
+  make() {
+    const {Document} = Bokeh.require("document")
+    this.document = Document.from_json(this.block.figure.doc)
+    this.model = this.document.roots()[0]
+    const names = new Set([...this.block.curves, ...this.block.regions].map(part => part.source))
+    this.sources = [...names].map(name => ({name, source: this.document.get_model_by_name(name)}))
+    /** @type {{model: BokehModel, lengths: Record<string, number | number[]>}[]} as drawn at a unit of one pixel */
+    this.drawn = [...this.model.renderers.map((/** @type {BokehModel} */ {glyph}) => glyph), ...this.model.center].map(
+      model => ({
+        model,
+        lengths: Object.fromEntries(LENGTHS.filter(name => name in model).map(name => [name, bare(model[name])])),
+      }),
+    )
+    this.theme()
+    this.fit()
+  }
+
+  /** BokehJS could not be fetched: so it is said in the place of the figure. */
+  lacks() {
+    this.lack ??= element("p", {class: "lack"}, LACK)
+    this.element.after(this.lack)
+  }
+
+  /** To be called while the element is on the page. */
+  async mount() {
+    this.lack?.remove()
+    this.manager = await Bokeh.embed.add_document_standalone(this.document, this.element)
+    const [view] = this.manager
+    view.canvas_view.events_el.removeAttribute("tabindex") // the keys have nothing to do on the figure itself
+    if (this.left) this.leave()
+  }
+
+  /** The room around the frame, in whole pixels. */
+  get room() {
+    const {left, right, top, bottom} = this.block.room
+    const [l, r, t, b] = [left, right, top, bottom].map(size => Math.round(size * unitSize()))
+    return {left: l, right: r, top: t, bottom: b}
+  }
+
+  /** As large as its text. */
+  fit() {
+    if (!this.model) return
+    const {left, right, top, bottom} = this.room
+    this.model.setv({min_border_left: left, min_border_right: right, min_border_top: top, min_border_bottom: bottom})
+    for (const {model, lengths} of this.drawn ?? []) {
+      model.setv(Object.fromEntries(Object.entries(lengths).map(([name, length]) => [name, grown(length)])))
+    }
+    for (const renderer of this.model.renderers) this.#widen(renderer)
+    for (const model of this.model.center) {
+      if (model.type === "Span") model.setv({line_width: grown(units("w0"))})
+      if (model.type === "Grid") model.setv({grid_line_width: grown(units("w0"))})
+    }
+    const label = {
+      major_label_text_font_size: `${units("t0") * unitSize()}px`,
+      major_label_standoff: Math.round(5 * unitSize()),
+    }
+    for (const axis of [...this.model.below, ...this.model.left]) axis.setv(label)
+  }
+
+  /** @param {BokehModel} renderer */
+  #widen(renderer) {
+    const drawn = this.#drawn(renderer)
+    const token = renderer.glyph.type === "Scatter" ? "w1" : "width" in drawn && LINES[drawn.width]
+    if (token) renderer.glyph.setv({line_width: grown(units(token))})
+  }
+
+  // Bokeh keeps every document that it has shown in a list of its own.
+  leave() {
+    this.left = true
+    if (!this.manager) return
+    const {documents} = Bokeh
+    const index = documents.indexOf(this.document)
+    this.manager.clear()
+    if (index >= 0) documents.splice(index, 1)
+  }
+
+  /**
+   * Only what has its columns and is not switched off is drawn.
+   * @param {Columns} columns @param {Set<string>} hidden
+   */
+  fill(columns, hidden) {
+    for (const {name, source} of this.sources ?? []) fill(source, columns[name] ?? {})
+    for (const renderer of this.model.renderers) {
+      const given = columns[renderer.data_source.name] ?? {}
+      const {glyph} = renderer
+      const needed = [glyph.x, glyph.y, glyph.y1, glyph.y2].filter(Boolean).map(value => value.field)
+      const group = this.#drawn(renderer).group
+      renderer.visible = !hidden.has(group) && needed.every(column => given[column]?.length)
+    }
+  }
+
+  /** @param {Span} x @param {Span} y */
+  setRanges(x, y) {
+    this.model.x_range.setv({start: x.start, end: x.end})
+    this.model.y_range.setv({start: y.start, end: y.end})
+  }
+
+  /** @param {number[]} x @param {number[]} y */
+  setTicks(x, y) {
+    this.model.below[0].ticker.ticks = x
+    this.model.left[0].ticker.ticks = y
+  }
+
+  /** The texts under the horizontal axis. @param {Map<number, string>} labels */
+  setLabels(labels) {
+    this.model.below[0].major_label_overrides = labels
+  }
+
+  theme() {
+    if (!this.model) return
+    for (const renderer of this.model.renderers) this.#paint(renderer)
+    for (const model of this.model.center) {
+      if (model.type === "Span") model.setv({line_color: colour("rule")})
+      if (model.type === "Grid") model.setv({grid_line_color: colour("grid")})
+    }
+    const label = {
+      major_label_text_color: colour("mute"),
+      major_label_text_font: colour("sans"),
+    }
+    for (const axis of [...this.model.below, ...this.model.left]) axis.setv(label)
+  }
+
+  /** @param {BokehModel} renderer */
+  #paint(renderer) {
+    const {glyph} = renderer
+    const drawn = this.#drawn(renderer)
+    const ink = colour(drawn.tint)
+    if ("line_color" in glyph && glyph.type !== "VArea") glyph.setv({line_color: ink})
+    if ("fill_color" in glyph) {
+      const isRing = "marker" in drawn && drawn.marker === "ring"
+      glyph.setv({fill_color: isRing ? colour("paper") : ink})
+    }
+  }
+
+  /** What a renderer draws: its name is the place in the block, "curves.0". @param {BokehModel} renderer */
+  #drawn(renderer) {
+    const [list, index] = renderer.name.split(".")
+    return list === "curves" ? this.block.curves[Number(index)] : this.block.regions[Number(index)]
+  }
+}
+
+/**
+ * Columns that the picture does without (their renderers are not drawn) are filled up to the common length.
+ * @param {BokehModel} source @param {Record<string, Float64Array>} given
+ */
+function fill(source, given) {
+  const nothing = new Float64Array(Object.values(given)[0]?.length ?? 0)
+  source.data = Object.fromEntries(Object.keys(source.data).map(key => [key, given[key] ?? nothing]))
+}
+
+/** What Bokeh keeps of a length, without its wrapping. @param {BokehModel} length */
+const bare = length => (length?.value !== undefined ? length.value : length)
+
+/** @param {number | number[]} length */
+const grown = length => (Array.isArray(length) ? length.map(one => one * unitSize()) : length * unitSize())

@@ -1,0 +1,44 @@
+// The live numbers of a page: texts that come with every picture, or move with what is shown.
+
+import {coverNumber} from "../compare/cover.js"
+import {fixed} from "../core/numbers.js"
+
+export class Live {
+  /** @type {Map<string, Element[]>} the elements of each number */
+  elements = new Map()
+
+  /** @type {Drawn["view"] | undefined} */
+  view
+
+  /** Those of a part that has come to the page. @param {Element} part */
+  find(part) {
+    for (const one of part.querySelectorAll("[data-value]")) {
+      const name = one.getAttribute("data-value") ?? ""
+      this.elements.set(name, [...this.#of(name).filter(other => other.isConnected), one])
+      one.textContent = this.view?.values[name] ?? ""
+    }
+  }
+
+  /** @param {string} name */
+  #of(name) {
+    return this.elements.get(name) ?? []
+  }
+
+  /** @param {string} name @param {string} text */
+  tell(name, text) {
+    for (const one of this.#of(name)) one.textContent = text
+  }
+
+  /** @param {Drawn} shown */
+  update({view}) {
+    this.view = view
+    for (const name of this.elements.keys()) if (name in view.values) this.tell(name, view.values[name])
+    for (const name of view.left_out) this.#of(name).forEach(coverNumber)
+  }
+
+  /** Once a frame. @param {Named} named */
+  draw(named) {
+    for (const [name, [places, signed]] of Object.entries(this.view?.live ?? {}))
+      this.tell(name, fixed(named[name], places, signed))
+  }
+}

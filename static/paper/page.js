@@ -1,0 +1,200 @@
+// The paper and the panel of one scene, built from its sheet: every picture goes to all its parts, in their order, and
+// the clock moves what moves.
+
+import {bokeh} from "../net/bokeh.js"
+import {Controls, isPicker} from "../input/controls.js"
+import {Clock} from "../core/clock.js"
+import {Compare} from "../compare/compare.js"
+import {element, frame} from "../core/dom.js"
+import {Hand} from "../input/hand.js"
+import {later, using} from "../later.js"
+import {Live} from "./live.js"
+import {Notice} from "../core/notes.js"
+import {Sheet} from "./sheet.js"
+import {Tools} from "../shell/tools.js"
+import {Transport} from "../input/transport.js"
+
+/**
+ * What only some sheets need.
+ * @typedef {{RunBar?: typeof import("./runbar.js").RunBar,
+ *   pictured?: typeof import("./picker.js").pictured}} Extras
+ */
+
+export class Page {
+  /** @type {Drawn} what is shown, from the first picture on */
+  shown
+
+  /** @type {import("./about.js").About | undefined} */
+  about
+
+  /** @type {import("./voice.js").Voice | undefined} for those who do not see it; it comes when all is drawn */
+  voice
+
+  /** @type {import("../export/print.js").Print | undefined} */
+  print
+
+  /** @type {Waits} what has been set and waits for the server */
+  waiting = new Map()
+
+  /** @type {Promise<void> | null} until every plot that is seen has its figure */
+  joining = null
+
+  /** @type {Hand} */ hand
+  /** @type {Sheet} */ sheet
+  /** @type {Transport | import("./runbar.js").RunBar} */ transport
+  /** @type {Compare} */ compare
+
+  left = false
+  live = new Live()
+  notice = new Notice()
+
+  /** @param {page.SceneSheet} sheet @param {Extras} extras @param {PageHost} host */
+  constructor(sheet, {RunBar, pictured}, host) {
+    this.spec = sheet
+    this.host = host
+    this.clock = new Clock(t => this.draw(t))
+    this.hand = new Hand(this)
+    this.root = element("div", {class: `page ${sheet.slug}`})
+    this.paper = element("main", {class: "paper"})
+    this.sheet = new Sheet(sheet.paper, this)
+    this.heading = element("h1", {tabindex: -1}, sheet.headline)
+    this.transport = new (RunBar ?? Transport)(this)
+    this.paper.append(this.heading, this.notice.element, this.sheet.element, this.transport.element)
+    this.panel = element("aside", {class: "panel", "aria-label": "Controls"})
+    const send = (/** @type {page.Said} */ message) => this.send(message)
+    this.controls = new Controls(this.panel, sheet.panel, send, sets => host.take(sets), pictured)
+    this.plots = this.sheet.plots
+    this.stages = [...this.sheet.stages, ...this.controls.stages]
+    for (const stage of this.stages) stage.resized = () => this.redraw()
+    for (const plot of this.plots) plot.handles.help(this.controls)
+    this.compare = new Compare(this)
+    if (sheet.about) this.panel.append(this.#aboutNumbers())
+    this.tools = new Tools(this)
+    this.panel.append(this.tools.element)
+    this.root.append(this.paper, this.panel)
+    this.parts = this.#parts()
+  }
+
+  /** In the order in which they take a picture; what is fetched joins them. @returns {Part[]} */
+  #parts() {
+    const {compare, sheet, live, hand, stages, plots, controls, tools, clock, transport, notice} = this
+    const stand = {update: (/** @type {Drawn} */ shown) => compare.stand(shown)} // before anything takes its new place
+    return [stand, sheet, live, hand, ...stages, ...plots, controls, compare, tools, clock, transport, notice]
+  }
+
+  #aboutNumbers() {
+    const fold = element("details", {class: "about"}, element("summary", {}, "About these numbers"))
+    const open = () =>
+      using("paper/about", ({About}) => {
+        if (!this.left) this.parts.push((this.about = new About(fold, message => this.send(message))))
+      })
+    fold.addEventListener("toggle", open, {once: true})
+    return fold
+  }
+
+  /** @param {page.Said} message */
+  send(message) {
+    this.host.send(message)
+  }
+
+  /** @param {Drawn} shown @param {import("../net/line.js").Asked | null} [asked] what it is the answer to */
+  apply(shown, asked = null) {
+    this.shown = shown
+    for (const part of this.parts) part.update?.(shown, asked)
+    this.redraw()
+    requestAnimationFrame(() =>
+      requestAnimationFrame(() => document.dispatchEvent(new CustomEvent("oscillations:painted"))),
+    )
+  }
+
+  /** The curves switched off, by group. */
+  get hidden() {
+    return this.shown.state.hidden ?? this.spec.hidden
+  }
+
+  get link() {
+    return `?${this.shown.query}${this.host.hall.ending}`
+  }
+
+  redraw() {
+    this.measured = false
+    this.clock.dirty = true
+  }
+
+  /** @param {number} at an instant, which passes unless all stands still */
+  draw(at) {
+    if (!this.shown) return
+    const {axes, time} = this.shown.view
+    const named = this.compare.named(at)
+    const {t} = named
+    this.live.draw(named)
+    const timeText = `${t.toFixed(this.clock.places)} ${axes[time]?.unit ?? ""}`
+    if (!this.measured) this.stages.forEach(stage => stage.measure(this.plots))
+    this.measured = true
+    this.compare.frame(t)
+    this.stages.forEach(stage => stage.frame(named))
+    this.plots.forEach(plot => plot.draw(named, t, timeText))
+  }
+
+  /** Shows the first picture: all but the figures, which join when they are ready. @param {Drawn} shown */
+  start(shown) {
+    this.live.find(this.root)
+    this.apply(shown)
+    this.place()
+    this.draw(this.clock.t)
+  }
+
+  /** What is drawn in pixels takes the place that there is. */
+  place() {
+    this.stages.forEach(stage => stage.place())
+    const rooms = this.plots.map(plot => plot.room) // all are read before anything is written
+    this.plots.forEach((plot, i) => plot.place(rooms[i]))
+    this.redraw()
+  }
+
+  /** Each plot that is seen gets its figure, one a frame, so that what moves goes on moving. */
+  join() {
+    this.joining ??= this.#joinNext().finally(() => {
+      this.joining = null
+    })
+    return this.joining
+  }
+
+  speak() {
+    using("paper/voice", ({Voice}) => this.left || this.voice || this.parts.push((this.voice = new Voice(this))))
+    using("export/print", ({Print}) => this.left || this.print || this.parts.push((this.print = new Print(this))))
+    this.hand.introduce()
+  }
+
+  async #joinNext() {
+    await frame()
+    const plot = this.left ? undefined : this.plots.find(one => one.waits)
+    if (!plot) return
+    try {
+      await bokeh()
+    } catch {
+      plot.figure.lacks() // until the connection is tried again, which needs it too
+      return
+    }
+    if (this.left) return
+    await plot.mount()
+    await this.#joinNext()
+  }
+
+  leave() {
+    this.left = true
+    for (const part of this.parts) part.leave?.()
+    this.root.remove()
+  }
+
+  theme() {
+    this.plots.forEach(plot => plot.theme())
+  }
+}
+
+/** What only some scenes need, asked for by them alone. @param {page.SceneSheet} sheet @returns {Promise<Extras>} */
+export async function extrasFor({runs, panel}) {
+  const picks = panel.groups.some(group => group.rows.some(isPicker))
+  const [bar, picker] = await Promise.all([runs && later("paper/runbar"), picks && later("paper/picker")])
+  return {...bar, ...picker}
+}

@@ -1,0 +1,17 @@
+// The small pictures of a choice, drawn and moved as the stage is.
+
+import {element} from "../core/dom.js"
+import {Stage} from "./stage.js"
+
+/** Draws what stands on the button of an option; the stages are those drawn so far. @param {page.ChoiceRow} row */
+export function pictured({pictures}) {
+  /** @type {Stage[]} */
+  const stages = []
+  /** @param {page.ChoiceRow["options"][0]} option */
+  const draw = ({value, label}) => {
+    const picture = element("div", {class: "picture"})
+    stages.push(new Stage({shapes: pictures[value], label: ""}, picture))
+    return [picture, element("span", {}, label)]
+  }
+  return {stages, draw}
+}

@@ -1,0 +1,300 @@
+// A plot: a figure, and over it what stands still between changes (names, marks) and what moves: the time cursor, the
+// dots and the handles.
+
+import {Cover} from "../compare/cover.js"
+import {element, inUnits, set, svg, textWidth, unitSize} from "../core/dom.js"
+import {Figure} from "./figure.js"
+import {Handles} from "../input/handles.js"
+import {Flags, Labels} from "./labels.js"
+import {Reading, isOnControl} from "./reading.js"
+import {PLAIN, toOneScale} from "../core/ruler.js"
+
+const REACH = 16 // units from a press to the point that it picks
+const NOWHERE = {left: 0, top: 0, width: 1, height: 1}
+
+export class Plot {
+  /** @type {Drawn} what is shown, from the first answer on */
+  shown
+
+  /** @type {Drawn["view"]} */
+  view
+
+  /** @type {Frame | undefined} where the frame stands, once it is laid out */
+  box
+
+  /** @type {import("../compare/ghosts.js").PlotGhost | undefined} other curves under those of the figure */
+  ghost
+
+  /** @param {page.PlotBlock} block @param {HTMLElement} host @param {PartHost} page */
+  constructor(block, host, page) {
+    this.block = block
+    this.host = host
+    this.page = page
+    this.absent = true
+    this.x = PLAIN
+    this.y = PLAIN
+    /** @type {Set<string>} */
+    this.hidden = new Set()
+    this.figure = new Figure(block)
+    this.over = svg("svg", {class: "over", "aria-hidden": "true"})
+    this.controls = element("div", {class: "handles"})
+    host.append(this.figure.element, this.figure.says, this.over, this.controls)
+    this.cursor = block.cursor ? svg("line", {class: "now"}) : null
+    this.flags = new Flags(this)
+    this.cover = new Cover(this)
+    this.handles = new Handles(this)
+    this.labels = new Labels(this)
+    this.reading = new Reading(this)
+    if (this.cursor) this.over.append(this.cursor)
+    this.dots = block.curves.filter(curve => curve.signal).map(curve => this.#dot(curve))
+    if (block.handles.some(handle => handle.axis === "y")) host.style.touchAction = "none"
+    this.#pointer()
+    this.observer = new ResizeObserver(() => this.place() && this.page.join())
+    this.observer.observe(host)
+  }
+
+  /** @param {page.Curve} curve */
+  #dot(curve) {
+    const dot = svg("circle", {class: `dot ${curve.tint}`, r: 4.5})
+    this.over.append(dot)
+    return {curve, dot, covers: [curve.y, curve.group].map(name => `curve:${this.block.name}.${name}`)}
+  }
+
+  /** The figure joins what stands: its names, marks and handles have their places already. */
+  async mount() {
+    this.mounted = true
+    this.figure.make()
+    this.#draw()
+    await this.figure.mount()
+  }
+
+  leave() {
+    this.observer.disconnect()
+    this.figure.leave()
+    this.box = undefined
+  }
+
+  /** Position of a number of the axis, in units from the host's upper left corner. @param {number} value */
+  px(value) {
+    return this.frame.left + ((value - this.x.start) / (this.x.end - this.x.start)) * this.frame.width
+  }
+
+  /** @param {number} value */
+  py(value) {
+    return this.frame.top + ((this.y.end - value) / (this.y.end - this.y.start)) * this.frame.height
+  }
+
+  /** @returns {Frame} */
+  get frame() {
+    return this.box ?? NOWHERE
+  }
+
+  /**
+   * The frame and the axes as named quantities for a stage whose upper left corner is at `origin` on the page; none of
+   * a plot that does not stand.
+   * @param {DOMRect} origin @returns {Named}
+   */
+  geometry(origin) {
+    if (!this.host.checkVisibility()) return {}
+    const box = this.host.getBoundingClientRect()
+    return geometry(this, this.block.name, (box.left - origin.left) / unitSize(), (box.top - origin.top) / unitSize())
+  }
+
+  /** Whether it is seen and has no figure yet. */
+  get waits() {
+    return !this.mounted && !this.absent && this.box && this.host.offsetParent !== null
+  }
+
+  /** The place that there is: Bokeh leaves the same room around its frame, in whole pixels. @returns {Frame} */
+  get room() {
+    const {left, right, top, bottom} = this.figure.room
+    const {width, height} = this.host.getBoundingClientRect()
+    const [across, down] = [Math.floor(width) - left - right, Math.floor(height) - top - bottom]
+    const size = unitSize()
+    return {left: left / size, top: top / size, width: across / size, height: down / size}
+  }
+
+  /** Takes a place, if there is any room, and says whether it is another than before. */
+  place(box = this.room) {
+    if (box.width <= 0 || box.height <= 0) return false
+    const isSame = box.width === this.box?.width && box.height === this.box.height && this.unit === unitSize()
+    if (isSame) return false
+    this.box = box
+    this.unit = unitSize()
+    const {width, height} = this.host.getBoundingClientRect()
+    inUnits(this.over, width / unitSize(), height / unitSize())
+    this.figure.fit()
+    if (this.shown && !this.absent) {
+      this.#widen()
+      this.#axes()
+    }
+    this.cover.place()
+    this.still()
+    this.page.redraw()
+    return true
+  }
+
+  /** @param {Drawn} shown */
+  update(shown) {
+    const {view} = shown
+    this.shown = shown
+    this.view = view
+    this.absent = !view.axes[this.block.x] || !view.axes[this.block.y]
+    this.asked = {x: this.handles.ruler(this.block.x), y: this.handles.ruler(this.block.y)}
+    this.x = this.asked.x ?? this.x
+    this.y = this.asked.y ?? this.y
+    this.hidden = new Set(this.page.hidden)
+    if (this.host.parentElement)
+      this.host.parentElement.hidden = Boolean(this.block.form) && !view.forms[this.block.form]
+    this.cover.update(shown.state.covered)
+    if (this.absent) return
+    this.#widen()
+    this.#draw()
+    this.still()
+    if (this.waits) this.page.join()
+  }
+
+  #draw() {
+    if (!this.mounted) return
+    this.figure.fill(this.view.columns, this.hidden)
+    this.figure.setTicks(this.x.ticks, this.y.ticks)
+    this.#axes()
+  }
+
+  #axes() {
+    if (!this.mounted) return
+    this.figure.setRanges(this.x, this.y)
+    this.figure.setLabels(this.#abscissae())
+  }
+
+  // Where numbers would touch, every second one is left out, or more; the last, which carries the unit, stays. So is
+  // what a handle would cut.
+  #abscissae() {
+    const {ticks, labels} = this.x
+    const last = ticks.length - 1
+    /** @param {number} i @param {number} j */
+    const touch = (i, j) =>
+      this.px(ticks[j]) - this.px(ticks[i]) < (textWidth(labels[i]) + textWidth(labels[j])) / 2 + 4
+    /** @param {number} step */
+    const fits = step => !ticks.some((_, i) => (last - i) % step === 0 && i + step <= last && touch(i, i + step))
+    let step = 1
+    if (this.box) while (!fits(step)) step++
+    return new Map(ticks.map((tick, i) => [tick, (last - i) % step || this.handles.cuts(i) ? "" : labels[i]]))
+  }
+
+  #widen() {
+    if (this.block.square && this.box && this.asked) [this.x, this.y] = toOneScale(this.asked.x, this.asked.y, this.box)
+  }
+
+  theme() {
+    this.figure.theme()
+  }
+
+  // What stands still between changes: end labels, band labels, marks.
+  still() {
+    if (!this.box || !this.shown || this.absent) return
+    this.ghost?.place()
+    this.labels.place()
+    this.flags.place()
+    this.handles.place()
+  }
+
+  /** The place on an axis at the pointer. @param {PointerEvent} event @param {"x" | "y"} [which] */
+  valueAt(event, which = "x") {
+    const {x, y} = this.#at(event)
+    const {left, top, width, height} = this.frame
+    if (which === "y") return this.y.end - ((y - top) / height) * (this.y.end - this.y.start)
+    return this.x.start + ((x - left) / width) * (this.x.end - this.x.start)
+  }
+
+  /** @param {PointerEvent} event */
+  #at(event) {
+    const box = this.host.getBoundingClientRect()
+    return {x: (event.clientX - box.left) / unitSize(), y: (event.clientY - box.top) / unitSize()}
+  }
+
+  // Over a plot: the numbers at the pointer; a press on a time plot moves the instant there.
+  #pointer() {
+    this.host.addEventListener("pointermove", event => this.reading.show(event))
+    this.host.addEventListener("pointerleave", () => this.reading.hide())
+    this.host.addEventListener("pointerdown", event => {
+      if (isOnControl(event) || !this.isInside(event)) return
+      const point = this.block.pick && this.#nearest(event)
+      if (point) this.page.send({type: "choose", name: this.block.pick, value: point})
+      else if (this.block.time) this.handles.followTime(event)
+      else if (this.block.handles.length) this.handles.follow(event)
+    })
+  }
+
+  /** The point nearest to a press, as [source, place in its column]. @param {PointerEvent} event */
+  #nearest(event) {
+    const {x, y} = this.#at(event)
+    let best = null
+    let closest = REACH
+    for (const curve of this.block.curves) {
+      const {[curve.x]: xs, [curve.y]: ys} = this.view.columns[curve.source] ?? {}
+      if (this.hidden.has(curve.group)) continue
+      for (let i = 0; i < (ys?.length ?? 0); i++) {
+        const distance = Math.hypot(this.px(xs[i]) - x, this.py(ys[i]) - y)
+        if (distance < closest) [best, closest] = [[curve.source, String(i)], distance]
+      }
+    }
+    return best
+  }
+
+  /** @param {PointerEvent} event */
+  isInside(event) {
+    const {x, y} = this.#at(event)
+    return isWithin(this.frame, x, y, 0, 0)
+  }
+
+  /**
+   * Once a frame: cursor and dots at the instant shown.
+   * @param {Named} named @param {number} t @param {string} timeText
+   */
+  draw(named, t, timeText) {
+    if (!this.box || !this.shown || this.absent) return
+    const {top, height} = this.frame
+    if (this.cursor) {
+      const x = this.px(t)
+      set(this.cursor, {x1: x, x2: x, y1: top, y2: top + height})
+      this.handles.placeTime(t, timeText)
+    }
+    const {covered} = this.shown.state
+    for (const {curve, dot, covers} of this.dots) {
+      const x = this.px(curve.signal_x ? named[curve.signal_x] : t)
+      const y = this.py(named[curve.signal])
+      const isCovered = this.hidden.has(curve.group) || covers.some(name => covered.includes(name))
+      const isShown = !isCovered && isWithin(this.frame, x, y, 1, 2)
+      dot.style.display = isShown ? "" : "none"
+      if (isShown) set(dot, {cx: x, cy: y})
+    }
+  }
+}
+
+/**
+ * The frame and the axes of a plot as named quantities, seen from (-dx, -dy).
+ * @param {Pick<Canvas, "frame" | "x" | "y" | "px" | "py">} plot @param {string} name
+ * @param {number} [dx] @param {number} [dy] @returns {Named}
+ */
+export function geometry(plot, name, dx = 0, dy = 0) {
+  const {left, top, width, height} = plot.frame
+  return {
+    [`${name}.left`]: left + dx,
+    [`${name}.right`]: left + width + dx,
+    [`${name}.top`]: top + dy,
+    [`${name}.bottom`]: top + height + dy,
+    [`${name}.x0`]: plot.px(0) + dx,
+    [`${name}.x1`]: width / (plot.x.end - plot.x.start),
+    [`${name}.y0`]: plot.py(0) + dy,
+    [`${name}.y1`]: -height / (plot.y.end - plot.y.start),
+  }
+}
+
+/**
+ * False also where x or y is no number: of a signal that the picture does without.
+ * @param {Frame} frame @param {number} x @param {number} y @param {number} wide @param {number} high
+ */
+function isWithin({left, top, width, height}, x, y, wide, high) {
+  return x >= left - wide && x <= left + width + wide && y >= top - high && y <= top + height + high
+}

@@ -1,0 +1,203 @@
+// The page of a scene as the server describes it: rows and columns of stages, plots, sentences, tables and choices, and
+// which of their forms stands.
+
+import {buildChoice} from "../input/controls.js"
+import {element, long, marked, set} from "../core/dom.js"
+import {Plot} from "./plots.js"
+import {Stage} from "./stage.js"
+
+/** @typedef {{name: string, text: HTMLElement}} Variant a form and what then stands */
+
+export class Sheet {
+  /** @type {Plot[]} */
+  plots = []
+
+  /** @type {Stage[]} */
+  stages = []
+
+  /** @type {ReturnType<typeof buildChoice>[]} */
+  choices = []
+
+  /** @type {{term: page.Term, part: HTMLElement, variants: Variant[]}[]} */
+  headings = []
+
+  /** @type {{name: string, holder: HTMLElement, variants: Variant[]}[]} */
+  items = []
+
+  /** @type {{host: HTMLElement, form: string}[]} */
+  conditional = []
+
+  /** @type {{host: HTMLElement, height: number | null}[]} stages that stay in sight on a phone */
+  sticky = []
+
+  /** @param {page.Block} block @param {PartHost} page */
+  constructor(block, page) {
+    this.page = page
+    this.element = this.#block(block)
+  }
+
+  /** @param {page.Block} block @returns {HTMLElement} */
+  #block(block) {
+    const host = element("div", {class: `block ${block.kind} ${block.style}`})
+    host.style.setProperty("--flex", flex(block))
+    if (block.phone !== null) host.style.setProperty("--place", String(block.phone))
+    if (block.height) host.style.setProperty("--phone-height", long(block.height))
+    if (block.form && block.kind !== "plot") this.conditional.push({host, form: block.form})
+    if (!block.hall) host.classList.add("at-desk")
+    this.#fill(host, block)
+    return host
+  }
+
+  /** @param {HTMLElement} host @param {page.Block} block */
+  #fill(host, block) {
+    switch (block.kind) {
+      case "row":
+      case "column":
+        if (block.gap) host.style.gap = long(block.gap)
+        return host.append(...block.blocks.map(child => this.#block(child)))
+      case "stage":
+        return this.#stage(host, block)
+      case "plot":
+        return this.#plot(host, block)
+      case "words":
+        return host.append(...block.items.map(item => this.#item(item)))
+      case "table":
+        return host.append(this.#table(block))
+      case "choice":
+        this.choices.push(buildChoice(host, block, message => this.page.send(message)))
+    }
+  }
+
+  /** @param {HTMLElement} host @param {page.StageBlock} block */
+  #stage(host, block) {
+    host.style.setProperty("--widest", String(block.widest))
+    if (!block.style.includes("still")) this.sticky.push({host, height: block.height})
+    this.stages.push(new Stage(block, host, this.page))
+  }
+
+  /** @param {HTMLElement} host @param {page.PlotBlock} block */
+  #plot(host, block) {
+    if (block.heading.length) host.append(this.#heading(block))
+    const area = element("div", {class: "plot-area"})
+    host.append(area)
+    this.plots.push(new Plot(block, area, this.page))
+    if (!block.shapes.length) return
+    const stage = new Stage({shapes: block.shapes, label: ""}, area, this.page)
+    stage.under = this.plots[this.plots.length - 1].over
+    this.stages.push(stage)
+  }
+
+  /** The formula is the legend and the switch: a click on a term takes its curve away. @param {page.PlotBlock} block */
+  #heading(block) {
+    const terms = block.heading.map(term => this.#term(term, block))
+    return element("div", {class: "head"}, ...terms)
+  }
+
+  /** @param {page.Term} term @param {page.PlotBlock} block */
+  #term(term, block) {
+    const look = {class: `part ${term.tint}`}
+    const part = term.curve ? element("button", {...look, type: "button"}) : element("span", look)
+    if (term.key !== "none") part.append(element("i", {class: `key ${term.key}`}))
+    const variants = Object.entries(term.variants).map(([name, html]) => {
+      const text = marked("span", {"data-form": name}, html)
+      part.append(text)
+      return {name, text}
+    })
+    if (term.curve) {
+      set(part, {title: "Show or hide this curve", "aria-label": curveName(block, term.curve)})
+      part.addEventListener("click", () => this.#switch(term.curve))
+    }
+    this.headings.push({term, part, variants})
+    return part
+  }
+
+  /** @param {string} curve */
+  #switch(curve) {
+    const hidden = new Set(this.page.hidden)
+    if (!hidden.delete(curve)) hidden.add(curve)
+    this.page.send({type: "choose", name: "hidden", value: [...hidden]})
+  }
+
+  /** @param {page.Forms} item @param {"div" | "td" | "th"} [tag] */
+  #item(item, tag = "div") {
+    const holder = element(tag, {class: "item"})
+    const variants = Object.entries(item.variants).map(([name, html], i) => {
+      const text = marked("div", i ? {hidden: ""} : {}, html) // of what is covered at first, one keeps the place
+      holder.append(text)
+      return {name, text}
+    })
+    if (item.name) this.items.push({name: item.name, variants, holder})
+    return holder
+  }
+
+  /** @param {page.TableBlock} block */
+  #table(block) {
+    const table = element("table", {})
+    if (block.head.length) {
+      const head = element("tr", {})
+      for (const html of block.head) head.append(html ? marked("th", {scope: "col"}, html) : element("td"))
+      table.append(head)
+    }
+    for (const cells of block.rows) {
+      const [name, ...rest] = cells.map((cell, i) => this.#item(cell, i ? "td" : "th"))
+      set(name, {scope: "row"})
+      // A formula alone is no name for every screen reader: its letters are.
+      for (const formula of name.querySelectorAll("math")) {
+        formula.before(element("span", {class: "heard"}, formula.textContent ?? ""))
+        set(formula, {"aria-hidden": "true"})
+      }
+      table.append(element("tr", {}, name, ...rest))
+    }
+    return table
+  }
+
+  /** @param {Drawn} shown */
+  update({view: {forms}, settings, state: {covered, before}}) {
+    for (const {term, part, variants} of this.headings) {
+      const wanted = forms[term.form] ?? "formula"
+      let shown = false
+      for (const {name, text} of variants) {
+        text.hidden = variants.length > 1 && name !== wanted
+        shown ||= !text.hidden && text.innerHTML !== ""
+      }
+      part.style.display = wanted === "" || !shown ? "none" : ""
+      const off = this.page.hidden.includes(term.curve)
+      part.classList.toggle("off", off)
+      if (term.curve) part.setAttribute("aria-pressed", String(!off))
+    }
+    for (const {host, form} of this.conditional) host.hidden = !forms[form]
+    for (const {name, variants, holder} of this.items) {
+      const wanted = forms[name] ?? ""
+      const waits = !holder.hidden && covered.includes(`form:${name}`)
+      holder.classList.toggle("waits", waits)
+      if (waits) continue // its place is kept
+      holder.hidden = wanted === ""
+      for (const {name: variant, text} of variants) text.hidden = variant !== wanted
+    }
+    this.choices.forEach(choice => choice.update(settings))
+    const {root} = this.page
+    root.classList.toggle("at-rest", covered.includes("stage") && !before)
+    root.classList.toggle("without-table", covered.includes("table"))
+    // On a phone the transport stays right under the stage that stays in sight, if the view has one.
+    const stage = this.sticky.find(({host}) => !host.closest("[hidden]"))
+    root.style.setProperty("--stage-height", long(stage?.height ?? 0))
+  }
+}
+
+// What a switch is called, whose formula a screen reader may not read: "Height against time: exact".
+/** @param {page.PlotBlock} block @param {string} group */
+function curveName({brief, curves, regions}, group) {
+  const labels = [...curves, ...regions]
+    .filter(part => part.group === group)
+    .map(part => part.read)
+    .filter(Boolean)
+  return `${brief}: ${[...new Set(labels)].join(", ") || group}`
+}
+
+// A block's share of the height or the width: rows and columns shrink, a sentence takes what it needs.
+/** @param {page.Block} block */
+function flex({kind, grow, basis}) {
+  const shrink = kind === "row" || kind === "column" || grow ? 1 : 0
+  if (basis) return `${grow} ${shrink} ${long(basis)}`
+  return `${grow} ${shrink} ${grow ? 0 : "auto"}`
+}

@@ -1,0 +1,72 @@
+// Announcements to those who do not see the page: a plot as it is now, and the effect of a change, in one sentence.
+
+import {element} from "../core/dom.js"
+import {description} from "./describe.js"
+
+const MOMENT = 700 // ms without a further change: a drag is spoken of when it ends
+
+export class Voice {
+  /** @type {number | undefined} */
+  timer
+
+  /** @param {PartHost} page */
+  constructor(page) {
+    this.page = page
+    this.status = element("p", {class: "heard", role: "status"})
+    page.root.append(this.status)
+    this.describe()
+    this.parameters = JSON.stringify(page.shown.state.parameters)
+    this.told = this.#numbers()
+  }
+
+  leave() {
+    clearTimeout(this.timer)
+  }
+
+  update() {
+    clearTimeout(this.timer)
+    this.timer = setTimeout(() => this.#speak(), MOMENT)
+  }
+
+  describe() {
+    for (const plot of this.page.plots) {
+      if (!plot.absent) plot.figure.says.textContent = description(plot)
+    }
+  }
+
+  #speak() {
+    this.describe()
+    const now = this.#numbers()
+    const parameters = JSON.stringify(this.page.shown.state.parameters)
+    if (parameters !== this.parameters) this.status.textContent = said(this.told, now)
+    this.parameters = parameters
+    this.told = now
+  }
+
+  /** The numbers that are spoken of, by what they are called; without those that are covered. */
+  #numbers() {
+    const {values} = this.page.shown.view
+    /** @type {Map<string, string>} */
+    const found = new Map()
+    for (const [name, text] of Object.entries(this.page.spec.spoken)) {
+      const parts = text.split(/[{}]/)
+      const isThere = parts.every((part, i) => i % 2 === 0 || values[part])
+      if (isThere) found.set(name, parts.map((part, i) => (i % 2 ? values[part] : part)).join(""))
+    }
+    return found
+  }
+}
+
+/**
+ * "slow mode 1.22 rad/s, was 1.00 rad/s; unchanged: fast mode".
+ * @param {Map<string, string>} before @param {Map<string, string>} now
+ */
+export function said(before, now) {
+  const names = [...now.keys()]
+  const moved = names.filter(name => now.get(name) !== before.get(name))
+  const still = names.filter(name => !moved.includes(name))
+  const told = moved.map(name => `${name} ${now.get(name)}${before.has(name) ? `, was ${before.get(name)}` : ""}`)
+  if (still.length) told.push(`unchanged: ${still.join(", ")}`)
+  const sentence = told.join("; ")
+  return sentence && `${sentence[0].toUpperCase()}${sentence.slice(1)}.`
+}

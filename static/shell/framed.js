@@ -1,0 +1,34 @@
+// A lecture in a frame of another page: that page is told how high it is, and a link leads out, into a tab of its own.
+
+import {element} from "../core/dom.js"
+
+/** @param {LectureHost} lecture */
+export function framed(lecture) {
+  const bar = /** @type {HTMLElement} */ (document.querySelector(".nav"))
+  const out = element("a", {class: "out", target: "_blank", rel: "noopener"}, "Open in a tab")
+  document.querySelector("#theme")?.before(out)
+  const lead = () => out.setAttribute("href", lecture.page?.shown ? lecture.page.link : location.search || "./")
+  for (const event of ["pointerenter", "focus", "click"]) out.addEventListener(event, lead)
+  lead()
+  let told = 0
+  /** Anybody may know a height; who frames the page is the server's to say. */
+  const tell = () => {
+    const height = Math.ceil(bar.offsetHeight + wanted(lecture.page))
+    if (height === told) return
+    told = height
+    parent.postMessage({type: "oscillations:height", height}, "*")
+  }
+  const observer = new ResizeObserver(tell)
+  const watch = () => {
+    if (lecture.page) for (const part of lecture.page.root.children) observer.observe(part)
+    tell()
+  }
+  document.addEventListener("oscillations:painted", watch)
+  watch()
+}
+
+/** What a page would take if nothing of it scrolled. @param {PartHost | undefined} page */
+function wanted(page) {
+  if (!page) return 0
+  return Math.max(page.root.scrollHeight, page.paper.scrollHeight, page.panel.scrollHeight)
+}

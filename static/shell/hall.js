@@ -1,0 +1,88 @@
+// The hall: type and lines that the last row reads, the panel folded away. It is part of the link, not of the state.
+
+import {button, element} from "../core/dom.js"
+import {later} from "../later.js"
+import {tabStorage} from "../core/storage.js"
+
+const FULL = "full-screen"
+const root = document.documentElement
+
+export class Hall {
+  /** @type {HTMLElement | undefined} says what the next key does */
+  offer
+
+  /** @param {LectureHost} lecture */
+  constructor(lecture) {
+    this.lecture = lecture
+    addEventListener("pagehide", () => tabStorage.keep(FULL, document.fullscreenElement ? "was" : ""))
+    if (tabStorage.text(FULL) === "was" && !document.fullscreenElement) this.#offer()
+    if (this.on) this.#point()
+  }
+
+  get on() {
+    return root.dataset.mode === "projector"
+  }
+
+  /** What the address says of it. */
+  get ending() {
+    return this.on ? "&projector" : ""
+  }
+
+  toggle() {
+    if (this.on) delete root.dataset.mode
+    else root.dataset.mode = "projector"
+    delete root.dataset.panel
+    this.lecture.page.place()
+    this.lecture.readdress()
+    this.#point()
+    this.shown(this.lecture.page)
+  }
+
+  /** Its values stand in one line while the panel is folded away. @param {PartHost} page */
+  async shown(page) {
+    if (!this.on) return
+    const {values} = await later("shell/values")
+    values(page)
+  }
+
+  /** What stands for the panel while it is folded away. */
+  tab() {
+    return button({class: "tab"}, () => this.fold(), "Controls, key C")
+  }
+
+  /** The panel, behind its tab or beside the paper. */
+  fold() {
+    const {panel} = this.lecture.page
+    root.dataset.panel = panel.classList.contains("folded") || isFolded(panel) ? "open" : "folded"
+    this.lecture.page.place()
+  }
+
+  /** It stays through scenes and steps, which are one page. */
+  async full() {
+    if (document.fullscreenElement) await document.exitFullscreen()
+    else await root.requestFullscreen?.().catch(() => {})
+  }
+
+  /** Only a key or a press may fill the screen: after a page is loaded anew, as some clickers have it, the next one. */
+  #offer() {
+    this.offer = element("p", {class: "offer", role: "status"}, "Press a key to go back to full screen.")
+    document.body.append(this.offer)
+    const pressed = new AbortController()
+    const end = (/** @type {Event} */ event) => {
+      pressed.abort()
+      this.offer?.remove()
+      const leaves = event instanceof KeyboardEvent && (event.key === "Escape" || event.key.toLowerCase() === "f")
+      if (!leaves && event instanceof KeyboardEvent) this.full()
+    }
+    for (const kind of ["keydown", "pointerdown"]) addEventListener(kind, end, {capture: true, signal: pressed.signal})
+  }
+
+  async #point() {
+    if (!this.on) return
+    const {pointer} = await later("input/pointer")
+    pointer()
+  }
+}
+
+/** @param {HTMLElement} panel */
+const isFolded = panel => getComputedStyle(panel).getPropertyValue("--folded").trim() === "1"

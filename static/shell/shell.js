@@ -1,0 +1,95 @@
+// The shell around a scene: the navigation, the title of the document, light and dark.
+
+import {element} from "../core/dom.js"
+import {turnTheme} from "./theme.js"
+import {using} from "../later.js"
+
+export class Shell {
+  /** @param {LectureHost} lecture */
+  constructor(lecture) {
+    this.lecture = lecture
+    this.nav = one(".nav nav", HTMLElement)
+    this.menu = one(".scene-menu", HTMLDetailsElement)
+    this.heading = one(".scene-menu summary", HTMLElement)
+    this.where = element("span", {class: "where"})
+    this.menu.after(this.where)
+    this.menu.addEventListener("toggle", () => this.nav.classList.toggle("open", this.menu.open))
+    /** @type {HTMLElement[]} */
+    this.links = [...document.querySelectorAll(".nav [data-scene]")].filter(link => link instanceof HTMLElement)
+    for (const link of this.links) this.#lead(link)
+    for (const link of document.querySelectorAll("[data-skip]"))
+      link.addEventListener("click", event => this.#skip(event))
+    one("#theme", HTMLElement).addEventListener("click", () => this.#theme())
+    if (parent !== window) using("shell/framed", ({framed}) => framed(lecture))
+  }
+
+  /** A click changes the scene within the session; other clicks are the browser's own. @param {HTMLElement} link */
+  #lead(link) {
+    const {scene = "", sheet = ""} = link.dataset
+    for (const event of ["pointerenter", "focus", "click"]) {
+      link.addEventListener(event, () => this.lecture.sheets.fetch(sheet).catch(() => {}), {once: true})
+    }
+    link.addEventListener("click", event => {
+      if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey || event.button) return
+      event.preventDefault()
+      this.menu.open = false
+      this.lecture.open({scene}, true)
+    })
+  }
+
+  /** Where in the lecture a scene is. @param {string} slug */
+  #place(slug) {
+    const scenes = this.links.filter(link => !link.classList.contains("brand"))
+    const place = scenes.findIndex(link => link.dataset.scene === slug)
+    const labels = [...this.nav.querySelectorAll(".lecture")].filter(
+      label => label.compareDocumentPosition(scenes[place]) & Node.DOCUMENT_POSITION_FOLLOWING,
+    )
+    return `${labels.at(-1)?.textContent ?? ""}, scene ${place + 1} of ${scenes.length}`
+  }
+
+  /**
+   * `moved` where the visitor came from another scene: the screen reader is told by the focus.
+   * @param {page.SceneSheet} sheet @param {boolean} moved
+   */
+  turned({slug, title, headline}, moved) {
+    this.where.textContent = this.#place(slug)
+    document.title = `${headline} – Oscillations`
+    this.heading.textContent = title
+    for (const link of this.links) {
+      if (link.classList.contains("brand")) continue
+      const here = link.dataset.scene === slug
+      link.classList.toggle("here", here)
+      if (here) link.setAttribute("aria-current", "page")
+      else link.removeAttribute("aria-current")
+    }
+    // In a frame nothing takes the focus from the page around it.
+    if (!moved || !document.hasFocus()) return
+    scrollTo(0, 0)
+    this.lecture.page.root.querySelector("h1")?.focus({preventScroll: true})
+  }
+
+  /** The Tab key goes on from there. @param {Event} event */
+  #skip(event) {
+    event.preventDefault()
+    const link = /** @type {HTMLElement} */ (event.currentTarget)
+    const part = /** @type {HTMLElement} */ (this.lecture.page.root.querySelector(link.dataset.skip ?? ""))
+    part.tabIndex = -1
+    part.focus()
+  }
+
+  #theme() {
+    turnTheme()
+    this.lecture.page.theme()
+  }
+}
+
+/**
+ * What the page is served with.
+ * @template {Element} Kind
+ * @param {string} selector @param {{new (): Kind}} kind @returns {Kind}
+ */
+function one(selector, kind) {
+  const found = document.querySelector(selector)
+  if (found instanceof kind) return found
+  throw new Error(`The page has no ${selector}.`)
+}

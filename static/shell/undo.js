@@ -1,0 +1,127 @@
+// Undo and redo: the states that a scene has been in, each put back by opening it.
+
+import {button, element, set, svg} from "../core/dom.js"
+
+const ARROWS = {past: "M9 14l-5-5 5-5M4 9h10a5 5 0 0 1 0 10h-4", future: "M15 14l5-5-5-5M20 9H10a5 5 0 0 0 0 10h4"}
+const RESET = "M5 5v14M19 6l-9 6 9 6z"
+const MOST = 200 // states kept of a scene
+
+/**
+ * @typedef {"past" | "future"} Way
+ * @typedef {{past: page.State[], future: page.State[], now: page.State, deed: string}} Story
+ * @typedef {(open: () => page.Open | null, about: {way: Way}) => void} SendBack
+ */
+
+export class Undo {
+  /** @type {Map<string, Story>} by scene */
+  stories = new Map()
+
+  /** @type {Story | undefined} of the scene that is shown */
+  story
+
+  gesture = 0
+  press = "" // of what, and which
+
+  /** `reset` brings the scene back as it opens. @param {SendBack} send @param {() => void} reset */
+  constructor(send, reset) {
+    this.send = send
+    this.buttons = {past: this.#button("Undo", "past"), future: this.#button("Redo", "future")}
+    this.reset = drawn("Reset", "Reset: everything as the scene opened", RESET, reset)
+    this.element = element("div", {class: "undo"}, this.reset, this.buttons.past, this.buttons.future)
+    addEventListener("pointerdown", () => this.#press("pointer"), true)
+    addEventListener("keydown", event => this.#key(event), true)
+  }
+
+  #press(/** @type {"pointer" | "key"} */ kind) {
+    this.gesture++
+    this.press = `${kind} ${this.gesture}`
+  }
+
+  /** @param {string} name @param {Way} way */
+  #button(name, way) {
+    const keys = way === "past" ? "Control+Z" : "Control+Shift+Z"
+    const made = drawn(name, `${name} (${keys.replace("Control", "Ctrl")})`, ARROWS[way], () => this.go(way))
+    set(made, {"aria-keyshortcuts": keys, disabled: ""})
+    return made
+  }
+
+  /** A field that is typed in has an undo of its own. @param {KeyboardEvent} event */
+  #key(event) {
+    if (!event.repeat) this.#press("key")
+    const isOurs = (event.ctrlKey || event.metaKey) && !event.altKey && event.key.toLowerCase() === "z"
+    if (!isOurs || isTyping(event.target)) return
+    event.preventDefault()
+    this.go(event.shiftKey ? "future" : "past")
+  }
+
+  /** What one press of a pointer or a key changes, however many messages that takes, is one entry. */
+  deed(/** @type {page.Said} */ {type}) {
+    return type === "set" || type === "typed" ? `${type} ${this.gesture}` : ""
+  }
+
+  /** Covers, and what is held, stay as they are. @param {Way} way */
+  go(way) {
+    this.send(
+      () => {
+        const to = this.story?.[way].at(-1)
+        if (!this.story || !to) return null
+        const {parameters, frame, hidden} = to
+        return {type: "open", state: {...this.story.now, parameters, frame, hidden}}
+      },
+      {way},
+    )
+  }
+
+  /**
+   * What was told, and of what it is the answer.
+   * @param {page.State} state @param {{way?: Way, deed?: string}} asked
+   */
+  record(state, {way, deed = ""}) {
+    const story = this.stories.get(state.scene) ?? {past: [], future: [], now: state, deed: ""}
+    this.stories.set(state.scene, story)
+    this.story = story
+    if (isSame(story.now, state)) {
+      if (way) story[way].pop() // refused: it would be asked for again and again
+    } else if (way) {
+      story[way].pop()
+      story[way === "past" ? "future" : "past"].push(story.now)
+      story.deed = ""
+    } else advance(story, state, deed)
+    story.now = state
+    this.reset.disabled = Boolean(state.step) || isSame(state, {...state, parameters: {}, frame: null, hidden: null})
+    for (const one of /** @type {Way[]} */ (["past", "future"])) this.buttons[one].disabled = !story[one].length
+  }
+}
+
+/** A button with a drawing. @param {string} name @param {string} title @param {string} d @param {() => void} act */
+function drawn(name, title, d, act) {
+  const look = {viewBox: "0 0 24 24", width: 20, height: 20, "aria-hidden": "true"}
+  return button({"aria-label": name, title}, act, svg("svg", look, svg("path", {d})))
+}
+
+/**
+ * A gesture that ends where it began has changed nothing.
+ * @param {Story} story @param {page.State} state @param {string} deed
+ */
+function advance(story, state, deed) {
+  const {past} = story
+  const goesOn = deed && deed === story.deed
+  story.future = []
+  story.deed = deed
+  if (!goesOn) past.push(story.now)
+  else if (isSame(past[past.length - 1], state)) {
+    past.pop()
+    story.deed = ""
+  }
+  if (past.length > MOST) past.shift()
+}
+
+/** @param {page.State} one @param {page.State} other */
+const isSame = (one, other) => essence(one) === essence(other)
+
+/** @param {page.State} state */
+const essence = ({parameters, frame, hidden}) => JSON.stringify([parameters, frame, hidden])
+
+/** @param {EventTarget | null} target */
+const isTyping = target =>
+  target instanceof HTMLTextAreaElement || (target instanceof HTMLInputElement && target.type === "text")

@@ -1,0 +1,26 @@
+// The values that the panel shows, in one line: for a hall, where the panel is folded away.
+
+import {element} from "../core/dom.js"
+import {brief} from "../input/handles.js"
+import {MINUS, short} from "../core/numbers.js"
+import {symbol} from "../input/slider.js"
+
+/** @param {PartHost} page */
+export function values({spec, shown: {settings, view}, transport}) {
+  const groups = spec.panel.groups.filter(({form, folded}) => !folded && (!form || view.forms[form]))
+  const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")
+  const parts = rows.map(row => {
+    const {text, unit} = settings[row.name]
+    const isRaised = text.includes("e")
+    const number = isRaised ? short(Number(text.replaceAll(MINUS, "-"))) : brief(text)
+    return element(
+      "span",
+      {},
+      element("span", {class: `tint ${row.tint}`}, symbol(row.symbol)),
+      ` ${number} ${unit ?? row.unit}`.trimEnd(),
+    )
+  })
+  const line = transport.element.querySelector(".in-force") ?? element("div", {class: "in-force"})
+  line.replaceChildren(...parts)
+  transport.element.append(line)
+}

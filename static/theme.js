@@ -1,9 +1,0 @@
-// The switch between light and dark.
-
-import {browserStorage} from "./storage.js"
-
-export function turnTheme() {
-  const {dataset} = document.documentElement
-  dataset.theme = dataset.theme === "dark" ? "light" : "dark"
-  browserStorage.keepOrSay("theme", dataset.theme)
-}

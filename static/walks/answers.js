@@ -1,0 +1,55 @@
+// The visitor's answers: kept by this browser alone, for as long as it keeps anything.
+
+import {browserStorage} from "../core/storage.js"
+import {bare} from "../core/plain.js"
+
+/** @typedef {{said: string, right: boolean, title: page.Html}} Kept of a step: the answer in words */
+
+const KEY = "walk-answers"
+
+export class Answers {
+  constructor() {
+    /** @type {Record<string, Kept>} by the id of the step */
+    this.kept = browserStorage.value(KEY) ?? {}
+  }
+
+  /** @param {string} step */
+  of(step) {
+    return /** @type {Kept | undefined} */ (this.kept[step])
+  }
+
+  /** @param {string} step @param {Kept} answer */
+  keep(step, answer) {
+    this.kept[step] = answer
+    this.#store()
+  }
+
+  clear() {
+    this.kept = {}
+    this.#store()
+  }
+
+  #store() {
+    browserStorage.keepOrSay(KEY, this.kept)
+  }
+
+  /** A page of text to keep. @param {page.WalkSheet[]} sheets */
+  text(sheets) {
+    const lines = sheets.flatMap(({title, steps}) => {
+      const answered = steps.filter(step => this.of(step.id))
+      return answered.length ? [title, "", ...answered.flatMap(step => this.#lines(step)), ""] : []
+    })
+    return lines.length ? lines.join("\n") : "No question has been answered yet.\n"
+  }
+
+  /** @param {page.StepCard} step */
+  #lines(step) {
+    const {said, right, title} = /** @type {Kept} */ (this.of(step.id))
+    return [
+      `${step.place} (${step.id})`,
+      `  ${bare(step.given)} ${bare(step.question)}`.trimEnd(),
+      `  Your answer: ${said}${right ? ", right" : ""}`,
+      `  ${bare(title)}`,
+    ]
+  }
+}

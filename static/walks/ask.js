@@ -1,0 +1,157 @@
+// Ask: a question about what is shown becomes a step of a walk, and several steps a file to keep. Each is checked by
+// the session as any walk's file is, so that what is made here runs.
+
+import {chip, element} from "../core/dom.js"
+import {Asked} from "./asked.js"
+import {parts, sentences} from "../compare/coverable.js"
+import {chooser, labelled, text} from "../questions/fields.js"
+import {KINDS} from "../questions/kinds.js"
+import {save} from "../export/save.js"
+
+const NAME = "asked"
+
+/** @typedef {import("../questions/question.js").Fields} Fields */
+
+/** @param {LectureHost["walks"]} walks */
+export const ask = walks => new Ask(walks).open()
+
+class Ask {
+  /** @type {string[]} what is covered already and is not offered here */
+  covered = []
+
+  asked = new Asked()
+
+  /** @param {LectureHost["walks"]} walks */
+  constructor(walks) {
+    this.walks = walks
+    this.page = walks.lecture.page
+    this.plots = this.page.plots.filter(plot => !plot.absent && plot.host.offsetParent !== null)
+    this.kind = chooser(
+      "Kind of answer",
+      "kind",
+      Object.entries(KINDS).map(([value, {label}]) => ({value, label})),
+    )
+    this.kind.addEventListener("change", () => this.#fields())
+    this.answers = element("div", {class: "ask-answers"})
+    this.problem = element("p", {class: "problem", role: "alert"})
+    this.list = element("ol", {})
+    const title = labelled("Title of the walk", "walk", this.asked.title)
+    const add = element("button", {class: "act filled"}, "Add this question")
+    this.form = element("form", {class: "ask-form"}, ...this.#parts(), this.problem, add)
+    this.form.addEventListener("submit", event => this.#add(event))
+    title.addEventListener("input", () => {
+      this.asked.title = field(title).value || "My walk"
+      this.asked.keep()
+      this.#show()
+    })
+    this.tools = element("div", {class: "tools"}, ...this.#tools())
+    this.element = element("dialog", {class: "asking", "aria-label": "Write a question"})
+    this.element.append(element("h1", {}, "Write a question on this picture"), this.form, title, this.list, this.tools)
+    this.element.addEventListener("close", () => this.element.remove())
+    document.body.append(this.element)
+  }
+
+  open() {
+    this.#fields()
+    this.#show()
+    this.element.showModal()
+  }
+
+  #parts() {
+    const covers = [...parts(this.page), ...sentences(this.page)]
+    const {covered} = this.page.shown.state
+    const boxes = covers.map(part => box("cover", part.cover, part.text, covered.includes(part.cover)))
+    this.covered = covered.filter(name => !covers.some(({cover}) => cover === name)) // they have no box, and stay
+    return [
+      labelled("Question, ending with ? or beginning with Sketch or Mark", "question", "", true),
+      this.kind,
+      this.answers,
+      element("fieldset", {}, element("legend", {}, "Covered until the answer is shown"), ...boxes),
+      labelled("Title of the answer", "title", "", true),
+      labelled("Explanation", "explain", "", true),
+    ]
+  }
+
+  #tools() {
+    const entries = /** @type {[string, string, () => void][]} */ ([
+      ["Save the walk as a file", "of-steps", () => save("my-walk.toml", this.asked.file(), "application/toml")],
+      ["Try it", "of-steps", () => this.#try()],
+      ["Remove all questions", "of-steps", () => this.#remove()],
+      ["Close", "", () => this.element.close()],
+    ])
+    return entries.map(([name, style, act]) => chip(name, act, {class: `chip ${style}`.trim()}))
+  }
+
+  #fields() {
+    this.answers.replaceChildren(...KINDS[field(this.kind).value].fields(this.plots))
+  }
+
+  /** The steps that there are. */
+  #show() {
+    this.list.replaceChildren(...this.asked.steps.map((step, i) => this.#row(step, i)))
+    for (const tool of this.tools.querySelectorAll(".of-steps"))
+      tool.toggleAttribute("disabled", !this.asked.steps.length)
+  }
+
+  /** @param {Fields} step @param {number} i */
+  #row(step, i) {
+    const remove = chip("Remove", () => this.#remove(i))
+    return element("li", {}, element("span", {}, String(step.question)), remove)
+  }
+
+  /** @param {number} [i] one of them, or all */
+  #remove(i) {
+    if (i === undefined) this.asked.steps = []
+    else this.asked.steps.splice(i, 1)
+    this.asked.keep()
+    this.#show()
+  }
+
+  /** @param {Event} event */
+  async #add(event) {
+    event.preventDefault()
+    const step = this.#read()
+    const refused = await this.walks.check(NAME, this.asked.file([step]))
+    this.problem.textContent = refused.replaceAll(`${NAME}, step 1 (${step.id}), `, "")
+    if (refused) return
+    this.asked.steps.push(step)
+    this.asked.keep()
+    this.form.reset()
+    this.#fields()
+    this.#show()
+  }
+
+  /** @returns {Fields} */
+  #read() {
+    const {form} = this
+    const boxes = [...form.querySelectorAll("input[name=cover]:checked")].map(one => one.getAttribute("value") ?? "")
+    const query = this.page.shown.query.split("&").filter(part => !part.startsWith("cover="))
+    const kind = text(form, "kind")
+    const {cover = [], ...asks} = KINDS[kind].read(form, this.plots)
+    return {
+      id: this.asked.nextId,
+      kind,
+      title: text(form, "title"),
+      state: `?${query.join("&")}`,
+      cover: [...new Set([...this.covered, ...boxes, ...cover])],
+      question: text(form, "question"),
+      ...asks,
+      explain: text(form, "explain"),
+    }
+  }
+
+  async #try() {
+    const refused = await this.walks.run(NAME, this.asked.file())
+    this.problem.textContent = refused
+    if (!refused) this.element.close()
+  }
+}
+
+/** @param {string} name @param {string} value @param {string} label @param {boolean} isSet */
+const box = (name, value, label, isSet) => {
+  const input = element("input", {type: "checkbox", name, value, checked: isSet ? "" : undefined})
+  return element("label", {class: "ask-box"}, input, ` ${label}`)
+}
+
+/** @param {HTMLElement} label */
+const field = label => /** @type {HTMLInputElement} */ (label.querySelector("input, select"))

@@ -1,0 +1,50 @@
+// The steps that have been asked on the page, and the walk file that they make: TOML, as docs/writing-a-walk.md says.
+
+import {browserStorage} from "../core/storage.js"
+
+const KEY = "asked-steps"
+
+/** @typedef {import("../questions/question.js").Fields} Fields */
+
+export class Asked {
+  /** @type {Fields[]} in the order in which they were asked */
+  steps = []
+
+  title = "My walk"
+
+  constructor() {
+    Object.assign(this, browserStorage.value(KEY))
+  }
+
+  keep() {
+    browserStorage.keepOrSay(KEY, {steps: this.steps, title: this.title})
+  }
+
+  /** An id that no other step has. */
+  get nextId() {
+    const taken = new Set(this.steps.map(step => step.id))
+    let n = this.steps.length + 1
+    while (taken.has(`asked-${n}`)) n++
+    return `asked-${n}`
+  }
+
+  /** A walk's file. @param {Fields[]} [steps] */
+  file(steps = this.steps) {
+    const parts = steps.map(step => ["[[step]]", ...Object.entries(step).map(line)])
+    return [line(["title", this.title]), ...parts.map(lines => `\n${lines.join("\n")}`)].join("\n") + "\n"
+  }
+}
+
+/** @param {[string, Toml]} field */
+const line = ([name, value]) => `${name} = ${written(value)}`
+
+/** Strings of JSON are strings of TOML, but for one sign. @param {Toml} value @returns {string} */
+function written(value) {
+  if (Array.isArray(value)) {
+    const items = value.map(written)
+    return typeof value[0] === "object" ? `[\n${items.map(item => `  ${item},\n`).join("")}]` : `[${items.join(", ")}]`
+  }
+  if (typeof value === "object") return `{ ${Object.entries(value).map(line).join(", ")} }`
+  if (typeof value === "string") return JSON.stringify(value).replaceAll("\u007f", "\\u007f")
+  return String(value)
+}

@@ -1,0 +1,199 @@
+// The card of a step, in the panel's place: what is given and asked, the answer, what it means, what to try.
+
+import {button, chip, element, marked} from "../core/dom.js"
+import {KINDS} from "../questions/kinds.js"
+import {claim, withhold} from "./claim.js"
+
+export const ANSWER_FIRST = "Answer first: a guess is fine"
+const CHOSEN = ".seg, .tiles, .window" // what sets a parameter and is no slider
+const HELD = ".transport, .paper .handles, .paper .seg, .paper .grips" // what waits for the answer
+const GRABBED = ".grip, .handles [data-grab]" // what sets a value by hand
+
+export class Card {
+  /** @type {{part: Element, place: Comment}[]} controls that stand on the card, and where they come from */
+  borrowed = []
+
+  /**
+   * @param {WalkHost} walk
+   * @param {PartHost} page
+   */
+  constructor(walk, page) {
+    this.walk = walk
+    this.page = page
+    const {step} = walk
+    this.question = new KINDS[step.kind](step, walk, page)
+    this.refusal = element("p", {class: "problem", role: "alert"})
+    this.after = element("div", {class: "after"})
+    this.back = button({class: "act", "data-key": "PageUp"}, () => walk.back(), "Back")
+    this.back.disabled = walk.place === 0
+    this.forward = button({class: "act filled"}, () => walk.forward(), "Show the answer")
+    const asks = marked("h2", {class: "asks", tabindex: -1}, step.question)
+    this.body = element("div", {class: "card-body"}, this.#head(), ...given(step), asks, this.question.element)
+    this.body.append(this.refusal, this.after)
+    this.element = element("section", {class: "card", "aria-label": "The walk"}, this.body)
+    this.element.append(element("div", {class: "foot"}, this.back, this.forward))
+    this.question.changed = () => this.#ready()
+    page.panel.prepend(this.element)
+    page.root.classList.add("walked")
+    // On a phone it stands among the plots: what is drawn over them moves along.
+    this.observer = new ResizeObserver(() => page.redraw())
+    this.observer.observe(this.element)
+    this.line = element("p", {class: "asked-line"}, ...asked(step))
+    page.heading.after(this.line)
+    this.#ask()
+    asks.focus({preventScroll: true})
+    this.question.plot?.host.scrollIntoView({block: "nearest"}) // now that all has its place
+  }
+
+  #head() {
+    const {sheet, place, where} = this.walk
+    const contents = button({class: "plain"}, () => this.walk.open(), "Contents")
+    const dashes = sheet.steps.map((other, i) =>
+      element("i", {class: i === place ? "here" : this.walk.answers.of(other.id) ? "done" : ""}),
+    )
+    const ruler = element("div", {class: "ruler", "aria-hidden": "true"}, ...dashes)
+    return element("div", {class: "card-head"}, element("span", {}, where), contents, ruler)
+  }
+
+  #ask() {
+    const {page} = this
+    const {question, opens} = this.walk.step
+    page.root.classList.add("asked")
+    withhold(page, question)
+    for (const {name, holder} of page.sheet.items)
+      holder.classList.toggle("at-issue", opens.covered.includes(`form:${name}`))
+    for (const part of page.root.querySelectorAll(HELD)) part.setAttribute("inert", "")
+    this.#ready()
+  }
+
+  #ready() {
+    const isReady = this.walk.lesson !== null || this.question.given() !== null
+    this.forward.classList.toggle("waiting", !isReady)
+    this.forward.title = isReady ? "" : ANSWER_FIRST
+    this.refusal.textContent = ""
+  }
+
+  /** @param {string} why */
+  refuse(why) {
+    this.refusal.textContent = why
+  }
+
+  /** What the step teaches takes its place under the question. @param {page.Lesson} lesson */
+  teach(lesson) {
+    const {page} = this
+    this.#release()
+    this.#confine()
+    claim(page, lesson.title)
+    this.question.teach(lesson)
+    this.after.replaceChildren(...this.#meaning(lesson))
+    page.live.find(this.after)
+    page.redraw()
+    this.forward.textContent = this.walk.place + 1 < this.walk.sheet.steps.length ? "Next" : "Contents"
+    this.#ready()
+  }
+
+  /** @param {page.Lesson} lesson */
+  #meaning({reply, truth, explain, follows, next}) {
+    const answered = [truth ? `It is ${truth}.` : ""].filter(Boolean).map(text => element("p", {class: "truth"}, text))
+    const sentence = reply ? [marked("p", {class: "reply"}, reply)] : []
+    return [
+      ...answered,
+      ...sentence,
+      marked("p", {class: "why"}, explain),
+      ...derivation(follows, this.walk),
+      ...this.#try(next),
+    ]
+  }
+
+  /** @param {page.Html} next */
+  #try(next) {
+    const again = chip(this.question.again, () => this.walk.again())
+    const words = next ? [marked("p", {class: "try"}, `<b>Try:</b> ${next}`)] : []
+    const parts = element(
+      "div",
+      {class: "tries"},
+      ...words,
+      element("div", {class: "borrowed"}, ...this.#borrow()),
+      again,
+    )
+    return [this.#opener(), parts]
+  }
+
+  /** A hall has no room for what to try beside what it means: it takes the place of the answers. */
+  #opener() {
+    const toggle = () => opener.setAttribute("aria-expanded", String(this.element.classList.toggle("trying")))
+    const opener = button({class: "chip opens-tries", "aria-expanded": "false"}, toggle, "Try")
+    return opener
+  }
+
+  /** The controls that the step names stand on the card while it does, wherever else they stand. */
+  #borrow() {
+    const {controls, root, spec} = this.page
+    const parts = this.walk.step.controls.map(
+      name => controls.sliders.get(name)?.element ?? root.querySelector(`:is(${CHOSEN})[data-name="${name}"]`),
+    )
+    return parts.flatMap(part => {
+      if (!part || !spec) return []
+      const place = document.createComment("on the card")
+      part.replaceWith(place)
+      this.borrowed.push({part, place})
+      return [part]
+    })
+  }
+
+  /** @param {Drawn} shown */
+  update(shown) {
+    this.question.update(shown)
+  }
+
+  #release() {
+    const {page} = this
+    page.root.classList.remove("asked")
+    for (const part of page.root.querySelectorAll(`${HELD}, ${GRABBED}`)) part.removeAttribute("inert")
+  }
+
+  /** After the answer a hand takes what sets a value that the step names. */
+  #confine() {
+    const names = new Set(this.walk.step.controls)
+    for (const part of this.page.root.querySelectorAll(GRABBED)) {
+      const sets = part.getAttribute("data-grab")?.split(" ") ?? []
+      part.toggleAttribute("inert", !sets.some(name => names.has(name)))
+    }
+  }
+
+  leave() {
+    for (const {part, place} of this.borrowed) place.replaceWith(part)
+    this.#release()
+    this.question.leave()
+    this.observer.disconnect()
+    this.element.remove()
+    this.line.remove()
+    this.page.root.classList.remove("walked")
+    claim(this.page)
+  }
+}
+
+/** Under a hall's headline: what is given, and once the claim stands there the question. @param {page.StepCard} step */
+const asked = step => [
+  ...(step.given ? [marked("span", {}, `${step.given} `)] : []),
+  marked("span", {class: "asks-again"}, step.question),
+]
+
+/** @param {page.StepCard} step */
+const given = step => (step.given ? [marked("p", {class: "given"}, step.given)] : [])
+
+/**
+ * The slide's own equations, closed at first, then as they were left; where there is room they open over the paper.
+ * @param {page.Html[]} follows @param {WalkHost} walk
+ */
+function derivation(follows, walk) {
+  if (!follows.length) return []
+  const lines = follows.map(html => marked("div", {class: "line"}, html))
+  const sheet = element("div", {class: "lines", tabindex: 0, role: "group", "aria-label": "How it follows"}, ...lines)
+  const fold = element("details", {class: "fold follows"}, element("summary", {}, "How it follows"), sheet)
+  fold.open = walk.unfolded
+  fold.addEventListener("toggle", () => {
+    walk.unfolded = fold.open
+  })
+  return [fold]
+}

@@ -1,0 +1,105 @@
+// The menu of the walks: those that there are, one from a file, and what an instructor does with them.
+
+import {element} from "../core/dom.js"
+import {browserStorage} from "../core/storage.js"
+import {later} from "../later.js"
+
+const VISITED = "visited"
+
+export class Menu {
+  /** @type {Map<string, string>} the addresses of the sheets by name */
+  sheets = new Map()
+
+  /** @type {HTMLElement | null} the link that offers it beside the menu */
+  tour = document.querySelector(".new-here")
+
+  /** @param {import("./walks.js").Walks} walks */
+  constructor(walks) {
+    this.walks = walks
+    this.element = document.querySelector(".walks")
+    for (const link of document.querySelectorAll("[data-walk]")) if (link instanceof HTMLElement) this.#lead(link)
+    this.#offer()
+    const {hall} = walks.lecture
+    this.#entry("leave-walk", () => walks.leave())
+    // A file button that is nowhere seen: held here, or the browser may forget it before a file is chosen; and pressed
+    // at once, as a browser opens files only right after a hand has asked for it.
+    this.file = element("input", {type: "file", accept: ".toml,text/plain"})
+    this.file.addEventListener("change", () => this.#run(this.file.files?.[0]))
+    this.#entry("walk-file", () => this.file.click())
+    this.#entry("handout", async () => walks.walk && (await later("export/handout")).handout(walks.walk))
+    this.#entry("ask", () => this.#ask())
+    this.#entry("teach", () => walks.lecture.classes.begin())
+    this.#entry("projector", () => hall.toggle())
+    this.#entry("full-screen", () => hall.full())
+    addEventListener("dragover", event => event.dataTransfer?.types.includes("Files") && event.preventDefault())
+    addEventListener("drop", event => this.#drop(event))
+  }
+
+  /** @param {string} id @param {() => void} act */
+  #entry(id, act) {
+    document.getElementById(id)?.addEventListener("click", () => {
+      this.close()
+      act()
+    })
+  }
+
+  /** The tour is offered on the first visit, until a walk is entered. */
+  #offer() {
+    const isFirst = !browserStorage.text(VISITED) && !new URLSearchParams(location.search).has("walk") && self === top
+    if (this.tour) this.tour.hidden = !isFirst
+    browserStorage.keep(VISITED, "yes")
+  }
+
+  /** A question is asked of a scene: a step of a walk is one already. */
+  async #ask() {
+    if (this.walks.walk) this.walks.lecture.page.notice.tell("Leave the walk first: a question is written on a scene.")
+    else (await later("walks/ask")).ask(this.walks)
+  }
+
+  /** @param {HTMLElement} link */
+  #lead(link) {
+    const {walk = "", sheet = ""} = link.dataset
+    this.sheets.set(walk, sheet)
+    link.addEventListener("click", event => {
+      if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey || event.button) return
+      event.preventDefault()
+      this.close()
+      this.walks.enter(walk)
+    })
+  }
+
+  /** @param {DragEvent} event */
+  #drop(event) {
+    const file = event.dataTransfer?.files[0]
+    if (file) event.preventDefault()
+    this.#run(file)
+  }
+
+  /** One's own walk, from a file. @param {File} [file] */
+  async #run(file) {
+    if (!file) return
+    const {run} = await later("walks/ownwalk")
+    await run(this.walks, file)
+    this.file.value = "" // the same one, mended, can be chosen again
+  }
+
+  get names() {
+    return [...this.sheets.keys()]
+  }
+
+  /** @param {boolean} isWalked */
+  walked(isWalked) {
+    this.element?.classList.toggle("walked", isWalked)
+    if (isWalked && this.tour) this.tour.hidden = true
+  }
+
+  close() {
+    this.element?.removeAttribute("open")
+  }
+
+  toggle() {
+    this.element?.toggleAttribute("open")
+    const first = this.element?.querySelector("a")
+    if (this.element?.hasAttribute("open")) first?.focus()
+  }
+}

@@ -1,0 +1,136 @@
+// The guided walks: which there are, and when one begins and ends. What a walk is made of is fetched when one begins.
+
+import {insisting, later} from "../later.js"
+import {Menu} from "./menu.js"
+import {tabStorage} from "../core/storage.js"
+
+/** @typedef {import("./walk.js").Walk} Walk */
+
+const OWN = "own-walks"
+const NOT_READ = "the server could not read this file. Nothing has changed."
+
+export class Walks {
+  /** @type {Walk | null} the one that is walked */
+  walk = null
+
+  /** @type {Map<string, page.WalkSheet>} walks that only this session knows */
+  own = new Map()
+
+  /** @param {LectureHost} lecture */
+  constructor(lecture) {
+    this.lecture = lecture
+    /** @type {Record<string, string>} by name */
+    this.texts = tabStorage.value(OWN) ?? {}
+    this.menu = new Menu(this)
+    // A new session takes the place of one that knew these: it is told of them before anything is asked of it.
+    lecture.line.before = () => Object.entries(this.texts).map(([name, text]) => ({type: "walk", name, text}))
+    const {walk, step} = Object.fromEntries(new URLSearchParams(location.search))
+    if (walk in this.texts) this.#rejoin(walk, step)
+  }
+
+  get names() {
+    return [...this.menu.names, ...this.own.keys()]
+  }
+
+  /** @param {string} name @returns {Promise<page.WalkSheet>} */
+  async sheet(name) {
+    const own = this.own.get(name)
+    const address = this.menu.sheets.get(name)
+    if (own) return own
+    if (!address) throw new Error(`There is no walk ${name}.`)
+    return insisting(() => this.lecture.sheets.fetch(address))
+  }
+
+  /** @param {string} name @param {number} [place] of the step */
+  async enter(name, place = 0) {
+    await this.#take(name)
+    this.walk?.go(place)
+  }
+
+  /** Whether it is the one: a file that is taken anew is another. @param {string} name */
+  #isWalked(name) {
+    return this.walk?.sheet.name === name && this.walk.sheet === (this.own.get(name) ?? this.walk.sheet)
+  }
+
+  /** @param {string} name */
+  async #take(name) {
+    if (this.#isWalked(name)) return
+    const [{Walk: Kind}, sheet] = await Promise.all([later("walks/walk"), this.sheet(name)])
+    if (this.#isWalked(name)) return
+    this.walk?.leave()
+    this.walk = new Kind(this, sheet)
+  }
+
+  /** After every picture: the step that it stands for, if it does. @param {Drawn} shown */
+  async shown(shown) {
+    this.latest = shown
+    const [asked, step] = shown.state.step.split("/")
+    const name = (await this.#isKnown(asked)) ? asked : ""
+    if (shown !== this.latest) return
+    this.menu.walked(Boolean(name))
+    if (name) {
+      await this.#take(name)
+      if (shown === this.latest) this.walk?.arrive(step, shown)
+    } else {
+      this.walk?.leave()
+      this.walk = null
+    }
+  }
+
+  /** The scene keeps the state that was reached. */
+  leave() {
+    this.menu.close()
+    const {kept: state} = this.lecture
+    if (state.step) this.lecture.open({...state, covered: [], step: ""})
+  }
+
+  /** Out of the walk, or the menu of all of them. */
+  toggle() {
+    if (this.lecture.kept.step) this.leave()
+    else this.menu.toggle()
+  }
+
+  /** What is covered: by the question of a step, or by a choice of one's own. */
+  reveal() {
+    if (this.walk && !this.walk.lesson) this.walk.show(false)
+    if (!this.walk && this.lecture.kept.covered.length) this.lecture.change(() => ({covered: []}))
+  }
+
+  /**
+   * A walk's file, for this session alone: why it cannot be run, or "".
+   * @param {string} name @param {string} text @returns {Promise<string>}
+   */
+  async check(name, text) {
+    const told = await this.lecture.line.ask({type: "walk", name, text})
+    if (told.type !== "walking") return NOT_READ
+    const {sheet, refused} = told
+    if (!sheet) return refused
+    this.own.set(name, sheet)
+    this.texts[name] = text
+    tabStorage.keep(OWN, this.texts)
+    return ""
+  }
+
+  /** One's own walk is not known to a page that is loaded anew. @param {string} name */
+  async #isKnown(name) {
+    if (name in this.texts && !this.own.has(name)) await this.check(name, this.texts[name])
+    return this.own.has(name) || this.menu.sheets.has(name)
+  }
+
+  /** The same, and its first step. @param {string} name @param {string} text @param {number} [place] */
+  async run(name, text, place = 0) {
+    const refused = await this.check(name, text)
+    if (!refused) await this.enter(name, place)
+    return refused
+  }
+
+  /** A page that is loaded anew has a session that knows no walk of its own. @param {string} name @param {string} id */
+  async #rejoin(name, id) {
+    const refused = await this.check(name, this.texts[name])
+    const {page} = this.lecture
+    if (refused) return page.notice.tell(refused)
+    const place = this.own.get(name)?.steps.findIndex(step => step.id === id) ?? 0
+    page.notice.hide()
+    await this.enter(name, Math.max(place, 0))
+  }
+}
