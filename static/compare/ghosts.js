@@ -133,9 +133,9 @@ export class PlotGhost extends HeldName {
 
   /** @param {Under | null} under */
   update(under) {
-    if (!under && !this.under) return
+    const isPlaced = under?.columns === this.under?.columns && under?.name === this.under?.name
     this.under = under
-    this.plot.still()
+    if (!isPlaced) this.plot.still()
   }
 
   /** With the names of curves that they stand beside. */

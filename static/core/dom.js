@@ -70,6 +70,9 @@ export function marked(tag, attributes, html) {
 /** @type {Map<string, string>} */
 const tokens = new Map()
 
+/** @type {Map<string, (style: CSSStyleDeclaration) => string>} */
+const asked = new Map()
+
 /** A token of the style sheet. Each is looked up once in a run: what is written meanwhile changes none of them. */
 export const colour = (/** @type {string} */ name) =>
   once(`--${name}`, style => style.getPropertyValue(`--${name}`).trim())
@@ -85,10 +88,20 @@ export const long = length => `${length / 16}rem`
 
 /** @param {string} name @param {(style: CSSStyleDeclaration) => string} find */
 function once(name, find) {
-  if (!tokens.size) queueMicrotask(() => tokens.clear())
+  asked.set(name, find)
+  if (!tokens.size) {
+    queueMicrotask(() => tokens.clear())
+    settle()
+  }
   const known = tokens.get(name) ?? find(getComputedStyle(document.documentElement))
   tokens.set(name, known)
   return known
+}
+
+/** Reads all tokens that have been asked for: once something is written, each would take a look at the whole page. */
+function settle() {
+  const style = getComputedStyle(document.documentElement)
+  for (const [name, find] of asked) tokens.set(name, find(style))
 }
 
 /** An SVG whose lengths are units. @param {SVGSVGElement} drawing @param {number} width @param {number} height */

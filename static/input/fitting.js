@@ -8,9 +8,17 @@ const USUAL = 7 // characters of a field that is not laid out yet
 /** @param {HTMLInputElement} field */
 export function fitting(field) {
   let whole = ""
+  let frame = 0
   const isFocused = () => document.activeElement === field
 
+  /** Measured with the next frame: until then much else is written. */
+  function later() {
+    cancelAnimationFrame(frame)
+    frame = requestAnimationFrame(shorten)
+  }
+
   function shorten() {
+    if (isFocused()) return
     const value = Number(whole.replaceAll(MINUS, "-"))
     for (let count = MOST; count > 0 && !fits(field); count--) field.value = short(value, count)
     field.title = field.value === whole ? "" : whole
@@ -21,13 +29,13 @@ export function fitting(field) {
     field.title = ""
   })
   field.addEventListener("blur", () => {
-    if (field.value === whole) shorten()
+    if (field.value === whole) later()
   })
 
   /** @param {string} text a number as Python writes it */
   return text => {
     whole = field.value = text
-    if (!isFocused()) shorten()
+    later()
   }
 }
 

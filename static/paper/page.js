@@ -5,7 +5,7 @@ import {bokeh} from "../net/bokeh.js"
 import {Controls, isPicker} from "../input/controls.js"
 import {Clock} from "../core/clock.js"
 import {Compare} from "../compare/compare.js"
-import {element, frame} from "../core/dom.js"
+import {element, frame, unitSize} from "../core/dom.js"
 import {Hand} from "../input/hand.js"
 import {later, using} from "../later.js"
 import {Live} from "./live.js"
@@ -100,6 +100,7 @@ export class Page {
   /** @param {Drawn} shown @param {import("../net/line.js").Asked | null} [asked] what it is the answer to */
   apply(shown, asked = null) {
     this.shown = shown
+    unitSize() // and with it all that the style sheet is asked for, before anything is written
     for (const part of this.parts) part.update?.(shown, asked)
     this.redraw()
     requestAnimationFrame(() =>

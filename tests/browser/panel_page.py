@@ -19,12 +19,13 @@ from components.scene.frames import FITTED
 from components.serving.assets import TYPES, static_files, written_files
 from tests.page.told import Page as Told
 
+HOME = "http://controls.test/"
 HTML = """<!DOCTYPE html><html lang="en"><title>Controls</title>
 <link rel="stylesheet" href="style.css">
 <aside class="panel"></aside>
 <script type="module">
-  import {Controls} from "./controls.js"
-  import {sliderPlace, sliderValue, stepped} from "./scales.js"
+  import {Controls} from "./input/controls.js"
+  import {sliderPlace, sliderValue, stepped} from "./input/scales.js"
   Object.assign(globalThis, {sliderPlace, sliderValue, stepped})
   const take = parameters => send({type: "open", state: {scene: "chain", parameters}})
   const controls = new Controls(document.querySelector("aside"), await describe(), send, take)
@@ -69,7 +70,7 @@ class Panel:
         )
         page.expose_function("tell", self.tell)
         page.route("**/*", self.serve)
-        page.goto("http://controls.test/")
+        page.goto(HOME)
         page.wait_for_selector("html[data-ready=true]")
         self.messages.clear()
 
@@ -80,7 +81,7 @@ class Panel:
         return scene
 
     def serve(self, route: Route) -> None:
-        name = route.request.url.rsplit("/", 1)[-1]
+        name = route.request.url.removeprefix(HOME)
         if name:
             suffix = Path(name).suffix
             route.fulfill(body={**static_files(), **written_files()}[name], content_type=TYPES[suffix])

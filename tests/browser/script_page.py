@@ -23,7 +23,7 @@ def serve(route: Route, html: str) -> None:
 
 
 class Scripts:
-    """The exports of modules in a browser, to be called by name with JSON."""
+    """The exports of modules by path in a browser, to be called with JSON: `ruler.toSI` of "core/ruler"."""
 
     def __init__(self, browser: Browser, modules: Iterable[str]) -> None:
         self.context = browser.new_context()
@@ -31,8 +31,8 @@ class Scripts:
         self.faults: list[str] = []
         self.page.on("pageerror", lambda error: self.faults.append(str(error)))
         self.page.on("console", lambda said: self.faults.extend([said.text] if said.type == "error" else []))
-        imports = "".join(f'import * as {name} from "./{name}.js"\n' for name in modules)
-        body = f"{imports}Object.assign(globalThis, {{{', '.join(modules)}}})\n"
+        imports = "".join(f'import * as {Path(path).name} from "./{path}.js"\n' for path in modules)
+        body = f"{imports}Object.assign(globalThis, {{{', '.join(Path(path).name for path in modules)}}})\n"
         html = f"""<!DOCTYPE html><link rel="icon" href="data:,"><script type="module">
         {body}document.documentElement.dataset.ready = "true"</script>"""
         self.page.route("**/*", lambda route: serve(route, html))

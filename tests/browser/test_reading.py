@@ -24,7 +24,7 @@ POINT = """([name, share]) => {
 
 @pytest.fixture(scope="module")
 def scripts(browser: Browser) -> Iterator[Scripts]:
-    running = Scripts(browser, ("reading",))
+    running = Scripts(browser, ("paper/reading",))
     yield running
     running.context.close()
     assert running.faults == []

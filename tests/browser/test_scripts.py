@@ -32,7 +32,7 @@ TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_tex
 
 @pytest.fixture(scope="module")
 def scripts(browser: Browser) -> Iterator[Scripts]:
-    running = Scripts(browser, ("signals", "numbers", "labels", "ruler"))
+    running = Scripts(browser, ("core/signals", "core/numbers", "paper/labels", "core/ruler"))
     yield running
     running.context.close()
     assert running.faults == []
