@@ -14,31 +14,40 @@ slower part dies, omega_d = sqrt(omega_n^2 - a^2) or 0, and beta = sqrt(a^2 - om
 sigma is a up to critical damping and omega_n^2/(a + beta) beyond, where a - beta would cancel. v and a obey the same
 equation from (v_0, a_0) and (a_0, a_0').
 
+FreeDecay has one such motion from its start: where it passes 0 and turns, when it has settled, what it has lost.
+
 Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), section 2.6.
 """
 
+import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
 from itertools import pairwise
 from math import inf, pi
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from physics.curves import ScaledCurve, combined, product, turning
 from physics.elementary import SMALLEST_EXPONENT, exponential
-from physics.exact import Array, angle, exact, pair_sum, precise, rounded, sum_of, two_sum
+from physics.exact import Array, angle, exact, pair_sum, precise, rounded, sum_of, two_sum, within_an_ulp
 from physics.oscillator import OscillatorMotion, phase_of
-from physics.valid import check_finite, check_not_negative, check_positive, finite_array
+from physics.valid import check_finite, check_not_negative, check_positive, finite_array, in_range
 
 QUANTITIES = ("the displacement", "the velocity", "the acceleration")
 NONE = Decimal(0)
 _SAME = Decimal("1e-6")  # of a: exponents closer than this make one term in doubles
 _SHORT = 2.0**-20  # of 2 beta t: S takes three terms of its series
 
+_LIGHT, _HEAVY = 0.5, 2.0  # of zeta: beyond them the energy lost has a form without a difference
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(12)
+_HALVINGS = 80
+
 Start = tuple[Decimal, Decimal]  # a value and its rate at t = 0
+Regime = Literal["under", "critical", "over"]
 
 
 class Decay(NamedTuple):
@@ -82,6 +91,26 @@ class DampedOscillator:
             return 0.0
         with precise():
             return float(exact(self.c) / (2 * (exact(self.k) * exact(self.m)).sqrt())) if self.k else inf
+
+    @property
+    def regime(self) -> Regime:
+        """Whether it swings: critical is the double nearest to 2 sqrt(k m), and those next to it."""
+        with precise():
+            if self.k and within_an_ulp(self.c, 2 * (exact(self.k) * exact(self.m)).sqrt()):
+                return "critical"
+        return "under" if self._excess < 0 else "over"
+
+    @property
+    def rates(self) -> tuple[float, float]:
+        """The rates in 1/s at which the slower and the faster part die; equal where it swings."""
+        with precise():
+            return float(self._sigma), float(self._sigma + 2 * self._beta)
+
+    @property
+    def log_decrement(self) -> float:
+        """delta = 2 pi a/omega_d, the logarithm of a peak over the next one; infinite where it does not swing."""
+        with precise():
+            return float(2 * Decimal(pi) * self._a / self._swing) if self._swing else inf
 
     def motion(self, x_0: float, v_0: float, t: ArrayLike) -> OscillatorMotion:
         """x, v, a (n,) from x(0) = x_0, x'(0) = v_0 at the times t (n,) in s, 0 or more.
@@ -171,6 +200,135 @@ class DampedOscillator:
             A, B = sum_of(v, fast * x) / apart, -sum_of(v, self._sigma * x) / apart
             rows = [(A, B), (-self._sigma * A, -fast * B), (self._sigma**2 * A, fast**2 * B)]
         return rows, [_dying(self._sigma, t), _dying(fast, t)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class FreeDecay:
+    """A motion of a damped oscillator from x(0) = x_0 (m), x'(0) = v_0 (m/s)."""
+
+    oscillator: DampedOscillator
+    x_0: float
+    v_0: float
+
+    @property
+    def first_zero(self) -> float | None:
+        """The time in s at which x passes 0 first, after the start; None where it never does."""
+        return self._crossing(0)
+
+    @property
+    def first_turn(self) -> float | None:
+        """The time in s at which it turns first, after the start; None where it never does."""
+        return self._crossing(1)
+
+    @property
+    def first_top_speed(self) -> float | None:
+        """The time in s at which |v| is greatest first, after the start, and with it the power lost."""
+        return self._crossing(2)
+
+    def settled(self, share: float) -> float | None:
+        """The time in s from which |x| stays below that share (under 1) of |x_0|; None where there is none.
+
+        To 1e-8 of itself where critical damping is within 1e-8, else to the digits of a double.
+        """
+        one, level = self.oscillator, share * abs(self.x_0)
+        turn, delta = self.first_turn, one.log_decrement
+        if not level or not one.c or not one.k:
+            return None
+        low, high = 0.0, self.first_zero
+        if turn is not None:
+            peak = abs(self._place(turn))
+            if peak > level:
+                low = turn + (math.floor(2 * math.log(peak / level) / delta) * pi / one.omega_d if one.omega_d else 0.0)
+                high = low + math.atan2(one.omega_d, -one.rates[0]) / one.omega_d if one.omega_d else None
+        return _bisected(lambda t: abs(self._place(t)) - level, low, high, 1 / one.rates[0])
+
+    def lost(self, t: ArrayLike) -> Array:
+        """The energy in J that the dashpot has taken by the times t (n,) in s, within 64 u of itself.
+
+        At first by quadrature of c v^2, whose terms are all positive; then by forms without a difference, or where none
+        cancels as the difference of the energies.
+        """
+        t, one = finite_array("t", t), self.oscillator
+        speed = max(abs(self.v_0), one.omega_n * abs(self.x_0))
+        if not one.c or not speed:
+            return np.zeros_like(t)
+        x, v = self.x_0 / speed, self.v_0 / speed
+        taken = np.zeros_like(t)
+        early = max(one.omega_n, one.rates[1]) * t <= 1
+        if np.any(early):
+            taken[early] = self._quadrature(t[early], speed)
+        if not np.all(early):
+            late = t[~early]
+            form = _light if one.zeta < _LIGHT else _heavy if one.zeta > _HEAVY else None
+            taken[~early] = form(one, x, v, late) if form else self._difference(late, speed)
+        with np.errstate(over="ignore"):
+            return in_range("the energy lost", one.m * speed * taken * speed)
+
+    def _crossing(self, row: int) -> float | None:
+        """The first time after the start at which x, v or a is 0."""
+        one = self.oscillator
+        value, rate = one._starts(self.x_0, self.v_0)[row]
+        with precise():
+            w, apart = sum_of(rate, one._sigma * value), 2 * one._beta
+            if one._swing:
+                size = abs(value) + abs(w) / one._swing
+                if not size:
+                    return None
+                side = -1 if value > 0 else 1
+                turned = math.atan2(abs(value) / size, side * w / one._swing / size) if value else pi
+                return float(Decimal(turned) / one._swing)
+            if not value or not w or value / w > 0:
+                return None
+            if not apart:
+                return float(-value / w)
+            left = sum_of(w, apart * value) / w
+            return float(-left.ln() / apart) if left > 0 else None
+
+    def _place(self, t: float) -> float:
+        """x at a time, in plain doubles."""
+        one, (slow, fast) = self.oscillator, self.oscillator.rates
+        omega, apart = one.omega_d, float(2 * one._beta)
+        w = self.v_0 + slow * self.x_0
+        if apart * t > 1:
+            return (self.x_0 + w / apart) * math.exp(-slow * t) - w / apart * math.exp(-fast * t)
+        grown = math.sin(omega * t) / omega if omega else -math.expm1(-apart * t) / apart if apart else t
+        return math.exp(-slow * t) * (self.x_0 * math.cos(omega * t) + w * grown)
+
+    def _quadrature(self, t: Array, speed: float) -> Array:
+        times = t[:, None] * ((1 + _NODES) / 2)
+        v = self.oscillator.motion(self.x_0, self.v_0, times.ravel()).v.reshape(times.shape) / speed
+        return np.asarray(self.oscillator.c / self.oscillator.m * t / 2 * (v * v @ _WEIGHTS))
+
+    def _difference(self, t: Array, speed: float) -> Array:
+        motion, ratio = self.oscillator.motion(self.x_0, self.v_0, t), self.oscillator.k / self.oscillator.m
+        x_0, v_0, x, v = self.x_0 / speed, self.v_0 / speed, motion.x / speed, motion.v / speed
+        return np.asarray((ratio * (x_0 - x) * (x_0 + x) + (v_0 - v) * (v_0 + v)) / 2)
+
+
+def _light(one: DampedOscillator, x: float, v: float, t: Array) -> Array:
+    """The energy lost over the mass where zeta < 1/2, from v = Re(V exp(p t))."""
+    a, p = one.rates[0], complex(-one.rates[0], one.omega_d)
+    V = complex(v, (a * v + one.omega_n**2 * x) / one.omega_d)
+    return np.asarray(-(abs(V) ** 2) * np.expm1(-2 * a * t) / 2 + a * (V * V * np.expm1(2 * p * t) / (2 * p)).real)
+
+
+def _heavy(one: DampedOscillator, x: float, v: float, t: Array) -> Array:
+    """The energy lost over the mass where zeta > 2, from x = A exp(-s t) + B exp(-f t)."""
+    s, f = one.rates
+    apart = float(2 * one._beta)
+    A, B = (v + f * x) / apart, -(v + s * x) / apart
+    slow, fast = -s * A * A * np.expm1(-2 * s * t) / 2, -f * B * B * np.expm1(-2 * f * t) / 2
+    return np.asarray((s + f) * (slow + fast) - 2 * s * f * A * B * np.expm1(-(s + f) * t))
+
+
+def _bisected(above: Callable[[float], float], low: float, high: float | None, step: float) -> float:
+    """Where a function falls through 0 after `low`, where it is above; `high`, where it is below, is sought if None."""
+    while high is None or above(high) > 0:
+        low, high, step = high or low, (high or low) + step, 2 * step
+    for _ in range(_HALVINGS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if above(middle) > 0 else (low, middle)
+    return high
 
 
 def _dying(rate: Decimal, t: Array) -> ScaledCurve:
