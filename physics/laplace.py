@@ -223,15 +223,28 @@ def _context(digits: int) -> Any:
 @lru_cache(maxsize=16)
 def expansion(driven: Driven, digits: int) -> Expansion:
     """The sum in numbers of that many digits, worked out as far as it is asked for."""
-    ctx = _context(digits)
     exact = transform(driven)
-    P = _numbers(ctx, exact.P)
-    start, drive = ([_numbers(ctx, polynomial) for polynomial in many] for many in exact[:2])
-    zeros = _power(exact.P)
-    exponents = roots(ctx, P[zeros:]) if len(P) > zeros + 1 else []
-    if not driven.c:
+    return expanded(exact.P, exact.start, exact.drive, driven.omega, digits, undamped=not driven.c)
+
+
+def expanded(
+    P: Polynomial,
+    start: Sequence[Polynomial],
+    drive: Sequence[Polynomial],
+    omega: float,
+    digits: int,
+    *,
+    undamped: bool = False,
+) -> Expansion:
+    """The sum that (start + drive/(s^2 + omega^2))/P is the transform of, in numbers of that many digits."""
+    ctx = _context(digits)
+    numbers = _numbers(ctx, P)
+    starts, drives = ([_numbers(ctx, polynomial) for polynomial in many] for many in (start, drive))
+    zeros = _power(P)
+    exponents = roots(ctx, numbers[zeros:]) if len(numbers) > zeros + 1 else []
+    if undamped:
         exponents = [ctx.mpc(0, p.imag) for p in exponents]
-    return Expansion(ctx, ctx.mpf(driven.omega), P, start, drive, zeros, exponents)
+    return Expansion(ctx, ctx.mpf(omega), numbers, starts, drives, zeros, exponents)
 
 
 def _near(p: Any, other: Any) -> bool:

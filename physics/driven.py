@@ -1,0 +1,273 @@
+r"""One oscillator with a dashpot, driven: by a force on the mass, by a shaken base, or by a rotating unbalance.
+
+    wall --/\/\/ k \/\/\--+
+                          [m] --> x        m x'' + c x' + k x = Im(F exp(i omega t))
+    wall ------[ c ]------+
+
+    F = F_0               a force F_0 sin(omega t) on the mass
+    F = (k + i c omega) Y     the wall moves by Y sin(omega t), and x is counted from where it was at rest
+    F = mu e omega^2      a mass mu, part of m, turns at the distance e
+
+The steady part is x_p = Im(X exp(i omega t)), X = F/D, D = k - m omega^2 + i c omega, and lags by psi = -arg X. From
+rest x = Im(F E)/m, where E is the second divided difference of exp(z t) at i omega and both exponents of the free
+motion: regular without damping, at resonance and at critical damping.
+
+Source: J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), sections 2.9 to 2.12.
+"""
+
+import math
+from dataclasses import dataclass
+from decimal import Decimal
+from fractions import Fraction
+from functools import cached_property, lru_cache
+from typing import Literal, NamedTuple, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from physics.curves import combined, response, turning
+from physics.damped import DampedOscillator
+from physics.exact import Array, exact, precise, sum_of, within_an_ulp
+from physics.laplace import Expansion, Polynomial, expanded
+from physics.transient import summed
+from physics.valid import DOUBLES, check_finite, check_not_negative, finite_array, in_range
+
+Complexes = NDArray[np.complex128]
+Drive = Literal["force", "base", "unbalance"]
+QUANTITIES = "the displacement", "the velocity"
+_TERMS = 34
+_EARLY = 2.0  # rad, up to which the power series of E has every digit
+
+
+class DrivenMotion(NamedTuple):
+    """Times, displacements and velocities, each (n,)."""
+
+    t: Array
+    x: Array
+    v: Array
+
+
+class Push(NamedTuple):
+    """The numbers of a motion from rest, for a signal: F/m = re + i im in m/s^2, the drive omega, and the free motion.
+
+    `slow` is the rate at which its slower part dies, `apart` how much faster the other one does, `swing` its frequency,
+    `detuning` the exact omega - swing; all in 1/s or rad/s.
+    """
+
+    re: float
+    im: float
+    omega: float
+    omega_n: float
+    slow: float
+    apart: float
+    swing: float
+    detuning: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class DrivenOscillator:
+    """A mass m (kg) on a spring k (N/m) and a dashpot c (N s/m)."""
+
+    m: float
+    c: float
+    k: float
+
+    def __post_init__(self) -> None:
+        self.free  # noqa: B018 (its limits are those of the parameters)
+
+    @cached_property
+    def free(self) -> DampedOscillator:
+        """The same oscillator, left alone."""
+        return DampedOscillator(m=self.m, c=self.c, k=self.k)
+
+    def at_resonance(self, omega: float) -> bool:
+        """Whether no steady part exists: undamped, and the drive at omega_n as closely as doubles come."""
+        with precise():
+            return not self.c and within_an_ulp(omega, (exact(self.k) / exact(self.m)).sqrt())
+
+    def response(self, omega: float, size: float = 1.0, kind: Drive = "force") -> complex:
+        """X in m, from exact numbers, each part rounded once: |X| and the lag are within 2 u.
+
+        `size` is F_0 in N, Y in m, or mu e in kg m. Infinite without damping at the natural frequency exactly.
+        """
+        re, im = self._force(omega, size, kind)
+        m, c, k, w = map(Fraction, (self.m, self.c, self.k, omega))
+        d, e = k - m * w * w, c * w
+        square = d * d + e * e
+        if not square:
+            return complex(math.inf, 0.0) if re or im else 0j
+        try:
+            return complex(float((re * d + im * e) / square), float((im * d - re * e) / square))
+        except OverflowError:
+            raise ValueError(f"the amplitude at omega = {omega:.6g} rad/s leaves {DOUBLES}") from None
+
+    def motion(
+        self, omega: float, size: float = 1.0, x_0: float = 0.0, v_0: float = 0.0, t: ArrayLike = 0.0,
+        kind: Drive = "force",
+    ) -> DrivenMotion:  # fmt: skip
+        """x and v at the times t (n,) in s, the drive beginning at t = 0: within 0.51 ulp with a dashpot, 1 u of the
+        parts' sizes without one. It takes as long as it takes."""
+        t = finite_array("t", t)
+        check_not_negative("a time in s", t=float(np.min(t, initial=0.0)))
+        check_finite("a displacement in m", x_0=x_0)
+        check_finite("a velocity in m/s", v_0=v_0)
+        re, im = self._force(omega, size, kind)
+        if not self.c or not (re or im) or not omega:
+            return self._undamped(omega, re, x_0, v_0, t)
+        numbers = (self.m, self.c, self.k, omega, x_0, v_0)
+        values = summed(lambda digits: _expansion(numbers, (re, im), digits), t)[[0, 3]]
+        values[:, t == 0.0] = [[x_0], [v_0]]
+        x, v = (in_range(name, row) for name, row in zip(QUANTITIES, values, strict=True))
+        return DrivenMotion(t, x, v)
+
+    def push(self, omega: float, size: float = 1.0, kind: Drive = "force") -> Push:
+        """The motion from rest as numbers for a signal."""
+        re, im = (float(part / Fraction(self.m)) for part in self._force(omega, size, kind))
+        one, (slow, _) = self.free, self.free.rates
+        with precise():
+            detuning = float(exact(omega) - one._swing)
+            return Push(re, im, omega, one.omega_n, slow, float(2 * one._beta), one.omega_d, detuning)
+
+    def _force(self, omega: float, size: float, kind: Drive) -> tuple[Fraction, Fraction]:
+        """F in N, exactly."""
+        check_not_negative("a drive frequency in rad/s", omega=omega)
+        check_not_negative("the size of a drive", size=size)
+        if kind not in get_args(Drive):
+            raise ValueError(f"kind = {kind!r}: a drive is one of {', '.join(get_args(Drive))}")
+        of, w = Fraction(size), Fraction(omega)
+        if kind == "base":
+            return Fraction(self.k) * of, Fraction(self.c) * w * of
+        return (of if kind == "force" else of * w * w), Fraction(0)
+
+    def _undamped(self, omega: float, force: Fraction, x_0: float, v_0: float, t: Array) -> DrivenMotion:
+        """Without a dashpot, or without a drive."""
+        if not force or not omega:
+            free = self.free.motion(x_0, v_0, t)
+            return DrivenMotion(t, free.x, free.v)
+        x, v = exact(x_0), exact(v_0)
+        with precise():
+            square, push = exact(self.k) / exact(self.m), _decimal(force) / exact(self.m)
+            rate, none = square.sqrt(), Decimal(0)
+            rows = [(x, v, push, none), (v, -square * x, none, push)]
+            curves = (*turning(rate, t), *response(exact(omega), rate, t))
+        x_, v_ = combined(rows, curves, QUANTITIES)
+        return DrivenMotion(t, x_, v_)
+
+
+def lag(X: complex) -> float:
+    """The angle in rad by which x follows the drive: from 0 to pi for a force and an unbalance."""
+    return math.atan2(0.0 - X.imag, X.real)
+
+
+def magnification(r: ArrayLike, zeta: float, kind: Drive = "force") -> Complexes:
+    """X (n,) at r = omega/omega_n, within 4 u: over F_0/k, over Y, or over mu e/m; inf where it is infinite."""
+    r = finite_array("r", r)
+    below = (1 - r) * (1 + r) + 2j * zeta * r
+    above = 1 + 2j * zeta * r if kind == "base" else r * r if kind == "unbalance" else np.ones_like(r)
+    infinite = below == 0
+    return np.where(infinite, math.inf, above / np.where(infinite, 1, below))
+
+
+def highest(zeta: float, kind: Drive = "force") -> tuple[float, float] | None:
+    """The r of the peak of |X| and its height, as `magnification` counts it; None where there is no peak."""
+    if not zeta:
+        return 1.0, math.inf
+    if kind == "base":
+        w = math.sqrt(1 + 8 * zeta * zeta)
+        return math.sqrt(2 / (1 + w)), (1 + w) ** 1.5 / (2 * zeta * math.sqrt(2 * (w + 3)))
+    if 2 * zeta * zeta >= 1:
+        return None
+    r = math.sqrt(1 - 2 * zeta * zeta)
+    return (r if kind == "force" else 1 / r), 1 / (2 * zeta * math.sqrt((1 - zeta) * (1 + zeta)))
+
+
+def half_power(zeta: float) -> tuple[float, float]:
+    """The r below and above 1 at which the dashpot takes half of its most: exactly 2 zeta apart."""
+    above = math.sqrt(1 + zeta * zeta) + zeta
+    return 1 / above, above
+
+
+def drawn(push: Push, t: ArrayLike) -> tuple[Array, Array]:
+    """x and v (n,) from rest in plain doubles: within 5 (1 + omega t) u of the sizes of the parts."""
+    t = finite_array("t", t)
+    E, g = from_rest(push, t), impulse(push, t)
+    F = complex(push.re, push.im)
+    return np.imag(F * E), np.imag(1j * push.omega * F * E) + push.im * g
+
+
+def impulse(push: Push, t: Array) -> Array:
+    """The free motion from 0 with the velocity 1."""
+    if push.swing:
+        return np.asarray(np.exp(-push.slow * t) * np.sin(push.swing * t) / push.swing)
+    grown = -np.expm1(-push.apart * t) / push.apart if push.apart else t
+    return np.asarray(np.exp(-push.slow * t) * grown)
+
+
+def from_rest(push: Push, t: Array) -> Complexes:
+    """E (n,) by the one of its four forms that keeps the digits."""
+    _, _, omega, omega_n, slow, apart, swing, _ = push
+    E = np.empty(t.shape, complex)
+    early = max(omega, omega_n, slow + apart) * t <= _EARLY
+    near = swing > 0 and slow < omega_n / 2 and omega_n / 2 < omega < 2 * omega_n
+    split = ~early & (near | (apart * t > 1))
+    rest = ~early & ~split
+    for where, form in ((early, _by_powers), (split, _by_parts), (rest, _plainly)):
+        if np.any(where):
+            E[where] = form(push, t[where])
+    return E
+
+
+def _by_powers(push: Push, t: Array) -> Complexes:
+    """The power series of E'' + 2 a E' + omega_n^2 E = exp(i omega t)."""
+    damping, square, turn = (2 * push.slow + push.apart) * t, (push.omega_n * t) ** 2, 1j * push.omega * t
+    before, last, term = np.zeros(t.shape, complex), np.zeros(t.shape, complex), np.ones(t.shape, complex)
+    total = np.zeros(t.shape, complex)
+    for k in range(_TERMS):
+        before, last = last, (term * t * t - damping * (k + 1) * last - square * before) / ((k + 2) * (k + 1))
+        total += last
+        term = term * turn / (k + 1)
+    return total
+
+
+def _by_parts(push: Push, t: Array) -> Complexes:
+    """The difference of two first differences, each of exp(i omega t) and one exponential of the free motion."""
+    _, _, omega, _, slow, apart, swing, detuning = push
+    one = complex(-slow, swing), complex(slow, detuning if swing else omega)
+    two = complex(-slow - apart, -swing), complex(slow + apart, omega + swing)
+    D = [_divided(*pair, omega, t) for pair in (one, two)]
+    return np.asarray((D[0] - D[1]) / complex(apart, 2 * swing))
+
+
+def _divided(p: complex, step: complex, omega: float, t: Array) -> Complexes:
+    """(exp(i omega t) - exp(p t))/step, step = i omega - p."""
+    z, decay = step * t, np.exp(p * t)
+    small = -p.real * t < 1
+    tiny = np.abs(z) < 1
+    over = np.ones(t.shape, complex)
+    for k in range(20, 0, -1):
+        over = 1 + np.where(tiny, z, 0) * over / (k + 1)
+    grown = np.where(tiny, over, np.expm1(np.where(tiny | ~small, 1, z)) / np.where(tiny, 1, z))
+    apart = (np.exp(1j * omega * t) - decay) / (step or 1)
+    return np.asarray(np.where(small, decay * t * grown, apart))
+
+
+def _plainly(push: Push, t: Array) -> Complexes:
+    """The steady part and the free motion from its start, both turned over."""
+    _, _, omega, omega_n, slow, apart, swing, _ = push
+    X = 1 / complex((omega_n - omega) * (omega_n + omega), (2 * slow + apart) * omega)
+    cosine = np.cos(swing * t) * np.exp(-slow * t)
+    return np.asarray(X * np.exp(1j * omega * t) - X * cosine - (1j * omega + slow) * X * impulse(push, t))
+
+
+@lru_cache(maxsize=16)
+def _expansion(numbers: tuple[float, ...], force: tuple[Fraction, Fraction], digits: int) -> Expansion:
+    """x as a sum of exponentials, in numbers of that many digits."""
+    m, c, k, omega, x_0, v_0 = map(Fraction, numbers)
+    start: Polynomial = (m * v_0 + c * x_0, m * x_0)
+    drive: Polynomial = (force[0] * omega, force[1])
+    return expanded((k, c, m), (start,) * 3, (drive,) * 3, float(omega), digits)
+
+
+def _decimal(value: Fraction) -> Decimal:
+    with precise():
+        return sum_of(Decimal(value.numerator) / Decimal(value.denominator), Decimal(0))

@@ -1,0 +1,136 @@
+"""One driven oscillator: against the reference cases, at resonance, without damping, and by another solver."""
+
+import json
+import math
+from pathlib import Path
+
+import mpmath as mp
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from physics.driven import DrivenOscillator, drawn, half_power, highest, lag, magnification
+from tests.physics.chain_truth import U, ulps
+
+CASES = json.loads((Path(__file__).parents[1] / "reference" / "beyond_cases.json").read_text())["driven"]
+each_case = pytest.mark.parametrize("case", CASES, ids=[f"{case['kind']}: {case['note']}" for case in CASES])
+
+
+def system(case):
+    return DrivenOscillator(m=case["m"], c=case["c"], k=case["k"])
+
+
+def drive(case):
+    size = {"force": "F_0", "base": "Y"}.get(case["kind"])
+    return {"omega": case["omega"], "size": case[size] if size else case["mu"] * case["e"], "kind": case["kind"]}
+
+
+@each_case
+def test_motion_is_within_four_u_of_the_amplitude(case):
+    motion = system(case).motion(**drive(case), x_0=case["x_0"], v_0=case["v_0"], t=case["t"])
+    for row, name, sizes in zip((motion.x, motion.v), ("x", "v"), case["size"], strict=True):
+        for value, text, size in zip(row, case[name], sizes, strict=True):
+            assert abs(mp.mpf(value) - mp.mpf(text)) <= 4 * U * 1.001 * size
+
+
+@each_case
+def test_what_is_drawn_is_the_motion(case):
+    one, t = system(case), np.array(case["t"])
+    x, v = drawn(one.push(**drive(case)), t)
+    free = one.free.motion(case["x_0"], case["v_0"], t)
+    for row, name, sizes in zip((x + free.x, v + free.v), ("x", "v"), case["size"], strict=True):
+        for value, text, size, time in zip(row, case[name], sizes, case["t"], strict=True):
+            turns = 1 + max(case["omega"], one.free.omega_n) * time
+            assert abs(mp.mpf(value) - mp.mpf(text)) <= 6 * turns * U * size
+
+
+@each_case
+def test_steady_part(case):
+    X = system(case).response(**drive(case))
+    if case["X"] is None:
+        assert math.inf == X and system(case).at_resonance(case["omega"])
+        return
+    for value, text in zip((X.real, X.imag), case["X"], strict=True):
+        assert ulps(value, mp.mpf(text)) <= 4 if float(text) else value == 0
+    assert ulps(abs(X), mp.mpf(case["amplitude"])) <= 4
+    assert abs(lag(X) - mp.mpf(case["lag"])) <= 4 * U * lag(X)
+
+
+@each_case
+def test_magnification_peak_and_half_power(case):
+    zeta, r = float(case["zeta"]), float(case["r"])
+    if math.isinf(r) or case["X"] is None:
+        return
+    unit = {"force": lambda: case["F_0"] / case["k"], "base": lambda: case["Y"]}.get(
+        case["kind"], lambda: case["mu"] * case["e"] / case["m"]
+    )()
+    near_resonance = 1 + min(1 / abs(1 - r) if r != 1 else math.inf, 1 / zeta if zeta else math.inf)
+    assert abs(magnification(r, zeta, case["kind"])[0]) * unit == pytest.approx(
+        float(case["amplitude"]), rel=8 * U * near_resonance
+    )
+    peak = case["peak"]
+    found = highest(zeta, case["kind"])
+    assert found is None or zeta == 0 or ulps(found[0], mp.mpf(peak["r"])) <= 4
+    assert found is None or zeta == 0 or ulps(found[1], mp.mpf(peak["ratio"])) <= 8
+    low, high = half_power(zeta)
+    assert high - low == pytest.approx(2 * zeta, rel=1e-13, abs=4 * U)
+
+
+@pytest.mark.parametrize("kind", ["force", "base", "unbalance"])
+@pytest.mark.parametrize("c", [0.0, 0.4, 4.0, 30.0])
+def test_it_obeys_the_equation_of_motion(kind, c):
+    m, k, omega, size = 1.0, 4.0, 1.7, 0.3
+    one = DrivenOscillator(m=m, c=c, k=k)
+    F = {"force": size, "base": complex(k, c * omega) * size, "unbalance": size * omega**2}[kind]
+    t = np.linspace(0.0, 12.0, 50)
+
+    def rates(s, y):
+        return [y[1], ((F * np.exp(1j * omega * s)).imag - c * y[1] - k * y[0]) / m]
+
+    run = solve_ivp(rates, (0, 12), [0.2, -0.5], t_eval=t, rtol=1e-10, atol=1e-12)
+    motion = one.motion(omega, size, 0.2, -0.5, t, kind)
+    assert np.max(np.abs(run.y - [motion.x, motion.v])) < 1e-8
+    late = one.motion(omega, size, 0.2, -0.5, t + 400, kind)
+    if c:
+        X = one.response(omega, size, kind)
+        assert late.x == pytest.approx((X * np.exp(1j * omega * (t + 400))).imag, abs=1e-13)
+
+
+@pytest.mark.parametrize("zeta", [1 - 1e-6, 1 - 1e-12, 1.0, 1 + 1e-12, 1 + 1e-6])
+@pytest.mark.parametrize("omega", [0.3, 1.0, 2.5])
+def test_across_critical_damping(zeta, omega):
+    one, t = DrivenOscillator(m=1.0, c=2 * zeta, k=1.0), np.linspace(0.0, 30.0, 40)
+    critical = DrivenOscillator(m=1.0, c=2.0, k=1.0).motion(omega, t=t)
+    assert np.max(np.abs(one.motion(omega, t=t).x - critical.x)) <= 3 * abs(zeta - 1) + 4 * U
+    x, v = drawn(one.push(omega), t)
+    assert np.max(np.abs(x - one.motion(omega, t=t).x)) < 1e-13
+    assert np.max(np.abs(v - one.motion(omega, t=t).v)) < 1e-13
+
+
+def test_growth_at_resonance_without_damping():
+    one, t = DrivenOscillator(m=2.0, c=0.0, k=8.0), np.array([0.01, 1.0, 5.0, 40.0])
+    grown = 3.0 / (2 * 8.0) * (np.sin(2 * t) - 2 * t * np.cos(2 * t))
+    assert one.motion(2.0, 3.0, t=t).x == pytest.approx(grown, rel=1e-12)
+    assert drawn(one.push(2.0, 3.0), t)[0] == pytest.approx(grown, rel=1e-10)
+    assert one.at_resonance(2.0) and one.at_resonance(math.nextafter(2.0, 3.0)) and not one.at_resonance(2.0 + 1e-14)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: DrivenOscillator(m=1.0, c=-1.0, k=1.0), "c = -1.0: a damping"),
+        (lambda: DrivenOscillator(m=1.0, c=1.0, k=1.0).response(-1.0), "omega = -1.0: a drive frequency"),
+        (lambda: DrivenOscillator(m=1.0, c=1.0, k=1.0).motion(1.0, -1.0, t=0.0), "size = -1.0: the size of a drive"),
+        (
+            lambda: DrivenOscillator(m=1.0, c=1.0, k=1.0).motion(1.0, kind="wind", t=0.0),
+            "kind = 'wind': a drive is one",
+        ),
+        (
+            lambda: DrivenOscillator(m=1e-300, c=1e-200, k=1e-300).response(1.0, 1e200),
+            "the amplitude at omega = 1 rad/s",
+        ),
+    ],
+)
+def test_refusals_name_the_value(call, words):
+    with pytest.raises(ValueError, match=words):
+        call()
