@@ -60,6 +60,18 @@ class Decay(NamedTuple):
     phase: float
 
 
+class Fading(NamedTuple):
+    """exp(-slow t) (start C + rate S) as above, for a signal: the rates in 1/s, `apart` = 2 beta, `swing` = omega_d;
+    `late` are the sizes of both exponentials where it does not swing."""
+
+    start: float
+    rate: float
+    slow: float
+    apart: float
+    swing: float
+    late: tuple[float, float]
+
+
 @dataclass(frozen=True, kw_only=True)
 class DampedOscillator:
     """A mass m (kg) on a spring k (N/m) and a dashpot c (N s/m)."""
@@ -145,6 +157,18 @@ class DampedOscillator:
                 slow, fast = sum_of(x, w / apart), -w / apart
                 return _decay(slow, NONE, self._sigma), _decay(fast, NONE, self._sigma + apart)
             return (_decay(x, w, self._sigma),)
+
+    def fading(self, x_0: float, v_0: float) -> tuple[Fading, Fading, Fading]:
+        """x, v and a for signals: regular at critical damping."""
+        found = []
+        for row, (value, rate) in zip(QUANTITIES, self._starts(x_0, v_0), strict=True):
+            with precise():
+                w, apart = sum_of(rate, self._sigma * value), 2 * self._beta
+                late = (sum_of(value, w / apart), -w / apart) if apart else (NONE, NONE)
+                numbers = (rounded(row, value), rounded(row, w), float(self._sigma), float(apart), float(self._swing))
+            found.append(Fading(*numbers, (rounded(row, late[0]), rounded(row, late[1]))))
+        x, v, a = found
+        return x, v, a
 
     @cached_property
     def _a(self) -> Decimal:

@@ -77,7 +77,7 @@ class DrivenOscillator:
 
     @cached_property
     def free(self) -> DampedOscillator:
-        """The same oscillator, left alone."""
+        """The oscillator, left alone."""
         return DampedOscillator(m=self.m, c=self.c, k=self.k)
 
     def at_resonance(self, omega: float) -> bool:

@@ -1068,6 +1068,36 @@ declare namespace page {
     responses: Response[]
   }
 
+  /** The free motion of a damped mass, or its rate: exp(-slow t) (start C + rate S).
+   *
+   * C = cos(swing t), S = sin(swing t)/swing where it swings; else C = 1, S = (1 - exp(-apart t))/apart, at critical
+   * damping t. Once apart t > 1 it is the sum of both exponentials, of the sizes `late`. */
+  interface DampedMass extends Signal {
+    kind: "damped"
+    start: number
+    rate: number
+    slow: number
+    apart: number
+    swing: number
+    late: [number, number]
+  }
+
+  /** The motion of a damped mass from rest, Im((re + i im) E), E'' + (2 slow + apart) E' + omega_n^2 E = exp(i omega
+   * t): regular at resonance, at critical damping and without damping.
+   *
+   * `slow`, `apart` and `swing` are those of its free motion, `detuning` is omega - swing. */
+  interface DrivenMass extends Signal {
+    kind: "driven"
+    re: number
+    im: number
+    omega: number
+    omega_n: number
+    slow: number
+    apart: number
+    swing: number
+    detuning: number
+  }
+
   /** A polynomial in the signals before it. */
   interface Derived extends Signal {
     kind: "derived"
@@ -1103,7 +1133,7 @@ declare namespace page {
     drift: number
   }
 
-  type AnySignal = Sines | Responses | Derived | SineOf | CosineOf | Sampled
+  type AnySignal = Sines | Responses | DampedMass | DrivenMass | Derived | SineOf | CosineOf | Sampled
 
   /** A coefficient times named quantities. */
   type Product = [factor: number, names: string[]]

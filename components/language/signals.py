@@ -48,6 +48,38 @@ class Responses(Signal, frozen=True, kw_only=True, tag="responses"):
     responses: tuple[Response, ...]
 
 
+class DampedMass(Signal, frozen=True, kw_only=True, tag="damped"):
+    """The free motion of a damped mass, or its rate: exp(-slow t) (start C + rate S).
+
+    C = cos(swing t), S = sin(swing t)/swing where it swings; else C = 1, S = (1 - exp(-apart t))/apart, at critical
+    damping t. Once apart t > 1 it is the sum of both exponentials, of the sizes `late`.
+    """
+
+    start: float
+    rate: float
+    slow: float
+    apart: float = 0.0
+    swing: float = 0.0
+    late: tuple[float, float] = (0.0, 0.0)
+
+
+class DrivenMass(Signal, frozen=True, kw_only=True, tag="driven"):
+    """The motion of a damped mass from rest, Im((re + i im) E), E'' + (2 slow + apart) E' + omega_n^2 E = exp(i omega
+    t): regular at resonance, at critical damping and without damping.
+
+    `slow`, `apart` and `swing` are those of its free motion, `detuning` is omega - swing.
+    """
+
+    re: float
+    im: float
+    omega: float
+    omega_n: float
+    slow: float
+    apart: float
+    swing: float
+    detuning: float
+
+
 class Derived(Signal, frozen=True, kw_only=True, tag="derived"):
     """A polynomial in the signals before it."""
 
@@ -84,4 +116,4 @@ class Sampled(Signal, frozen=True, kw_only=True, tag="sampled"):
     drift: float = 0.0
 
 
-AnySignal: TypeAlias = Sines | Responses | Derived | SineOf | CosineOf | Sampled
+AnySignal: TypeAlias = Sines | Responses | DampedMass | DrivenMass | Derived | SineOf | CosineOf | Sampled

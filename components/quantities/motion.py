@@ -15,8 +15,22 @@ from numpy.typing import NDArray
 
 from components.language.numbers import Expression, Number, Product, as_expression
 from components.language.picture import Pace
-from components.language.signals import AnySignal, CosineOf, Derived, Response, Responses, Sampled, Sine, SineOf, Sines
+from components.language.signals import (
+    AnySignal,
+    CosineOf,
+    DampedMass,
+    Derived,
+    DrivenMass,
+    Response,
+    Responses,
+    Sampled,
+    Sine,
+    SineOf,
+    Sines,
+)
 from components.quantities.axes import Axis
+from physics.damped import Fading
+from physics.driven import Push
 from physics.valid import DOUBLES
 
 QUARTER = math.pi / 2
@@ -99,6 +113,28 @@ def responses(size: Axis, time: Axis, *terms: tuple[float, float, float, float])
     return Responses(responses=tuple(found))
 
 
+def damped(size: Axis, time: Axis, fading: Fading) -> DampedMass:
+    """The free motion of a damped mass, or its rate."""
+    sized, rated = size.exponent, size.exponent - time.exponent
+    return DampedMass(
+        start=scaled(sized, fading.start, 1 / size.factor),
+        rate=scaled(rated, fading.rate, 1 / size.factor),
+        **{name: scaled(-time.exponent, getattr(fading, name)) for name in ("slow", "apart", "swing")},
+        late=(scaled(sized, fading.late[0], 1 / size.factor), scaled(sized, fading.late[1], 1 / size.factor)),
+    )
+
+
+def driven(size: Axis, time: Axis, push: Push) -> DrivenMass:
+    """The motion of a damped mass from rest under a drive."""
+    sized, rates = size.exponent - 2 * time.exponent, push._asdict()
+    re, im = rates.pop("re"), rates.pop("im")
+    return DrivenMass(
+        re=scaled(sized, re, 1 / size.factor),
+        im=scaled(sized, im, 1 / size.factor),
+        **{name: scaled(-time.exponent, rate) for name, rate in rates.items()},
+    )
+
+
 def derived(expression: Number) -> Derived:
     """A signal that is a polynomial in signals named before it and in scalars."""
     return Derived(value=as_expression(expression))
@@ -121,13 +157,15 @@ def starts(signals: Mapping[str, AnySignal], scalars: Mapping[str, float]) -> di
         match signal:
             case Sines(sines=terms, line=(first, _)):
                 named[name] = first + math.fsum(one.size * math.sin(one.phase) for one in terms)
+            case DampedMass(start=start):
+                named[name] = start
             case Derived(value=Expression(terms=products)):
                 named[name] = math.fsum(one.factor * math.prod(named[of] for of in one.names) for one in products)
             case Sampled(y=tuple(values)):
                 named[name] = values[0]
             case SineOf() | CosineOf():
                 named[name] = (math.sin if isinstance(signal, SineOf) else math.cos)(named[signal.of])
-            case _:  # a response begins at rest
+            case _:  # a response to a drive begins at rest
                 named[name] = 0.0
     return named
 

@@ -1,5 +1,7 @@
 // Signals, evaluated from a few scalars at any instant: the browser's half of components/language/signals.py.
 
+import {damped, driven} from "./damped.js"
+
 const SERIES = 1 // below this largest angle the power series has every digit, and the closed forms cancel
 const TERMS = 9
 
@@ -105,6 +107,10 @@ function valueOf(signal, t, named) {
       return sines(signal, t)
     case "responses":
       return signal.responses.reduce((sum, [size, omega, own]) => sum + size * response(omega, own, t), 0)
+    case "damped":
+      return damped(signal, t)
+    case "driven":
+      return driven(signal, t)
     case "derived":
       return polynomial(signal.value, named)
     case "sine":

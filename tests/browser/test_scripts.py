@@ -17,7 +17,11 @@ from playwright.sync_api import Browser
 
 from components.language.numbers import Expression, Product
 from components.language.signals import AnySignal, CosineOf, Derived, Response, Responses, Sampled, Sine, SineOf, Sines
+from components.quantities.axes import ONE, Axis
+from components.quantities.motion import damped, driven
 from components.scenes import SCENES
+from physics.damped import DampedOscillator
+from physics.driven import Drive, DrivenOscillator
 from tests.browser.script_page import Scripts
 from tests.page.playing import played
 from tests.serving.server import ROOT
@@ -84,6 +88,35 @@ def test_response_to_a_drive(scripts: Scripts, omega: float, omega_n: float) -> 
     found = evaluated(scripts, {"x": signal}, INSTANTS)["x"]
     exact = from_rest(omega, omega_n)
     assert_near(found, lambda t: 2 * exact(t), INSTANTS)
+
+
+ZETAS = [0.0, 1e-12, 1e-3, 0.3, 1 - 1e-6, 1 - 1e-12, 1.0, 1 + 1e-12, 1 + 1e-6, 1.5, 40.0, 1e6]
+SECONDS = Axis(0.0, 1.0, "s")
+
+
+@pytest.mark.parametrize("zeta", ZETAS)
+@pytest.mark.parametrize("start", [(1.0, 0.0), (0.7, -3.0), (0.0, 1.0), (0.0, 0.0)])
+def test_a_damped_mass(scripts: Scripts, zeta: float, start: tuple[float, float]) -> None:
+    """x and v, against the physics: at critical damping and next to it, at rest, without a dashpot and overdamped."""
+    one, times = DampedOscillator(m=2.0, c=4 * zeta, k=2.0), np.array(INSTANTS)
+    signals = dict(zip("xva", (damped(ONE, SECONDS, row) for row in one.fading(*start)), strict=True))
+    found, true = evaluated(scripts, dict(signals), INSTANTS), one.motion(*start, times)
+    size = max(map(abs, start))
+    for name in "xv":
+        off = np.abs(np.array(found[name]) - getattr(true, name))
+        assert np.all(off <= 1e-15 * size * (4 + times)), (name, off)
+
+
+@pytest.mark.parametrize("zeta", ZETAS)
+@pytest.mark.parametrize("omega", [0.0, 0.3, 0.8, 1.0, 1 + 1e-12, 1 - 1e-6, 2.5])
+@pytest.mark.parametrize("kind", ["force", "base", "unbalance"])
+def test_a_driven_mass(scripts: Scripts, zeta: float, omega: float, kind: Drive) -> None:
+    """x, against the physics: at resonance with and without a dashpot, at critical damping, at first and at last."""
+    one, times = DrivenOscillator(m=2.0, c=4 * zeta, k=2.0), np.array(INSTANTS)
+    found = evaluated(scripts, {"x": driven(ONE, SECONDS, one.push(omega, 1.0, kind))}, INSTANTS)["x"]
+    true = one.motion(omega, 1.0, t=times, kind=kind).x
+    reached = np.maximum.accumulate(np.abs(true))
+    assert np.all(np.abs(np.array(found) - true) <= NEAR * reached), (found, true)
 
 
 def test_sines_with_a_line_and_a_decay(scripts: Scripts) -> None:

@@ -9,7 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from components.language.numbers import Expression, Number
-from components.language.signals import AnySignal, CosineOf, Derived, Responses, Sampled, SineOf, Sines
+from components.language.signals import (
+    AnySignal,
+    CosineOf,
+    DampedMass,
+    Derived,
+    DrivenMass,
+    Responses,
+    Sampled,
+    SineOf,
+    Sines,
+)
 from components.scene import Picture
 
 Floats = NDArray[np.float64]
@@ -62,6 +72,31 @@ def _(signal: CosineOf, t: Floats, named: Named) -> Floats:
 @value_of.register
 def _(signal: Sampled, t: Floats, named: Named) -> Floats:
     return hermite(signal, t)
+
+
+@value_of.register
+def _(signal: DampedMass, t: Floats, named: Named) -> Floats:
+    return np.exp(-signal.slow * t) * (signal.start * np.cos(signal.swing * t) + signal.rate * _grown(signal, t))
+
+
+def _grown(signal: DampedMass | DrivenMass, t: Floats) -> Floats:
+    """The free motion from 0 with the velocity 1, without its decay."""
+    if signal.swing:
+        return np.asarray(np.sin(signal.swing * t) / signal.swing)
+    return -np.expm1(-signal.apart * t) / signal.apart if signal.apart else np.asarray(t)
+
+
+@value_of.register
+def _(signal: DrivenMass, t: Floats, named: Named) -> Floats:
+    """From rest, by the integral of the drive."""
+    times, (nodes, weights) = np.atleast_1d(t), _nodes()
+    total = np.zeros_like(times)
+    for i, end in enumerate(times):
+        s = end * (nodes + 1) / 2
+        drive = signal.re * np.sin(signal.omega * s) + signal.im * np.cos(signal.omega * s)
+        kernel = np.exp(-signal.slow * (end - s)) * _grown(signal, end - s)
+        total[i] = end / 2 * np.sum(weights * drive * kernel)
+    return total.reshape(np.shape(t))
 
 
 @value_of.register
