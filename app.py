@@ -97,7 +97,7 @@ def open_page(
     """Fill the document of a new session, which is the current one; `lead` takes what it shows to a live class, `apart`
     reads walks from files."""
     session = visited(pn.state.session_args, walks)
-    kind, first = session.now.kind, next(iter(SCENES.values()))
+    kind = session.now.kind
     document.title = kind.headline
     document.template = page_template()
     document.template_variables.update(
@@ -107,8 +107,6 @@ def open_page(
         scene_title=kind.title,
         navigation=navigation(SCENES, kind.slug),
         sheet=sheet_address(kind),
-        first_scene=first.slug,
-        first_sheet=sheet_address(first),
         walks=listed,
     )
     context = document.session_context

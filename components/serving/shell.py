@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import cache
+from itertools import groupby
 
 from bokeh.document import Document
 from jinja2 import Template
@@ -45,17 +47,46 @@ LECTURES = {"D31": "Linear Harmonic Oscillator", "D34": "Coupled Oscillators"}
 """The lectures of the MIT course 16.07, Dynamics, that the scenes follow, by number."""
 
 
-def navigation(scenes: Mapping[str, type[Scene]], here: str) -> list[dict[str, object]]:
+@dataclass(frozen=True)
+class SceneLink:
+    """A scene as the head line and the start page name it."""
+
+    slug: str
+    title: str
+    claim: str
+    sheet: str
+    here: bool
+
+
+@dataclass(frozen=True)
+class SceneGroup:
+    """The scenes of one lecture: the name over them, and what it is."""
+
+    name: str
+    about: str
+    scenes: tuple[SceneLink, ...]
+
+    @property
+    def here(self) -> bool:
+        """Whether the scene that is shown is one of them."""
+        return any(scene.here for scene in self.scenes)
+
+
+def navigation(scenes: Mapping[str, type[Scene]], here: str = "") -> list[SceneGroup]:
     """The scenes in lecture order, grouped under the lecture they belong to."""
-    groups: list[dict[str, object]] = []
-    for slug, scene in scenes.items():
-        if not groups or groups[-1]["lecture"] != scene.lecture:
-            title = LECTURES.get(scene.lecture)
-            about = f"Lecture {scene.lecture} of the MIT course 16.07, Dynamics: {title}" if title else ""
-            groups.append({"lecture": scene.lecture, "about": about, "scenes": []})
-        entry = {"slug": slug, "title": scene.title, "sheet": sheet_address(scene), "here": slug == here}
-        groups[-1]["scenes"].append(entry)  # type: ignore[attr-defined]
-    return groups
+    return [
+        SceneGroup(name, _about(name), tuple(_link(scene, here) for scene in group))
+        for name, group in groupby(scenes.values(), key=lambda scene: scene.lecture)
+    ]
+
+
+def _about(lecture: str) -> str:
+    title = LECTURES.get(lecture)
+    return f"Lecture {lecture} of the MIT course 16.07, Dynamics: {title}" if title else ""
+
+
+def _link(scene: type[Scene], here: str) -> SceneLink:
+    return SceneLink(scene.slug, scene.title, scene.headline, sheet_address(scene), scene.slug == here)
 
 
 def when_open(document: Document, act: Callable[[], None]) -> None:

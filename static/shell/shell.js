@@ -1,6 +1,7 @@
 // The shell around a scene: the navigation, the title of the document, light and dark.
 
 import {element} from "../core/dom.js"
+import {Group} from "./scenegroup.js"
 import {turnTheme} from "./theme.js"
 import {using} from "../later.js"
 
@@ -15,8 +16,9 @@ export class Shell {
     this.menu.after(this.where)
     this.menu.addEventListener("toggle", () => this.nav.classList.toggle("open", this.menu.open))
     /** @type {HTMLElement[]} */
-    this.links = [...document.querySelectorAll(".nav [data-scene]")].filter(link => link instanceof HTMLElement)
+    this.links = [...this.nav.querySelectorAll("[data-scene]")].filter(link => link instanceof HTMLElement)
     for (const link of this.links) this.#lead(link)
+    this.groups = [...this.nav.querySelectorAll(".scene-group")].map(group => new Group(group))
     for (const link of document.querySelectorAll("[data-skip]"))
       link.addEventListener("click", event => this.#skip(event))
     one("#theme", HTMLElement).addEventListener("click", () => this.#theme())
@@ -33,18 +35,16 @@ export class Shell {
       if (event.ctrlKey || event.metaKey || event.shiftKey || event.altKey || event.button) return
       event.preventDefault()
       this.menu.open = false
+      for (const group of this.groups) group.close()
       this.lecture.open({scene}, true)
     })
   }
 
   /** Where in the lecture a scene is. @param {string} slug */
   #place(slug) {
-    const scenes = this.links.filter(link => !link.classList.contains("brand"))
-    const place = scenes.findIndex(link => link.dataset.scene === slug)
-    const labels = [...this.nav.querySelectorAll(".lecture")].filter(
-      label => label.compareDocumentPosition(scenes[place]) & Node.DOCUMENT_POSITION_FOLLOWING,
-    )
-    return `${labels.at(-1)?.textContent ?? ""}, scene ${place + 1} of ${scenes.length}`
+    const place = this.links.findIndex(link => link.dataset.scene === slug)
+    const lecture = this.links[place]?.closest(".scene-group")?.querySelector(".lecture")
+    return `${lecture?.textContent ?? ""}, scene ${place + 1} of ${this.links.length}`
   }
 
   /**
@@ -56,12 +56,12 @@ export class Shell {
     document.title = `${headline} – Oscillations`
     this.heading.textContent = title
     for (const link of this.links) {
-      if (link.classList.contains("brand")) continue
       const here = link.dataset.scene === slug
       link.classList.toggle("here", here)
       if (here) link.setAttribute("aria-current", "page")
       else link.removeAttribute("aria-current")
     }
+    for (const group of this.groups) group.turned()
     // In a frame nothing takes the focus from the page around it.
     if (!moved || !document.hasFocus()) return
     scrollTo(0, 0)

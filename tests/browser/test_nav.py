@@ -1,0 +1,92 @@
+"""The head line: scenes by lecture, of which those that are not shown fold where there is no room."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from components.scenes import SCENES
+from tests.browser.test_screens import GRID
+
+pytestmark = pytest.mark.browser
+Open = Callable[..., Page]
+MOST = 13
+"""Scenes that the head line has room for at 1024."""
+MORE = """count => {
+  const links = [...document.querySelectorAll(".nav .scenes a")]
+  links.slice(-count).forEach(link => link.after(link.cloneNode(true)))
+}"""
+RUN_TOGETHER = """() => {
+  const stand = [...document.querySelectorAll(".nav > *, .nav nav :is(a, button, .lecture)")]
+    .filter(one => one.checkVisibility() && !one.matches(".skip, nav") && one.getBoundingClientRect().width)
+  const boxes = stand.map(one => [one.textContent.trim(), one.getBoundingClientRect()])
+  return boxes.flatMap(([name, box], i) => [
+    ...(box.right > innerWidth + 0.5 || box.left < -0.5 ? [`${name} leaves the screen`] : []),
+    ...boxes.slice(i + 1)
+      .filter(([, other]) => box.left < other.right - 0.5 && other.left < box.right - 0.5
+        && box.top < other.bottom - 0.5 && other.top < box.bottom - 0.5)
+      .map(([other]) => `${name} lies on ${other}`),
+  ])
+}"""
+
+
+def titles(lecture: str) -> list[str]:
+    return [scene.title for scene in SCENES.values() if scene.lecture == lecture]
+
+
+def test_nothing_in_it_runs_into_anything_on_any_screen(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    found = []
+    for width, height in GRID:
+        page.set_viewport_size({"width": width, "height": height})
+        found += [f"{width} x {height}: {fault}" for fault in page.evaluate(RUN_TOGETHER)]
+    assert not found, "\n".join(found)
+
+
+@pytest.mark.parametrize("width", [1000, 1024, 1160, 1280, 1519, 1520, 1920])
+def test_it_has_room_for_thirteen_scenes(width: int, page: Page, open_scene: Open) -> None:
+    page.set_viewport_size({"width": width, "height": 800})
+    open_scene(page, scene="coupled")
+    page.evaluate(MORE, MOST - len(SCENES))
+    assert page.locator(".nav .scenes a").count() == MOST
+    assert page.evaluate(RUN_TOGETHER) == []
+
+
+def test_a_folded_lecture_opens_by_mouse_and_keys(page: Page, open_scene: Open) -> None:
+    open_scene(page, scene="coupled")
+    folded = page.locator(".nav .scene-group > button:visible")
+    expect(page.locator(".nav .scenes a:visible")).to_have_text(
+        [s.title for s in SCENES.values() if s.lecture == "D34"]
+    )
+    first = folded.first
+    first.click()
+    expect(first).to_have_attribute("aria-expanded", "true")
+    page.locator(".paper h1").click()
+    expect(first).to_have_attribute("aria-expanded", "false")
+    first.focus()
+    for key, title in (("ArrowDown", "Oscillator"), ("ArrowDown", "Energy"), ("ArrowUp", "Oscillator")):
+        page.keyboard.press(key)
+        expect(page.get_by_role("link", name=title)).to_be_focused()
+    page.keyboard.press("Escape")
+    expect(first).to_be_focused()
+    expect(first).to_have_attribute("aria-expanded", "false")
+    page.keyboard.press("Enter")
+    page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+    expect(page.get_by_role("heading", level=1)).to_have_text(SCENES["oscillator"].headline)
+    expect(page.locator(".nav .scenes a:visible")).to_have_text(titles("D31"))
+
+
+@pytest.mark.parametrize(("width", "height"), [(820, 900), (390, 844), (320, 640)])
+def test_on_a_narrow_screen_all_stand_in_one_list(width: int, height: int, page: Page, open_scene: Open) -> None:
+    page.set_viewport_size({"width": width, "height": height})
+    open_scene(page, scene="coupled")
+    page.locator(".scene-menu summary").click()
+    expect(page.locator(".nav .scenes a:visible")).to_have_text([scene.title for scene in SCENES.values()])
+    expect(page.locator(".nav .scene-group > button:visible")).to_have_count(0)
+    assert page.evaluate(RUN_TOGETHER) == []
+    page.locator(".nav .scenes a", has_text="Energy").click()
+    expect(page.get_by_role("heading", level=1)).to_have_text(SCENES["energy"].headline)
+    expect(page.locator(".nav .scenes a:visible")).to_have_count(0)
