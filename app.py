@@ -14,11 +14,13 @@ import panel as pn
 from bokeh.document import Document
 
 from components.live_class.question_bank import QuestionBank
+from components.panel_face.face import PanelFace
 from components.scenes import SCENES
 from components.serving.shell import navigation, page_template, when_open
 from components.session.opening import opened
 from components.session.panel_bridge import SceneView
 from components.session.session import Publish, Session
+from components.state.commands import sentence
 from components.state.link import read_query
 from components.state.scene_sheet import sheet_address, sheet_json
 from components.state.wire import on_page
@@ -118,11 +120,26 @@ def open_page(
     SceneView(session).server_doc(document, location=False)
 
 
-ELSEWHERE = """This is the page of *Oscillations*, an interactive lecture.
-It needs more than `panel serve` gives it: files, addresses and a socket of its own. Start it in this folder by
-`make run`, or by `python -m components.serving --show`."""
+ELSEWHERE = """The whole lecture, with moving stages, guided walks and live classes, has a server of its own.
+Start it in this folder by `make run`, or by `python -m components.serving --show`."""
+
+
+def scene_page(query: Query) -> pn.template.BootstrapTemplate:
+    """The page of `panel serve`: a menu of the scenes, and the one that a link asks for with its values."""
+    link = read_query(query, SCENES).as_opened(SCENES)
+    scene, problems = SCENES[link.slug](), list(link.problems)
+    try:
+        scene.set(link.values)
+    except ValueError as reason:
+        problems.append(sentence(reason))
+    face = PanelFace(scene)
+    menu = "\n".join(f"- [{one.title}](?scene={slug})" for slug, one in SCENES.items())
+    said = [pn.pane.Alert(problem, alert_type="warning") for problem in problems]
+    title, main = f"Oscillations: {scene.title}", [ELSEWHERE, *said, face.paper]
+    return pn.template.BootstrapTemplate(title=title, sidebar=[menu, face.panel], main=main)
+
 
 if __name__ == "__main__":
     read_for_others(map(Path, sys.argv[1:]))
 elif __name__.startswith("bokeh_app_"):  # so `panel serve` names the file that it runs
-    pn.pane.Markdown(ELSEWHERE).servable(title="Oscillations")  # type: ignore[no-untyped-call]
+    scene_page(pn.state.session_args).servable()

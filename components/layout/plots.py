@@ -124,6 +124,11 @@ def plot(
     )
 
 
+def figure_of(block: PlotBlock) -> BokehPlot:
+    """A figure of a plot for one visitor alone, without data like the template."""
+    return _figure(block.curves, block.regions, block.room, block.x_labels, block.plain)
+
+
 def _figure(
     curves: tuple[Curve, ...], regions: tuple[Region, ...], room: Room, x_labels: bool, plain: bool
 ) -> BokehPlot:

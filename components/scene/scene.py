@@ -200,6 +200,16 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         if self.differing(values):
             self._show(self.value.changed(values))
 
+    def panel(self) -> Any:
+        """Panel widgets for the parameters and live Bokeh figures of the plots: components.panel_face.PanelFace."""
+        from components.panel_face.face import PanelFace  # the server and the physics do without
+
+        return PanelFace(self)
+
+    def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> Any:
+        """The scene in a notebook, once `panel.extension()` is loaded."""
+        return self.panel()._repr_mimebundle_(include, exclude)
+
     def on_picture(self, listener: Callable[[Picture], None]) -> None:
         """Call `listener` after every change with the new picture."""
         self._listeners.append(listener)

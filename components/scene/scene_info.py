@@ -73,13 +73,18 @@ class SceneInfo(param.Parameterized):
     @cache
     def preset_values(cls) -> list[tuple[str, list[Any]]]:
         """The label of each preset, and the values of `preset_names` in it."""
-        return [(label, [cls.preset_value(label, name) for name in cls.preset_names()]) for label in cls.presets]
+        return [(label, list(cls.preset_all(label).values())) for label in cls.presets]
 
     @classmethod
     @cache
     def preset_names(cls) -> list[str]:
         """The parameters that presets speak about."""
         return sorted({name for values in cls.presets.values() for name in values})
+
+    @classmethod
+    def preset_all(cls, label: str) -> Values:
+        """The values that taking a preset sets: of all parameters that presets speak about."""
+        return {name: cls.preset_value(label, name) for name in cls.preset_names()}
 
     @classmethod
     def preset_value(cls, label: str, name: str) -> Any:

@@ -148,7 +148,7 @@ def _application(open_page: OpenPage, context: Context) -> BokehTornado:
     mend()
     settings, secret = context.settings, context.secret
     return BokehTornado(
-        {"/": Application(Filled(open_page, context))},  # type: ignore[no-untyped-call]  # Panel's own has no types
+        {"/": Application(Filled(open_page, context))},
         extra_websocket_origins=context.hosts,
         secret_key=secret,
         sign_sessions=True,

@@ -1,4 +1,4 @@
-"""`panel serve app.py`, tried by those who know Panel: a sentence says how the lecture is started."""
+"""`panel serve app.py`: the scenes as Panel users expect them, and a sentence that says how the lecture is started."""
 
 from __future__ import annotations
 
@@ -8,18 +8,24 @@ import subprocess
 import sys
 import time
 from collections.abc import Iterator
+from urllib.parse import parse_qsl
 from urllib.request import urlopen
 
-import panel.models.markup  # noqa: F401  # what is pulled is of its classes
+import panel.models  # noqa: F401  # what is pulled is of its classes
 import pytest
-from bokeh.client import pull_session
+from bokeh.client import ClientSession, pull_session
+from playwright.sync_api import Browser, expect
 
+from components.scenes import SCENES
 from tests.serving.server import ROOT
 
 PATIENCE = 120.0
+LAST = """() => [...Bokeh.documents[0]._all_models.values()].find(
+    model => model.name === "time" && "x1_slow" in model.data).data.x1.at(-1)"""
+"""The end of the curve x1."""
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def panel_serve() -> Iterator[str]:
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
@@ -42,9 +48,51 @@ def panel_serve() -> Iterator[str]:
         process.wait()
 
 
-def test_panel_serve_says_what_this_is_and_how_it_is_started(panel_serve: str) -> None:
-    session = pull_session(url=panel_serve)
-    text = html.unescape("".join(str(getattr(root, "text", "")) for root in session.document.roots))
+def visit(address: str) -> ClientSession:
+    return pull_session(url=address.partition("?")[0], arguments=dict(parse_qsl(address.partition("?")[2])))
+
+
+def texts(session: ClientSession) -> str:
+    models = session.document.models
+    return html.unescape(" ".join(str(getattr(model, "text", "")) for model in models))
+
+
+def test_a_page_has_the_menu_of_scenes_and_says_how_the_lecture_is_started(panel_serve: str) -> None:
+    session = visit(panel_serve)
+    text = texts(session)
     session.close()
-    assert "interactive lecture" in text
+    assert all(f'href="?scene={slug}"' in text and scene.title in text for slug, scene in SCENES.items())
+    assert "The whole lecture" in text
     assert "make run" in text and "python -m components.serving --show" in text
+
+
+def test_what_of_a_link_cannot_be_is_said(panel_serve: str) -> None:
+    session = visit(f"{panel_serve}?scene=coupled&k2=3&k1=many")
+    fields = [model.value for model in session.document.models if type(model).__name__ == "TextInput"]
+    assert "“many” is not a number" in texts(session)
+    assert "3.00" in fields and "4.00" in fields
+    session.close()
+
+
+@pytest.mark.browser
+def test_a_widget_drives_the_figures_and_a_refused_value_goes_back(panel_serve: str, browser: Browser) -> None:
+    page = browser.new_page()
+    faults: list[str] = []
+    page.on("pageerror", lambda fault: faults.append(str(fault)))
+    page.goto(f"{panel_serve}?scene=coupled&k2=3")
+    k2 = page.locator("input[type=text]").nth(3)
+    expect(k2).to_have_value("3.00")
+    before = page.evaluate(LAST)
+    for text, stands in (("5", "5.00"), ("1/3", "0.3333333333333333")):
+        k2.fill(text)
+        k2.press("Enter")
+        expect(k2).to_have_value(stands)
+        page.wait_for_function(f"() => ({LAST})() !== {before}")
+        before = page.evaluate(LAST)
+    k2.fill("-5")
+    k2.press("Enter")
+    expect(page.get_by_text("−5 N/m is not possible")).to_be_visible()
+    expect(k2).to_have_value("0.3333333333333333")
+    assert page.evaluate(LAST) == before
+    assert faults == []
+    page.close()

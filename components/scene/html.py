@@ -1,0 +1,49 @@
+"""Texts of a sheet as whole HTML, with the numbers of a picture in them, for where no script fills them in."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+from components.language.blocks import TableBlock, WordsBlock
+from components.language.plots import Term
+from components.language.text import Html
+from components.quantities.motion import starts
+from components.quantities.numbers import MINUS
+from components.scene.picture import Picture
+
+SAMPLES = {"sum": "━━", "line": "──", "dash": "╌╌", "band": "██", "none": ""}
+_LIVE = re.compile(r'(<(span|mn) class="n" data-value="(\w+)">)(?=</\2>)')
+
+
+def filled(html: Html, picture: Picture) -> Html:
+    """A text with its live numbers in it; those that move as they are at the start."""
+    begun = starts(picture.signals, picture.scalars) if picture.live else {}
+    moving = {
+        name: f"{begun[name]:{'+' if digits.signed else ''}.{digits.decimals}f}".replace("-", MINUS)
+        for name, digits in picture.live.items()
+    }
+    return _LIVE.sub(lambda found: found[1] + (picture.values | moving).get(found[3], ""), html)
+
+
+def words(block: WordsBlock, forms: Mapping[str, str]) -> Html:
+    """The sentences that stand with the forms of a picture."""
+    return "".join(f"<p>{item.variants.get(forms.get(item.name, ''), '')}</p>" for item in block.items)
+
+
+def heading(terms: tuple[Term, ...], forms: Mapping[str, str]) -> Html:
+    """The heading of a plot: its formula, with a sample of each line."""
+    texts = [(term, term.variants.get(forms.get(term.form, "formula"), "")) for term in terms]
+    return " ".join(f'<span class="sample {one.tint}">{SAMPLES[one.key]}</span> {text}' for one, text in texts if text)
+
+
+def table(block: TableBlock, forms: Mapping[str, str]) -> Html:
+    """A table without its empty rows."""
+    body = [[cell.variants.get(forms.get(cell.name, ""), "") for cell in row] for row in block.rows]
+    rows = [f"<td>{'</td><td>'.join(row)}</td>" for row in (list(block.head), *body) if any(row)]
+    return f"<table><tr>{'</tr><tr>'.join(rows)}</tr></table>"
+
+
+def notes(picture: Picture) -> Html:
+    """The sentences about a picture; the first of a stage that is not drawn to scale is about that alone."""
+    return " ".join(picture.notes[picture.scale not in (None, 1.0) :])

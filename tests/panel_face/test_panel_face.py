@@ -1,0 +1,241 @@
+"""The Panel face, driven without a browser: a widget's value is set, and the sources are read."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from typing import Any
+
+import numpy as np
+import panel as pn
+import pytest
+
+from components.language.controls import SliderRow
+from components.panel_face.face import PanelFace
+from components.quantities.scales import slider_place, slider_value
+from components.scene import Scene
+from components.scene.picture import draw
+from components.scenes import SCENES
+from components.state.scene_sheet import plots, scene_sheet
+from tests.page.scripts import NODE
+from tests.serving.server import ROOT
+
+scenes = pytest.mark.parametrize("kind", SCENES.values(), ids=SCENES.keys())
+
+
+def numbers(scene: Scene) -> dict[str, dict[str, list[float]]]:
+    found = {name: source.data for name, source in scene.sources.items()}
+    return {name: {column: list(data[column]) for column in data} for name, data in found.items() if data}
+
+
+def check_figures(face: PanelFace) -> None:
+    """All figures draw the numbers that the scene has, in the units of their axes."""
+    picture, drawn = face.scene.shown, 0
+    for block in plots(type(face.scene)):
+        figure = face.figures[block.name]
+        if not {block.x, block.y} <= picture.axes.keys():
+            continue
+        ruler = picture.axes[block.x].ruler
+        assert (figure.model.x_range.start, figure.model.x_range.end) == (ruler.start, ruler.end)
+        for renderer, part in figure.parts.items():
+            given = picture.sources.get(part.source, {}).get(part.x, ())
+            if renderer.visible:
+                assert np.array_equal(renderer.data_source.data[part.x], picture.axes[block.x].places(given))
+                drawn += 1
+    assert drawn
+
+
+@scenes
+def test_every_slider_moves_the_scene(kind: type[Scene]) -> None:
+    scene = kind()
+    face = scene.panel()
+    first = numbers(scene)
+    assert first
+    for name, slider in face.sliders.items():
+        slider.value = 0.75 if slider.value < 0.7 else 0.3
+        if not face.refused.visible:
+            assert face.widgets[name].value
+            assert scene.values[name] == scene.value.values[name] != kind.param[name].default
+            shown = draw(scene.value).picture.sources
+            drawn = {of: {name: list(one) for name, one in columns.items()} for of, columns in shown.items() if columns}
+            assert numbers(scene) == drawn, name
+            check_figures(face)
+    assert (numbers(scene) != first) == (kind.work is None), "what is measured stays until it is measured anew"
+
+
+@scenes
+def test_a_field_takes_what_is_typed(kind: type[Scene]) -> None:
+    scene = kind()
+    face = scene.panel()
+    for name in face.sliders:
+        unit = scene.units().get(name)
+        low, high = kind.param[name].softbounds
+        whole = kind.param[name].scale == "count"
+        text = "2" if whole else f"{(low + high) / 2 if low > 0 or low < 0 else high / 2:.6g}"
+        face.widgets[name].value = text
+        if not face.refused.visible:
+            assert scene.values[name] == pytest.approx(float(text) * (unit.size if unit else 1))
+
+
+@scenes
+def test_a_refused_value_shows_its_sentence_and_the_widget_goes_back(kind: type[Scene]) -> None:
+    scene = kind()
+    face = scene.panel()
+    before, shown = numbers(scene), scene.shown
+    for name in face.sliders:
+        stood, place = face.widgets[name].value, face.sliders[name].value
+        for text in ("many", "1e999", "nan"):
+            face.widgets[name].value = text
+            assert face.refused.visible and face.refused.object.endswith(".")
+            assert (face.widgets[name].value, face.sliders[name].value) == (stood, place)
+    assert scene.shown is shown and numbers(scene) == before
+    next(iter(face.presets.values())).clicks += 1
+    assert not face.refused.visible
+
+
+def test_what_the_physics_refuses_goes_back_too() -> None:
+    scene = SCENES["coupled"]()
+    face = scene.panel()
+    face.widgets["m1"].value = "1e300"
+    shown = scene.shown
+    face.widgets["k1"].value = "1e-300"
+    face.widgets["x1_0"].value = "1e308"
+    assert face.refused.visible and "Still drawn" in face.refused.object
+    assert face.widgets["x1_0"].value == "1.00"
+    assert scene.shown.axes["x"] == shown.axes["x"]
+
+
+def test_a_fault_is_a_sentence_and_all_stands(monkeypatch: pytest.MonkeyPatch) -> None:
+    scene = SCENES["coupled"]()
+    face, shown = scene.panel(), scene.shown
+    monkeypatch.setattr(type(scene), "picture", lambda *_: [][1])
+    face.widgets["k2"].value = "17"
+    assert "Something went wrong" in face.refused.object
+    assert face.widgets["k2"].value == "2.00" and scene.shown is shown
+
+
+@scenes
+def test_presets_and_actions_are_buttons(kind: type[Scene]) -> None:
+    scene = kind()
+    face = scene.panel()
+    assert list(face.presets) == list(kind.presets)
+    for label, button in face.presets.items():
+        button.clicks += 1
+        assert scene.preset() == label
+        assert button.button_type == "primary"
+        assert [one for one, other in face.presets.items() if other.button_type == "primary"] == [label]
+    actions = [name for group in kind.groups for name, _ in group.actions]
+    assert list(face.actions) == actions
+    for name, button in face.actions.items():
+        wanted = scene.action(name)
+        button.clicks += 1
+        assert face.refused.visible or {one: scene.values[one] for one in wanted} == dict(wanted)
+
+
+@scenes
+def test_the_groups_are_those_of_the_scene(kind: type[Scene]) -> None:
+    face = kind().panel()
+    rows = [row for group in scene_sheet(kind).panel.groups for row in group.rows]
+    assert [control.row for control in face.controls][: len(rows)] == rows
+    assert {row.name for row in rows if isinstance(row, SliderRow)} == face.sliders.keys()
+    for name, widget in face.widgets.items():
+        if name not in face.sliders:
+            assert list(widget.options.values()) and widget.value in widget.options.values()
+
+
+def test_a_choice_shows_another_view() -> None:
+    scene = SCENES["forced"]()
+    face = scene.panel()
+    response, work = face.figures["response"], face.figures["energy"]
+    before = list(response.model.yaxis[0].major_label_overrides.values())
+    face.widgets["curve"].value = "log"
+    assert scene.curve == "log"
+    assert list(response.model.yaxis[0].major_label_overrides.values()) != before
+    assert not any(renderer.visible for renderer in work.parts)
+    face.widgets["view"].value = "work"
+    assert all(renderer.visible for renderer in work.parts)
+
+
+def test_what_stands_follows_the_picture() -> None:
+    scene = SCENES["coupled"]()
+    face = scene.panel()
+    column = {view for view, form in face._forms if form == "start_modes"}
+    assert not any(view.visible for view in column)
+    face.widgets["given_by"].value = "modes"
+    assert all(view.visible for view in column)
+
+
+def test_a_response_has_its_resonances_and_the_drive_marked() -> None:
+    scene = SCENES["forced"]()
+    face = scene.panel()
+    lines = {getattr(one, "at", "") or one.parameter: line for one, line in face.figures["response"].lines.items()}
+    assert lines["omega"].location == pytest.approx(scene.omega)
+    slow = lines["mark_minus"].location
+    face.widgets["k1"].value = face.widgets["k2"].value = "4"
+    assert lines["mark_minus"].location == pytest.approx(2 * slow)
+
+
+def test_the_formulas_are_mathml_with_the_numbers_of_the_picture() -> None:
+    scene = SCENES["coupled"]()
+    face = scene.panel()
+    texts = [str(pane.object) for pane, _ in face._texts]
+    assert any("<math" in text and scene.shown.values["omega_minus"] in text for text in texts)
+    face.widgets["k2"].value = "5"
+    texts = [str(pane.object) for pane, _ in face._texts]
+    assert any(scene.shown.values["omega_minus"] in text for text in texts)
+
+
+def test_a_sentence_about_the_stage_is_left_to_the_stage() -> None:
+    scene = SCENES["coupled"](k2=3.0)
+    assert any("times as large" in note for note in scene.shown.notes)
+    assert not any("times as large" in str(pane.object) for pane, _ in scene.panel()._texts)
+    scene.set({"k2": 1e6})
+    assert any("too fast for a line" in str(pane.object) for pane, _ in scene.panel()._texts)
+
+
+def test_all_faces_follow_the_scene_whoever_sets_it() -> None:
+    scene = SCENES["coupled"]()
+    one, other = scene.panel(), scene.panel()
+    scene.k2 = 3.0
+    assert (one.widgets["k2"].value, other.widgets["k2"].value) == ("3.00", "3.00")
+    one.widgets["k2"].value = "1/3"
+    assert scene.k2 == 1 / 3 and other.widgets["k2"].value == one.widgets["k2"].value
+    assert scene.sources["time"].data["x1"][-1] == SCENES["coupled"](k2=1 / 3).shown.sources["time"]["x1"][-1]
+    assert not {model.id for model in one.figures["x1"].model.references()} & {
+        model.id for model in other.figures["x1"].model.references()
+    }
+
+
+def test_a_scene_displays_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(pn.extension, "_loaded", True)
+    monkeypatch.setattr(pn.config, "comms", "default")
+    bundle, _ = SCENES["oscillator"]()._repr_mimebundle_()
+    assert "text/html" in bundle
+
+
+def test_panel_takes_it_as_any_object() -> None:
+    face = SCENES["oscillator"]().panel()
+    root: Any = pn.Column(face).get_root()
+    assert [model for model in root.references() if type(model).__name__ == "TextInput"]
+
+
+def test_sliders_run_as_those_of_the_page() -> None:
+    sliders = {
+        (row.scale, row.soft)
+        for kind in SCENES.values()
+        for group in scene_sheet(kind).panel.groups
+        for row in group.rows
+        if isinstance(row, SliderRow)
+    }
+    assert {scale for scale, _ in sliders} == {"linear", "log", "near0", "count"}
+    cases = [(scale, i / 37, soft) for scale, soft in sliders for i in range(38)]
+    script = """import {sliderPlace, sliderValue} from "./static/input/scales.js"
+        const cases = JSON.parse(process.argv[1])
+        const values = cases.map(one => sliderValue(...one))
+        console.log(JSON.stringify([values, cases.map(([scale, , soft], i) => sliderPlace(scale, values[i], soft))]))"""
+    command = [str(NODE), "--input-type=module", "-e", script, json.dumps(cases)]
+    ran = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True)
+    values, places = json.loads(ran.stdout)
+    assert [slider_value(*case) for case in cases] == values
+    found = [slider_place(scale, value, soft) for (scale, _, soft), value in zip(cases, values, strict=True)]
+    assert found == pytest.approx(places, abs=1e-12)
