@@ -13,15 +13,18 @@ from typing import NamedTuple
 import panel as pn
 from bokeh.document import Document
 
+from components.language.messages import File
 from components.live_class.question_bank import QuestionBank
 from components.panel_face.face import PanelFace
+from components.quantities.refusals import in_words
 from components.scenes import SCENES
 from components.serving.shell import navigation, page_template, when_open
-from components.session.opening import opened
+from components.session.opening import opened, standing_of
 from components.session.panel_bridge import SceneView
 from components.session.session import Publish, Session
 from components.state.commands import sentence
-from components.state.link import read_query
+from components.state.csv_export import as_table
+from components.state.link import Link, read_query
 from components.state.scene_sheet import sheet_address, sheet_json
 from components.state.wire import on_page
 from components.walks import Query, Walks
@@ -52,25 +55,43 @@ SHEETS = {sheet_address(scene): sheet_json(scene) for scene in SCENES.values()}
 NO_WALKS: Walks = MappingProxyType({})
 
 
-def visited(query: Query, walks: Walks) -> Session:
-    """The session that a link asks for: a scene, or a step of a walk."""
+def linked(query: Query, walks: Walks) -> tuple[Link, str]:
+    """The link of an address, to a scene or to a step of a walk, with that step."""
     problems = []
     try:
         if asked := asked_step(query, walks):
             walk, step = asked
-            link = replace(read_link(step.state, SCENES), covered=step.cover)
-            return opened(SCENES, link, walks, f"{walk.name}/{step.id}")
+            return replace(read_link(step.state, SCENES), covered=step.cover), f"{walk.name}/{step.id}"
     except ValueError as reason:
         problems.append(str(reason))
     link = read_query(query, SCENES).as_opened(SCENES)
-    return opened(SCENES, replace(link, problems=[*problems, *link.problems]), walks)
+    return replace(link, problems=[*problems, *link.problems]), ""
+
+
+def visited(query: Query, walks: Walks) -> Session:
+    """The session that a link asks for: a scene, or a step of a walk."""
+    link, step = linked(query, walks)
+    return opened(SCENES, link, walks, step)
+
+
+def numbers_of(query: Query, page: str, walks: Walks = NO_WALKS) -> File:
+    """The numbers that a page of this link takes away, without what is covered: its first table, or the one that
+    `table` names; ValueError, in words, for what of the link cannot be."""
+    (*_, table) = ("", *(name.decode("utf-8", "replace") for name in query.get("table", ())))
+    link, step = linked({key: given for key, given in query.items() if key != "table"}, walks)
+    now, refused = standing_of(SCENES[link.slug], link, step)
+    if problems := [*link.problems, *refused]:
+        raise ValueError(" ".join(problems))
+    with in_words():
+        return as_table(now.asked, now.told[0], page, table)
 
 
 class Lectured(NamedTuple):
-    """The parts that the server is given: the function that opens a page, the files of all walks by their address, and
-    the question bank of a live class."""
+    """The parts that the server is given: the functions that open a page and that give the numbers of a link, the files
+    of all walks by their address, and the question bank of a live class."""
 
     open_page: Callable[..., None]
+    numbers_of: Callable[[Query, str], File]
     files: dict[str, bytes]
     bank: QuestionBank
 
@@ -86,7 +107,8 @@ def walked(folders: Iterable[Path]) -> Lectured:
     walks = all_walks(folders, SCENES)
     files = {walk: walk_file(walk, SCENES) for walk in walks.values()}
     listed = [{"name": walk.name, "title": walk.title, "sheet": address} for walk, (address, _) in files.items()]
-    return Lectured(partial(open_page, walks=walks, listed=listed), dict(files.values()), QuestionBank(walks, SCENES))
+    opening, numbers = partial(open_page, walks=walks, listed=listed), partial(numbers_of, walks=walks)
+    return Lectured(opening, numbers, dict(files.values()), QuestionBank(walks, SCENES))
 
 
 def open_page(

@@ -1,8 +1,9 @@
-"""Builders of the paper's blocks (components.language.blocks), with texts in the language of components.layout.text."""
+"""Builders of the paper's blocks (components.language.blocks), with texts in the language of components.layout.text,
+and what stands in a sheet of them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from msgspec.structs import replace
 
@@ -11,6 +12,7 @@ from components.language.blocks import (
     ChoiceBlock,
     Column,
     Option,
+    PlotBlock,
     Row,
     StageBlock,
     TableBlock,
@@ -117,3 +119,23 @@ def phrase(curve: str = "", key: str = "line", tint: str = "ink", *, form: str =
     """A term of a heading with words in place of formulas."""
     variants = {name: rich(text) for name, text in forms.items()}
     return Term(curve=curve, form=form or curve, key=key, tint=tint, variants=variants)  # type: ignore[arg-type]
+
+
+def blocks(block: Block) -> Iterator[Block]:
+    """A block and all that it holds."""
+    yield block
+    if isinstance(block, (Row, Column)):
+        for inner in block.blocks:
+            yield from blocks(inner)
+
+
+def axes_of_columns(sheet: Block) -> dict[str, dict[str, str]]:
+    """The axis that each column of each source is drawn on: {source: {column: axis}}."""
+    axes: dict[str, dict[str, str]] = {}
+    for plot in (block for block in blocks(sheet) if isinstance(block, PlotBlock)):
+        for curve in plot.curves:
+            axes.setdefault(curve.source, {}).update({curve.x: plot.x, curve.y: plot.y})
+        for region in plot.regions:
+            own = {region.x: plot.x, region.low: plot.y, region.high: plot.y}
+            axes.setdefault(region.source, {}).update(own)
+    return axes

@@ -13,14 +13,17 @@ from param.parameterized import ParameterizedMetaclass, discard_events
 
 from components.language.blocks import Block
 from components.language.state import Frame
+from components.layout.sheet import axes_of_columns
 from components.quantities.parameters import Quantity, Values
 from components.quantities.readouts import Readout
 from components.quantities.refusals import in_words
 from components.quantities.units import Unit
 from components.scene.about import About
+from components.scene.columns import with_units
 from components.scene.frames import FITTED
 from components.scene.picture import Picture, draw
 from components.scene.scene_info import SceneInfo
+from components.scene.traces import Columns
 
 __all__ = ["Picture", "Scene"]
 
@@ -199,6 +202,11 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         """Set parameters in one batch, with one picture; a ValueError leaves the face as it was."""
         if self.differing(values):
             self._show(self.value.changed(values))
+
+    def frame(self, source: str = "") -> Columns:
+        """The numbers of a source in SI units under names such as "x1 [m]", for `pandas.DataFrame`: of the first that
+        has any, where none is named. ValueError, with the names of those, for a source without numbers."""
+        return with_units(self.shown, axes_of_columns(self.sheet()), source)
 
     def panel(self) -> Any:
         """Panel widgets for the parameters and live Bokeh figures of the plots: components.panel_face.PanelFace."""

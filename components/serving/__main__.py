@@ -17,6 +17,7 @@ from components.live_class.routes import LiveClass
 from components.live_class.store import MemoryStore, Store
 from components.serving.apart import ReadingProcess
 from components.serving.logs import set_up
+from components.serving.numbers import NumbersRoute
 from components.serving.server import Server
 from components.serving.settings import Settings, read_settings
 from components.walks.loading import WalkError
@@ -39,9 +40,10 @@ async def serve(settings: Settings) -> None:
     lecture, apart = walked(map(Path, folders)), ReadingProcess("app", *folders)
     lecture.bank.apart = apart
     live_class = LiveClass(store_at(settings.store), lecture.bank, settings.bokeh_secret_key)
+    numbers = NumbersRoute(lecture.numbers_of, settings.arrivals)
     open_page = partial(lecture.open_page, lead=live_class.lead, apart=apart)
     figures = {**FIGURES, "readings": ("Walks from files that are read or wait", lambda: len(apart))}
-    server = Server(open_page, settings, figures, {**SHEETS, **lecture.files}, [live_class])
+    server = Server(open_page, settings, figures, {**SHEETS, **lecture.files}, [live_class, numbers])
     asked: asyncio.Queue[float] = asyncio.Queue()
     for name, notice in ((signal.SIGTERM, settings.notice_seconds), (signal.SIGINT, 0.0)):
         with suppress(NotImplementedError):  # on Windows Ctrl+C comes as an exception

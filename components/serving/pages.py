@@ -28,6 +28,7 @@ log = logging.getLogger(__name__)
 LONGEST_LINK = 8000
 """Characters: the query is in the token, and the token in a header of the WebSocket, with room for the others."""
 
+TOO_LONG = f"This link is too long: {LONGEST_LINK} characters are the most after the question mark."
 TOO_MANY = "Too many pages were opened from this network within a minute. Try again in a moment."
 
 OWN_TOKEN, TICKET = "Page-Token", "Page-Ticket"
@@ -67,9 +68,7 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
     async def prepare(self) -> None:
         await super().prepare()
         if len(self.request.query) > LONGEST_LINK:
-            raise RefusedError(
-                414, f"This link is too long: {LONGEST_LINK} characters are the most after the question mark."
-            )
+            raise RefusedError(414, TOO_LONG)
         if "Bokeh-Session-Id" in self.request.headers or any(
             name.startswith("bokeh-") for name in self.request.arguments
         ):

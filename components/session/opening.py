@@ -22,7 +22,7 @@ def opened(scenes: Mapping[str, type[Scene]], link: Link, walks: Walks | None = 
     """The page of a link: where its values cannot be shown, the scene as it is without them, and why."""
     kind, problems = scenes[link.slug], list(link.problems)
     try:
-        now, refused = _standing(kind, replace(state_in(link, kind), step=step))
+        now, refused = standing_of(kind, link, step)
         session = Session(now, (*problems, *refused), scenes=scenes, walks=walks)
         session.first = session.opening()
     except Exception as error:
@@ -31,9 +31,9 @@ def opened(scenes: Mapping[str, type[Scene]], link: Link, walks: Walks | None = 
     return session
 
 
-def _standing(kind: type[Scene], state: State) -> tuple[Standing, list[str]]:
+def standing_of(kind: type[Scene], link: Link, step: str = "") -> tuple[Standing, list[str]]:
     """The standing that a link asks for; and what of that cannot be, in words."""
-    problems = []
+    state, problems = replace(state_in(link, kind), step=step), []
     known = replace(state, covered=tuple(cover for cover in state.covered if cover == NEXT))
     try:
         now = standing_in(kind, known)

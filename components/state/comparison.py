@@ -13,6 +13,7 @@ from components.language.numbers import Expression, names_in
 from components.language.picture import Drawn, Held, LedgerRow, Trace
 from components.language.shapes import AnyShape, Label
 from components.language.signals import AnySignal
+from components.layout.sheet import blocks
 from components.layout.text import rich
 from components.quantities.numbers import three
 from components.quantities.parameters import Quantity
@@ -22,7 +23,7 @@ from components.scene.traces import Columns
 from components.state.beside import moved
 from components.state.covers import VALUE, spoken_of, without
 from components.state.encoding import columns_of, signals_of, traces_of
-from components.state.scene_sheet import blocks, column_axes
+from components.state.scene_sheet import column_axes
 from components.state.standing import Standing
 from components.state.wire import Steps
 

@@ -27,12 +27,13 @@ from components.language.numbers import names_in
 from components.language.plots import Curve, Region
 from components.language.shapes import Label
 from components.language.signals import AnySignal, CosineOf, Derived, SineOf
+from components.layout.sheet import blocks
 from components.quantities.axes import Axis, nice_ticks
 from components.quantities.motion import derived, starts
 from components.quantities.numbers import excerpt
 from components.scene import Picture, Scene
 from components.scene.traces import Columns, Traces
-from components.state.scene_sheet import blocks, heading_names, live_names, plots
+from components.state.scene_sheet import heading_names, live_names, plots
 
 Kept = TypeVar("Kept")
 PLOT, VALUE = "plot:", "value:"

@@ -4,30 +4,23 @@ from __future__ import annotations
 
 import csv
 import io
-import re
 import zipfile
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import chain
-from unicodedata import normalize
 from urllib.parse import quote
 
 from components.language.messages import File
 from components.layout.choices import word
-from components.quantities.axes import Axis
-from components.quantities.numbers import shortest
+from components.quantities.numbers import excerpt, shortest
 from components.quantities.parameters import Quantity
 from components.scene import Picture, Scene
+from components.scene.columns import headed, in_ascii, unit_of
 from components.scene.traces import Columns
 from components.state.scene_sheet import column_axes, plots
 from components.state.standing import Standing
 
 READING = "SI units; the unit of a column stands in brackets after its name, 1 for a pure number; full precision"
-SI = {
-    "ft": "m", "ft/s": "m/s", "knots": "m/s", "km/h": "m/s", "mm": "m", "°": "rad", "%": "", "√(k₁/m₁)": "rad/s",
-    "F₀/k₁": "m",
-}  # fmt: skip
-"""Of units that axes count in though columns do not, what the columns are in."""
 
 
 @dataclass(frozen=True)
@@ -51,6 +44,16 @@ def as_file(told: Standing, picture: Picture, page: str = "", answer: int | None
         for table in found:
             files.writestr(zipfile.ZipInfo(f"{scene.slug}-{table.name}.csv"), as_csv(table, head))
     return File(name=f"{scene.slug}.zip", kind="application/zip", content=packed.getvalue(), answer=answer)
+
+
+def as_table(told: Standing, picture: Picture, page: str = "", name: str = "") -> File:
+    """One of the files of `as_file`: the table of a name, or the first; ValueError, with their names, for another."""
+    found = {table.name: table for table in tables(told.kind, picture) or readouts(told, picture)}
+    if name and name not in found:
+        raise ValueError(f"“{excerpt(name)}” is not a table of these numbers: choose one of {', '.join(found)}.")
+    table, head = found.get(name or next(iter(found), "")), comments(told, picture, page)
+    content = as_csv(table, head) if table else _noted(head).encode("ascii")
+    return File(name=f"{told.scene.slug}.csv", kind="text/csv", content=content)
 
 
 def as_csv(table: CsvTable, head: Iterable[str]) -> bytes:
@@ -122,12 +125,8 @@ def readouts(told: Standing, picture: Picture) -> list[CsvTable]:
     found = told.scene.readouts()
     if not found or any(one.is_in(covered) for one in found):
         return []
-    head = tuple(_headed(one.name, in_ascii(one.unit)) for one in found)
+    head = tuple(headed(one.name, in_ascii(one.unit)) for one in found)
     return [CsvTable("numbers", head, [tuple(one.value for one in found)])]
-
-
-def _headed(name: str, unit: str) -> str:
-    return f"{name} [{unit or 1}]"
 
 
 def _drawn(scene: type[Scene], picture: Picture, source: str, columns: Columns) -> list[str]:
@@ -144,7 +143,7 @@ def _with_times(names: tuple[str, ...], sources: dict[str, Columns]) -> tuple[st
 def _table(scene: type[Scene], picture: Picture, names: tuple[str, ...], sources: dict[str, Columns]) -> CsvTable:
     first = next(iter(sources))
     axes = {name: picture.axes.get(axis) for name, axis in column_axes(scene)[first].items()}
-    head = tuple(_headed(name, _unit(axes.get(name))) for name in names)
+    head = tuple(headed(name, unit_of(axes.get(name))) for name in names)
     bodies = {
         source: zip(*(columns[name].tolist() for name in names), strict=True) for source, columns in sources.items()
     }
@@ -152,23 +151,3 @@ def _table(scene: type[Scene], picture: Picture, names: tuple[str, ...], sources
         return CsvTable(first, head, list(bodies[first]))
     rows = chain.from_iterable(((source, *row) for row in body) for source, body in bodies.items())
     return CsvTable("-".join(names[1:]), ("curve", *head), list(rows))
-
-
-def _unit(axis: Axis | None) -> str:
-    """The unit of a column in SI, whatever the axis counts in; without an axis it is a time."""
-    if axis is None:
-        return "s"
-    own = axis.factor == 1 and axis.unit in ("°", "%")  # some columns count in these themselves
-    unit = axis.unit if own else SI.get(axis.unit, axis.unit)
-    return in_ascii(unit.removeprefix("(").removesuffix(")²") if axis.power == 2 else unit)
-
-
-_RAISED = re.compile("[⁻⁰¹²³⁴-⁹]+")
-_ASCII = str.maketrans({
-    "₀": "_0", "₁": "1", "₂": "2", "√": "sqrt", "°": "deg", "·": " ", "−": "-", "′": "'", "½": "1/2",
-})  # fmt: skip
-
-
-def in_ascii(text: str) -> str:
-    """A text in letters that every program reads."""
-    return _RAISED.sub(lambda power: "^" + normalize("NFKC", power[0]), text).translate(_ASCII)

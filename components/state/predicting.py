@@ -13,9 +13,10 @@ import numpy as np
 
 from components.language.blocks import PlotBlock, StageBlock, TableBlock, WordsBlock
 from components.language.text import Forms
+from components.layout.sheet import blocks
 from components.scene import Picture, Scene
 from components.state.covers import NEXT, PLOT, STAGE, VALUE, as_it_stood, without
-from components.state.scene_sheet import blocks, plots
+from components.state.scene_sheet import plots
 
 
 def told_of(

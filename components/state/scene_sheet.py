@@ -11,10 +11,11 @@ from typing import Any
 
 import msgspec
 
-from components.language.blocks import Block, Column, PlotBlock, Row
+from components.language.blocks import PlotBlock
 from components.language.messages import SceneSheet, Shown
 from components.language.state import State
 from components.layout.controls import panel, settings
+from components.layout.sheet import axes_of_columns, blocks
 from components.scene import Scene
 from components.state.encoding import view_of
 from components.state.wire import WINDOW, as_json
@@ -84,14 +85,6 @@ def sheet_address(scene: type[Scene]) -> str:
     return f"sheets/{scene.slug}.{sha256(sheet_json(scene)).hexdigest()[:16]}.json"
 
 
-def blocks(block: Block) -> Iterator[Block]:
-    """A block and all that it holds."""
-    yield block
-    if isinstance(block, (Row, Column)):
-        for inner in block.blocks:
-            yield from blocks(inner)
-
-
 def plots(scene: type[Scene]) -> Iterator[PlotBlock]:
     """The plots of a scene's sheet."""
     return (block for block in blocks(scene.sheet()) if isinstance(block, PlotBlock))
@@ -136,11 +129,4 @@ def _named(part: Any) -> Iterator[str]:
 @cache
 def column_axes(scene: type[Scene]) -> dict[str, dict[str, str]]:
     """The axis that each column of each source is drawn on: {source: {column: axis}}."""
-    axes: dict[str, dict[str, str]] = {}
-    for plot in plots(scene):
-        for curve in plot.curves:
-            axes.setdefault(curve.source, {}).update({curve.x: plot.x, curve.y: plot.y})
-        for region in plot.regions:
-            own = {region.x: plot.x, region.low: plot.y, region.high: plot.y}
-            axes.setdefault(region.source, {}).update(own)
-    return axes
+    return axes_of_columns(scene.sheet())

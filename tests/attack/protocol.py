@@ -122,6 +122,10 @@ def _links(url: str) -> list[Finding]:
     for link in LINKS:
         reply = ask(url, f"/?{link}")
         found.append(Finding(f"the link {link[:20]}", reply.status < 500 and reply.quiet, f"{reply.status}"))
+    for link in (*LINKS, "scene=absorber&m1=1e300&window=1e-300", "table=%ff", "cover=" + "plot:x," * 900):
+        reply = ask(url, f"/data.csv?{link}")
+        found.append(Finding(f"the numbers of {link[:20]}", reply.status < 500 and reply.quiet, f"{reply.status}"))
+    found.append(Finding("numbers to write", (reply := ask(url, "/data.csv", "POST")).refused, f"{reply.status}"))
     for method in ("POST", "PUT", "DELETE", "OPTIONS", "PATCH", "TRACE"):
         reply = ask(url, "/", method)
         found.append(Finding(f"the method {method}", reply.refused, f"{reply.status}"))

@@ -10,8 +10,8 @@ from typing import Any
 from components.language.blocks import PlotBlock, StageBlock
 from components.language.picture import Ruler
 from components.language.shapes import AnyShape, AnyWay, Box, Grab, Quotient, Share, Stretch, Swung, Turn
+from components.layout.sheet import blocks
 from components.scene import Scene
-from components.state.scene_sheet import blocks
 from components.state.standing import Standing, with_values
 from tests.page.playing import number, played
 

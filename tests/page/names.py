@@ -17,8 +17,9 @@ from components.language.numbers import Expression, names_in
 from components.language.shapes import AnyShape, Box, Label
 from components.language.signals import CosineOf, Derived, SineOf
 from components.language.text import Forms, Runs
+from components.layout.sheet import blocks
 from components.scene import Scene
-from components.state.scene_sheet import blocks, scene_sheet
+from components.state.scene_sheet import scene_sheet
 
 LIVE = re.compile(r'data-value="(\w+)"')
 FRAME = ("left", "right", "top", "bottom", "x0", "x1", "y0", "y1")

@@ -193,3 +193,25 @@ def test_an_address_cannot_add_lines() -> None:
         _, line, *_ = comments(content)
         assert line.startswith("http://a.example/%0D%0Ax%2Cy%0A=1+1%2C2?scene=oscillator")
         assert parse_qs(urlsplit(line).query)["scene"] == ["oscillator"]
+
+
+@scenes
+def test_a_frame_has_the_columns_of_a_source_under_the_names_of_the_export(slug: str) -> None:
+    scene = SCENES[slug]()
+    for table in tables(SCENES[slug], scene.shown):
+        if "curve" in table.head:
+            continue  # pieces of one table are sources of their own
+        found = pd.DataFrame(scene.frame(table.name))
+        assert set(table.head) <= set(found.columns)
+        assert [tuple(row) for row in found[list(table.head)].to_numpy().tolist()] == table.rows
+    with pytest.raises(ValueError, match="“nothing” has no numbers here: choose one of "):
+        scene.frame("nothing")
+
+
+def test_a_frame_without_a_name_is_the_first_and_follows_the_scene() -> None:
+    scene = SCENES["coupled"]()
+    frame = scene.frame()
+    assert list(frame)[:3] == ["t [s]", "x1 [m]", "x1_slow [m]"]
+    scene.k2 = 3.0
+    assert np.array_equal(scene.frame()["x1 [m]"], scene.sources["time"].data["x1"])
+    assert not np.array_equal(scene.frame()["x1 [m]"], frame["x1 [m]"])

@@ -16,7 +16,9 @@ from tests.attack.caller import ask
 from tests.serving.server import Server
 
 
-@pytest.mark.parametrize("path", ["/", "/nowhere", "/liveness", "/app", f"/assets/{next(iter(assets()))}"])
+@pytest.mark.parametrize(
+    "path", ["/", "/nowhere", "/app", "/data.csv", "/data.csv?k2=many", "/liveness", f"/assets/{next(iter(assets()))}"]
+)
 def test_every_answer_has_the_headers_and_names_no_version(server: Server, path: str) -> None:
     headers = ask(server.url, path).headers
     assert headers["X-Content-Type-Options"] == "nosniff"

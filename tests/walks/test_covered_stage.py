@@ -10,10 +10,11 @@ import pytest
 from components.language.blocks import StageBlock
 from components.language.shapes import Begin
 from components.language.signals import Derived
+from components.layout.sheet import blocks
 from components.quantities.motion import derived, starts
 from components.scenes import SCENES
 from components.state.covers import PLOT, STAGE, without
-from components.state.scene_sheet import blocks, plots
+from components.state.scene_sheet import plots
 from components.state.standing import Standing
 from components.walks.links import standing_at
 from components.walks.loading import load_walks
