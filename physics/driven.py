@@ -133,7 +133,7 @@ class DrivenOscillator:
         check_not_negative("a drive frequency in rad/s", omega=omega)
         check_not_negative("the size of a drive", size=size)
         if kind not in get_args(Drive):
-            raise ValueError(f"kind = {kind!r}: a drive is one of {', '.join(get_args(Drive))}")
+            raise ValueError(f"kind = {kind!r}: a drive is allowed to be {' or '.join(get_args(Drive))}")
         of, w = Fraction(size), Fraction(omega)
         if kind == "base":
             return Fraction(self.k) * of, Fraction(self.c) * w * of

@@ -857,6 +857,13 @@ declare namespace page {
     over: string
   }
 
+  /** A way to hold a root of s^2 + 2 z s + 1 by its distance p to the left of the imaginary axis, and to set z: p on
+   * the circle, (p + 1/p)/2 on the real axis, where it is beyond 1 or says `real`. */
+  interface Root extends Stretch {
+    kind: "root"
+    real: boolean
+  }
+
   /** A way that takes the place of the hand, times `counted`, as a turning point of a sine: the value is its
    * amplitude, or where `of` says so its phase, in rad. What moves is `share` of it. A flick gives it a velocity; `turn`
    * is the signal of its argument. */
@@ -888,7 +895,7 @@ declare namespace page {
     head: string
   }
 
-  type AnyWay = Along | Share | Quotient | Swung | Turn | Trade
+  type AnyWay = Along | Share | Quotient | Root | Swung | Turn | Trade
 
   /** The start of a motion from what is seen: `parameter` takes the value of the signal `of` on `axis`, or 0; of a
    * velocity on an axis of places `per` is the one of the time. Of what goes on as it was every digit is taken

@@ -55,6 +55,13 @@ class Quotient(Stretch, frozen=True, kw_only=True, tag="quotient"):
     over: str
 
 
+class Root(Stretch, frozen=True, kw_only=True, tag="root"):
+    """A way to hold a root of s^2 + 2 z s + 1 by its distance p to the left of the imaginary axis, and to set z: p on
+    the circle, (p + 1/p)/2 on the real axis, where it is beyond 1 or says `real`."""
+
+    real: bool = False
+
+
 class Swung(Stretch, frozen=True, kw_only=True, tag="swung"):
     """A way that takes the place of the hand, times `counted`, as a turning point of a sine: the value is its
     amplitude, or where `of` says so its phase, in rad. What moves is `share` of it. A flick gives it a velocity; `turn`
@@ -86,7 +93,7 @@ class Trade(Way, frozen=True, kw_only=True, tag="trade"):
     head: str
 
 
-AnyWay: TypeAlias = Along | Share | Quotient | Swung | Turn | Trade
+AnyWay: TypeAlias = Along | Share | Quotient | Root | Swung | Turn | Trade
 
 
 class Begin(Struct, frozen=True):

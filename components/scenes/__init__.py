@@ -7,6 +7,7 @@ from components.scenes.absorber import Absorber
 from components.scenes.accuracy import Accuracy
 from components.scenes.analogues import Analogues
 from components.scenes.coupled import Coupled
+from components.scenes.damped import Damped
 from components.scenes.energy import Energy
 from components.scenes.forced import Forced
 from components.scenes.modes import ModesScene
@@ -15,5 +16,5 @@ from components.scenes.phugoid import Phugoid
 
 SCENES: dict[str, type[Scene]] = {
     scene.slug: scene
-    for scene in (OscillatorScene, Energy, Analogues, Phugoid, ModesScene, Coupled, Forced, Absorber, Accuracy)
+    for scene in (OscillatorScene, Energy, Analogues, Phugoid, Damped, ModesScene, Coupled, Forced, Absorber, Accuracy)
 }

@@ -43,7 +43,11 @@ def follow_template() -> Template:
     return templates().get_template("follow.html", globals=files)
 
 
-LECTURES = {"D31": "Linear Harmonic Oscillator", "D34": "Coupled Oscillators"}
+LECTURES = {
+    "D31": "Linear Harmonic Oscillator",
+    "D32, D33": "Damped Free Vibration, Forced Vibration",
+    "D34": "Coupled Oscillators",
+}
 """The lectures of the MIT course 16.07, Dynamics, that the scenes follow, by number."""
 
 

@@ -1,7 +1,7 @@
 """The shared system: several scenes speak of one, and it goes along from scene to scene by what its parameters mean.
 
-A system goes along whole, from a scene that shows it and where it is not the scene's own, to every scene that has all
-of it. A scene that shows its own gives up what was taken along before.
+A system goes along whole, from a scene that shows it and where it is not the scene's own, to every scene that shows it
+or a part of it. A scene that shows its own gives up what was taken along before.
 """
 
 from __future__ import annotations
@@ -27,7 +27,6 @@ def taken_along(scene: Scene, before: Shared) -> Shared:
 
 
 def brought(scene: type[Scene], shared: Shared) -> Values:
-    """The values that a scene takes of what goes along: all that it shares, or none."""
-    if not scene.shares or not scene.shares.keys() <= shared.keys():
-        return {}
-    return {**scene.sharing, **{name: shared[meaning] for meaning, name in scene.shares.items()}}
+    """The values that a scene takes of what goes along."""
+    taken = {name: shared[meaning] for meaning, name in scene.shares.items() if meaning in shared}
+    return {**scene.sharing, **taken} if taken else {}

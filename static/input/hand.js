@@ -243,7 +243,7 @@ function placed(way, at, all, ruler) {
 }
 
 /**
- * @param {page.Along | page.Share | page.Quotient | page.Swung} way
+ * @param {page.Along | page.Share | page.Quotient | page.Root | page.Swung} way
  * @param {number} place @param {number} pixel of the axis
  * @param {Named} all @param {page.Ruler} ruler @returns {Placed}
  */
@@ -255,6 +255,10 @@ function onLine(way, place, pixel, all, ruler) {
   if (way.kind === "quotient") {
     const value = all[way.over] / inside
     return {si, value, pixel: Math.abs(value - all[way.over] / (inside + pixel))}
+  }
+  if (way.kind === "root") {
+    const [value, near] = [inside, inside + pixel].map(p => (way.real || p > 1 ? (p + 1 / p) / 2 : p))
+    return {si, value, pixel: Math.abs(near - value)}
   }
   const part = polynomial(way.share, all) * si
   if (way.kind === "share") return {si: part, value: part + toSI(ruler, all[way.rest]), pixel: null}

@@ -9,7 +9,7 @@ from typing import Any
 
 from components.language.blocks import PlotBlock, StageBlock
 from components.language.picture import Ruler
-from components.language.shapes import AnyShape, AnyWay, Box, Grab, Quotient, Share, Stretch, Swung, Turn
+from components.language.shapes import AnyShape, AnyWay, Box, Grab, Quotient, Root, Share, Stretch, Swung, Turn
 from components.layout.sheet import blocks
 from components.scene import Scene
 from components.state.standing import Standing, with_values
@@ -94,6 +94,8 @@ class Hand:
         si = _si(ruler, inside)
         if isinstance(way, Quotient):
             return si, named[way.over] / inside / way.size
+        if isinstance(way, Root):
+            return si, (inside + 1 / inside) / 2 if way.real or inside > 1 else inside
         if isinstance(way, Share):
             part = _at(way.share, named) * si
             return part, (part + _si(ruler, named[way.rest])) / way.size

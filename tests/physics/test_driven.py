@@ -123,7 +123,7 @@ def test_growth_at_resonance_without_damping():
         (lambda: DrivenOscillator(m=1.0, c=1.0, k=1.0).motion(1.0, -1.0, t=0.0), "size = -1.0: the size of a drive"),
         (
             lambda: DrivenOscillator(m=1.0, c=1.0, k=1.0).motion(1.0, kind="wind", t=0.0),
-            "kind = 'wind': a drive is one",
+            "kind = 'wind': a drive is allowed",
         ),
         (
             lambda: DrivenOscillator(m=1e-300, c=1e-200, k=1e-300).response(1.0, 1e200),

@@ -40,6 +40,13 @@ def oscillator_flow(scene: Any, t: float) -> dict[str, Any]:
     return {"$x$": x, "$v$": v, "$a$": -square * x, "$T$": T, "$V$": V}
 
 
+def damped_flow(scene: Any, t: float) -> dict[str, Any]:
+    m, c, k = map(mp.mpf, (scene.m, scene.c, scene.k))
+    x, v = flow([[0, 1], [-k / m, -c / m]], [scene.x_0, scene.v_0], t)
+    V = k * x**2 / 2
+    return {"$x$": x, "$V$": V, "$T + V$": V + m * v**2 / 2, "$P$": c * v**2}
+
+
 def pendulum_flow(scene: Any, t: float) -> dict[str, Any]:
     angle, square = mp.mpf(math.radians(scene.theta_0)), mp.mpf(scene.pendulum_g) / mp.mpf(scene.pendulum_l)
     theta, _ = mp.odefun(lambda _, y: [y[1], -square * mp.sin(y[0])], 0, [angle, 0])(mp.mpf(t))

@@ -21,7 +21,7 @@ from components.scene.about import NO_BAND, SHARES, About, CheckedPoint, Table, 
 from components.scenes import SCENES
 from physics.reference import Point
 from tests.page.told import Page
-from tests.scenes.about_truth import chain_flow, flight_flow, oscillator_flow, pendulum_flow, swing_at
+from tests.scenes.about_truth import chain_flow, damped_flow, flight_flow, oscillator_flow, pendulum_flow, swing_at
 
 SLUGS = [slug for slug, scene in SCENES.items() if scene.about is not Scene.about]
 GOLDEN = (math.sqrt(5.0) - 1) / 2
@@ -43,6 +43,11 @@ HARD: dict[str, list[dict[str, Any]]] = {
     "phugoid": [
         *({"excess": excess} for excess in (1e-150, 1e-9, -0.5, -0.999, 0.7320508, 2.0, 3.0)),
         *({"v_0": 1e-100}, {"v_0": 1e140}, {"g": 1e-150}, {"excess": 0.1, "window": 1000.0}),
+    ],
+    "damped": [
+        *({"m": 1.0, "k": 1.0, "c": 2 * zeta} for zeta in (1e-12, 1 - 1e-12, 1.0, 1 + 1e-15, 1 + 1e-6, 1e6, 1e12)),
+        *({"c": 0.0}, {"k": 0.0}, {"k": 0.0, "c": 0.0, "v_0": 1.0}, {"c": 18.85, "v_0": -3.0}, {"x_0": 0.0}),
+        *({name: 10.0**power} for name in ("m", "k", "x_0") for power in (-100, 100)),
     ],
     "coupled": [
         *STIFF,
@@ -67,6 +72,7 @@ HARD: dict[str, list[dict[str, Any]]] = {
 }
 FAST: dict[str, dict[str, Any]] = {
     **{slug: {"window": 1e5} for slug in ("oscillator", "energy", "analogues", "phugoid", "coupled")},
+    "damped": {"c": 1e-5, "window": 1e4},
     "forced": {**STIFF[2], "omega": 1e5},
 }
 UNREAD = re.compile(r"\$|\*\*|\bnan\b|\binf\b|None|Decimal|\de[-+]?\d", re.IGNORECASE)
@@ -169,6 +175,10 @@ TRUTHS: list[tuple[str, dict[str, Any], str, Flow]] = [
     ("absorber", {}, r"$\omega$", swing_at),
     *(("oscillator", values, "$t$", oscillator_flow) for values in ({}, {"k": 1e12}, {"m": 1e20, "k": 1e-20})),
     ("energy", {}, "$t$", oscillator_flow),
+    *(
+        ("damped", values, "$t$", damped_flow)
+        for values in ({}, {"c": 12.566622}, {"c": 40.0, "v_0": -3.0}, {"k": 0.0})
+    ),
     ("analogues", {"window": 2.0}, "$t$", pendulum_flow),
     ("phugoid", {"window": 15.0}, "$t$", flight_flow),
 ]

@@ -29,7 +29,12 @@ ALSO: dict[str, tuple[dict[str, Any], ...]] = {
     "absorber": ({"played": "rest", "x1_0": 0.002},),
 }
 """States in which something else is in hand."""
-FOLLOWS = {"absorber": ("played", "k2"), "coupled": ("given_by", *BY_MODES, *START.names)}
+FOLLOWS = {
+    "damped": ("c",),
+    "driven": ("c",),
+    "absorber": ("played", "k2"),
+    "coupled": ("given_by", *BY_MODES, *START.names),
+}
 """Parameters that follow from one that is set: a start is played, a tuned spring follows the speed, modes a start."""
 
 

@@ -26,7 +26,7 @@ WALLS = {
 }
 WALLS_IMPORT = "from components.scenes.walls import Walls"
 SCREENS = {
-    "damped": ("A dashpot takes the energy: a swing dies, or never begins", "Overdamped", "It creeps back:"),
+    "friction": ("A dashpot takes the energy: a swing dies, or never begins", "Overdamped", "It creeps back:"),
     "walls": ("Between two walls the stiffnesses of both springs add", "Soft", "N/m"),
 }
 
@@ -63,12 +63,12 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def registered(damped: str) -> str:
+def registered(friction: str) -> str:
     """The registry with both scenes in it."""
     text = (ROOT / REGISTRY).read_text(encoding="utf-8")
-    text = text.replace("\nSCENES: dict", f"{damped}\n{WALLS_IMPORT}\n\nSCENES: dict")
+    text = text.replace("\nSCENES: dict", f"{friction}\n{WALLS_IMPORT}\n\nSCENES: dict")
     assert text.count("Accuracy)\n") == 1, "the list of scenes ends as it did when this was written"
-    return text.replace("Accuracy)\n", "Accuracy, Damped, Walls)\n")
+    return text.replace("Accuracy)\n", "Accuracy, Friction, Walls)\n")
 
 
 def run(project: Path, *command: str) -> str:
@@ -80,14 +80,14 @@ def run(project: Path, *command: str) -> str:
 
 
 def test_the_code_is_clean(project: Path) -> None:
-    run(project, "ruff", "check", "components/scenes/damped", "components/scenes/walls")
+    run(project, "ruff", "check", "components/scenes/friction", "components/scenes/walls")
 
 
 def test_the_scenes_pass_their_own_tests_and_those_of_every_scene(project: Path) -> None:
-    own = ("tests/scenes/test_damped.py", "tests/scenes/test_walls.py")
+    own = ("tests/scenes/test_friction.py", "tests/scenes/test_walls.py")
     every = ("tests/page/test_names.py", "tests/page/test_session.py", "tests/components/test_frames.py")
     every += ("tests/scenes/test_every_scene.py::test_one_task_in_plain_words_opens_each_scene",)
-    told = run(project, "pytest", "-q", "-p", "no:cacheprovider", "-k", "damped or walls", *own, *every)
+    told = run(project, "pytest", "-q", "-p", "no:cacheprovider", "-k", "friction or walls", *own, *every)
     passed = re.search(r"(\d+) passed", told)
     assert passed and int(passed[1]) >= 20, told
 

@@ -1,0 +1,6 @@
+"""A mass on a spring and a dashpot: what the scenes about it share."""
+
+from components.dashpot.parameters import KEPT, PARTS, SHARES, derived_one, followed, keeping, parts
+from components.dashpot.stage import apparatus
+
+__all__ = ["KEPT", "PARTS", "SHARES", "apparatus", "derived_one", "followed", "keeping", "parts"]

@@ -1,0 +1,80 @@
+"""The parameters of a mass, a spring and a dashpot: the damping is one quantity that is set two ways, as c or as ζ."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import param
+
+from components.layout.controls import Group
+from components.quantities.parameters import Quantity, Values, mass, not_negative, one_of, positive, stiffness
+from physics.damped import DampedOscillator
+from physics.exact import exact, precise, rounded
+
+PARTS = Group("Mass, spring, dashpot", ("m", "k", "c", "zeta"))
+KEPT = Group("When m or k changes", ("keep",))
+SHARES = {"mass": "m", "stiffness": "k", "damping": "c"}
+"""Its parameters, by the meaning that other scenes give them too."""
+DAMPED_ONLY = "a dashpot only takes energy: c is a finite number, 0 or more"
+
+
+class Dashpot(Protocol):
+    """A scene with these parameters."""
+
+    m: float
+    k: float
+    c: float
+    zeta: float
+    keep: str
+
+
+def parts(m: float, k: float, c: float, *, hangs: bool = True) -> tuple[Quantity, Quantity, Quantity, Quantity]:
+    """m, k, c and zeta with these defaults; with `hangs` k may be 0."""
+    says = "is the stiffness of the spring."
+    spring = (
+        stiffness(k, symbol="k", says=f"{says} At 0 the mass glides. Any value from 0 up.", softbounds=(0.0, 200.0))
+        if hangs
+        else positive(
+            k, symbol="k", unit="N/m", label="stiffness", tint="k", scale="log", softbounds=(1.0, 200.0),
+            says=f"{says} Any value above 0.",
+        )
+    )  # fmt: skip
+    return (
+        mass(m, symbol="m", tint="m1", says="is the mass. A heavier one is damped less. Any value above 0."),
+        spring,
+        not_negative(
+            c, symbol="c", unit="N s/m", label="damping", tint="T", scale="near0", softbounds=(0.0, 40.0),
+            allowed=DAMPED_ONLY, says="is the force of the dashpot over the velocity. Any value from 0 up.",
+        ),
+        not_negative(
+            DampedOscillator(m=m, c=c, k=k).zeta, symbol="ζ", unit="", label="damping ratio", tint="T", scale="near0",
+            softbounds=(0.0, 3.0), allowed=DAMPED_ONLY.replace("c is", "ζ is"),
+            says="sets c: it is c over 2√(k m). From 1 on nothing swings. Any value from 0 up.",
+        ),
+    )  # fmt: skip
+
+
+def keeping() -> param.Selector[str]:
+    """The choice of what stays when the mass or the spring changes."""
+    return one_of(default="c", objects={"keep c": "c", "keep ζ": "zeta"}, label="What stays when m or k changes")
+
+
+def followed(scene: Dashpot, changed: frozenset[str], *, opened: bool) -> Values:
+    """The damping that follows from a change: zeta from c, or c from zeta. ValueError where there is none."""
+    by_zeta = "zeta" in changed and ("c" not in changed or scene.keep == "zeta")
+    if not by_zeta and ("c" in changed or scene.keep == "c"):
+        if not scene.k or not changed & {"m", "k", "c", "zeta"}:
+            return {}
+        with precise():
+            ratio = exact(scene.c) / (2 * (exact(scene.k) * exact(scene.m)).sqrt())
+        return {"zeta": rounded("the damping ratio ζ = c/(2√(k m))", ratio)}
+    if by_zeta and not opened and not scene.k:
+        raise ValueError("Without a spring (k = 0) there is no ζ: set c instead.")
+    with precise():
+        damping = 2 * exact(scene.zeta) * (exact(scene.k) * exact(scene.m)).sqrt()
+    return {"c": rounded("the damping c = 2ζ√(k m)", damping)} if changed & {"m", "k", "zeta"} else {}
+
+
+def derived_one(scene: Dashpot) -> frozenset[str]:
+    """The one of c and zeta that follows from the other."""
+    return frozenset({"zeta"} if scene.keep == "c" else {"c"})

@@ -1,0 +1,116 @@
+"""Damped: the scene of a mass on a spring and a dashpot, which takes the same share of every swing (D32)."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Self
+
+from components.dashpot import KEPT, PARTS, SHARES, derived_one, followed, keeping, parts
+from components.language.blocks import Block
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.quantities.motion import pace
+from components.quantities.parameters import Values, displacement, one_of, velocity
+from components.quantities.readouts import Readout
+from components.scene import Picture, Scene
+from components.scene.about import About
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Traces
+from components.scenes.damped.about import damped_about
+from components.scenes.damped.case import DampedCase
+from components.scenes.damped.curves import axes_of, columns_of, drawn_names, instants, signals_of
+from components.scenes.damped.places import scalars_of
+from components.scenes.damped.sheet import damped_sheet
+from components.scenes.damped.watch import WATCH
+from components.scenes.damped.words import forms, notes, values
+from physics.damped import DampedOscillator
+
+USUAL = {"m": 1.0, "k": 39.48, "x_0": 0.1, "v_0": 0.0, "keep": "c"}
+
+
+class Damped(Scene):
+    slug = "damped"
+    title = "Damped"
+    lecture = "D32, D33"
+    points = "free vibration with a dashpot"
+    headline = "A dashpot takes the same share of every swing, or lets none begin"
+    spoken = {"damping ratio": "{zeta}", "natural frequency": "{omega} rad/s", "each swing keeps": "{keep}"}
+    equations = (
+        "m x'' + c x' + k x = 0",
+        "omega_n = sqrt(k/m); zeta = c/(2 m omega_n); omega_d = omega_n sqrt(1 - zeta^2); delta = 2 pi zeta "
+        "omega_n/omega_d",
+        "T = m v^2/2; V = k x^2/2; P = c v^2; E = T + V; E_0 - E is heat",
+    )
+    groups = (PARTS, KEPT, Group("Start", ("x_0", "v_0")), Group("Shown", ("view",)))
+    shares = SHARES
+    watch = WATCH
+    presets = {
+        "Light": {**USUAL, "c": 1.257},
+        "Car": {"m": 300.0, "c": 1500.0, "k": 2e4, "x_0": 0.05},
+        "Worn": {"m": 300.0, "c": 300.0, "k": 2e4, "x_0": 0.05},
+        "Door closer": {"m": 20.0, "c": 90.0, "k": 45.0, "x_0": 0.8},
+        "Critical": {"c": 12.566622},
+        "Thrown": {"c": 18.85, "v_0": -3.0},
+        "No dashpot": {"c": 0.0},
+    }
+
+    m, k, c, zeta = parts(1.0, 39.48, 1.257)
+    keep = keeping()
+    x_0 = displacement(
+        0.1, symbol="x_0", tint="m1", softbounds=(-0.3, 0.3),
+        says="is where the mass starts, away from the wall. Any number.",
+    )  # fmt: skip
+    v_0 = velocity(
+        0.0, symbol="v_0", tint="m1", softbounds=(-3.0, 3.0),
+        says="is the velocity at the start, positive away from the wall. Any number.",
+    )  # fmt: skip
+    view = one_of(
+        default="motion", objects={"Motion": "motion", "Forces": "forces"}, label="What is shown beside the mass"
+    )
+
+    @classmethod
+    @cache
+    def sheet(cls) -> Block:
+        return damped_sheet()
+
+    def picture(self, frame: Frame = FITTED) -> Picture:
+        case = self._case(frame)
+        axes = framed(frame, axes_of(case))
+        t = instants(case)
+        return Picture(
+            columns=columns_of(case, t),
+            axes=axes,
+            signals=signals_of(case, axes),
+            traces={"time": Traces(case.end, t.size, drawn_names(case, t), case.exact)},
+            scalars=scalars_of(case, axes, self.view == "forces"),
+            pace=pace(case.omega, case.omega),
+            values=values(case, axes),
+            live={
+                "x": axes["x"].digits(signed=True),
+                **dict.fromkeys(("T", "V", "heat"), axes["E"].digits()),
+                "P": axes["P"].digits(),
+            },
+            forms=forms(case),
+            notes=notes(case, t),
+        )
+
+    def readouts(self) -> tuple[Readout, ...]:
+        one = self._case().oscillator
+        found = [Readout("omega", "ω_n", one.omega_n, "rad/s"), Readout("zeta", "ζ", one.zeta, "", "T")]
+        if one.omega_d:
+            found += [Readout("omega_d", "ω_d", one.omega_d, "rad/s", "m1")]
+            found += [Readout("delta", "δ", one.log_decrement, "")]
+        return tuple(found) if one.k else (Readout("rate", "c/m", one.rates[1], "1/s", "T"),)
+
+    def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
+        return followed(self, changed, opened=before is None)
+
+    def derived(self) -> frozenset[str]:
+        return derived_one(self)
+
+    def about(self, shown: Picture) -> About:
+        return damped_about(shown, self._case())
+
+    def _case(self, frame: Frame = FITTED) -> DampedCase:
+        oscillator = DampedOscillator(m=self.m, c=self.c, k=self.k)
+        return DampedCase(oscillator=oscillator, x_0=self.x_0, v_0=self.v_0, window=self.window, standing=frame.window)

@@ -1,0 +1,30 @@
+"""'About these numbers' of the damped mass."""
+
+from __future__ import annotations
+
+from components.scene import Picture
+from components.scene.about import About, bounded, drawn_as_bands, drift, few, reason_of, rows
+from components.scene.traces import Columns
+from components.scenes.damped.case import DampedCase
+from physics.reference_damped import damped_points
+
+
+def damped_about(picture: Picture, case: DampedCase) -> About:
+    columns = picture.sources["time"]
+    at = few(columns["t"])
+    true = damped_points(case.oscillator, case.x_0, case.v_0, columns["t"][at].tolist())
+    energies = {"V": "$V$", "E": "$T + V$", "P": "$P$"} if not picture.columns.get("time") else {}
+    tables = (
+        bounded("$x(t)$", 4, "both parts of $x$ together", rows({"x": "$x$"}, columns, true, at)),
+        bounded("an energy or the power", 16, "what both parts could make it", rows(energies, columns, true, at)),
+    )
+    return About(tables, _balance(case, columns), drawn_as_bands(picture.sources, {"x": "$x$"}))
+
+
+def _balance(case: DampedCase, columns: Columns) -> str:
+    """The sentence on how far T + V and the heat, each from its own formula, stray from what there was at the start."""
+    try:
+        lost = case.motion.lost(columns["t"])
+        return drift(case.exact(columns["t"])["E"] + lost, case.E_0, "$T + V$ + heat")
+    except ValueError as reason:
+        return f"The balance of the energies cannot be computed over the window: {reason_of(reason)}."

@@ -1,0 +1,145 @@
+"""The sheet of the damped mass: the block beside x(t), energy and power under it, and the plane of the roots."""
+
+from __future__ import annotations
+
+from components.language.blocks import Block
+from components.layout.plots import Room, curve, plot, region
+from components.layout.sheet import column, desk, phrase, row, stage, term, when, words
+from components.scene.traces import traced
+from components.scenes.damped.stage import block, over_energy, over_power, roots, stairs
+from components.scenes.damped.words import FACTS, NATURAL, ROOTS, SENTENCE, TASK
+
+SIDES = Room(56, 30)
+
+
+def damped_sheet() -> Block:
+    label = "Mass on a spring and a dashpot, which stand on a wall"
+    paper = row(
+        stage(*block(), label=label, grow=150, height=232),
+        column(_displacement(), desk(when("power", _power())), _energy(), grow=470),
+        column(
+            _plane(),
+            words(FACTS[0], style="facts", phone=31),
+            desk(words(NATURAL, style="facts", phone=32)),
+            words(*FACTS[1:], style="facts", phone=33),
+            desk(words(SENTENCE, style="small", phone=34)),
+            grow=272,
+        ),
+        gap=6,
+    )
+    return column(desk(words(TASK, style="task", phone=0)), paper)
+
+
+def _displacement() -> Block:
+    line, band = traced("x", tint="m1", width="sum", label="*x*", signal="x")
+    envelope = {"tint": "m1", "width": "thin", "group": "upper"}
+    return plot(
+        "x",
+        x="t",
+        y="x",
+        title="Displacement against time, with its envelope and its peaks",
+        curves=(
+            curve("upper", read="envelope", **envelope),
+            curve("lower", **envelope),
+            curve("slow", tint="m1", width="thin", read="slow part"),
+            curve("fast", tint="m1", width="dash", read="fast part"),
+            line,
+        ),
+        bands=(band,),
+        heading=(
+            term(
+                "x", "sum", "m1", form="x",
+                under=r"x = \val{C}\, e^{-\val{a}\,t} \sin(\val{omega_d}\,t\, \val{phi})",
+                plain=r"x = \val{C}\, \sin(\val{omega}\,t\, \val{phi})",
+                critical=r"x = (\val{A}\, \val{B}\,t)\, e^{-\val{a}\,t}",
+                parts="x =",
+                sum=r"x = \val{A}\, e^{\val{slow}\,t}\, \val{B}\, e^{\val{fast}\,t}",
+                rest="x = 0",
+                glide=r"x = \val{x_0}\, \val{v_0}\, \frac{1 - e^{-\val{rate}\,t}}{\val{rate}}",
+                drift=r"x = \val{x_0}\, \val{v_0}\,t",
+            ),
+            term("upper", "line", "m1", formula=r"\pm \val{C}\, e^{-\val{a}\,t}"),
+            term("slow", "line", "m1", formula=r"\val{A}\, e^{\val{slow}\,t}"),
+            term("fast", "dash", "m1", formula=r"\val{B}\, e^{\val{fast}\,t}"),
+        ),
+        x_labels=False,
+        room=SIDES,
+        cursor="time",
+        shapes=stairs(),
+        grow=184,
+        phone=10,
+        height=190,
+    )  # fmt: skip
+
+
+def _energy() -> Block:
+    return plot(
+        "energy",
+        x="t",
+        y="E",
+        title="Energy against time: potential, kinetic, and what has become heat in the dashpot; the sum is constant",
+        curves=(curve("E_0", tint="total", width="sum", group="total"),),
+        bands=(
+            region("none", "V", tint="V", group="V", read="*V*"),
+            region("V", "E", tint="T", group="T", read="*T*"),
+            region("E", "E_0", tint="k2fill", group="heat", read="heat"),
+        ),
+        heading=(
+            term("total", "sum", "total", formula=r"E_0 = \val{E_total}"),
+            phrase("", "none", "total", formula="{E_unit} ="),
+            term("V", "band", "V", formula=r"V\, \val{V}"),
+            term("T", "band", "T", formula=r"+\; T\, \val{T}"),
+            phrase("heat", "band", "k2fill", formula="+ heat {heat}"),
+        ),
+        room=SIDES,
+        cursor="time",
+        shapes=over_energy(),
+        grow=160,
+        phone=12,
+        height=170,
+    )
+
+
+def _power() -> Block:
+    return plot(
+        "P",
+        x="t",
+        y="P",
+        title="Power that the dashpot takes, against time",
+        curves=(curve("P", tint="T", width="line", signal="P"),),
+        bands=(region("none", "P", tint="T", alpha=0.25, group="P"),),
+        heading=(
+            term("P", "line", "T", formula=r"P = c v^2 = \val{P}"),
+            phrase("", "none", "T", formula="{P_unit}"),
+            phrase(
+                "", "none", "mute", form="fastest",
+                before="greatest just before *x* = 0", fastest="greatest where the mass is fastest",
+                at_start="greatest at the start",
+            ),
+        ),
+        x_labels=False,
+        room=SIDES,
+        cursor="time",
+        shapes=over_power(),
+        grow=82,
+        phone=11,
+        height=130,
+    )  # fmt: skip
+
+
+def _plane() -> Block:
+    return plot(
+        "roots",
+        x="re",
+        y="im",
+        title="Plane of the roots: to the left a motion dies faster, upwards it swings faster",
+        heading=(term("", "none", "ink", form="roots", **ROOTS),),
+        x_column="re",
+        room=Room(2, 2),
+        square=True,
+        plain=True,
+        shapes=roots(),
+        grow=250,
+        phone=30,
+        height=300,
+    )

@@ -1,0 +1,174 @@
+"""The damped mass: c and zeta as one quantity, its sentences over random parameters, its presets, its limits."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from components.quantities.numbers import parse_number
+from components.scene import Scene
+from components.scenes import SCENES
+from components.scenes.damped.words import SENTENCE
+from physics.damped import DampedOscillator
+from tests.grids import tries
+from tests.page.told import Page, put
+from tests.scenes.said import read
+from tests.scenes.test_watch import taken
+
+DAMPED = SCENES["damped"]
+
+
+def sentence(scene: Scene) -> str:
+    return read(scene, SENTENCE.variants[scene.shown.forms["said"]])
+
+
+def numbers(text: str) -> list[float]:
+    return [parse_number(found) for found in re.findall(r"[−\d][\d.]*(?:·10[⁻⁰-⁹]+)?", text)]
+
+
+def test_c_and_zeta_are_one_quantity() -> None:
+    scene = DAMPED(zeta=0.5)
+    assert scene.c == pytest.approx(math.sqrt(39.48)) and scene.zeta == 0.5
+    scene.c = 2 * math.sqrt(39.48)
+    assert scene.zeta == pytest.approx(1.0)
+    scene.m = 4.0
+    assert scene.zeta == pytest.approx(0.5), "c is kept"
+    scene.keep = "zeta"
+    scene.k = 4 * 39.48
+    assert scene.zeta == pytest.approx(0.5) and scene.c == pytest.approx(4 * math.sqrt(39.48)), "zeta is kept"
+    assert "zeta" in scene.value.off_default() and "c" not in scene.value.off_default()
+
+
+def test_a_link_with_zeta_alone_sets_c() -> None:
+    assert DAMPED.at({"zeta": 1.0}).c == pytest.approx(12.566622)
+    assert DAMPED.at({"zeta": 1.0, "c": 3.0}).zeta == pytest.approx(3.0 / 12.566622)
+    assert DAMPED.at({"zeta": 1.0, "c": 3.0, "keep": "zeta"}).c == pytest.approx(12.566622)
+
+
+@pytest.mark.parametrize(
+    ("values", "refusal"),
+    [
+        ({"c": -1.0}, "a dashpot only takes energy"),
+        ({"zeta": -0.1}, "a dashpot only takes energy"),
+        ({"k": 0.0, "zeta": 0.2}, "Without a spring"),
+    ],
+)
+def test_what_a_dashpot_cannot_be_is_a_sentence_and_loses_nothing(values: dict[str, float], refusal: str) -> None:
+    page = Page(DAMPED(x_0=0.2, **({"k": 0.0} if "k" in values else {})))
+    before = page.scene.key
+    told = put(page, **{name: value for name, value in values.items() if name != "k"})
+    assert refusal in " ".join(told["errors"].values()) and page.scene.key == before
+
+
+def test_without_a_dashpot_it_is_the_oscillator() -> None:
+    damped, plain = DAMPED(c=0.0, x_0=0.15, v_0=0.4), SCENES["oscillator"](k=39.48, x_0=0.15, v_0=0.4)
+    t = damped.sources["time"].data["t"]
+    motion = DampedOscillator(m=1.0, c=0.0, k=39.48).motion(0.15, 0.4, t)
+    assert np.array_equal(damped.sources["time"].data["x"], motion.x)
+    assert damped.shown.values["omega"] == plain.shown.values["omega"]
+    assert damped.shown.forms["upper"] == damped.shown.forms["heat"] == damped.shown.forms["power"] == ""
+    assert sentence(damped) == "Nothing is lost: every swing is as large as the last."
+
+
+def test_the_energies_add_up() -> None:
+    for values in DAMPED.presets.values():
+        columns = DAMPED(**values).sources["time"].data
+        assert np.all(np.diff(columns["E"]) <= 1e-12 * columns["E_0"][0])
+        assert np.all(columns["V"] <= columns["E"]) and np.all(columns["E"] <= columns["E_0"] * (1 + 1e-12))
+
+
+def late(scene: Scene, share: float) -> float:
+    """The last time at which |x| is more than that share of |x_0|, from dense samples."""
+    one = DampedOscillator(m=scene.m, c=scene.c, k=scene.k)
+    t = np.linspace(0.0, 14.0 / one.rates[0], 400_001)
+    beyond = np.abs(one.motion(scene.x_0, scene.v_0, t).x) > share * abs(scene.x_0)
+    return float(t[np.flatnonzero(beyond)[-1]])
+
+
+def test_the_presets_are_as_they_say() -> None:
+    keep = math.exp(-DampedOscillator(m=1.0, c=1.257, k=39.48).log_decrement)
+    assert keep == pytest.approx(0.532, abs=5e-4) and late(taken("damped", "Light"), 0.01) == pytest.approx(
+        7.13, abs=0.01
+    )
+    car, worn = taken("damped", "Car"), taken("damped", "Worn")
+    assert car.zeta == pytest.approx(0.306, abs=5e-4) and late(car, 0.05) == pytest.approx(0.976, abs=1e-3)
+    assert car.shown.sources["time"]["x"].min() / -car.x_0 == pytest.approx(0.364, abs=1e-3)
+    assert worn.c == car.c / 5 and late(worn, 0.05) == pytest.approx(5.84, abs=0.01)
+    door = taken("damped", "Door closer")
+    assert door.zeta == 1.5 and late(door, 0.01) == pytest.approx(8.31, abs=0.01)
+    assert late(taken("damped", "Critical"), 0.01) == pytest.approx(1.06, abs=5e-3)
+    assert late(DAMPED(zeta=3.0), 0.01) == pytest.approx(4.30, abs=5e-3)
+    assert late(DAMPED(zeta=0.83), 0.01) == pytest.approx(0.674, abs=1e-3)
+    thrown = taken("damped", "Thrown")
+    columns = thrown.shown.sources["time"]
+    assert columns["x"].min() == pytest.approx(-0.0525, abs=5e-5)
+    heat = 1 - np.interp(0.2, columns["t"], columns["E"]) / columns["E_0"][0]
+    assert heat == pytest.approx(0.988, abs=5e-4)
+    assert "at 0.0506 s" in sentence(thrown)
+
+
+SOME = st.floats(-1.0, 1.0).map(lambda power: 10.0**power)
+
+
+@settings(max_examples=tries(80), deadline=None)
+@given(SOME, SOME, st.floats(0.01, 6.0), st.floats(-1, 1), st.sampled_from([0.0, -0.3, -4.0, 1.0]))
+def test_its_sentence_is_true(m: float, k: float, zeta: float, x_0: float, throw: float) -> None:
+    x_0 = round(x_0, 2) or 0.5
+    omega = math.sqrt(k / m)
+    scene = DAMPED(m=m, k=k, zeta=zeta, x_0=x_0, v_0=throw * x_0 * omega)
+    one, told = DampedOscillator(m=m, c=scene.c, k=k), sentence(scene)
+    t = np.linspace(0.0, 20.0 / one.rates[0], 60_001)
+    x = one.motion(x_0, scene.v_0, t).x
+    signs = np.flatnonzero(np.diff(np.sign(x[np.abs(x) > 1e-9 * abs(x_0)])))
+    if told.startswith("Each swing keeps"):
+        tau = 2 * math.pi / one.omega_d
+        a, b = (one.motion(x_0, scene.v_0, np.array([s])).x[0] for s in (0.1 * tau, 1.1 * tau))
+        share, energy, longer, *_ = numbers(told)
+        assert share == pytest.approx(100 * b / a, rel=6e-3) and energy == pytest.approx(100 * (b / a) ** 2, rel=6e-3)
+        assert longer == pytest.approx(100 * (tau * omega / (2 * math.pi) - 1), rel=6e-3)
+    elif told.startswith("It hardly swings"):
+        half = one.motion(x_0, scene.v_0, np.array([0.3 / omega, 0.3 / omega + math.pi / one.omega_d])).x
+        assert one.zeta < 1 and numbers(told)[0] == pytest.approx(100 * abs(half[1] / half[0]), rel=0.02)
+    elif told.startswith("It passes 0 once"):
+        assert signs.size == 1 and numbers(told)[1] == pytest.approx(t[signs[0]], abs=2 * t[1] + 0.01 * t[signs[0]])
+        assert abs(scene.v_0) > numbers(told)[2] * 0.995
+    else:
+        assert told.startswith("Within 1 % of its start") and signs.size == 0
+        assert numbers(told)[1] == pytest.approx(late(scene, 0.01), rel=6e-3)
+
+
+@pytest.mark.parametrize(
+    ("values", "told"),
+    [
+        ({"x_0": 0.0}, "It rests"),
+        ({"x_0": 0.0, "v_0": 1.0, "c": 40.0}, "It never passes 0 again."),
+        ({"k": 0.0, "v_0": 1.0}, "No spring: it glides to rest 0.796 m further on."),
+        ({"k": 0.0, "c": 0.0, "v_0": 1.0}, "No spring and no dashpot"),
+        ({"k": 0.0}, "No spring, and a start at rest"),
+        (
+            {"c": 12.566622},
+            "Within 1 % of its start after 1.06 s and never past 0; with three times the damping after 4.30",
+        ),
+    ],
+)
+def test_what_is_said_in_the_limits(values: dict[str, Any], told: str) -> None:
+    assert sentence(DAMPED(**values)).startswith(told)
+
+
+def test_mass_spring_and_dashpot_go_along_and_one_without_a_dashpot_brings_mass_and_spring() -> None:
+    page = Page(SCENES["oscillator"](m=3.0, k=20.0))
+
+    def go(scene: str) -> dict[str, Any]:
+        told = page.say({"type": "open", "state": {"scene": scene}, "carried": True, "number": len(page.packets) + 1})
+        return dict(told["state"]["parameters"])
+
+    assert go("damped") == {"m": 3.0, "k": 20.0}
+    put(page, c=5.0)
+    assert go("energy") == {"m": 3.0, "k": 20.0}
+    assert go("damped") == {"m": 3.0, "k": 20.0, "c": 5.0}
