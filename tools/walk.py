@@ -1,4 +1,5 @@
-"""`python -m tools.walk FILE ...` checks walks: every link, name, formula and answer, against the scenes."""
+"""`python -m tools.walk FILE ...` checks walks: every link, name, formula and answer, against the scenes, and that no
+step shows what a later one asks for."""
 
 from __future__ import annotations
 
@@ -7,6 +8,7 @@ from pathlib import Path
 
 from components.scenes import SCENES
 from components.walks.checking import problems
+from components.walks.leaks import leaks
 from components.walks.loading import WalkError, load_walk, load_walks, steps_of
 
 
@@ -23,7 +25,7 @@ def main(paths: list[str]) -> int:
             print(error)
             wrong += 1
             continue
-        found = list(problems(walk, SCENES))
+        found = list(problems(walk, SCENES)) or list(leaks(walk, SCENES))
         print(*found, f"{walk.name}: {len(walk.steps)} steps, {len(found) or 'nothing'} to mend.", sep="\n")
         wrong += len(found)
     return int(wrong > 0)

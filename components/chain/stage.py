@@ -169,7 +169,7 @@ def displacement_arrow(mass: int, foot: Number, top: int = 27) -> list[Shape]:
     x, tint = place(mass, f"x{mass}"), f"m{mass}"
     return [
         line(rest(mass), top - 6, rest(mass), foot, tint="mute", style="eq"),
-        line(x, top, x, foot - side(mass), tint="mute", style="eq"),
+        line(x, top, x, foot - side(mass), tint="mute", style="eq told"),
         arrow(rest(mass), top, x, top, tint=tint),
         text(rest(mass), top - 12, f"*x*_{mass} = {{x{mass}}} {{x_unit}}", tint=tint, style="t2 b"),
     ]

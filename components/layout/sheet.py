@@ -129,6 +129,15 @@ def blocks(block: Block) -> Iterator[Block]:
             yield from blocks(inner)
 
 
+def in_force(block: Block, forms: Mapping[str, str]) -> Iterator[Block]:
+    """A block and all that it holds, without what does not stand in these forms."""
+    if not block.form or forms.get(block.form):
+        yield block
+        if isinstance(block, (Row, Column)):
+            for inner in block.blocks:
+                yield from in_force(inner, forms)
+
+
 def axes_of_columns(sheet: Block) -> dict[str, dict[str, str]]:
     """The axis that each column of each source is drawn on: {source: {column: axis}}."""
     axes: dict[str, dict[str, str]] = {}

@@ -27,7 +27,7 @@ from components.language.numbers import names_in
 from components.language.plots import Curve, Region
 from components.language.shapes import Label
 from components.language.signals import AnySignal, CosineOf, Derived, SineOf
-from components.layout.sheet import blocks
+from components.layout.sheet import blocks, in_force
 from components.quantities.axes import Axis, nice_ticks
 from components.quantities.motion import derived, starts
 from components.quantities.numbers import excerpt
@@ -79,15 +79,17 @@ def refused_covers(scene: type[Scene], picture: Picture, covered: Iterable[str])
 def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> tuple[Picture, tuple[str, ...]]:
     """The picture without what is covered, and the names of the quantities that are left out with it.
 
-    A covered curve takes its columns along, the motions that its dots show, and all that is made of them; another curve
-    that is drawn of one of these is told as a column.
+    A covered curve takes its columns along, the motions that its dots show, and all that is made of them, but for what
+    another curve shows; bodies that a hand sets rest where they start.
     """
     if not covered:
         return picture, ()
     drawn = [one for plot in plots(scene) for one in _drawn(plot)]
     hidden = [one for one in drawn if one.covers.intersection(covered) or PLOT + one.plot in covered]
     names = set(_named(covered, VALUE)) | _marks(covered)
-    names |= {name for one in hidden for name in one.signals}
+    stand = {block.name for block in in_force(scene.sheet(), picture.forms) if isinstance(block, PlotBlock)}
+    seen = {name for one in drawn if one not in hidden and one.plot in stand for name in one.signals}
+    names |= {name for one in hidden for name in one.signals} - seen
     names = _made_of(picture.signals, names)
     gone = {column for one in hidden for column in one.columns}
     gone -= {column for one in drawn if one not in hidden for column in one.columns}
@@ -98,7 +100,7 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
         columns=_columns_less(columns, gone),
         traces=traces,
         axes={name: _covered(name, axis, covered) for name, axis in picture.axes.items()},
-        signals=_at_rest(scene, picture, names) if STAGE in covered else _less(picture.signals, names),
+        signals=_at_rest(scene, picture, names, STAGE in covered),
         values=_less(picture.values, texts),
         live=_less(picture.live, texts),
         scalars=_less(picture.scalars, names),
@@ -195,16 +197,16 @@ def _less(given: Mapping[str, Kept], names: set[str]) -> dict[str, Kept]:
     return {name: value for name, value in given.items() if name not in names}
 
 
-def _at_rest(scene: type[Scene], picture: Picture, names: set[str]) -> dict[str, AnySignal]:
-    """The signals, of which those named stand where the motion begins if a hand sets that, else at zero, and what is
-    made of them where that puts it."""
+def _at_rest(scene: type[Scene], picture: Picture, names: set[str], all_rest: bool) -> dict[str, AnySignal]:
+    """The signals without those named, of which the ones that a hand sets stand where they begin; where all rest, the
+    others stand at zero, and what is made of them where that puts it."""
     begun = starts(picture.signals, picture.scalars)
     rest = {
         name: derived(begun[name] if name in _held(scene) else 0.0)
         for name, signal in picture.signals.items()
-        if name in names and (name in _held(scene) or not spoken_of(signal))
+        if name in names and (name in _held(scene) or (all_rest and not spoken_of(signal)))
     }
-    return {**picture.signals, **rest}
+    return {**(picture.signals if all_rest else _less(picture.signals, names)), **rest}
 
 
 @cache

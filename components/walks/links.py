@@ -60,4 +60,9 @@ def opening_state(walk: str, step: BaseStep, scenes: Scenes) -> State:
 
 def answer_state(walk: str, step: BaseStep, scenes: Scenes) -> State:
     """The state that is shown with its answer."""
-    return replace(state_of_link(step.shown, scenes), step=f"{walk}/{step.id}")
+    return elsewhere(walk, step, step.shown, scenes)
+
+
+def elsewhere(walk: str, step: BaseStep, link: str, scenes: Scenes) -> State:
+    """The state of another link, at which the page stays in the step, after its answer."""
+    return replace(state_of_link(link, scenes), covered=step.still, step=f"{walk}/{step.id}")

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 
 import numpy as np
-from msgspec.structs import replace
 from scipy.interpolate import CubicSpline
 
 from components.language.blocks import PlotBlock
@@ -17,7 +16,7 @@ from components.quantities.axes import Axis
 from components.state.covers import without
 from components.state.scene_sheet import plots
 from components.state.standing import Standing
-from components.walks.links import Scenes, answer_state, standing_at, state_of_link
+from components.walks.links import Scenes, answer_state, elsewhere, standing_at
 from components.walks.sketch import Ranges, Sketch, sketch
 from components.walks.types import BaseStep
 
@@ -76,7 +75,7 @@ class Subject:
 
     def elsewhere(self, link: str) -> State:
         """The state of another link, at which the page stays in the step."""
-        return replace(state_of_link(link, self.scenes), step=f"{self._walk}/{self._step.id}")
+        return elsewhere(self._walk, self._step, link, self.scenes)
 
     def axes(self, plot: str) -> PlotAxes:
         """ValueError where the scene shows no such plot."""

@@ -23,7 +23,8 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     """One idea: a question, the state that it is asked of, what is covered until it is answered, and what it means.
 
     `state` and `reveal` are links: what is shown with the question and, where that is something else, with the answer.
-    `controls` are the parameters that may be moved after the answer, `next` says what to try with the first of them.
+    `still` is what stays covered after it, for a later step that asks for it. `controls` are the parameters that may be
+    moved after the answer, `next` says what to try with the first of them.
     """
 
     id: Slug
@@ -36,6 +37,7 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     slides: tuple[Slide, ...] = ()
     reveal: Address = ""
     cover: tuple[str, ...] = ()
+    still: tuple[str, ...] = ()
     controls: Annotated[tuple[str, ...], Meta(max_length=3)] = ()
     minutes: float | None = None
 

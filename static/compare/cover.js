@@ -16,17 +16,20 @@ export function coverNumber(number) {
 /** What of a drawing speaks while the stage is covered: sketch.css hides it on the page. */
 export const SPOKEN = ".told, .shaft, .shaft + .fill, text:has([data-value])"
 
+const NAMED = new Set(["text", "circle", "wave"])
+
 /** The plots that are covered, by name. @param {page.State} state */
 export const coveredPlots = ({covered}) =>
   covered.filter(name => name.startsWith("plot:")).map(name => name.slice("plot:".length))
 
 /**
- * Whether a shape would tell of what is covered: what needs it, texts and dots over a plot, what lies inside one.
+ * Whether a shape would tell of what is covered: what needs it, texts, dots and waves on a plot's scale that do not
+ * say what is given, what lies inside a plot.
  * @param {{spec: page.AnyShape, needs: Set<string>, plots: Set<string>}} shape
  * @param {string[]} leftOut @param {string[]} covered plots
  */
 export function tells({spec, needs, plots}, leftOut, covered) {
-  const isNamed = (spec.kind === "text" || spec.kind === "circle") && covered.some(plot => plots.has(plot))
+  const isNamed = NAMED.has(spec.kind) && !spec.style.includes("given") && covered.some(plot => plots.has(plot))
   return isNamed || covered.includes(spec.inside) || leftOut.some(name => needs.has(name))
 }
 

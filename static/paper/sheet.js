@@ -101,6 +101,7 @@ export class Sheet {
     const variants = Object.entries(term.variants).map(([name, html]) => {
       const text = marked("span", {"data-form": name}, html)
       part.append(text)
+      if (text.textContent?.endsWith("=") && !text.querySelector("[data-value]")) part.classList.add("equals")
       return {name, text}
     })
     if (term.curve) {

@@ -2,7 +2,7 @@
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {KINDS} from "../questions/kinds.js"
-import {claim, withhold} from "./claim.js"
+import {ask, claim} from "./claim.js"
 
 export const ANSWER_FIRST = "Answer first: a guess is fine"
 const CHOSEN = ".seg, .tiles, .window" // what sets a parameter and is no slider
@@ -41,7 +41,8 @@ export class Card {
     this.line = element("p", {class: "asked-line"}, ...asked(step))
     page.heading.after(this.line)
     this.#ask()
-    asks.focus({preventScroll: true})
+    const heard = asks.checkVisibility() ? asks : page.heading
+    heard.focus({preventScroll: true})
     this.question.plot?.host.scrollIntoView({block: "nearest"}) // now that all has its place
   }
 
@@ -59,7 +60,7 @@ export class Card {
     const {page} = this
     const {question, opens} = this.walk.step
     page.root.classList.add("asked")
-    withhold(page, question)
+    ask(page, question)
     for (const {name, holder} of page.sheet.items)
       holder.classList.toggle("at-issue", opens.covered.includes(`form:${name}`))
     for (const part of page.root.querySelectorAll(HELD)) part.setAttribute("inert", "")
@@ -173,7 +174,7 @@ export class Card {
   }
 }
 
-/** Under a hall's headline: what is given, and once the claim stands there the question. @param {page.StepCard} step */
+/** Under the headline: what is given, and once the claim stands there the question. @param {page.StepCard} step */
 const asked = step => [
   ...(step.given ? [marked("span", {}, `${step.given} `)] : []),
   marked("span", {class: "asks-again"}, step.question),

@@ -1,6 +1,4 @@
-// The headline in a walk: the claim of a step, once it has been answered.
-
-import {element, marked} from "../core/dom.js"
+// The headline in a walk: the question of a step, and once it has been answered its claim.
 
 /** The page's own headline, or another. @param {PartHost} page @param {page.Html} [html] */
 export function claim({heading, spec}, html) {
@@ -9,12 +7,8 @@ export function claim({heading, spec}, html) {
   else heading.textContent = spec.headline
 }
 
-/**
- * It would give an answer away: in a hall the question stands in its place.
- * @param {PartHost} page @param {page.Html} question
- */
-export function withhold({heading}, question) {
-  const covered = element("span", {class: "on-desk"}, "Title hidden until you press Show the answer")
+/** The question stands in the claim's place. @param {PartHost} page @param {page.Html} html */
+export function ask({heading}, html) {
   heading.classList.add("waits")
-  heading.replaceChildren(covered, marked("span", {class: "in-hall"}, question))
+  heading.innerHTML = html
 }

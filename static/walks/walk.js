@@ -71,10 +71,15 @@ export class Walk {
   arrive(id, shown) {
     const place = this.sheet.steps.findIndex(step => step.id === id)
     const {page} = this.lecture
-    const isAsked = shown.state.covered.length > 0
+    const isAsked = this.#isAsked(place, shown)
     if (place !== this.place || page !== this.card?.page || (this.lesson && isAsked)) this.#lay(place, isAsked)
     this.card?.update(shown)
     this.lecture.classes.led?.walked(this)
+  }
+
+  /** Whether more is covered than the answer leaves covered. @param {number} place @param {Drawn} shown */
+  #isAsked(place, {state}) {
+    return state.covered.length > (this.sheet.steps[place]?.reveals.covered.length ?? 0)
   }
 
   /** @param {number} place @param {boolean} isAsked */

@@ -112,7 +112,8 @@ FAULTS = r"""([least, leastIndex]) => {
 
 
 TILTED = """pairs => {
-  const frames = Object.fromEntries(oscillations.plots.map(({block, host, frame, y}) => {
+  const frames = Object.fromEntries(oscillations.plots
+    .filter(({host}) => host.checkVisibility()).map(({block, host, frame, y}) => {
     const low = host.getBoundingClientRect().top + frame.top
     return [block.name, {low, high: low + frame.height, start: y.start, end: y.end}]
   }))

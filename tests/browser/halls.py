@@ -10,7 +10,10 @@ from tests.browser.boxes import faults
 from tests.browser.waiting import passed, seek
 
 LAID = "oscillations.walks.walk.card?.page === oscillations.page"
-TAUGHT = "oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length"
+TAUGHT = (
+    "oscillations.walks.walk.lesson && "
+    "oscillations.shown.state.covered.length === oscillations.walks.walk.step.reveals.covered.length"
+)
 """A step is laid out, its answer shown."""
 MEANT = ("Covered. What do you expect?", "under pill-mark")
 """Words on a cover, which nothing is seen through, and at the mark that a hand has set: they may lie over others."""
@@ -23,7 +26,7 @@ SCROLLED = """() => [...document.querySelectorAll("body *")].filter(part => {
   `${part.scrollHeight - part.clientHeight} px down`)"""
 """Parts with more in them than is seen."""
 LARGE = (
-    *("h1 .in-hall", "h1:not(.waits)", ".asked-line", ".answers .name", ".card .why", ".act"),
+    *("h1.waits", "h1:not(.waits)", ".asked-line", ".answers .name", ".card .why", ".act"),
     *(".corner-words b", ".vote-count", ".votes .all"),
 )
 """Parts that everybody reads: question, answers, what it means; the code of a class, and how it answered."""

@@ -20,7 +20,7 @@ HEIGHT = 720
 STEPS: dict[str, Callable[[int], dict[str, Any]]] = {
     "d34-12": lambda i: {"option": i % 3},
     "d34-14": lambda i: {"curves": {"Xp1": [round(500 + 400 * math.sin(i + j / 9)) for j in range(101)]}},
-    "d34-04": lambda i: {"value": 0.8 + 0.1 * i},
+    "d34-08": lambda i: {"value": 0.8 + 0.1 * i},
     "d34-01": lambda i: {"text": f"{i % 4}"},
 }
 """A step of each kind, whose question or answer takes much room, and what the follower of a number answers."""

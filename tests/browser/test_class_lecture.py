@@ -16,7 +16,7 @@ from tests.browser.halls import seen
 
 pytestmark = pytest.mark.browser
 
-STEPS = {"pull": "d31-03", "mass": "d31-02", "place": "d34-04", "curve": "d34-14", "rest": "d34-12"}
+STEPS = {"pull": "d31-03", "mass": "d31-02", "place": "d31-12", "curve": "d34-14", "rest": "d34-12"}
 LECTURE = 'title = "Five"\n' + "".join(f'[[step]]\nid = "{name}"\nfrom = "{step}"\n' for name, step in STEPS.items())
 SENT = "Sent. You can change it until the answer is shown."
 Take = Callable[[Page, str], object]

@@ -66,7 +66,7 @@ def test_a_walk_in_the_hall(server: Server, page: Page) -> None:
     page.goto(f"{server.url}?walk=d34&step=12&projector")
     page.wait_for_function(f"{READY} && document.querySelector('.card')")
     found = looked_at(page, 1280, 720)
-    asked = page.locator("h1 .in-hall")
+    asked = page.locator("h1.waits")
     expect(asked).to_have_text("After a very long time, which frequencies are left in its motion?")
     page.keyboard.press("2")
     page.keyboard.press("PageDown")
@@ -79,7 +79,7 @@ def test_a_walk_in_the_hall(server: Server, page: Page) -> None:
     assert [line.is_visible() for line in lines.all()] == [False, True, False, False]
     page.keyboard.press("4")
     expect(lines.nth(3)).to_be_visible()
-    page.wait_for_function("oscillations.shown.settings.omega.value === 0.62")  # where that would be right
+    page.wait_for_function("oscillations.shown.settings.omega.value === 0.77")  # where that would be right
     assert page.locator("h1").inner_text() == "Undamped motion never becomes steady"
     assert page.evaluate("location.search") == "?walk=d34&step=d34-12&projector"
     assert not found, "\n".join(found)

@@ -79,14 +79,13 @@ def test_a_clicker_leads_through_a_whole_walk(server: Server, page: Page) -> Non
     """With Page Down, Page Up, a full stop and its start key, F5, alone."""
     walk = WALKS["d34" if WHOLE else "tour"]
     page.goto(f"{server.url}?walk={walk.name}&projector")
-    title = page.locator("h1")
     for place, step in enumerate(walk.steps):
         page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place)
-        expect(title.locator(".in-hall")).to_be_visible()
+        expect(page.locator("h1.waits")).to_be_visible()
         assert page.evaluate("oscillations.shown.state.covered") == list(step.cover)
         page.keyboard.press("PageDown")
         page.wait_for_function(TAUGHT)
-        expect(title.locator(".in-hall")).to_have_count(0)
+        expect(page.locator("h1.waits")).to_have_count(0)
         assert page.evaluate("oscillations.clock.playing || !oscillations.shown.view.time"), step.id
         if place == 1:
             step_back_and_forth(page, place)

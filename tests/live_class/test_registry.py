@@ -35,7 +35,7 @@ from components.walks.questions.sketch import SketchStep
 from tests.live_class.listening import BANK, CHOICE, Listener, until
 from tests.live_class.stores import KINDS, Valkey, made, valkey_running
 
-NUMBER, POINT, SKETCH = ("d31", "d31-02"), ("d34", "d34-04"), ("d34", "d34-14")
+NUMBER, POINT, SKETCH = ("d31", "d31-02"), ("d34", "d34-08"), ("d34", "d34-14")
 Test = Callable[[Registry, ClassRoom], Coroutine[None, None, None]]
 
 

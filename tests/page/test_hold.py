@@ -109,7 +109,7 @@ def test_what_is_covered_is_not_told_of_what_is_held() -> None:
     put(page, k2=3.0)
     told = change(page, covered=["plot:x2", "value:omega_minus"])
     assert "x1" in told["held"]["columns"]["time"] and "x2_slow" not in told["held"]["columns"]["time"]
-    assert "x2" not in told["held"]["signals"]
+    assert told["held"]["signals"]["x2"]["value"] == {"terms": [[0.0, []]]}, "it rests where it starts"
     assert ledger(told)['<span class="v">ω</span><sub>−</sub>'] == ("1.00", "?", "?")
 
 

@@ -128,7 +128,7 @@ def test_hardly_an_ulp_from_a_zero_is_the_zero() -> None:
 
 def test_the_longest_arrow_fits_and_their_lengths_are_the_forces() -> None:
     scalars = ModesScene(omega=0.7, ratio=3.0).shown.scalars
-    arrows = np.array([scalars[f"{row}{i}"] for i in (1, 2) for row in ("need", "give")])
+    arrows = np.array([scalars[f"{row}{i}_N"] for i in (1, 2) for row in ("need", "give")])
     forces = np.array([-2 * 0.49 / 3, -4 / 3 + 2 * (1 - 1 / 3), -0.49, -2 * (1 - 1 / 3)])
     np.testing.assert_allclose(arrows, 0.17 * forces / np.abs(forces).max(), rtol=1e-12, atol=1e-15)
 

@@ -21,18 +21,18 @@ WRONG: dict[str, list[Callable[[Any], Any]]] = {
         lambda t: 0.1 * np.cos(W * t + 0.9) + 0.1 * (1 - math.cos(0.9)) * np.exp(-40 * t),
     ],
     "d31-06": [
-        lambda t: 0.942 * np.cos(W * t),
-        lambda t: np.abs(0.942 * np.sin(W * t)),
-        lambda t: 0.942 * np.sin(W * t),
+        lambda t: 0.471 * np.cos(W / 2 * t),
+        lambda t: np.abs(0.471 * np.sin(W / 2 * t)),
+        lambda t: 0.471 * np.sin(W / 2 * t),
     ],
     "d31-09": [
-        lambda t: {"V": 0.394 * (1 + np.cos(W * t)), "T": 0.394 * (1 - np.cos(W * t))},
-        lambda t: {"V": 0.788 * np.cos(W * t), "T": 0.788 * np.sin(W * t)},
+        lambda t: {"V": 0.394 * (1 + np.cos(2 * W * t)), "T": 0.394 * (1 - np.cos(2 * W * t))},
+        lambda t: {"V": 0.788 * np.cos(2 * W * t), "T": 0.788 * np.sin(2 * W * t)},
     ],
     "d31-15": [
-        lambda t: 70 * np.sin(0.3034 * t),
-        lambda t: -72 + 140 * (1 - np.exp(-t / 3)),
-        lambda t: 70 * np.cos(0.3034 * t),
+        lambda t: 124 * np.sin(0.2275 * t),
+        lambda t: -128 + 249 * (1 - np.exp(-t / 4)),
+        lambda t: 124 * np.cos(0.2275 * t),
     ],
     "d34-10": [
         lambda t: np.cos(0.1005 * t) * np.cos(0.995 * t),

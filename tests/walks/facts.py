@@ -10,6 +10,7 @@ from components.scenes import SCENES
 from components.state.standing import Standing
 from components.walks.links import standing_at
 from physics.coupled import TwoMassChain, free_modes
+from physics.forced import particular_solution
 from physics.hanging import HangingMass
 from physics.lanchester import period_excess
 from physics.modes import trial_forces
@@ -21,10 +22,14 @@ FT = 0.3048
 spring, heavy = Oscillator(m=1, k=39.4), Oscillator(m=4, k=39.4)
 start = spring.constants(0.1, -0.8)
 hanging = HangingMass(m=1, k=39.4, g=9.81)
+stretched = float(hanging.energies([0.0], [0.0]).spring[0])
 light = linear_phugoid(150 * FT, 9.80665)
 plain = TwoMassChain(m1=2, m2=1, k1=4, k2=2)
 equal = TwoMassChain(m1=1, m2=1, k1=1, k2=1)
 beats = TwoMassChain(m1=1, m2=0.04, k1=0.96, k2=0.04)
+uneven = TwoMassChain(m1=3, m2=1, k1=9, k2=6)
+slowly = TwoMassChain(m1=2, m2=1, k1=1, k2=2)
+pushed = particular_solution(slowly, F_0=1.0, omega=0.0).tolist()
 ONE_PERCENT = math.degrees(amplitude_at_excess(0.01))
 
 
@@ -53,21 +58,13 @@ growth = 1 / (2 * (2 + 1 * 2.0**2) * 1.0)
 # The answer of each number and point, and what each of its misses is.
 ANSWERS: dict[str, tuple[list[float], list[float]]] = {
     "d31-02": ([heavy.period], [4 * spring.period, spring.period, spring.period / 2]),
-    "d31-08": ([0.0], [-hanging.delta_st, 0.3]),
-    "d31-10": (
-        [hanging.total_energy(0.1, 0)],
-        [
-            hanging.total_energy(0.1, 0) + 9.81 * 0.1,
-            9.81 * 0.1,
-            float(hanging.energies([0.1], [0.0]).spring[0]),
-        ],
-    ),
+    "d31-08": ([2 * hanging.delta_st], [hanging.delta_st]),
     "d31-12": ([ONE_PERCENT], [force_off, 5, 45]),
     "d31-13": ([100 * 2 * 0.05], [5, 0, 2.5]),
     "d34-01": ([force_on_mass_1(1.0)], [force_on_mass_1(0.0), 4, -4 + 2 * (2 - 1)]),
-    "d34-04": ((plain.modes().omega ** 2).tolist(), [plain.k2 / plain.m2, (plain.k1 + plain.k2) / plain.m1]),
-    "d34-07": ([float(plain.modes().ratio[1])], [-2, -1 / 2.0, 1]),
+    "d34-07": ([float(uneven.modes().ratio[1])], [-1.5, -1 / 1.5, 2]),
     "d34-08": (equal.modes().ratio.tolist(), [1, -1, 0]),
+    "d34-13": ([pushed[1]], [-pushed[1], 0, 1 / slowly.k1 + 0.5, 1 / (slowly.k1 + slowly.k2)]),
     "d34-16": ([48.0], [math.sqrt(250e3 / 100), 60, 24]),
 }
 ANSWERS["tour-03"], ANSWERS["tour-05"] = ANSWERS["d34-08"], ANSWERS["d34-16"]
@@ -76,8 +73,8 @@ ANSWERS["tour-03"], ANSWERS["tour-05"] = ANSWERS["d34-08"], ANSWERS["d34-16"]
 slow, fast = free_modes(beats, (0.2, 0.0), (0.0, 0.0)).omega.tolist()
 PERIODS: dict[str, float] = {
     "d31-04": spring.period,
-    "d31-09": spring.period / 2,
-    "d31-15": 150 * FT / 9.80665 * 2 * half_a_period,
+    "d31-09": Oscillator(m=0.25, k=39.4).period / 2,
+    "d31-15": 200 * FT / 9.80665 * 2 * half_a_period,
     "d34-10": 4 * math.pi / (slow + fast),
     "d34-15": 2 * math.pi / 1.0,
 }
@@ -89,13 +86,17 @@ STATED: dict[str, dict[str, float]] = {
     "d31-03": {"0.3": SCENES["oscillator"].param["x_0"].softbounds[1]},
     "d31-04": {"1.00": spring.period, "0.356": first_low, "2": end_of("?scene=oscillator"), "0.8": 0.8, "−0.1": -0.1},
     "d31-05": {"−0.665": math.atan(0.1 * spring.omega_n / -0.8)},
-    "d31-06": {"0.94": 0.15 * spring.omega_n, "−0.15": -0.15},
+    "d31-06": {"0.47": 0.15 * math.sqrt(9.87), "−0.15": -0.15},
     "d31-07": {"2.5": 24.8 / 9.81, "0.249": hanging.delta_st},
-    "d31-09": {"1": spring.period, "0.1": 0.2 / 2},
+    "d31-08": {"0.498": 2 * hanging.delta_st, "1": 1},
+    "d31-09": {"0.5": Oscillator(m=0.25, k=39.4).period, "0.1": 0.2 / 2},
     "d31-10": {
-        "0.981": 9.81 * 0.1,
-        "1.42": hanging.total_energy(0.1, 0) + hanging.datum_shift,
-        "0.197": hanging.total_energy(0.1, 0),
+        "0.79": hanging.total_energy(0.2, 0),
+        "0.788": hanging.total_energy(0.2, 0),
+        "1.17": stretched - float(hanging.energies([-0.2], [0.0]).spring[0]),
+        "0.2": 0.2,
+        "1.96": 9.81 * 0.2,
+        "2.01": hanging.total_energy(0.2, 0) + hanging.datum_shift,
     },
     "d31-12": {
         "1": 100 * excess(amplitude_at_excess(0.01)),
@@ -119,23 +120,31 @@ STATED: dict[str, dict[str, float]] = {
     },
     "d31-14": {"0.8": speed_at_the_top**2, "1.21": 1.1**2},
     "d31-15": {
-        "15": 0.1 * 150,
-        "46": end_of("?scene=phugoid&excess=0.1"),
+        "20": 0.1 * 200,
+        "61": end_of("?scene=phugoid&excess=0.1&v_0=60.96"),
         "1.71": 100 * period_excess(0.6),
         "0.6": 0.6,
     },
     "d31-16": {"20.7": light.tau, "150": 150},
     "d34-01": {"−6": force_on_mass_1(0.0), "1": 1, "2": 2},
-    "d34-02": {"2": plain.modes().omega[1], "1": plain.modes().omega[0], "1.7": 1.7},
+    "d34-02": {
+        "2": plain.modes().omega[1],
+        "1": plain.modes().omega[0],
+        "1.7": 1.7,
+        "−0.8": -0.8,
+        "−5.78": float(trial_forces(plain, 1.7, -0.8).needed[0]),
+        "−7.60": float(trial_forces(plain, 1.7, -0.8).springs[0]),
+    },
     "d34-07": {
-        "4": 2.0 * 2,
+        "2.25": 1.5 * 1.5,
+        "1.5": uneven.modes().ratio[0],
+        "3": uneven.modes().omega[1],
         "25": beats.m1 / beats.m2,
         "5": beats.modes().ratio[0],
-        "−2": -plain.m1 / plain.m2,
-        "2": plain.modes().ratio[0],
+        "−3": -uneven.m1 / uneven.m2,
     },
     "d34-08": {"1.618": equal.modes().ratio[0], "−0.618": equal.modes().ratio[1]},
-    "d34-09": {"1.57": free_modes(plain, (1, 0), (0, 0)).phase[1]},
+    "d34-09": {"1.57": free_modes(plain, (1, 0.5), (0, 0)).phase[1], "1": 1, "0.5": 0.5, "3": 3},
     "d34-10": {
         "62": end_of("?scene=coupled&m1=1&k1=0.96&m2=0.04&k2=0.04&x1_0=0.2"),
         "0.08": 2 * 0.04,
@@ -143,7 +152,7 @@ STATED: dict[str, dict[str, float]] = {
     },
     "d34-11": {"1": 0.2 * beats.modes().ratio[0]},
     "d34-12": {"200": 200},
-    "d34-13": {"1": 1.0, "0.8": 0.8, "0.618": equal.modes().omega[0]},
+    "d34-13": {"1": 1.0, "−1": -pushed[1], "0.5": 1 / slowly.k2, "0.8": 0.8, "0.560": slowly.modes().omega[0]},
     "d34-14": {"0.618": equal.modes().omega[0], "1.618": equal.modes().omega[1], "2.5": 2.5, "5": 5, "−5": -5},
     "d34-15": {"25": end_of("?scene=forced&m1=2&k1=4&k2=2&omega=1"), "12": 1 / growth, "0.95": 0.95, "1": 1},
     "d34-16": {"50": math.sqrt(250e3 / 100)},

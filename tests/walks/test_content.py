@@ -16,6 +16,7 @@ from components.quantities.numbers import three
 from components.scenes import SCENES
 from components.walks.checking import problems
 from components.walks.features import Period
+from components.walks.leaks import leaks
 from components.walks.links import standing_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
@@ -40,6 +41,18 @@ every_step = pytest.mark.parametrize("step", STEPS.values(), ids=STEPS)
 every_sketch = pytest.mark.parametrize(
     "step", [step for step in STEPS.values() if isinstance(step, SketchStep)], ids=lambda step: step.id
 )
+
+
+@pytest.mark.parametrize("name", WALKS)
+def test_a_step_shows_nothing_that_a_later_one_asks_for(name: str) -> None:
+    assert list(leaks(WALKS[name], SCENES)) == []
+
+
+@every_step
+def test_the_right_answer_is_as_long_as_the_others(step: Step) -> None:
+    if isinstance(step, ChoiceStep):
+        lengths = {right: [len(one.text) for one in step.options if one.right is right] for right in (True, False)}
+        assert 0.6 * max(lengths[False]) <= lengths[True][0] <= 1.2 * max(lengths[False]) + 3
 
 
 @pytest.mark.parametrize("name", WALKS)

@@ -103,7 +103,7 @@ def _displacement(i: int, signal: str, lift: Number, top: Number) -> list[Shape]
             text(zero - 8, lift - 10, anchor="end", show="wide", **look),
             text(zero + 8, lift - 10, anchor="start", show="narrow", **look),
         ]
-    return [line(x, top, x, lift, tint="mute", style="eq"), arrow(zero, lift, x, lift, tint=tint), *names]
+    return [line(x, top, x, lift, tint="mute", style="eq told"), arrow(zero, lift, x, lift, tint=tint), *names]
 
 
 def _both() -> list[Shape]:
@@ -182,15 +182,15 @@ def _verdicts() -> list[Shape]:
     above = above - var("narrow") * (0.5 * side(1) + 13)
     below = var("wide") * below + var("narrow") * (FLOORS[0] + 4)
     shapes = [
-        text(W, above, "Alone, the machine shakes", "end", style="verdict b halo", show="alone_shakes"),
-        text(W, above, "Alone, it grows without limit", "end", style="verdict b halo", show="alone_grows"),
-        text(W, above, "Alone, it beats, slowly", "end", style="verdict b halo", show="alone_beats"),
-        text(W, above, "Alone, within {rest_alone} {x_unit}", "end", style="verdict b halo", show="alone_within"),
+        text(W, above, "Alone, the machine shakes", "end", style="verdict b halo told", show="alone_shakes"),
+        text(W, above, "Alone, it grows without limit", "end", style="verdict b halo told", show="alone_grows"),
+        text(W, above, "Alone, it beats, slowly", "end", style="verdict b halo told", show="alone_beats"),
+        text(W, above, "Alone, within {rest_alone} {x_unit}", "end", style="verdict b halo told", show="alone_within"),
         text(W, above - 19, "{judged_alone}", "end", tint="mute", style="t0 halo", show="wide"),
         text(W, below - 19, "{judged}", "end", tint="mute", style="t0 halo", show="wide differ"),
     ]
     return shapes + [
-        text(W, below, words, "end", style="verdict b halo", show=f"is_{name}") for name, words in VERDICTS.items()
+        text(W, below, words, "end", style="verdict b halo told", show=f"is_{name}") for name, words in VERDICTS.items()
     ]
 
 

@@ -60,7 +60,7 @@ def levels() -> list[Shape]:
     """Natural length and equilibrium, and delta_st between them."""
     natural, level = height(var("natural")), height(0)
     left = CENTRE - HALF - 6
-    name = {"anchor": "end", "tint": "mute", "style": "halo"}
+    name = {"anchor": "end", "tint": "mute", "style": "halo given"}
     return [
         line(left + 6, natural, CENTRE + HALF, natural, style="eq", tint="mute", show="natural_seen"),
         line(left + 6, level, CENTRE + HALF, level, style="eq", tint="mute"),
@@ -114,9 +114,9 @@ def planets() -> list[Shape]:
         y = height(var(slug))
         found += [
             line(x, y, x + 8, y, style="floor", show=f"{slug}_seen"),
-            text(x + 12, y + 4.5, name, "start", tint="mute", style="halo", show=f"{slug}_seen"),
+            text(x + 12, y + 4.5, name, "start", tint="mute", style="halo given", show=f"{slug}_seen"),
             line(x, y, x + 8, y, style="floor", show=f"{slug}_here"),
-            text(x + 12, y + 4.5, name, "start", style="b halo", show=f"{slug}_here"),
+            text(x + 12, y + 4.5, name, "start", style="b halo given", show=f"{slug}_here"),
         ]
     return found
 

@@ -194,8 +194,8 @@ def _shapes() -> list[Shape]:
     for i, place in zip((1, 2), places, strict=True):
         rest = chain.rest(i)
         shapes += [
-            line(rest, lift - 6, rest, last + 8, tint="mute", style="eq"),
-            line(place, lift, place, foot - chain.side(i), tint="mute", style="eq"),
+            line(rest, lift - 6, rest, last + 8, tint="mute", style="eq told"),
+            line(place, lift, place, foot - chain.side(i), tint="mute", style="eq told"),
             arrow(rest, lift, place, lift, tint=f"m{i}"),
             text(rest, lift - 12, f"*X*_{i} = {{X{i}}} m", tint=f"m{i}", style="t2 b halo"),
         ]
@@ -206,8 +206,8 @@ def _shapes() -> list[Shape]:
             shapes += _force(i, name, y)
     for i in (1, 2):
         for name, start in (("give", 2), ("need", 1)):
-            tip = chain.rest(i) + SWING * var(f"{name}{i}")
-            shapes.append(line(tip, foot + start * gap, tip, last + 4, tint="mute", style="eq"))
+            tip = chain.rest(i) + SWING * var(f"{name}{i}_N")
+            shapes.append(line(tip, foot + start * gap, tip, last + 4, tint="mute", style="eq told"))
     for n, said in enumerate(ROWS_SAID):
         y, tint = foot + (n + 1) * gap, ("ink", "k", "F")[n]
         shapes += [
@@ -223,7 +223,7 @@ def _shapes() -> list[Shape]:
 def _force(i: int, name: str, y: Number) -> list[Shape]:
     """One force arrow, from equilibrium (what is missing: from the springs' to the needed one), and its number."""
     tint = {"need": f"m{i}", "give": "k", "add": "F"}[name]
-    start, tip = (var(f"give{i}"), var(f"need{i}")) if name == "add" else (0, var(f"{name}{i}"))
+    start, tip = (var(f"give{i}_N"), var(f"need{i}_N")) if name == "add" else (0, var(f"{name}{i}_N"))
     rest = chain.rest(i)
     force, look = f"{{{name}{i}_N}}", {"tint": tint, "style": "t1 b halo"}
     # Clear of the arrows, wherever they swing to; with a hall's type there is no room for a number between them.
@@ -232,7 +232,8 @@ def _force(i: int, name: str, y: Number) -> list[Shape]:
         for s, anchor, show in ((-1, "end", "wide" if i == 1 else "desk"), (1, "start", "hall"))
     )
     other = text(0, y + 5, force, "start", show="narrow", **look) if i == 1 else beyond
-    return [arrow(rest + SWING * start, y, rest + SWING * tip, y, tint=tint, style="thick", head=14), before, other]
+    tail, head = rest + SWING * start, rest + SWING * tip
+    return [arrow(tail, y, head, y, tint=tint, style="thick", head=14, show=f"{name}{i}_N"), before, other]
 
 
 def _over_shapes() -> tuple[Shape, ...]:

@@ -182,12 +182,12 @@ def _swing_scalars(push: TrialForces) -> dict[str, float]:
 
 
 def _force_scalars(push: TrialForces) -> dict[str, float]:
-    """Lengths of the arrows at full swing, as fractions of the width."""
+    """Lengths of the arrows at full swing, as fractions of the width, each under the name of its number."""
     size = max((abs(value) for pair in push[1:] for value in pair), default=Decimal(0))
     scalars: dict[str, float] = {}
     for i in (1, 2):
         need, give = (REACH * float(pair[i - 1] / size) if size else 0.0 for pair in (push.needed, push.springs))
-        scalars |= {f"need{i}": need, f"give{i}": give}
+        scalars |= {f"need{i}_N": need, f"give{i}_N": give, f"add{i}_N": 1.0}
     return scalars
 
 

@@ -126,7 +126,7 @@ def _shapes() -> list[Shape]:
         y = (0.76 + 0.18 * n) * H
         shapes += [
             text(0, y - 12, f"{mode} mode {{share_{mode}}} of the swing", "start", tint=mode, style="t1 b"),
-            line(0, y, W, y, tint="rule", style="thick faint"),
+            line(0, y, W, y, tint="rule", style="thick faint told"),
             line(0, y, var(f"share_{mode}") * W, y, tint=mode, style="thick", show=f"share_{mode}"),
         ]
     return shapes

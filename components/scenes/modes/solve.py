@@ -118,11 +118,11 @@ def _shapes() -> list[Shape]:
         for i, place in zip((1, 2), places, strict=True):
             rest, tip = chain.rest(i), axle - METRE * W * var(f"y{i}_{mode}")
             shapes += [
-                line(rest, (top + 0.055) * H, rest, axle, tint="mute", style="eq"),
-                line(place, (top + 0.062) * H, place, foot - chain.side(i), tint="mute", style="eq"),
+                line(rest, (top + 0.055) * H, rest, axle, tint="mute", style="eq told"),
+                line(place, (top + 0.062) * H, place, foot - chain.side(i), tint="mute", style="eq told"),
                 arrow(rest, (top + 0.062) * H, place, (top + 0.062) * H, tint=mode),
-                circle(rest, axle, METRE * W * var(f"R{i}_{mode}"), tint=f"m{i}", style="orbit"),
-                line(place, foot, place, tip, tint="mute", style="eq"),
+                circle(rest, axle, METRE * W * var(f"R{i}_{mode}"), tint=f"m{i}", style="orbit told"),
+                line(place, foot, place, tip, tint="mute", style="eq told"),
                 arrow(rest, axle, place, tip, tint=f"m{i}"),
             ]
     return shapes

@@ -249,7 +249,7 @@ def _scalars(swing: Oscillation, axes: dict[str, Axis], t: Floats) -> dict[str, 
     scalars |= {"middle_cosine": math.cos(phi / 2.6), "middle_sine": math.sin(phi / 2.6)}
     scalars |= {"under": math.copysign(1, phi), "outside": math.copysign(1, math.cos(phi))}
     scalars |= {"has_A": float(abs(math.sin(phi)) > 0.15), "has_B": float(abs(math.cos(phi)) > 0.15)}
-    scalars |= {"has_phi": float(abs(phi) > 0.4), "wrong": float(swing.v_0 < 0)}
+    scalars |= {"has_phi": float(abs(phi) > 0.4), "atan": float(swing.v_0 < 0)}
     if drawable(swing.omega, t):
         scalars |= {"swings": swing.end / swing.oscillator.period} | _leads(swing, axes)
     return scalars

@@ -138,7 +138,7 @@ def turning(centre: StageVector) -> list[Shape]:
     for name, tint, _ in WAYS:
         (x, y), (across, up) = unit(name), REACH[name]
         place = centre[0] + (RADIUS + across) * x, centre[1] - (RADIUS + up) * y + 5
-        found.append(text(*place, NAMES[name], tint=tint, style="t2 b halo"))
+        found.append(text(*place, NAMES[name], tint=tint, style="t2 b halo told"))
     return found
 
 
@@ -147,8 +147,8 @@ def cross(centre: StageVector, radius: Number) -> list[Shape]:
     reach = radius + 8
     return [
         circle(x, y, radius, style="orbit", tint="mute", held=True),
-        line(x - reach, y, x + reach, y, style="hair"),
-        line(x, y - reach, x, y + reach, style="hair"),
+        line(x - reach, y, x + reach, y, style="hair told"),
+        line(x, y - reach, x, y + reach, style="hair told"),
     ]
 
 
@@ -199,9 +199,9 @@ def first() -> list[Shape]:
     quarter = pi / 2
     shapes = [
         *cross(centre, radius),
-        line(*centre, *wrong, style="dotted", tint="mute", show="wrong"),
-        circle(*wrong, 4, style="ghost", tint="mute", show="wrong"),
-        text(wrong[0] + 10, wrong[1] + 5, "atan", "start", tint="mute", style="halo", show="wrong"),
+        line(*centre, *wrong, style="dotted", tint="mute", show="atan"),
+        circle(*wrong, 4, style="ghost", tint="mute", show="atan"),
+        text(wrong[0] + 10, wrong[1] + 5, "atan", "start", tint="mute", style="halo", show="atan"),
         arc(x, y, 28, quarter, var("phi") + quarter, style="floor", tint="ink"),
         line(x, y, *foot, style="sum", tint="T"),
         line(*foot, *tip, style="sum", tint="m1"),

@@ -1,0 +1,120 @@
+"""Leaks of a walk: quantities that a step shows, before or after its answer, and that a later step of the same scene
+and chain covers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+from typing import NamedTuple
+
+from components.language.blocks import Block, PlotBlock, StageBlock, TableBlock, WordsBlock
+from components.language.plots import Curve
+from components.language.shapes import Label
+from components.language.text import Forms
+from components.layout.sheet import in_force
+from components.quantities.refusals import in_words
+from components.scene import Picture, Scene
+from components.state.covers import PLOT, STAGE, TABLE, VALUE, without
+from components.state.scene_sheet import LIVE
+from components.state.standing import Standing
+from components.walks.links import Scenes, standing_at
+from components.walks.walk import Step, Walk
+
+ByCover = dict[str, str]
+"""Quantities, each with the cover that hides it."""
+
+
+class Exhibit(NamedTuple):
+    """A picture of a step: of which scene and chain it is, what it shows, and what it covers of all that it has."""
+
+    chain: object
+    shown: ByCover
+    covered: ByCover
+
+
+def leaks(walk: Walk, scenes: Scenes) -> Iterator[str]:
+    """Sentences, each on a step and a later one that asks for what it shows."""
+    with in_words():
+        exhibits = [(before(step, scenes), after(step, scenes)) for step in walk.steps]
+    for (i, early), (j, late) in combinations(enumerate(exhibits), 2):
+        asked = {(one.chain, name): cover for one in late for name, cover in one.covered.items()}
+        for when, one in zip(("before", "after"), early, strict=True):
+            told = sorted({asked[one.chain, name] for name in one.shown if (one.chain, name) in asked})
+            if told:
+                here, there = (f"step {n + 1} ({walk.steps[n].id})" for n in (i, j))
+                yield f"{walk.name}, {here}: {when} its answer it shows {', '.join(told)}, which {there} covers."
+
+
+def before(step: Step, scenes: Scenes) -> Exhibit:
+    """The picture of the question."""
+    return _exhibit(standing_at(step.state, scenes), step.cover)
+
+
+def after(step: Step, scenes: Scenes) -> Exhibit:
+    """The picture of the answer; what only it covers is asked by no one here."""
+    return _exhibit(standing_at(step.shown, scenes), step.still)._replace(covered={})
+
+
+def _exhibit(standing: Standing, covers: tuple[str, ...]) -> Exhibit:
+    kind, picture = standing.kind, standing.shown
+    whole = dict(_quantities(standing.scene, picture))
+    left, gone = without(kind, picture, covers)
+    shown = dict(_quantities(standing.scene, left, frozenset(covers), frozenset(gone)))
+    asked = {name: cover for name, cover in whole.items() if name not in shown}
+    by_name = {name: cover for name, cover in asked.items() if cover in covers or not cover.startswith(VALUE)}
+    return Exhibit(_chain(standing.scene), shown, by_name)
+
+
+def _chain(scene: Scene) -> object:
+    """The scene and its system: the values that scenes share, or where it shows none of these, all its quantities."""
+    values = scene.values
+    shares = scene.shares and all(values[name] == value for name, value in scene.sharing.items())
+    names = set(scene.shares.values()) if shares else scene.quantities() - {"window"}
+    return scene.slug, tuple(sorted((name, values[name]) for name in {*names, *scene.sharing, *scene.physical}))
+
+
+def _quantities(
+    scene: Scene, picture: Picture, covers: frozenset[str] = frozenset(), gone: frozenset[str] = frozenset()
+) -> Iterator[tuple[str, str]]:
+    """The curves, numbers and sentences that are seen of a picture, without what is covered or gone with that."""
+    alias = {other: one.name for one in scene.readouts() for other in one.also}
+    for block in in_force(type(scene).sheet(), picture.forms):
+        for name in _numbers(block, picture, covers):
+            if name not in gone and (picture.values.get(name) or name in picture.live):
+                yield f"number {alias.get(name, name)}", VALUE + name
+        if isinstance(block, PlotBlock) and PLOT + block.name not in covers:
+            yield from ((f"curve {_motion(one)}", f"curve:{block.name}.{one.y}") for one in _drawn(block, picture))
+        if isinstance(block, WordsBlock):
+            yield from (
+                (text, f"form:{item.name}") for item in block.items if item.name and (text := _text(item, picture))
+            )
+
+
+def _drawn(plot: PlotBlock, picture: Picture) -> Iterator[Curve]:
+    """The curves that a plot draws."""
+    yield from (one for one in plot.curves if len(picture.sources.get(one.source, {}).get(one.y, ())))
+
+
+def _motion(curve: Curve) -> str:
+    return curve.signal or curve.y
+
+
+def _numbers(block: Block, picture: Picture, covers: frozenset[str]) -> Iterator[str]:
+    """The live numbers in the texts of a block."""
+    if isinstance(block, WordsBlock):
+        yield from (name for item in block.items for name in LIVE.findall(_text(item, picture)))
+    elif isinstance(block, TableBlock) and TABLE not in covers:
+        yield from (name for row in block.rows for cell in row for name in LIVE.findall(_text(cell, picture)))
+    elif isinstance(block, PlotBlock) and PLOT + block.name not in covers:
+        for term in block.heading:
+            yield from LIVE.findall(term.variants.get(picture.forms.get(term.form, "formula"), ""))
+    elif isinstance(block, StageBlock) and STAGE not in covers:
+        labels = (
+            one for one in block.shapes if isinstance(one, Label) and all(picture.scalars.get(s, 1) for s in one.show)
+        )
+        yield from (run.text for label in labels for run in label.words if run.kind == "value")
+
+
+def _text(item: Forms, picture: Picture) -> str:
+    """The variant that stands."""
+    return item.variants.get(picture.forms.get(item.name, "") if item.name else "", "")
