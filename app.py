@@ -19,6 +19,7 @@ from components.panel_face.face import PanelFace
 from components.quantities.refusals import in_words
 from components.scenes import SCENES
 from components.serving.shell import navigation, page_template, when_open
+from components.serving.start import StartPage
 from components.session.opening import opened, standing_of
 from components.session.panel_bridge import SceneView
 from components.session.session import Publish, Session
@@ -88,12 +89,13 @@ def numbers_of(query: Query, page: str, walks: Walks = NO_WALKS) -> File:
 
 class Lectured(NamedTuple):
     """The parts that the server is given: the functions that open a page and that give the numbers of a link, the files
-    of all walks by their address, and the question bank of a live class."""
+    of all walks by their address, the question bank of a live class, and the start page."""
 
     open_page: Callable[..., None]
     numbers_of: Callable[[Query, str], File]
     files: dict[str, bytes]
     bank: QuestionBank
+    start: StartPage
 
 
 def read_for_others(folders: Iterable[Path]) -> None:
@@ -108,7 +110,8 @@ def walked(folders: Iterable[Path]) -> Lectured:
     files = {walk: walk_file(walk, SCENES) for walk in walks.values()}
     listed = [{"name": walk.name, "title": walk.title, "sheet": address} for walk, (address, _) in files.items()]
     opening, numbers = partial(open_page, walks=walks, listed=listed), partial(numbers_of, walks=walks)
-    return Lectured(opening, numbers, dict(files.values()), QuestionBank(walks, SCENES))
+    start = StartPage(SCENES, listed)
+    return Lectured(opening, numbers, dict(files.values()), QuestionBank(walks, SCENES), start)
 
 
 def open_page(

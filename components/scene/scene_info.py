@@ -41,6 +41,8 @@ class SceneInfo(param.Parameterized):
     """The choices that make another system; the others only show it in another way."""
     reached: ClassVar[tuple[str, ...]] = ()
     """The parameters that record what a visitor has reached: a link carries them, and nothing is compared with them."""
+    pictured: ClassVar[tuple[str, Values]] = ("", {})
+    """The plot that stands for it on the start page, "" for the first, and the values that it is drawn with."""
     places: ClassVar[tuple[str, ...]] = ()
     """The actions that are places rather than commands: their buttons show whether the scene is there."""
     work: ClassVar[type[Running] | None] = None

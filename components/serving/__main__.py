@@ -43,7 +43,8 @@ async def serve(settings: Settings) -> None:
     numbers = NumbersRoute(lecture.numbers_of, settings.arrivals)
     open_page = partial(lecture.open_page, lead=live_class.lead, apart=apart)
     figures = {**FIGURES, "readings": ("Walks from files that are read or wait", lambda: len(apart))}
-    server = Server(open_page, settings, figures, {**SHEETS, **lecture.files}, [live_class, numbers])
+    sheets = {**SHEETS, **lecture.files}
+    server = Server(open_page, settings, figures, sheets, [live_class, numbers], lecture.start)
     asked: asyncio.Queue[float] = asyncio.Queue()
     for name, notice in ((signal.SIGTERM, settings.notice_seconds), (signal.SIGINT, 0.0)):
         with suppress(NotImplementedError):  # on Windows Ctrl+C comes as an exception

@@ -5,11 +5,13 @@ from __future__ import annotations
 import logging
 from collections.abc import Callable
 from secrets import token_urlsafe
+from typing import Any
 
 from bokeh.application.handlers.handler import Handler
 from bokeh.document import Document
 from bokeh.server.session import ServerSession
 from bokeh.server.views.session_handler import SessionHandler
+from jinja2 import Template
 from panel.io.state import set_curdoc
 from tornado.httputil import HTTPServerRequest
 from tornado.web import HTTPError
@@ -20,6 +22,7 @@ from components.serving.context import Context
 from components.serving.handlers import RefusedError, VisitorHandler, templates
 from components.serving.headers import policy, scripts_of
 from components.serving.shell import follow_template
+from components.serving.start import StartPage, start_template
 from components.serving.tokens import page_name
 from components.serving.visitors import address_of, network_of
 
@@ -65,6 +68,10 @@ class Filled(Handler):  # type: ignore[misc]  # Bokeh's are not looked into
 class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are not looked into
     """The page of one visitor."""
 
+    def initialize(self, start: StartPage | None = None, **application: Any) -> None:
+        super().initialize(**application)
+        self._start = start
+
     async def prepare(self) -> None:
         await super().prepare()
         if len(self.request.query) > LONGEST_LINK:
@@ -76,7 +83,10 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
 
     async def get(self) -> None:
         if "class" in self.request.arguments:
-            self._follow()
+            self._write_plain(follow_template().render(), follow_template())
+            return
+        if page := self._begin():
+            self._write_plain(page, start_template())
             return
         asked = self.request.arguments.pop("ticket", [b""])[0]  # is between server and visitor, no part of the link
         shown = self.request.headers.get(TICKET) or asked.decode("latin-1")
@@ -98,12 +108,17 @@ class Page(VisitorHandler, SessionHandler):  # type: ignore[misc]  # Bokeh's are
         self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors, scripts))
         self.write(page_of(session))
 
-    def _follow(self) -> None:
-        """A page without a session: all that it shows comes from the class."""
-        page = follow_template()
+    def _write_plain(self, page: str, template: Template) -> None:
+        """A page without a session: of who follows a class, to which all that it shows is told, or the start page."""
         self.set_header("Cache-Control", "no-cache")
-        self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors, scripts_of(page)))
-        self.write(page.render())
+        self.set_header("Content-Security-Policy", policy(self.context.settings.frame_ancestors, scripts_of(template)))
+        self.write(page)
+
+    def _begin(self) -> str | None:
+        """The start page, where the link opens no scene; a frame of another page shows a scene at once."""
+        if not self._start or self.request.headers.get("Sec-Fetch-Dest") == "iframe":
+            return None
+        return self._start.asked(self.request.arguments)
 
     def _wait(self, place: int, ticket: str) -> None:
         """A page that needs no session, and asks again by itself."""

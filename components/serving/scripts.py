@@ -20,16 +20,20 @@ from itertools import chain
 from posixpath import dirname, join, normpath, relpath
 
 FIRST = "start.js"
-"""The module that needs all others of the first page, and the name of the file."""
+"""The module that needs all others of a scene's first page, and the name of the file."""
+ENTRIES = (FIRST, "home.js")
+"""The modules that pages begin with."""
 IMPORT = re.compile(r'^import (\{[^}]*\}) from "(\.[^"]*)"$', re.M)
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const) (\w+))", re.M)
 
 
 def sent(modules: Mapping[str, str]) -> dict[str, str]:
-    """The scripts by path, of modules by path: all that the first one needs as one file, and each of the others."""
-    first = _in_order(FIRST, modules, ())
-    return {FIRST: joined(modules, first)} | {
-        path: _linked(path, module, first) for path, module in modules.items() if path not in first
+    """The scripts by path, of modules by path: with each that a page begins with all that it needs, as one file, and
+    each of the others."""
+    needed = {entry: _in_order(entry, modules, ()) for entry in ENTRIES if entry in modules}
+    first = needed[FIRST]
+    return {path: _linked(path, module, first) for path, module in modules.items() if path not in first} | {
+        entry: joined(modules, paths) for entry, paths in needed.items()
     }
 
 

@@ -27,6 +27,7 @@ from components.serving.pages import Filled, OpenPage, Page
 from components.serving.settings import Settings
 from components.serving.shell import version
 from components.serving.sockets import Socket
+from components.serving.start import StartPage
 from components.serving.visitors import networks
 
 PULSE = 15.0
@@ -62,6 +63,7 @@ class Server:
         figures: Looked | None = None,
         sheets: Mapping[str, bytes] | None = None,
         extensions: Sequence[Extension] = (),
+        start: StartPage | None = None,
     ) -> None:
         listening, self.port = bind_sockets(settings.address, settings.port)
         self._extensions = extensions
@@ -79,7 +81,7 @@ class Server:
         self.lecture = _application(open_page, self.context)
         # What Bokeh and Panel register (autoload.js, metadata, components, extensions, ...) lies behind the last of
         # these and is never reached.
-        self.lecture.add_handlers(".*", [*self._routes(sheets or {}), (r".*", Missing)])
+        self.lecture.add_handlers(".*", [*self._routes(start, sheets or {}), (r".*", Missing)])
         self.lecture.initialize(IOLoop.current())
         self._http = HTTPServer(
             self.lecture,
@@ -92,11 +94,11 @@ class Server:
         assets()  # read and compressed before anybody asks
         self._start()
 
-    def _routes(self, sheets: Mapping[str, bytes]) -> list[Route]:
+    def _routes(self, start: StartPage | None, sheets: Mapping[str, bytes]) -> list[Route]:
         page = {"application_context": self.lecture.applications["/"], "bokeh_websocket_path": "/ws"}
         readers = networks(("127.0.0.0/8", "::1", *self.context.settings.metrics_for))
         return [
-            (r"/", Page, page),
+            (r"/", Page, {**page, "start": start}),
             (r"/ws", Socket, page),
             (r"/app", Moved, {"to": "./"}),
             (r"/app/", Moved, {"to": "../"}),

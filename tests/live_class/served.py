@@ -25,7 +25,7 @@ async def served(**settings: Any) -> AsyncIterator[tuple[Server, str]]:
     made = Settings(**{"address": "127.0.0.1", "port": 0, **settings})
     live_class = LiveClass(MemoryStore(), LECTURE.bank, made.bokeh_secret_key)
     page = partial(LECTURE.open_page, lead=live_class.lead)
-    server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, extensions=[live_class])
+    server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, extensions=[live_class], start=LECTURE.start)
     server.classes = live_class.context
     try:
         yield server, f"http://127.0.0.1:{server.port}/"

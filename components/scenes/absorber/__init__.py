@@ -59,6 +59,7 @@ class Absorber(Scene):
     lecture = "D34"
     points = "point 9"
     headline = "A tuned mass holds the machine still; the price is two resonances"
+    pictured = ("swing", {})
     spoken = {"machine": "{swing} {x_unit}", "resonances": "{slow} and {fast} rad/s"}
     equations = (
         "m1 x1'' = -k1 x1 - k2 (x1 - x2) - c (x1' - x2') + F_0 sin(omega t)",

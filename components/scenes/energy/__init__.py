@@ -38,6 +38,7 @@ class Energy(Scene):
     lecture = "D31"
     points = "points 4 to 6"
     headline = "Energy swings between motion and position; the sum stays constant"
+    pictured = ("energy", {"window": 1.5})
     spoken = {
         "natural frequency": "{omega} rad/s",
         "period": "{tau} s",

@@ -47,6 +47,7 @@ class ModesScene(Scene):
     lecture = "D34"
     points = "points 3, 4"
     headline = "Both masses agree on a shape at just two frequencies"
+    pictured = ("shape", {"task": "guess"})
     spoken = {"slow mode": "{omega_slow} rad/s", "fast mode": "{omega_fast} rad/s"}
     equations = (
         *chain.FREE,

@@ -78,6 +78,7 @@ class Phugoid(Scene):
     lecture = "D31"
     points = "points 8 to 10"
     headline = "Left alone, an aircraft swings; only its speed sets the period"
+    pictured = ("path", {"excess": 0.5})
     spoken = {"period by the linear theory": "{tau} s", "this swing": "{late}"}
     equations = (
         "V' = -g sin(theta); V theta' = g (V/v_0)^2 - g cos(theta); lift over weight = (V/v_0)^2",

@@ -1,0 +1,61 @@
+"""The start page: all scenes as small pictures, the walks, the way into a live class. It needs no session."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cache, cached_property
+
+from jinja2 import Template
+
+from components.scene import Scene
+from components.serving.handlers import templates
+from components.serving.shell import navigation, version
+from components.serving.thumbnails import HIGH, WIDE, thumbnail
+from components.state.link import PAGE_KEYS, read_query
+
+LOOKS = frozenset({"theme", "projector"})
+"""What a link may say beside a scene: it opens none."""
+
+
+@cache
+def start_template() -> Template:
+    """start.html, which each page of the kind is made of."""
+    return templates().get_template("start.html")
+
+
+@dataclass(frozen=True)
+class StartPage:
+    """The page of a link that names no scene, or none that there is."""
+
+    scenes: Mapping[str, type[Scene]]
+    walks: Sequence[Mapping[str, str]]
+
+    def asked(self, query: Mapping[str, Sequence[bytes]]) -> str | None:
+        """The page where a link asks for it, with a sentence where it names what is not a scene; else None."""
+        if query.keys() <= LOOKS:
+            return self._plain
+        if "scene" in query and not query.keys() & (PAGE_KEYS - LOOKS):
+            problems = read_query({"scene": query["scene"]}, self.scenes).problems
+            return self._page(problems[0]) if problems else None
+        return None
+
+    @cached_property
+    def _plain(self) -> str:
+        return self._page()
+
+    @cached_property
+    def _pictures(self) -> dict[str, object]:
+        return {slug: thumbnail(scene) for slug, scene in self.scenes.items()}
+
+    def _page(self, problem: str = "") -> str:
+        return start_template().render(
+            version=version(),
+            first=next(iter(self.scenes)),
+            navigation=navigation(self.scenes),
+            pictures=self._pictures,
+            walks=self.walks,
+            wide=WIDE,
+            high=HIGH,
+            problem=problem,
+        )

@@ -1,0 +1,84 @@
+"""The start page: it stands where a link opens no scene, and costs no session."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+
+import pytest
+
+from app import SCENES, walked
+from components.serving.start import StartPage
+from components.serving.thumbnails import HIGH, WIDE, thumbnail
+from tests.attack.caller import ask
+from tests.serving.server import Server, serving
+
+START = StartPage(SCENES, [{"name": "tour", "title": "A tour"}])
+
+
+@pytest.fixture(scope="module")
+def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    with serving(tmp_path_factory.mktemp("start") / "log") as running:
+        yield running
+
+
+@pytest.mark.parametrize("query", ["", "?theme=dark", "?projector", "?scene=pendulum", "?scene=coupled&scene=forced"])
+def test_it_stands_where_a_link_opens_no_scene(query: str, server: Server) -> None:
+    page = ask(server.url, f"/{query}")
+    assert page.status == 200
+    assert "Take an oscillation in your hand" in page.text
+    assert len(re.findall('class="scene-card"', page.text)) == len(SCENES)
+    assert page.headers["Cache-Control"] == "no-cache"
+    assert "'unsafe-inline'" not in page.headers["Content-Security-Policy"].split("style-src")[0]
+
+
+@pytest.mark.parametrize("query", ["?scene=coupled", "?k2=3", "?walk=d34&step=d34-02", "?scene=oscillator"])
+def test_any_other_link_goes_where_it_went(query: str, server: Server) -> None:
+    assert 'id="opening"' in ask(server.url, f"/{query}").text
+
+
+def test_in_a_frame_stands_a_scene(server: Server) -> None:
+    assert 'id="opening"' in ask(server.url, Sec_Fetch_Dest="iframe").text
+
+
+def test_what_is_no_scene_is_said(server: Server) -> None:
+    said = ask(server.url, "/?scene=<b>pendulum").text
+    assert "scene: “&lt;b&gt;pendulum” is not a scene: choose one of oscillator, " in said
+    assert "is not a scene" not in ask(server.url, "/").text
+
+
+def test_it_takes_no_place(server: Server) -> None:
+    def figure(name: str) -> float:
+        found = re.search(rf"^{name} (\S+)$", ask(server.url, "/metrics").text, re.M)
+        assert found, name
+        return float(found[1])
+
+    before = figure("oscillations_arrivals_total")
+    for _ in range(20):
+        assert ask(server.url, "/").status == 200
+    assert figure("oscillations_arrivals_total") == before
+    ask(server.url, "/?scene=coupled")
+    assert figure("oscillations_arrivals_total") == before + 1
+
+
+@pytest.mark.parametrize("slug", SCENES)
+def test_each_scene_has_a_picture_with_a_curve_that_a_dot_can_follow(slug: str) -> None:
+    strokes = thumbnail(SCENES[slug])
+    assert strokes
+    assert slug == "accuracy" or any(stroke.runs for stroke in strokes)
+    inside = 0
+    for stroke in strokes:
+        numbers = [float(number) for number in re.findall(r"-?\d+\.\d", stroke.d)]
+        points = list(zip(numbers[::2], numbers[1::2], strict=True))
+        assert all(-2.5 * WIDE < x < 3.5 * WIDE and -2.5 * HIGH < y < 3.5 * HIGH for x, y in points)
+        inside += sum(0 <= x <= WIDE and 0 <= y <= HIGH for x, y in points)
+    assert inside > 20
+
+
+def test_the_lectures_own_walks_are_listed() -> None:
+    page = walked([]).start.asked({}) or ""
+    assert re.findall(r'href="\?walk=([\w-]+)"', page) == ["d31", "d34", "tour"]
+
+
+def test_the_page_is_small() -> None:
+    assert len(START.asked({}) or "") < 60_000
