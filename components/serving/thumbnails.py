@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from components.language.blocks import PlotBlock
 from components.quantities.axes import Axis
 from components.scene import Picture, Scene
-from components.state.scene_sheet import blocks, scene_sheet
+from components.state.scene_sheet import plots
 
 WIDE, HIGH, EDGE = 192, 116, 8
 """Units of the frame, and what stays free at each side of it."""
@@ -51,8 +51,7 @@ def thumbnail(scene: type[Scene]) -> list[Stroke]:
 
 def _plot(scene: type[Scene], picture: Picture, name: str) -> PlotBlock:
     """The plot of that name, or the first of the picture."""
-    plots = [block for block in blocks(scene_sheet(scene).paper) if isinstance(block, PlotBlock)]
-    shown = [plot for plot in plots if {plot.x, plot.y} <= picture.axes.keys()]
+    shown = [plot for plot in plots(scene) if {plot.x, plot.y} <= picture.axes.keys()]
     return next((plot for plot in shown if plot.name == name), shown[0])
 
 

@@ -26,6 +26,7 @@ from tests.bench.visitor import Visitor
 
 ALPHABET = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.="
 FLOODERS, SECONDS = 30, 3.0
+SCENE = "/?scene=oscillator"
 CLOSED = (
     "/autoload.js?bokeh-autoload-element=a",
     "/app/autoload.js?bokeh-autoload-element=a",
@@ -108,7 +109,7 @@ def attack(url: str, short: bool = False) -> list[Finding]:
 
 
 def _links(url: str) -> list[Finding]:
-    token = token_of(ask(url).text)
+    token = token_of(ask(url, SCENE).text)
     naming = {
         "a session named in a link": ask(url, "/?bokeh-session-id=klass"),
         "a session named in a header": ask(url, Bokeh_Session_Id="klass"),
@@ -139,7 +140,7 @@ def _closed(url: str) -> list[Finding]:
 
 def _token(url: str) -> list[Finding]:
     secret = "a-word-that-only-this-visitor-knows"
-    page = ask(url, Cookie=f"name={secret}", Authorization=f"Basic {secret}", X_Other=secret)
+    page = ask(url, SCENE, Cookie=f"name={secret}", Authorization=f"Basic {secret}", X_Other=secret)
     told = contents(token_of(page.text))
     alone = {name.lower() for name in told["headers"]} == {"host"} and not told["cookies"]
     return [Finding("the token holds the Host alone", alone and secret not in json.dumps(told), f"{sorted(told)}")]
@@ -148,7 +149,7 @@ def _token(url: str) -> list[Finding]:
 async def _forged(url: str) -> list[Finding]:
     """Tokens that the server did not make."""
     random = Random(1)
-    token = token_of(ask(url).text)
+    token = token_of(ask(url, SCENE).text)
     text, _, signature = token.partition(".")
     unsigned = base64.urlsafe_b64encode(json.dumps({"session_id": "klass", "session_expiry": 9e9}).encode()).decode()
     forged = {

@@ -23,7 +23,7 @@ from statistics import median
 import psutil
 from playwright.sync_api import Browser, Page, Response, WebSocket, sync_playwright
 
-from tests.bench.network import opened_slowly, turned
+from tests.bench.network import opened_slowly, start_slowly, turned
 from tests.bench.visitor import Visitor
 from tests.browser.chromium import find
 from tests.serving.server import ROOT, Server, free_port, serving
@@ -166,6 +166,15 @@ def measure_playing(page: Page, messages: list[object], repeats: int, seconds: f
     ]
 
 
+def measure_start(browser: Browser, url: str, repeats: int) -> list[Row]:
+    """The start page with an empty cache at 1.6 Mbit/s and 150 ms."""
+    loaded, sizes = zip(*(start_slowly(browser, url) for _ in range(repeats)), strict=True)
+    return [
+        Row("start page: bytes, as served", sizes, "{:.0f} kB", "200 kB"),
+        Row("start page: loaded at 1.6 Mbit/s, 150 ms", [one / 1000 for one in loaded], "{:.1f} s", "1.0 s"),
+    ]
+
+
 def measure_slow_network(browser: Browser, address: str, repeats: int) -> list[Row]:
     """A page with an empty cache at 1.6 Mbit/s and 150 ms, and then another scene."""
     seen = [opened_slowly(browser, address, OTHERS[0]) for _ in range(repeats)]
@@ -208,6 +217,7 @@ def measure_browser(address: str, options: argparse.Namespace) -> list[Row]:
         rows += measure_playing(page, messages, min(5, options.batches))
         rows += measure_turns(page, min(3, options.batches))
         rows += measure_slow_network(browser, address, min(3, options.batches))
+        rows += measure_start(browser, address.partition("?")[0], min(3, options.batches))
         browser.close()
     return rows
 

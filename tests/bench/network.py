@@ -32,13 +32,30 @@ TURN = """slug => new Promise(done => {
 READY = "document.documentElement.dataset.ready === 'true'"
 
 
-def opened_slowly(browser: Browser, address: str, other: str) -> dict[str, float]:
-    """Milliseconds until a page with an empty cache paints, moves and is whole, then until another scene stands."""
+def slow_page(browser: Browser) -> Page:
+    """A page with an empty cache on the slow network."""
     page = browser.new_page(viewport={"width": 1280, "height": 720}, bypass_csp=True)  # for wait_for_function
     network = page.context.new_cdp_session(page)
     conditions = {"latency": LATENCY, "downloadThroughput": RATE, "uploadThroughput": RATE, "offline": False}
     network.send("Network.enable")
     network.send("Network.emulateNetworkConditions", conditions)
+    return page
+
+
+def start_slowly(browser: Browser, address: str) -> tuple[float, float]:
+    """The start page: milliseconds until it has been loaded, and kB as they are served."""
+    page = slow_page(browser)
+    sizes: list[int] = []
+    page.on("requestfinished", lambda request: sizes.append(request.sizes()["responseBodySize"]))
+    page.goto(address)
+    loaded: float = page.evaluate("performance.getEntriesByType('navigation')[0].loadEventStart")
+    page.close()
+    return loaded, sum(sizes) / 1000
+
+
+def opened_slowly(browser: Browser, address: str, other: str) -> dict[str, float]:
+    """Milliseconds until a page with an empty cache paints, moves and is whole, then until another scene stands."""
+    page = slow_page(browser)
     page.add_init_script(WATCH)
     page.goto(address, wait_until="commit")
     page.wait_for_function(READY)

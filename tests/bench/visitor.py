@@ -57,7 +57,7 @@ class Visitor:
         self._reader: asyncio.Task[None] | None = None
 
     @classmethod
-    async def arrive(cls, url: str, query: str = "") -> Visitor:
+    async def arrive(cls, url: str, query: str = "scene=oscillator") -> Visitor:
         page = await asyncio.to_thread(_get, f"{url}?{query}")
         return await cls.connect(url, token_in(page))
 

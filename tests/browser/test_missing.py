@@ -69,7 +69,7 @@ def test_what_an_old_browser_lacks_is_named(browser: Browser, server: Server, fe
 def test_scripts_that_cannot_be_fetched_are_missed_in_a_sentence(quiet: Quiet, server: Server) -> None:
     page = quiet()
     page.route("**/start.js", lambda route: route.abort())
-    page.goto(server.url)
+    page.goto(f"{server.url}?scene=oscillator")
     expect(page.get_by_role("alert").filter(has_text="Part of this page could not be loaded")).to_be_in_viewport()
 
 

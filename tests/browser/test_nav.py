@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from components.scenes import SCENES
-from tests.browser.test_screens import GRID
+from tests.browser.views import GRID
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]

@@ -12,18 +12,12 @@ from components.state.standing import fitted
 from tests.browser.boxes import faults
 from tests.browser.fixtures import READY
 from tests.browser.targets import small_targets
-from tests.browser.views import LINKS
+from tests.browser.views import GRID, LINKS, SAMPLE
 from tests.browser.waiting import passed, seek
 from tests.grids import WHOLE
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
-SAMPLE = ((1280, 590), (1024, 768), (844, 390), (360, 640))
-GRID = (
-    *SAMPLE,
-    *((1280, 720), (1279, 1000), (1920, 1080), (2560, 1440), (3840, 2160), (1600, 480)),
-    *((853, 480), (768, 1024), (640, 360), (600, 800), (390, 844), (320, 640), (320, 320)),
-)
 STAYING = """() => {
   scrollTo(0, 500)
   const staying = [...document.querySelectorAll(".paper *, .nav")].filter(one =>

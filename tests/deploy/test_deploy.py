@@ -16,7 +16,7 @@ from tests.serving.server import ROOT
 @pytest.mark.timeout(300)  # three servers start
 def test_nothing_is_lost_when_a_replica_fails_another_ends_and_a_later_version_takes_over(tmp_path: Path) -> None:
     with deployed(tmp_path, (ROOT, ROOT, upgraded(tmp_path / "later"))) as site:
-        page = ask(site.url, "/")
+        page = ask(site.url, "/?scene=oscillator")
         assert page.status == 200
         assert not {"Server", "Via"} & set(page.headers)
         assert [ask(site.url, path).status for path in ("/metrics", "/liveness", "/readiness")] == [404] * 3

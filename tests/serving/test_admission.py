@@ -141,7 +141,7 @@ def server(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
 
 
 def test_who_waits_is_told_so_without_a_session_and_keeps_the_link(server: Server) -> None:
-    assert ask(server.url).status == 200
+    assert ask(server.url, "/?scene=oscillator").status == 200
     reply = ask(server.url, "/?scene=coupled&k2=3&ticket=none")
     assert (reply.status, reply.headers["Retry-After"]) == (503, "20")
     assert "you are first in line" in reply.text
@@ -160,7 +160,7 @@ def test_the_waiting_page_opens_when_there_is_a_place(
     first, second = browser.new_page(), browser.new_page()
     told: list[str] = []
     second.on("console", lambda message: told.extend([message.text] if message.type == "error" else []))
-    first.goto(server.url)
+    first.goto(f"{server.url}?scene=oscillator")
     expect(first.locator("html[data-ready=true]")).to_be_attached(timeout=30_000)
     second.goto(f"{server.url}?scene=coupled&k2=3")
     expect(second.get_by_role("heading")).to_have_text("All 1 places are taken")

@@ -29,8 +29,9 @@ def test_every_answer_has_the_headers_and_names_no_version(server: Server, path:
     assert "Server" not in headers
 
 
-def test_the_scripts_of_a_page_are_named_by_their_hash_and_nothing_else_runs(server: Server) -> None:
-    reply = ask(server.url)
+@pytest.mark.parametrize("path", ["/", "/?scene=coupled", "/?class=ABCD"])
+def test_the_scripts_of_a_page_are_named_by_their_hash_and_nothing_else_runs(path: str, server: Server) -> None:
+    reply = ask(server.url, path)
     (allowed,) = re.findall(r"script-src ([^;]*)", reply.headers["Content-Security-Policy"])
     inline = re.findall(r"<script>(.*?)</script>", reply.text, re.S)
     hashes = [f"'sha256-{b64encode(sha256(script.encode()).digest()).decode()}'" for script in inline]
@@ -40,7 +41,8 @@ def test_the_scripts_of_a_page_are_named_by_their_hash_and_nothing_else_runs(ser
 
 def test_what_a_link_says_is_no_script_of_the_page(server: Server) -> None:
     plain, said = (
-        ask(server.url, path).headers["Content-Security-Policy"] for path in ("/", "/?k2=<script>a()</script>")
+        ask(server.url, path).headers["Content-Security-Policy"]
+        for path in ("/?scene=oscillator", "/?k2=<script>a()</script>")
     )
     assert len(plain.split("'sha256-")) == len(said.split("'sha256-"))
 
@@ -67,7 +69,7 @@ def test_a_scene_needs_nothing_that_its_page_does_not_allow(
 @pytest.mark.browser
 def test_a_script_from_elsewhere_is_refused(server: Server, browser: Browser) -> None:
     page = browser.new_page()
-    page.goto(server.url)
+    page.goto(f"{server.url}?scene=oscillator")
     page.evaluate(
         "document.body.append(Object.assign(document.createElement('script'), {textContent: 'globalThis.ran = 1'}))"
     )

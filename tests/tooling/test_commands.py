@@ -272,7 +272,7 @@ def test_the_container_takes_visitors_from_the_allowed_origins() -> None:
 
 def handshake(server: Server, host: str) -> int:
     """The answer to a page's WebSocket, where `host` is what stands in the browser's address."""
-    page = urlopen(server.url, timeout=30).read().decode()
+    page = urlopen(f"{server.url}?scene=oscillator", timeout=30).read().decode()
     token = re.search(r'"token":"([^"]+)"', page)[1]
     headers = {
         "Connection": "Upgrade",

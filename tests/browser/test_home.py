@@ -1,0 +1,103 @@
+"""The start page in a browser: every scene, walk and class is reached from it, on every screen."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from components.scenes import SCENES
+from tests.browser.fixtures import READY
+from tests.browser.views import GRID
+from tests.serving.server import Server
+
+pytestmark = pytest.mark.browser
+DOTS = (
+    "() => [...document.querySelectorAll('.thumb circle')].map(dot => dot.getAttribute('cx') + dot.getAttribute('cy'))"
+)
+LEAVES = """() => [...document.querySelectorAll("body *")].filter(one => one.checkVisibility() && !one.closest("svg")
+  && one.getBoundingClientRect().right > innerWidth + 0.5).map(one => one.outerHTML.slice(0, 80))"""
+SMALL = """() => [...document.querySelectorAll("a, button, input")].filter(one => one.checkVisibility())
+  .filter(one => one.getBoundingClientRect().height < 24).map(one => one.outerHTML.slice(0, 80))"""
+
+
+@pytest.mark.parametrize("how", ["mouse", "keys"])
+def test_every_scene_is_there_and_opens(how: str, page: Page, server: Server) -> None:
+    page.goto(server.url)
+    cards = page.locator("a.scene-card")
+    expect(cards.locator(".name")).to_have_text([scene.title for scene in SCENES.values()])
+    expect(cards.locator(".claim")).to_have_text([scene.headline for scene in SCENES.values()])
+    card = cards.filter(has_text="Coupled")
+    if how == "mouse":
+        card.click()
+    else:
+        card.focus()
+        page.keyboard.press("Enter")
+    page.wait_for_function(READY)
+    expect(page.get_by_role("heading", level=1)).to_have_text(SCENES["coupled"].headline)
+    page.locator(".brand").click()
+    expect(page.get_by_role("heading", level=1)).to_have_text("Take an oscillation in your hand")
+
+
+def test_nothing_leaves_any_screen_and_all_can_be_hit(page: Page, server: Server) -> None:
+    page.goto(server.url)
+    for width, height in GRID:
+        page.set_viewport_size({"width": width, "height": height})
+        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), (width, height)
+        assert page.evaluate(LEAVES) == [], (width, height)
+        assert page.evaluate(SMALL) == [], (width, height)
+
+
+def test_pictures_play_in_order_and_under_the_hand(page: Page, server: Server) -> None:
+    page.goto(server.url)
+    before = page.evaluate(DOTS)
+    page.wait_for_function(f"before => ({DOTS})()[0] !== before", arg=before[0])
+    last = page.locator("a.scene-card").filter(has_text="Absorber")
+    last.hover()
+    dot = last.locator("circle").first
+    place = dot.get_attribute("cx")
+    page.wait_for_function("([dot, cx]) => dot.getAttribute('cx') !== cx", arg=[dot.element_handle(), place])
+    sheet = last.get_attribute("data-sheet")
+    expect(page.locator(f'head link[rel=prefetch][href="assets/{sheet}"]')).to_be_attached()
+
+
+def test_with_reduced_motion_nothing_moves(new_page: Callable[..., Page], server: Server) -> None:
+    page = new_page(reduced_motion="reduce")
+    page.goto(server.url)
+    page.locator("a.scene-card").first.hover()
+    before = page.evaluate(DOTS)
+    page.evaluate(
+        "() => new Promise(done => { let n = 0; const f = () => ++n > 10 ? done() : requestAnimationFrame(f); f() })"
+    )
+    assert page.evaluate(DOTS) == before
+
+
+def test_a_code_that_no_class_has_is_said_and_stays(browser: Browser, server: Server) -> None:
+    page = browser.new_page()  # the refusal stands in its console
+    page.goto(server.url)
+    field = page.get_by_label("In a live class")
+    field.fill("ZZZZ")
+    page.keyboard.press("Enter")
+    expect(page.locator("#no-class")).to_have_text("No class has this code now. A code has four letters and digits.")
+    expect(field).to_be_focused()
+    expect(field).to_have_value("ZZZZ")
+    page.close()
+
+
+def test_light_and_dark_are_kept(page: Page, server: Server) -> None:
+    page.goto(server.url)
+    page.locator("#theme").click()
+    theme = page.evaluate("document.documentElement.dataset.theme")
+    page.reload()
+    assert page.evaluate("document.documentElement.dataset.theme") == theme == "dark"
+
+
+def test_in_a_frame_of_another_page_a_scene_stands(page: Page, server: Server) -> None:
+    page.route(
+        "**/frame.html",
+        lambda route: route.fulfill(body=f'<iframe src="{server.url}"></iframe>', content_type="text/html"),
+    )
+    page.goto(f"{server.url}frame.html")
+    frame = page.frame_locator("iframe")
+    expect(frame.get_by_role("heading", level=1)).to_have_text(SCENES["oscillator"].headline)
