@@ -17,7 +17,7 @@ BOTH_CORES := -n 2 --dist worksteal
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
 .PHONY: run test test-all lint format types hooks fast coverage attack audit digests reconnect load course soak deploy-test class up upgrade accuracy \
-	mutants pictures bench walk protocol readme lock docker clean
+	mutants pictures animation bench walk protocol readme lock docker clean
 
 run: $(VENV)/run.stamp
 	$(BIN)/python -m components.serving --address $(HOST) --port $(PORT) $(SHOW)
@@ -99,6 +99,10 @@ audit: $(VENV)/test.stamp
 # ARGS="shoot build/after", then ARGS="compare build/before build/after".
 pictures: $(VENV)/test.stamp
 	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tools.pictures $(ARGS)
+
+# The moving picture of README.md, of the page as it is.
+animation: $(VENV)/test.stamp
+	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tools.animation
 
 accuracy: $(VENV)/test.stamp
 	$(BIN)/python -m tests.bench.accuracy_table $(ARGS)

@@ -1,5 +1,5 @@
-"""`python -m tools.readme` writes the tables of scenes in README.md and of settings in docs/deployment.md from what
-the code says of them."""
+"""`python -m tools.readme` writes the tables of scenes in docs/scenes.md and of settings in docs/deployment.md, from
+the code."""
 
 from __future__ import annotations
 
@@ -28,5 +28,5 @@ def write(name: str, first: str, rows: str) -> None:
 
 
 if __name__ == "__main__":
-    write("README.md", "link", table())
+    write("docs/scenes.md", "link", table())
     write("docs/deployment.md", "setting", settings.table())

@@ -2,7 +2,7 @@
 
 For each size: the time from the slider to the followers (their own clocks are the server's), the server's CPU, bytes an
 update; then answers and sketches of all at once, a phone that wakes, and two replicas of which one is killed. The last
-lines are rows for README. ARGS="--followers 300 --seconds 30"
+lines are rows for docs/measured.md. ARGS="--followers 300 --seconds 30"
 """
 
 from __future__ import annotations

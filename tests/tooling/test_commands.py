@@ -26,7 +26,8 @@ from tools.readme import table
 
 LOCKS = ("requirements.txt", "requirements-test.txt")
 STRANGER = 65534  # a user of this machine who owns nothing
-README = (ROOT / "README.md").read_text(encoding="utf-8")
+PAGES = {name: (ROOT / name).read_text("utf-8") for name in ("README.md", "CONTRIBUTING.md", "docs/deployment.md")}
+SCENES_PAGE = (ROOT / "docs" / "scenes.md").read_text(encoding="utf-8")
 DOCKERFILE = (ROOT / "Dockerfile").read_text(encoding="utf-8")
 PIN = re.compile(r"^([a-z0-9-]+)==([\w.]+)((?: ; [^\\]+)?) \\\n((?:    --hash=sha256:[0-9a-f]{64}(?: \\)?\n)+)", re.M)
 
@@ -91,19 +92,19 @@ def test_both_locks_agree() -> None:
 # Commands
 
 
-def test_the_commands_of_the_readme_exist() -> None:
-    targets = set(re.findall(r"make ([a-z-]+)", README))
+def test_the_commands_of_the_pages_exist() -> None:
+    targets = set(re.findall(r"(?:`|    )make ([a-z-]+)", "\n".join(PAGES.values())))
     assert {"run", "test", "load", "accuracy", "bench"} <= targets
     assert make(*targets)
 
 
-def test_the_table_of_scenes_in_the_readme_is_current() -> None:
-    assert table() in README, "run make readme"
+def test_the_table_of_scenes_is_current() -> None:
+    assert table() in SCENES_PAGE, "run make readme"
 
 
 def test_every_way_to_start_is_the_same_command() -> None:
     command = "python " + " ".join(START)
-    for text in (make("run"), README, " ".join(json.loads(instructions("CMD")[-1]))):
+    for text in (make("run"), PAGES["docs/deployment.md"], " ".join(json.loads(instructions("CMD")[-1]))):
         assert command in text
 
 

@@ -1,0 +1,148 @@
+"""The snippets of docs/embedding.md, as they stand, in pages of another origin."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+from threading import Thread
+from urllib.error import HTTPError
+from urllib.request import Request, urlopen
+
+import panel
+import pytest
+from playwright.sync_api import Browser, Page, expect
+
+from tests.browser.fixtures import READY
+from tests.serving.server import ROOT, Server, free_port, serving
+
+pytestmark = pytest.mark.browser
+
+PAGE = (ROOT / "docs" / "embedding.md").read_text(encoding="utf-8")
+FRAME, LISTENER, SLIDE = re.findall(r"```html\n(.*?)```", PAGE, re.S)
+(HUB,) = re.findall(r"```python\n(.*?)```", PAGE, re.S)
+REVEAL = (Path(panel.__file__).parent / "dist" / "bundled" / "reveal.js@4.5.0" / "dist" / "reveal.min.js").read_text()
+PATIENCE = 90.0
+CONNECTED = "document.documentElement.dataset.connected === 'true'"
+
+
+@pytest.fixture(scope="module")
+def framed(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
+    with serving(tmp_path_factory.mktemp("framed") / "log", environment={"FRAME_ANCESTORS": "*"}) as running:
+        yield running
+
+
+@contextmanager
+def course(html: str) -> Iterator[str]:
+    """A page of another origin; its address."""
+
+    class Course(BaseHTTPRequestHandler):
+        def do_GET(self) -> None:
+            self.send_response(200)
+            self.send_header("Content-Type", "text/html; charset=utf-8")
+            self.end_headers()
+            self.wfile.write(html.encode())
+
+        def log_message(self, *_: object) -> None:
+            """Nothing."""
+
+    with ThreadingHTTPServer(("127.0.0.1", 0), Course) as served:
+        Thread(target=served.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{served.server_port}/"
+        served.shutdown()
+
+
+@pytest.fixture
+def opened(browser: Browser) -> Iterator[Callable[[str], Page]]:
+    context = browser.new_context(viewport={"width": 1280, "height": 900}, bypass_csp=True, reduced_motion="reduce")
+
+    def visit(address: str) -> Page:
+        page = context.new_page()
+        page.goto(address)
+        return page
+
+    yield visit
+    context.close()
+
+
+def test_a_frame_has_the_height_that_its_page_tells(framed: Server, opened: Callable[[str], Page]) -> None:
+    html = f"<!DOCTYPE html><title>A course</title>{FRAME}{LISTENER}".replace("https://lecture.example/", framed.url)
+    with course(html) as address:
+        page = opened(address)
+        frame = page.frames[1]
+        frame.wait_for_function(READY)
+        expect(frame.locator("h1")).to_have_text("Every free motion is a slow mode plus a fast mode")
+        assert frame.evaluate("oscillations.shown.state.parameters.k2") == 3
+        page.wait_for_function("document.querySelector('iframe').height !== '760'")
+        frame.wait_for_function("document.documentElement.scrollHeight <= innerHeight + 1")
+
+
+def test_a_slide_shows_a_scene_for_the_last_row(framed: Server, opened: Callable[[str], Page]) -> None:
+    slides = f'<div class="reveal"><div class="slides"><section>One</section>{SLIDE}</div></div>'
+    look = "{position: absolute; inset: 0; width: 100%; height: 100%}"
+    start = f"<style>.backgrounds, .slide-background, iframe {look}</style>"
+    scripts = f"<script>{REVEAL}</script><script>Reveal.initialize()</script>"
+    html = f"<!DOCTYPE html><title>Slides</title>{start}{slides}{scripts}"
+    with course(html.replace("https://lecture.example/", framed.url)) as address:
+        page = opened(address)
+        page.wait_for_function("Reveal.isReady()")
+        page.evaluate("Reveal.next()")
+        page.wait_for_function("document.querySelector('.backgrounds iframe[src]')")
+        (frame,) = [one for one in page.frames if one.url.startswith(framed.url)]
+        frame.wait_for_function(READY)
+        assert frame.evaluate("[oscillations.shown.scene, location.search]") == ["forced", "?scene=forced&projector"]
+
+
+@contextmanager
+def hub(folder: Path, named: bool) -> Iterator[str]:
+    """A Jupyter server with the configuration of the page; the address of the lecture behind it."""
+    port = free_port()
+    config = HUB.replace('"python"', repr(sys.executable)).replace("/srv/oscillations", str(ROOT))
+    config = config.replace("hub.example:8000", f"localhost:{port},hub.example:{port}" if named else "")
+    more = "c.ServerApp.token = c.IdentityProvider.token = ''\nc.ServerApp.allow_remote_access = True\n"
+    (folder / "jupyter_server_config.py").write_text(config + more)
+    command = [sys.executable, "-m", "jupyter_server", "--no-browser", "--allow-root", f"--port={port}"]
+    variables = {"HOME": str(folder), "PATH": str(Path(sys.executable).parent), "JUPYTER_CONFIG_DIR": str(folder)}
+    log = (folder / "log").open("wb")
+    process = subprocess.Popen(command, cwd=folder, env=variables, stdout=log, stderr=log)
+    address, end = f"http://localhost:{port}/oscillations/", time.monotonic() + PATIENCE
+    try:
+        while True:
+            try:
+                urlopen(address).close()
+                break
+            except OSError:
+                assert time.monotonic() < end and process.poll() is None, (folder / "log").read_text()
+                time.sleep(0.2)
+        yield address
+    finally:
+        process.terminate()
+        process.wait()
+        log.close()
+
+
+def test_behind_the_real_proxy_of_jupyter_a_page_connects(tmp_path: Path, opened: Callable[[str], Page]) -> None:
+    with hub(tmp_path, named=True) as address:
+        page = opened(f"{address}?scene=coupled")
+        page.wait_for_function(READY)
+        page.wait_for_function(CONNECTED)
+        page.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
+        page.wait_for_function("oscillations.shown.state.parameters.k2 === 3")
+        assert page.url == f"{address}?scene=coupled&k2=3" or page.url.startswith(f"{address}?scene=coupled")
+        page.get_by_role("link", name="Forced").first.click()
+        page.wait_for_function("oscillations.shown.scene === 'forced'")
+        asked = Request(address, headers={"Host": address.split("/")[2].replace("localhost", "hub.example")})
+        with urlopen(asked) as answer:
+            assert answer.status == 200
+
+
+def test_a_hub_that_is_not_named_is_refused(tmp_path: Path) -> None:
+    with hub(tmp_path, named=False) as address:
+        asked = Request(address, headers={"Host": address.split("/")[2].replace("localhost", "hub.example")})
+        with pytest.raises(HTTPError, match="403"):
+            urlopen(asked)
