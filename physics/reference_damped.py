@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from physics.damped import DampedOscillator
+from physics.driven import Drive, DrivenOscillator
 from physics.reference import Point, point
 
 BITS = 6000
@@ -46,3 +47,58 @@ def free_part(mp: Any, m: Any, c: Any, k: Any, start: Any, rate: Any, t: Any) ->
     value = mp.re(A * mp.exp(p * t) + B * mp.exp(q * t))
     apart = abs(A) * mp.exp(mp.re(p) * t) + abs(B) * mp.exp(mp.re(q) * t)
     return value, min(apart, mp.exp(mp.re(p) * t) * slope) if abs(p - q) * t < 1 else apart
+
+
+def driven_points(
+    oscillator: DrivenOscillator, omega: float, size: float, kind: Drive, x_0: float, v_0: float, t: Sequence[float]
+) -> Points:
+    """x, measured by the free motion of the start and what the drive can have done by then."""
+    import mpmath as mp
+
+    with mp.workprec(BITS):
+        m, c, k, w, of, x, v = (mp.mpf(a) for a in (oscillator.m, oscillator.c, oscillator.k, omega, size, x_0, v_0))
+        F = _force(mp, kind, of, w, c, k)
+        own = mp.sqrt(k / m)
+        points: Points = {"x": []}
+        for time in map(mp.mpf, t):
+            free, free_size = free_part(mp, m, c, k, x, v, time)
+            pushed, most = mp.mpf(0), mp.mpf(0)
+            if F and w:
+                pushed = mp.im(F / m * _from_rest(mp, m, c, k, w, time))
+                impulse = min(time, 2 / own if own else time)
+                most = abs(F) / m * min(time**2 / 2, time * impulse, 2 / abs(own**2 - w**2) if own != w else mp.inf)
+                most = max(min(most, 4 * abs(F) / (c * w) * (1 + w / own) if c else most), abs(pushed))
+            points["x"].append(point(free + pushed, free_size + most))
+        return points
+
+
+def _force(mp: Any, kind: Drive, size: Any, w: Any, c: Any, k: Any) -> Any:
+    return {"force": mp.mpc(size), "base": mp.mpc(k, c * w) * size, "unbalance": mp.mpc(size * w * w)}[kind]
+
+
+def _from_rest(mp: Any, m: Any, c: Any, k: Any, w: Any, t: Any) -> Any:
+    """The second divided difference of exp(z t) at i w and both roots; the roots a hair apart where two are one."""
+    root = mp.sqrt(mp.mpc(c * c - 4 * m * k))
+    n, p, q = mp.mpc(0, w), (-c + root) / (2 * m), (-c - root) / (2 * m)
+    hair = mp.mpf(2) ** (-BITS // 3) * (1 + abs(p))
+    p, q = (p + hair, q - hair) if p == q or n in (p, q) else (p, q)
+    parts = ((n, p, q), (p, n, q), (q, n, p))
+    return sum(mp.exp(z * t) / ((z - a) * (z - b)) for z, a, b in parts)
+
+
+def response_points(oscillator: DrivenOscillator, kind: Drive, omega: Sequence[float]) -> Points:
+    """|X| over F_0/k, over Y or over mu e/m, and the lag, each measured by itself where r is a rounded number."""
+    import mpmath as mp
+
+    with mp.workprec(BITS // 4):
+        m, c, k = (mp.mpf(a) for a in (oscillator.m, oscillator.c, oscillator.k))
+        points: Points = {"M": [], "lag": []}
+        for w in map(mp.mpf, omega):
+            D = mp.mpc(k - m * w * w, c * w)
+            X = _force(mp, kind, mp.mpf(1), w, c, k) / D * {"force": k, "base": mp.mpf(1), "unbalance": m}[kind]
+            r = w * mp.sqrt(m / k)
+            turned = -mp.arg(X)
+            bend = c * w * (k + m * w * w) / abs(D) ** 2
+            points["M"].append(point(abs(X), abs(X) * (1 + r * r * k / abs(D) / 5)))
+            points["lag"].append(point(turned if X else mp.mpf(0), abs(turned) + 1 + bend / 10))
+        return points

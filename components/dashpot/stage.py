@@ -9,32 +9,47 @@ from components.layout.stage import Shape, box, line, path, shown_by, spring, wa
 SQUARE = "M0 0H1V1H0Z"
 BELOW = 35
 """Pixels that the wall lies below the lowest place of the block, besides a stroke."""
+NARROW_BELOW = 27
+"""Pixels that it lies below it where the dashpot stands beside the block."""
 CUP = 11
 """Half the width of the cup, in pixels."""
 
 
 def apparatus(
-    x: Number, level: Number, side: Number, lowest: Number, stroke: Number, wire: Number, grab: Grab
+    x: Number,
+    level: Number,
+    side: Number,
+    lowest: Number,
+    stroke: Number,
+    wire: Number,
+    grab: Grab,
+    lift: Number = 0.0,
+    *,
+    beside: bool = False,
 ) -> list[Shape]:
-    """The block about (x, level), its spring at the left and its dashpot at the right, from the wall under them.
+    """The block about (x, level), its spring, and its dashpot at the right, from the wall under them.
 
-    `lowest` is the lowest place of its foot, `stroke` how far it moves, all in pixels.
+    With `beside` the dashpot stands right of the block, which then needs less room under it. `lowest` is the lowest
+    place of its foot, `stroke` how far it moves, `lift` how far the wall stands up, in pixels.
     """
-    foot, floor = level + 0.5 * side, lowest + stroke + BELOW
-    left, right = x - 0.27 * side, x + 0.27 * side
-    piston, bottom = foot + stroke + 0.5 * BELOW, floor - 6
-    top = bottom - stroke - 16
+    foot, floor = level + 0.5 * side, lowest + (NARROW_BELOW if beside else stroke + BELOW) - lift
+    left, right = (x, x + 0.5 * side + CUP + 5) if beside else (x - 0.27 * side, x + 0.27 * side)
+    hung, bottom = level if beside else foot, floor - 6
+    piston = foot + (5 if beside else stroke + 0.5 * BELOW)
+    depth = stroke + (NARROW_BELOW if beside else 16)
+    top = bottom - depth
     return [
-        wall(x - 0.5 * side - 16, floor, side + 32, side="bottom"),
+        wall(x - 0.5 * side - 16, floor, side + (60 if beside else 32), side="bottom"),
         spring(left, foot, left, floor, wire, height=9, show="has_spring"),
         *shown_by(
             "has_dashpot",
-            path(SQUARE, right - CUP, top, sx=2 * CUP, sy=stroke + 16, style="liquid", tint="T"),
+            path(SQUARE, right - CUP, top, sx=2 * CUP, sy=depth, style="liquid", tint="T"),
             line(right - CUP, top - 4, right - CUP, bottom, tint="T"),
             line(right + CUP, top - 4, right + CUP, bottom, tint="T"),
             line(right - CUP, bottom, right + CUP, bottom, tint="T"),
             line(right, bottom, right, floor, tint="T"),
-            line(right, foot, right, piston, tint="T"),
+            line(right, hung, right, piston, tint="T"),
+            line(x, hung, right, hung, tint="T"),
             line(right - CUP + 4, piston, right + CUP - 4, piston, tint="T", style="sum"),
         ),
         box(x, foot, side, "*m*", tint="m1", grab=grab),

@@ -8,13 +8,13 @@ from components.scenes.accuracy import Accuracy
 from components.scenes.analogues import Analogues
 from components.scenes.coupled import Coupled
 from components.scenes.damped import Damped
+from components.scenes.driven import DrivenScene
 from components.scenes.energy import Energy
 from components.scenes.forced import Forced
 from components.scenes.modes import ModesScene
 from components.scenes.oscillator import OscillatorScene
 from components.scenes.phugoid import Phugoid
 
-SCENES: dict[str, type[Scene]] = {
-    scene.slug: scene
-    for scene in (OscillatorScene, Energy, Analogues, Phugoid, Damped, ModesScene, Coupled, Forced, Absorber, Accuracy)
-}
+D31 = OscillatorScene, Energy, Analogues, Phugoid
+D34 = ModesScene, Coupled, Forced, Absorber
+SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (*D31, Damped, DrivenScene, *D34, Accuracy)}

@@ -93,7 +93,7 @@ def new_grips(page: Page, slug: str) -> Iterator[Locator]:
 
 HELD_IN = [slug for slug in SCENES if slug != "accuracy"]
 OTHERS = [screen for screen in SCREENS if screen != "phone"]
-TURNS = [*((slug, "phone") for slug in HELD_IN), *zip(HELD_IN[::2], OTHERS, strict=True)]
+TURNS = [*((slug, "phone") for slug in HELD_IN), *zip(HELD_IN[::2], itertools.cycle(OTHERS), strict=False)]
 """Every scene on a phone, every second one on another screen too."""
 
 

@@ -17,6 +17,8 @@ MOST = {
     "energy": 97,
     "analogues": 97,
     "phugoid": 95,
+    "damped": 107,
+    "driven": 109,
     "coupled": 108,
     "modes": 101,
     "forced": 110,

@@ -73,6 +73,7 @@ HARD: dict[str, list[dict[str, Any]]] = {
 FAST: dict[str, dict[str, Any]] = {
     **{slug: {"window": 1e5} for slug in ("oscillator", "energy", "analogues", "phugoid", "coupled")},
     "damped": {"c": 1e-5, "window": 1e4},
+    "driven": {"window": 1e4},
     "forced": {**STIFF[2], "omega": 1e5},
 }
 UNREAD = re.compile(r"\$|\*\*|\bnan\b|\binf\b|None|Decimal|\de[-+]?\d", re.IGNORECASE)

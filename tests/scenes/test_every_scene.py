@@ -24,7 +24,7 @@ scenes = pytest.mark.parametrize("scene_class", SCENES.values(), ids=SCENES.keys
 
 
 def test_scenes_stand_in_the_lectures_order() -> None:
-    order = ["oscillator", "energy", "analogues", "phugoid", "damped"]
+    order = ["oscillator", "energy", "analogues", "phugoid", "damped", "driven"]
     order += ["modes", "coupled", "forced", "absorber", "accuracy"]
     assert [slug for slug in SCENES if slug in order] == order
 

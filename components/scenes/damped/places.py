@@ -66,12 +66,12 @@ def _roots(case: DampedCase, axes: dict[str, Axis]) -> dict[str, float]:
     scalars["circle"] = 1.0
     swing = im.place(one.omega_d)
     if one.zeta < 1:
-        found = {"root_x": -re.place(slow), "root_y": swing, "pair": 1.0, "held_root": 1.0}
+        found = {"root_y": swing, "pair": 1.0, "held_root": 1.0}
         return scalars | found | {"legs": float(0.04 < one.zeta < 0.98)}
     inside = -fast >= re.start
-    found = {"slow_root": scaled(0, slow, 1 / one.omega_n), "slow_root_x": -re.place(slow), "real": 1.0}
+    found = {"slow_root": scaled(0, slow, 1 / one.omega_n), "real": 1.0}
     if inside:
-        found |= {"root": fast / one.omega_n, "root_x": -re.place(fast), "root_y": 0.0, "held_root": 1.0}
+        found |= {"root": fast / one.omega_n, "root_y": 0.0, "held_root": 1.0}
     return scalars | found | {"apart": float(one.zeta > 1.02), "out": float(not inside)}
 
 

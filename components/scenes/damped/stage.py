@@ -164,9 +164,8 @@ def roots() -> tuple[Shape, ...]:
         path(SQUARE, x0, top, sx=right - x0, sy=bottom - top, style="body", tint="k2fill"),
         line(var("roots.left"), y0, x0, y0, style="floor", tint="ink"),
         wall(x0, top, bottom - top, side="right"),
-        text(x0 + 16, y0 - 12, "*c* < 0", "start", tint="mute"),
-        text(x0 + 16, y0 + 5, "feeds it:", "start", tint="mute"),
-        text(x0 + 16, y0 + 22, "not allowed", "start", tint="mute"),
+        text(x0 + 16, y0 - 4, "*c* < 0:", "start", tint="mute"),
+        text(x0 + 16, y0 + 13, "not allowed", "start", tint="mute"),
         *shown_by("circle", *_circle(x0, y0, radius)),
         *shown_by("legs", *_legs(x0, y0)),
         *_held(x0, y0),
@@ -190,7 +189,7 @@ def _circle(x0: Number, y0: Number, radius: Number) -> list[Shape]:
 
 def _legs(x0: Number, y0: Number) -> list[Shape]:
     """The triangle of the upper root: its rate, its frequency, and the natural frequency as the radius."""
-    x, y = on_x("roots", var("root_x")), on_y("roots", var("root_y"))
+    x, y = on_x("roots", -1 * var("root") * var("unit")), on_y("roots", var("root_y"))
     return [
         line(x0, y0, x, y, style="thin", tint="ink"),
         line(x0, y0, x, y0, style="sum", tint="T"),
@@ -203,8 +202,8 @@ def _legs(x0: Number, y0: Number) -> list[Shape]:
 
 def _held(x0: Number, y0: Number) -> list[Shape]:
     """The roots: the one in hand is filled."""
-    x, y = on_x("roots", var("root_x")), on_y("roots", var("root_y"))
-    slow, edge = on_x("roots", var("slow_root_x")), var("roots.left") + 4
+    x, y = on_x("roots", -1 * var("root") * var("unit")), on_y("roots", var("root_y"))
+    slow, edge = on_x("roots", -1 * var("slow_root") * var("unit")), var("roots.left") + 4
     bare = on_x("roots", var("fast_at"))
     return [
         *shown_by("pair", circle(x, 2 * y0 - y, 6, style="ghost", tint="ink")),

@@ -1,0 +1,161 @@
+"""Driven: the scene of one damped mass under a force, a shaken base or an unbalance, through its resonance (D33)."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from typing import Self
+
+from components.dashpot import KEPT, PARTS, SHARES, derived_one, followed, keeping, parts
+from components.language.blocks import Block
+from components.language.state import Frame
+from components.layout.controls import Group
+from components.layout.stage import wire
+from components.quantities.motion import pace
+from components.quantities.parameters import (
+    Values,
+    angular_frequency,
+    displacement,
+    force,
+    not_negative,
+    one_of,
+    velocity,
+)
+from components.quantities.readouts import Readout
+from components.scene import Picture, Scene
+from components.scene.about import About
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Traces
+from components.scenes.driven import polygon, response
+from components.scenes.driven.about import driven_about
+from components.scenes.driven.case import DrivenCase
+from components.scenes.driven.curves import ROOM, axes_of, bands_of, drawn_names, signals_of
+from components.scenes.driven.power import power_columns
+from components.scenes.driven.sheet import KINDS, driven_sheet
+from components.scenes.driven.watch import WATCH
+from components.scenes.driven.words import forms, notes, values
+from physics.driven import DrivenOscillator
+from physics.sampling import drawable
+
+SIZES = {"force": "F_0", "base": "Y", "unbalance": "moment"}
+NATURAL = math.sqrt(39.48)
+"""The natural frequency of the presets, in rad/s: a period of one second."""
+
+
+class DrivenScene(Scene):
+    slug = "driven"
+    title = "Driven"
+    lecture = "D32, D33"
+    points = "forced vibration with a dashpot"
+    headline = "At resonance spring and inertia cancel; only the dashpot holds the push"
+    spoken = {"size of the swing": "{X} m", "r": "{r}", "lag": "{phi} rad"}
+    equations = (
+        "kind = force: m x'' + c x' + k x = F_0 sin(omega t)",
+        "kind = base: m x'' + c (x' - y') + k (x - y) = 0; y = Y sin(omega t)",
+        "kind = unbalance: m x'' + c x' + k x = moment omega^2 sin(omega t); moment = m_0 e",
+        "r = omega/omega_n; M = |X| over F_0/k or over Y or over moment/m; lag = -arg X",
+        "P_in and P_lost are means over the last 2 pi/omega; 0 before t = 0",
+    )
+    groups = (
+        Group("Drive", ("omega",)),
+        *(Group("", (name,), form=kind) for kind, name in SIZES.items()),
+        PARTS,
+        Group("", KEPT.names, KEPT.title, folded=True),
+        Group("", ("x_0", "v_0"), "Start: at rest", folded=True),
+    )
+    shares = SHARES
+    watch = WATCH
+    physical = ("kind",)
+    presets = {
+        "Below": {"kind": "force", "F_0": 2.0, "omega": 4.398, "m": 1.0, "k": 39.48, "c": 2.513, "keep": "c"},
+        "Resonance": {"omega": 6.2833},
+        "Above": {"omega": 12.566},
+        "Strong dashpot": {"omega": 6.2833, "c": 10.05},
+        "No dashpot": {"omega": NATURAL, "c": 0.0},
+        "Beats": {"omega": 5.655, "c": 0.0},
+        "Washboard": {"kind": "base", "Y": 0.05, "omega": 10.053},
+        "Spin-dry": {"kind": "unbalance", "moment": 0.05, "omega": 9.425},
+    }
+
+    kind = one_of(default="force", objects={label: kind for kind, label in KINDS.items()}, label="The drive")
+    F_0 = force(2.0, says="is the amplitude of the force. Type any value from 0 up.")
+    Y = not_negative(
+        0.05, symbol="Y", unit="m", label="amplitude of the base", tint="F", softbounds=(0.0, 0.2),
+        says="is how far the base is shaken to each side. Any value from 0 up.",
+    )  # fmt: skip
+    moment = not_negative(
+        0.05, symbol="m₀e", unit="kg m", label="unbalance", tint="F", softbounds=(0.0, 0.2),
+        says="is the mass that turns times its distance from the axle. Any value from 0 up.",
+    )  # fmt: skip
+    omega = angular_frequency(
+        4.398, softbounds=(0.0, 2.5 * NATURAL), says="is the frequency of the drive. Any value from 0 up."
+    )
+    m, k, c, zeta = parts(1.0, 39.48, 2.513, hangs=False)
+    keep = keeping()
+    x_0 = displacement(symbol="x_0", tint="m1", softbounds=(-0.3, 0.3), says="is where the mass starts. Any number.")
+    v_0 = velocity(symbol="v_0", tint="m1", softbounds=(-3.0, 3.0), says="is the velocity at the start. Any number.")
+
+    @classmethod
+    @cache
+    def sheet(cls) -> Block:
+        return driven_sheet()
+
+    def picture(self, frame: Frame = FITTED) -> Picture:
+        case = self._case(frame)
+        power = power_columns(case)
+        axes = framed(frame, axes_of(case, power) | response.axes_of(case))
+        live = axes["x"].digits(signed=True)
+        return Picture(
+            columns={**response.columns_of(case, axes), "power": power, **bands_of(case)},
+            axes=axes,
+            signals=signals_of(case, axes),
+            traces={"time": Traces(case.end, case.t.size, drawn_names(case), case.exact)},
+            scalars={
+                **response.scalars_of(case, axes),
+                **polygon.scalars_of(case, axes),
+                "side": min(max(self.m**0.15, 0.75), 1.25),
+                "wire": wire(self.k),
+                "has_spring": 1.0,
+                "shaken": float(self.kind == "base"),
+                "has_dashpot": float(self.c > 0),
+                "per_reach": ROOM / axes["x"].place(axes["x"].end),
+                "per_drive": 1 / axes["drive"].place(axes["drive"].end),
+                "F_0_at": axes["drive"].place(self.F_0) if self.kind == "force" else 0.0,
+                "moment_at": axes["drive"].place(self.moment) if self.kind == "unbalance" else 0.0,
+                "Y_at": axes["x"].place(self.Y) if self.kind == "base" else 0.0,
+            },
+            pace=pace(min(case.omega_n, case.omega or case.omega_n), max(case.omega_n, case.omega)),
+            values=values(case, axes, power),
+            live={"x": live},
+            forms=forms(case, power),
+            notes=notes(case, not drawable(case.fastest, case.t)),
+            spans={"omega": (0.0, response.END * case.omega_n)},
+        )
+
+    def readouts(self) -> tuple[Readout, ...]:
+        case = self._case()
+        found = [Readout("r", "r", case.r, "", "F"), Readout("zeta", "ζ", case.zeta, "", "T")]
+        if case.pushed:
+            found += [Readout("X", "X", abs(case.X), "m", "m1"), Readout("phi", "φ", case.lag, "rad", "m1", angle=True)]
+        return tuple(found)
+
+    def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
+        return followed(self, changed, opened=before is None)
+
+    def derived(self) -> frozenset[str]:
+        return derived_one(self)
+
+    def about(self, shown: Picture) -> About:
+        return driven_about(shown, self._case())
+
+    def _case(self, frame: Frame = FITTED) -> DrivenCase:
+        return DrivenCase(
+            oscillator=DrivenOscillator(m=self.m, c=self.c, k=self.k),
+            kind=self.kind,
+            size=getattr(self, SIZES[self.kind]),
+            omega=self.omega,
+            x_0=self.x_0,
+            v_0=self.v_0,
+            window=self.window,
+            standing=frame.window,
+        )

@@ -1,0 +1,166 @@
+"""A driven motion as the scene sees it: how it is driven, its steady part, what it does at first, and its window."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from components.quantities.motion import scaled
+from components.scene.traces import Columns, Floats, samples
+from physics.damped import Fading
+from physics.driven import Drive, DrivenOscillator, Push, drawn, lag, magnification
+from physics.sampling import periods
+
+SWINGS, LONG = 6, 12
+"""Natural periods in a window; those of a motion that hardly dies."""
+HARDLY = 0.02
+"""The damping ratio up to which it hardly dies."""
+ALIKE = 0.02
+"""rad; without a dashpot a drive that gets no further from the own swing in the window is at resonance."""
+APART = 4.0
+"""The parts are drawn while they are less than this many times as large as their sum."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class DrivenCase:
+    """An oscillator, its drive (`size` is F_0 in N, Y in m, mu e in kg m), its start, its window."""
+
+    oscillator: DrivenOscillator
+    kind: Drive
+    size: float
+    omega: float
+    x_0: float
+    v_0: float
+    window: float | None
+    standing: float | None = None
+
+    @cached_property
+    def omega_n(self) -> float:
+        return self.oscillator.free.omega_n
+
+    @cached_property
+    def zeta(self) -> float:
+        return self.oscillator.free.zeta
+
+    @cached_property
+    def r(self) -> float:
+        return scaled(0, self.omega, 1 / self.omega_n)
+
+    @property
+    def pushed(self) -> bool:
+        return bool(self.size and self.omega)
+
+    @cached_property
+    def own_end(self) -> float:
+        if self.window:
+            return self.window
+        swings = LONG if self.zeta < HARDLY else SWINGS
+        slow = min(self.omega_n, 2.5 * self.omega) if self.pushed else self.omega_n
+        end = periods(slow, swings)
+        return float(f"{end:.2g}") or end
+
+    @property
+    def end(self) -> float:
+        return self.standing or self.own_end
+
+    @property
+    def fastest(self) -> float:
+        return max(self.oscillator.free.omega_d, self.omega if self.pushed else 0.0)
+
+    @cached_property
+    def t(self) -> Floats:
+        return np.linspace(0.0, self.end, samples(self.end, self.fastest))
+
+    @cached_property
+    def grows(self) -> bool:
+        """Whether, without a dashpot, the drive is at resonance as far as the window tells."""
+        detuning = abs(self.push.detuning) * self.end
+        return not self.oscillator.c and (self.oscillator.at_resonance(self.omega) or detuning < ALIKE)
+
+    @cached_property
+    def X(self) -> complex:
+        """The steady part x_p = Im(X exp(i omega t)) in m; infinite at an undamped resonance."""
+        return self.oscillator.response(self.omega, self.size, self.kind)
+
+    @cached_property
+    def lag(self) -> float:
+        """The angle in rad by which x lags the drive."""
+        return lag(complex(magnification(self.r, self.zeta, self.kind)[0]))
+
+    @cached_property
+    def M(self) -> float:
+        """|X| over F_0/k, over Y, or over m_0 e/m."""
+        return float(abs(magnification(self.r, self.zeta, self.kind)[0]))
+
+    @cached_property
+    def push(self) -> Push:
+        return self.oscillator.push(self.omega, self.size, self.kind)
+
+    @cached_property
+    def free(self) -> tuple[Fading, Fading]:
+        """x and v of the start alone."""
+        x, v, _ = self.oscillator.free.fading(self.x_0, self.v_0)
+        return x, v
+
+    @cached_property
+    def complementary(self) -> Fading:
+        """x beside the steady part."""
+        return self.oscillator.free.fading(*self.start)[0]
+
+    @cached_property
+    def start(self) -> tuple[float, float]:
+        """The start of the complementary part, in m and m/s."""
+        return self.x_0 - self.X.imag, self.v_0 - scaled(0, self.omega, self.X.real)
+
+    def drawn(self, t: Floats) -> tuple[Floats, Floats]:
+        """x and v in doubles, as they are drawn."""
+        x, v = drawn(self.push, t)
+        return x + faded(self.free[0], t), v + faded(self.free[1], t)
+
+    @cached_property
+    def reach(self) -> float:
+        """The largest |x| in the window, in m."""
+        return float(np.abs(self.drawn(self.t)[0]).max())
+
+    @cached_property
+    def split(self) -> bool:
+        """Whether the motion is shown in its parts: near an undamped resonance these are huge and opposite."""
+        if not self.pushed or self.grows:
+            return False
+        return abs(self.X) <= APART * max(self.reach, abs(self.X) / LONG) and math.isfinite(abs(self.X))
+
+    @cached_property
+    def growth(self) -> float:
+        """The growth from swing to swing of an undamped resonance, in m."""
+        return scaled(0, math.pi, math.hypot(self.push.re, self.push.im), 1 / self.omega, 1 / self.omega)
+
+    @cached_property
+    def work(self) -> float:
+        """The work of a cycle of the steady part in J, all of it the dashpot's."""
+        stroke = self.X - self.size if self.kind == "base" else self.X
+        return scaled(0, math.pi, self.oscillator.c, self.omega, abs(stroke), abs(stroke))
+
+    def exact(self, t: Floats) -> Columns:
+        """All that is drawn over time, in SI units."""
+        x = self.oscillator.motion(self.omega, self.size, self.x_0, self.v_0, t, self.kind).x
+        turned = np.exp(1j * self.omega * t)
+        found = {"x": x, "y": self.size * turned.imag}
+        if self.split:
+            beside = self.oscillator.free.motion(*self.start, t).x
+            return found | {"x_p": (self.X * turned).imag, "x_c": beside}
+        envelope = self.growth * self.omega / (2 * math.pi) * t if self.grows and self.pushed else np.zeros_like(t)
+        return found | {"upper": envelope, "lower": -envelope}
+
+
+def faded(one: Fading, t: Floats) -> Floats:
+    """A free motion in doubles."""
+    if one.apart:
+        parted = one.apart * t > 1
+        late = one.late[0] * np.exp(-one.slow * t) + one.late[1] * np.exp(-(one.slow + one.apart) * t)
+        soon = np.exp(-one.slow * t) * (one.start - one.rate * np.expm1(-one.apart * t) / one.apart)
+        return np.where(parted, late, soon)
+    sine = np.sin(one.swing * t) / one.swing if one.swing else t
+    return np.asarray(np.exp(-one.slow * t) * (one.start * np.cos(one.swing * t) + one.rate * sine))

@@ -1,0 +1,165 @@
+"""The polygon of the forces at steady swing: tail to tip they close on the push, on the response's own scale."""
+
+from __future__ import annotations
+
+import math
+
+from components.language.blocks import Block
+from components.language.numbers import Number, var
+from components.layout.sheet import stage
+from components.layout.stage import (
+    NARROW,
+    WIDE,
+    H,
+    Looks,
+    Shape,
+    W,
+    arc,
+    arrow,
+    circle,
+    line,
+    on_x,
+    on_y,
+    shown_by,
+    text,
+)
+from components.quantities.axes import Axis
+from components.scenes.driven.case import DrivenCase
+
+ASIDE = 0.09
+"""Arrows that would lie on one another are drawn this far apart, in pushes."""
+WIDEST = 1.4
+"""A polygon that reaches further to a side, in heights of the response, is drawn smaller."""
+GROWN = 0.8
+"""The height, in heights of the response, of forces that grow."""
+
+
+def scalars_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, float]:
+    """The corners: from the tail the first arrow up, the dashpot's across, the third down, where the push ends too."""
+    top = axes["M"].place(axes["M"].end)
+    if not case.pushed:
+        return {"idle": 1.0}
+    if case.grows:
+        return {"growing": 1.0, "up": GROWN * top, "scale": 1.0}
+    if not math.isfinite(case.M):
+        return {"idle": 1.0}
+    r, M, across = case.r, case.M, 2 * case.zeta * case.r
+    spring, inertia = M, r * r * M
+    if case.kind == "unbalance":
+        spring, inertia, across = M / (r * r), M, across / (r * r)
+    first, third = (inertia, spring) if case.kind == "unbalance" else (spring, inertia)
+    side = across * M * (1.0 if case.kind == "unbalance" else -1.0)
+    reach = max(first, third - first, abs(side) / WIDEST, 1.0)
+    scale = min(1.0, 0.92 * top / reach)
+    apart = math.copysign(max(abs(side), ASIDE / scale), side)
+    found = {"closed": 1.0, "up": first, "across": side, "aside": apart, "end": first - third, "scale": scale}
+    found |= {"level": float(scale == 1.0), "braked": float(abs(side) > ASIDE)}
+    if case.kind == "base":
+        turned = math.sin(case.lag), math.cos(case.lag)
+        found |= {"y_side": -turned[0], "y_up": turned[1], "y_braked": float(across > ASIDE)}
+    middle, way = case.lag / 2, 1.0 if case.kind == "unbalance" else -1.0
+    found |= {"phi_side": way * math.sin(middle), "phi_up": -way * math.cos(middle), "lags": float(case.lag > 0.15)}
+    start = 0.0 if case.kind == "unbalance" else math.pi
+    return found | {"from_X": start, "to_F": start + case.lag}
+
+
+PX = WIDE * -1 * var("response.y1") + NARROW * 0.8 * H * var("per_top")
+"""Pixels of one push."""
+BASE = WIDE * on_y("response", 0) + NARROW * 0.86 * H
+MIDDLE = 0.56 * W
+
+
+def polygon() -> Block:
+    unit = PX * var("scale")
+    tail = MIDDLE, BASE
+    up = BASE - unit * var("up")
+    across, aside = MIDDLE + unit * var("across"), MIDDLE + unit * var("aside")
+    end = BASE - unit * var("end")
+    shapes = [
+        *shown_by("closed", circle(MIDDLE, BASE, unit, style="hair dotted", tint="mute")),
+        *shown_by("closed", *_level(up)),
+        *shown_by("closed force", *_arrows(tail, up, across, aside, end, ("k", "*kX*"), ("m1", "*mω*²*X*"), -1)),
+        *shown_by("closed base", *_arrows(tail, up, across, aside, end, ("k", "*kX*"), ("m1", "*mω*²*X*"), -1)),
+        *shown_by("closed unbalance", *_arrows(tail, up, across, aside, end, ("m1", "*mω*²*X*"), ("k", "*kX*"), 1)),
+        *_pushes(tail, unit, across, end),
+        *shown_by("growing", *_growing(tail, PX, up)),
+        text(MIDDLE, BASE - 40, "no push", tint="mute", style="t2", show="idle"),
+    ]
+    label = "The forces of spring, dashpot and inertia, tail to tip: they close on the push"
+    return stage(*shapes, label=label, grow=236, phone=12, height=260, style="still")
+
+
+def _level(up: Number) -> list[Shape]:
+    dot = on_x("response", var("r_at"))
+    return [line(dot, up, MIDDLE, up, style="level", tint="m1", show="level wide")]
+
+
+def _arrows(
+    tail: tuple[Number, Number],
+    up: Number,
+    across: Number,
+    aside: Number,
+    end: Number,
+    first: tuple[str, str],
+    third: tuple[str, str],
+    way: int,
+) -> list[Shape]:
+    """The first arrow up, the dashpot's across, the third down."""
+    x, y = tail
+    near, far = ("start", "end") if way < 0 else ("end", "start")
+    return [
+        arrow(x, y, x, up, tint=first[0], head=13),
+        arrow(x, up, across, up, tint="T", head=11, show="braked"),
+        arrow(aside, up, aside, end, tint=third[0], head=13),
+        text(x - 10 * way, (y + up) * 0.5, first[1], near, tint=first[0], style="t2 b halo"),
+        text(aside + 10 * way, (up + end) * 0.5, third[1], far, tint=third[0], style="t2 b halo"),
+        text((x + across) * 0.5, up - 9, "*cωX*", tint="T", style="t2 b halo", show="braked"),
+    ]
+
+
+def _pushes(tail: tuple[Number, Number], unit: Number, across: Number, end: Number) -> list[Shape]:
+    """The push, from the tail to where the others end, and the angle by which x lags it."""
+    x, y = tail
+    spring = x + unit * var("y_side"), y - unit * var("y_up")
+    look: Looks = {"tint": "F", "style": "thick", "head": 15}
+    name = (x + across) * 0.5, (y + end) * 0.5
+    return [
+        *shown_by("closed force", arrow(x, y, across, end, **look)),
+        *shown_by("closed unbalance", arrow(x, y, across, end, **look)),
+        *shown_by("closed force", text(name[0] - 12, name[1] + 16, "*F*_0", "end", tint="F", style="t2 b halo")),
+        *shown_by("closed unbalance", text(name[0] + 12, name[1] + 16, "*F*_0", "start", tint="F", style="t2 b halo")),
+        *shown_by(
+            "closed base",
+            arrow(x, y, *spring, **look),
+            text((x + spring[0]) * 0.5 - 8, (y + spring[1]) * 0.5 + 16, "*kY*", "end", tint="F", style="t2 b halo"),
+            *shown_by(
+                "y_braked",
+                arrow(*spring, across, end, tint="F", head=12),
+                text((across + spring[0]) * 0.5 - 8, (end + spring[1]) * 0.5 + 18, "*cωY*", "end", tint="F",
+                     style="t2 b halo"),
+            ),
+        ),
+        *shown_by(
+            "closed lags",
+            arc(x, y, 24, var("from_X"), var("to_F"), style="floor", tint="ink"),
+            text(x + 38 * var("phi_side"), y - 38 * var("phi_up") + 5, "*φ*", style="t2 b halo"),
+        ),
+        circle(x, y, 4, tint="ink", show="closed"),
+    ]  # fmt: skip
+
+
+def _growing(tail: tuple[Number, Number], unit: Number, up: Number) -> list[Shape]:
+    """Undamped at resonance: spring and inertia cancel, and what is left of the push makes the swing grow."""
+    x, y = tail
+    left = x - unit
+    return [
+        arrow(x, y, x, up, tint="k", head=13),
+        arrow(x, up, left, up, tint="m1", head=11),
+        arrow(left, up, left, y, tint="m1", head=13),
+        arrow(x, y, left, y, tint="F", style="thick", head=15),
+        text(x + 10, (y + up) * 0.5, "*kX* grows", "start", tint="k", style="b halo"),
+        text(left - 8, (y + up) * 0.5, "*mω*²*X*", "end", tint="m1", style="b halo"),
+        text((x + left) * 0.5, up - 9, "growth", tint="m1", style="b halo"),
+        text((x + left) * 0.5, y + 20, "*F*_0", tint="F", style="t2 b halo"),
+        circle(x, y, 4, tint="ink"),
+    ]

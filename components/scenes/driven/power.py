@@ -1,0 +1,51 @@
+"""The power of the drive and of the dashpot, each the mean over the last swing of the push."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from scipy.interpolate import CubicHermiteSpline
+
+from components.scene.traces import Columns, Floats
+from components.scenes.driven.case import DrivenCase
+from physics.valid import in_range
+
+FEWEST, MOST, PER_SWING = 60, 240, 16
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
+
+
+def power_columns(case: DrivenCase) -> Columns:
+    """t, the power put in and the power lost; empty where nothing pushes, or too fast for a line."""
+    if not case.pushed:
+        return {}
+    swing = 2 * math.pi / case.omega
+    turns = case.end * max(case.fastest, case.omega) / (2 * math.pi)
+    if PER_SWING * turns > 4 * MOST:
+        return {}
+    count = int(min(max(PER_SWING * turns, FEWEST), MOST))
+    t = np.linspace(0.0, case.end, count + 1)
+    step = case.end / count
+    inner = (t[:-1, None] + step * (1 + _NODES) / 2).ravel()
+    with np.errstate(over="ignore", invalid="ignore"):
+        rates, ends = powers(case, inner), powers(case, t)
+        columns = {"t": t}
+        for name, inside, at in zip(("P_in", "P_lost"), rates, ends, strict=True):
+            pieces = inside.reshape(count, -1) @ _WEIGHTS * step / 2
+            done = np.concatenate([[0.0], np.cumsum(pieces)])
+            before = CubicHermiteSpline(t, in_range("the work", done), in_range("the power", at))(
+                np.maximum(t - swing, 0)
+            )
+            columns[name] = (done - before) / swing
+    return columns
+
+
+def powers(case: DrivenCase, t: Floats) -> tuple[Floats, Floats]:
+    """The power that the drive puts in and the power that the dashpot takes, in W, at the times t."""
+    one, (x, v) = case.oscillator, case.drawn(t)
+    if case.kind == "base":
+        y = case.size * np.sin(case.omega * t)
+        rate = case.size * case.omega * np.cos(case.omega * t)
+        return -(one.k * (x - y) + one.c * (v - rate)) * rate, one.c * (v - rate) ** 2
+    force = case.size if case.kind == "force" else case.size * case.omega * case.omega
+    return force * np.sin(case.omega * t) * v, one.c * v * v

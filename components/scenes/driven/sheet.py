@@ -1,0 +1,99 @@
+"""The sheet of the driven mass: the block beside x(t) and the powers; under them response and phase, and the forces."""
+
+from __future__ import annotations
+
+from components.language.blocks import Block
+from components.layout.plots import Room, curve, plot
+from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
+from components.scene.traces import traced
+from components.scenes.driven.polygon import polygon
+from components.scenes.driven.response import phase_plot, response_plot
+from components.scenes.driven.stage import block
+from components.scenes.driven.words import FACTS, SENTENCE, TASK, WORK
+
+KINDS = {"force": "Force", "base": "Shaken base", "unbalance": "Unbalance"}
+SIDES = Room(48, 26)
+
+
+def driven_sheet() -> Block:
+    label = "Mass on a spring and a dashpot, and what drives it"
+    return column(
+        desk(words(TASK, style="task", phone=0)),
+        row(
+            stage(*block(), label=label, grow=150, height=210),
+            column(_displacement(), desk(when("power", _power())), grow=460),
+            column(
+                choice("kind", KINDS, "The drive", basis=36, phone=1),
+                words(*FACTS, style="facts", phone=13),
+                desk(words(WORK, style="facts", phone=14)),
+                words(SENTENCE, style="facts", phone=2),
+                grow=290,
+            ),
+            grow=250,
+            gap=6,
+        ),
+        row(column(response_plot(), phase_plot(), grow=620), polygon(), grow=290, gap=6),
+    )
+
+
+def _displacement() -> Block:
+    line, band = traced("x", tint="m1", width="sum", label="*x*", signal="x")
+    limit = {"tint": "m1", "width": "thin", "group": "upper"}
+    return plot(
+        "x",
+        x="t",
+        y="x",
+        title="Displacement against time, with its steady and its complementary part",
+        curves=(
+            curve("x_c", tint="xc", width="dash", read="complementary", signal="x_c"),
+            curve("x_p", tint="xp", read="steady", signal="x_p"),
+            curve("y", tint="xp", read="base", signal="y"),
+            curve("upper", read="envelope", **limit),
+            curve("lower", **limit),
+            line,
+        ),
+        bands=(band,),
+        heading=(
+            term("x", "sum", "m1", formula="x(t)"),
+            phrase(
+                "x_p", "line", "xp",
+                dies=r"steady $\val{X} \sin(\val{omega}\,t\, \val{phi_minus})$",
+                stays=r"particular $\val{X} \sin(\val{omega}\,t\, \val{phi_minus})$",
+            ),
+            term("y", "line", "xp", formula=r"y = \val{Y} \sin(\val{omega}\,t)"),
+            phrase(
+                "x_c", "dash", "xc",
+                dies=r"dying part $e^{-\val{decay}\,t}$", stays="other part, which stays",
+            ),
+            phrase("upper", "line", "m1", formula=r"growth $\pm \val{rate}\, t$"),
+        ),
+        room=SIDES,
+        cursor="time",
+        grow=150,
+        phone=15,
+        height=170,
+    )  # fmt: skip
+
+
+def _power() -> Block:
+    return plot(
+        "power",
+        x="t",
+        y="P",
+        title="Power put in by the drive and power lost in the dashpot, each the mean of the last swing of the drive",
+        curves=(
+            curve("P_lost", source="power", tint="T", width="sum", group="P_lost", read="lost"),
+            curve("P_in", source="power", tint="F", group="P_in", read="put in"),
+        ),
+        heading=(
+            phrase("P_in", "line", "F", formula="power in {P_in} W"),
+            phrase("P_lost", "sum", "T", formula="lost {P_lost} W"),
+            phrase("", "none", "mute", formula="mean of a swing, at the end"),
+        ),
+        x_labels=False,
+        room=SIDES,
+        cursor="time",
+        grow=56,
+        phone=16,
+        height=110,
+    )

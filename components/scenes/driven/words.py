@@ -1,0 +1,133 @@
+"""The words of the driven mass: live numbers, which formula stands, and the sentence on what holds the push."""
+
+from __future__ import annotations
+
+import math
+
+from components.layout.sheet import Paragraph, either
+from components.quantities.axes import Axis
+from components.quantities.numbers import plus, three
+from components.scene.traces import Columns
+from components.scenes.driven.case import DrivenCase
+
+TASK = "Drag ω through the peak: which arrow holds the push below it, at it, and above it?"
+ALONE = 0.02
+"""Of the dashpot's arrow: where spring and inertia leave less of each other, it holds the push alone."""
+AT_ROOT = 1e-3
+"""So near to √2 every dashpot is alike, to three digits."""
+SIZES = (
+    r"\dfrac{1}{\sqrt{(1 - r^2)^2 + (2 \zeta r)^2}}",
+    r"\sqrt{\dfrac{1 + (2 \zeta r)^2}{(1 - r^2)^2 + (2 \zeta r)^2}}",
+    r"\dfrac{r^2}{\sqrt{(1 - r^2)^2 + (2 \zeta r)^2}}",
+)
+GROWTH = r"$c = 0,\ \omega = \omega_n$: no steady size, $\tint{m1}{X = \val{rate}\, t}$ grows"
+
+FACTS: tuple[Paragraph, ...] = (
+    either(
+        "kind",
+        force=r"$m \ddot{x} + c \dot{x} + k x = F_0 \sin \omega t$",
+        base=r"$m \ddot{x} + c (\dot{x} - \dot{y}) + k (x - y) = 0$",
+        unbalance=r"$m \ddot{x} + c \dot{x} + k x = m_0 e\, \omega^2 \sin \omega t$",
+    ),
+    either(
+        "size",
+        force=rf"$\tint{{m1}}{{\dfrac{{k X}}{{F_0}} = {SIZES[0]} = \val{{M}}}}$",
+        base=rf"$\tint{{m1}}{{\dfrac{{X}}{{Y}} = {SIZES[1]} = \val{{M}}}}$",
+        unbalance=rf"$\tint{{m1}}{{\dfrac{{m X}}{{m_0 e}} = {SIZES[2]} = \val{{M}}}}$",
+        grows=GROWTH,
+    ),
+    either("steady", shown=r"[m1|$X = \val{X}$ m, $\phi = \val{phi}$ rad]"),
+    either("quality", shown=r"$Q = 1 / (2 \zeta) = \val{Q},\ \Delta \omega = \val{width}$ rad/s"),
+)
+WORK: Paragraph = either(
+    "work",
+    push=r"Steady: $\pi c\, \omega X^2 = \val{W}$ J a cycle",
+    base=r"Steady: $\pi c\, \omega |X - Y|^2 = \val{W}$ J a cycle",
+)
+SENTENCE = either(
+    "holds",
+    spring="**Below resonance the spring holds most of the push.**",
+    inertia="**Above resonance inertia holds most of the push.**",
+    dashpot="**Near resonance the dashpot holds most of the push.**",
+    alone="**At resonance the dashpot alone holds the push.**",
+    grows="**Nothing holds the push: each swing grows by the same {growth} m.**",
+    near="**Next to resonance and without a dashpot the swing grows for very long.**",
+    more="**Below √2 the mass swings more than its base; a stronger dashpot helps.**",
+    alike="**At √2 every dashpot is alike: the mass swings as far as its base.**",
+    less="**Beyond √2 a weaker dashpot would let the mass swing less.**",
+    isolated="**Beyond √2 the mass swings less than its base, and least without a dashpot.**",
+    still="**At ω = 0 nothing pushes: the curve there is the limit of a very slow push.**",
+    idle="**No push: the motion is that of the start alone.**",
+)
+
+
+def holds(case: DrivenCase) -> str:
+    """The form of SENTENCE that is true."""
+    if not case.omega:
+        return "still"
+    if not case.size:
+        return "idle"
+    if case.grows:
+        return "grows"
+    r, dashpot = case.r, 2 * case.zeta * case.r
+    if not case.zeta and not math.isfinite(case.M):
+        return "near"
+    if case.kind == "base":
+        if abs(r - math.sqrt(2.0)) < AT_ROOT:
+            return "alike"
+        return "more" if r < math.sqrt(2.0) else "less" if case.zeta else "isolated"
+    left = abs((1 - r) * (1 + r))
+    if dashpot < left:
+        return "spring" if r < 1 else "inertia"
+    return "alone" if left < ALONE * dashpot else "dashpot"
+
+
+def values(case: DrivenCase, axes: dict[str, Axis], power: Columns) -> dict[str, str]:
+    rate = case.growth * case.omega / (2 * math.pi) if case.pushed else 0.0
+    steady = case.pushed and not case.grows and math.isfinite(case.M)
+    return {
+        "x_unit": axes["x"].full_unit,
+        "M": three(case.M),
+        "r": three(case.r),
+        "X": three(abs(case.X)) if steady else "∞",
+        "phi": three(case.lag),
+        "phi_minus": plus(-case.lag),
+        "Q": three(0.5 / case.zeta) if case.zeta else "∞",
+        "width": three(2 * case.zeta * case.omega_n),
+        "W": three(case.work) if steady else "0",
+        "rate": f"{three(rate)}",
+        "growth": three(case.growth) if case.pushed else "",
+        "omega": three(case.omega),
+        "Y": three(case.size),
+        "decay": three(case.oscillator.free.rates[0]),
+        "P_in": three(float(power["P_in"][-1])) if power else "0",
+        "P_lost": three(float(power["P_lost"][-1])) if power else "0",
+    }
+
+
+def forms(case: DrivenCase, power: Columns) -> dict[str, str]:
+    steady = case.pushed and not case.grows and math.isfinite(case.M)
+    based = case.kind == "base" and case.pushed
+    return {
+        "kind": case.kind,
+        case.kind: "shown",
+        "size": "grows" if case.grows and case.pushed else case.kind,
+        "steady": "shown" if steady else "",
+        "quality": "shown" if case.kind != "base" and case.zeta else "",
+        "work": ("base" if case.kind == "base" else "push") if steady and case.oscillator.c else "",
+        "holds": holds(case),
+        "x_p": ("dies" if case.oscillator.c else "stays") if case.split and not based else "",
+        "y": "formula" if based else "",
+        "x_c": ("dies" if case.oscillator.c else "stays") if case.split else "",
+        "upper": "formula" if case.grows and case.pushed else "",
+        "power": "shown" if power else "",
+    }
+
+
+def notes(case: DrivenCase, too_fast: bool) -> tuple[str, ...]:
+    found = []
+    if case.pushed and not case.split and not case.grows:
+        found.append("The steady and the complementary part are huge and opposite here, so they are not drawn.")
+    if too_fast:
+        found.append("The motion is too fast to be drawn as a line in this window: the band is what it stays within.")
+    return tuple(found)

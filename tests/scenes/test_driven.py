@@ -1,0 +1,172 @@
+"""The driven mass: its sentences and its polygon over random parameters, its presets, its powers and its limits."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from components.scene import Scene
+from components.scenes import SCENES
+from components.scenes.driven.words import SENTENCE
+from physics.driven import DrivenOscillator, highest, magnification
+from tests.grids import tries
+from tests.page.told import Page, put
+from tests.scenes.said import read
+from tests.scenes.test_watch import readout, taken
+
+DRIVEN = SCENES["driven"]
+KINDS = ("force", "base", "unbalance")
+SIZES = {"force": "F_0", "base": "Y", "unbalance": "moment"}
+
+
+def sentence(scene: Scene) -> str:
+    return read(scene, SENTENCE.variants[scene.shown.forms["holds"]])
+
+
+def steady(scene: Any) -> complex:
+    """X, from the linear equation."""
+    size, w = getattr(scene, SIZES[scene.kind]), scene.omega
+    force = {"force": size, "base": complex(scene.k, scene.c * w) * size, "unbalance": size * w * w}[scene.kind]
+    return complex(force / complex(scene.k - scene.m * w * w, scene.c * w))
+
+
+def forces(scene: Any) -> tuple[complex, complex, complex, complex]:
+    """Spring, dashpot, inertia and push of the steady swing."""
+    X, w = steady(scene), scene.omega
+    return (
+        scene.k * X,
+        1j * scene.c * w * X,
+        -scene.m * w * w * X,
+        scene.k * X + 1j * scene.c * w * X - scene.m * w * w * X,
+    )
+
+
+SOME = st.floats(-1.0, 1.0).map(lambda power: 10.0**power)
+
+
+@settings(max_examples=tries(100), deadline=None)
+@given(st.sampled_from(KINDS), SOME, SOME, st.floats(0.05, 2.4), st.floats(0.01, 1.5))
+def test_its_sentence_is_true(kind: str, m: float, k: float, r: float, zeta: float) -> None:
+    scene = DRIVEN(kind=kind, m=m, k=k, zeta=zeta, omega=r * math.sqrt(k / m))
+    told, (spring, dashpot, inertia, push) = sentence(scene), forces(scene)
+    if kind == "base":
+        more = abs(steady(scene)) / scene.Y
+        stronger = abs(magnification(r, 1.1 * zeta, "base")[0])
+        assert told.startswith("Below √2") == (r < math.sqrt(2.0) - 1e-3) and (more > 1) == (r < math.sqrt(2.0))
+        assert (stronger < more) == (r < math.sqrt(2.0))
+        return
+    along = abs(spring + inertia)
+    if "spring holds" in told or "inertia holds" in told:
+        assert along >= abs(dashpot) and ("spring" in told) == (abs(spring) > abs(inertia))
+    else:
+        assert "dashpot" in told and abs(dashpot) >= along
+        assert ("alone" in told) == (along < 0.02 * abs(dashpot))
+    assert abs(push) == pytest.approx(math.hypot(along, abs(dashpot)))
+
+
+@settings(max_examples=tries(100), deadline=None)
+@given(st.sampled_from(KINDS), SOME, st.floats(0.1, 2.4), st.floats(0.01, 1.5))
+def test_its_polygon_closes_on_the_push(kind: str, m: float, r: float, zeta: float) -> None:
+    """In units of the push, or of k Y, with X up, of the unbalance the acceleration."""
+    scene = DRIVEN(kind=kind, m=m, zeta=zeta, omega=r * math.sqrt(39.48 / m))
+    at = scene.shown.scalars
+    end = complex(at["end"], -at["across"])
+    if kind == "base":
+        shaken = complex(at["y_up"], -at["y_side"])
+        assert abs(shaken) == pytest.approx(1.0) and shaken * complex(1, 2 * zeta * r) == pytest.approx(end)
+    else:
+        assert abs(end) == pytest.approx(1.0)
+        turned = -1 if kind == "unbalance" else 1
+        lag = math.atan2((end * turned).imag, (end * turned).real)
+        assert lag % (2 * math.pi) == pytest.approx(readout(scene, "phi"), abs=1e-9)
+    first = abs(steady(scene)) * (scene.m / scene.moment if kind == "unbalance" else scene.k / scene.F_0)
+    assert at["up"] == pytest.approx(abs(steady(scene)) / scene.Y if kind == "base" else first)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_its_powers_are_those_of_the_motion_and_meet_in_the_end(kind: str) -> None:
+    scene = DRIVEN(kind=kind, omega=8.0, window=8.0)
+    columns = scene.sources["power"].data
+    t, dt = np.linspace(0.0, 8.0, 160_001), 5e-5
+    one = DrivenOscillator(m=scene.m, c=scene.c, k=scene.k)
+    motion = one.motion(8.0, getattr(scene, SIZES[kind]), t=t[::40], kind=kind)
+    v = np.interp(t, t[::40], motion.v)
+    rate = scene.Y * 8.0 * np.cos(8.0 * t) if kind == "base" else 0.0
+    work = np.concatenate([[0.0], np.cumsum(scene.c * (v - rate)[:-1] ** 2) * dt])
+    for n in (40, 100, -1):
+        now = columns["t"][n]
+        mean = (np.interp(now, t, work) - np.interp(max(now - math.pi / 4, 0), t, work)) / (math.pi / 4)
+        assert columns["P_lost"][n] == pytest.approx(mean, rel=2e-3)
+    assert columns["P_in"][-1] == pytest.approx(columns["P_lost"][-1], rel=1e-3)
+    cycle = columns["P_lost"][-1] * math.pi / 4
+    stroke = steady(scene) - scene.Y if kind == "base" else steady(scene)
+    assert cycle == pytest.approx(math.pi * scene.c * 8.0 * abs(stroke) ** 2, rel=1e-3)
+
+
+def test_the_presets_are_as_they_say() -> None:
+    def size(label: str) -> float:
+        return float(
+            abs(magnification(taken("driven", label).value.omega / math.sqrt(39.48), taken("driven", label).zeta)[0])
+        )
+
+    assert size("Below") == pytest.approx(1.72, abs=5e-3) and size("Resonance") == pytest.approx(2.5, abs=5e-3)
+    assert 0.49 * size("Below") == pytest.approx(0.842, abs=2e-3) and 4 * size("Above") == pytest.approx(1.29, abs=5e-3)
+    assert readout(taken("driven", "Below"), "phi") == pytest.approx(0.502, abs=1e-3)
+    assert readout(taken("driven", "Above"), "phi") == pytest.approx(2.88, abs=5e-3)
+    assert size("Strong dashpot") == pytest.approx(0.625, abs=5e-4) and highest(0.8) is None
+    beats = taken("driven", "Beats")
+    x = beats.shown.sources["time"]["x"]
+    assert abs(steady(beats)) == pytest.approx(0.267, abs=5e-4)
+    assert np.abs(x).max() == pytest.approx(0.505, abs=3e-3)
+    assert 2 * math.pi / (math.sqrt(39.48) - beats.omega) == pytest.approx(10.0, abs=0.01)
+    for zeta, ratio in ((0.2, 0.704), (1.0, 0.942), (0.05, 0.646)):
+        assert abs(magnification(1.6, zeta, "base")[0]) == pytest.approx(ratio, abs=5e-4)
+    assert abs(magnification(1.5, 0.2, "unbalance")[0]) == pytest.approx(1.62, abs=5e-3)
+    assert highest(0.2, "unbalance") == pytest.approx((1.04, 2.55), abs=5e-3)
+
+
+def test_without_a_dashpot_it_grows_at_resonance_and_is_told_as_such() -> None:
+    scene = taken("driven", "No dashpot")
+    assert sentence(scene) == "Nothing holds the push: each swing grows by the same 0.159 m."
+    assert "M_at" not in scene.shown.scalars and scene.shown.scalars["growing"]
+    columns = scene.shown.sources["time"]
+    assert np.all(np.abs(columns["x"]) <= columns["upper"] + 0.03)
+    power = scene.shown.sources["power"]
+    assert not power["P_lost"].any() and power["P_in"][-1] > 2 * power["P_in"][len(power["t"]) // 2] * 0.9
+    below = DRIVEN(c=0.0, omega=4.0)
+    assert below.shown.scalars["lag_at"] == 0.0 and DRIVEN(c=0.0, omega=8.0).shown.scalars["lag_at"] == math.pi
+
+
+@pytest.mark.parametrize(
+    ("values", "told"),
+    [
+        ({"omega": 0.0}, "At ω = 0 nothing pushes"),
+        ({"F_0": 0.0, "x_0": 0.1}, "No push"),
+        ({"omega": 6.28331}, "At resonance the dashpot alone"),
+        ({"kind": "base", "omega": math.sqrt(2 * 39.48)}, "At √2 every dashpot is alike"),
+        ({"kind": "base", "omega": 10.0, "c": 0.0}, "Beyond √2 the mass swings less than its base"),
+    ],
+)
+def test_what_is_said_in_the_limits(values: dict[str, Any], told: str) -> None:
+    scene = DRIVEN(**values)
+    assert sentence(scene).startswith(told)
+    if told.startswith(("At ω", "No push")):
+        assert scene.shown.scalars["idle"] and not scene.shown.columns["power"]
+
+
+def test_the_height_at_one_sets_the_damping_and_c_follows() -> None:
+    page = Page(DRIVEN())
+    put(page, zeta=0.1)
+    assert page.scene.c == pytest.approx(0.2 * math.sqrt(39.48))
+    assert page.shown.scalars["Q"] == pytest.approx(5.0)
+
+
+def test_mass_spring_and_dashpot_come_along() -> None:
+    page = Page(SCENES["damped"](m=2.0, c=3.0))
+    told = page.say({"type": "open", "state": {"scene": "driven"}, "carried": True, "number": 1})
+    assert told["state"]["parameters"] == {"m": 2.0, "c": 3.0}
