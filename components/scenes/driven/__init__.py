@@ -60,8 +60,8 @@ class DrivenScene(Scene):
         Group("Drive", ("omega",)),
         *(Group("", (name,), form=kind) for kind, name in SIZES.items()),
         PARTS,
-        Group("", KEPT.names, KEPT.title, folded=True),
         Group("", ("x_0", "v_0"), "Start: at rest", folded=True),
+        KEPT,
     )
     shares = SHARES
     watch = WATCH
