@@ -7,8 +7,7 @@ import sys
 from pathlib import Path
 
 from components.scenes import SCENES
-from components.walks.checking import problems
-from components.walks.leaks import leaks
+from components.walks.checking import coverable_names, problems, shortcomings
 from components.walks.loading import WalkError, load_walk, load_walks, steps_of
 
 
@@ -25,7 +24,11 @@ def main(paths: list[str]) -> int:
             print(error)
             wrong += 1
             continue
-        found = list(problems(walk, SCENES)) or list(leaks(walk, SCENES))
+        found = list(problems(walk, SCENES))
+        for step in walk.steps:
+            if any(f"({step.id}), cover: " in problem for problem in found):
+                found.append(f"{step.id} can cover {', '.join(coverable_names(step, SCENES))}.")
+        found = found or list(shortcomings(walk, SCENES))
         print(*found, f"{walk.name}: {len(walk.steps)} steps, {len(found) or 'nothing'} to mend.", sep="\n")
         wrong += len(found)
     return int(wrong > 0)

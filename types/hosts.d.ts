@@ -72,6 +72,7 @@ interface PageHost {
 
 /** What puts a step to somebody: a walk, or a phone that follows one. */
 interface WalkHost {
+  readonly seed: string
   readonly sheet: {readonly steps: page.StepCard[]}
   readonly place: number
   readonly step: page.StepCard

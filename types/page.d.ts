@@ -241,9 +241,10 @@ declare namespace page {
   /** The card of a step, before its answer.
    *
    * `place` says where in the lecture it is, `given` stands over the question, `options` are the answers of a choice,
-   * `unit` that of a number; `plot` is where a point is marked or a sketch drawn, `axis` the one of the point, `curves`
-   * what is drawn, by name, and `frame` the axes x and y of a sketch that a class shares. `opens` is the state that the
-   * question is asked of, `reveals` the one of the answer, where the parameters in `controls` may be moved. */
+   * shown in another order unless they are `fixed`, `unit` is that of a number; `plot` is where a point is marked or a
+   * sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and `frame` the axes x and y of a sketch
+   * that a class shares. `opens` is the state that the question is asked of, `reveals` the one of the answer, where the
+   * parameters in `controls` may be moved. */
   interface StepCard {
     id: string
     kind: string
@@ -256,6 +257,7 @@ declare namespace page {
     reveals: State
     controls: string[]
     options: Html[]
+    fixed: boolean
     unit: string
     plot: string
     axis: "" | "x" | "y"

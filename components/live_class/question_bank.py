@@ -84,9 +84,9 @@ class QuestionBank:
     def counted(self, walk: str, step: str, given: Sequence[Judged]) -> Counted:
         return self.step(walk, step).count(given)
 
-    def written(self, given: Judged) -> str:
-        """An answer in one cell of a table."""
-        return self.step(given.walk, given.step).written(given)
+    def written(self, given: Judged, code: str) -> str:
+        """An answer in one cell of the table of a class."""
+        return self.step(given.walk, given.step).written(given, code)
 
     def _features(self, walk: str, step: str) -> tuple[str, ...]:
         """The names of the features of a right sketch."""

@@ -24,7 +24,7 @@ async def votes_csv(registry: Registry, room: ClassRoom) -> str:
     bank = registry.bank_of(room)
     for question in await registry.store.questions(room.code):
         judged = await registry.given(room, question)
-        rows = [(bank.written(one), "yes" if one.right else "no") async for one in by_and_by(judged)]
+        rows = [(bank.written(one, room.code), "yes" if one.right else "no") async for one in by_and_by(judged)]
         walk, step, vote = question.split("/")
         async for row in by_and_by(sorted(rows)):
             writer.writerow(map(cell, (walk, step, vote, *row)))

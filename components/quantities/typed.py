@@ -118,6 +118,12 @@ def _ratio(given: str, unit: str, text: str) -> Decimal:
     return found.size / own.size
 
 
+def unit_size(unit: str) -> float:
+    """The size of a unit in SI; 1 for one of the scene's own, and for degrees, in which scenes have their angles."""
+    own = _own(unit)
+    return float(own.size) if own and unit not in ("", "°") else 1.0
+
+
 def _own(unit: str) -> Measure | None:
     """None for a unit of the scene's own, such as v₀."""
     try:

@@ -14,8 +14,8 @@ from components.walks.subject import Subject
 from components.walks.texts import FORMULA
 from components.walks.walk import Step, Walk
 
-SENTENCE = re.compile(r"(?<=[.?!]) (?=[A-ZΑ-Ω*√½\"“])")
-ASKS = re.compile(r"\?$|^(Sketch|Mark)\b")
+SENTENCE = re.compile(r"(?<=[.?!]) (?=[A-ZΑ-Ω*√½\"“])|(?<=[。？！])")
+ASKS = re.compile(r"[?？]$|^(Sketch|Mark)\b")
 
 
 def walk_sheet(walk: Walk, scenes: Scenes) -> WalkSheet:
@@ -50,10 +50,15 @@ def step_card(walk: str, step: Step, scenes: Scenes) -> StepCard:
 
 def parted(question: str) -> tuple[str, str]:
     """A question's text in two parts: what is given, and, from the first sentence that asks on, what is asked."""
-    whole = FORMULA.sub(lambda match: match[0].replace(" ", "\0"), question)
-    sentences = [sentence.replace("\0", " ") for sentence in SENTENCE.split(whole)]
-    first = next((i for i, sentence in enumerate(sentences) if ASKS.search(sentence)), 0)
-    return " ".join(sentences[:first]), " ".join(sentences[first:])
+    parts = sentences(question)
+    first = next((i for i, sentence in enumerate(parts) if ASKS.search(sentence)), 0)
+    return " ".join(parts[:first]), " ".join(parts[first:])
+
+
+def sentences(text: str) -> list[str]:
+    """The sentences of a text; a formula is in one of them whole."""
+    whole = FORMULA.sub(lambda match: match[0].replace(" ", "\0"), text)
+    return [sentence.replace("\0", " ") for sentence in SENTENCE.split(whole) if sentence]
 
 
 def place_in_lecture(slides: tuple[str, ...]) -> str:

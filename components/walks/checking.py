@@ -8,6 +8,8 @@ from functools import partial
 from components.layout.text import rich
 from components.quantities.numbers import excerpt
 from components.state.covers import coverable
+from components.walks.cards import ASKS, sentences
+from components.walks.leaks import leaks
 from components.walks.links import Scenes, standing_at
 from components.walks.questions.question import refused
 from components.walks.subject import Subject
@@ -15,12 +17,39 @@ from components.walks.texts import line, live_names
 from components.walks.types import BaseStep
 from components.walks.walk import Step, Walk
 
+MOST_WORDS = 60
+"""Of an explanation."""
+
 
 def problems(walk: Walk, scenes: Scenes) -> Iterator[str]:
     """The problems of a walk: sentences that name its step and field."""
     for i, step in enumerate(walk.steps, 1):
         for problem in _of_step(step, Subject(walk.name, step, scenes)):
             yield f"{walk.name}, step {i} ({step.id}), {problem}"
+
+
+def shortcomings(walk: Walk, scenes: Scenes) -> Iterator[str]:
+    """The shortcomings of a walk, though it runs: sentences that name its step and field."""
+    for i, step in enumerate(walk.steps, 1):
+        for doubt in _doubts(step, Subject(walk.name, step, scenes)):
+            yield f"{walk.name}, step {i} ({step.id}), {doubt}"
+    yield from leaks(walk, scenes)
+
+
+def _doubts(step: Step, subject: Subject) -> Iterator[str]:
+    if not step.cover:
+        yield "cover: nothing is covered, so that the answer can be read."
+    if (words := len(step.explain.split())) > MOST_WORDS:
+        yield f"explain: it has {words} words, {MOST_WORDS} are the most."
+    if not any(map(ASKS.search, sentences(step.question))):
+        yield "question: no sentence ends with a question mark, or begins with Sketch or Mark."
+    yield from step.doubts(subject)
+
+
+def coverable_names(step: Step, scenes: Scenes) -> list[str]:
+    """The names of all that can be covered in a step."""
+    standing = standing_at(step.state, scenes)
+    return sorted(coverable(standing.kind, standing.shown))
 
 
 def _of_step(step: Step, subject: Subject) -> Iterator[str]:
@@ -35,6 +64,9 @@ def _of_step(step: Step, subject: Subject) -> Iterator[str]:
         return
     known, parameters = coverable(before.kind, before.shown), after.kind.param
     yield from (f"cover: “{excerpt(name)}” cannot be covered here." for name in step.cover if name not in known)
+    yield from (f"still: “{excerpt(name)}” is not in cover." for name in step.still if name not in step.cover)
+    if step.cover and set(step.cover) == set(step.still):
+        yield "still: the answer shows nothing that was covered."
     yield from (f"controls: “{excerpt(name)}” is not a parameter." for name in step.controls if name not in parameters)
     spoken = set(live_names(step.explain))
     yield from (

@@ -11,7 +11,6 @@ from typing import Any
 import msgspec
 
 from components.quantities.numbers import excerpt
-from components.quantities.typed import typed_number
 from components.walks.walk import Step, Walk
 
 OWN = Path(__file__).parent / "content"
@@ -70,28 +69,11 @@ def _step(entry: Any, where: str, known: KnownSteps) -> Step:
     given = {**_base(entry, where, known), **{key: value for key, value in entry.items() if key != "from"}}
     if isinstance(entry.get("id"), str):
         where += f" ({excerpt(entry['id'])})"
-    if isinstance(answer := given.get("answer"), dict):
-        given["answer"] = {**answer, **_numbers(answer, where)}
     try:
         step: Step = msgspec.convert(given, Step)
     except msgspec.ValidationError as error:
         raise WalkError(f"{where}, {_told(str(error))}") from error
     return step
-
-
-def _numbers(answer: dict[str, Any], where: str) -> dict[str, Any]:
-    """The right number and how far off still counts; a text is read as one that is typed into a field."""
-    unit, right = answer.get("unit"), answer.get("is")
-    rights = right if isinstance(right, (list, tuple)) else [right]
-    try:
-        read = {"is": [_number(one, unit) for one in rights], "tol": _number(answer.get("tol"), unit)}
-    except ValueError as error:
-        raise WalkError(f"{where}, answer: {error}") from error
-    return {name: number for name, number in read.items() if name in answer}
-
-
-def _number(given: Any, unit: Any) -> Any:
-    return typed_number(given, unit if isinstance(unit, str) else "") if isinstance(given, str) else given
 
 
 def _base(entry: dict[str, Any], where: str, known: KnownSteps) -> dict[str, Any]:
@@ -108,7 +90,7 @@ def _told(problem: str) -> str:
     """A complaint of msgspec's, the field first."""
     match = PLACE.match(problem)
     what, field = (match["what"], match["field"]) if match else (problem, "")
-    return f"{field or 'its fields'}: {what[:1].lower()}{what[1:]}."
+    return f"{field or 'its fields'}: {what[:1].lower()}{what[1:].rstrip('.')}."
 
 
 def load_walks(folders: Iterable[Path]) -> dict[str, Walk]:

@@ -68,6 +68,11 @@ class Subject:
         """The page that the question is asked on; ValueError, in words, for a link that opens none."""
         return standing_at(self._step.state, self.scenes)
 
+    @cached_property
+    def answered(self) -> Standing:
+        """The page that is shown with the answer."""
+        return standing_at(self._step.shown, self.scenes)
+
     @property
     def answer(self) -> State:
         """The state that is shown with the answer."""

@@ -70,7 +70,8 @@ export class AskedPut {
   /** A phone goes nowhere by itself. @param {page.StepCard} step @param {string} where @returns {WalkHost} */
   #walk(step, where) {
     const [sheet, answers] = [{steps: [step]}, {of: () => null}]
-    const own = {sheet, place: 0, where, step: {...step, controls: []}, answers, before: null, lesson: null}
+    const {code: seed} = this.following
+    const own = {seed, sheet, place: 0, where, step: {...step, controls: []}, answers, before: null, lesson: null}
     return {...own, unfolded: false, show: () => this.#send(), forward: none, back: none, again: none, open: none}
   }
 

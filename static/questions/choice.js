@@ -2,6 +2,7 @@
 
 import {button, element, marked} from "../core/dom.js"
 import {text} from "./fields.js"
+import {orderOf} from "./order.js"
 import {Question, mark} from "./question.js"
 
 const OFFERED = [1, 2, 3, 4] // answers that can be written
@@ -20,11 +21,12 @@ export class Choice extends Question {
 
   chosen = -1
   taught = false
+  order = orderOf(this.step, this.walk.seed)
   rows = this.step.options.map((html, i) => this.#row(html, i))
   element = element(
     "div",
     {class: "question answers", role: "group", "aria-label": "Answers"},
-    ...this.rows.map(({row}) => row),
+    ...this.order.map(i => this.rows[i].row),
   )
 
   /** @param {page.Html} html @param {number} i */
@@ -32,13 +34,18 @@ export class Choice extends Question {
     const line = element("span", {class: "line"})
     const yours = element("span", {class: "yours"})
     const name = marked("span", {class: "name"}, html)
-    const key = element("span", {class: "key"}, String(i + 1))
-    const row = button({"aria-pressed": "false"}, () => this.choose(i), key, name, yours, line)
+    const key = element("span", {class: "key"}, String(this.order.indexOf(i) + 1))
+    const row = button({"aria-pressed": "false", "data-option": i}, () => this.#choose(i), key, name, yours, line)
     return {row, line, yours, name, where: /** @type {page.State | null} */ (null)}
   }
 
-  /** @param {number} i */
-  choose(i) {
+  /** @param {number} place as it is shown */
+  choose(place) {
+    this.#choose(this.order[place])
+  }
+
+  /** @param {number} i its place in the file */
+  #choose(i) {
     if (!this.rows[i]) return
     if (this.taught) return this.#taught(i)
     this.chosen = i
@@ -65,7 +72,7 @@ export class Choice extends Question {
 
   /** @param {import("./question.js").Answer} given */
   restore({option}) {
-    this.choose(option ?? -1)
+    this.#choose(option ?? -1)
   }
 
   /** @param {page.Lesson} lesson */
@@ -87,7 +94,7 @@ export class Choice extends Question {
   }
 
   space() {
-    return element("ul", {class: "boxes"}, ...this.step.options.map(option => marked("li", {}, option)))
+    return element("ul", {class: "boxes"}, ...this.order.map(i => marked("li", {}, this.step.options[i])))
   }
 
   /** @param {page.Lesson} lesson */

@@ -55,8 +55,8 @@ export class Question {
     return ""
   }
 
-  /** An option by its number. @param {number} _option */
-  choose(_option) {}
+  /** An option by its place on the screen. @param {number} _place */
+  choose(_place) {}
 
   /** What is sent; null without an answer. @returns {Answer | null} */
   given() {

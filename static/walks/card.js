@@ -20,6 +20,7 @@ export class Card {
   constructor(walk, page) {
     this.walk = walk
     this.page = page
+    this.seed = walk.seed
     const {step} = walk
     this.question = new KINDS[step.kind](step, walk, page)
     this.refusal = element("p", {class: "problem", role: "alert"})

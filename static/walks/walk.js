@@ -4,6 +4,7 @@ import {answered, forgetAnswered, keepAnswered} from "./answered.js"
 import {Answers} from "./answers.js"
 import {ANSWER_FIRST, Card} from "./card.js"
 import {Contents} from "./contents.js"
+import {ownSeed} from "./seed.js"
 
 export class Walk {
   /** @type {number} of the step */
@@ -31,6 +32,11 @@ export class Walk {
     this.lecture = walks.lecture
     this.sheet = sheet
     this.answers = new Answers()
+  }
+
+  /** What is in the same order for a class, and in another for each visitor alone. */
+  get seed() {
+    return this.lecture.classes.led?.room.code ?? ownSeed()
   }
 
   /** @returns {page.StepCard} */
@@ -72,7 +78,8 @@ export class Walk {
     const place = this.sheet.steps.findIndex(step => step.id === id)
     const {page} = this.lecture
     const isAsked = this.#isAsked(place, shown)
-    if (place !== this.place || page !== this.card?.page || (this.lesson && isAsked)) this.#lay(place, isAsked)
+    const isAnother = place !== this.place || page !== this.card?.page || this.seed !== this.card?.seed
+    if (isAnother || (this.lesson && isAsked)) this.#lay(place, isAsked)
     this.card?.update(shown)
     this.lecture.classes.led?.walked(this)
   }
@@ -124,9 +131,9 @@ export class Walk {
     else this.show(always || Boolean(teach))
   }
 
-  /** @param {number} option of a choice */
-  choose(option) {
-    this.card?.question.choose(option)
+  /** @param {number} place of an answer on the screen */
+  choose(place) {
+    this.card?.question.choose(place)
   }
 
   /** @param {boolean} always */

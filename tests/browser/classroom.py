@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.fixtures import READY
 from tests.serving.server import Server
@@ -69,3 +69,9 @@ def draw(page: Page, height: Callable[[float], float]) -> None:
         if not i:
             page.mouse.down()
     page.mouse.up()
+
+
+def counted(lecture: Page, *counts: str) -> None:
+    """The votes for each answer, in the order of the walk's file."""
+    for i, count in enumerate(counts):
+        expect(lecture.locator(f".answers [data-option='{i}'] .vote-count")).to_have_text(count)

@@ -58,7 +58,7 @@ def test_a_class_is_opened_once_and_no_order_is_overtaken(failing: Open) -> None
     assert sent == ["d31-02", "d31-02", "d31-03"]
     assert len(opened) == lecture.locator(".class-code").count() == 1
     losing(lecture, "/tally$")
-    phone.locator(".answers button").nth(0).click()
+    phone.locator(".answers [data-option='0']").click()
     expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")  # a count that is lost is taken anew
     losing(lecture, "/tickets$")
     lecture.keyboard.press("j")
@@ -77,7 +77,7 @@ def test_a_phone_stands_what_is_late_and_what_fails(failing: Open) -> None:
     late: list[tuple[Route, APIResponse]] = []
     phone.route(re.compile("/answer$"), lambda route: late.append((route, route.fetch())))
     for i in range(2):
-        phone.locator(".answers button").nth(i).click()
+        phone.locator(f".answers [data-option='{i}']").click()
         phone.wait_for_timeout(600)  # more than it waits for another change
     assert len(late) == 1  # the second is not sent before the first is there: it might be overtaken
     lecture.evaluate(GO, 2)

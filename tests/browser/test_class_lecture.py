@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.classroom import LED, draw, joined, taught
+from components.walks.questions.order import order_of
+from tests.browser.classroom import LED, counted, draw, joined, taught
 from tests.browser.dropping import drop
 from tests.browser.halls import seen
 
@@ -47,21 +48,23 @@ def look(lecture: Page, name: str, screenshot: Take) -> None:
 def choice(lecture: Page, phone: Page, screenshot: Take) -> None:
     """Two votes, with talk between."""
     put(lecture, phone, "pull")
-    phone.locator(".answers button").nth(1).click()
+    phone.locator(".answers [data-option='1']").click()
     expect(phone.get_by_text(SENT)).to_be_visible()
     screenshot(phone, "lecture-phone")
     expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
     lecture.keyboard.press("PageDown")
-    expect(lecture.locator(".vote-count")).to_have_text(["0", "1", "0"])
+    counted(lecture, "0", "1", "0")
     lecture.get_by_role("button", name="Vote again").click()
     phone.wait_for_function("oscillations.asked.question.vote === 2 && oscillations.asked.card")
-    phone.locator(".answers button").nth(0).click()
-    expect(lecture.locator(".vote-count")).to_have_text(["0 → 1", "1 → 0", "0 → 0"])
+    phone.locator(".answers [data-option='0']").click()
+    counted(lecture, "0 → 1", "1 → 0", "0 → 0")
+    shown = [[row.inner_text() for row in page.locator(".answers .name").all()] for page in (lecture, phone)]
+    assert shown[0] == shown[1], "one order for all"
     expect(lecture.locator(".vote-bar .before")).to_have_count(1)  # the first vote stays outlined
     lecture.keyboard.press("PageDown")
     for page in (lecture, phone):
         expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
-    expect(phone.locator(".answers button").nth(0).get_by_role("img", name="right")).to_be_visible()
+    expect(phone.locator(".answers [data-option='0']").get_by_role("img", name="right")).to_be_visible()
     look(lecture, "lecture-choice", screenshot)
     lecture.keyboard.press("PageDown")
 
@@ -145,7 +148,8 @@ def test_a_lecture_of_five_steps(window: Callable[[str, int, int], Page], screen
         ["walk", "step", "vote", "right"], ["five", "pull", "1", "no"], ["five", "pull", "2", "yes"],
         ["five", "mass", "1", "yes"], ["five", "place", "1", "no"], ["five", "curve", "1", "no"],
     ]  # fmt: skip
-    assert [row[3] for row in rows[1:4]] == ["2", "1", "2"] and len(rows[5][3].split()) == 102
+    places = [str(order_of("pull", 3, code).index(option) + 1) for option in (1, 0)]
+    assert [row[3] for row in rows[1:4]] == [*places, "2"] and len(rows[5][3].split()) == 102
     remote.close()  # which would go on asking, and be told that there is no such class
     lecture.evaluate(f"{LED}.end()")
     expect(phone.get_by_role("heading", name="The class is over.")).to_be_visible()

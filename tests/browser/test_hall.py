@@ -68,17 +68,17 @@ def test_a_walk_in_the_hall(server: Server, page: Page) -> None:
     found = looked_at(page, 1280, 720)
     asked = page.locator("h1.waits")
     expect(asked).to_have_text("After a very long time, which frequencies are left in its motion?")
-    page.keyboard.press("2")
+    page.locator(".answers [data-option='1']").click()
     page.keyboard.press("PageDown")
     page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
     expect(page.locator("h1")).to_have_text("Undamped motion never becomes steady")
     found += looked_at(page, 1920, 1080)
     for part, least in ((".answers .name", 27), (".asked-line", 27), (".card .why", 27), ("h1", 46), (".act", 27)):
         assert page.locator(part).first.evaluate(SIZE_OF) > least - 0.01, part
-    lines = page.locator(".answers .line")
-    assert [line.is_visible() for line in lines.all()] == [False, True, False, False]
-    page.keyboard.press("4")
-    expect(lines.nth(3)).to_be_visible()
+    lines = [page.locator(f".answers [data-option='{i}'] .line") for i in range(4)]
+    assert [line.is_visible() for line in lines] == [False, True, False, False]
+    page.locator(".answers [data-option='3']").click()
+    expect(lines[3]).to_be_visible()
     page.wait_for_function("oscillations.shown.settings.omega.value === 0.77")  # where that would be right
     assert page.locator("h1").inner_text() == "Undamped motion never becomes steady"
     assert page.evaluate("location.search") == "?walk=d34&step=d34-12&projector"

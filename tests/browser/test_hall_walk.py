@@ -7,9 +7,11 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
+from components.scenes import SCENES
 from components.walks.loading import load_walks
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumericStep
+from components.walks.subject import Subject
 from components.walks.walk import Step
 from tests.browser.fixtures import READY
 from tests.browser.halls import LAID, TAUGHT, seen
@@ -29,7 +31,7 @@ UNFOLD = """open => {
 """The equations lie over the paper."""
 ANSWER = """given => {
   const {question} = oscillations.walks.walk.card, {marker, pad, field} = question
-  if ("option" in given) question.choose(given.option)
+  if ("option" in given) question.restore(given)
   if (field) field.value = given.value
   if (marker) {
     const {start, end, exponent} = marker.ruler
@@ -46,7 +48,8 @@ def wordiest(step: Step) -> dict[str, Any]:
     if isinstance(step, ChoiceStep):
         return {"option": max(range(len(step.options)), key=lambda i: len(step.options[i].reply))}
     if isinstance(step, NumericStep) and step.misses:
-        return {"value": max(step.misses, key=lambda miss: len(miss.reply)).value}
+        longest = max(range(len(step.misses)), key=lambda i: len(step.misses[i].reply))
+        return {"value": step.wrong(Subject("", step, SCENES))[longest]}
     return {}
 
 

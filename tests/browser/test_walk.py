@@ -55,7 +55,7 @@ def test_a_choice_is_asked_answered_and_explained(walk: Callable[..., Page]) -> 
     expect(page.locator(".card .problem")).to_have_text("")
     show(page)
     expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
-    expect(page.locator(".answers button").nth(1)).to_contain_text("That would be right at the same speed")
+    expect(page.locator(".answers [data-option='1']")).to_contain_text("That would be right at the same speed")
     expect(page.locator(".card .why")).to_contain_text("the same 1.00 s")
     assert page.locator(".card input[name=x_0]").input_value() == "0.200"
     assert page.locator(".panel [name=k]").is_hidden()

@@ -31,6 +31,7 @@ from components.live_class.upkeep import Upkeep
 from components.live_class.votes_csv import cell, votes_csv
 from components.walks.loading import read_walk
 from components.walks.questions import sketch
+from components.walks.questions.order import order_of
 from components.walks.questions.sketch import SketchStep
 from tests.live_class.listening import BANK, CHOICE, Listener, until
 from tests.live_class.stores import KINDS, Valkey, made, valkey_running
@@ -148,7 +149,9 @@ def test_asked_again_the_first_vote_is_kept(in_class: Callable[[Test], None]) ->
         assert [verdict.right for verdict in room.question.lesson.verdicts] == [True, False, False]
         lines = (await votes_csv(registry, room)).splitlines()
         assert lines[0] == "walk,step,vote,answer,right"
-        assert sorted(lines[1:]) == sorted(f"{walk},{step},{row}" for row in ("1,1,yes", "1,2,no", "1,2,no", "2,3,no"))
+        place = [order_of(step, 3, room.code).index(option) + 1 for option in range(3)]
+        given = ((1, 0, "yes"), (1, 1, "no"), (1, 1, "no"), (2, 2, "no"))
+        assert sorted(lines[1:]) == sorted(f"{walk},{step},{vote},{place[one]},{right}" for vote, one, right in given)
 
     in_class(test)
 
@@ -315,7 +318,9 @@ def test_a_walk_from_a_file_is_asked_as_any_other(in_class: Callable[[Test], Non
         await registry.obey(room, ShowAnswer())
         tally = await registry.tally(room)
         assert tally and tally.now.options == (1, 0, 1) and tally.right == 1
-        assert (await votes_csv(registry, room)).splitlines()[1:] == ["mine,one,1,1,yes", "mine,one,1,3,no"]
+        place = [order_of("one", 3, room.code).index(option) + 1 for option in range(3)]
+        rows = sorted((f"mine,one,1,{place[0]},yes", f"mine,one,1,{place[2]},no"))
+        assert (await votes_csv(registry, room)).splitlines()[1:] == rows
         await registry.obey(room, HandWalk(name=walk, text=text.replace("d31-03", "d31-02")))  # now a number
         tally = await registry.tally(room)
         assert tally and tally.now.answered == 0

@@ -14,9 +14,8 @@ from components.language.messages import Given
 from components.layout.text import rich
 from components.quantities.numbers import three
 from components.scenes import SCENES
-from components.walks.checking import problems
+from components.walks.checking import problems, shortcomings
 from components.walks.features import Period
-from components.walks.leaks import leaks
 from components.walks.links import standing_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
@@ -45,7 +44,7 @@ every_sketch = pytest.mark.parametrize(
 
 @pytest.mark.parametrize("name", WALKS)
 def test_a_step_shows_nothing_that_a_later_one_asks_for(name: str) -> None:
-    assert list(leaks(WALKS[name], SCENES)) == []
+    assert list(shortcomings(WALKS[name], SCENES)) == []
 
 
 @every_step
@@ -93,9 +92,10 @@ def test_a_state_keeps_the_values_of_its_link(step: Step) -> None:
 )
 def test_answers_and_misses_are_what_the_physics_says(step: NumericStep) -> None:
     right, misses = ANSWERS[step.id]
-    tolerance = step.answer.tol
-    assert step.answer.value == pytest.approx(right, abs=0.1 * tolerance)
-    assert [miss.value for miss in step.misses] == pytest.approx(misses, abs=0.15 * tolerance)
+    tolerance, subject = step.answer.tolerance, Subject("", step, SCENES)
+    assert step.answer.quantities, "what is true is a quantity of the scene"
+    assert list(step.right(subject)) == pytest.approx(right, abs=0.1 * tolerance)
+    assert list(step.wrong(subject)) == pytest.approx(misses, abs=0.15 * tolerance)
 
 
 def known_numbers(step: Step) -> tuple[set[float], set[str]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -15,13 +16,15 @@ from components.scenes import SCENES
 from components.session.session import Session
 from components.state.standing import fitted
 from components.walks.cards import parted, walk_sheet
-from components.walks.checking import problems
+from components.walks.checking import problems, shortcomings
 from components.walks.links import standing_at
 from components.walks.loading import LARGEST, WalkError, load_walks, read_walk, steps_of
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumberStep
 from components.walks.registry import all_walks, asked_step, read_own
+from components.walks.subject import Subject
 from components.walks.walk import Walk
+from tools.walk import main
 
 OWN = load_walks(())
 GOOD = """
@@ -156,14 +159,82 @@ def test_an_answer_may_be_written_as_it_is_typed_into_a_field() -> None:
         'state = "?scene=energy"\nanswer = { is = ["1/4", 2.5, "2000 ms"], unit = "s", tol = "0,1" }\n'
     )
     (step,) = read_walk(text, "mine").steps
-    assert isinstance(step, NumberStep) and (step.answer.value, step.answer.tol) == ((0.25, 2.5, 2.0), 0.1)
+    assert isinstance(step, NumberStep) and (step.answer.numbers, step.answer.tolerance) == ((0.25, 2.5, 2.0), 0.1)
     for old, new, says in (
-        ("1/4", "", "answer: Nothing is typed here"),
+        ("1/4", "", "answer: nothing is typed here"),
         ("1/4", "1 kg", "answer: “1 kg” is in kg"),
         ('tol = "0,1"', "tolerance = 1", "answer: object contains unknown field"),
     ):
         with pytest.raises(WalkError, match=says):
             read_walk(text.replace(old, new), "mine")
+
+
+ENERGY = """title = "t"
+[[step]]
+id = "one"
+kind = "number"
+title = "t"
+question = "How long?"
+explain = "e"
+state = "?scene=energy"
+cover = ["value:tau"]
+answer = { of = "tau", unit = "s", tol = 0.1 }
+misses = [{ is = "2 * tau", idea = "i", reply = "r" }]
+"""
+
+
+def told(text: str) -> list[str]:
+    """The sentences of `make walk` on a step, without its name."""
+    walk = read_walk(text, "mine")
+    found = [*problems(walk, SCENES)] or [*shortcomings(walk, SCENES)]
+    return [one.removeprefix("mine, step 1 (one), ") for one in found]
+
+
+def test_an_answer_is_a_quantity_of_the_scene() -> None:
+    assert told(ENERGY) == []
+    (step,) = read_walk(ENERGY.replace('unit = "s", tol = 0.1', 'unit = "ms", tol = 1'), "mine").steps
+    assert isinstance(step, NumberStep)
+    subject = Subject("mine", step, SCENES)
+    assert step.right(subject) == pytest.approx([1000 * 2 * math.pi / math.sqrt(39.4)])
+    assert step.wrong(subject) == pytest.approx([2 * step.right(subject)[0]])
+    for old, new, says in (
+        (
+            'of = "tau"',
+            'of = "period"',
+            "answer.of: “period” has a name that the scene does not have, period; it has: ",
+        ),
+        ('of = "tau"', 'of = "tau."', "answer.of: “tau.” is no expression of the scene's numbers."),
+        ('of = "tau"', 'of = "tau / (m - m)"', "answer.of: “tau / (m - m)” has no value here."),
+        ('of = "tau"', 'of = "9^9^9"', "answer.of: “9^9^9” has no value here."),
+        ('of = "tau"', 'of = "tau", is = 7.5', "answer.is: 7.5 is not what the scene has, 1.00 s."),
+        ('of = "tau"', "is = 7.5", "answer: 7.5 is no number of this scene: name the quantity that it is, of = ..."),
+        ("2 * tau", "tau + 0.01", "misses[0].is: 1.01099 is within the tolerance of the right answer."),
+        ('["value:tau"]', "[]", "cover: nothing is covered, so that the answer can be read."),
+        ('explain = "e"', f'explain = "{"word " * 61}"', "explain: it has 61 words, 60 are the most."),
+        ("How long?", "Tell.", "question: no sentence ends with a question mark, or begins with Sketch or Mark."),
+    ):
+        assert [one for one in told(ENERGY.replace(old, new)) if one.startswith(says)], told(ENERGY.replace(old, new))
+
+
+@pytest.mark.parametrize(("given", "says"), [('of = "tau", tol = 0', "above 0"), ("tol = 1", "neither of nor is")])
+def test_an_answer_has_a_number_and_a_tolerance(given: str, says: str) -> None:
+    with pytest.raises(WalkError, match=says):
+        read_walk(ENERGY.replace('of = "tau", unit = "s", tol = 0.1', given), "mine")
+
+
+def test_what_stays_covered_was_covered() -> None:
+    text = ENERGY.replace('["value:tau"]', '["value:tau"]\nstill = ["value:omega"]')
+    assert told(text) == ["still: “value:omega” is not in cover."]
+    assert told(text.replace("omega", "tau")) == ["still: the answer shows nothing that was covered."]
+
+
+def test_the_command_lists_what_can_be_covered(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text(ENERGY.replace("value:tau", "value:tua"), encoding="utf-8")
+    assert main([str(path)]) == 1
+    said = capsys.readouterr().out
+    assert "cover: “value:tua” cannot be covered here." in said
+    assert "one can cover band:" in said and "value:tau" in said
 
 
 def test_what_a_mark_sets_is_a_parameter() -> None:

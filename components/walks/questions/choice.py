@@ -14,6 +14,7 @@ from components.language.room import Counted
 from components.language.walk import Lesson, StepCard, Verdict
 from components.layout.text import rich
 from components.walks.links import standing_at
+from components.walks.questions.order import order_of
 from components.walks.questions.question import Judged, Judgement, Question, refused
 from components.walks.subject import Subject
 from components.walks.types import Address, Entry, Sentence
@@ -31,11 +32,12 @@ class OptionEntry(Entry, frozen=True, kw_only=True):
 
 
 class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
-    """One of a few answers."""
+    """One of a few answers, shown in an order of each class's or visitor's own, unless it is `fixed`."""
 
     takes = "option"
     usual = 2.0
     options: Annotated[tuple[OptionEntry, ...], Meta(min_length=2, max_length=5)]
+    fixed: bool = False
 
     def links(self) -> Iterator[str]:
         yield from super().links()
@@ -57,7 +59,7 @@ class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
                 yield from refused(f"options[{i}].where", partial(standing_at, option.where, subject.scenes))
 
     def card(self, subject: Subject, **step: Any) -> StepCard:
-        return StepCard(options=tuple(rich(option.text) for option in self.options), **step)
+        return StepCard(options=tuple(rich(option.text) for option in self.options), fixed=self.fixed, **step)
 
     def judge(self, given: Given, subject: Subject) -> Judgement:
         option = given.option or 0
@@ -76,6 +78,8 @@ class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
         counts = Counter(one.option for one in given)
         return Counted(answered=len(given), options=tuple(counts[i] for i in range(len(self.options))))
 
-    def written(self, given: Judged) -> str:
-        """Options count from 1."""
-        return str((given.option or 0) + 1)
+    def written(self, given: Judged, seed: str) -> str:
+        """Options count from 1, in the order in which the class sees them."""
+        count = len(self.options)
+        shown = list(range(count)) if self.fixed else order_of(self.id, count, seed)
+        return str(shown.index(given.option or 0) + 1)

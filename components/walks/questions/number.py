@@ -2,41 +2,62 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from typing import Annotated, Any
+from collections.abc import Iterable, Iterator, Sequence
+from functools import partial
+from typing import Any, TypeAlias
 
-from msgspec import Meta, field
+from msgspec import field
 
 from components.language.messages import Given
 from components.language.room import Counted
 from components.language.walk import Lesson, StepCard
 from components.quantities.numbers import shortest, three
-from components.quantities.typed import typed_number
-from components.walks.questions.question import Judged, Judgement, Question
+from components.quantities.typed import typed_number, unit_size
+from components.walks.expressions import numbers_of, worked_out
+from components.walks.questions.question import Judged, Judgement, Question, refused
 from components.walks.subject import Subject
-from components.walks.types import Above0, Entry, Sentence
+from components.walks.types import Entry, Sentence
+
+Numeral: TypeAlias = float | str
+"""A number as it stands in a walk's file: a text is read as one that is typed into a field."""
 
 
 class AnswerEntry(Entry, frozen=True, kw_only=True):
-    """A number, or several of which each is right, and how far off still counts."""
+    """The right number, or several of which each is right, and how far off still counts: `of` names the quantity of the
+    scene that it is, or tells it by an expression of these; `is` is one that no quantity is."""
 
-    value: Annotated[tuple[float, ...], Meta(min_length=1)] = field(name="is")
-    tol: Above0
+    of: str | tuple[str, ...] = ()
+    given: Numeral | tuple[Numeral, ...] = field(name="is", default=())
+    tol: Numeral
     unit: str = ""
 
-    def near(self, number: float) -> bool:
-        return any(abs(number - one) <= self.tol for one in self.value)
+    def __post_init__(self) -> None:
+        if not (self.quantities or self.numbers):
+            raise ValueError("it has neither of nor is")
+        if not self.tolerance > 0:
+            raise ValueError("tol is a number above 0")
 
     @property
-    def truth(self) -> str:
-        gap = " " if self.unit and self.unit != "°" else ""
-        return " or ".join(f"{three(one)}{gap}{self.unit}" for one in self.value)
+    def quantities(self) -> tuple[str, ...]:
+        return (self.of,) if isinstance(self.of, str) else self.of
+
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        given = self.given if isinstance(self.given, tuple) else (self.given,)
+        return tuple(map(self._read, given))
+
+    @property
+    def tolerance(self) -> float:
+        return self._read(self.tol)
+
+    def _read(self, given: Numeral) -> float:
+        return typed_number(given, self.unit) if isinstance(given, str) else given
 
 
 class Miss(Entry, frozen=True, kw_only=True):
-    """A wrong number that is often given, with the sentence that is its own."""
+    """A wrong number that is often given, or an expression of the scene's, with the sentence that is its own."""
 
-    value: float = field(name="is")
+    given: Numeral = field(name="is")
     idea: Sentence
     reply: Sentence
 
@@ -51,21 +72,60 @@ class NumericStep(Question, frozen=True, kw_only=True):
         """The number that an answer is; ValueError, in words, for what is none."""
         raise NotImplementedError
 
+    def right(self, subject: Subject) -> tuple[float, ...]:
+        """The right numbers, in the unit of the answer."""
+        told = tuple(self._of_scene(one, subject) for one in self.answer.quantities)
+        return told or self.answer.numbers
+
+    def wrong(self, subject: Subject) -> tuple[float, ...]:
+        """The wrong numbers that are often given."""
+        given = (miss.given for miss in self.misses)
+        return tuple(self._of_scene(one, subject) if isinstance(one, str) else one for one in given)
+
+    def _of_scene(self, expression: str, subject: Subject) -> float:
+        """An expression of the numbers that the scene has with the answer, in the unit of the answer."""
+        return worked_out(expression, numbers_of(subject.answered.scene)) / unit_size(self.answer.unit)
+
+    def truth(self, subject: Subject) -> str:
+        unit = self.answer.unit
+        gap = " " if unit and unit != "°" else ""
+        return " or ".join(f"{three(one)}{gap}{unit}" for one in self.right(subject))
+
+    def is_near(self, number: float, others: Iterable[float]) -> bool:
+        return any(abs(number - one) <= self.answer.tolerance for one in others)
+
     def sentences(self) -> Iterator[tuple[str, str]]:
         yield from super().sentences()
         for i, miss in enumerate(self.misses):
             yield f"misses[{i}].reply", miss.reply
 
     def problems(self, subject: Subject) -> Iterator[str]:
-        for i, miss in enumerate(self.misses):
-            if self.answer.near(miss.value):
-                yield f"misses[{i}].is: {miss.value:g} is within the tolerance of the right answer."
+        found = [*refused("answer.of", partial(self.right, subject)), *refused("misses", partial(self.wrong, subject))]
+        yield from found
+        if found:
+            return
+        right = self.right(subject)
+        for number in self.answer.numbers:
+            if not self.is_near(number, right):
+                yield f"answer.is: {number:g} is not what the scene has, {self.truth(subject)}."
+        for i, number in enumerate(self.wrong(subject)):
+            if self.is_near(number, right):
+                yield f"misses[{i}].is: {number:g} is within the tolerance of the right answer."
+
+    def doubts(self, subject: Subject) -> Iterator[str]:
+        """A number that is none of the scene's may be a slip."""
+        size = unit_size(self.answer.unit)
+        known = [number / size for number in numbers_of(subject.answered.scene).values()]
+        for number in () if self.answer.quantities else self.answer.numbers:
+            if not self.is_near(number, known):
+                yield f"answer: {number:g} is no number of this scene: name the quantity that it is, of = ..."
 
     def judge(self, given: Given, subject: Subject) -> Judgement:
         number = self.number(given, subject)
-        if self.answer.near(number):
+        if self.is_near(number, self.right(subject)):
             return Judgement(True, number)
-        hit = (miss.reply for miss in self.misses if abs(number - miss.value) <= self.answer.tol)
+        wrong = zip(self.misses, self.wrong(subject), strict=True)
+        hit = (miss.reply for miss, one in wrong if self.is_near(number, (one,)))
         return Judgement(False, number, reply=next(hit, ""))
 
 
@@ -82,10 +142,10 @@ class NumberStep(NumericStep, frozen=True, kw_only=True, tag="number"):
         return StepCard(unit=self.answer.unit, **step)
 
     def teaches(self, given: Given, subject: Subject, **step: Any) -> Lesson:
-        return Lesson(truth=self.answer.truth, places=self.answer.value, **step)
+        return Lesson(truth=self.truth(subject), places=self.right(subject), **step)
 
     def count(self, given: Sequence[Judged]) -> Counted:
         return Counted(answered=len(given), numbers=tuple(one.number for one in given))
 
-    def written(self, given: Judged) -> str:
+    def written(self, given: Judged, seed: str) -> str:
         return shortest(given.number)

@@ -55,7 +55,11 @@ class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
             yield f"axis: {reason}."
             return
         low, high = sorted((axis.place(axis.start), axis.place(axis.end)))
-        for value in (*self.answer.value, *(miss.value for miss in self.misses)):
+        try:
+            places = (*self.right(subject), *self.wrong(subject))
+        except ValueError:
+            return  # it has been told
+        for value in places:
             if not low <= place_of(axis, value) <= high:
                 yield f"answer: {value:g} lies outside the axis."
 
@@ -67,12 +71,12 @@ class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
         if self.sets and given.value is not None:
             state, number = subject.answer, self.number(given, subject)
             shows = replace(state, parameters={**state.parameters, self.sets: number * axis.factor})
-        places = tuple(place_of(axis, one) for one in self.answer.value)
-        return Lesson(truth=self.answer.truth, places=places, shows=shows, **step)
+        places = tuple(place_of(axis, one) for one in self.right(subject))
+        return Lesson(truth=self.truth(subject), places=places, shows=shows, **step)
 
     def count(self, given: Sequence[Judged]) -> Counted:
         """Places on the axis."""
         return Counted(answered=len(given), numbers=tuple(one.value or 0.0 for one in given))
 
-    def written(self, given: Judged) -> str:
+    def written(self, given: Judged, seed: str) -> str:
         return f"{given.value:.6g}"

@@ -59,6 +59,10 @@ class Question(BaseStep, frozen=True, kw_only=True):
         """Sentences that say what is wrong with it in its scene, the field first."""
         raise NotImplementedError
 
+    def doubts(self, subject: Subject) -> Iterator[str]:
+        """Sentences on what is likely to be a slip: `make walk` tells them, and the step works all the same."""
+        return iter(())
+
     def card(self, subject: Subject, **step: Any) -> StepCard:
         """The card of the question, with nothing of what is right."""
         raise NotImplementedError
@@ -97,8 +101,8 @@ class Question(BaseStep, frozen=True, kw_only=True):
         """The answers of a class together."""
         raise NotImplementedError
 
-    def written(self, given: Judged) -> str:
-        """An answer in one cell of a table."""
+    def written(self, given: Judged, seed: str) -> str:
+        """An answer in one cell of a table of the class of this seed."""
         raise NotImplementedError
 
 

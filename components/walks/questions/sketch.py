@@ -108,7 +108,7 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
         having = tuple(sum(each) for each in zip(*(one.has for one in given), strict=True))
         return Counted(answered=len(given), sketches=sketches, having=having)
 
-    def written(self, given: Judged) -> str:
+    def written(self, given: Judged, seed: str) -> str:
         """Heights in thousandths of the frame."""
         return "; ".join(f"{name}: {' '.join(map(_height, curve))}" for name, curve in given.curves.items())
 
