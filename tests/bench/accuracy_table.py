@@ -1,4 +1,4 @@
-"""Worst errors of the chain's physics, family by family, beside the same in plain float64.
+"""Worst errors of the physics of the chain and of one mass, family by family, beside the same in plain float64.
 
     python -m tests.bench.accuracy_table [--samples 100] [--seed 1] [--out build/accuracy]
 
@@ -19,6 +19,7 @@ from random import Random
 import mpmath as mp
 import numpy as np
 
+from tests.bench import one_mass
 from tests.bench.float_chains import METHODS
 from tests.physics.chain_families import FAMILIES
 from tests.physics.chain_truth import WORKING_BITS, Truth, U, ulps, units
@@ -46,7 +47,7 @@ def main() -> None:
         warnings.simplefilter("ignore")  # what the plain forms overflow to is their result
         table = {name: measured(family, options.samples, options.seed) for name, family in FAMILIES.items()}
     options.out.mkdir(parents=True, exist_ok=True)
-    text = markdown(table, options.samples, options.seed)
+    text = markdown(table, options.samples, options.seed) + one_mass.table(options.samples, options.seed)
     (options.out / "accuracy.md").write_text(text)
     write_csv(table, options.out / "accuracy.csv")
     print(text)

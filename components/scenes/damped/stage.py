@@ -68,8 +68,8 @@ def block() -> list[Shape]:
             WIDE * 2 + NARROW * 0.58 * W, WIDE * 16 + NARROW * 0.28 * H, "*x* = {x} {x_unit}", "start", tint="m1",
             style="t2 b halo",
         ),
-        text(2, foot + 28, "smooth table,", "start", tint="mute", style="halo", show="wide"),
-        text(2, foot + 44, "seen from above", "start", tint="mute", style="halo", show="wide"),
+        text(2, foot + 28, "smooth table,", "start", tint="mute", style="halo", show="wide desk"),
+        text(2, foot + 44, "seen from above", "start", tint="mute", style="halo", show="wide desk"),
     ]  # fmt: skip
 
 
@@ -109,12 +109,11 @@ def stairs() -> tuple[Shape, ...]:
         x, y = on_x("x", var(f"peak_{i}_t")), on_y("x", var(f"peak_{i}_x"))
         shapes.append(circle(x, y, 3.5, tint="m1", show=f"peak_{i}"))
     first, second = ((on_x("x", var(f"peak_{n}_t")), on_y("x", var(f"peak_{n}_x"))) for n in (0, 1))
-    middle = (first[0] + second[0]) * 0.5
     shapes += shown_by(
         "stair_0",
         text(first[0] + 8, first[1] - 11.5 * var("over") + 4.5, "*x*_1", "start", tint="m1", style="t2 b halo"),
         text(second[0], second[1] + 16 * var("over") + 4.5, "*x*_2", tint="m1", style="t2 b halo"),
-        text(middle + 10, first[1] - 11.5 * var("over") + 4.5, "*τ*_d = {tau_d} s", style="b halo"),
+        text(first[0] + 28, first[1] - 11.5 * var("over") + 4.5, "*τ*_d {tau_d} s", "start", style="b halo"),
     )
     return (*shapes, *_fastest("x"))
 

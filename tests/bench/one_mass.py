@@ -1,0 +1,96 @@
+"""Worst errors of the physics of one damped mass, family by family, beside the textbook's formulas in plain float64.
+
+`python -m tests.bench.accuracy_table` prints it after the chain's: the slower root and |X| in ulp, motions
+free and driven in u = 2^-53 of what both parts together could be.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator
+from random import Random
+
+import mpmath as mp
+import numpy as np
+
+from physics.damped import DampedOscillator
+from physics.driven import DrivenOscillator
+from physics.reference_damped import damped_points, driven_points
+from tests.physics.chain_truth import U, ulps
+
+Uniform = Callable[[float, float], float]
+FAMILIES: dict[str, Callable[[Random], tuple[float, float]]] = {
+    "zeta from 0 to 2": lambda random: (random.uniform(0, 2), random.uniform(0.1, 3)),
+    "zeta 1 +- 1e-16 to 1e-2": lambda random: (1 + _near(random, 16, 2), random.uniform(0.1, 3)),
+    "zeta from 1e-12, at resonance": lambda random: (10 ** random.uniform(-12, -1), 1 + _near(random, 17, 2)),
+    "no dashpot, at resonance": lambda random: (0.0, 1 + _near(random, 16, 2)),
+    "zeta to 1e12": lambda random: (10 ** random.uniform(0, 12), 10 ** random.uniform(-3, 3)),
+}
+QUANTITIES = ("slower root, ulp", "size of the swing, ulp", "free motion, u", "driven motion, u")
+DIED_OUT = 1e-250
+"""What is left of a motion counts as nothing below."""
+METHODS = ("this project", "textbook, float64")
+
+
+def _near(random: Random, most: float, least: float) -> float:
+    return random.choice([1, -1]) * 10 ** random.uniform(-most, -least)
+
+
+def table(samples: int, seed: int) -> str:
+    """The worst errors as a table in Markdown."""
+    lines = ["", f"# Accuracy of one damped mass\n\n{samples} of each family, seed {seed}.", ""]
+    lines += ["| family | method | " + " | ".join(QUANTITIES) + " |", "|---" * (len(QUANTITIES) + 2) + "|"]
+    for family, draw in FAMILIES.items():
+        random = Random(seed)
+        worst = {method: dict.fromkeys(QUANTITIES, 0.0) for method in METHODS}
+        for _ in range(samples):
+            for method, quantity, error in measured(*draw(random), random):
+                worst[method][quantity] = max(worst[method][quantity], error)
+        for method, found in worst.items():
+            lines.append(f"| {family} | {method} | " + " | ".join(map(_shown, found.values())) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def _shown(error: float) -> str:
+    return "no digit" if not error < 2.0**53 else f"{error:.2f}" if error < 100 else f"{error:.0e}"
+
+
+def measured(zeta: float, r: float, random: Random) -> Iterator[tuple[str, str, float]]:
+    """The errors of one oscillator, m = k = 1, with the drive at r."""
+    c, x_0, v_0, t = 2 * zeta, random.uniform(-1, 1), random.uniform(-1, 1), 10 ** random.uniform(-3, 3)
+    one = DrivenOscillator(m=1.0, c=c, k=1.0)
+    free = DampedOscillator(m=1.0, c=c, k=1.0)
+    at = damped_points(free, x_0, v_0, [t])["x"][0]
+    driven_at = driven_points(one, r, 1.0, "force", x_0, v_0, [t])["x"][0]
+    with mp.workdps(60):
+        C, w = mp.mpf(c), mp.mpf(r)
+        root = mp.re((C - mp.sqrt(C * C - 4)) / 2)
+        X = 1 / mp.mpc(1 - w * w, C * w)
+        motions = free.motion(x_0, v_0, [t]).x[0], one.motion(r, 1.0, x_0, v_0, [t]).x[0]
+        ours = free.rates[0], abs(one.response(r)), *motions
+        for method, found in zip(METHODS, (ours, textbook(c, r, x_0, v_0, t)), strict=True):
+            yield method, QUANTITIES[0], ulps(found[0], root) if root else 0.0
+            yield method, QUANTITIES[1], ulps(found[1], abs(X)) if math.isfinite(found[1]) else math.inf
+            for quantity, value, point in zip(QUANTITIES[2:], found[2:], (at, driven_at), strict=True):
+                if point.size < DIED_OUT:
+                    continue
+                size = mp.mpf(str(point.size)) * U
+                yield method, quantity, float(abs(mp.mpf(float(value)) - mp.mpf(str(point.value))) / size)
+
+
+def textbook(c: float, r: float, x_0: float, v_0: float, t: float) -> tuple[float, float, float, float]:
+    """Slower root, |X|, free and driven motion by the formulas of a textbook as they stand."""
+    try:
+        with np.errstate(all="ignore"):
+            root = cmath.sqrt(c * c - 4)
+            p, q = (-c + root) / 2, (-c - root) / 2
+            X = 1 / complex(1 - r * r, c * r)
+
+            def free(x: float, v: float) -> float:
+                return float((((v - q * x) * cmath.exp(p * t) - (v - p * x) * cmath.exp(q * t)) / (p - q)).real)
+
+            moved = free(x_0 - X.imag, v_0 - r * X.real) + (X * cmath.exp(1j * r * t)).imag
+            return -p.real, abs(X), free(x_0, v_0), moved
+    except (ZeroDivisionError, OverflowError):
+        return math.inf, math.inf, math.inf, math.inf
