@@ -244,7 +244,7 @@ declare namespace page {
    * shown in another order unless they are `fixed`, `unit` is that of a number; `plot` is where a point is marked or a
    * sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and `frame` the axes x and y of a sketch
    * that a class shares. `opens` is the state that the question is asked of, `reveals` the one of the answer, where the
-   * parameters in `controls` may be moved. */
+   * parameters in `controls` may be moved. The `core` steps make a shorter walk. */
   interface StepCard {
     id: string
     kind: string
@@ -253,6 +253,7 @@ declare namespace page {
     given: Html
     question: Html
     minutes: number
+    core: boolean
     opens: State
     reveals: State
     controls: string[]
@@ -265,11 +266,12 @@ declare namespace page {
     frame: [Ruler, Ruler] | null
   }
 
-  /** A walk from its first step to its last. */
+  /** A walk from its first step to its last, and the sentences on what it has shown. */
   interface WalkSheet {
     name: string
     title: string
     steps: StepCard[]
+    end: Html[]
   }
 
   /** The verdict on one answer of a choice: its sentence, and the state in which it would be right, if any. */

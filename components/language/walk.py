@@ -18,7 +18,7 @@ class StepCard(Struct, frozen=True, kw_only=True):
     shown in another order unless they are `fixed`, `unit` is that of a number; `plot` is where a point is marked or a
     sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and `frame` the axes x and y of a sketch
     that a class shares. `opens` is the state that the question is asked of, `reveals` the one of the answer, where the
-    parameters in `controls` may be moved.
+    parameters in `controls` may be moved. The `core` steps make a shorter walk.
     """
 
     id: str
@@ -28,6 +28,7 @@ class StepCard(Struct, frozen=True, kw_only=True):
     given: Html
     question: Html
     minutes: float
+    core: bool = False
     opens: State
     reveals: State
     controls: tuple[str, ...]
@@ -41,11 +42,12 @@ class StepCard(Struct, frozen=True, kw_only=True):
 
 
 class WalkSheet(Struct, frozen=True, kw_only=True):
-    """A walk from its first step to its last."""
+    """A walk from its first step to its last, and the sentences on what it has shown."""
 
     name: str
     title: str
     steps: tuple[StepCard, ...]
+    end: tuple[Html, ...] = ()
 
 
 class Verdict(Struct, frozen=True, kw_only=True):

@@ -19,9 +19,8 @@ ASKS = re.compile(r"[?？]$|^(Sketch|Mark)\b")
 
 
 def walk_sheet(walk: Walk, scenes: Scenes) -> WalkSheet:
-    return WalkSheet(
-        name=walk.name, title=walk.title, steps=tuple(step_card(walk.name, step, scenes) for step in walk.steps)
-    )
+    steps = tuple(step_card(walk.name, step, scenes) for step in walk.steps)
+    return WalkSheet(name=walk.name, title=walk.title, steps=steps, end=tuple(map(rich, walk.end)))
 
 
 def walk_file(walk: Walk, scenes: Scenes) -> tuple[str, bytes]:
@@ -42,6 +41,7 @@ def step_card(walk: str, step: Step, scenes: Scenes) -> StepCard:
         given=rich(given),
         question=rich(question),
         minutes=step.planned,
+        core=step.core,
         opens=opens,
         reveals=answer_state(walk, step, scenes),
         controls=step.controls,

@@ -23,6 +23,8 @@ MOST_WORDS = 60
 
 def problems(walk: Walk, scenes: Scenes) -> Iterator[str]:
     """The problems of a walk: sentences that name its step and field."""
+    for i, sentence in enumerate(walk.end):
+        yield from (f"{walk.name}, {problem}" for problem in refused(f"end[{i}]", partial(rich, sentence)))
     for i, step in enumerate(walk.steps, 1):
         for problem in _of_step(step, Subject(walk.name, step, scenes)):
             yield f"{walk.name}, step {i} ({step.id}), {problem}"

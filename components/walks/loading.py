@@ -19,6 +19,7 @@ ORDER = ("d31", "d34", "tour")
 LARGEST = 48_000
 """Bytes of a file."""
 MOST_STEPS = MOST_LINKS = 60
+MOST_AT_END = 5
 PLACE = re.compile(r"^(?P<what>.*?) - at `\$\.?(?P<field>.*?)`$")
 DEEP = re.compile(r"""^[ \t\[{]*(?:[\w"'-]+[ \t]*\.[ \t]*){8}""", re.MULTILINE)
 """A dotted key takes the square of its length to be read."""
@@ -47,11 +48,13 @@ def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
         data = tomllib.loads(text)
     except (tomllib.TOMLDecodeError, RecursionError) as error:
         raise WalkError(f"{name}: this is not TOML: {error}.") from error
-    title, entries = data.pop("title", None), data.pop("step", None)
+    title, entries, end = data.pop("title", None), data.pop("step", None), data.pop("end", [])
     if data:
-        raise WalkError(f"{name}: “{excerpt(next(iter(data)))}” is no field of a walk; title and step are.")
+        raise WalkError(f"{name}: “{excerpt(next(iter(data)))}” is no field of a walk; title, end and step are.")
     if not isinstance(title, str) or not title:
         raise WalkError(f'{name}: the title is missing: title = "..." in the file\'s first line.')
+    if not (isinstance(end, list) and len(end) <= MOST_AT_END and all(isinstance(one, str) for one in end)):
+        raise WalkError(f"{name}: end has at most {MOST_AT_END} sentences.")
     if not isinstance(entries, list) or not 1 <= len(entries) <= MOST_STEPS:
         raise WalkError(f"{name}: a walk has 1 to {MOST_STEPS} steps, each under [[step]].")
     steps = tuple(_step(entry, f"{name}, step {i}", known or {}) for i, entry in enumerate(entries, 1))
@@ -60,7 +63,7 @@ def read_walk(text: str, name: str, known: KnownSteps | None = None) -> Walk:
     for i, step in enumerate(steps):
         if step.id in {before.id for before in steps[:i]}:
             raise WalkError(f"{name}, step {i + 1}: the id “{step.id}” was given to a step before.")
-    return Walk(name=name, title=title, steps=steps)
+    return Walk(name=name, title=title, steps=steps, end=tuple(end))
 
 
 def _step(entry: Any, where: str, known: KnownSteps) -> Step:

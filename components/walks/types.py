@@ -24,7 +24,8 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
 
     `state` and `reveal` are links: what is shown with the question and, where that is something else, with the answer.
     `still` is what stays covered after it, for a later step that asks for it. `controls` are the parameters that may be
-    moved after the answer, `next` says what to try with the first of them.
+    moved after the answer, `next` says what to try with the first of them. The `core` steps of a walk make a shorter
+    one.
     """
 
     id: Slug
@@ -40,6 +41,7 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     still: tuple[str, ...] = ()
     controls: Annotated[tuple[str, ...], Meta(max_length=3)] = ()
     minutes: float | None = None
+    core: bool = False
 
     @property
     def shown(self) -> str:

@@ -10,16 +10,18 @@ from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.number import NumberStep
 from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
+from components.walks.types import Sentence
 
 Step: TypeAlias = ChoiceStep | NumberStep | PointStep | SketchStep
 
 
 class Walk(Struct, frozen=True, kw_only=True):
-    """Steps in their order, under the name by which a link asks for them."""
+    """Steps in their order, under the name by which a link asks for them, and the sentences that say what they were."""
 
     name: str
     title: str
     steps: tuple[Step, ...]
+    end: tuple[Sentence, ...] = ()
 
     def place(self, asked: str) -> int | None:
         """The place of a step by its id, or by its number from 1 on."""

@@ -1,6 +1,6 @@
 // A number to type; a class's answers are dots on a line of their own.
 
-import {element} from "../core/dom.js"
+import {button, element} from "../core/dom.js"
 import {Dots} from "./dots.js"
 import {answerIn, labelled, text} from "./fields.js"
 import {Question, mark} from "./question.js"
@@ -25,12 +25,23 @@ export class Numeric extends Question {
     "div",
     {class: "question"},
     element("label", {class: "number"}, this.field, element("span", {}, this.step.unit), this.yours),
+    button({class: "chip sign", "aria-label": "Change the sign"}, () => this.#turn(), "±"),
   )
+
+  /** A phone's keyboard of numbers may have no minus. */
+  #turn() {
+    const {value} = this.field
+    if (this.field.readOnly) return
+    this.field.value = /^\s*[-−]/.test(value) ? value.replace(/^\s*[-−]/, "") : `−${value.trim()}`
+    this.field.focus()
+    this.changed()
+  }
 
   #field() {
     const field = element("input", {
       name: "answer",
       autocomplete: "off",
+      inputmode: "decimal",
       maxlength: LONGEST,
       "aria-label": "Your answer",
     })

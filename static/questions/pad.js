@@ -1,5 +1,5 @@
 // Empty axes to draw on, with mouse, pen, finger or keys: one height for each abscissa, so that drawing over a part
-// replaces it. What leaves the frame is kept; gaps stay gaps.
+// replaces it. What leaves the frame runs along its edge; gaps stay gaps.
 
 import {element, inUnits, long, set, svg, unitSize} from "../core/dom.js"
 import {short} from "../core/numbers.js"
@@ -7,7 +7,7 @@ import {toPlace, toSI} from "../core/ruler.js"
 import {mark} from "./question.js"
 
 const COLUMNS = 200 // across the frame
-const SLACK = 12 // units around the frame that a hand may go to
+const SLACK = 12 // units around the frame in which a hand is felt
 const STEP = 0.02 // of the frame, by an arrow key with Shift
 const SENT = 101 // heights of a curve, as it is sent: components/language/messages.py
 
@@ -99,7 +99,8 @@ export class Pad {
     const box = this.plot.host.getBoundingClientRect()
     const share = (this.plot.valueAt(event) - this.span.start) / (this.span.end - this.span.start)
     const column = Math.round(Math.min(Math.max(share, 0), 1) * COLUMNS)
-    const y = Math.min(Math.max((event.clientY - box.top) / unitSize(), top - SLACK), top + height + SLACK)
+    if (this.last === column && (share < 0 || share > 1)) return // beside the frame its edge stays as it was drawn
+    const y = Math.min(Math.max((event.clientY - box.top) / unitSize(), top), top + height)
     this.#reach(column, this.plot.y.end - ((y - top) / height) * (this.plot.y.end - this.plot.y.start))
   }
 
@@ -130,7 +131,8 @@ export class Pad {
     if (!move) this.pen.down = !this.pen.down
     const [right = 0, up = 0] = move ?? []
     const column = Math.min(Math.max(this.pen.column + right * size, 0), COLUMNS)
-    const height = this.pen.height + (up * size * STEP * (end - start)) / 2
+    const above = this.pen.height + (up * size * STEP * (end - start)) / 2
+    const height = Math.min(Math.max(above, Math.min(start, end)), Math.max(start, end))
     this.last = this.pen.down && move ? this.pen.column : null
     Object.assign(this.pen, {column, height})
     if (this.pen.down) this.#reach(column, height)

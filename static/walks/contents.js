@@ -22,9 +22,14 @@ export class Contents {
     })
   }
 
-  async open() {
+  isOver = false
+
+  /** @param {boolean} isOver */
+  async open(isOver) {
     const {walks} = this.walk
-    this.sheets = await Promise.all(walks.names.map(name => walks.sheet(name)))
+    this.isOver = isOver
+    const names = [...walks.own.keys(), ...walks.menu.names] // one's own first
+    this.sheets = await Promise.all(names.map(name => walks.sheet(name)))
     this.#fill()
     if (!this.element.open) this.element.showModal()
   }
@@ -37,31 +42,59 @@ export class Contents {
     const {sheets} = this
     const close = chip("Close", () => this.close())
     const head = element("header", {}, element("h1", {}, "Steps of this lecture"), close)
-    const hint = element("p", {class: "hint"}, "The number before a step is its slide, or its page of the notes.")
     const columns = element("div", {class: "columns"}, ...sheets.map(sheet => this.#column(sheet)))
     const tools = [chip("Save as text", () => this.#export(sheets)), chip("Delete my answers", () => this.#clear())]
-    this.element.replaceChildren(head, hint, columns, element("div", {class: "tools"}, ...tools))
+    this.element.replaceChildren(
+      head,
+      ...this.#end(),
+      ...this.#core(),
+      columns,
+      element("div", {class: "tools"}, ...tools),
+    )
+  }
+
+  /** After the last step: the walk in a few sentences. */
+  #end() {
+    const {end} = this.walk.sheet
+    if (!this.isOver || !end.length) return []
+    return [element("ol", {class: "end"}, ...end.map(html => marked("li", {}, html)))]
+  }
+
+  /** The choice of a shorter walk, where this one has it. */
+  #core() {
+    const {walk} = this
+    const core = walk.sheet.steps.filter(step => step.core)
+    if (!core.length) return []
+    const words = `Core steps alone: ${core.length}, ${minutes(core)}`
+    const choose = () => {
+      walk.shorten(!walk.isShort)
+      this.#fill()
+    }
+    return [chip(words, choose, {"aria-pressed": String(walk.isShort)})]
   }
 
   /** @param {page.WalkSheet} sheet */
   #column(sheet) {
     const rows = sheet.steps.map((step, i) => this.#row(sheet, step, i))
-    return element("section", {}, element("h2", {}, sheet.title), element("ol", {}, ...rows))
+    const title = element("h2", {}, `${sheet.title}, ${minutes(sheet.steps)}`)
+    return element("section", {}, title, element("ol", {}, ...rows))
   }
 
   /** @param {page.WalkSheet} sheet @param {page.StepCard} step @param {number} i */
   #row(sheet, step, i) {
     const kept = this.walk.answers.of(step.id)
-    const said = kept ? `${step.scene}, your answer: ${kept.said}` : `${step.scene}, ${step.minutes} minutes`
-    const claim = marked("span", {class: "claim"}, kept ? kept.title : step.question)
-    const slide = element("span", {class: "slide"}, step.place.replace(/^\S+ slide |^\S+ notes /, ""))
-    const parts = [slide, claim, element("span", {class: "said"}, said), ...(kept ? [mark(kept.right)] : [])]
+    const where = [step.place, step.scene].filter(Boolean).join(", ")
+    const said = kept ? `${where}, your answer: ${kept.said}` : `${where}, ${minutes([step])}`
+    const claim = marked("span", {class: "claim"}, kept ? kept.title : `${step.given} ${step.question}`.trim())
+    const number = element("span", {class: "number-of-step"}, String(i + 1))
+    const parts = [number, claim, element("span", {class: "said"}, said), ...(kept ? [mark(kept.right)] : [])]
     const go = () => {
       this.close()
       this.walk.walks.enter(sheet.name, i)
     }
     const row = button({}, go, ...parts)
     const isHere = sheet === this.walk.sheet && i === this.walk.place
+    if (sheet === this.walk.sheet && !this.walk.steps.includes(step)) row.classList.add("left-out")
     if (isHere) row.setAttribute("aria-current", "step")
     return element("li", {}, row)
   }
@@ -75,4 +108,10 @@ export class Contents {
   #export(sheets) {
     save("answers.txt", this.walk.answers.text(sheets), "text/plain")
   }
+}
+
+/** @param {page.StepCard[]} steps */
+function minutes(steps) {
+  const sum = steps.reduce((all, step) => all + step.minutes, 0)
+  return `${sum} ${sum === 1 ? "minute" : "minutes"}`
 }

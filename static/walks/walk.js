@@ -4,7 +4,10 @@ import {answered, forgetAnswered, keepAnswered} from "./answered.js"
 import {Answers} from "./answers.js"
 import {ANSWER_FIRST, Card} from "./card.js"
 import {Contents} from "./contents.js"
+import {tabStorage} from "../core/storage.js"
 import {ownSeed} from "./seed.js"
+
+const SHORT = "core-steps"
 
 export class Walk {
   /** @type {number} of the step */
@@ -44,9 +47,36 @@ export class Walk {
     return this.sheet.steps[this.place]
   }
 
+  /** The steps that are walked: all, or where that was chosen the core alone. */
+  get steps() {
+    const {steps} = this.sheet
+    const core = this.isShort ? steps.filter(step => step.core) : []
+    return core.length ? core : steps
+  }
+
+  isShort = Boolean(tabStorage.value(SHORT))
+
+  /** @param {boolean} isShort */
+  shorten(isShort) {
+    this.isShort = isShort
+    tabStorage.keep(SHORT, isShort)
+  }
+
   /** Its place in the lecture and in the walk. */
   get where() {
-    return [this.step.place, `${this.place + 1} of ${this.sheet.steps.length}`].filter(Boolean).join(" · ")
+    const {steps} = this
+    const [n, all] = steps.includes(this.step)
+      ? [steps.indexOf(this.step), steps.length]
+      : [this.place, this.sheet.steps.length]
+    return [this.step.place, `${n + 1} of ${all}`].filter(Boolean).join(" · ")
+  }
+
+  /** The place of the next step that is walked, or of the one before. @param {1 | -1} way */
+  #towards(way) {
+    const {steps} = this.sheet
+    let place = this.place + way
+    while (steps[place] && !this.steps.includes(steps[place])) place += way
+    return place
   }
 
   /** To a step, which opens covered and at t = 0. @param {number} place */
@@ -146,12 +176,13 @@ export class Walk {
   }
 
   next() {
-    if (this.place + 1 < this.sheet.steps.length) this.go(this.place + 1)
-    else this.open()
+    const place = this.#towards(1)
+    if (place < this.sheet.steps.length) this.go(place)
+    else this.open(true)
   }
 
   back() {
-    this.go(this.place - 1)
+    this.go(this.#towards(-1))
   }
 
   /** @param {page.Taught} told */
@@ -170,10 +201,10 @@ export class Walk {
     this.lecture.line.send({type: "open", state, keeps: true}, {start: true, deed: `reveal ${step}`})
   }
 
-  /** The contents of all walks. */
-  open() {
+  /** The contents of all walks; after the last step with what this one has shown. @param {boolean} [isOver] */
+  open(isOver = false) {
     this.contents ??= new Contents(this)
-    this.contents.open()
+    this.contents.open(isOver)
   }
 
   leave() {

@@ -21,7 +21,7 @@ BLOCKED = "Object.defineProperty(window, 'localStorage', {get() { throw new DOME
 
 @pytest.fixture
 def walk(server: Server, new_page: Callable[..., Page]) -> Callable[..., Page]:
-    def open_step(step: str, init: str = "", **options: int) -> Page:
+    def open_step(step: str, init: str = "", **options: int | bool) -> Page:
         page = new_page(fresh=bool(init), **options)
         if init:
             page.add_init_script(init)
@@ -34,7 +34,7 @@ def walk(server: Server, new_page: Callable[..., Page]) -> Callable[..., Page]:
 
 def show(page: Page) -> None:
     page.get_by_role("button", name="Show the answer", exact=True).click()
-    page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
+    page.wait_for_function(TAUGHT)
 
 
 def arrived(page: Page, step: str) -> None:
@@ -221,6 +221,42 @@ def test_two_curves_are_drawn_one_after_the_other(walk: Callable[..., Page]) -> 
     sketch(page, lambda share: 0.45 * (1 - math.cos(12 * math.pi * share)))
     show(page)
     assert page.evaluate("oscillations.walks.walk.lesson.right") is True
+
+
+def test_the_core_of_a_walk_is_a_shorter_one(walk: Callable[..., Page]) -> None:
+    page = walk("d34-02")
+    page.get_by_role("button", name="Contents", exact=True).click()
+    core = page.get_by_role("button", name="Core steps alone: 6, 16 minutes")
+    core.click()
+    expect(core).to_have_attribute("aria-pressed", "true")
+    row = page.locator(".contents li:has([aria-current])")
+    expect(row).to_contain_text("2")
+    page.get_by_role("dialog").get_by_role("button", name="Close").click()
+    page.evaluate("oscillations.walks.walk.next()")
+    arrived(page, "d34-08")
+    expect(page.locator(".card-head")).to_contain_text("2 of 6")
+    page.evaluate("oscillations.walks.walk.go(15)")
+    arrived(page, "d34-16")
+    page.evaluate("oscillations.walks.walk.next()")
+    expect(page.locator(".contents .end li")).to_have_count(5)
+
+
+def test_a_phone_has_a_key_for_the_sign(walk: Callable[..., Page]) -> None:
+    page = walk("d34-01", width=390, height=844, has_touch=True, is_mobile=True)
+    field = page.get_by_label("Your answer")
+    field.fill("4")
+    sign = page.get_by_role("button", name="Change the sign")
+    sign.click()
+    expect(field).to_have_value("−4")
+    show(page)
+    expect(page.get_by_role("img", name="right")).to_be_visible()
+
+
+def test_a_sketch_stays_in_its_plot(walk: Callable[..., Page]) -> None:
+    page = walk("d31-15")
+    sketch(page, lambda x: 0.5 + 2 * math.sin(9 * x))
+    heights = page.evaluate("oscillations.walks.walk.card.question.pad.sent.h")
+    assert min(heights) >= 0 and max(heights) <= 1000
 
 
 NAMED = """oscillations.walks.walk.step.controls.filter(name => {

@@ -14,6 +14,7 @@ from components.language.messages import Given
 from components.layout.text import rich
 from components.quantities.numbers import three
 from components.scenes import SCENES
+from components.walks.cards import walk_sheet
 from components.walks.checking import problems, shortcomings
 from components.walks.features import Period
 from components.walks.links import standing_at
@@ -64,6 +65,13 @@ def test_every_slide_has_its_step() -> None:
     assert [len(WALKS[name].steps) for name in ("d31", "d34", "tour")] == [16, 16, 5]
     assert [step.id for step in WALKS["d34"].steps] == [f"d34-{i:02}" for i in range(1, 17)]
     assert sum(step.planned for step in WALKS["tour"].steps) == 10
+
+
+def test_a_lecture_has_a_shorter_walk_and_ends_in_five_sentences() -> None:
+    assert [step.id[-2:] for step in WALKS["d34"].steps if step.core] == ["02", "08", "10", "12", "14", "16"]
+    for name in ("d31", "d34"):
+        assert len(WALKS[name].end) == 5 and all(words(sentence) <= 30 for sentence in WALKS[name].end)
+    assert walk_sheet(WALKS["d34"], SCENES).end[1].startswith("In the slow mode")
 
 
 def words(text: str) -> int:

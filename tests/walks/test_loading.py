@@ -69,7 +69,7 @@ def test_a_good_walk_is_read_and_has_no_problems() -> None:
         ('explain = "Both', 'explian = "Both', "mine, step 1 (first), its fields: object"),
         ("right = true", "right = 1", "mine, step 1 (first), options[0].right: expected `bool`, got `int`."),
         ('"k2"]', '"a", "b", "c", "k2"]', "mine, step 1 (first), controls: expected `array` of length <= 3."),
-        ("[[step]]", "[[stepp]]", "mine: “stepp” is no field of a walk; title and step are."),
+        ("[[step]]", "[[stepp]]", "mine: “stepp” is no field of a walk; title, end and step are."),
         ('title = "A walk of one\'s own"', "", "mine: the title is missing"),
         ("id =", "id ==", "mine: this is not TOML: "),
         ('id = "first"', 'from = "d31-99"', "mine, step 1, from: “d31-99” is no step that is known."),
@@ -220,6 +220,13 @@ def test_an_answer_is_a_quantity_of_the_scene() -> None:
 def test_an_answer_has_a_number_and_a_tolerance(given: str, says: str) -> None:
     with pytest.raises(WalkError, match=says):
         read_walk(ENERGY.replace('of = "tau", unit = "s", tol = 0.1', given), "mine")
+
+
+def test_a_walk_ends_in_a_few_sentences() -> None:
+    assert read_walk(f'end = ["So it is."]\n{ENERGY}', "mine").end == ("So it is.",)
+    for end in ('"one"', "[1]", '["a", "b", "c", "d", "e", "f"]'):
+        with pytest.raises(WalkError, match="mine: end has at most 5 sentences"):
+            read_walk(f"end = {end}\n{ENERGY}", "mine")
 
 
 def test_what_stays_covered_was_covered() -> None:
