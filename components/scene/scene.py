@@ -214,6 +214,8 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
 
         return PanelFace(self)
 
+    __panel__ = panel
+
     def _repr_mimebundle_(self, include: Any = None, exclude: Any = None) -> Any:
         """The scene in a notebook, once `panel.extension()` is loaded."""
         return self.panel()._repr_mimebundle_(include, exclude)

@@ -213,9 +213,8 @@ def test_a_scene_displays_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None
     assert "text/html" in bundle
 
 
-def test_panel_takes_it_as_any_object() -> None:
-    face = SCENES["oscillator"]().panel()
-    root: Any = pn.Column(face).get_root()
+def test_panel_takes_a_scene_as_any_object() -> None:
+    root: Any = pn.Column(SCENES["oscillator"]()).get_root()
     assert [model for model in root.references() if type(model).__name__ == "TextInput"]
 
 
