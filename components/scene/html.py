@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from components.language.blocks import TableBlock, WordsBlock
 from components.language.plots import Term
 from components.language.text import Html
+from components.layout.text import rich
 from components.quantities.motion import starts
 from components.quantities.numbers import MINUS
 from components.scene.picture import Picture
@@ -46,4 +47,5 @@ def table(block: TableBlock, forms: Mapping[str, str]) -> Html:
 
 def notes(picture: Picture) -> Html:
     """The sentences about a picture; the first of a stage that is not drawn to scale is about that alone."""
-    return " ".join(picture.notes[picture.scale not in (None, 1.0) :])
+    still = ("Numbers that move are those at *t* = 0.",) if picture.live else ()
+    return rich(" ".join((*still, *picture.notes[picture.scale not in (None, 1.0) :])))

@@ -21,13 +21,14 @@ from playwright.sync_api import Browser, Page, expect
 from tests.browser.fixtures import READY
 from tests.serving.server import ROOT, Server, free_port, serving
 
-pytestmark = pytest.mark.browser
+pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 
 PAGE = (ROOT / "docs" / "embedding.md").read_text(encoding="utf-8")
 FRAME, LISTENER, SLIDE = re.findall(r"```html\n(.*?)```", PAGE, re.S)
 (HUB,) = re.findall(r"```python\n(.*?)```", PAGE, re.S)
 REVEAL = (Path(panel.__file__).parent / "dist" / "bundled" / "reveal.js@4.5.0" / "dist" / "reveal.min.js").read_text()
-PATIENCE = 90.0
+PATIENCE = 240.0
+"""Seconds in which a busy machine starts Jupyter, and this the lecture."""
 CONNECTED = "document.documentElement.dataset.connected === 'true'"
 
 
@@ -93,7 +94,9 @@ def test_a_slide_shows_a_scene_for_the_last_row(framed: Server, opened: Callable
         page.wait_for_function("Reveal.isReady()")
         page.evaluate("Reveal.next()")
         page.wait_for_function("document.querySelector('.backgrounds iframe[src]')")
-        (frame,) = [one for one in page.frames if one.url.startswith(framed.url)]
+        frame = page.locator(".backgrounds iframe").element_handle().content_frame()
+        assert frame
+        frame.wait_for_url(f"{framed.url}**")
         frame.wait_for_function(READY)
         assert frame.evaluate("[oscillations.shown.scene, location.search]") == ["forced", "?scene=forced&projector"]
 
@@ -104,6 +107,7 @@ def hub(folder: Path, named: bool) -> Iterator[str]:
     port = free_port()
     config = HUB.replace('"python"', repr(sys.executable)).replace("/srv/oscillations", str(ROOT))
     config = config.replace("hub.example:8000", f"localhost:{port},hub.example:{port}" if named else "")
+    config = config.replace('"timeout": 60', f'"timeout": {PATIENCE:g}')
     more = "c.ServerApp.token = c.IdentityProvider.token = ''\nc.ServerApp.allow_remote_access = True\n"
     (folder / "jupyter_server_config.py").write_text(config + more)
     command = [sys.executable, "-m", "jupyter_server", "--no-browser", "--allow-root", f"--port={port}"]

@@ -9,6 +9,10 @@ from typing import Any
 import numpy as np
 import panel as pn
 import pytest
+from bokeh.document import Document
+from bokeh.document.events import ColumnDataChangedEvent
+from panel.io import notebook
+from pyviz_comms import Comm
 
 from components.language.controls import SliderRow
 from components.panel_face.face import PanelFace
@@ -189,6 +193,7 @@ def test_a_sentence_about_the_stage_is_left_to_the_stage() -> None:
     scene = SCENES["coupled"](k2=3.0)
     assert any("times as large" in note for note in scene.shown.notes)
     assert not any("times as large" in str(pane.object) for pane, _ in scene.panel()._texts)
+    assert any("Numbers that move are those at" in str(pane.object) for pane, _ in scene.panel()._texts)
     scene.set({"k2": 1e6})
     assert any("too fast for a line" in str(pane.object) for pane, _ in scene.panel()._texts)
 
@@ -211,6 +216,16 @@ def test_a_scene_displays_in_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None
     monkeypatch.setattr(pn.config, "comms", "default")
     bundle, _ = SCENES["oscillator"]()._repr_mimebundle_()
     assert "text/html" in bundle
+
+
+def test_a_change_is_pushed_to_the_page_of_a_notebook(monkeypatch: pytest.MonkeyPatch) -> None:
+    face, document, pushed = SCENES["coupled"]().panel(), Document(), []
+    face.__panel__()._render_model(document, Comm())
+    document.hold()  # as Panel does for a notebook, which sends what is held
+    monkeypatch.setattr(notebook, "push", lambda document, *_: pushed.extend(document.callbacks._held_events))
+    face.widgets["k2"].value = "5"
+    changed = {event.model for event in pushed if isinstance(event, ColumnDataChangedEvent)}
+    assert changed >= {renderer.data_source for renderer in face.figures["x1"].parts}
 
 
 def test_panel_takes_a_scene_as_any_object() -> None:
