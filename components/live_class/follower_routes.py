@@ -16,7 +16,7 @@ from components.live_class.codes import as_code, is_key
 from components.live_class.context import ClassContext
 from components.live_class.handler import ClassHandler
 from components.live_class.room import LEADERS, ClassRoom, RoomListener, as_event, name_of
-from components.serving.handlers import RefusedError
+from components.serving.handlers import LectureHandler, RefusedError
 from components.serving.visitors import network_of
 
 MOST_FOLLOWERS = 5000
@@ -27,6 +27,7 @@ all that may be guessed in 4 hours, while a class that mistypes comes in."""
 ALL_MISSES = 3000
 """Wrong codes from all networks: who has many of them finds a class in half an hour at best, and may only follow it."""
 TOO_MANY = "Many wrong codes were typed. The QR code opens the class at once, the right code within a minute."
+NO_CODE = "This is no code of a class. A code has four letters and digits, none of them 0, 1, I, L, O or Q."
 MINUTE = 60.0
 BUFFER = 2**14
 """Bytes that the system may hold back for who reads slowly, some of which it doubles: a few updates."""
@@ -51,6 +52,19 @@ class Follower(ClassHandler):
     def after(self) -> str:
         """The number of the state that a page knows."""
         return self.get_query_argument("after", "")
+
+
+class Typed(LectureHandler):
+    """The handler of the address that takes a code, as lecture.example/EUW5: on to the page of the class."""
+
+    def get(self, typed: str, slash: str) -> None:
+        code = as_code(typed)
+        if not code:
+            raise RefusedError(404, NO_CODE)
+        query = f"&{self.request.query}" if self.request.query else ""
+        self.redirect(f"{'../' if slash else './'}?class={code}{query}")  # relative: a proxy may serve it under a path
+
+    head = get
 
 
 class Enter(ClassHandler):

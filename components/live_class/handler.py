@@ -81,14 +81,14 @@ class ClassHandler(VisitorHandler):
         self.limit(f"lead {room.code}")
         return room
 
-    def address(self, query: str) -> str:
-        """The address where the class, or a remote control, comes in."""
+    def address(self, path: str) -> str:
+        """The address where the class, or a remote control, comes in, by its path below the lecture's own."""
         settings = self.context.settings
         host = self.request.host
         if settings.everywhere and self.request.host_name in ("localhost", "127.0.0.1") and (own := own_address()):
             host = host.replace(self.request.host_name, own)
         base = settings.public_url or f"{self._scheme()}://{host}{self._folder()}"
-        return f"{base.rstrip('/')}/?{query}"
+        return f"{base.rstrip('/')}/{path}"
 
     def _scheme(self) -> str:
         """The scheme as the visitor's browser has it, by the word of a proxy that is trusted."""
@@ -101,7 +101,7 @@ class ClassHandler(VisitorHandler):
         return path.rstrip("/") if path.startswith("/") and path.isascii() and len(path) < 200 else ""
 
     def opened(self, code: str, key: str) -> Opened:
-        address = self.address(f"class={code}&join={join_key(key)}")
+        address = self.address(f"{code}?join={join_key(key)}")
         return Opened(code=code, key=key, address=address, square=square(address))
 
     def write_error(self, status_code: int, **more: Any) -> None:

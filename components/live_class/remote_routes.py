@@ -23,7 +23,7 @@ class LetIn(ClassHandler):
         room, ticket = await self.led(code), new_key()
         name = f"ticket {digest(ticket).decode()}"
         await self.outcome(self.classes.registry.store.lend(name, room.code.encode(), TICKET))
-        address = self.address(f"class={room.code}&remote={ticket}")
+        address = self.address(f"?class={room.code}&remote={ticket}")
         self.reply(Ticket(address=address, square=square(address)))
 
     async def put(self, code: str) -> None:

@@ -12,6 +12,8 @@ from contextlib import suppress
 from functools import partial
 from pathlib import Path
 
+import segno
+
 from app import FIGURES, SHEETS, walked
 from components.live_class.routes import LiveClass
 from components.live_class.store import MemoryStore, Store
@@ -34,6 +36,19 @@ def store_at(url: str) -> Store:
     return SharedStore(url)
 
 
+def tell(settings: Settings, port: int) -> str:
+    """Say where the lecture is, to phones too, in a terminal with a QR code; returns its address on this machine."""
+    address = f"http://{'localhost' if settings.everywhere else settings.address}:{port}/"
+    log.info("The lecture is at %s", address)
+    if known := settings.known_at(port):
+        log.info("Phones type %s", known)
+        if sys.stderr.isatty():
+            segno.make(known, micro=False).terminal(sys.stderr, border=2, compact=True)
+    elif settings.everywhere:
+        log.warning("This machine is in no network that it knows of: PUBLIC_URL names the address that phones type")
+    return address
+
+
 async def serve(settings: Settings) -> None:
     """Serve until the process is asked to end."""
     folders = [settings.walks] if settings.walks else []
@@ -49,8 +64,7 @@ async def serve(settings: Settings) -> None:
     for name, notice in ((signal.SIGTERM, settings.notice_seconds), (signal.SIGINT, 0.0)):
         with suppress(NotImplementedError):  # on Windows Ctrl+C comes as an exception
             asyncio.get_running_loop().add_signal_handler(name, asked.put_nowait, notice)
-    address = f"http://{'localhost' if settings.address in ('', '0.0.0.0') else settings.address}:{server.port}/"
-    log.info("The lecture is at %s", address)
+    address = tell(settings, server.port)
     if settings.show:
         webbrowser.open(address)
     await server.end(await asked.get())

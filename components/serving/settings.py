@@ -127,6 +127,11 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
             return self.redis_url
         return f"{kind}://:{quote(self.redis_password, safe='')}@{place}"
 
+    def known_at(self, port: int) -> str:
+        """The address that phones type; "" where none reaches this machine."""
+        here = own_address() if self.everywhere else ""
+        return self.public_url or (f"http://{here}:{port}/" if here else "")
+
     @property
     def everywhere(self) -> bool:
         """Whether the server listens at all addresses of its machine."""

@@ -48,7 +48,7 @@ export class Large {
       {class: "class-words"},
       element("span", {}, "Join at"),
       element("b", {class: "at"}, place(room.address)),
-      element("span", {}, "with the code"),
+      element("span", {}, "or with the code"),
       element("b", {class: "code"}, room.code),
     )
     words.append(element("p", {}, this.here, " here"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from pathlib import Path
+from urllib.parse import urlsplit
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
@@ -41,7 +42,7 @@ def test_who_opens_a_class_is_asked_for_the_passphrase_and_the_qr_code_lets_phon
         asked: list[str] = []
         phone.on("request", lambda request: asked.append(request.headers.get("authorization", "")))
         address = page.evaluate(f"{LED}.room.address")
-        phone.goto(f"{server.url}{address[address.index('?') :]}")
+        phone.goto(f"{server.url}{urlsplit(address).path[1:]}?{urlsplit(address).query}")
         phone.wait_for_function(f"{READY} && Boolean(oscillations.clock.lead)")
         assert f"Bearer {address.partition('join=')[2]}" in asked
         phone.close()

@@ -256,7 +256,7 @@ def test_the_page_of_a_follower_has_no_session_and_another_site_leads_nothing() 
         answer = await called(url, "/class", "POST", Origin="https://elsewhere.example")
         assert answer.status == 403
         lesson = await Class.open(url)
-        assert lesson.opened["address"] == f"{url}?class={lesson.code}&join={join_key(lesson.key)}"
+        assert lesson.opened["address"] == f"{url}{lesson.code}?join={join_key(lesson.key)}"
         assert "<script" not in lesson.opened["square"] and lesson.opened["square"].startswith("<svg")
 
     run(test)
@@ -265,11 +265,25 @@ def test_the_page_of_a_follower_has_no_session_and_another_site_leads_nothing() 
 def test_the_address_to_join_at_is_the_public_one() -> None:
     async def test(server: Server, url: str) -> None:
         lesson = await Class.open(url)
-        assert (
-            lesson.opened["address"] == f"https://lecture.example/osc/?class={lesson.code}&join={join_key(lesson.key)}"
-        )
+        assert lesson.opened["address"] == f"https://lecture.example/osc/{lesson.code}?join={join_key(lesson.key)}"
 
     run(test, public_url="https://lecture.example/osc/")
+
+
+def test_the_address_takes_the_code_and_says_what_is_none() -> None:
+    async def test(server: Server, url: str) -> None:
+        for path, to in (
+            ("/EUW5", "./?class=EUW5"), ("/euw5/", "../?class=EUW5"),
+            ("/eUw5?join=a1&x=%26", "./?class=EUW5&join=a1&x=%26"),
+        ):  # fmt: skip
+            for method in ("GET", "HEAD"):
+                answer = await called(url, path, method)
+                assert (answer.status, answer.headers["Location"]) == (302, to)
+        for path, sentence in (("/EUWO", follower_routes.NO_CODE), ("/EUW55", "There is no such page here.")):
+            answer = await called(url, path)
+            assert answer.status == 404 and sentence in answer.text
+
+    run(test)
 
 
 def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_one() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import subprocess
 import sys
 from collections.abc import Callable
@@ -11,7 +12,8 @@ from secrets import token_hex, token_urlsafe
 
 import pytest
 
-from components.serving.settings import HINTS, SECRETS, describe, read_settings, table
+from components.serving.__main__ import tell
+from components.serving.settings import HINTS, SECRETS, Settings, describe, read_settings, table
 from tests.serving.server import ROOT, START
 
 
@@ -19,6 +21,30 @@ def test_defaults_are_for_ones_own_machine() -> None:
     settings = read_settings([], {})
     assert (settings.address, settings.port, settings.show) == ("localhost", 5006, False)
     assert settings.hosts(5006) == ["localhost:5006", "127.0.0.1:5006"]
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_the_start_tells_phones_their_address_and_a_terminal_its_qr_code(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    caplog.set_level("INFO")
+    for address, public, here, known in (
+        ("0.0.0.0", "", "192.0.2.7", "http://192.0.2.7:5006/"),
+        ("0.0.0.0", "https://lecture.example/", "192.0.2.7", "https://lecture.example/"),
+        ("0.0.0.0", "", "", ""),
+        ("localhost", "", "192.0.2.7", ""),
+    ):
+        caplog.clear()
+        terminal = Terminal()
+        monkeypatch.setattr("sys.stderr", terminal)
+        monkeypatch.setattr("components.serving.settings.own_address", lambda here=here: here)
+        assert tell(Settings(address=address, public_url=public), 5006) == "http://localhost:5006/"
+        assert (f"Phones type {known}" in caplog.messages) is ("█" in terminal.getvalue()) is bool(known)
+        assert any("PUBLIC_URL" in line for line in caplog.messages) is (address == "0.0.0.0" and not known)
 
 
 def test_an_option_wins_over_the_environment_and_an_empty_variable_is_not_given() -> None:
