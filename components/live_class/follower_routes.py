@@ -54,7 +54,7 @@ class Follower(ClassHandler):
         return self.get_query_argument("after", "")
 
 
-class Typed(LectureHandler):
+class MovedByCode(LectureHandler):
     """The handler of the address that takes a code, as lecture.example/EUW5: on to the page of the class."""
 
     def get(self, typed: str, slash: str) -> None:

@@ -7,7 +7,7 @@ from typing import Any
 
 from components.live_class.codes import Tokens
 from components.live_class.context import ClassContext
-from components.live_class.follower_routes import Answers, Enter, Events, Now, TimeOfDay, Typed
+from components.live_class.follower_routes import Answers, Enter, Events, MovedByCode, Now, TimeOfDay
 from components.live_class.instructor_routes import CountAnswers, LeadClass, OpenClass, TakeAnswers
 from components.live_class.publisher import Publisher
 from components.live_class.question_bank import QuestionBank
@@ -45,7 +45,7 @@ class LiveClass:
             rf"/class/{CODE}/answer": Answers,
         }
         own = [(address, handler, {"classes": self.context}) for address, handler in handlers.items()]
-        return [*own, (rf"/{CODE}(/?)", Typed)]
+        return [*own, (rf"/{CODE}(/?)", MovedByCode)]
 
     def figures(self) -> Looked:
         registry, upkeep = self.context.registry, self._upkeep
