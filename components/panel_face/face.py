@@ -114,7 +114,6 @@ class PanelFace(Viewer):
         return pane
 
     def _standing(self, view: Viewable, form: str) -> Viewable:
-        """A part that stands by a form of the picture."""
         self._forms += [(view, form)] if form else []
         return view
 

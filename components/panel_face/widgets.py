@@ -59,7 +59,6 @@ class ChoiceControl:
         self.field.param.watch(self._chosen, "value")
 
     def tell(self, setting: Setting) -> None:
-        """Show a setting."""
         self.word = setting.value
         self.field.value = self.word
 
