@@ -10,14 +10,35 @@ from playwright.sync_api import Browser, ConsoleMessage
 LASTING = ("add_init_script", "expose_function", "expose_binding")
 """Methods of a page whose effect lasts as long as the page: a tab that tests share refuses them."""
 EMPTY = '<!DOCTYPE html><link rel="icon" href="data:,">'
+CALMER = """{
+  const real = requestAnimationFrame
+  const waiting = new Map()
+  let last = 0, count = 0
+  const pump = now => {
+    if (++count % 3) return real(pump)
+    const due = [...waiting.values()]
+    waiting.clear()
+    for (const act of due) try { act(now) } catch (fault) { reportError(fault) }
+  }
+  globalThis.requestAnimationFrame = act => {
+    if (!waiting.size) real(pump)
+    waiting.set(++last, act)
+    return last
+  }
+  globalThis.cancelAnimationFrame = id => waiting.delete(id)
+}"""
+"""Draws every third frame alone: without a graphics card a picture that plays takes more than a core. A test of frames
+themselves asks for a fresh tab."""
 FORGET = "() => { localStorage.clear(); sessionStorage.clear() }"
 
 
 class Tab:
     """A page in a context of its own: one visitor."""
 
-    def __init__(self, browser: Browser, size: dict[str, int], options: dict[str, Any]) -> None:
+    def __init__(self, browser: Browser, size: dict[str, int], options: dict[str, Any], calm: bool = False) -> None:
         self.context = browser.new_context(viewport=size, **options)
+        if calm:
+            self.context.add_init_script(CALMER)
         self.page = self.context.new_page()
         self.faults: list[str] = []
         self.page.on("console", lambda message: self.faults.extend(_console_fault(message)))
@@ -37,7 +58,7 @@ class Tabs:
     def take(self, size: dict[str, int], options: dict[str, Any]) -> Tab:
         free = self.free.setdefault(str(sorted(options.items())), [])
         if not free:
-            tab = Tab(self.browser, size, options)
+            tab = Tab(self.browser, size, options, calm=True)
             for name in LASTING:
                 setattr(tab.page, name, _refused)
             return tab
