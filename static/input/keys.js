@@ -14,8 +14,9 @@ import {BEGINS_NUMBER} from "../core/numbers.js"
 
 const PRESSED = "button, a, summary, input, select, [role=slider], [role=application]"
 const MOVED = "input, [role=slider], [role=application], [role=menuitem]"
-const OPEN = ".walks[open], .scene-menu[open], .card .follows[open], dialog.keys"
+const OPEN = ".walks[open], .scene-menu[open], .card .follows[open], dialog.keys, dialog.class-large"
 const OFF = "single-keys"
+const BOUNCE = 400 // ms within which a second press of a clicker counts as the first
 
 /** @param {LectureHost} lecture @param {() => void} act on a clock that is not held by a question */
 function timed({page}, act) {
@@ -40,10 +41,15 @@ export const KEYS = [
   {
     keys: ["PageDown"],
     shown: "Page Down",
-    does: "In a walk: show the answer, then go on",
-    act: l => l.walks.walk?.forward(true),
+    does: "In a walk: show the answer, then go on; in a scene: back to the walk",
+    act: l => l.walks.turn(1),
   },
-  {keys: ["PageUp"], shown: "Page Up", does: "In a walk: one step back", act: l => l.walks.walk?.back()},
+  {
+    keys: ["PageUp"],
+    shown: "Page Up",
+    does: "In a walk: take the answer back, then one step back",
+    act: l => l.walks.turn(-1),
+  },
   ...[1, 2, 3, 4].map(n => ({keys: [`${n}`], shown: `${n}`, does: `Answer ${n}, or preset ${n}`, act: numbered(n)})),
   {
     keys: ["h", "H"],
@@ -51,7 +57,7 @@ export const KEYS = [
     does: "Hold: keep these curves for comparison, or release them",
     act: l => l.page.compare.toggle(),
   },
-  {keys: ["w", "W"], shown: "W", does: "Choose a walk, or leave it", act: l => l.walks.toggle()},
+  {keys: ["w", "W"], shown: "W", does: "Choose a walk, leave it, or come back to it", act: l => l.walks.toggle()},
   {keys: ["r", "R"], shown: "R", does: "Reveal what is covered", act: l => l.walks.reveal()},
   {keys: ["c", "C"], shown: "C", does: "Hide the controls, or show them again", act: l => l.hall.fold()},
   {keys: ["p", "P"], shown: "P", does: "Projector: large type for a lecture hall", act: l => l.hall.toggle()},
@@ -99,13 +105,28 @@ function hear(event, lecture) {
   }
   const known = KEYS.find(({keys}) => keys.includes(event.key))
   if (!known || !lecture.page || !acts(event, known)) return
-  if (event.key.startsWith("Page") && !lecture.walks.walk) return
+  const turns = event.key.startsWith("Page")
+  if (turns && !lecture.walks.turns) return
   if (!known.shared) {
     event.preventDefault()
     event.stopPropagation()
   }
+  if (turns && isBounced(event)) return
+  if (turns && lies()) return close()
   known.act(lecture)
 }
+
+let turned = -Infinity
+
+/** @param {KeyboardEvent} event */
+function isBounced({timeStamp}) {
+  const since = timeStamp - turned
+  if (since >= BOUNCE) turned = timeStamp
+  return since < BOUNCE
+}
+
+/** Whether something lies over the page: a clicker closes that first. */
+const lies = () => document.querySelector(OPEN) !== null
 
 /** @param {KeyboardEvent} event @param {Key} known */
 function acts(event, {own}) {
@@ -136,6 +157,7 @@ function close() {
     const summary = open.querySelector("summary")
     if (summary && open.contains(document.activeElement)) summary.focus()
     if (open instanceof HTMLDetailsElement) open.open = false
+    else if (open instanceof HTMLDialogElement) open.close()
     else open.remove()
   }
 }

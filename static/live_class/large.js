@@ -55,9 +55,7 @@ export class Large {
     this.#say("done", "")
     const tools = element("div", {class: "class-tools"}, this.asking, this.said, ...this.#tools())
     this.dialog = element("dialog", {class: "class-large", "aria-label": "Join the class"}, square, words, tools)
-    this.dialog.addEventListener("keydown", event => {
-      if (event.key === "Escape") this.close()
-    })
+    this.dialog.addEventListener("close", () => this.close())
     document.body.append(this.dialog)
     this.dialog.show()
     this.say(news.here ?? 0)

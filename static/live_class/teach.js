@@ -97,10 +97,11 @@ export class Teach {
 
   /** Does what the remote control asks for. @param {page.News["deed"]} deed */
   #obey(deed) {
-    const {walk} = this.lecture.walks
+    const {walks} = this.lecture
+    const {walk} = walks
     if (deed === "close") this.large.close()
-    else if (deed === "back") walk?.back()
-    else if (deed === "next") walk?.forward(true)
+    else if (deed === "back") walks.turn(-1)
+    else if (deed === "next") walks.turn(1)
     else if (deed === "show" && walk && !walk.lesson) walk.show(true)
   }
 

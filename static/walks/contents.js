@@ -16,9 +16,11 @@ export class Contents {
     this.element.addEventListener("click", event => {
       if (event.target === this.element) this.close()
     })
-    // What a clicker went on to by one key it comes back from by the other.
-    this.element.addEventListener("keydown", event => {
-      if (event.key === "PageUp" && this.element.scrollTop === 0) this.close()
+    // A clicker closes it at either end; on from the last step there is nothing.
+    this.element.addEventListener("keydown", ({key}) => {
+      const {scrollTop, scrollHeight, clientHeight} = this.element
+      const isAtFoot = scrollTop + clientHeight > scrollHeight - 1
+      if (key === "PageUp" ? scrollTop < 1 : key === "PageDown" && isAtFoot && !this.isOver) this.close()
     })
   }
 

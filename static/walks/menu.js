@@ -21,6 +21,7 @@ export class Menu {
     this.#offer()
     const {hall} = walks.lecture
     this.#entry("leave-walk", () => walks.leave())
+    this.#entry("back-to-walk", () => walks.comeBack())
     // A file button that is nowhere seen: held here, or the browser may forget it before a file is chosen; and pressed
     // at once, as a browser opens files only right after a hand has asked for it.
     this.file = element("input", {type: "file", accept: ".toml,text/plain"})
@@ -91,6 +92,14 @@ export class Menu {
   walked(isWalked) {
     this.element?.classList.toggle("walked", isWalked)
     if (isWalked && this.tour) this.tour.hidden = true
+  }
+
+  /** The way back to a walk, in words; "" where there is none. @param {string} back */
+  offers(back) {
+    const entry = document.getElementById("back-to-walk")
+    if (!entry) return
+    entry.hidden = !back
+    entry.textContent = back
   }
 
   close() {

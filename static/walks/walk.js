@@ -22,6 +22,9 @@ export class Walk {
   /** @type {Contents | null} */
   contents = null
 
+  /** @type {page.State | undefined} of the step, as it was told last */
+  state
+
   unfolded = false
 
   known = answered() // of the step that stood when the page was loaded anew
@@ -110,6 +113,7 @@ export class Walk {
     const isAsked = this.#isAsked(place, shown)
     const isAnother = place !== this.place || page !== this.card?.page || this.seed !== this.card?.seed
     if (isAnother || (this.lesson && isAsked)) this.#lay(place, isAsked)
+    this.state = shown.state
     this.card?.update(shown)
     this.lecture.classes.led?.walked(this)
   }
@@ -181,8 +185,18 @@ export class Walk {
     else this.open(true)
   }
 
+  /** The answer is taken back, then the step. */
   back() {
-    this.go(this.#towards(-1))
+    if (this.lesson) this.again()
+    else this.go(this.#towards(-1))
+  }
+
+  /** The step as it stands, to come back to. */
+  get bookmark() {
+    if (!this.step || !this.state) return null
+    const given = this.card?.question.given() ?? {}
+    const known = this.lesson ? {step: this.#name, given} : null
+    return {walk: this.sheet.name, place: this.place, state: this.state, known}
   }
 
   /** @param {page.Taught} told */

@@ -13,6 +13,12 @@ export class Walks {
   /** @type {Walk | null} the one that is walked */
   walk = null
 
+  /**
+   * The step that was left for a scene, as it was left.
+   * @type {{walk: string, place: number, state: page.State, known: import("./answered.js").Answered | null} | null}
+   */
+  left = null
+
   /** @type {Map<string, page.WalkSheet>} walks that only this session knows */
   own = new Map()
 
@@ -71,23 +77,50 @@ export class Walks {
     if (name) {
       await this.#take(name)
       if (shown === this.latest) this.walk?.arrive(step, shown)
+      this.left = null
     } else {
+      this.left = this.walk?.bookmark ?? this.left
       this.walk?.leave()
       this.walk = null
     }
+    this.menu.offers(this.left ? `Back to step ${this.left.place + 1} (W)` : "")
   }
 
-  /** The scene keeps the state that was reached. */
+  /** The scene keeps the state that was reached; what an open question covers stays covered. */
   leave() {
     this.menu.close()
     const {kept: state} = this.lecture
-    if (state.step) this.lecture.open({...state, covered: [], step: ""})
+    if (state.step) this.lecture.open({...state, covered: this.walk?.lesson ? [] : state.covered, step: ""})
   }
 
-  /** Out of the walk, or the menu of all of them. */
+  /** Back to the step that was left, as it was left. */
+  async comeBack() {
+    const {left} = this
+    if (!left) return
+    this.menu.close()
+    await this.#take(left.walk)
+    if (this.walk) this.walk.known = left.known
+    this.lecture.open(left.state)
+  }
+
+  /** Out of the walk, back to it, or the menu of all of them. */
   toggle() {
     if (this.lecture.kept.step) this.leave()
+    else if (this.left) this.comeBack()
     else this.menu.toggle()
+  }
+
+  /** Whether the keys of a clicker have something to turn. */
+  get turns() {
+    return Boolean(this.walk ?? this.left)
+  }
+
+  /** A press of a clicker: on, or back; out of a scene to the walk. @param {1 | -1} way */
+  turn(way) {
+    const {walk} = this
+    if (!walk) this.comeBack()
+    else if (way < 0) walk.back()
+    else walk.forward(true)
   }
 
   /** What is covered: by the question of a step, or by a choice of one's own. */
