@@ -10,6 +10,7 @@ from playwright.sync_api import Page, expect
 
 from tests.browser.classroom import CONNECTED, LED, Open, counted, draw, joined, taught
 from tests.browser.fixtures import READY
+from tests.browser.waiting import clicked
 
 pytestmark = pytest.mark.browser
 
@@ -36,7 +37,7 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
         expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
     expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
     assert lecture.locator(".vote-bar").count() == 0  # first the class sees that it answers, then what
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
     counted(lecture, "1", "1", "0", "0")
     lecture.get_by_role("button", name="Vote again").click()
     expect(lecture.locator(".votes")).to_contain_text("0 of 2 have answered")
@@ -48,8 +49,8 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
     lecture.wait_for_function(f"{CONNECTED} && {LED}")
     assert lecture.evaluate(f"{LED}.room.code") == code
     expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
-    lecture.keyboard.press("PageDown")
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
+    clicked(lecture)
     for phone in phones:
         expect(phone.locator("h1")).to_have_text("Undamped motion never becomes steady")
         expect(phone.locator(".answers [data-option='1']")).to_contain_text("your answer")
@@ -89,10 +90,10 @@ def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) 
     expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
     for phone in phones:  # half a sketch may have been sent before the whole
         expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
     expect(lecture.get_by_role("img", name="2 sketches of the class")).to_be_visible()
     lecture.get_by_role("button", name="Middle 50 %").click()
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
     expect(lecture.get_by_role("button", name=re.compile("^The zero between them 0"))).to_be_visible()
     expect(phones[0].locator(".findings li")).to_have_count(5)
     own = phones[1]

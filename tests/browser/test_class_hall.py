@@ -11,6 +11,7 @@ from playwright.sync_api import Page, expect
 
 from tests.browser.classroom import LED, Open, taught
 from tests.browser.halls import LAID, TAUGHT, seen
+from tests.browser.waiting import clicked
 from tests.live_class.caller import call
 from tests.serving.server import Server
 
@@ -43,13 +44,13 @@ def test_a_step_is_seen_whole_beside_the_corner_of_a_class(server: Server, windo
             assert call(server.url, f"/class/{code}/answer", "PUT", vote, token).status == 204
         shown(lecture)
         found += seen(lecture, HEIGHT, f"{step} with votes, before")
-        lecture.keyboard.press("PageDown")
+        clicked(lecture)
         lecture.wait_for_function(TAUGHT)
         found += seen(lecture, HEIGHT, f"{step} with votes, after")
     assert not found, "\n".join(found)
 
 
 def shown(lecture: Page) -> None:
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
     expect(lecture.locator(".votes")).to_contain_text(f"{MANY} have answered")
     expect(lecture.get_by_role("button", name="Vote again")).to_be_visible()

@@ -14,6 +14,7 @@ from components.walks.questions.order import order_of
 from tests.browser.classroom import LED, counted, draw, joined, taught
 from tests.browser.dropping import drop
 from tests.browser.halls import seen
+from tests.browser.waiting import clicked
 
 pytestmark = pytest.mark.browser
 
@@ -52,7 +53,7 @@ def choice(lecture: Page, phone: Page, screenshot: Take) -> None:
     expect(phone.get_by_text(SENT)).to_be_visible()
     screenshot(phone, "lecture-phone")
     expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
     counted(lecture, "0", "1", "0")
     lecture.get_by_role("button", name="Vote again").click()
     phone.wait_for_function("oscillations.asked.question.vote === 2 && oscillations.asked.card")
@@ -61,12 +62,12 @@ def choice(lecture: Page, phone: Page, screenshot: Take) -> None:
     shown = [[row.inner_text() for row in page.locator(".answers .name").all()] for page in (lecture, phone)]
     assert shown[0] == shown[1], "one order for all"
     expect(lecture.locator(".vote-bar .before")).to_have_count(1)  # the first vote stays outlined
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
     for page in (lecture, phone):
         expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
     expect(phone.locator(".answers [data-option='0']").get_by_role("img", name="right")).to_be_visible()
     look(lecture, "lecture-choice", screenshot)
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
 
 
 def number(lecture: Page, phone: Page, remote: Page, screenshot: Take) -> None:
@@ -74,7 +75,7 @@ def number(lecture: Page, phone: Page, remote: Page, screenshot: Take) -> None:
     put(lecture, phone, "mass")
     phone.get_by_role("textbox", name="Your answer").fill("2")
     expect(phone.get_by_text(SENT)).to_be_visible()
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
     expect(lecture.locator(".vote-line circle")).to_have_count(1)
     remote.get_by_role("button", name="Show the answer").click()
     expect(lecture.locator(".votes .all")).to_have_text("1 of 1 are right")
@@ -87,16 +88,16 @@ def point(lecture: Page, phone: Page, screenshot: Take) -> None:
     put(lecture, phone, "place")
     phone.locator(".pill-mark").press("ArrowRight")
     expect(phone.get_by_text(SENT)).to_be_visible()
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
     lecture.wait_for_function("""() => {
       const parts = [".vote-dots circle", ".pill-mark"].map(part => document.querySelector(part))
       const [dot, mark] = parts.map(part => part?.getBoundingClientRect()).map(box => box && box.x + box.width / 2)
       return Math.abs(dot - mark) < 20
     }""")  # what was answered stands on the axis itself, a step from where the mark begins
     look(lecture, "lecture-point", screenshot)
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
     expect(lecture.locator(".votes .all")).to_have_text("0 of 1 are right")
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
 
 
 def sketch(lecture: Page, phone: Page, screenshot: Take) -> None:
@@ -104,17 +105,17 @@ def sketch(lecture: Page, phone: Page, screenshot: Take) -> None:
     put(lecture, phone, "curve")
     draw(phone, lambda x: 0.9 - 0.88 * x)
     expect(phone.get_by_text(SENT)).to_be_visible()
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
     ink = lecture.get_by_role("img", name="1 sketches of the class")
     expect(ink).to_be_visible()
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
     expect(lecture.locator("h1")).to_have_text(re.compile("^“.*” is right in 1 of 1 sketch, “.*” in 0$"))
     box = ink.bounding_box()
     assert box and box["width"] > 1700 and box["height"] > 500
     expect(lecture.locator(".class-corner")).to_contain_text("1 here")
     look(lecture, "lecture-sketch", screenshot)
     expect(phone.locator(".findings li")).to_have_count(5)
-    lecture.keyboard.press("PageDown")
+    clicked(lecture)
 
 
 def table(lecture: Page, folder: Path) -> list[list[str]]:
@@ -140,7 +141,7 @@ def test_a_lecture_of_five_steps(window: Callable[[str, int, int], Page], screen
     sketch(lecture, phone, screenshot)
     put(lecture, phone, "rest")
     expect(remote.locator(".class-remote p")).to_contain_text("5 of 5")
-    lecture.keyboard.press("PageUp")
+    clicked(lecture, "PageUp")
     put(lecture, phone, "curve")
     assert len(phone.evaluate("oscillations.asked.card.question.pad.sent").get("Xp1", [])) == 101  # it is theirs still
     rows = table(lecture, tmp_path)

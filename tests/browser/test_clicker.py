@@ -7,6 +7,8 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.browser.waiting import clicked
+
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 AT = "id => oscillations.shown.state.step === id && oscillations.walks.walk?.card"
@@ -14,13 +16,6 @@ TAUGHT = "() => oscillations.walks.walk?.lesson"
 ASKED = (
     "() => oscillations.walks.walk?.card && !oscillations.walks.walk.lesson && oscillations.shown.state.covered.length"
 )
-BOUNCE = 400
-
-
-def press(page: Page, key: str) -> None:
-    """A press that no one before it is near to."""
-    page.wait_for_timeout(BOUNCE + 50)
-    page.keyboard.press(key)
 
 
 def at(page: Page, step: str) -> None:
@@ -30,23 +25,23 @@ def at(page: Page, step: str) -> None:
 def test_it_leads_through_a_walk_and_takes_an_answer_back(page: Page, open_scene: Open) -> None:
     open_scene(page, walk="d34", step="d34-02")
     at(page, "d34/d34-02")
-    press(page, "PageDown")
+    clicked(page)
     page.wait_for_function(TAUGHT)
-    press(page, "PageUp")
+    clicked(page, "PageUp")
     page.wait_for_function(ASKED)
     at(page, "d34/d34-02")
-    press(page, "PageDown")
+    clicked(page)
     page.wait_for_function(TAUGHT)
-    press(page, "PageDown")
+    clicked(page)
     at(page, "d34/d34-03")
-    press(page, "PageUp")
+    clicked(page, "PageUp")
     at(page, "d34/d34-02")
 
 
 def test_two_presses_at_once_are_one(page: Page, open_scene: Open) -> None:
     open_scene(page, walk="d34", step="d34-02")
     at(page, "d34/d34-02")
-    page.wait_for_timeout(BOUNCE)
+    page.wait_for_timeout(450)
     page.keyboard.press("PageDown")
     page.keyboard.press("PageDown")
     page.wait_for_function(TAUGHT)
@@ -61,12 +56,12 @@ def test_out_of_a_scene_it_comes_back_to_the_step_as_it_was_left(
     open_scene(page, walk="d34", step="d34-08")
     at(page, "d34/d34-08")
     if taught:
-        press(page, "PageDown")
+        clicked(page)
         page.wait_for_function(TAUGHT)
     page.evaluate("oscillations.open({scene: 'energy'}, true)")
     page.wait_for_function("oscillations.shown.scene === 'energy' && !oscillations.walks.walk")
     expect(page.locator("#back-to-walk")).to_have_text("Back to step 8 (W)")
-    press(page, key)
+    clicked(page, key)
     at(page, "d34/d34-08")
     page.wait_for_function(TAUGHT if taught else ASKED)
     expect(page.locator("#back-to-walk")).to_be_hidden()
@@ -91,27 +86,25 @@ def test_it_closes_what_lies_on_top_first(page: Page, open_scene: Open) -> None:
         else:
             page.locator(".walks summary").click()
         expect(page.locator(shut)).to_be_visible()
-        press(page, "PageDown")
+        clicked(page)
         expect(page.locator(shut)).to_have_count(0)
         assert not page.evaluate(TAUGHT)
     page.evaluate("oscillations.walks.walk.open()")
     contents = page.locator("dialog.contents")
     expect(contents).to_be_visible()
     contents.evaluate("one => one.scrollTop = one.scrollHeight")
-    press(page, "PageDown")
+    clicked(page)
     expect(contents).to_be_hidden()
     assert not page.evaluate(TAUGHT)
 
 
-def test_after_the_last_step_it_stops(page: Page, open_scene: Open) -> None:
+def test_after_the_last_step_it_stops_at_the_last_slide(page: Page, open_scene: Open) -> None:
     open_scene(page, walk="tour", step="1")
     page.wait_for_function("oscillations.walks.walk?.card")
     page.evaluate("oscillations.walks.walk.go(oscillations.walks.walk.sheet.steps.length - 1)")
     page.wait_for_function("oscillations.walks.walk.place === oscillations.walks.walk.sheet.steps.length - 1")
-    press(page, "PageDown")
+    clicked(page)
     page.wait_for_function(TAUGHT)
-    for _ in range(2):
-        press(page, "PageDown")
-    page.wait_for_timeout(300)
-    expect(page.locator("dialog[open]")).to_have_count(0)
-    assert page.evaluate(TAUGHT)
+    for _ in range(3):
+        clicked(page)
+        expect(page.locator("dialog.contents .end li").first).to_be_visible()

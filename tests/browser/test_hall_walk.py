@@ -15,6 +15,7 @@ from components.walks.subject import Subject
 from components.walks.walk import Step
 from tests.browser.fixtures import READY
 from tests.browser.halls import LAID, TAUGHT, seen
+from tests.browser.waiting import clicked
 from tests.grids import WHOLE
 from tests.serving.server import Server
 
@@ -86,35 +87,39 @@ def test_a_clicker_leads_through_a_whole_walk(server: Server, page: Page) -> Non
         page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place)
         expect(page.locator("h1.waits")).to_be_visible()
         assert page.evaluate("oscillations.shown.state.covered") == list(step.cover)
-        page.keyboard.press("PageDown")
+        clicked(page)
         page.wait_for_function(TAUGHT)
         expect(page.locator("h1.waits")).to_have_count(0)
         assert page.evaluate("oscillations.clock.playing || !oscillations.shown.view.time"), step.id
         if place == 1:
             step_back_and_forth(page, place)
-        page.keyboard.press("PageDown")
+        clicked(page)
     contents = page.get_by_role("dialog", name="Steps of this lecture")
     expect(contents).to_be_visible()
-    page.keyboard.press("PageUp")
+    clicked(page)
+    expect(contents).to_be_visible()  # after the last step it stops
+    clicked(page, "PageUp")
     expect(contents).to_be_hidden()
-    page.keyboard.press("PageUp")
-    page.wait_for_function(f"place => ({ASKED})(place)", arg=len(walk.steps) - 2)
+    for back in (1, 2):
+        clicked(page, "PageUp")
+        page.wait_for_function(f"place => ({ASKED})(place)", arg=len(walk.steps) - back)
 
 
 def step_back_and_forth(page: Page, place: int) -> None:
     """To the step before, a blank screen, the start key, and again to where it was."""
-    page.keyboard.press("PageUp")
-    page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place - 1)
+    for back in (0, 1):
+        clicked(page, "PageUp")
+        page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place - back)
     page.keyboard.press(".")
     expect(page.locator(".blank")).to_be_visible()
-    page.keyboard.press("PageDown")  # brings the screen back, and does nothing else
+    clicked(page)  # brings the screen back, and does nothing else
     expect(page.locator(".blank")).to_have_count(0)
     assert page.evaluate(f"place => ({ASKED})(place)", place - 1)
     page.reload()  # what a browser does with F5, which no key of ours is
     page.wait_for_function(f"place => ({ASKED})(place) && {LAID}", arg=place - 1)
     assert "&projector" in page.evaluate("location.search")
     for count in range(3):
-        page.keyboard.press("PageDown")
+        clicked(page)
         page.wait_for_function(
             f"place => oscillations.walks.walk.place === place && {LAID}", arg=place - 1 + (count > 0)
         )

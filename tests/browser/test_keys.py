@@ -7,6 +7,7 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.browser.waiting import clicked
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
@@ -24,12 +25,12 @@ def test_a_walk_goes_by_two_keys_of_a_clicker(server: Server, page: Page) -> Non
     expect(page.locator(".answers button").nth(1)).to_have_attribute("aria-pressed", "true")
     page.keyboard.press("Space")
     assert not playing(page)  # nothing plays before the answer
-    page.keyboard.press("PageDown")
+    clicked(page)
     page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
     page.locator(".card input[name=x_0]").focus()
-    page.keyboard.press("PageDown")
+    clicked(page)
     page.wait_for_function("oscillations.walks.walk.place === 3")
-    page.keyboard.press("PageUp")
+    clicked(page, "PageUp")
     page.wait_for_function("oscillations.walks.walk.place === 2")
     page.keyboard.press("Escape")
     expect(page.locator(".card")).to_be_visible()  # Esc never leaves a walk

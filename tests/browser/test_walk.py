@@ -321,7 +321,7 @@ def test_the_first_visit_is_offered_the_tour_and_told_of_the_lectures(
     page: Page, open_scene: Callable[..., Page]
 ) -> None:
     open_scene(page, scene="coupled")
-    offer = page.get_by_role("link", name="New here? Ten-minute tour")
+    offer = page.locator("a.new-here")
     expect(offer).to_be_visible()
     page.locator(".walks summary").click()
     expect(page.locator(".walks p")).to_contain_text("D31 and D34 are two lectures of the MIT course 16.07, Dynamics")

@@ -43,3 +43,9 @@ def played(page: Page, frames: int) -> None:
 def passed(page: Page, frames: int = 3) -> None:
     """The browser has had so many chances to draw, used or not."""
     page.evaluate(PASSED, frames)
+
+
+def clicked(page: Page, key: str = "PageDown") -> None:
+    """A press of a clicker, far enough from the one before to count as another."""
+    page.wait_for_timeout(450)
+    page.keyboard.press(key)
