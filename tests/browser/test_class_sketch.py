@@ -12,6 +12,7 @@ from components.walks.loading import load_walks
 from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
 from tests.browser.classroom import Open, joined, taught
+from tests.browser.waiting import clicked
 from tests.walks.strokes import strokes
 
 pytestmark = pytest.mark.browser
@@ -56,8 +57,8 @@ def test_the_exact_curve_from_a_phone_is_right(window: Open) -> None:
             drawn(phone, points)
         expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
         expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
-        lecture.keyboard.press("PageDown")
-        lecture.keyboard.press("PageDown")
+        clicked(lecture)
+        clicked(lecture)
         lecture.wait_for_function("oscillations.walks.walk.lesson")
         lecture.wait_for_function(f"oscillations.classes.led.votes.tally?.step === '{step.id}'")
         tally = lecture.evaluate("oscillations.classes.led.votes.tally.now.sketches")
