@@ -109,6 +109,10 @@ class Events(Follower):
         super().initialize(classes)
         self._gone = asyncio.Event()
 
+    @property
+    def name(self) -> str:
+        return name_of(self.word)
+
     async def get(self, code: str) -> None:
         room = await self.entered(code)
         self.limit(f"stream {self.word}")
@@ -123,14 +127,14 @@ class Events(Follower):
             return
         self._pipe.socket.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
         self._pipe.set_nodelay(True)
-        room.polls.pop(name_of(self.word), None)  # it is counted once
-        room.seen[name_of(self.word)] = monotonic()
+        room.polls.pop(self.name, None)  # it is counted once
+        room.seen[self.name] = monotonic()
         room.listeners.add(self)  # before the first pause: what is told in it is not missed
         try:
             self.write(self._all())
             await asyncio.wait_for(self.flush(), GIVEN_UP)
             self._catch_up()
-            await self._stay(room.streams.setdefault(name_of(self.word), []))
+            await self._stay(room.streams.setdefault(self.name, []))
         except (TimeoutError, StreamClosedError):
             self._pipe.close()
         finally:
@@ -146,8 +150,8 @@ class Events(Follower):
         finally:
             own.remove(self)
             if not own:
-                self._room.streams.pop(name_of(self.word), None)
-            self._room.seen[name_of(self.word)] = monotonic()
+                self._room.streams.pop(self.name, None)
+            self._room.seen[self.name] = monotonic()
 
     def _all(self) -> bytes:
         """The room as it is, and what an instructor's page alone is told, from where it knows the room."""

@@ -40,6 +40,10 @@ class RoomListener(Protocol):
     @property
     def leads(self) -> bool: ...
 
+    @property
+    def name(self) -> str:
+        """The name of a follower, of whom two tabs are one."""
+
     def hear(self, event: bytes) -> bool:
         """Take an event; False where earlier ones are still on their way, so that this one is left out."""
 
@@ -95,18 +99,19 @@ class ClassRoom:
         return bool(self.listeners or self.unsaved) or monotonic() - self.asked < 2 * SILENCE
 
     @property
-    def streaming(self) -> int:
-        return sum(not listener.leads for listener in self.listeners)
+    def streaming(self) -> set[str]:
+        """The names of those who follow by a stream."""
+        return {listener.name for listener in self.listeners if not listener.leads}
 
     @property
     def asking(self) -> set[str]:
         """The names of those who follow without a stream."""
         late = monotonic() - ASKED
-        return {one for one, seen in self.polls.items() if seen > late}
+        return {one for one, seen in self.polls.items() if seen > late} - self.streaming
 
     @property
     def followers(self) -> int:
-        return self.streaming + len(self.asking)
+        return len(self.streaming) + len(self.asking)
 
     @property
     def names(self) -> set[str]:

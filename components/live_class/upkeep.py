@@ -176,7 +176,7 @@ class Upkeep:
             await (self._restore if turn else self._save)(room)
         if turn and room.is_led:
             await self.registry.store.keep(room.code, {})
-        here = await self.registry.store.present(room.code, self._replica, room.streaming, room.asking)
+        here = await self.registry.store.present(room.code, self._replica, len(room.streaming), room.asking)
         names = frozenset(room.names)
         if turn or names != self._named.get(room.code, frozenset()):
             await self.registry.store.name(room.code, self._replica, names)

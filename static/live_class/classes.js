@@ -11,6 +11,8 @@ export class Classes {
   /** @type {import("./teach.js").Teach | null} the class that this page leads */
   led = null
 
+  put = "" // the step that the lecture asks while this page looks around
+
   /** @param {LectureHost} lecture */
   constructor(lecture) {
     this.lecture = lecture
@@ -51,6 +53,6 @@ export class Classes {
   async #kept() {
     if (tabStorage.text(LED)) await this.begin()
     const left = tabStorage.text(LEFT)
-    if (left) (await later("live_class/own")).ownWay(left)
+    if (left) (await later("live_class/own")).ownWay(left, step => (this.put = step))
   }
 }

@@ -58,6 +58,7 @@ export class Following {
       refused: refusal => this.#over(this.news.number ? OVER : refusal.message),
       connected: (is, why) => this.bar.connected(is, why),
       outdated,
+      sleeps: true,
     })
   }
 

@@ -5,8 +5,8 @@ import {tabStorage} from "../core/storage.js"
 import {forget, mine} from "./mine.js"
 import {Stream} from "./stream.js"
 
-/** @param {string} code */
-export function ownWay(code) {
+/** @param {string} code @param {(step: string) => void} asks told which step the lecture asks now, if any */
+export function ownWay(code, asks) {
   const token = mine(code)?.token
   if (!token) return
   const line = element("span", {role: "status"}, code)
@@ -18,15 +18,20 @@ export function ownWay(code) {
   const over = () => {
     stream.close()
     bar.remove()
+    asks("")
     forget(code)
   }
   const stream = new Stream(code, token, {
     news: ({question, ended}) => {
-      if (question)
-        line.textContent = question.step && !question.lesson ? `a question is open: ${question.place}` : code
+      if (question) {
+        const isOpen = question.step && !question.lesson
+        line.textContent = isOpen ? `a question is open: ${question.place}` : code
+        asks(isOpen ? `${question.walk}/${question.step}` : "")
+      }
       if (ended) over()
     },
     refused: () => over(),
     connected: () => {},
+    sleeps: true,
   })
 }

@@ -13,6 +13,7 @@ const ASKING = 1000 // ms between questions
 const SHORTEST = 300 // ms until another try, twice as long after each
 const LONGEST = 8000
 const TRIAL = 60000 // ms, after which a stream is tried again where none came through
+const SLEEP = 1e8 // ms, more than a day: until the page is seen again
 const NOW = "at once" // why an attempt ends that is followed by another without a pause
 
 /**
@@ -39,7 +40,8 @@ function woken(by) {
 
 /**
  * @typedef {{news: (news: Partial<page.News>) => void, refused: (refusal: Refusal) => void,
- *   connected: (is: boolean, why?: string) => void, outdated?: () => void}} StreamListener
+ *   connected: (is: boolean, why?: string) => void, outdated?: () => void, sleeps?: boolean}} StreamListener
+ * One that `sleeps` has no stream while its page is hidden: a phone in a pocket is not counted.
  */
 export class Stream {
   state = "events"
@@ -61,7 +63,7 @@ export class Stream {
     this.word = word
     this.listener = listener
     const {signal} = this.listening
-    document.addEventListener("visibilitychange", () => document.hidden || this.#wake(), {signal})
+    document.addEventListener("visibilitychange", () => (document.hidden ? this.#sleep() : this.#wake()), {signal})
     addEventListener("pageshow", event => event.persisted && this.#wake(), {signal})
     addEventListener("online", () => this.#wake(), {signal})
     this.watching = setInterval(() => this.#watch(), ASKING)
@@ -79,12 +81,22 @@ export class Stream {
     this.control.abort(NOW)
   }
 
+  #sleep() {
+    if (this.sleeps) this.control.abort(NOW)
+  }
+
+  get sleeps() {
+    return document.hidden && this.listener.sleeps
+  }
+
   #watch() {
-    if (Date.now() - this.heardAt > SILENCE) this.control.abort()
+    if (!this.sleeps && Date.now() - this.heardAt > SILENCE) this.control.abort()
   }
 
   /** One attempt after the other. */
   async #go() {
+    if (this.sleeps) await this.#rest(SLEEP)
+    if (this.over) return
     this.heardAt = Date.now()
     this.control = new AbortController()
     const {signal} = this.control

@@ -9,6 +9,9 @@ import {ownSeed} from "./seed.js"
 
 const SHORT = "core-steps"
 
+const ASKED_NOW =
+  "The lecture asks this step now. Back to the lecture leads there; its answer is shown when it is shown to all."
+
 export class Walk {
   /** @type {number} of the step */
   place = -1
@@ -172,6 +175,7 @@ export class Walk {
 
   /** @param {boolean} always */
   async show(always) {
+    if (this.lecture.classes.put === this.#name) return this.card?.refuse(ASKED_NOW)
     const given = this.card?.question.given()
     if (!given && !always) return this.card?.refuse(`${ANSWER_FIRST}.`)
     const answer = {walk: this.sheet.name, step: this.step.id, ...given}

@@ -106,6 +106,23 @@ def test_sketches_lie_over_each_other_and_a_follower_looks_around(window: Open) 
     expect(lecture.get_by_role("dialog", name="Join the class")).to_contain_text(code)
 
 
+def test_who_looks_around_cannot_show_the_step_that_the_lecture_asks(window: Open) -> None:
+    lecture, code = taught(window, "walk=d31&step=d31-03")
+    own = joined(window, code)
+    own.get_by_text("Look around on your own").click()
+    own.wait_for_function(CONNECTED)
+    own.goto(f"{own.url.partition('?')[0]}?walk=d31&step=d31-03")
+    own.wait_for_function(f"{CONNECTED} && oscillations.classes.put === 'd31/d31-03'")
+    own.locator(".answers button").first.click()
+    own.get_by_role("button", name="Show the answer").click()
+    expect(own.get_by_role("alert").filter(has_text="The lecture asks this step now.")).to_be_visible()
+    lecture.keyboard.press("PageDown")
+    lecture.keyboard.press("PageDown")
+    own.wait_for_function("oscillations.classes.put === ''")
+    own.get_by_role("button", name="Show the answer").click()
+    own.wait_for_function("Boolean(oscillations.walks.walk.lesson)")
+
+
 def test_a_remote_control_is_let_in_and_turns_the_pages(window: Open) -> None:
     lecture, _ = taught(window, "walk=d31&step=d31-01")
     lecture.keyboard.press("j")

@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.between import between
-from tests.browser.classroom import draw, joined, taught
+from tests.browser.classroom import LED, draw, joined, taught
 from tests.browser.fixtures import READY, another_version
 from tests.live_class.caller import call
 from tests.serving.server import Server
@@ -141,7 +141,9 @@ def test_a_phone_that_wakes_has_what_was_shown_meanwhile(
     with between(server.port) as proxy:
         page = phone(proxy.url, code)
         page.wait_for_function(f"{READY} && Boolean(oscillations.clock.lead)")
+        lecture.wait_for_function(f"{LED}.news.here === 1")
         page.evaluate(HIDDEN, True)
+        lecture.wait_for_function(f"{LED}.news.here === 0")  # a phone in a pocket is not counted
         proxy.silence()  # what it had open is dead when it wakes
         lecture.evaluate("oscillations.open({scene: 'forced'})")
         lecture.wait_for_function("oscillations.page.spec.slug === 'forced'")

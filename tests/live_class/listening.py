@@ -21,6 +21,7 @@ class Listener:
 
     def __init__(self, leads: bool = False) -> None:
         self.leads = leads
+        self.name = str(id(self))
         self.news: list[News] = []
         self.ended = False
 
