@@ -15,6 +15,19 @@ from components.scenes.modes import ModesScene
 from components.scenes.oscillator import OscillatorScene
 from components.scenes.phugoid import Phugoid
 
-D31 = OscillatorScene, Energy, Analogues, Phugoid
-D34 = ModesScene, Coupled, Forced, Absorber
-SCENES: dict[str, type[Scene]] = {scene.slug: scene for scene in (*D31, Damped, DrivenScene, *D34, Accuracy)}
+SCENES: dict[str, type[Scene]] = {
+    scene.slug: scene
+    for scene in (
+        OscillatorScene,
+        Energy,
+        Analogues,
+        Phugoid,
+        Damped,
+        DrivenScene,
+        ModesScene,
+        Coupled,
+        Forced,
+        Absorber,
+        Accuracy,
+    )
+}

@@ -67,8 +67,8 @@ def registered(friction: str) -> str:
     """The registry with both scenes in it."""
     text = (ROOT / REGISTRY).read_text(encoding="utf-8")
     text = text.replace("\nSCENES: dict", f"{friction}\n{WALLS_IMPORT}\n\nSCENES: dict")
-    assert text.count("Accuracy)}\n") == 1, "the list of scenes ends as it did when this was written"
-    return text.replace("Accuracy)}\n", "Accuracy, Friction, Walls)}\n")
+    assert text.count("        Accuracy,\n") == 1, "the list of scenes ends as it did when this was written"
+    return text.replace("        Accuracy,\n", "        Accuracy,\n        Friction,\n        Walls,\n")
 
 
 def run(project: Path, *command: str) -> str:

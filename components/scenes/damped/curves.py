@@ -79,6 +79,12 @@ def parts_shown(case: DampedCase) -> bool:
     return case.kind == "over" and max(map(abs, late)) < FEW * case.reach
 
 
+def locus(case: DampedCase) -> Columns:
+    """The roots for other dampings of the same mass and spring: half a circle."""
+    turn = np.linspace(np.pi / 2, 3 * np.pi / 2, 49) if case.omega else np.empty(0)
+    return {"re": case.omega * np.cos(turn), "im": case.omega * np.sin(turn)}
+
+
 def columns_of(case: DampedCase, t: Floats) -> dict[str, Columns]:
     """Where a swing is too fast for a line: the band of x, and energies and power averaged over it."""
     one = case.oscillator
@@ -86,8 +92,8 @@ def columns_of(case: DampedCase, t: Floats) -> dict[str, Columns]:
     low, high = band_columns("x")
     bands = {} if drawable(one.omega_d, t) else {low: -case.envelope * decay, high: case.envelope * decay}
     if drawable(2 * one.omega_d, t):
-        return bands_over_time(t, bands)
+        return {"locus": locus(case), **bands_over_time(t, bands)}
     E = case.E_0 * decay * decay
     levels = {"none": np.zeros_like(t), "V": E / 2, "E": E, "E_0": np.full_like(t, case.E_0)}
     power = {"P": E * 2 * one.rates[0]} if one.c else {}
-    return {"time": {**levels, **power}, **bands_over_time(t, bands)}
+    return {"locus": locus(case), "time": {**levels, **power}, **bands_over_time(t, bands)}

@@ -133,6 +133,7 @@ def _plane() -> Block:
         x="re",
         y="im",
         title="Plane of the roots: to the left a motion dies faster, upwards it swings faster",
+        curves=(curve("im", source="locus", x="re", tint="ink", width="thin", group="locus", read="other *ζ*"),),
         heading=(term("", "none", "ink", form="roots", **ROOTS),),
         x_column="re",
         room=Room(2, 2),

@@ -16,7 +16,6 @@ from components.layout.stage import (
     Shape,
     T,
     W,
-    arc,
     arrow,
     circle,
     line,
@@ -174,8 +173,8 @@ def roots() -> tuple[Shape, ...]:
 
 
 def _circle(x0: Number, y0: Number, radius: Number) -> list[Shape]:
-    """The left half of |s| = omega_n: along it runs the scale of zeta."""
-    found: list[Shape] = [arc(x0, y0, radius, -math.pi, 0.0, style="floor", tint="ink", inside="roots")]
+    """The scale of zeta along the left half of |s| = omega_n."""
+    found: list[Shape] = []
     for zeta in TICKS:
         x, y = -zeta, math.sqrt(1 - zeta * zeta)
         inner, outer, name = ((x0 + far * x * radius, y0 - far * y * radius) for far in (0.97, 1.03, 1.12))
