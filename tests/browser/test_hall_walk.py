@@ -98,8 +98,9 @@ def test_a_clicker_leads_through_a_whole_walk(server: Server, page: Page) -> Non
     expect(contents).to_be_visible()
     clicked(page)
     expect(contents).to_be_visible()  # after the last step it stops
-    contents.evaluate("one => one.scrollTop = 0")
-    clicked(page, "PageUp")
+    for _ in range(4):  # up to its head, then out of it
+        if contents.is_visible():
+            clicked(page, "PageUp")
     expect(contents).to_be_hidden()
     for back in (1, 2):
         clicked(page, "PageUp")
