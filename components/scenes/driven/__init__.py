@@ -48,6 +48,7 @@ class DrivenScene(Scene):
     lecture = "D32, D33"
     points = "forced vibration with a dashpot"
     headline = "At resonance spring and inertia cancel; only the dashpot holds the push"
+    pictured = ("response", {})
     spoken = {"size of the swing": "{X} m", "r": "{r}", "lag": "{phi} rad"}
     equations = (
         "kind = force: m x'' + c x' + k x = F_0 sin(omega t)",
