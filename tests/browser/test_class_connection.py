@@ -166,7 +166,7 @@ def test_a_phone_that_is_loaded_anew_has_its_answers(window: Callable[[str, int,
     again = page.evaluate("oscillations.asked.card.question.pad.sent")
     assert again == drawn and len(again["Xp1"]) == 101
     expect(page.get_by_text("Sent. You can change it")).to_be_visible()
-    lecture.evaluate("oscillations.walks.walk.go(3)")
+    lecture.evaluate("oscillations.walks.walk.go(7)")  # d34-08, a point
     page.wait_for_function("oscillations.asked?.card?.question.marker")
     page.locator(".pill-mark").press("ArrowRight")
     expect(page.get_by_text("Sent. You can change it")).to_be_visible()
