@@ -62,7 +62,7 @@ MUTANTS = (
     Mutant("link", "components/state/link.py", "DIGITS = 4\n", "DIGITS = 2\n", "tests/components/test_let_go.py"),
     Mutant(
         "answer", "components/walks/content/d31.toml",
-        'answer = { is = 2.0, unit = "s"', 'answer = { is = 4.0, unit = "s"',
+        'answer = { of = "2 * delta_st"', 'answer = { of = "delta_st"',
         "tests/walks/test_content.py tests/walks/test_claims.py",
     ),
     # the server and the class

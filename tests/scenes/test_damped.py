@@ -18,8 +18,8 @@ from components.scenes.damped.words import SENTENCE
 from physics.damped import DampedOscillator
 from tests.grids import tries
 from tests.page.told import Page, put
+from tests.scenes.presets import taken
 from tests.scenes.said import read
-from tests.scenes.test_watch import taken
 
 DAMPED = SCENES["damped"]
 

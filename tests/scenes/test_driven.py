@@ -16,8 +16,8 @@ from components.scenes.driven.words import SENTENCE
 from physics.driven import DrivenOscillator, highest, magnification
 from tests.grids import tries
 from tests.page.told import Page, put
+from tests.scenes.presets import readout, taken
 from tests.scenes.said import read
-from tests.scenes.test_watch import readout, taken
 
 DRIVEN = SCENES["driven"]
 KINDS = ("force", "base", "unbalance")

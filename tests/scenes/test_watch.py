@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 import pytest
 
-from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.accuracy.recorded import records
 from physics.accuracy import SYSTEMS, Run
 from physics.coupled import free_modes
 from physics.forced import forced_motion
+from tests.scenes.presets import readout, taken
 
 
 @pytest.mark.parametrize("slug", SCENES)
@@ -21,16 +20,6 @@ def test_each_preset_says_what_to_watch(slug: str) -> None:
     scene = SCENES[slug]
     assert list(scene.watch) == list(scene.presets)
     assert all(20 < len(said) <= 100 and said.endswith(".") for said in scene.watch.values()), scene.watch
-
-
-def taken(slug: str, label: str) -> Any:
-    scene: Scene = SCENES[slug]()
-    scene.set({name: scene.preset_value(label, name) for name in scene.preset_names()})
-    return scene
-
-
-def readout(scene: Scene, name: str) -> float:
-    return next(one.value for one in scene.readouts() if one.name == name)
 
 
 def test_heavier_and_stiffer_oscillators() -> None:
