@@ -16,7 +16,7 @@ BOTH_CORES := -n 2 --dist worksteal
 # A text browser must not take the terminal: a page is opened only where there is a screen.
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
-.PHONY: run test test-all lint format types hooks fast coverage attack audit digests reconnect load course soak deploy-test class up upgrade accuracy \
+.PHONY: run test test-all scene lint format types hooks fast coverage attack audit digests reconnect load course soak deploy-test class up upgrade accuracy \
 	mutants pictures animation bench walk protocol readme lock docker clean
 
 run: $(VENV)/run.stamp
@@ -53,6 +53,12 @@ types: $(VENV)/test.stamp
 # The same tools before each commit, from this environment.
 hooks: $(VENV)/test.stamp
 	$(BIN)/pre-commit install
+
+# One scene while it is written: make scene SCENE=damped
+scene: lint
+	$(BIN)/pytest $(BOTH_CORES) -m "not browser" -k "$(SCENE)" tests/scenes tests/page tests/components
+	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/pytest $(BOTH_CORES) -m browser -k "$(SCENE)" \
+		tests/browser/test_screens.py tests/browser/test_texts.py tests/browser/test_page.py tests/browser/test_grabs.py
 
 # What needs no browser.
 fast: $(VENV)/test.stamp

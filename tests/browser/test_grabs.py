@@ -104,7 +104,7 @@ def test_what_a_hand_has_taken_is_where_the_hand_is(
     """By mouse on a desk, though answers are late there; by finger on phones."""
     desk = screen == "desk"
     page = open_scene(
-        new_page(*SCREENS[screen], **({} if desk else {"has_touch": True, "is_mobile": True})), scene=slug
+        new_page(*SCREENS[screen], fresh=True, **({} if desk else {"has_touch": True, "is_mobile": True})), scene=slug
     )
     if desk:
         page.evaluate(LATE)
@@ -133,7 +133,7 @@ def taken(page: Page, hand: Mouse | Finger, grip: Locator) -> None:
 
 def test_no_hint_comes_once_something_has_been_grabbed(new_page: Callable[..., Page], open_scene: Open) -> None:
     """However late its script is: it would move the page under a hand."""
-    page, late = new_page(390, 844), list[Route]()
+    page, late = new_page(390, 844, fresh=True), list[Route]()
     page.route("**/input/hint.js", lambda route: late.append(route))
     open_scene(page, scene="coupled")
     next(new_grips(page, "coupled")).focus()
@@ -153,7 +153,7 @@ def test_no_hint_comes_once_something_has_been_grabbed(new_page: Callable[..., P
 def test_on_a_narrow_screen_a_mouse_and_keys_move_what_they_have_taken(
     slug: str, new_page: Callable[..., Page], open_scene: Open
 ) -> None:
-    page = open_scene(new_page(390, 844), scene=slug)
+    page = open_scene(new_page(390, 844, fresh=True), scene=slug)
     grip = next(new_grips(page, slug))
     taken(page, Mouse(page), grip)
     page.wait_for_function(QUIET)
@@ -215,7 +215,7 @@ def test_the_guess_is_dragged_while_it_plays_by_its_point_and_by_its_shape(page:
 def test_a_finger_takes_the_drive_over_a_resonance_and_a_mass_along(
     new_page: Callable[..., Page], open_scene: Open
 ) -> None:
-    page = new_page(390, 844, has_touch=True, is_mobile=True)
+    page = new_page(390, 844, fresh=True, has_touch=True, is_mobile=True)
     open_scene(page, scene="forced")
     grip = page.get_by_role("slider", name="Drive frequency, on the curve of mass 1")
     grip.evaluate("grip => grip.scrollIntoView({block: 'center'})")
@@ -244,7 +244,7 @@ HELD = """({page, clock, line, busy}) => [Boolean(page.hand.grab), page.compare.
 def test_what_a_finger_has_set_stands_when_the_browser_takes_it_away(
     where: str, parameter: str, new_page: Callable[..., Page], open_scene: Open
 ) -> None:
-    page = open_scene(new_page(390, 844, has_touch=True, is_mobile=True), scene="forced")
+    page = open_scene(new_page(390, 844, fresh=True, has_touch=True, is_mobile=True), scene="forced")
     took = page.locator(where).first
     took.evaluate("one => one.scrollIntoView({block: 'center'})")
     if "grip" in where:
@@ -340,7 +340,7 @@ def test_the_hint_stands_on_the_stage_until_something_is_grabbed(page: Page, ope
 
 
 def test_the_hint_stands_in_one_place_whatever_the_window(new_page: Callable[..., Page], open_scene: Open) -> None:
-    page = open_scene(new_page(568, 320), scene="oscillator")
+    page = open_scene(new_page(568, 320, fresh=True), scene="oscillator")
     note, hint = page.locator(".transport .note"), page.locator(".block.stage > .hint")
     expect(note).to_contain_text("Drag what moves")
     expect(hint).to_be_hidden()

@@ -33,7 +33,7 @@ UNFOLD = """open => {
 ANSWER = """given => {
   const {question} = oscillations.walks.walk.card, {marker, pad, field} = question
   if ("option" in given) question.restore(given)
-  if (field) field.value = given.value
+  if (field) field.value = Number(given.value.toPrecision(3))
   if (marker) {
     const {start, end, exponent} = marker.ruler
     marker.value = Math.min(Math.max(given.value / 10 ** exponent, start), end)

@@ -19,6 +19,7 @@ from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
 from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
+from tests.browser.waiting import clicked
 
 pytestmark = pytest.mark.browser
 COVERED = {"plot:x2", "value:omega_minus", "form:beat"}
@@ -67,7 +68,7 @@ def test_a_file_is_run_or_refused_in_a_sentence(page: Page, open_scene: Callable
     page.wait_for_function(f"oscillations.walks.walk?.card && {READY}")
     expect(page.locator(".notice")).to_be_hidden()
     page.locator(".answers [data-option='0']").click()
-    page.keyboard.press("PageDown")
+    clicked(page)
     expect(page.locator("h1")).to_have_text("Twice as far takes just as long")
     page.reload()  # what has been answered is not asked again
     page.wait_for_function("oscillations.walks.walk?.lesson")
@@ -179,10 +180,10 @@ def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
         )
         assert (hidden, held, window) == (["x1_slow"], {"k2": 20}, 40)
         answer(page)
-        page.keyboard.press("PageDown")
+        clicked(page)
         page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
         assert page.evaluate("oscillations.walks.walk.lesson.right") is True
-        page.keyboard.press("PageDown")
+        clicked(page)
 
 
 def choose(page: Page) -> None:

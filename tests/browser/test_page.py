@@ -176,7 +176,7 @@ def test_a_handle_over_the_last_number_says_the_unit(page: Page, open_scene: Ope
 def test_a_term_of_the_formula_takes_its_curve_away(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
     page.locator(".block.plot .part.slow").first.click()
-    page.wait_for_function("oscillations.shown.state.hidden.includes('x1_slow')")
+    page.wait_for_function("oscillations.shown.state.hidden?.includes('x1_slow')")
     page.wait_for_url(re.compile("hidden=x1_slow"))
 
 
