@@ -162,7 +162,10 @@ export class Teach {
       if (walk && isShown) walk.show(true)
       else if (walk?.step) this.#put(walk)
       else this.order({type: "withdraw"})
-    } else if (walk?.card && this.votes.card !== walk.card) this.votes.begin(walk)
+    } else if (walk?.card && this.votes.card !== walk.card) {
+      this.votes.begin(walk)
+      if (walk.lesson && this.shown) this.votes.open() // its card has been laid anew
+    }
     if (walk?.lesson && !this.shown) {
       this.shown = true
       this.order({type: "show"})
