@@ -12,7 +12,7 @@ from components.scenes.driven.case import DrivenCase
 
 TASK = "Drag ω through the peak: which arrow holds the push below it, at it, and above it?"
 ALONE = 0.02
-"""Of the dashpot's arrow: where spring and inertia leave less of each other, it holds the push alone."""
+"""Of the dashpot's arrow and of the spring's: where spring and inertia leave less, the dashpot holds the push alone."""
 AT_ROOT = 1e-3
 """So near to √2 every dashpot is alike, to three digits."""
 SIZES = (
@@ -48,9 +48,10 @@ SENTENCE = either(
     "holds",
     spring="**Below resonance the spring holds most of the push.**",
     inertia="**Above resonance inertia holds most of the push.**",
-    dashpot="**Near resonance the dashpot holds most of the push.**",
+    dashpot="**Here the dashpot holds most of the push.**",
     alone="**At resonance the dashpot alone holds the push.**",
     grows="**Nothing holds the push: each swing grows by the same {growth} m.**",
+    grows_on="**Nothing holds the push: in the end each swing grows by {growth} m.**",
     near="**Next to resonance and without a dashpot the swing grows for very long.**",
     more="**Below √2 the mass swings more than its base; a stronger dashpot helps.**",
     alike="**At √2 every dashpot is alike: the mass swings as far as its base.**",
@@ -68,7 +69,7 @@ def holds(case: DrivenCase) -> str:
     if not case.size:
         return "idle"
     if case.grows:
-        return "grows"
+        return "grows_on" if case.x_0 or case.v_0 else "grows"
     r, dashpot = case.r, 2 * case.zeta * case.r
     if not case.zeta and not math.isfinite(case.M):
         return "near"
@@ -79,7 +80,7 @@ def holds(case: DrivenCase) -> str:
     left = abs((1 - r) * (1 + r))
     if dashpot < left:
         return "spring" if r < 1 else "inertia"
-    return "alone" if left < ALONE * dashpot else "dashpot"
+    return "alone" if left < ALONE * min(dashpot, 1.0) else "dashpot"
 
 
 def values(case: DrivenCase, axes: dict[str, Axis], power: Columns) -> dict[str, str]:
