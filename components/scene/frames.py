@@ -9,6 +9,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 
 from msgspec.structs import replace
 
@@ -30,6 +32,28 @@ ALIKE, NOISE = 5e-4, 1e-14
 """Relative difference of numbers in whose place a screen shows the same, and that of roundings, over a range."""
 LARGEST = 1e307
 """As far as a frame grows by steps; beyond it the doubles end."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Windowed:
+    """A motion over a window of time in s: the one chosen, or else `lasting`, unless that of the frame stands."""
+
+    window: float | None
+    standing: float | None = None
+
+    @cached_property
+    def lasting(self) -> float:
+        """The window that suits the motion. ValueError where it leaves the range of doubles."""
+        raise NotImplementedError
+
+    @property
+    def own_end(self) -> float:
+        """The end of the window that no frame has a say in."""
+        return self.window or self.lasting
+
+    @property
+    def end(self) -> float:
+        return self.standing or self.own_end
 
 
 def checked(frame: Frame) -> Frame:

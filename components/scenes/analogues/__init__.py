@@ -111,7 +111,7 @@ class Analogues(Scene):
         system = ANALOGUES[self.system]
         p = {parameter.name: getattr(self, f"{self.system}_{parameter.name}") for parameter in system.parameters}
         start = math.radians(self.theta_0) if self.system in SWINGING else getattr(self, f"{self.system}_start")
-        return AnalogueCase(system, p, start, self.window, standing)
+        return AnalogueCase(system=system, p=p, q_0=start, window=self.window, standing=standing)
 
     def readouts(self) -> tuple[Readout, ...]:
         case = self._case()

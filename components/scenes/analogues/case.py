@@ -12,6 +12,7 @@ from msgspec.structs import replace
 
 from components.quantities.axes import Axis, nice_axis
 from components.quantities.numbers import MINUS, short
+from components.scene.frames import Windowed
 from components.scene.traces import Columns, Floats, samples, trace
 from physics.analogue import Analogue, Tuned
 from physics.oscillator import Oscillator
@@ -39,16 +40,13 @@ class Swings(NamedTuple):
     size: float
 
 
-@dataclass(frozen=True)
-class AnalogueCase:
+@dataclass(frozen=True, kw_only=True)
+class AnalogueCase(Windowed):
     """The chosen system, released at rest from q_0 (SI, rad), and the spring and mass of equal numbers."""
 
     system: Analogue
     p: dict[str, float]
     q_0: float
-    window: float | None
-    standing: float | None = None
-    """The window that stands, where it is not the one chosen."""
 
     @cached_property
     def tuned(self) -> Tuned:
@@ -80,12 +78,8 @@ class AnalogueCase:
         return period
 
     @cached_property
-    def own_end(self) -> float:
-        return self.window or periods(2 * math.pi / self.period, SWINGS)
-
-    @property
-    def end(self) -> float:
-        return self.standing or self.own_end
+    def lasting(self) -> float:
+        return periods(2 * math.pi / self.period, SWINGS)
 
     @cached_property
     def t(self) -> Floats:

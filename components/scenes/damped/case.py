@@ -10,6 +10,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from components.quantities.motion import scaled
+from components.scene.frames import Windowed
 from components.scene.traces import Columns, Floats
 from physics.damped import DampedOscillator, FreeDecay
 from physics.energy import half_square
@@ -33,14 +34,12 @@ class Moment(NamedTuple):
 
 
 @dataclass(frozen=True, kw_only=True)
-class DampedCase:
-    """A damped oscillator, its start, its window, and the window that stands instead."""
+class DampedCase(Windowed):
+    """A damped oscillator and its start."""
 
     oscillator: DampedOscillator
     x_0: float
     v_0: float
-    window: float | None
-    standing: float | None = None
 
     @cached_property
     def motion(self) -> FreeDecay:
@@ -68,9 +67,7 @@ class DampedCase:
         return self.kind in ("plain", "under")
 
     @cached_property
-    def own_end(self) -> float:
-        if self.window:
-            return self.window
+    def lasting(self) -> float:
         one = self.oscillator
         if not one.k:
             rate = one.c / one.m
@@ -81,10 +78,6 @@ class DampedCase:
         if not 0 < end < math.inf:
             raise ValueError("the time in which this motion dies leaves the range of doubles")
         return float(f"{end:.2g}") or end
-
-    @property
-    def end(self) -> float:
-        return self.standing or self.own_end
 
     @property
     def fastest(self) -> float:

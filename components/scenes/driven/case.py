@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from components.quantities.motion import scaled
+from components.scene.frames import Windowed
 from components.scene.traces import Columns, Floats, samples
 from physics.damped import Fading
 from physics.driven import Drive, DrivenOscillator, Push, drawn, lag, magnification
@@ -25,8 +26,8 @@ APART = 4.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class DrivenCase:
-    """An oscillator, its drive (`size` is F_0 in N, Y in m, mu e in kg m), its start, its window."""
+class DrivenCase(Windowed):
+    """An oscillator, its drive (`size` is F_0 in N, Y in m, mu e in kg m), its start."""
 
     oscillator: DrivenOscillator
     kind: Drive
@@ -34,8 +35,6 @@ class DrivenCase:
     omega: float
     x_0: float
     v_0: float
-    window: float | None
-    standing: float | None = None
 
     @cached_property
     def omega_n(self) -> float:
@@ -54,17 +53,11 @@ class DrivenCase:
         return bool(self.size and self.omega)
 
     @cached_property
-    def own_end(self) -> float:
-        if self.window:
-            return self.window
+    def lasting(self) -> float:
         swings = LONG if self.zeta < HARDLY else SWINGS
         slow = min(self.omega_n, 2.5 * self.omega) if self.pushed else self.omega_n
         end = periods(slow, swings)
         return float(f"{end:.2g}") or end
-
-    @property
-    def end(self) -> float:
-        return self.standing or self.own_end
 
     @property
     def fastest(self) -> float:

@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from components.quantities.axes import Axis, nice_axis, nice_ticks, time_axis
 from components.quantities.numbers import at_tick, power_unit, three
+from components.scene.frames import Windowed
 from physics.exact import exact, precise, rounded
 from physics.hanging import HangingMass
 from physics.oscillator import OscillatorConstants
@@ -19,15 +20,13 @@ FARTHEST = 6.0
 
 
 @dataclass(frozen=True, kw_only=True)
-class HangingCase:
-    """A hanging mass, its start, its window, the one that stands instead, and from where V is counted."""
+class HangingCase(Windowed):
+    """A hanging mass, its start, and from where V is counted."""
 
     system: HangingMass
     x_0: float
     v_0: float
-    window: float | None
     datum: str
-    standing: float | None = None
 
     @property
     def separate(self) -> bool:
@@ -48,13 +47,8 @@ class HangingCase:
         return self.system.oscillator.constants(self.x_0, self.v_0)
 
     @cached_property
-    def own_end(self) -> float:
-        own = periods(2 * self.omega, 6)
-        return self.window or own
-
-    @property
-    def end(self) -> float:
-        return self.standing or self.own_end
+    def lasting(self) -> float:
+        return periods(2 * self.omega, 6)
 
     @cached_property
     def E(self) -> float:

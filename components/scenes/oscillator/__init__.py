@@ -21,7 +21,7 @@ from components.quantities.parameters import displacement, mass, one_of, stiffne
 from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
 from components.scene.about import About
-from components.scene.frames import FITTED, framed
+from components.scene.frames import FITTED, Windowed, framed
 from components.scene.traces import Columns, Floats, Traces, bands_over_time, samples, trace
 from components.scenes.oscillator.about import oscillator_about
 from components.scenes.oscillator.pull import Force, force
@@ -41,15 +41,12 @@ ROOM = {"x": (1.25, 1.25), "v": (1.15, 1.6), "a": (1.2, 1.75)}
 
 
 @dataclass(frozen=True, kw_only=True)
-class Oscillation:
-    """A motion and its window."""
+class Oscillation(Windowed):
+    """A motion over its window."""
 
     oscillator: Oscillator
     x_0: float
     v_0: float
-    window: float | None
-    standing: float | None = None
-    """The window that stands, where it is not the one chosen."""
 
     @cached_property
     def omega(self) -> float:
@@ -60,13 +57,8 @@ class Oscillation:
         return self.oscillator.constants(self.x_0, self.v_0)
 
     @cached_property
-    def own_end(self) -> float:
-        own = periods(self.omega, 2) if self.omega else time_window(0.0, 0.0)
-        return self.window or own
-
-    @property
-    def end(self) -> float:
-        return self.standing or self.own_end
+    def lasting(self) -> float:
+        return periods(self.omega, 2) if self.omega else time_window(0.0, 0.0)
 
     @property
     def turns(self) -> bool:
