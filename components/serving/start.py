@@ -15,12 +15,12 @@ from components.serving.thumbnails import HIGH, WIDE, thumbnail
 from components.state.link import PAGE_KEYS, read_query
 
 LOOKS = frozenset({"theme", "projector"})
-"""What a link may say beside a scene: it opens none."""
+"""Keys of a link that say how a page looks: alone they open no scene."""
 
 
 @cache
 def start_template() -> Template:
-    """start.html, which each page of the kind is made of."""
+    """The template of the start page."""
     return templates().get_template("start.html")
 
 
