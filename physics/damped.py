@@ -71,6 +71,16 @@ class Fading(NamedTuple):
     swing: float
     late: tuple[float, float]
 
+    def at(self, t: Array) -> Array:
+        """The motion at the times t in s, in doubles: as it is drawn."""
+        if self.apart:
+            parted = self.apart * t > 1
+            late = self.late[0] * np.exp(-self.slow * t) + self.late[1] * np.exp(-(self.slow + self.apart) * t)
+            soon = np.exp(-self.slow * t) * (self.start - self.rate * np.expm1(-self.apart * t) / self.apart)
+            return np.where(parted, late, soon)
+        sine = np.sin(self.swing * t) / self.swing if self.swing else t
+        return np.asarray(np.exp(-self.slow * t) * (self.start * np.cos(self.swing * t) + self.rate * sine))
+
 
 @dataclass(frozen=True, kw_only=True)
 class DampedOscillator:

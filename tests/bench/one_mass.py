@@ -29,7 +29,7 @@ FAMILIES: dict[str, Callable[[Random], tuple[float, float]]] = {
 }
 QUANTITIES = ("slower root, ulp", "size of the swing, ulp", "free motion, u", "driven motion, u")
 DIED_OUT = 1e-250
-"""What is left of a motion counts as nothing below."""
+"""Of the start: a motion that has died to less counts as nothing."""
 METHODS = ("this project", "textbook, float64")
 
 

@@ -34,7 +34,7 @@ MIDDLE = WIDE * 0.52 * W + NARROW * 0.3 * W
 """Where the block stands, across the stage."""
 LEVEL = WIDE * on_y("x", 0) + NARROW * 0.3 * H
 STROKE = WIDE * 0.8 * (var("x.bottom") - var("x.top")) + NARROW * 0.24 * H
-"""What the block moves between the largest displacements of the frame; less on a phone, where x(t) stands elsewhere."""
+"""The way of the block from the lowest x of the frame to the highest, in pixels; shorter on a phone."""
 SCALE = WIDE * -1 * var("x.y1") + NARROW * 0.12 * H * var("per_reach")
 SIDE = (WIDE * 56 + NARROW * 42) * var("side")
 LONGEST = 0.36

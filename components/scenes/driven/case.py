@@ -79,14 +79,24 @@ class DrivenCase(Windowed):
         return self.oscillator.response(self.omega, self.size, self.kind)
 
     @cached_property
+    def ratio(self) -> complex:
+        """X over F_0/k, over Y, or over m_0 e/m."""
+        return complex(magnification(self.r, self.zeta, self.kind)[0])
+
+    @cached_property
     def lag(self) -> float:
         """The angle in rad by which x lags the drive."""
-        return lag(complex(magnification(self.r, self.zeta, self.kind)[0]))
+        return lag(self.ratio)
 
     @cached_property
     def M(self) -> float:
-        """|X| over F_0/k, over Y, or over m_0 e/m."""
-        return float(abs(magnification(self.r, self.zeta, self.kind)[0]))
+        """The magnification."""
+        return abs(self.ratio)
+
+    @property
+    def steady(self) -> bool:
+        """Whether the steady part has a size."""
+        return not self.grows and math.isfinite(self.M)
 
     @cached_property
     def push(self) -> Push:
@@ -111,7 +121,7 @@ class DrivenCase(Windowed):
     def drawn(self, t: Floats) -> tuple[Floats, Floats]:
         """x and v in doubles, as they are drawn."""
         x, v = drawn(self.push, t)
-        return x + faded(self.free[0], t), v + faded(self.free[1], t)
+        return x + self.free[0].at(t), v + self.free[1].at(t)
 
     @cached_property
     def reach(self) -> float:
@@ -146,14 +156,3 @@ class DrivenCase(Windowed):
             return found | {"x_p": (self.X * turned).imag, "x_c": beside}
         envelope = self.growth * self.omega / (2 * math.pi) * t if self.grows and self.pushed else np.zeros_like(t)
         return found | {"upper": envelope, "lower": -envelope}
-
-
-def faded(one: Fading, t: Floats) -> Floats:
-    """A free motion in doubles."""
-    if one.apart:
-        parted = one.apart * t > 1
-        late = one.late[0] * np.exp(-one.slow * t) + one.late[1] * np.exp(-(one.slow + one.apart) * t)
-        soon = np.exp(-one.slow * t) * (one.start - one.rate * np.expm1(-one.apart * t) / one.apart)
-        return np.where(parted, late, soon)
-    sine = np.sin(one.swing * t) / one.swing if one.swing else t
-    return np.asarray(np.exp(-one.slow * t) * (one.start * np.cos(one.swing * t) + one.rate * sine))

@@ -41,7 +41,7 @@ def scalars_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, float]:
         return {"idle": 1.0}
     if case.grows:
         return {"growing": 1.0, "up": GROWN * top, "scale": 1.0}
-    if not math.isfinite(case.M):
+    if not case.steady:
         return {"idle": 1.0}
     r, M, across = case.r, case.M, 2 * case.zeta * case.r
     spring, inertia = M, r * r * M

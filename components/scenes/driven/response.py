@@ -77,7 +77,7 @@ def scalars_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, float]:
         scalars |= {"root2": r.place(math.sqrt(2.0) * case.omega_n)}
     if case.kind == "unbalance" and case.zeta:
         scalars |= {"one": 1.0}
-    if not case.grows and math.isfinite(case.M):
+    if case.steady:
         inside = min(case.M, M.end)
         scalars |= {"M_at": M.place(case.M), "lag_at": phase.place(case.lag), "M_held": M.place(inside), "steady": 1.0}
         scalars |= {"beyond": float(M.end < case.M)}

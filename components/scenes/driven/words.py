@@ -85,7 +85,7 @@ def holds(case: DrivenCase) -> str:
 
 def values(case: DrivenCase, axes: dict[str, Axis], power: Columns) -> dict[str, str]:
     rate = case.growth * case.omega / (2 * math.pi) if case.pushed else 0.0
-    steady = case.pushed and not case.grows and math.isfinite(case.M)
+    steady = case.pushed and case.steady
     return {
         "x_unit": axes["x"].full_unit,
         "M": three(case.M),
@@ -107,7 +107,7 @@ def values(case: DrivenCase, axes: dict[str, Axis], power: Columns) -> dict[str,
 
 
 def forms(case: DrivenCase, power: Columns) -> dict[str, str]:
-    steady = case.pushed and not case.grows and math.isfinite(case.M)
+    steady = case.pushed and case.steady
     based = case.kind == "base" and case.pushed
     return {
         "kind": case.kind,
