@@ -61,8 +61,8 @@ def linked(query: Query, walks: Walks) -> tuple[Link, str]:
     problems = []
     try:
         if asked := asked_step(query, walks):
-            walk, step = asked
-            return replace(read_link(step.state, SCENES), covered=step.cover), f"{walk.name}/{step.id}"
+            step, name = asked
+            return replace(read_link(step.state, SCENES), covered=step.cover), name
     except ValueError as reason:
         problems.append(str(reason))
     link = read_query(query, SCENES).as_opened(SCENES)
@@ -107,11 +107,14 @@ def read_for_others(folders: Iterable[Path]) -> None:
 def walked(folders: Iterable[Path]) -> Lectured:
     """The parts of a server with the lecture's walks and those of folders."""
     walks = all_walks(folders, SCENES)
-    files = {walk: walk_file(walk, SCENES) for walk in walks.values()}
-    listed = [{"name": walk.name, "title": walk.title, "sheet": address} for walk, (address, _) in files.items()]
+    files = [walk_file(walk, SCENES) for walk in walks.values()]
+    listed = [
+        {"name": walk.name, "title": walk.title, "sheet": address}
+        for walk, (address, _) in zip(walks.values(), files, strict=True)
+    ]
     opening, numbers = partial(open_page, walks=walks, listed=listed), partial(numbers_of, walks=walks)
     start = StartPage(SCENES, listed)
-    return Lectured(opening, numbers, dict(files.values()), QuestionBank(walks, SCENES), start)
+    return Lectured(opening, numbers, dict(files), QuestionBank(walks, SCENES), start)
 
 
 def open_page(

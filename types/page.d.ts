@@ -14,10 +14,12 @@ declare namespace page {
   /** An answer to a step of a walk: an option by its place, the text of a number, a place on the axis, or curves by
    * name.
    *
-   * `vote` counts how often the question has been put to a class, from 1 on. */
+   * `seed` is that of the step's numbers, 0 for those of its file; `vote` counts how often the question has been put to
+   * a class, from 1 on. */
   interface Given {
     walk: Name
     step: Name
+    seed?: number
     vote?: number
     option?: number | null
     text?: string
@@ -226,7 +228,8 @@ declare namespace page {
 
   /** All that a page stands for: a scene, its parameters that are not at their defaults, its frame where it is not the
    * fitted one, the parameters held for comparison, the plots and values covered, the parameters from before the change
-   * to be predicted, the hidden curves where they are not the scene's own, and the step of a walk. */
+   * to be predicted, the hidden curves where they are not the scene's own, and the step of a walk: "d34/d34-07", and
+   * "d34/d34-07/5" where its numbers have a seed. */
   interface State {
     scene: string
     parameters: Record<string, Value>
@@ -244,7 +247,8 @@ declare namespace page {
    * shown in another order unless they are `fixed`, `unit` is that of a number; `plot` is where a point is marked or a
    * sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and `frame` the axes x and y of a sketch
    * that a class shares. `opens` is the state that the question is asked of, `reveals` the one of the answer, where the
-   * parameters in `controls` may be moved. The `core` steps make a shorter walk. */
+   * parameters in `controls` may be moved. The `core` steps make a shorter walk. `variants` are cards of its question
+   * with other numbers, under the seeds from 1 on. */
   interface StepCard {
     id: string
     kind: string
@@ -264,6 +268,7 @@ declare namespace page {
     axis: "" | "x" | "y"
     curves: string[]
     frame: [Ruler, Ruler] | null
+    variants: StepCard[]
   }
 
   /** A walk from its first step to its last, and the sentences on what it has shown. */

@@ -28,11 +28,13 @@ class Given(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """An answer to a step of a walk: an option by its place, the text of a number, a place on the axis, or curves by
     name.
 
-    `vote` counts how often the question has been put to a class, from 1 on.
+    `seed` is that of the step's numbers, 0 for those of its file; `vote` counts how often the question has been put to
+    a class, from 1 on.
     """
 
     walk: Name
     step: Name
+    seed: Annotated[int, Meta(ge=0, le=1000)] = 0
     vote: Annotated[int, Meta(ge=1, le=9)] = 1
     option: Annotated[int, Meta(ge=0, le=9)] | None = None
     text: Annotated[str, Meta(max_length=60)] = ""

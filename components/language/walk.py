@@ -18,7 +18,8 @@ class StepCard(Struct, frozen=True, kw_only=True):
     shown in another order unless they are `fixed`, `unit` is that of a number; `plot` is where a point is marked or a
     sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and `frame` the axes x and y of a sketch
     that a class shares. `opens` is the state that the question is asked of, `reveals` the one of the answer, where the
-    parameters in `controls` may be moved. The `core` steps make a shorter walk.
+    parameters in `controls` may be moved. The `core` steps make a shorter walk. `variants` are cards of its question
+    with other numbers, under the seeds from 1 on.
     """
 
     id: str
@@ -39,6 +40,7 @@ class StepCard(Struct, frozen=True, kw_only=True):
     axis: Literal["", "x", "y"] = ""
     curves: tuple[str, ...] = ()
     frame: tuple[Ruler, Ruler] | None = None
+    variants: tuple[StepCard, ...] = ()
 
 
 class WalkSheet(Struct, frozen=True, kw_only=True):

@@ -25,7 +25,7 @@ from components.scene.frames import FITTED, SIZES, checked
 from components.state.beside import HIDDEN, holdable
 
 FOREIGN_KEYS = ("bokeh-", "panel-")
-PAGE_KEYS = frozenset({"theme", "projector", "walk", "step"})
+PAGE_KEYS = frozenset({"theme", "projector", "walk", "step", "seed"})
 MOST_PROBLEMS = 8
 COVER = "cover"
 FRAME, GIVEN = "frame.", Frame(given=True)
@@ -103,9 +103,8 @@ def write_query(state: State, scene: type[Scene]) -> str:
 
 
 def step_query(step: str) -> str:
-    """The query that opens a step of a walk, "d34/d34-07"."""
-    walk, _, name = step.partition("/")
-    return urlencode({"walk": walk, "step": name})
+    """The query that opens a step of a walk, "d34/d34-07", or "d34/d34-07/5" with the numbers of a seed."""
+    return urlencode(dict(zip(("walk", "step", "seed"), step.split("/"), strict=False)))
 
 
 def _frame_parts(frame: Frame) -> dict[str, str]:

@@ -35,7 +35,7 @@ class Standing:
     `held`     the scene held for comparison, shown as the one that stands is
     `before`   what stood before the change that is to be predicted: it is told in place of this
     `covered`  the plots, numbers and sentences that are not told
-    `step`     the step of a walk that it belongs to, "d34/d34-07"
+    `step`     the step of a walk that it belongs to, "d34/d34-07"; with a seed "d34/d34-07/5"
     `shared`   the system that goes along to other scenes
     `in_hand`  whether a hand holds on to what is drawn: then its frame stands, though something leaves it
     `number`   of the message that led here: one that comes again is not done again

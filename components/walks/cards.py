@@ -6,12 +6,14 @@ import re
 from hashlib import sha256
 
 import msgspec
+from msgspec.structs import replace
 
 from components.language.walk import StepCard, WalkSheet
 from components.layout.text import rich
-from components.walks.links import Scenes, answer_state, opening_state
+from components.walks.links import Scenes
 from components.walks.subject import Subject
 from components.walks.texts import FORMULA
+from components.walks.variants import variants_of, with_numbers
 from components.walks.walk import Step, Walk
 
 SENTENCE = re.compile(r"(?<=[.?!]) (?=[A-ZΑ-Ω*√½\"“])|(?<=[。？！])")
@@ -19,7 +21,7 @@ ASKS = re.compile(r"[?？]$|^(Sketch|Mark)\b")
 
 
 def walk_sheet(walk: Walk, scenes: Scenes) -> WalkSheet:
-    steps = tuple(step_card(walk.name, step, scenes) for step in walk.steps)
+    steps = tuple(_card_with_variants(walk.name, step, scenes) for step in walk.steps)
     return WalkSheet(name=walk.name, title=walk.title, steps=steps, end=tuple(map(rich, walk.end)))
 
 
@@ -29,11 +31,18 @@ def walk_file(walk: Walk, scenes: Scenes) -> tuple[str, bytes]:
     return f"walks/{walk.name}.{sha256(content).hexdigest()[:16]}.json", content
 
 
-def step_card(walk: str, step: Step, scenes: Scenes) -> StepCard:
-    given, question = parted(step.question)
-    opens = opening_state(walk, step, scenes)
+def _card_with_variants(walk: str, step: Step, scenes: Scenes) -> StepCard:
+    variants = tuple(step_card(walk, one, scenes, seed) for seed, one in variants_of(step))
+    return replace(step_card(walk, step, scenes), variants=variants)
+
+
+def step_card(walk: str, step: Step, scenes: Scenes, seed: int = 0) -> StepCard:
+    """The card of a step that has the numbers of a seed."""
+    subject = Subject(walk, step, scenes, seed)
+    given, question = parted(asked(step, subject))
+    opens = subject.opening
     return step.card(
-        Subject(walk, step, scenes),
+        subject,
         id=step.id,
         kind=step.kind,
         place=place_in_lecture(step.slides),
@@ -43,9 +52,14 @@ def step_card(walk: str, step: Step, scenes: Scenes) -> StepCard:
         minutes=step.planned,
         core=step.core,
         opens=opens,
-        reveals=answer_state(walk, step, scenes),
+        reveals=subject.answer,
         controls=step.controls,
     )
+
+
+def asked(step: Step, subject: Subject) -> str:
+    """The question of a step, with its numbers; ValueError, in words, for one that the scene does not have."""
+    return with_numbers(step.question, lambda: subject.standing.scene)
 
 
 def parted(question: str) -> tuple[str, str]:

@@ -8,13 +8,14 @@ from functools import partial
 from components.layout.text import rich
 from components.quantities.numbers import excerpt
 from components.state.covers import coverable
-from components.walks.cards import ASKS, sentences
+from components.walks.cards import ASKS, asked, sentences
 from components.walks.leaks import leaks
 from components.walks.links import Scenes, standing_at
 from components.walks.questions.question import refused
 from components.walks.subject import Subject
 from components.walks.texts import line, live_names
 from components.walks.types import BaseStep
+from components.walks.variants import numbers_drawn, strange_spans, told_apart, variants_of
 from components.walks.walk import Step, Walk
 
 MOST_WORDS = 60
@@ -26,14 +27,14 @@ def problems(walk: Walk, scenes: Scenes) -> Iterator[str]:
     for i, sentence in enumerate(walk.end):
         yield from (f"{walk.name}, {problem}" for problem in refused(f"end[{i}]", partial(rich, sentence)))
     for i, step in enumerate(walk.steps, 1):
-        for problem in _of_step(step, Subject(walk.name, step, scenes)):
+        for problem in _of_step(walk.name, step, scenes):
             yield f"{walk.name}, step {i} ({step.id}), {problem}"
 
 
 def shortcomings(walk: Walk, scenes: Scenes) -> Iterator[str]:
     """The shortcomings of a walk, though it runs: sentences that name its step and field."""
     for i, step in enumerate(walk.steps, 1):
-        for doubt in _doubts(step, Subject(walk.name, step, scenes)):
+        for doubt in (*_doubts(step, Subject(walk.name, step, scenes)), *_doubts_of_variants(walk.name, step, scenes)):
             yield f"{walk.name}, step {i} ({step.id}), {doubt}"
     yield from leaks(walk, scenes)
 
@@ -48,14 +49,35 @@ def _doubts(step: Step, subject: Subject) -> Iterator[str]:
     yield from step.doubts(subject)
 
 
+def _doubts_of_variants(walk: str, step: Step, scenes: Scenes) -> Iterator[str]:
+    for seed, one in variants_of(step):
+        for doubt in one.doubts(Subject(walk, one, scenes, seed)):
+            yield f"vary: with {told_apart(numbers_drawn(step, seed))}: {doubt}"
+            return
+
+
 def coverable_names(step: Step, scenes: Scenes) -> list[str]:
     """The names of all that can be covered in a step."""
     standing = standing_at(step.state, scenes)
     return sorted(coverable(standing.kind, standing.shown))
 
 
-def _of_step(step: Step, subject: Subject) -> Iterator[str]:
+def _of_step(walk: str, step: Step, scenes: Scenes) -> Iterator[str]:
     yield from _of_texts(step)
+    subject = Subject(walk, step, scenes)
+    found = [*_in_scene(step, subject)] or [*strange_spans(step, subject.standing.kind)]
+    yield from found or _of_variants(walk, step, scenes)
+
+
+def _of_variants(walk: str, step: Step, scenes: Scenes) -> Iterator[str]:
+    """The problem that a step first has with numbers that a student may have."""
+    for seed, one in variants_of(step):
+        for problem in _in_scene(one, Subject(walk, one, scenes, seed)):
+            yield f"vary: with {told_apart(numbers_drawn(step, seed))}: {problem}"
+            return
+
+
+def _in_scene(step: Step, subject: Subject) -> Iterator[str]:
     field = "state"
     try:
         before = subject.standing
@@ -75,11 +97,14 @@ def _of_step(step: Step, subject: Subject) -> Iterator[str]:
         f"explain: there is no live number “{excerpt(name)}”."
         for name in sorted(spoken - {*after.shown.values, *after.shown.live})
     )
+    yield from refused("question", lambda: rich(asked(step, subject)))
     yield from step.problems(subject)
 
 
 def _of_texts(step: BaseStep) -> Iterator[str]:
     for field, text in step.sentences():
+        if field == "question":
+            continue  # it has numbers of its scene
         yield from refused(field, partial(rich, text))
         if field != "explain" and any(live_names(text)):
             yield f"{field}: live numbers can stand in explain only."

@@ -7,6 +7,7 @@ from components.quantities.numbers import excerpt
 from components.walks import Walks
 from components.walks.links import Scenes
 from components.walks.subject import Subject
+from components.walks.variants import varied
 from components.walks.walk import Step
 
 
@@ -21,9 +22,11 @@ def taught(given: Given, walks: Walks, scenes: Scenes) -> Taught:
 
 
 def told_of(given: Given, step: Step, scenes: Scenes) -> Taught:
-    """The message on an answer to a step: a lesson, or in words why there is none."""
+    """The message on an answer to a step, with the numbers that it was given: a lesson, or in words why there is
+    none."""
     try:
-        lesson, refused = step.lesson(given, Subject(given.walk, step, scenes)), ""
+        step = varied(step, given.seed)
+        lesson, refused = step.lesson(given, Subject(given.walk, step, scenes, given.seed)), ""
     except ValueError as reason:
         lesson, refused = None, str(reason)
     return Taught(walk=given.walk, step=given.step, lesson=lesson, refused=refused)

@@ -53,16 +53,16 @@ def state_of_link(link: str, scenes: Scenes) -> State:
     return state_in(found, scenes[found.slug])
 
 
-def opening_state(walk: str, step: BaseStep, scenes: Scenes) -> State:
-    """The state that a step's question is asked of."""
-    return replace(state_of_link(step.state, scenes), covered=step.cover, step=f"{walk}/{step.id}")
+def name_in_state(walk: str, step: BaseStep, seed: int = 0) -> str:
+    """The step as a state names it, "d34/d34-07", and "d34/d34-07/5" with the numbers of a seed."""
+    return "/".join((walk, step.id, *([str(seed)] if seed else [])))
 
 
-def answer_state(walk: str, step: BaseStep, scenes: Scenes) -> State:
-    """The state that is shown with its answer."""
-    return elsewhere(walk, step, step.shown, scenes)
+def opening_state(name: str, step: BaseStep, scenes: Scenes) -> State:
+    """The state that a step's question is asked of; `name` is that of the step in a state."""
+    return replace(state_of_link(step.state, scenes), covered=step.cover, step=name)
 
 
-def elsewhere(walk: str, step: BaseStep, link: str, scenes: Scenes) -> State:
+def elsewhere(name: str, step: BaseStep, link: str, scenes: Scenes) -> State:
     """The state of another link, at which the page stays in the step, after its answer."""
-    return replace(state_of_link(link, scenes), covered=step.still, step=f"{walk}/{step.id}")
+    return replace(state_of_link(link, scenes), covered=step.still, step=name)

@@ -5,12 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import islice
 from pathlib import Path
+from typing import NamedTuple
 
 from components.quantities.numbers import excerpt
 from components.walks import Query, Walks
 from components.walks.checking import problems
-from components.walks.links import Scenes
+from components.walks.links import Scenes, name_in_state
 from components.walks.loading import WalkError, load_walks, read_walk, steps_of
+from components.walks.variants import varied
 from components.walks.walk import Step, Walk
 
 MOST_PROBLEMS = 8
@@ -46,15 +48,25 @@ def read_own(text: str, name: str, walks: Walks, scenes: Scenes) -> Walk:
     return walk
 
 
-def asked_step(query: Query, walks: Walks) -> tuple[Walk, Step] | None:
+class AskedStep(NamedTuple):
+    """The step that a link asks for, with the numbers of its seed, and its name in a state."""
+
+    step: Step
+    name: str
+
+
+def asked_step(query: Query, walks: Walks) -> AskedStep | None:
     """The step that a link asks for: the first where it names none. ValueError, in words, where there is no such."""
     if "walk" not in query:
         return None
-    name, step = (query.get(key, [b""])[0].decode(errors="replace") for key in ("walk", "step"))
+    name, step, seed = (query.get(key, [b""])[0].decode(errors="replace") for key in ("walk", "step", "seed"))
     if name not in walks:
         raise ValueError(f"walk: “{excerpt(name)}” is not a walk: choose one of {', '.join(walks)}.")
     walk = walks[name]
     place = walk.place(step) if step else 0
     if place is None:
         raise ValueError(f"step: the walk {name} has no step “{excerpt(step)}”; it has {len(walk.steps)}.")
-    return walk, walk.steps[place]
+    if seed and not (seed.isdecimal() and len(seed) < 5):
+        raise ValueError(f"seed: “{excerpt(seed)}” is no seed of a step's numbers.")
+    found = varied(walk.steps[place], int(seed or 0))
+    return AskedStep(found, name_in_state(name, found, int(seed or 0)))

@@ -16,7 +16,7 @@ from components.quantities.axes import Axis
 from components.state.covers import without
 from components.state.scene_sheet import plots
 from components.state.standing import Standing
-from components.walks.links import Scenes, answer_state, elsewhere, standing_at
+from components.walks.links import Scenes, elsewhere, name_in_state, opening_state, standing_at
 from components.walks.sketch import Ranges, Sketch, sketch
 from components.walks.types import BaseStep
 
@@ -59,8 +59,8 @@ def place_of(axis: Axis, number: float) -> float:
 class Subject:
     """The scene that a step's question is about, made when it is first asked for, with what questions find in it."""
 
-    def __init__(self, walk: str, step: BaseStep, scenes: Scenes) -> None:
-        self._walk, self._step, self.scenes = walk, step, scenes
+    def __init__(self, walk: str, step: BaseStep, scenes: Scenes, seed: int = 0) -> None:
+        self._name, self._step, self.scenes = name_in_state(walk, step, seed), step, scenes
         self.pad, self.true = cache(self._pad), cache(self._true)
 
     @cached_property
@@ -74,13 +74,18 @@ class Subject:
         return standing_at(self._step.shown, self.scenes)
 
     @property
+    def opening(self) -> State:
+        """The state that the question is asked of."""
+        return opening_state(self._name, self._step, self.scenes)
+
+    @property
     def answer(self) -> State:
         """The state that is shown with the answer."""
-        return answer_state(self._walk, self._step, self.scenes)
+        return self.elsewhere(self._step.shown)
 
     def elsewhere(self, link: str) -> State:
         """The state of another link, at which the page stays in the step."""
-        return elsewhere(self._walk, self._step, link, self.scenes)
+        return elsewhere(self._name, self._step, link, self.scenes)
 
     def axes(self, plot: str) -> PlotAxes:
         """ValueError where the scene shows no such plot."""

@@ -12,6 +12,8 @@ Sentence: TypeAlias = Annotated[str, Meta(min_length=1, max_length=600)]
 Address: TypeAlias = Annotated[str, Meta(max_length=8000)]
 """A link, as long as a server takes one: components/serving/pages.py."""
 Slide: TypeAlias = Annotated[str, Meta(pattern=r"^[A-Z0-9]+-N?\d+$")]
+Span: TypeAlias = tuple[float, float]
+"""The range of a quantity, in SI."""
 Above0: TypeAlias = Annotated[float, Meta(gt=0)]
 
 
@@ -23,7 +25,8 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     """One idea: a question, the state that it is asked of, what is covered until it is answered, and what it means.
 
     `state` and `reveal` are links: what is shown with the question and, where that is something else, with the answer.
-    `still` is what stays covered after it, for a later step that asks for it. `controls` are the parameters that may be
+    `still` is what stays covered after it, for a later step that asks for it. In the spans of `vary`, by quantity, each
+    student has numbers of their own: components/walks/variants.py. `controls` are the parameters that may be
     moved after the answer, `next` says what to try with the first of them. The `core` steps of a walk make a shorter
     one.
     """
@@ -33,6 +36,7 @@ class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     question: Sentence
     state: Address
     explain: Sentence
+    vary: Annotated[dict[str, Span], Meta(max_length=4)] = {}
     follows: Annotated[str, Meta(max_length=2000)] = ""
     next: str = ""
     slides: tuple[Slide, ...] = ()

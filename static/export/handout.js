@@ -41,8 +41,8 @@ export async function handout(walk) {
  */
 async function go(walk, i, sections) {
   const {lecture} = walk
-  const step = walk.sheet.steps[i]
-  if (!step) return
+  if (!walk.sheet.steps[i]) return
+  const step = walk.numbered(walk.sheet.steps[i])
   const [questions, answers] = sections(i)
   walk.go(i)
   const isAsked = () => walk.place === i && !walk.lesson && walk.card?.page === lecture.page

@@ -38,6 +38,11 @@ export class Classes {
     this.opening = false
   }
 
+  /** Whether this page leads a class, or is about to come back to its own. */
+  get leads() {
+    return Boolean(this.led ?? tabStorage.text(LED))
+  }
+
   opening = false // one class, however often the key is pressed
 
   /** Another connection: its session learns of the class too. */

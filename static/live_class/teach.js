@@ -154,6 +154,7 @@ export class Teach {
   /** After whatever happens in a walk; null when it is left. @param {Walk | null} walk */
   walked(walk) {
     if (!this.news.number) return // it is not known yet what has been asked
+    if (walk?.numbers) return walk.go(walk.place) // in a class all have the numbers of the file
     if (nameOf(walk) !== this.put || (walk && walk.sheet !== this.sheet)) {
       const isShown = this.#isShown(walk)
       this.put = nameOf(walk)

@@ -14,8 +14,8 @@ export function orderOf({id, options, fixed}, seed) {
   return places.toSorted((a, b) => rank[a] - rank[b] || a - b)
 }
 
-/** @param {string} text */
-function hash(text) {
+/** A number of 32 bits. @param {string} text */
+export function hash(text) {
   let found = BASIS
   for (const byte of new TextEncoder().encode(text)) found = Math.imul(found ^ byte, PRIME) >>> 0
   return Math.imul(found ^ (found >>> 16), MIX) >>> 0

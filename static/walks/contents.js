@@ -87,7 +87,8 @@ export class Contents {
     const kept = this.walk.answers.of(step.id)
     const where = [step.place, step.scene].filter(Boolean).join(", ")
     const said = kept ? `${where}, your answer: ${kept.said}` : `${where}, ${minutes([step])}`
-    const claim = marked("span", {class: "claim"}, kept ? kept.title : `${step.given} ${step.question}`.trim())
+    const {given, question} = this.walk.numbered(step)
+    const claim = marked("span", {class: "claim"}, kept ? kept.title : `${given} ${question}`.trim())
     const number = element("span", {class: "number-of-step"}, String(i + 1))
     const parts = [number, claim, element("span", {class: "said"}, said), ...(kept ? [mark(kept.right)] : [])]
     const go = () => {

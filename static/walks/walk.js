@@ -6,6 +6,7 @@ import {ANSWER_FIRST, Card} from "./card.js"
 import {Contents} from "./contents.js"
 import {tabStorage} from "../core/storage.js"
 import {ownSeed} from "./seed.js"
+import {seedOf, variant} from "./variants.js"
 
 const SHORT = "core-steps"
 
@@ -27,6 +28,8 @@ export class Walk {
 
   /** @type {page.State | undefined} of the step, as it was told last */
   state
+
+  numbers = 0 // the seed of those that the step has, 0 where they are those of its file
 
   unfolded = false
 
@@ -50,7 +53,15 @@ export class Walk {
 
   /** @returns {page.StepCard} */
   get step() {
-    return this.sheet.steps[this.place]
+    const step = this.sheet.steps[this.place]
+    return step && variant(step, this.numbers)
+  }
+
+  /** A step of a walk with the numbers that this visitor has. @param {page.StepCard} step */
+  numbered(step) {
+    if (this.lecture.classes.leads) return step
+    const stands = this.numbers && step === this.sheet.steps[this.place]
+    return variant(step, stands ? this.numbers : seedOf(step))
   }
 
   /** The steps that are walked: all, or where that was chosen the core alone. */
@@ -70,11 +81,9 @@ export class Walk {
 
   /** Its place in the lecture and in the walk. */
   get where() {
-    const {steps} = this
-    const [n, all] = steps.includes(this.step)
-      ? [steps.indexOf(this.step), steps.length]
-      : [this.place, this.sheet.steps.length]
-    return [this.step.place, `${n + 1} of ${all}`].filter(Boolean).join(" · ")
+    const [own, all] = [this.sheet.steps[this.place], this.sheet.steps]
+    const steps = this.steps.includes(own) ? this.steps : all
+    return [this.step.place, `${steps.indexOf(own) + 1} of ${steps.length}`].filter(Boolean).join(" · ")
   }
 
   /** The place of the next step that is walked, or of the one before. @param {1 | -1} way */
@@ -91,7 +100,7 @@ export class Walk {
     if (!step) return
     this.contents?.close()
     this.#putAway()
-    this.lecture.open(step.opens)
+    this.lecture.open(this.numbered(step).opens)
   }
 
   /** The same question once more; what was drawn stays, dotted. */
@@ -109,12 +118,19 @@ export class Walk {
     this.card = null
   }
 
-  /** After every picture of a step. @param {string} id @param {Drawn} shown */
-  arrive(id, shown) {
+  /**
+   * After every picture of a step. One that is asked by its link alone is asked with this visitor's own numbers.
+   * @param {string} id @param {number} numbers the seed of its numbers @param {Drawn} shown
+   */
+  arrive(id, numbers, shown) {
     const place = this.sheet.steps.findIndex(step => step.id === id)
     const {page} = this.lecture
     const isAsked = this.#isAsked(place, shown)
-    const isAnother = place !== this.place || page !== this.card?.page || this.seed !== this.card?.seed
+    const step = this.sheet.steps[place]
+    if (step && isAsked && !numbers && this.numbered(step) !== step) return this.go(place)
+    const isAnother =
+      place !== this.place || numbers !== this.numbers || page !== this.card?.page || this.seed !== this.card?.seed
+    this.numbers = numbers
     if (isAnother || (this.lesson && isAsked)) this.#lay(place, isAsked)
     this.state = shown.state
     this.card?.update(shown)
@@ -178,7 +194,7 @@ export class Walk {
     if (this.lecture.classes.put === this.#name) return this.card?.refuse(ASKED_NOW)
     const given = this.card?.question.given()
     if (!given && !always) return this.card?.refuse(`${ANSWER_FIRST}.`)
-    const answer = {walk: this.sheet.name, step: this.step.id, ...given}
+    const answer = {walk: this.sheet.name, step: this.step.id, seed: this.numbers, ...given}
     const told = await this.lecture.line.ask({type: "given", answer})
     if (told.type === "taught") this.#taught(told)
   }

@@ -70,13 +70,13 @@ export class Walks {
   /** After every picture: the step that it stands for, if it does. @param {Drawn} shown */
   async shown(shown) {
     this.latest = shown
-    const [asked, step] = shown.state.step.split("/")
+    const [asked, step, seed] = shown.state.step.split("/")
     const name = (await this.#isKnown(asked)) ? asked : ""
     if (shown !== this.latest) return
     this.menu.walked(Boolean(name))
     if (name) {
       await this.#take(name)
-      if (shown === this.latest) this.walk?.arrive(step, shown)
+      if (shown === this.latest) this.walk?.arrive(step, Number(seed ?? 0), shown)
       this.left = null
     } else {
       this.left = this.walk?.bookmark ?? this.left

@@ -82,7 +82,6 @@ PERIODS["tour-04"] = PERIODS["d34-10"]
 
 # Numbers in the texts that are no parameter and no live value of the step's scene.
 STATED: dict[str, dict[str, float]] = {
-    "d31-02": {"1.00": spring.period, "157.6": 4 * 39.4},
     "d31-03": {"0.3": SCENES["oscillator"].param["x_0"].softbounds[1]},
     "d31-04": {"1.00": spring.period, "0.356": first_low, "2": end_of("?scene=oscillator"), "0.8": 0.8, "−0.1": -0.1},
     "d31-05": {"−0.665": math.atan(0.1 * spring.omega_n / -0.8)},
@@ -152,7 +151,7 @@ STATED: dict[str, dict[str, float]] = {
     },
     "d34-11": {"1": 0.2 * beats.modes().ratio[0]},
     "d34-12": {"200": 200},
-    "d34-13": {"1": 1.0, "−1": -pushed[1], "0.5": 1 / slowly.k2, "0.8": 0.8, "0.560": slowly.modes().omega[0]},
+    "d34-13": {"1": 1.0},
     "d34-14": {"0.618": equal.modes().omega[0], "1.618": equal.modes().omega[1], "2.5": 2.5, "5": 5, "−5": -5},
     "d34-15": {"25": end_of("?scene=forced&m1=2&k1=4&k2=2&omega=1"), "12": 1 / growth, "0.95": 0.95, "1": 1},
     "d34-16": {"50": math.sqrt(250e3 / 100)},

@@ -299,7 +299,7 @@ def test_a_link_names_a_step_by_id_or_number() -> None:
     assert asked_step({"scene": [b"coupled"]}, OWN) is None
     for query, step in (({"walk": [b"d34"]}, "d34-01"), ({"walk": [b"d34"], "step": [b"7"]}, "d34-07")):
         found = asked_step(query, OWN)
-        assert found and found[1].id == step
+        assert found and found.step.id == step
     with pytest.raises(ValueError, match="walk: “d99” is not a walk"):
         asked_step({"walk": [b"d99"]}, OWN)
     with pytest.raises(ValueError, match="no step “17”; it has 16"):

@@ -113,12 +113,16 @@ class NumericStep(Question, frozen=True, kw_only=True):
                 yield f"misses[{i}].is: {number:g} is within the tolerance of the right answer."
 
     def doubts(self, subject: Subject) -> Iterator[str]:
-        """A number that is none of the scene's may be a slip."""
+        """A number that is none of the scene's may be a slip; of two misses with one number only the first is told."""
         size = unit_size(self.answer.unit)
         known = [number / size for number in numbers_of(subject.answered.scene).values()]
         for number in () if self.answer.quantities else self.answer.numbers:
             if not self.is_near(number, known):
                 yield f"answer: {number:g} is no number of this scene: name the quantity that it is, of = ..."
+        wrong = self.wrong(subject)
+        for i, number in enumerate(wrong):
+            if self.is_near(number, wrong[:i]):
+                yield f"misses[{i}].is: {number:g} is within the tolerance of a miss before it."
 
     def judge(self, given: Given, subject: Subject) -> Judgement:
         number = self.number(given, subject)

@@ -1,0 +1,95 @@
+"""Variants of a step: its question with other numbers, so that each student has numbers of their own."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Iterator, Mapping
+from urllib.parse import parse_qsl, urlencode
+
+from msgspec.structs import replace
+
+from components.quantities.numbers import MINUS, excerpt, shortest, three
+from components.quantities.parameters import Quantity
+from components.scene import Scene
+from components.walks.expressions import numbers_of, worked_out
+from components.walks.types import Span
+from components.walks.walk import Step
+
+VARIANTS = 37
+"""Of a step, each under its seed from 1 on: a prime, so that any stride goes through all places of a range."""
+STRIDES = (1, 8, 14, 5)
+"""Of the quantities in their order: two of them do not grow together."""
+NUMBER = re.compile(r"\$[^$]+\$|(?<![_^])\{([^{}]+)\}")
+"""A formula, which stays as it is, or an expression in braces."""
+
+
+def varied(step: Step, seed: int) -> Step:
+    """The step with the numbers of a seed, and with those of its file where that is 0; ValueError, in words, for a seed
+    that it does not have. A value that the answer changes stands as it is there."""
+    if seed == 0:
+        return step
+    if not step.vary:
+        raise ValueError("seed: this step has the same numbers for all.")
+    if seed > VARIANTS:
+        raise ValueError(f"seed: {seed} is none; they go from 1 to {VARIANTS}.")
+    numbers = {name: shortest(number) for name, number in numbers_drawn(step, seed).items()}
+    asked, told = _query(step.state), _query(step.reveal)
+    kept = {name for name in numbers if name in told and told[name] != asked.get(name)}
+    reveal = _link(told | {name: text for name, text in numbers.items() if name not in kept}) if told else ""
+    return replace(step, state=_link(asked | numbers), reveal=reveal)
+
+
+def variants_of(step: Step) -> Iterator[tuple[int, Step]]:
+    """All variants of a step that has any, each after its seed."""
+    yield from ((seed, varied(step, seed)) for seed in range(1, VARIANTS + 1) if step.vary)
+
+
+def numbers_drawn(step: Step, seed: int) -> dict[str, float]:
+    """The numbers of a seed, in SI, in as few digits as tell those of different seeds apart."""
+    strides = zip(step.vary.items(), STRIDES, strict=False)
+    return {name: _at(span, seed * stride % VARIANTS / (VARIANTS - 1)) for (name, span), stride in strides}
+
+
+def _at(span: Span, share: float) -> float:
+    """The round number at a share of a span; at 1 its end."""
+    low, high = span
+    least = 10.0 ** max(math.floor(math.log10((high - low) / VARIANTS)), -300)
+    return high if share == 1 else float(f"{low + least * math.floor(share * (high - low) / least + 1e-9):.15g}")
+
+
+def strange_spans(step: Step, kind: type[Scene]) -> Iterator[str]:
+    """A sentence for each span of `vary` that is none of a quantity of the scene."""
+    for name, (low, high) in step.vary.items():
+        if not isinstance(kind.linked().get(name), Quantity):
+            yield f"vary: “{excerpt(name)}” is no quantity of this scene."
+        elif not low < high or math.isinf(high - low):
+            yield f"vary: {name} goes from {low:g} to {high:g}: give two numbers, the smaller one first."
+
+
+def with_numbers(text: str, scene: Callable[[], Scene]) -> str:
+    """A text in which each {expression} of a scene's numbers, but in a formula, is its number: a parameter with all its
+    digits, any other with three."""
+
+    def number(match: re.Match[str]) -> str:
+        if not match[1]:
+            return match[0]
+        own = scene().values.get(match[1])
+        if isinstance(own, float):
+            return shortest(own).replace("-", MINUS)
+        return three(worked_out(match[1], numbers_of(scene())))
+
+    return NUMBER.sub(number, text)
+
+
+def told_apart(numbers: Mapping[str, float]) -> str:
+    """Numbers in words: "k1 = 0.5, k2 = 3"."""
+    return ", ".join(f"{name} = {shortest(number)}" for name, number in numbers.items())
+
+
+def _query(link: str) -> dict[str, str]:
+    return dict(parse_qsl(link.removeprefix("?"), keep_blank_values=True))
+
+
+def _link(query: Mapping[str, str]) -> str:
+    return f"?{urlencode(query, safe=',:')}"

@@ -1,0 +1,163 @@
+"""Numbers of one's own: a step with `vary` has as many variants as there are seeds, each with its right answer."""
+
+from __future__ import annotations
+
+import pytest
+from msgspec import to_builtins
+
+from app import visited
+from components.language.messages import Given
+from components.live_class.question_bank import QuestionBank
+from components.quantities.numbers import three
+from components.scenes import SCENES
+from components.session.session import Session
+from components.state.standing import fitted
+from components.walks.cards import walk_sheet
+from components.walks.checking import problems, shortcomings
+from components.walks.judging import told_of
+from components.walks.loading import load_walks, read_walk
+from components.walks.questions.number import NumericStep
+from components.walks.subject import Subject
+from components.walks.variants import STRIDES, VARIANTS, numbers_drawn, varied
+from components.walks.walk import Walk
+from physics.oscillator import Oscillator
+from tests.page.told import unpacked
+
+WALKS = load_walks(())
+SWING = """
+title = "Mine"
+[[step]]
+id = "swing"
+kind = "number"
+title = "More mass, more time"
+state = "?scene=oscillator&x_0=0.1"
+reveal = "?scene=oscillator&x_0=0.1&m=4"
+vary = { k = [20, 80] }
+cover = ["value:tau"]
+question = "One swing takes {tau} s at {k} N/m. How long with 4 kg?"
+explain = "It takes {tau} s."
+answer = { of = "tau", unit = "s", tol = 0.05 }
+misses = [{ is = "2 * tau", idea = "-", reply = "No." }]
+"""
+
+
+def mine(old: str = "", new: str = "") -> Walk:
+    assert old in SWING
+    return read_walk(SWING.replace(old, new), "mine")
+
+
+def test_every_seed_has_its_numbers_question_and_answer() -> None:
+    (card,) = walk_sheet(mine(), SCENES).steps
+    (step,) = mine().steps
+    assert "variants" in to_builtins(card) and len(card.variants) == VARIANTS
+    assert card.opens.parameters == {"x_0": 0.1} and card.opens.step == "mine/swing"
+    for seed, one in enumerate(card.variants, 1):
+        k = one.opens.parameters["k"]
+        assert isinstance(k, float) and 20 <= k <= 80
+        assert one.opens.step == one.reveals.step == f"mine/swing/{seed}" and not one.variants
+        assert one.reveals.parameters == {"x_0": 0.1, "m": 4.0, "k": k}, "what the answer changes stands as it is"
+        assert f"takes {three(Oscillator(m=1, k=k).period)} s at {k:g} N/m." in one.given + one.question
+        true = Oscillator(m=4, k=k).period
+        for text, right in ((f"{true:.3f} s", True), (f"{2 * true:.3f}", False)):
+            lesson = told_of(Given(walk="mine", step="swing", seed=seed, text=text), step, SCENES).lesson
+            assert lesson and lesson.right is right and lesson.places == pytest.approx([true])
+            assert right or lesson.reply == "No."
+    assert len({one.given for one in card.variants}) == VARIANTS
+
+
+def test_numbers_are_round_and_fill_the_range() -> None:
+    (step,) = mine("k = [20, 80]", "m = [0.5, 2], k = [20, 80], x_0 = [-0.3, 0.1], v_0 = [1, 1e300]").steps
+    drawn = [numbers_drawn(step, seed) for seed in range(1, VARIANTS + 1)]
+    assert len(STRIDES) == 4 and [drawn[-1][name] for name in step.vary] == [0.5, 20, -0.3, 1]
+    for name, (low, high) in step.vary.items():
+        values = [one[name] for one in drawn]
+        assert min(values) == low and max(values) == high and all(low <= value <= high for value in values)
+    assert all(round(one["m"], 2) == one["m"] and one["k"] == round(one["k"]) for one in drawn)
+    assert len({(one["m"], one["k"]) for one in drawn}) == VARIANTS
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("{ k =", "{ kk =", "vary: “kk” is no quantity of this scene."),
+        ("{ k = [20, 80]", "{ view = [1, 2]", "vary: “view” is no quantity of this scene."),
+        ("[20, 80]", "[80, 20]", "vary: k goes from 80 to 20: give two numbers, the smaller one first."),
+        ("[20, 80]", "[80, 80]", "vary: k goes from 80 to 80: give two numbers"),
+        ("[20, 80]", "[20, inf]", "vary: k goes from 20 to inf: give two numbers"),
+        ("[20, 80]", "[nan, 80]", "vary: k goes from nan to 80: give two numbers"),
+        ("[20, 80]", "[-20, 80]", "vary: with k = -18: state: k: "),
+        ("{ k = [20, 80]", "{ x_0 = [0, 1], k = [0, 80]", "vary: with x_0 = 0, k = 0: "),
+        (
+            '"2 * tau"',
+            '"63.5 / k"',
+            "vary: with k = 25: misses[0].is: 2.54 is within the tolerance of the right answer.",
+        ),
+        ("{tau} s at", "{taw} s at", "question: “taw” has a name that the scene does not have, taw; it has"),
+        ("{tau} s at", "{1 / (k - 39.4)} s at", "question: “1 / (k - 39.4)” has no value here."),
+        ("{ k = [20, 80]", "{ k = [20]", "vary[...]: expected `array` of length 2"),
+    ],
+)
+def test_bad_numbers_are_refused_in_a_sentence(old: str, new: str, says: str) -> None:
+    try:
+        found = list(problems(mine(old, new), SCENES))
+    except ValueError as reason:
+        found = [str(reason)]
+    assert len(found) == 1 and f"mine, step 1 (swing), {says}" in found[0], found
+
+
+def test_misses_that_meet_somewhere_are_doubted() -> None:
+    assert list(shortcomings(mine(), SCENES)) == []
+    second = '"2 * tau", idea = "-", reply = "No." }, { is = "200 / k"'
+    (doubt,) = shortcomings(mine('"2 * tau"', second), SCENES)
+    assert doubt.startswith("mine, step 1 (swing), vary: with k = 6") and doubt.endswith("of a miss before it.")
+
+
+@pytest.mark.parametrize("step", [s for walk in WALKS.values() for s in walk.steps if s.vary], ids=lambda s: s.id)
+def test_the_lecture_asks_for_another_number_of_each(step: NumericStep) -> None:
+    right = {step.right(Subject("", varied(step, seed), SCENES)) for seed in range(1, VARIANTS + 1)}
+    assert len(right) > VARIANTS / 3
+
+
+def test_a_link_has_the_seed() -> None:
+    session = visited({"walk": [b"d31"], "step": [b"2"], "seed": [b"5"]}, WALKS)
+    now = session.now
+    assert now.state.step == "d31/d31-02/5" and now.query == "walk=d31&step=d31-02&seed=5"
+    assert now.scene.values["k"] == numbers_drawn(WALKS["d31"].steps[1], 5)["k"] != 39.4
+    assert visited({"walk": [b"d31"], "step": [b"2"]}, WALKS).now.scene.values["k"] == 39.4
+
+
+@pytest.mark.parametrize(
+    ("step", "seed", "says"),
+    [
+        (b"2", b"38", "seed: 38 is none; they go from 1 to 37."),
+        (b"2", b"-1", "seed: “-1” is no seed of a step's numbers."),
+        (b"1", b"5", "seed: this step has the same numbers for all."),
+    ],
+)
+def test_a_seed_that_is_none_is_refused(step: bytes, seed: bytes, says: str) -> None:
+    session = visited({"walk": [b"d31"], "step": [step], "seed": [seed]}, WALKS)
+    assert session.now.state.step == "" and says in str(unpacked(session.opening())["problems"])
+
+
+def test_an_answer_with_a_seed_that_is_none_is_refused() -> None:
+    for step, seed in (("d31-02", 38), ("d31-03", 1)):
+        found = next(one for one in WALKS["d31"].steps if one.id == step)
+        told = told_of(Given(walk="d31", step=step, seed=seed), found, SCENES)
+        assert told.lesson is None and told.refused.startswith("seed: ")
+
+
+def test_a_walk_of_one_s_own_is_answered_with_its_seed() -> None:
+    session, said = Session(fitted(SCENES["oscillator"]()), scenes=SCENES), []
+    session.send = said.append
+    session.hear({"type": "walk", "number": 1, "name": "mine", "text": SWING})
+    true = Oscillator(m=4, k=numbers_drawn(mine().steps[0], 3)["k"]).period
+    answer = {"walk": "mine", "step": "swing", "seed": 3, "text": f"{true:.3f}"}
+    session.hear({"type": "given", "number": 2, "answer": answer})
+    assert unpacked(said[-1])["lesson"]["right"]
+
+
+def test_a_class_has_the_numbers_of_the_file() -> None:
+    bank = QuestionBank(WALKS, SCENES)
+    card = bank.put("d31", "d31-02", 1).card
+    assert card and not card.variants and "k" not in card.opens.parameters and "1.00 s" in card.given
+    assert bank.judge(Given(walk="d31", step="d31-02", text="2.00")).right
