@@ -279,7 +279,7 @@ declare namespace page {
     end: Html[]
   }
 
-  /** The verdict on one answer of a choice: its sentence, and the state in which it would be right, if any. */
+  /** The verdict on one answer of a choice: its sentence, and the state of a case of which that speaks, if any. */
   interface Verdict {
     right: boolean
     reply: Html
@@ -297,8 +297,9 @@ declare namespace page {
 
   /** The lesson of a step, told once it has been answered.
    *
-   * `right` is None where nothing was answered; `reply` is the sentence of the answer given; `verdicts` are those of the
-   * options, `findings` those of a sketch, `truth` the right number or places; `places` has them in the unit of the
+   * `right` is None where nothing was answered; `reply` is the sentence of the answer given, `where` the state of a case
+   * of which it speaks; `verdicts` are those of the options, `findings` those of a sketch, `truth` the right number or
+   * places; `places` has them in the unit of the
    * number, or on the axis of the point. `shows` is the state of the answer where that is not the card's `reveals`. */
   interface Lesson {
     title: Html
@@ -307,6 +308,7 @@ declare namespace page {
     next: Html
     right: boolean | null
     reply: Html
+    where: State | null
     verdicts: Verdict[]
     findings: Finding[]
     truth: string

@@ -53,7 +53,7 @@ class WalkSheet(Struct, frozen=True, kw_only=True):
 
 
 class Verdict(Struct, frozen=True, kw_only=True):
-    """The verdict on one answer of a choice: its sentence, and the state in which it would be right, if any."""
+    """The verdict on one answer of a choice: its sentence, and the state of a case of which that speaks, if any."""
 
     right: bool
     reply: Html
@@ -73,8 +73,9 @@ class Finding(Struct, frozen=True, kw_only=True):
 class Lesson(Struct, frozen=True, kw_only=True):
     """The lesson of a step, told once it has been answered.
 
-    `right` is None where nothing was answered; `reply` is the sentence of the answer given; `verdicts` are those of the
-    options, `findings` those of a sketch, `truth` the right number or places; `places` has them in the unit of the
+    `right` is None where nothing was answered; `reply` is the sentence of the answer given, `where` the state of a case
+    of which it speaks; `verdicts` are those of the options, `findings` those of a sketch, `truth` the right number or
+    places; `places` has them in the unit of the
     number, or on the axis of the point. `shows` is the state of the answer where that is not the card's `reveals`.
     """
 
@@ -84,6 +85,7 @@ class Lesson(Struct, frozen=True, kw_only=True):
     next: Html
     right: bool | None = None
     reply: Html = ""
+    where: State | None = None
     verdicts: tuple[Verdict, ...] = ()
     findings: tuple[Finding, ...] = ()
     truth: str = ""

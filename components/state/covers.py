@@ -86,7 +86,7 @@ def without(scene: type[Scene], picture: Picture, covered: tuple[str, ...]) -> t
         return picture, ()
     drawn = [one for plot in plots(scene) for one in _drawn(plot)]
     hidden = [one for one in drawn if one.covers.intersection(covered) or PLOT + one.plot in covered]
-    names = set(_named(covered, VALUE)) | _marks(covered)
+    names = set(_named(covered, VALUE)) | _marks(covered) | (_still(scene) if STAGE in covered else set())
     stand = {block.name for block in in_force(scene.sheet(), picture.forms) if isinstance(block, PlotBlock)}
     seen = {name for one in drawn if one not in hidden and one.plot in stand for name in one.signals}
     names |= {name for one in hidden for name in one.signals} - seen
@@ -215,6 +215,17 @@ def _held(scene: type[Scene]) -> frozenset[str]:
     stages = (block for block in blocks(scene.sheet()) if isinstance(block, StageBlock))
     grabs = (shape.grab for block in stages for shape in block.shapes if shape.grab)
     return frozenset(begin.of for grab in grabs for begin in grab.start if begin.axis and not begin.per)
+
+
+@cache
+def _still(scene: type[Scene]) -> frozenset[str]:
+    """The scalars by which what is drawn on a stage that stands still comes and goes: none of it is a body."""
+    stages = [block for block in blocks(scene.sheet()) if isinstance(block, StageBlock)]
+    still, moving = (
+        {name for stage in stages if ("still" in stage.style) is rests for shape in stage.shapes for name in shape.show}
+        for rests in (True, False)
+    )
+    return frozenset(still - moving)
 
 
 def _covered(name: str, axis: Axis, covered: tuple[str, ...]) -> Axis:

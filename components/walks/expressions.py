@@ -1,7 +1,7 @@
 """Expressions of a scene's numbers: what an answer of a walk is, told by the quantities that it is made of.
 
-An expression has names of quantities and numbers, + - * / ^, brackets, pi, sqrt and abs. It is read by Python's own
-parser, of which these few kinds of nodes are taken; nothing is ever run.
+An expression has names of quantities and numbers, + - * / ^, brackets, pi, sqrt, exp and abs. It is read by Python's
+own parser, of which these few kinds of nodes are taken; nothing is ever run.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _OPERATIONS: dict[type[ast.operator], Callable[[float, float], float]] = {
     ast.Mult: operator.mul,
     ast.Div: operator.truediv,
 }
-_FUNCTIONS: dict[str, Callable[[float], float]] = {"sqrt": math.sqrt, "abs": abs}
+_FUNCTIONS: dict[str, Callable[[float], float]] = {"sqrt": math.sqrt, "exp": math.exp, "abs": abs}
 
 
 def numbers_of(scene: Scene) -> dict[str, float]:

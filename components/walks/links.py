@@ -65,4 +65,6 @@ def opening_state(name: str, step: BaseStep, scenes: Scenes) -> State:
 
 def elsewhere(name: str, step: BaseStep, link: str, scenes: Scenes) -> State:
     """The state of another link, at which the page stays in the step, after its answer."""
-    return replace(state_of_link(link, scenes), covered=step.still, step=name)
+    state = state_of_link(link, scenes)
+    still = step.still if state.scene == state_of_link(step.state, scenes).scene else ()
+    return replace(state, covered=still, step=name)

@@ -21,6 +21,15 @@ class Entry(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A table of a walk's file: a field that is not known is a mistake."""
 
 
+class Reply(Entry, frozen=True, kw_only=True):
+    """An answer's own sentence, `reply`, the misconception behind the answer, and `where` a case is of which the
+    sentence speaks: a link."""
+
+    idea: str = ""
+    reply: str = ""
+    where: Address = ""
+
+
 class BaseStep(Entry, frozen=True, kw_only=True, tag_field="kind"):
     """One idea: a question, the state that it is asked of, what is covered until it is answered, and what it means.
 

@@ -3,7 +3,7 @@
 import {button, element, marked} from "../core/dom.js"
 import {text} from "./fields.js"
 import {orderOf} from "./order.js"
-import {Question, mark} from "./question.js"
+import {Question, SUCH, mark} from "./question.js"
 
 const OFFERED = [1, 2, 3, 4] // answers that can be written
 
@@ -53,7 +53,7 @@ export class Choice extends Question {
     this.changed()
   }
 
-  /** What is said of an answer, and the state where it would be right. @param {number} i */
+  /** What is said of an answer, and a case of which that speaks. @param {number} i */
   #taught(i) {
     const {row, where} = this.rows[i]
     const {host} = this.page
@@ -82,7 +82,7 @@ export class Choice extends Question {
     for (const [i, {right, reply, where}] of verdicts.entries()) {
       const {row, line, yours} = this.rows[i]
       row.classList.toggle("told", i === this.chosen)
-      line.innerHTML = where ? `${reply} <u>Show a case where this is right</u>` : reply
+      line.innerHTML = where ? `${reply} <u>${SUCH}</u>` : reply
       this.rows[i].where = where
       yours.textContent = i === this.chosen ? "your answer" : ""
       if (right || i === this.chosen) row.append(mark(right))

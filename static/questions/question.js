@@ -14,6 +14,9 @@ import {element, svg} from "../core/dom.js"
  *   headline: (tally: page.Tally) => string, leave: () => void}} Votes
  */
 
+/** Leads to a case of which a reply speaks. */
+export const SUCH = "Show such a case"
+
 /** A disc with a tick, or a ring with a cross. @param {boolean} right */
 export function mark(right) {
   const sign = right ? "M5.5 10.200l3 3 6-6.400" : "M6.500 6.500l7 7m0-7l-7 7"

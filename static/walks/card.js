@@ -2,6 +2,7 @@
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {KINDS} from "../questions/kinds.js"
+import {SUCH} from "../questions/question.js"
 import {ask, claim} from "./claim.js"
 
 export const ANSWER_FIRST = "Answer first: a guess is fine"
@@ -95,9 +96,14 @@ export class Card {
   }
 
   /** @param {page.Lesson} lesson */
-  #meaning({reply, truth, explain, follows, next}) {
+  #meaning({reply, where, truth, explain, follows, next}) {
     const answered = [truth ? `It is ${truth}.` : ""].filter(Boolean).map(text => element("p", {class: "truth"}, text))
     const sentence = reply ? [marked("p", {class: "reply"}, reply)] : []
+    if (where)
+      sentence[0].append(
+        " ",
+        chip(SUCH, () => this.page.host.open(where)),
+      )
     return [
       ...answered,
       ...sentence,

@@ -288,7 +288,7 @@ def looked_at(page: Page) -> Iterator[str]:
         yield from page.evaluate(NAMED) + page.evaluate(FREE)
 
 
-@pytest.mark.parametrize("name", ["d31", "d34", "tour"])
+@pytest.mark.parametrize("name", ["d31", "d32-33", "d34", "tour"])
 def test_every_step_has_its_card(walk: Callable[..., Page], name: str) -> None:
     page = walk(f"{name}-01")
     for i in range(page.evaluate("oscillations.walks.walk.sheet.steps.length")):
@@ -331,7 +331,7 @@ def test_the_first_visit_is_offered_the_tour_and_told_of_the_lectures(
     offer = page.locator("a.new-here")
     expect(offer).to_be_visible()
     page.locator(".walks summary").click()
-    expect(page.locator(".walks p")).to_contain_text("D31 and D34 are two lectures of the MIT course 16.07, Dynamics")
+    expect(page.locator(".walks p")).to_contain_text("D31 to D34 are lectures of the MIT course 16.07, Dynamics")
     page.keyboard.press("p")
     expect(offer).to_be_hidden()
     page.keyboard.press("p")

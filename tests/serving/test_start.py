@@ -77,7 +77,7 @@ def test_each_scene_has_a_picture_with_a_curve_that_a_dot_can_follow(slug: str) 
 
 def test_the_lectures_own_walks_are_listed() -> None:
     page = walked([]).start.asked({}) or ""
-    assert re.findall(r'href="\?walk=([\w-]+)"', page) == ["d31", "d34", "tour"]
+    assert re.findall(r'href="\?walk=([\w-]+)"', page) == ["d31", "d32-33", "d34", "tour"]
 
 
 def test_the_page_is_small() -> None:

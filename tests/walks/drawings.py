@@ -34,6 +34,15 @@ WRONG: dict[str, list[Callable[[Any], Any]]] = {
         lambda t: -128 + 249 * (1 - np.exp(-t / 4)),
         lambda t: 124 * np.cos(0.2275 * t),
     ],
+    "d32-33-05": [
+        lambda t: 0.1 * np.exp(-25 * t),
+        lambda t: 0.1 * np.exp(-1.5 * t) * np.cos(W / 0.66 * t),
+    ],
+    "d32-33-10": [
+        lambda t: -0.4 * np.cos(W * t),
+        lambda t: -0.02 * np.exp(1.1 * t) * np.cos(W * t),
+        lambda t: -0.2 * (1 - np.exp(-3 * t)) * np.cos(W * t),
+    ],
     "d34-10": [
         lambda t: np.cos(0.1005 * t) * np.cos(0.995 * t),
         lambda t: np.minimum(t / 16, 1) * np.sin(0.995 * t),

@@ -10,6 +10,8 @@ from components.scenes import SCENES
 from components.state.standing import Standing
 from components.walks.links import standing_at
 from physics.coupled import TwoMassChain, free_modes
+from physics.damped import DampedOscillator, FreeDecay
+from physics.driven import magnification
 from physics.forced import particular_solution
 from physics.hanging import HangingMass
 from physics.lanchester import period_excess
@@ -55,12 +57,38 @@ speed_at_the_top = float(flight(1, 1, 0.1, [half_a_period]).V[0])
 force_off = math.degrees(brentq(lambda a: (a - math.sin(a)) / a - 0.01, 0.01, 1))
 growth = 1 / (2 * (2 + 1 * 2.0**2) * 1.0)
 
+bob, car = DampedOscillator(m=1, c=1.257, k=39.48), DampedOscillator(m=300, c=1500, k=2e4)
+slowly_dying, thrown = DampedOscillator(m=1, c=0.446, k=39.48), DampedOscillator(m=1, c=18.85, k=39.48)
+kept = [0.1 * math.exp(-n * slowly_dying.log_decrement) for n in range(5)]
+fastest = FreeDecay(oscillator=car, x_0=0.05, v_0=0.0).first_top_speed or 0.0
+at_top_speed = car.motion(0.05, 0.0, [fastest])
+to_equilibrium = (FreeDecay(oscillator=car, x_0=0.05, v_0=0.0).first_zero or 0.0) - fastest
+half_power = [bob.omega_n * (math.hypot(1, bob.zeta) + way * bob.zeta) for way in (-1, 1)]
+
+
+def longer(one: DampedOscillator) -> float:
+    """By how many percent the period is longer than without a dashpot."""
+    return 100 * (one.omega_n / one.omega_d - 1)
+
+
+def home(zeta: float) -> float:
+    """The time until the mass of 1 kg, let go, stays within 1 % of its start."""
+    one = DampedOscillator(m=1, c=2 * zeta * math.sqrt(39.48), k=39.48)
+    return FreeDecay(oscillator=one, x_0=0.1, v_0=0.0).settled(0.01) or 0.0
+
+
+def shaken(zeta: float) -> float:
+    return float(abs(magnification(1.6, zeta, "base")[0]))
+
+
 # The answer of each number and point, and what each of its misses is.
 ANSWERS: dict[str, tuple[list[float], list[float]]] = {
     "d31-02": ([heavy.period], [4 * spring.period, spring.period, spring.period / 2]),
     "d31-08": ([2 * hanging.delta_st], [hanging.delta_st]),
     "d31-12": ([ONE_PERCENT], [force_off, 5, 45]),
     "d31-13": ([100 * 2 * 0.05], [5, 0, 2.5]),
+    "d32-33-01": ([kept[4]], [0.02, kept[3], kept[2], 0.0]),
+    "d32-33-08": ([1 / (2 * bob.zeta)], [2 * bob.zeta, 1 / bob.zeta, 1.0, half_power[1] - half_power[0]]),
     "d34-01": ([force_on_mass_1(1.0)], [force_on_mass_1(0.0), 4, -4 + 2 * (2 - 1)]),
     "d34-07": ([float(uneven.modes().ratio[1])], [-1.5, -1 / 1.5, 2]),
     "d34-08": (equal.modes().ratio.tolist(), [1, -1, 0]),
@@ -75,6 +103,7 @@ PERIODS: dict[str, float] = {
     "d31-04": spring.period,
     "d31-09": Oscillator(m=0.25, k=39.4).period / 2,
     "d31-15": 200 * FT / 9.80665 * 2 * half_a_period,
+    "d32-33-10": 2 * math.pi / 6.2833,
     "d34-10": 4 * math.pi / (slow + fast),
     "d34-15": 2 * math.pi / 1.0,
 }
@@ -125,6 +154,34 @@ STATED: dict[str, dict[str, float]] = {
         "0.6": 0.6,
     },
     "d31-16": {"20.7": light.tau, "150": 150},
+    "d32-33-01": {
+        **{f"{size:.3f}": size for size in kept},
+        "0.64": math.exp(-2 * slowly_dying.log_decrement),
+    },
+    "d32-33-02": {
+        "0.0204": float(at_top_speed.x[0]),
+        "0.0801": to_equilibrium,
+        "111": car.c * float(at_top_speed.v[0]) ** 2,
+    },
+    "d32-33-03": {
+        "0.1": bob.zeta,
+        "53.2": 100 * math.exp(-bob.log_decrement),
+        "1.6": 100 * (bob.omega_d / DampedOscillator(m=1, c=2.514, k=39.48).omega_d - 1),
+        "0.504": longer(bob),
+    },
+    "d32-33-04": {
+        "1": 1,
+        "1.06": home(1.0),
+        "0.1": 0.1,
+        "7.13": home(0.1),
+        "0.83": 0.83,
+        "0.674": home(0.83),
+    },
+    "d32-33-05": {"1.5": thrown.zeta, "3": 3, "1.65": 0.1 * thrown.rates[1], "−1.5": -1.5},
+    "d32-33-06": {"2.5": 0.5 / DampedOscillator(m=1, c=2.513, k=39.48).zeta},
+    "d32-33-07": {"0.316": float(abs(magnification(12.566 / bob.omega_n, 0.25, "force")[0]))},
+    "d32-33-08": {"6.28": bob.omega_n, "5.69": half_power[0], "6.94": half_power[1]},
+    "d32-33-09": {"1.6": 1.6, "0.704": shaken(0.2), "0.641": shaken(0.0), "0.646": shaken(0.05), "0.05": 0.05},
     "d34-01": {"−6": force_on_mass_1(0.0), "1": 1, "2": 2},
     "d34-02": {
         "2": plain.modes().omega[1],

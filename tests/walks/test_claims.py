@@ -7,15 +7,20 @@ import math
 import numpy as np
 import pytest
 
+from components.scene import Scene
+from components.scene.traces import Floats
 from components.scenes import SCENES
 from components.walks.links import standing_at
 from components.walks.loading import load_walks, steps_of
 from components.walks.questions.choice import ChoiceStep
+from components.walks.questions.sketch import SketchStep
 from physics.coupled import TwoMassChain, free_modes, free_motion
+from physics.damped import DampedOscillator, FreeDecay
+from physics.driven import magnification
 from physics.forced import particular_solution
 from physics.hanging import HangingMass
 from physics.oscillator import Oscillator
-from tests.walks.facts import beats, hanging, plain, slowly
+from tests.walks.facts import beats, hanging, home, plain, slowly
 
 STEPS = steps_of(load_walks(()).values())
 
@@ -109,3 +114,76 @@ def test_the_product_of_the_shapes_says_where_a_wrong_answer_would_be_right() ->
     for m2 in (0.5, 1.0, 3.0):
         assert np.prod(TwoMassChain(m1=m2, m2=m2, k1=4, k2=2).modes().ratio) == pytest.approx(-1)
         assert np.prod(TwoMassChain(m1=2.25 * m2, m2=m2, k1=4, k2=2).modes().ratio) == pytest.approx(-2.25)
+
+
+def such(step: str, i: int) -> Scene:
+    """The scene that the reply i of a step leads to."""
+    return standing_at(where(step, i), SCENES).scene
+
+
+def where(step: str, i: int) -> str:
+    one = STEPS[step]
+    replies = one.options if isinstance(one, ChoiceStep) else one.wrong if isinstance(one, SketchStep) else ()
+    return replies[i].where
+
+
+def drawn(scene: Scene, name: str) -> Floats:
+    """A curve of its picture, over time."""
+    return scene.shown.sources["time"][name]
+
+
+def test_where_damping_is_strong_a_climb_ends_level() -> None:
+    """d31-15: from below up to equilibrium, and there it stays."""
+    x = drawn(such("d31-15", 1), "x")
+    assert x[0] < 0 and np.all(np.diff(x) > 0) and -0.01 * abs(x[0]) < x[-1] <= 0
+
+
+def test_more_damping_is_sooner_up_to_critical_and_later_beyond() -> None:
+    """d32-33-04: 7.13 s, 1.06 s, 4.30 s; and with 0.83, 0.674 s and 1 % past."""
+    there = standing_at(where("d32-33-04", 1), SCENES)
+    assert there.held and (there.scene.values["zeta"], there.held.values["zeta"]) == (1.0, 0.1)
+    assert home(0.1) > home(1.0) < home(3.0) and home(0.83) < home(1.0)
+    light = DampedOscillator(m=1, c=2 * 0.83 * math.sqrt(39.48), k=39.48)
+    past = light.motion(0.1, 0.0, [FreeDecay(oscillator=light, x_0=0.1, v_0=0.0).first_turn or 0.0]).x[0]
+    assert -past / 0.1 == pytest.approx(0.01, rel=0.1)
+
+
+def test_a_slow_throw_does_not_cross_and_a_light_dashpot_lets_it_cross_again() -> None:
+    """d32-33-05."""
+    slow, light = (drawn(such("d32-33-05", i), "x") for i in (0, 1))
+    assert np.all(slow > 0) and slow[-1] < 0.35 * slow[0]
+    assert np.sum(np.signbit(light[1:]) != np.signbit(light[:-1])) > 1
+
+
+def test_the_spring_holds_the_push_far_below_and_inertia_far_above() -> None:
+    """d32-33-06 and d32-33-07: where the answers that are wrong at r = 1 and r = 2 are right."""
+    assert [such("d32-33-06", i).shown.forms["holds"] for i in (1, 2)] == ["spring", "inertia"]
+    lags = [next(one.value for one in such("d32-33-07", i).readouts() if one.name == "phi") for i in (1, 2, 3)]
+    assert lags[0] < 0.1 and lags[1] == pytest.approx(math.pi / 2, abs=1e-3)
+    assert float(such("d32-33-07", 3).shown.values["M"]) < 0.003
+
+
+@pytest.mark.parametrize("r", [0.3, 1.0, 1.3, math.sqrt(2), 1.5, 1.6, 4.0])
+def test_a_stronger_dashpot_calms_below_root_two_and_shakes_beyond(r: float) -> None:
+    """d32-33-09, for every pair of dashpots."""
+    swings = [abs(magnification(r, zeta, "base")[0]) for zeta in (0.05, 0.2, 0.5, 1.0, 4.0)]
+    change = np.diff(swings)
+    assert np.all(abs(change) < 1e-12) if r == math.sqrt(2) else np.all(change < 0 if r < math.sqrt(2) else change > 0)
+
+
+def test_with_a_dashpot_a_resonant_swing_is_even_after_a_while() -> None:
+    """d32-33-10, d34-15: the swings at the end differ by less than a hundredth, and with less damping by more."""
+    for step, i in (("d32-33-10", 0), ("d32-33-10", 2), ("d34-15", 0), ("d34-15", 2)):
+        scene = such(step, i)
+        t, x = scene.shown.sources["time"]["t"], abs(drawn(scene, "x"))
+        early, *late = (x[(t >= n) & (t <= n + 1)].max() for n in (0, 4, 5))
+        assert early < 0.8 * late[0] and late[1] == pytest.approx(late[0], rel=0.05)
+        assert late[1] < 1.001 * scene.values["F_0"] / (scene.values["c"] * scene.values["omega"])
+
+
+def test_with_friction_a_free_motion_dies_and_the_drive_s_is_left() -> None:
+    """d34-02 and d34-12."""
+    x = drawn(such("d34-02", 2), "x")
+    assert abs(x[-len(x) // 8 :]).max() < 0.5 * abs(x[0])
+    driven = such("d34-12", 1)
+    assert abs(drawn(driven, "x_c")[-50:]).max() < 0.02 * abs(drawn(driven, "x_p")).max()

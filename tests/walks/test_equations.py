@@ -10,6 +10,8 @@ import pytest
 
 from physics.analogues import ANALOGUES
 from physics.coupled import TwoMassChain, free_modes
+from physics.damped import DampedOscillator, FreeDecay
+from physics.driven import DrivenOscillator, half_power, lag
 from physics.energy import chain_energy
 from physics.forced import driven_modes, forced_motion, steady_start
 from physics.hanging import HangingMass
@@ -45,6 +47,7 @@ Delta = b * b - 4 * m1 * m2 * k1 * k2
 roots = [(b - Delta**0.5) / (2 * m1 * m2), (b + Delta**0.5) / (2 * m1 * m2)]
 r = ch.modes().ratio
 T = np.linspace(0, 60, 7)
+T_ = np.linspace(0, 20, 9)
 
 
 def A(w: float) -> np.ndarray:
@@ -75,6 +78,66 @@ def one_oscillator() -> Iterator[tuple[str, bool]]:
         close(M.v[1], w * c.C * math.sin(w * t + c.phi + math.pi / 2))
         and close(M.a[1], w * w * c.C * math.sin(w * t + c.phi + math.pi)),
     )
+
+
+def one_damped() -> Iterator[tuple[str, bool]]:
+    c_ = 0.2 * math.sqrt(m * k)
+    one = DampedOscillator(m=m, c=c_, k=k)
+    zeta, tau = one.zeta, 2 * math.pi / one.omega_d
+    at = one.motion(x, v, [t, t + tau, t + 4 * tau])
+    a_ = -(c_ * at.v + k * at.x) / m
+    near = one.motion(x, v, [t - h, t, t + h])
+    yield "D32 m x'' + c x' + k x = 0", close((near.x[2] - 2 * near.x[1] + near.x[0]) / h**2, a_[0], 1e-4)
+    yield "D32 zeta, omega_d", close(zeta, c_ / (2 * m * w)) and close(one.omega_d, w * math.sqrt(1 - zeta * zeta))
+    delta = zeta * w * tau
+    yield "D32 delta", close(delta, one.log_decrement) and np.allclose(at.x[1:] / at.x[0], np.exp([-delta, -4 * delta]))
+    energy = [m * near.v[i] ** 2 / 2 + k * near.x[i] ** 2 / 2 for i in (0, 2)]
+    yield "D32 energy falls by c x'^2", close((energy[1] - energy[0]) / (2 * h), -c_ * near.v[1] ** 2, 1e-4)
+    top = FreeDecay(oscillator=one, x_0=abs(x), v_0=0.0).first_top_speed or 0.0
+    there = one.motion(abs(x), 0.0, [top])
+    yield "D32 fastest where k x = -c x', above 0", close(k * there.x[0], -c_ * there.v[0]) and there.x[0] > 0
+    twice = DampedOscillator(m=m, c=2 * c_, k=k)
+    yield "D32 periods", close(one.omega_d / twice.omega_d, math.sqrt((1 - zeta**2) / (1 - 4 * zeta**2)))
+    s1, s2 = (-rate for rate in DampedOscillator(m=m, c=3 * math.sqrt(m * k), k=k).rates)
+    yield "D32 s1 s2", close(s1 * s2, w * w) and close(s1, -w * (1.5 - math.sqrt(1.25)))
+    late = DampedOscillator(m=m, c=2e4 * math.sqrt(m * k), k=k)
+    yield "D32 zeta large", close(late.rates[0] * late.c / k, 1, 1e-7) and close(late.rates[1] * m / late.c, 1, 1e-7)
+
+
+def thrown() -> Iterator[tuple[str, bool]]:
+    over = DampedOscillator(m=m, c=3 * math.sqrt(m * k), k=k)
+    fast = over.rates[1]
+    for start, speed in ((1.0, -1.01 * fast), (1.0, -0.99 * fast), (1.0, 0.5), (2.0, -2.02 * fast)):
+        x_t = over.motion(start, speed, np.linspace(0, 60 / over.rates[0], 4000)).x
+        crosses = int(np.sum(np.signbit(x_t[1:]) != np.signbit(x_t[:-1])))
+        yield f"D32 crosses once where thrown faster than s2 x_0: {start}, {speed}", crosses == (speed < -fast * start)
+
+
+def one_driven() -> Iterator[tuple[str, bool]]:
+    c_, W_ = 0.3 * math.sqrt(m * k), 1.3 * w
+    one = DrivenOscillator(m=m, c=c_, k=k)
+    zeta, r_ = one.free.zeta, W_ / w
+    X = one.response(W_, F0, "force")
+    yield "D33 polygon", close(abs(k * X + 1j * c_ * W_ * X - m * W_**2 * X - F0), 0)
+    yield "D33 X in r", close(abs(X - F0 / k / (1 - r_**2 + 2j * zeta * r_)), 0)
+    yield "D33 lag", close(lag(X), math.atan2(2 * zeta * r_, 1 - r_**2))
+    at = one.response(w, F0, "force")
+    yield "D33 at resonance", close(abs(at), F0 / (c_ * w)) and close(abs(at), F0 / k / (2 * zeta))
+    yield "D33 lag at resonance", close(lag(at), math.pi / 2)
+    powers = [abs(one.response(r * w, F0, "force")) ** 2 * r * r for r in (1, *half_power(zeta))]
+    yield "D33 half power", close(powers[1], powers[0] / 2) and close(powers[2], powers[0] / 2)
+    yield "D33 width", close(half_power(zeta)[1] - half_power(zeta)[0], 2 * zeta)
+    T = abs(one.response(W_, 1.0, "base"))
+    size = math.sqrt((1 + (2 * zeta * r_) ** 2) / ((1 - r_**2) ** 2 + (2 * zeta * r_) ** 2))
+    root = [abs(DrivenOscillator(m=m, c=b_, k=k).response(math.sqrt(2) * w, 1.0, "base")) for b_ in (0.1, 1.0, 9.0)]
+    yield "D33 base, every zeta at sqrt 2", close(T, size) and np.allclose(root, 1)
+    free = DrivenOscillator(m=m, c=0.0, k=k)
+    x_t = free.motion(w, F0, 0.0, 0.0, T_, "force").x
+    yield "D33 growth", np.allclose(x_t, F0 / (2 * m * w * w) * (np.sin(w * T_) - w * T_ * np.cos(w * T_)))
+    peaks = free.motion(w, F0, 0.0, 0.0, np.array([1.0, 2.0]) * 2 * math.pi / w, "force").x
+    yield "D33 each swing adds", close(abs(peaks[1] - peaks[0]), math.pi * F0 / (m * w * w))
+    steady = one.motion(w, F0, 0.0, 0.0, np.linspace(200, 220, 4000) / (zeta * w), "force").x
+    yield "D33 in the end", close(float(np.abs(steady).max()), F0 / (c_ * w), 1e-4)
 
 
 def energy_of_one() -> Iterator[tuple[str, bool]]:
@@ -283,6 +346,9 @@ def driven_examples() -> Iterator[tuple[str, bool]]:
 
 PARTS = (
     one_oscillator,
+    one_damped,
+    thrown,
+    one_driven,
     energy_of_one,
     analogues_and_aircraft,
     free_chain,

@@ -278,7 +278,7 @@ def test_two_steps_of_one_id_and_too_large_a_file_are_refused() -> None:
 
 def test_a_folder_brings_walks_and_is_checked(tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text(GOOD, encoding="utf-8")
-    assert list(all_walks([tmp_path], SCENES)) == ["d31", "d34", "tour", "mine"]
+    assert list(all_walks([tmp_path], SCENES)) == ["d31", "d32-33", "d34", "tour", "mine"]
     (tmp_path / "mine.toml").write_text(GOOD.replace("k2=3", "k2=-3"), encoding="utf-8")
     with pytest.raises(WalkError, match=r"mine, step 1 \(first\), state"):
         all_walks([tmp_path], SCENES)

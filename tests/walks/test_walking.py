@@ -43,7 +43,7 @@ def answering(walk: str, step: str, number: int, **answer: Any) -> dict[str, Any
 
 
 def given(page: Page, step: str, **answer: Any) -> dict[str, Any]:
-    told = page.say(answering(step.split("-")[0], step, 1000 + len(page.packets), **answer))
+    told = page.say(answering(step.rpartition("-")[0], step, 1000 + len(page.packets), **answer))
     assert told["type"] == "taught", told.get("errors")
     return told
 
@@ -169,11 +169,28 @@ def test_the_zero_between_two_resonances_is_missed(page: Page) -> None:
 
 def test_a_wrong_answer_says_where_it_would_be_right(page: Page) -> None:
     verdicts = given(page, "d34-12", option=1)["lesson"]["verdicts"]
-    assert [bool(verdict["where"]) for verdict in verdicts] == [False, False, False, True]
+    assert [bool(verdict["where"]) for verdict in verdicts] == [False, True, False, True]
     there = verdicts[3]["where"]
     assert (there["scene"], there["parameters"], there["step"]) == ("forced", {"k1": 2.0, "omega": 0.77}, "d34/d34-12")
     shown = page.say({"type": "open", "state": there, "number": 99})
     assert shown["settings"]["omega"]["value"] == 0.77 and shown["errors"] == {}
+
+
+def test_a_reply_to_a_sketch_or_a_number_leads_to_a_case_of_which_it_speaks(page: Page) -> None:
+    (step,) = (step for step in WALKS["d34"].steps if step.id == "d34-15")
+    assert isinstance(step, SketchStep)
+    even = [(float(t), -2.0 * math.cos(t)) for t in np.linspace(0, 25, 201)]
+    lesson = given(page, "d34-15", curves=heights(step, {"x1": even}))["lesson"]
+    assert "with friction" in lesson["reply"] and lesson["where"]["step"] == "d34/d34-15"
+    shown = page.say({"type": "open", "state": lesson["where"], "number": 99})
+    assert shown["errors"] == {} and shown["state"]["scene"] == lesson["where"]["scene"]
+    assert given(page, "d34-15", curves=heights(step))["lesson"]["where"] is None
+
+
+def test_what_is_still_covered_is_so_in_its_own_scene_alone(page: Page) -> None:
+    (_, _, friction, _) = given(page, "d34-02", option=2)["lesson"]["verdicts"]
+    shown = page.say({"type": "open", "state": friction["where"], "number": 99})
+    assert shown["errors"] == {} and shown["state"]["covered"] == []
 
 
 def test_an_answer_to_no_step_is_refused(page: Page) -> None:

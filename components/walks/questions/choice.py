@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from functools import partial
 from typing import Annotated, Any
 
 from msgspec import Meta
@@ -13,22 +12,17 @@ from components.language.messages import Given
 from components.language.room import Counted
 from components.language.walk import Lesson, StepCard, Verdict
 from components.layout.text import rich
-from components.walks.links import standing_at
 from components.walks.questions.order import order_of
-from components.walks.questions.question import Judged, Judgement, Question, refused
+from components.walks.questions.question import Judged, Judgement, Question, astray
 from components.walks.subject import Subject
-from components.walks.types import Address, Entry, Sentence
+from components.walks.types import Reply, Sentence
 
 
-class OptionEntry(Entry, frozen=True, kw_only=True):
-    """An answer to choose: the right one, or one with its own sentence, `reply`, the misconception behind it, and
-    `where` it would be right: a link."""
+class OptionEntry(Reply, frozen=True, kw_only=True):
+    """An answer to choose: the right one, or one with its own reply."""
 
     text: Sentence
     right: bool = False
-    idea: str = ""
-    reply: str = ""
-    where: Address = ""
 
 
 class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
@@ -55,8 +49,7 @@ class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
         for i, option in enumerate(self.options):
             if not option.right and not option.reply:
                 yield f"options[{i}].reply: a wrong answer needs a reply."
-            if option.where:
-                yield from refused(f"options[{i}].where", partial(standing_at, option.where, subject.scenes))
+        yield from astray("options", self.options, subject)
 
     def card(self, subject: Subject, **step: Any) -> StepCard:
         return StepCard(options=tuple(rich(option.text) for option in self.options), fixed=self.fixed, **step)

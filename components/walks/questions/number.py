@@ -14,9 +14,9 @@ from components.language.walk import Lesson, StepCard
 from components.quantities.numbers import shortest, three
 from components.quantities.typed import typed_number, unit_size
 from components.walks.expressions import numbers_of, worked_out
-from components.walks.questions.question import Judged, Judgement, Question, refused
+from components.walks.questions.question import Judged, Judgement, Question, astray, refused
 from components.walks.subject import Subject
-from components.walks.types import Entry, Sentence
+from components.walks.types import Entry, Reply, Sentence
 
 Numeral: TypeAlias = float | str
 """A number as it stands in a walk's file: a text is read as one that is typed into a field."""
@@ -54,7 +54,7 @@ class AnswerEntry(Entry, frozen=True, kw_only=True):
         return typed_number(given, self.unit) if isinstance(given, str) else given
 
 
-class Miss(Entry, frozen=True, kw_only=True):
+class Miss(Reply, frozen=True, kw_only=True):
     """A wrong number that is often given, or an expression of the scene's, with the sentence that is its own."""
 
     given: Numeral = field(name="is")
@@ -67,6 +67,10 @@ class NumericStep(Question, frozen=True, kw_only=True):
 
     answer: AnswerEntry
     misses: tuple[Miss, ...] = ()
+
+    def links(self) -> Iterator[str]:
+        yield from super().links()
+        yield from (miss.where for miss in self.misses if miss.where)
 
     def number(self, given: Given, subject: Subject) -> float:
         """The number that an answer is; ValueError, in words, for what is none."""
@@ -100,6 +104,7 @@ class NumericStep(Question, frozen=True, kw_only=True):
             yield f"misses[{i}].reply", miss.reply
 
     def problems(self, subject: Subject) -> Iterator[str]:
+        yield from astray("misses", self.misses, subject)
         found = [*refused("answer.of", partial(self.right, subject)), *refused("misses", partial(self.wrong, subject))]
         yield from found
         if found:
@@ -129,8 +134,9 @@ class NumericStep(Question, frozen=True, kw_only=True):
         if self.is_near(number, self.right(subject)):
             return Judgement(True, number)
         wrong = zip(self.misses, self.wrong(subject), strict=True)
-        hit = (miss.reply for miss, one in wrong if self.is_near(number, (one,)))
-        return Judgement(False, number, reply=next(hit, ""))
+        hit = (miss for miss, one in wrong if self.is_near(number, (one,)))
+        miss = next(hit, Reply())
+        return Judgement(False, number, reply=miss.reply, where=miss.where)
 
 
 class NumberStep(NumericStep, frozen=True, kw_only=True, tag="number"):

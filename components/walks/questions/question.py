@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from typing import Any, ClassVar, NamedTuple
 
 from msgspec.structs import replace
@@ -11,21 +12,23 @@ from components.language.messages import Given
 from components.language.room import Counted
 from components.language.walk import Lesson, StepCard
 from components.layout.text import rich
+from components.walks.links import standing_at
 from components.walks.subject import Subject
 from components.walks.texts import line
-from components.walks.types import BaseStep
+from components.walks.types import BaseStep, Reply
 
 UNFIT = "This answer does not fit the question."
 
 
 class Judgement(NamedTuple):
-    """Whether an answer is right, the number that it is, which of the features asked for it has, and the sentence that
-    is its own."""
+    """Whether an answer is right, the number that it is, which of the features asked for it has, the sentence that is
+    its own, and the link of a case of which that speaks."""
 
     right: bool
     number: float = 0.0
     has: tuple[bool, ...] = ()
     reply: str = ""
+    where: str = ""
 
 
 class Judged(Given, frozen=True, kw_only=True):
@@ -91,6 +94,7 @@ class Question(BaseStep, frozen=True, kw_only=True):
             next=rich(self.next),
             right=judged and judged.right,
             reply=rich(judged.reply) if judged else "",
+            where=subject.elsewhere(judged.where) if judged and judged.where else None,
         )
 
     def teaches(self, given: Given, subject: Subject, **step: Any) -> Lesson:
@@ -104,6 +108,13 @@ class Question(BaseStep, frozen=True, kw_only=True):
     def written(self, given: Judged, seed: str) -> str:
         """An answer in one cell of a table of the class of this seed."""
         raise NotImplementedError
+
+
+def astray(field: str, replies: Sequence[Reply], subject: Subject) -> Iterator[str]:
+    """A sentence for each of the replies in a field of a walk's file whose link opens nothing."""
+    for i, one in enumerate(replies):
+        if one.where:
+            yield from refused(f"{field}[{i}].where", partial(standing_at, one.where, subject.scenes))
 
 
 def refused(field: str, act: Callable[[], object]) -> Iterator[str]:

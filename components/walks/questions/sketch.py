@@ -12,17 +12,17 @@ from components.language.room import Counted, SketchOf
 from components.language.walk import Lesson, StepCard
 from components.quantities.numbers import excerpt
 from components.walks.features import Feature
-from components.walks.questions.question import UNFIT, Judged, Judgement, Question
+from components.walks.questions.question import UNFIT, Judged, Judgement, Question, astray
 from components.walks.sketch import Sketch
 from components.walks.subject import Subject
-from components.walks.types import Entry, Sentence
+from components.walks.types import Reply, Sentence
 
 MOST_SKETCHES = 500
 """Of one vote, that are told; all are counted."""
 Curves = Mapping[str, Sketch]
 
 
-class Wrong(Entry, frozen=True, kw_only=True):
+class Wrong(Reply, frozen=True, kw_only=True):
     """A sketch that is often drawn: the features that it has, the kinds of those asked for that it fails, and the
     sentence that is its own."""
 
@@ -48,6 +48,10 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
     def curves(self) -> tuple[str, ...]:
         return (self.curve, self.second) if self.second else (self.curve,)
 
+    def links(self) -> Iterator[str]:
+        yield from super().links()
+        yield from (wrong.where for wrong in self.wrong if wrong.where)
+
     def sentences(self) -> Iterator[tuple[str, str]]:
         yield from super().sentences()
         for i, feature in enumerate(self.must):
@@ -66,6 +70,7 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
                 yield f"must[{i}].on: “{excerpt(self._on(feature))}” is not drawn."
             elif not feature.seen(true[self._on(feature)]).has:
                 yield f"must[{i}]: the scene's own curve does not have this feature."
+        yield from astray("wrong", self.wrong, subject)
         kinds = {feature.kind for feature in self.must}
         for i, wrong in enumerate(self.wrong):
             strange = [feature.on for feature in wrong.has if self._on(feature) not in true]
@@ -82,7 +87,8 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
         drawn = subject.drawn(self.plot, given.curves, self.curves)
         has = self.seen(self.must, drawn)
         missed = {feature.kind for feature, found in zip(self.must, has, strict=True) if not found}
-        return Judgement(all(has), has=has, reply=self._reply(drawn, missed))
+        wrong = self._wrong(drawn, missed)
+        return Judgement(all(has), has=has, reply=wrong.reply, where=wrong.where)
 
     def seen(self, features: Iterable[Feature], drawn: Curves) -> tuple[bool, ...]:
         """Which of the features were drawn."""
@@ -92,10 +98,10 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
         """The curve that has it."""
         return feature.on or self.curve
 
-    def _reply(self, drawn: Curves, missed: set[str]) -> str:
-        """The sentence of that wrong sketch which has only what this one has, and fails most of what this one fails."""
+    def _wrong(self, drawn: Curves, missed: set[str]) -> Reply:
+        """The reply to that wrong sketch which has only what this one has, and fails most of what this one fails."""
         alike = [one for one in self.wrong if missed.issuperset(one.fails) and all(self.seen(one.has, drawn))]
-        return max(alike, key=lambda one: len(one.fails)).reply if alike else ""
+        return max(alike, key=lambda one: len(one.fails)) if alike else Reply()
 
     def teaches(self, given: Given, subject: Subject, **step: Any) -> Lesson:
         axes, true = subject.axes(self.plot), subject.true(self.plot, self.curves)
