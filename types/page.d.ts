@@ -330,7 +330,8 @@ declare namespace page {
     at: number
   }
 
-  /** Puts the question of a step to all; where `vote` is given, once more, as that vote. */
+  /** Puts the question of a step to all; where `vote` is given, as that vote: one more than before, or the last one of
+   * a question that comes back. */
   interface PutQuestion extends Ordered {
     type: "put"
     walk: Name
@@ -355,12 +356,25 @@ declare namespace page {
     type: "withdraw"
   }
 
+  /** An answer as a class keeps it: when it was given, in seconds since 1970, and how many were here. */
+  interface Voted extends Given {
+    at: number
+    here: number
+  }
+
+  /** Gives back answers that the server has lost, by the names in the tokens of those who gave them: the
+   * instructor's page keeps them. None takes the place of one that is there. */
+  interface RestoreAnswers extends Ordered {
+    type: "restore"
+    answers: Record<string, Voted>
+  }
+
   /** Ends the class: the room and all that was answered are forgotten. */
   interface EndRoom extends Ordered {
     type: "end"
   }
 
-  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | Withdraw | EndRoom
+  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | Withdraw | RestoreAnswers | EndRoom
 
   /** The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
    * teaches once the answer is shown. Without a step none is. */
@@ -404,6 +418,12 @@ declare namespace page {
     key: string
     address: string
     square: string
+  }
+
+  /** Opens the room of a code anew, with its key, where a server has lost it: as often as it is asked for. `control`
+   * is what the page was told when it let a remote control in. */
+  interface Reopen {
+    control: string
   }
 
   /** One sketch and which of the features asked for it has. */

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, TypeAlias
 
 from msgspec import Meta, Struct
 
-from components.language.messages import Name, Sketched
+from components.language.messages import Given, Name, Sketched
 from components.language.text import Html
 from components.language.walk import Lesson, StepCard
 
@@ -26,7 +26,8 @@ class RunClock(Ordered, frozen=True, kw_only=True, tag="clock"):
 
 
 class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
-    """Puts the question of a step to all; where `vote` is given, once more, as that vote."""
+    """Puts the question of a step to all; where `vote` is given, as that vote: one more than before, or the last one of
+    a question that comes back."""
 
     walk: Name
     step: Name
@@ -48,11 +49,25 @@ class Withdraw(Ordered, frozen=True, kw_only=True, tag="withdraw"):
     """Withdraws the question: none is open."""
 
 
+class Voted(Given, frozen=True, kw_only=True):
+    """An answer as a class keeps it: when it was given, in seconds since 1970, and how many were here."""
+
+    at: float = 0.0
+    here: int = 0
+
+
+class RestoreAnswers(Ordered, frozen=True, kw_only=True, tag="restore"):
+    """Gives back answers that the server has lost, by the names in the tokens of those who gave them: the
+    instructor's page keeps them. None takes the place of one that is there."""
+
+    answers: dict[Annotated[str, Meta(pattern=r"^[0-9a-f]{11}[A-Za-z0-9_-]{8}$")], Voted]
+
+
 class EndRoom(Ordered, frozen=True, kw_only=True, tag="end"):
     """Ends the class: the room and all that was answered are forgotten."""
 
 
-Order: TypeAlias = RunClock | HandWalk | PutQuestion | ShowAnswer | Withdraw | EndRoom
+Order: TypeAlias = RunClock | HandWalk | PutQuestion | ShowAnswer | Withdraw | RestoreAnswers | EndRoom
 
 
 class PutTo(Struct, frozen=True, kw_only=True):
@@ -102,6 +117,13 @@ class Opened(Struct, frozen=True, kw_only=True):
     key: str
     address: str
     square: str
+
+
+class Reopen(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Opens the room of a code anew, with its key, where a server has lost it: as often as it is asked for. `control`
+    is what the page was told when it let a remote control in."""
+
+    control: Annotated[str, Meta(pattern="^([0-9a-f]{64})?$")] = ""
 
 
 class SketchOf(Struct, frozen=True, kw_only=True):

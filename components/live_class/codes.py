@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import hmac
 from base64 import urlsafe_b64encode
-from hashlib import sha256
-from secrets import choice, token_urlsafe
+from hashlib import scrypt, sha256
+from secrets import token_urlsafe
 from time import time
 
 SIGNS = "23456789ABCDEFGHJKMNPRSTUVWXYZ"
 """Letters and digits of which none is taken for another: no 0 O Q, no 1 I L."""
 LENGTH = 4
+DEAR = {"n": 2**13, "r": 8, "p": 1}
+"""The price of a code: some 20 ms, so that all 30^4 take hours."""
 
 
-def new_code() -> str:
-    return "".join(choice(SIGNS) for _ in range(LENGTH))
+def code_of(key: str) -> str:
+    """The code of the room of a key: who knows a code alone finds no key for it while a class lasts."""
+    number = int.from_bytes(scrypt(key.encode(), salt=b"the code of a class", dklen=8, **DEAR))
+    return "".join(SIGNS[number // len(SIGNS) ** i % len(SIGNS)] for i in range(LENGTH))
 
 
 def as_code(text: str) -> str:
@@ -25,6 +29,24 @@ def as_code(text: str) -> str:
 
 def new_key() -> str:
     return token_urlsafe(24)
+
+
+class Keys:
+    """Keys of rooms, which only who knows the instructors' passphrase can make; where there is none, anybody."""
+
+    def __init__(self, passphrase: str = "") -> None:
+        self._secret = passphrase.encode()
+
+    def new(self) -> str:
+        word = new_key()
+        return word + self._signature(word)
+
+    def is_own(self, key: str) -> bool:
+        word, signature = key[:32], key[32:]
+        return hmac.compare_digest(signature.encode(), self._signature(word).encode())
+
+    def _signature(self, word: str) -> str:
+        return urlsafe_b64encode(hmac.digest(self._secret, f"key {word}".encode(), "sha256")[:12]).decode()
 
 
 def join_key(key: str) -> str:
@@ -41,21 +63,20 @@ def is_key(key: str, kept: bytes) -> bool:
     return bool(kept) and hmac.compare_digest(digest(key), kept)
 
 
-class Tokens:
-    """Followers' tokens for one secret: each is good for one room, and says nothing of who has it."""
+VOTER = r"^[0-9a-f]{11}[\w-]{8}$"
+"""The name in a token: the time in ms, so that the newest of some is the greatest, and chance."""
 
-    def __init__(self, secret: str) -> None:
-        self._secret = secret.encode()
 
-    def new(self, code: str) -> str:
-        """Its name begins with the time, so that the newest of some is the greatest."""
-        return self._signed(code, f"{int(1000 * time()):011x}{token_urlsafe(6)}")
+def new_token(room: bytes) -> str:
+    """A follower's token, good for the room of whose key this digest is kept, and saying nothing of who has it."""
+    return _signed(room, f"{int(1000 * time()):011x}{token_urlsafe(6)}")
 
-    def voter(self, code: str, token: str) -> str:
-        """The name under which an answer of theirs is kept; "" for a token that is not of this room."""
-        name, _, _ = token.partition(".")
-        return name if name and hmac.compare_digest(token.encode(), self._signed(code, name).encode()) else ""
 
-    def _signed(self, code: str, name: str) -> str:
-        signature = hmac.digest(self._secret, f"follower {code} {name}".encode(), "sha256")[:12]
-        return f"{name}.{urlsafe_b64encode(signature).decode()}"
+def voter_of(token: str, room: bytes) -> str:
+    """The name under which an answer of theirs is kept; "" for a token that is not of this room."""
+    name, _, _ = token.partition(".")
+    return name if name and room and hmac.compare_digest(token.encode(), _signed(room, name).encode()) else ""
+
+
+def _signed(room: bytes, name: str) -> str:
+    return f"{name}.{urlsafe_b64encode(hmac.digest(room, f'follower {name}'.encode(), 'sha256')[:12]).decode()}"

@@ -1,10 +1,9 @@
-"""The context of the live class's handlers: its rooms, the keys to them, and how often somebody may ask."""
+"""The context of the live class's handlers: its rooms, and how often somebody may ask."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from components.live_class.codes import Tokens
 from components.live_class.registry import Registry
 from components.serving.visitors import Arrivals, Rate
 
@@ -17,6 +16,5 @@ OPENINGS = 60
 @dataclass(frozen=True)
 class ClassContext:
     registry: Registry
-    tokens: Tokens
     rate: Rate = field(default_factory=lambda: Rate(OF_A_CLASS))
     openings: Arrivals = field(default_factory=lambda: Arrivals(OPENINGS))

@@ -12,7 +12,7 @@ from tornado.iostream import IOStream, StreamClosedError
 
 from components.language.messages import Given, Taught
 from components.language.room import Entered
-from components.live_class.codes import as_code, is_key
+from components.live_class.codes import as_code, is_key, new_token
 from components.live_class.context import ClassContext
 from components.live_class.handler import ClassHandler
 from components.live_class.room import LEADERS, ClassRoom, RoomListener, as_event, name_of
@@ -28,6 +28,7 @@ ALL_MISSES = 3000
 """Wrong codes from all networks: who has many of them finds a class in half an hour at best, and may only follow it."""
 TOO_MANY = "Many wrong codes were typed. The QR code opens the class at once, the right code within a minute."
 NO_CODE = "This is no code of a class. A code has four letters and digits, none of them 0, 1, I, L, O or Q."
+AWAY = "The class is not there at the moment. If it goes on, this phone comes back by itself."
 MINUTE = 60.0
 BUFFER = 2**14
 """Bytes that the system may hold back for who reads slowly, some of which it doubles: a few updates."""
@@ -43,10 +44,13 @@ class Follower(ClassHandler):
     leads = False
 
     async def entered(self, code: str) -> ClassRoom:
-        if self.classes.tokens.voter(code, self.word):
-            return await self.outcome(self.classes.registry.room(as_code(code)))
-        self.leads = True
-        return await self.led(code)
+        self.leads = "." not in self.word  # which only tokens have
+        if self.leads:
+            return await self.led(code)
+        room = await self.outcome(self.classes.registry.followed(as_code(code), self.word))
+        if room is None:
+            raise RefusedError(404, AWAY)
+        return room
 
     @property
     def after(self) -> str:
@@ -72,7 +76,7 @@ class Enter(ClassHandler):
 
     async def post(self, code: str) -> None:
         room = await self._shown(code) or await self._typed(code)
-        self.reply(Entered(code=room.code, token=self.classes.tokens.new(room.code)))
+        self.reply(Entered(code=room.code, token=new_token(room.parts["key"])))
 
     async def _shown(self, code: str) -> ClassRoom | None:
         """The room whose QR code was read, which is no guess: whatever others of the network type, it opens."""
@@ -226,7 +230,7 @@ class Answers(Follower):
 
     async def put(self, code: str) -> None:
         room = await self.entered(code)
-        voter = self.classes.tokens.voter(room.code, self.word)
+        voter = room.voter(self.word)
         self.limit(f"vote {voter}")
         if not await self.outcome(self.classes.registry.follows(room, voter)):
             raise RefusedError(

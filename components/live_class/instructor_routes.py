@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from urllib.parse import unquote
 
-from components.language.room import Order, Tally
-from components.live_class.codes import digest, is_key
+from components.language.room import Order, Reopen, Tally
+from components.live_class.codes import as_code, digest, is_key
 from components.live_class.handler import ClassHandler
 from components.live_class.store import ALONE
 from components.live_class.votes_csv import votes_csv
@@ -21,18 +21,10 @@ ASKED = "Opening a class here needs the instructors' passphrase."
 WRONG = "This is not the instructors' passphrase. Whoever runs this server has set it."
 
 
-class OpenClass(ClassHandler):
-    """The handler that opens a room."""
+class Opener(ClassHandler):
+    """A handler that opens rooms, so many for one network."""
 
-    async def post(self) -> None:
-        phrase = self.context.settings.class_passphrase
-        if not phrase or not is_key(unquote(self.word), digest(phrase)):  # who knows it waits for nobody who does not
-            await self._admit()
-            if phrase:
-                raise RefusedError(401, WRONG if self.word else ASKED)
-        self.reply(self.opened(*await self.outcome(self.classes.registry.open())))
-
-    async def _admit(self) -> None:
+    async def admit(self) -> None:
         name = f"opened {network_of(self.visitor)}"
         if seconds := self.classes.openings.admit(self.visitor):
             raise RefusedError(
@@ -46,11 +38,31 @@ class OpenClass(ClassHandler):
             )
 
 
-class LeadClass(ClassHandler):
-    """The handler of an instructor's page: it gives one that comes back its room, and obeys its orders."""
+class OpenClass(Opener):
+    """The handler that opens a room."""
+
+    async def post(self) -> None:
+        phrase = self.context.settings.class_passphrase
+        if not phrase or not is_key(unquote(self.word), digest(phrase)):  # who knows it waits for nobody who does not
+            await self.admit()
+            if phrase:
+                raise RefusedError(401, WRONG if self.word else ASKED)
+        self.reply(self.opened(*await self.outcome(self.classes.registry.open())))
+
+
+class LeadClass(Opener):
+    """The handler of an instructor's page: it gives one that comes back its room, which it opens anew where the server
+    has lost it, and obeys its orders."""
 
     async def get(self, code: str) -> None:
         room = await self.led(code)
+        self.reply(self.opened(room.code, self.word))
+
+    async def put(self, code: str) -> None:
+        registry, asked = self.classes.registry, self.body(Reopen)
+        if not self.context.settings.class_passphrase or not registry.is_own(self.word):
+            await self.admit()
+        room = await self.outcome(registry.reopen(as_code(code), self.word, asked.control))
         self.reply(self.opened(room.code, self.word))
 
     async def post(self, code: str) -> None:
@@ -67,6 +79,14 @@ class CountAnswers(ClassHandler):
         room = await self.led(code)
         tally: Tally | None = await self.outcome(self.classes.registry.tally(room))
         self.reply(tally)
+
+
+class CopyAnswers(ClassHandler):
+    """The handler of the answers to one vote as an instructor's page keeps them, for a server that loses them."""
+
+    async def get(self, code: str) -> None:
+        room = await self.led(code)
+        self.reply(await self.outcome(self.classes.registry.copied(room, self.get_query_argument("question", ""))))
 
 
 class TakeAnswers(ClassHandler):

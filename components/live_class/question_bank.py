@@ -8,10 +8,10 @@ from functools import lru_cache
 from hashlib import sha256
 
 import msgspec
-from msgspec.structs import asdict
+from msgspec.structs import asdict, replace
 
 from components.language.messages import Given
-from components.language.room import Counted, PutTo
+from components.language.room import Counted, PutTo, Voted
 from components.language.walk import Lesson
 from components.quantities.numbers import excerpt
 from components.walks import Walks
@@ -97,10 +97,17 @@ class QuestionBank:
         known = _JUDGED.decode(kept)
         return known if known.form == self._form(known.walk, known.step) else self._anew(kept)
 
+    @staticmethod
+    def voted(kept: bytes) -> Voted:
+        """An answer as it was kept, without what is known of it."""
+        known = _JUDGED.decode(kept)
+        return Voted(**{name: getattr(known, name) for name in Voted.__struct_fields__})
+
     def _judged_anew(self, kept: bytes) -> Judged | None:
-        known = msgspec.to_builtins(_JUDGED.decode(kept))
+        known = _JUDGED.decode(kept)
+        given = Given(**{name: getattr(known, name) for name in Given.__struct_fields__})
         try:
-            return self.judge(Given(**{name: known[name] for name in Given.__struct_fields__}))
+            return replace(self.judge(given), at=known.at, here=known.here)
         except ValueError:
             return None
 

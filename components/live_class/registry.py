@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Mapping
 from secrets import token_hex
 from time import monotonic, time
 
@@ -15,18 +16,20 @@ from components.language.room import (
     Order,
     PutQuestion,
     PutTo,
+    RestoreAnswers,
     RunClock,
     SentPicture,
     ShowAnswer,
     Tally,
+    Voted,
     Withdraw,
 )
-from components.live_class.codes import digest, is_key, join_key, new_code, new_key
+from components.live_class.codes import Keys, code_of, digest, is_key, join_key
 from components.live_class.pauses import by_and_by
 from components.live_class.question_bank import QuestionBank
-from components.live_class.remotes import decided
+from components.live_class.remotes import CONTROL, decided
 from components.live_class.room import NOTHING_PUT, ClassRoom
-from components.live_class.store import MOST_VOTES, AwayError, Parts, Store
+from components.live_class.store import LIFE, MOST_VOTES, AwayError, Parts, Store
 from components.walks.questions.question import Judged
 
 MOST_AHEAD, MOST_BEHIND = 200.0, 5000.0
@@ -37,6 +40,10 @@ SPARE = 50
 """Answers to a vote besides two of each phone that has been here: some change their phones, none casts thousands."""
 MOST_OWN = 5
 """Walks from files that a room keeps."""
+TRIES = 3
+"""Codes that are tried for a new room: of 500 rooms one in 1600 has the code of another."""
+NOT_OF_IT = "This is not the key of a class with this code."
+NO_PLACE = "This server has no room for another class now. Try again later."
 
 
 class ClosedError(ValueError):
@@ -46,9 +53,10 @@ class ClosedError(ValueError):
 class Registry:
     """The rooms that somebody of this replica is in."""
 
-    def __init__(self, store: Store, bank: QuestionBank) -> None:
+    def __init__(self, store: Store, bank: QuestionBank, keys: Keys | None = None) -> None:
         self.store = store
         self.bank = bank
+        self._keys = keys or Keys()
         self.rooms: dict[str, ClassRoom] = {}
         self._coming: dict[str, list[ClassRoom]] = {}
         """Rooms that the store is being asked for: they hear what is told meanwhile."""
@@ -60,12 +68,38 @@ class Registry:
 
     async def open(self) -> tuple[str, str]:
         """A new room: its code and its key. ClosedError where there is no place for one."""
-        key = new_key()
-        for _ in range(20):
-            code = new_code()
-            if await self.store.open(code, {"key": digest(key), "join": digest(join_key(key))}):
+        for _ in range(TRIES):
+            key = self._keys.new()
+            code = await asyncio.to_thread(code_of, key)
+            if await self.store.open(code, _locks(key)):
                 return code, key
-        raise ClosedError("This server has no room for another class now. Try again later.")
+        raise ClosedError(NO_PLACE)
+
+    def is_own(self, key: str) -> bool:
+        """Whether a key may have been made by a server with this one's passphrase."""
+        return self._keys.is_own(key)
+
+    async def reopen(self, code: str, key: str, control: str = "") -> ClassRoom:
+        """The room of a key that a server gave, opened anew where it is not there; ClosedError, or ValueError in words,
+        where it cannot be. `control` is what was kept of the key of its remote control."""
+        if not self.is_own(key) or await asyncio.to_thread(code_of, key) != code:
+            raise ValueError(NOT_OF_IT)
+        room = await self._found(code)
+        if not room.parts:
+            if await self.store.count(_ended(digest(key)), LIFE, 0):
+                raise ClosedError("The class is over.")
+            await self.store.open(code, {**_locks(key), **({CONTROL: control.encode()} if control else {})})
+            room = await self._found(code)
+        if not room.parts:
+            raise ClosedError(NO_PLACE)
+        if not is_key(key, room.parts["key"]):
+            raise ValueError("Another class has this code by now. Press T for a new one.")
+        return self._asked(room)
+
+    async def followed(self, code: str, token: str) -> ClassRoom | None:
+        """The room of a follower's token; None where there is none, or the token is not of it."""
+        room = await self._found(code)
+        return self._asked(room) if room.voter(token) else None
 
     async def room(self, code: str) -> ClassRoom:
         """ClosedError where there is none."""
@@ -117,7 +151,7 @@ class Registry:
                 put = room.question
                 same = (put.walk, put.step) == (walk, step)
                 again = max(put.vote, min(asked, put.vote + 1, LAST))  # the same if it is asked for twice
-                vote = again if asked and same else put.vote if same and put.lesson is None else FIRST
+                vote = again if asked and same else put.vote if same and put.lesson is None else asked or FIRST
                 await self._keep(room, question=self.bank_of(room).put(walk, step, vote))
             case ShowAnswer():
                 put = room.question
@@ -127,7 +161,10 @@ class Registry:
                 await self._keep(room, question=msgspec.structs.replace(put, lesson=lesson))
             case Withdraw():
                 await self._keep(room, question=NOTHING_PUT)
+            case RestoreAnswers(answers=answers):
+                await self._restore(room, answers)
             case EndRoom():
+                await self.store.count(_ended(room.parts["key"]), LIFE)
                 await self.store.end(room.code)
 
     async def show(self, room: ClassRoom, picture: SentPicture) -> None:
@@ -153,6 +190,27 @@ class Registry:
                 room.reading = None
         room.walks = {**room.walks, (name, text): walk}
         await self._keep(room, walks={**room.own, name: text})
+
+    async def _restore(self, room: ClassRoom, answers: Mapping[str, Voted]) -> None:
+        """Keep answers that a server has lost, but none in place of a newer one; ValueError, in words, for those to a
+        question that there is not. They are judged when they are read."""
+        known: dict[str, Parts] = {}
+        bank = self.bank_of(room)
+        async for voter, given in by_and_by(answers.items()):
+            question = _question(given)
+            if question not in known:
+                bank.step(given.walk, given.step)
+                known[question] = await self.store.votes(room.code, question)
+            if voter not in known[question]:
+                kept = msgspec.json.encode(Judged(**msgspec.structs.asdict(given)))
+                if not await self.store.vote(room.code, question, voter, kept):
+                    raise ValueError("No more answers can be kept for this question.")
+        await self.store.tell(room.code, {"answers": b"true"})
+
+    async def copied(self, room: ClassRoom, question: str) -> dict[str, Voted]:
+        """The answers to a vote by the names of those who gave them, for the instructor's page to keep."""
+        votes = await self.store.votes(room.code, question)
+        return {voter: self.bank.voted(kept) async for voter, kept in by_and_by(votes.items())}
 
     def bank_of(self, room: ClassRoom) -> QuestionBank:
         """The server's walks, and those that the instructor has handed to the room."""
@@ -195,7 +253,7 @@ class Registry:
         put = room.question
         if (put.walk, put.step, put.vote) != (vote.walk, vote.step, vote.vote) or put.lesson:
             raise ValueError("This question is closed.")
-        judged = self.bank_of(room).judge(vote)
+        judged = msgspec.structs.replace(self.bank_of(room).judge(vote), at=round(time()), here=room.here)
         question, answer = _question(put), msgspec.json.encode(judged)
         room.peak = max(room.peak, room.followers)
         most = min(MOST_VOTES, SPARE + 2 * room.peak)
@@ -256,5 +314,14 @@ class Registry:
                 one.tell(parts)
 
 
-def _question(put: PutTo) -> str:
-    return f"{put.walk}/{put.step}/{put.vote}"
+def _question(of: PutTo | Given) -> str:
+    return f"{of.walk}/{of.step}/{of.vote}"
+
+
+def _locks(key: str) -> Parts:
+    """The parts of a new room: its key, and that of its QR code."""
+    return {"key": digest(key), "join": digest(join_key(key))}
+
+
+def _ended(kept: bytes) -> str:
+    return f"ended {kept.decode()}"

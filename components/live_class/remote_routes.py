@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import msgspec
 
-from components.language.room import Confirmed, Done, Paired, Ticket
-from components.live_class.codes import as_code, digest, new_key
+from components.language.room import Confirmed, Done, Paired, Reopen, Ticket
+from components.live_class.codes import as_code, digest, new_key, new_token
 from components.live_class.handler import ClassHandler, square
-from components.live_class.remotes import begun, is_in, new_digits, waits
+from components.live_class.remotes import CONTROL, begun, is_in, new_digits, waits
 from components.live_class.room import ClassRoom
 from components.serving.handlers import RefusedError
 
@@ -27,15 +27,17 @@ class LetIn(ClassHandler):
         self.reply(Ticket(address=address, square=square(address)))
 
     async def put(self, code: str) -> None:
-        await self._decide(code, is_in=True)
+        room = await self._decided(code, is_in=True)
+        self.reply(Reopen(control=room.parts[CONTROL].decode()))
 
     async def delete(self, code: str) -> None:
-        await self._decide(code, is_in=False)
+        await self._decided(code, is_in=False)
+        self.set_status(204)
 
-    async def _decide(self, code: str, is_in: bool) -> None:
+    async def _decided(self, code: str, is_in: bool) -> ClassRoom:
         room, confirmed = await self.led(code), self.body(Confirmed)
         await self.outcome(self.classes.registry.decide(room, confirmed.digits, is_in))
-        self.set_status(204)
+        return room
 
 
 class RemoteControl(ClassHandler):
@@ -43,10 +45,11 @@ class RemoteControl(ClassHandler):
 
     async def _there(self, code: str) -> ClassRoom:
         """The room of a ticket; those who have shown none are not told whether there is such a room."""
-        if not self.classes.tokens.voter(code, self.word):
+        room = await self.outcome(self.classes.registry.followed(as_code(code), self.word))
+        if room is None:
             raise RefusedError(403, NOT_IN)
         self.limit(f"remote {self.word}")
-        return await self.outcome(self.classes.registry.room(as_code(code)))
+        return room
 
     async def put(self, code: str) -> None:
         registry, ticket = self.classes.registry, self.body(Ticket)
@@ -60,7 +63,7 @@ class RemoteControl(ClassHandler):
             digits = new_digits(taken=room.waiting)
         except ValueError as reason:
             raise RefusedError(429, str(reason), TICKET) from reason
-        paired = Paired(digits=digits, key=self.classes.tokens.new(code))
+        paired = Paired(digits=digits, key=new_token(room.parts["key"]))
         await self.outcome(registry.tell(room, begun(digits, paired.key)))
         self.reply(paired)
 

@@ -11,6 +11,7 @@ from typing import Any, Protocol, TypeVar
 import msgspec
 
 from components.language.room import News, PutTo, RunClock, SentPicture
+from components.live_class.codes import voter_of
 from components.live_class.question_bank import QuestionBank, ReadWalks
 from components.live_class.remotes import WAITS, waiting
 from components.live_class.store import Parts
@@ -124,6 +125,10 @@ class ClassRoom:
     def follows(self, name: str) -> bool:
         late = monotonic() - 2 * SILENCE
         return name in self.streams or max(self.polls.get(name, 0.0), self.seen.get(name, 0.0)) > late
+
+    def voter(self, token: str) -> str:
+        """The name of a follower by a token of this room; "" for what is none."""
+        return voter_of(token, self.parts.get("key", b""))
 
     @property
     def is_led(self) -> bool:

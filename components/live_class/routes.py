@@ -5,10 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from components.live_class.codes import Tokens
+from components.live_class.codes import Keys
 from components.live_class.context import ClassContext
 from components.live_class.follower_routes import Answers, Enter, Events, MovedByCode, Now, TimeOfDay
-from components.live_class.instructor_routes import CountAnswers, LeadClass, OpenClass, TakeAnswers
+from components.live_class.instructor_routes import CopyAnswers, CountAnswers, LeadClass, OpenClass, TakeAnswers
 from components.live_class.publisher import Publisher
 from components.live_class.question_bank import QuestionBank
 from components.live_class.registry import Registry
@@ -21,11 +21,11 @@ CODE = r"([0-9A-Za-z]{4})"
 
 
 class LiveClass:
-    """The live classes of one server, whose secret signs their tokens."""
+    """The live classes of one server, opened by who knows its passphrase, if it has one."""
 
-    def __init__(self, store: Store, bank: QuestionBank, secret: str) -> None:
-        registry = Registry(store, bank)
-        self.context = ClassContext(registry, Tokens(secret))
+    def __init__(self, store: Store, bank: QuestionBank, passphrase: str = "") -> None:
+        registry = Registry(store, bank, Keys(passphrase))
+        self.context = ClassContext(registry)
         self.lead = partial(Publisher, registry)
         self._upkeep = Upkeep(registry)
         self.start, self.end = self._upkeep.start, self._upkeep.end
@@ -36,6 +36,7 @@ class LiveClass:
             r"/class/time": TimeOfDay,
             rf"/class/{CODE}/lead": LeadClass,
             rf"/class/{CODE}/tally": CountAnswers,
+            rf"/class/{CODE}/answers": CopyAnswers,
             rf"/class/{CODE}/answers.csv": TakeAnswers,
             rf"/class/{CODE}/tickets": LetIn,
             rf"/class/{CODE}/remote": RemoteControl,

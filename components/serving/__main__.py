@@ -54,7 +54,7 @@ async def serve(settings: Settings) -> None:
     folders = [settings.walks] if settings.walks else []
     lecture, apart = walked(map(Path, folders)), ReadingProcess("app", *folders)
     lecture.bank.apart = apart
-    live_class = LiveClass(store_at(settings.store), lecture.bank, settings.bokeh_secret_key)
+    live_class = LiveClass(store_at(settings.store), lecture.bank, settings.class_passphrase)
     numbers = NumbersRoute(lecture.numbers_of, settings.arrivals)
     open_page = partial(lecture.open_page, lead=live_class.lead, apart=apart)
     figures = {**FIGURES, "readings": ("Walks from files that are read or wait", lambda: len(apart))}

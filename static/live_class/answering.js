@@ -24,6 +24,8 @@ export class AskedPut {
 
   changes = 0
 
+  sentTo = "" // the server that has the answer
+
   /** @param {import("./follow.js").Following} following */
   constructor(following) {
     this.following = following
@@ -37,6 +39,7 @@ export class AskedPut {
     const same = before && nameOf(before) === nameOf(question) && isSame(before.card, question.card)
     if (!question.step) this.#leave()
     else if (!same || !this.card) await this.#lay()
+    else this.#resend()
     if (this.card && question.lesson) await this.#teach(question.lesson)
   }
 
@@ -103,6 +106,7 @@ export class AskedPut {
       answer(this.following.code, nameOf(vote), vote)
       if (card !== this.card) return // the lecture has gone on
       this.given = vote
+      this.sentTo = this.following.server
       if (card?.walk.lesson) return
       if (changes === this.changes) this.status.textContent = SENT
     } catch (reason) {
@@ -113,6 +117,14 @@ export class AskedPut {
     }
   }
 
+  /** A server that has begun anew may not have the answer. */
+  async #resend() {
+    const {card, given} = this
+    if (!given || card?.walk.lesson || this.following.server === this.sentTo) return
+    await pause(Math.random() * SPREAD)
+    if (card === this.card && given === this.given) this.#send()
+  }
+
   /** What was answered before the page was loaded anew. */
   #restore() {
     this.given = mine(this.following.code)?.answers[this.#name] ?? null
@@ -120,6 +132,7 @@ export class AskedPut {
     this.card?.question.restore(this.given)
     clearTimeout(this.timer)
     this.status.textContent = SENT
+    this.#resend()
   }
 
   /** @param {page.Lesson} lesson what it teaches everybody; of one's own answer the server says more */

@@ -62,6 +62,11 @@ export class Following {
     })
   }
 
+  /** The server that was heard last. */
+  get server() {
+    return this.news.number?.split(".")[0] ?? ""
+  }
+
   get clock() {
     return this.page.clock
   }

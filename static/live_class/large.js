@@ -135,7 +135,8 @@ export class Large {
     const {code, key} = this.teach.room
     const decide = (/** @type {string} */ method, /** @type {string} */ done) =>
       this.#try(async () => {
-        await ask(`${code}/tickets`, {method, body: {digits}, word: key})
+        const control = await ask(`${code}/tickets`, {method, body: {digits}, word: key})
+        if (control) this.teach.kept.save(control)
         this.#say("done", done)
       })
     const yes = button(

@@ -3,8 +3,9 @@
 import {button, element} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
 import {tabStorage} from "../core/storage.js"
-import {DOUBTS, Refusal, ask, pause} from "./room.js"
+import {Refusal, ask, pause} from "./room.js"
 
+const DOUBTS = 30 // looks at a class that is not there until that is believed: its server may begin anew
 const ASKING = 1000 // ms between looks whether it is in, and at which step the lecture is
 
 /** @param {string} code @param {string} ticket */
@@ -106,9 +107,9 @@ class Remote {
 
   /** @param {unknown} reason */
   #failed(reason) {
-    const isGone = reason instanceof Refusal && reason.status === 404
+    const isGone = reason instanceof Refusal && reason.status === 403
     this.over = isGone && this.doubts++ >= DOUBTS
-    if (this.over) this.host.replaceChildren(element("h1", {}, "The class is over."))
+    if (this.over) this.host.replaceChildren(element("h1", {}, "This is no remote control of a class now."))
     this.state.textContent = reason instanceof Refusal ? reason.message : String(reason)
     if (!this.isIn && !this.over) this.host.append(this.state)
   }

@@ -3,8 +3,6 @@
 import {inWords} from "../core/notes.js"
 
 const LIMIT = 10000 // ms for one question: a dead connection may never say that it is
-/** Tries until it is believed that there is no such class: its store may just be filled anew. */
-export const DOUBTS = 3
 
 /** A refusal of the server's, in a sentence; `status` is 0 where nobody answers. */
 export class Refusal extends Error {

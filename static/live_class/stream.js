@@ -1,6 +1,6 @@
 // The stream of what is new in a live class: taken up anew where it breaks, and replaced by questions where none comes.
 
-import {DOUBTS, Refusal, ask, asked, pause} from "./room.js"
+import {Refusal, ask, asked, pause} from "./room.js"
 
 const PATIENCE = 3000 // ms until an attempt that brings nothing is given up
 const HASTE = 150 // ms, in its place, for the first try of a page that wakes: its old connections may be dead
@@ -14,6 +14,7 @@ const SHORTEST = 300 // ms until another try, twice as long after each
 const LONGEST = 8000
 const TRIAL = 60000 // ms, after which a stream is tried again where none came through
 const SLEEP = 1e8 // ms, more than a day: until the page is seen again
+const DOUBT = 30000 // ms for which a class is not there until that is believed: its server may begin anew
 const NOW = "at once" // why an attempt ends that is followed by another without a pause
 
 /**
@@ -40,8 +41,10 @@ function woken(by) {
 
 /**
  * @typedef {{news: (news: Partial<page.News>) => void, refused: (refusal: Refusal) => void,
- *   connected: (is: boolean, why?: string) => void, outdated?: () => void, sleeps?: boolean}} StreamListener
- * One that `sleeps` has no stream while its page is hidden: a phone in a pocket is not counted.
+ *   connected: (is: boolean, why?: string) => void, outdated?: () => void,
+ *   sleeps?: boolean, doubt?: number}} StreamListener
+ * One that `sleeps` has no stream while its page is hidden: a phone in a pocket is not counted. `doubt` is the time
+ * in ms for which a class is not there until that is believed.
  */
 export class Stream {
   state = "events"
@@ -49,7 +52,7 @@ export class Stream {
   heardAt = 0 // by the time of day: it goes on while a phone sleeps
   knockAt = 0 // when a stream is tried beside the questions
   tries = 0 // that failed since something was heard
-  doubts = 0 // how often the server has said that there is no such class
+  missedAt = 0 // when the server has first said that there is no such class
   over = false
 
   /** Ends the attempt or the pause that is on. */
@@ -77,8 +80,14 @@ export class Stream {
   /** A page that wakes has slept through what was said, and its stream may be dead without a word. */
   #wake() {
     this.tries = 0
+    this.missedAt = 0
     this.state = `${this.by} woken 0`
     this.control.abort(NOW)
+  }
+
+  /** The server is known to be there. */
+  hurry() {
+    this.#wake()
   }
 
   #sleep() {
@@ -117,7 +126,9 @@ export class Stream {
   /** The time until the next try, in ms. @param {unknown} [reason] */
   #failed(reason) {
     const refusal = reason instanceof Refusal && reason.status ? reason : null
-    if (refusal && !refusal.passes && this.doubts++ >= DOUBTS) {
+    const isMissed = refusal && !refusal.passes
+    if (isMissed) this.missedAt ||= Date.now()
+    if (isMissed && Date.now() - this.missedAt >= (this.listener.doubt ?? DOUBT)) {
       this.close()
       this.listener.refused(refusal)
     } else if (!this.over) this.listener.connected(false, refusal?.message)
@@ -191,7 +202,7 @@ export class Stream {
   #heard() {
     this.heardAt = Date.now()
     this.tries = 0
-    this.doubts = 0
+    this.missedAt = 0
     this.state = this.by
     this.listener.connected(true)
   }

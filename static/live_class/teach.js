@@ -2,8 +2,9 @@
 
 import {button, chip, element} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
-import {browserStorage, tabStorage} from "../core/storage.js"
+import {tabStorage} from "../core/storage.js"
 import {Corner} from "./corner.js"
+import {Kept} from "./kept.js"
 import {Large} from "./large.js"
 import {Refusal, ask, pause} from "./room.js"
 import {Stream} from "./stream.js"
@@ -13,7 +14,8 @@ import {Votes} from "./votes.js"
 const LOOK = 50 // ms between looks at the clock
 const OFF = 0.04 // s by which followers may be off before they are told anew
 const AGAIN = 1000 // ms until an order is sent again
-const KEPT = "class-room"
+const SAVING = 60000 // ms between notes that the class goes on
+const LED = "class-room" // that this tab leads a class
 
 /** @typedef {import("../walks/walk.js").Walk} Walk */
 
@@ -37,9 +39,11 @@ export class Teach {
   /** Orders to the room, one after the other. @type {Promise<unknown>} */
   orders = Promise.resolve()
 
-  /** @param {LectureHost} lecture @param {page.Opened} room */
-  constructor(lecture, room) {
+  /** @param {LectureHost} lecture @param {Kept} kept */
+  constructor(lecture, kept) {
+    const {room} = kept
     this.lecture = lecture
+    this.kept = kept
     this.room = room
     this.timing = new Timing()
     this.votes = new Votes(this)
@@ -48,18 +52,51 @@ export class Teach {
     this.sign = button({class: "class-code", title: "Join code, large (J)"}, () => this.large.toggle())
     document.querySelector("#keys")?.before(this.sign)
     document.documentElement.dataset.class = room.code
-    this.stream = new Stream(room.code, room.key, {
-      news: news => this.#hear(news),
-      refused: refusal => this.#over(refusal.message),
-      connected: is => this.#connected(is),
-    })
+    this.stream = this.#listen()
     this.looking = setInterval(() => this.#look(), LOOK)
+    this.saving = setInterval(() => kept.save(), SAVING)
     this.lead()
     this.say()
   }
 
+  #listen() {
+    const {code, key} = this.room
+    return new Stream(code, key, {
+      news: news => this.#hear(news),
+      refused: refusal => (refusal.status === 404 ? this.reopen() : this.#over(refusal.message)),
+      connected: is => this.#connected(is),
+      doubt: 0,
+    })
+  }
+
+  /** @type {Promise<void> | null} */
+  reopening = null
+
+  /** The server has lost the class: it has it again from here. */
+  reopen() {
+    this.reopening ??= this.#restore().finally(() => (this.reopening = null))
+    return this.reopening
+  }
+
+  /** @returns {Promise<void>} */
+  async #restore() {
+    try {
+      await this.kept.restore(this.lecture.walks.texts)
+    } catch (reason) {
+      if (!(reason instanceof Refusal && reason.passes)) return this.#over(inWords(reason))
+      await pause(AGAIN)
+      return this.isOver ? undefined : this.#restore()
+    }
+    this.told = null
+    this.lead()
+    this.stream.close()
+    this.stream = this.#listen()
+    this.votes.count()
+  }
+
   /** The session that is there now shows what it shows to all. */
   lead() {
+    if (this.away) this.stream.hurry()
     this.lecture.line.send({type: "lead", code: this.room.code, key: this.room.key})
   }
 
@@ -83,6 +120,7 @@ export class Teach {
     const isFirst = !this.news.number
     const wasShown = this.news.question?.lesson
     Object.assign(this.news, news)
+    this.kept.hear(news)
     this.say()
     if (isFirst && this.lecture.walks.walk) this.walked(this.lecture.walks.walk)
     const {walk} = this.lecture.walks
@@ -123,6 +161,10 @@ export class Teach {
       await ask(`${code}/lead`, {method: "POST", body: order, word: key})
       return true
     } catch (reason) {
+      if (reason instanceof Refusal && reason.status === 404 && order.type !== "end") {
+        await this.reopen()
+        return this.#sent(order)
+      }
       if (order.type !== "clock" && !(reason instanceof Refusal && reason.passes)) {
         this.lecture.page.notice.tell(inWords(reason))
         return false
@@ -213,12 +255,14 @@ export class Teach {
     this.isOver = true
     this.stream.close()
     clearInterval(this.looking)
+    clearInterval(this.saving)
     this.large.close()
     this.votes.leave()
     this.sign.remove()
     this.corner.leave()
     delete document.documentElement.dataset.class
-    forget()
+    this.kept.forget()
+    tabStorage.forget(LED)
     this.lecture.classes.led = null
     this.lecture.line.send({type: "lead", code: "", key: ""})
     this.lecture.page.notice.tell(sentence)
@@ -228,17 +272,11 @@ export class Teach {
 /** The question that a walk stands at. @param {Walk | null} walk */
 const nameOf = walk => (walk?.step ? `${walk.sheet.name}/${walk.step.id}` : "")
 
-function forget() {
-  browserStorage.forget(KEPT)
-  tabStorage.forget(KEPT)
-}
-
 /** The room that this browser has the key of, or a new one. @param {LectureHost} lecture */
 export async function teach(lecture) {
-  const room = (await kept()) ?? (await opened())
-  browserStorage.keepOrSay(KEPT, room)
-  tabStorage.keep(KEPT, "open") // this tab comes back to it by itself
-  return new Teach(lecture, room)
+  const kept = (await Kept.find(lecture.walks.texts)) ?? new Kept(await opened())
+  tabStorage.keep(LED, "open") // this tab comes back to it by itself
+  return new Teach(lecture, kept)
 }
 
 /** A new room, with the instructors' passphrase where the server asks for one. @returns {Promise<page.Opened>} */
@@ -270,10 +308,4 @@ function passphrase(sentence) {
     document.body.append(dialog)
     dialog.showModal()
   })
-}
-
-/** @returns {Promise<page.Opened | null>} */
-async function kept() {
-  const room = /** @type {page.Opened | null} */ (browserStorage.value(KEPT))
-  return room && ask(`${room.code}/lead`, {word: room.key}).catch(() => null)
 }

@@ -21,8 +21,9 @@ afterEach(() => {
   mock.reset()
 })
 
-function begin() {
+function begin(more) {
   stream = new Stream("ABCD", "word", {
+    ...more,
     news: news => heard.news.push(news.number),
     refused: refusal => heard.refused.push(refusal.message),
     connected: (is, why = "") => heard.connected.push(is || why),
@@ -136,6 +137,20 @@ test("a class that is not there is believed to be gone after some doubts, a full
   happens("online")
   await pass(60000)
   assert.equal(server.asked.length, count)
+})
+
+test("a server that begins anew has half a minute to have the class again, the instructor's page none", async () => {
+  server.answers = (path, signal) => (Date.now() < 25000 ? refuse(404, "Not there.")() : events(signal).answer)
+  begin()
+  await pass(60000)
+  assert.equal(heard.refused.length, 0)
+  stream.close()
+  server.answers = refuse(404, "Not there.")
+  const count = server.asked.length
+  begin({doubt: 0})
+  await pass(60000)
+  assert.equal(server.asked.length, count + 1)
+  assert.deepEqual(heard.refused, ["Not there."])
 })
 
 test("a stream that has fallen silent is taken up anew", async () => {

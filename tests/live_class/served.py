@@ -10,7 +10,7 @@ from typing import Any
 
 from app import SHEETS, walked
 from components.live_class.routes import LiveClass
-from components.live_class.store import MemoryStore
+from components.live_class.store import MemoryStore, Store
 from components.serving.server import Server
 from components.serving.settings import Settings
 from tests.live_class.caller import streams_closed
@@ -21,9 +21,9 @@ Test = Callable[[Server, str], Coroutine[None, None, None]]
 
 
 @asynccontextmanager
-async def served(**settings: Any) -> AsyncIterator[tuple[Server, str]]:
+async def served(store: Store | None = None, **settings: Any) -> AsyncIterator[tuple[Server, str]]:
     made = Settings(**{"address": "127.0.0.1", "port": 0, **settings})
-    live_class = LiveClass(MemoryStore(), LECTURE.bank, made.bokeh_secret_key)
+    live_class = LiveClass(store or MemoryStore(), LECTURE.bank, made.class_passphrase)
     page = partial(LECTURE.open_page, lead=live_class.lead)
     server = Server(page, made, sheets={**SHEETS, **LECTURE.files}, extensions=[live_class], start=LECTURE.start)
     server.classes = live_class.context

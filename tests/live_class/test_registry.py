@@ -24,7 +24,7 @@ from components.language.room import (
 from components.live_class import pauses, question_bank
 from components.live_class import registry as registry_of
 from components.live_class import room as room_of
-from components.live_class.codes import SIGNS, Tokens, as_code, new_code
+from components.live_class.codes import SIGNS, Keys, as_code, code_of, digest, new_key, new_token, voter_of
 from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import ClassRoom
 from components.live_class.upkeep import Upkeep
@@ -67,17 +67,22 @@ def in_class(request: pytest.FixtureRequest) -> Callable[[Test], None]:
 
 def test_codes_have_no_signs_that_look_alike_and_are_read_as_they_are_typed() -> None:
     assert not set("0OQ1IL") & set(SIGNS) and len(SIGNS) == 30
-    assert all(as_code(code) == code for code in (new_code() for _ in range(100)))
+    assert all(as_code(code) == code for code in (code_of(new_key()) for _ in range(20)))
     assert as_code(" k7h-m ") == "K7HM"
     assert [as_code(text) for text in ("K7H", "K7HMM", "K7H0", "<b>x", "ÄÖÜß")] == [""] * 5
 
 
 def test_a_token_is_good_for_one_room_and_cannot_be_made_up() -> None:
-    tokens = Tokens("a secret")
-    token = tokens.new("K7HM")
-    assert tokens.voter("K7HM", token) and tokens.voter("K7HN", token) == ""
-    assert Tokens("another").voter("K7HM", token) == ""
-    assert [tokens.voter("K7HM", text) for text in ("", ".", "a.b", "ä.b")] == [""] * 4
+    room, other = digest(new_key()), digest(new_key())
+    token = new_token(room)
+    assert voter_of(token, room) and voter_of(token, other) == voter_of(token, b"") == ""
+    assert [voter_of(text, room) for text in ("", ".", "a.b", "ä.b")] == [""] * 4
+
+
+def test_who_does_not_know_the_passphrase_makes_no_key() -> None:
+    assert all(Keys(phrase).is_own(Keys(phrase).new()) for phrase in ("", "swinging springs"))
+    for key in (Keys().new(), Keys("another phrase").new(), "", "x" * 48, "ä" * 48):
+        assert not Keys("swinging springs").is_own(key)
 
 
 def test_who_lacks_the_key_cannot_lead(in_class: Callable[[Test], None]) -> None:

@@ -10,7 +10,7 @@ import pytest
 import redis
 
 from components.live_class import shared_store, store
-from components.live_class.codes import new_code
+from components.live_class.codes import code_of, new_key
 from components.live_class.store import Parts, Store
 from tests.live_class.stores import KINDS, Valkey, made, valkey_running
 
@@ -45,7 +45,7 @@ async def until(happens: Callable[[], Awaitable[bool]], seconds: float = 5.0) ->
 
 def test_a_room_is_opened_once_and_keeps_its_parts(on: Callable[..., None]) -> None:
     async def test(kept: Store) -> None:
-        code = new_code()
+        code = code_of(new_key())
         assert await kept.parts(code) == {}
         assert await kept.open(code, {"key": b"1"})
         assert not await kept.open(code, {"key": b"2"})
@@ -62,7 +62,7 @@ def test_a_room_is_opened_once_and_keeps_its_parts(on: Callable[..., None]) -> N
 
 def test_a_room_ends_some_time_after_the_last_sign_of_its_instructor(on: Callable[..., None]) -> None:
     async def test(kept: Store) -> None:
-        code = new_code()
+        code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         await kept.vote(code, "d31/a/1", "one", b"1")
         for _ in range(4):
@@ -82,7 +82,7 @@ def test_a_room_ends_some_time_after_the_last_sign_of_its_instructor(on: Callabl
 
 def test_a_room_that_nobody_leads_or_follows_ends_soon(on: Callable[..., None]) -> None:
     async def test(kept: Store) -> None:
-        followed, alone = new_code(), new_code()
+        followed, alone = code_of(new_key()), code_of(new_key())
         for code in (followed, alone):
             await kept.open(code, {"key": b"1"})
             await kept.vote(code, "d31/a/1", "one", b"1")
@@ -120,7 +120,7 @@ def test_where_all_rooms_are_taken_one_that_is_alone_makes_way(
 
 def test_a_room_has_so_many_bytes_of_answers_and_says_so(on: Callable[..., None]) -> None:
     async def test(kept: Store) -> None:
-        code = new_code()
+        code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         assert await kept.vote(code, "a", "one", b"x" * 60)
         with pytest.raises(store.FullError, match="keeps no more answers"):
@@ -152,7 +152,7 @@ def test_a_full_store_says_so_and_forgets_no_class() -> None:
 
 def test_who_follows_is_known_to_all_replicas(on: Callable[..., None]) -> None:
     async def test(kept: Store) -> None:
-        code = new_code()
+        code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         await kept.name(code, "a", ["one", "two"])
         await kept.name(code, "b", {"three"})
@@ -165,7 +165,7 @@ def test_who_follows_is_known_to_all_replicas(on: Callable[..., None]) -> None:
 
 def test_one_answer_for_a_voter_and_no_more_than_there_is_place_for(on: Callable[..., None]) -> None:
     async def test(kept: Store) -> None:
-        code = new_code()
+        code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         assert [await kept.vote(code, "b", voter, b"1", 2) for voter in ("one", "two", "three")] == [True, True, False]
         assert await kept.vote(code, "b", "one", b"2")
@@ -195,7 +195,7 @@ def test_who_listens_hears_what_is_kept_told_and_ended(on: Callable[..., None]) 
         ready = asyncio.Event()
         task = asyncio.create_task(kept.listen(lambda code, parts: heard.append((code, dict(parts))), ready.set))
         await asyncio.wait_for(ready.wait(), 5)
-        code = new_code()
+        code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         await kept.keep(code, {"clock": b"1"})
         await kept.keep(code, {})
@@ -215,7 +215,7 @@ def test_who_listens_hears_what_is_kept_told_and_ended(on: Callable[..., None]) 
 
 def test_those_present_are_counted_over_replicas(on: Callable[..., None]) -> None:
     async def test(kept: Store) -> None:
-        code = new_code()
+        code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         assert await kept.present(code, "a", 2) == 2
         assert await kept.present(code, "b", 3) == 5
@@ -228,7 +228,7 @@ def test_those_present_are_counted_over_replicas(on: Callable[..., None]) -> Non
 
 def test_what_is_counted_adds_up_and_what_is_lent_is_taken_once(on: Callable[..., None]) -> None:
     async def test(kept: Store) -> None:
-        name = new_code()
+        name = code_of(new_key())
         assert [await kept.count(name, 3600, more) for more in (1, 1, 0, 3)] == [1, 2, 2, 5]
         assert await kept.count(f"{name} too", 3600) == 1
         await kept.lend(name, b"ticket", 60)

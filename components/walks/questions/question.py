@@ -9,7 +9,7 @@ from typing import Any, ClassVar, NamedTuple
 from msgspec.structs import replace
 
 from components.language.messages import Given
-from components.language.room import Counted
+from components.language.room import Counted, Voted
 from components.language.walk import Lesson, StepCard
 from components.layout.text import rich
 from components.walks.links import standing_at
@@ -31,7 +31,7 @@ class Judgement(NamedTuple):
     where: str = ""
 
 
-class Judged(Given, frozen=True, kw_only=True):
+class Judged(Voted, frozen=True, kw_only=True):
     """An answer as a class keeps it, with what is known of it, and by which form of its step it was judged."""
 
     number: float = 0.0

@@ -1,0 +1,155 @@
+// Copies of a class in its instructor's browser, so that a server that has lost the class has it again.
+
+import {browserStorage} from "../core/storage.js"
+import {Refusal, ask, pause} from "./room.js"
+
+const ROOM = "class-room"
+const GIVEN = "class-given "
+const BREAK = 20 * 60000 // ms: a class that nobody leads for longer is over on any server
+const COPYING = 5000 // ms until new answers are copied
+const LONGEST = 40000 // characters of an order
+const AGAIN = 1000 // ms until it is sent again
+
+/**
+ * A room, the remote control that was let in, the question that is put, the last vote on each, and when it was led.
+ * @typedef {{walk: string, step: string, vote: number, isShown: boolean}} Put
+ * @typedef {page.Opened & {control?: string, put?: Put | null, last?: Record<string, number>, seen?: number}} Room
+ * @typedef {Record<string, page.Voted>} Answers by the names of those who gave them
+ */
+
+export class Kept {
+  /** Votes of which not all answers are copied. @type {Set<string>} */
+  stale = new Set()
+
+  /** @type {number | undefined} */
+  timer
+
+  /** @param {Room} room */
+  constructor(room) {
+    this.room = room
+    const [own, others] = [[], []].map(() => /** @type {string[]} */ ([]))
+    for (const name of given()) (name.startsWith(this.#name("")) ? own : others).push(name)
+    browserStorage.forget(...others)
+    /** @type {Map<string, Answers>} by vote, as step and number */
+    this.answers = new Map(own.map(name => [name.slice(this.#name("").length), browserStorage.value(name) ?? {}]))
+    this.save()
+  }
+
+  /** @param {string} vote */
+  #name(vote) {
+    return `${GIVEN}${this.room.code} ${vote}`
+  }
+
+  /** @param {Partial<Room>} [more] */
+  save(more) {
+    Object.assign(this.room, more)
+    browserStorage.keepOrSay(ROOM, {...this.room, seen: Date.now()})
+  }
+
+  /** @param {Partial<page.News>} news */
+  hear({question, answers}) {
+    if (question) {
+      const {walk, step, vote, lesson} = question
+      const put = step ? {walk, step, vote, isShown: Boolean(lesson)} : null
+      this.save({put, last: put ? {...this.room.last, [`${walk}/${step}`]: vote} : this.room.last})
+    }
+    const {put} = this.room
+    if (answers && put) this.stale.add(voteOf(put))
+    this.#wait()
+  }
+
+  #wait() {
+    if (this.stale.size) this.timer ??= setTimeout(() => this.#copy(), COPYING)
+  }
+
+  /** Answers to one vote are kept here as well. */
+  async #copy() {
+    const {code, key} = this.room
+    const [vote] = this.stale
+    this.stale.delete(vote)
+    const path = `${code}/answers?question=${encodeURIComponent(vote)}`
+    const answers = await ask(path, {word: key}).catch(() => null)
+    if (answers) {
+      this.answers.set(vote, answers)
+      browserStorage.keep(this.#name(vote), answers) // of too many this page alone has them
+    } else this.stale.add(vote)
+    this.timer = undefined
+    this.#wait()
+  }
+
+  /**
+   * Opens the room anew, with all that was asked and answered in it.
+   * @param {Record<string, string>} texts of walks from files, by name
+   */
+  async restore(texts) {
+    const {code, key, control = "", put} = this.room
+    this.save(await ask(`${code}/lead`, {method: "PUT", body: {control}, word: key}))
+    const used = new Set([...this.answers.keys()].map(vote => vote.split("/")[0]).concat(put?.walk ?? []))
+    const own = [...used].filter(name => name in texts)
+    /** @type {page.Order[]} */
+    const orders = own.map(name => ({type: "walk", name, text: texts[name]}))
+    if (put) orders.push({type: "put", walk: put.walk, step: put.step, vote: put.vote})
+    if (put?.isShown) orders.push({type: "show"})
+    const lost = [...this.answers.values()].flatMap(parcels)
+    orders.push(...lost.map(answers => /** @type {const} */ ({type: "restore", answers})))
+    await orders.reduce((done, order) => done.then(() => this.#order(order)), Promise.resolve())
+  }
+
+  /** What is refused for good holds up nothing else. @param {page.Order} order @returns {Promise<void>} */
+  async #order(order) {
+    const {code, key} = this.room
+    try {
+      await ask(`${code}/lead`, {method: "POST", body: order, word: key})
+    } catch (reason) {
+      if (!(reason instanceof Refusal) || reason.status === 404) throw reason
+      if (!reason.passes) return console.warn(reason)
+      await pause(AGAIN)
+      await this.#order(order)
+    }
+  }
+
+  /** The class is over. */
+  forget() {
+    clearTimeout(this.timer)
+    browserStorage.forget(ROOM, ...given())
+  }
+
+  /** The class that this browser led until a moment ago, if it goes on. @param {Record<string, string>} texts */
+  static async find(texts) {
+    const room = /** @type {Room | null} */ (browserStorage.value(ROOM))
+    if (!room) return null
+    try {
+      return new Kept({...room, ...(await ask(`${room.code}/lead`, {word: room.key}))})
+    } catch (reason) {
+      if (!(reason instanceof Refusal) || reason.passes) throw reason
+    }
+    if (Date.now() - (room.seen ?? 0) > BREAK) return null
+    const kept = new Kept(room)
+    return kept.restore(texts).then(
+      () => kept,
+      () => null,
+    )
+  }
+}
+
+const given = () => browserStorage.names().filter(name => name.startsWith(GIVEN))
+
+/** @param {{walk: string, step: string, vote: number}} put */
+const voteOf = ({walk, step, vote}) => `${walk}/${step}/${vote}`
+
+/** Answers in parcels that an order can carry. @param {Answers} answers @returns {Answers[]} */
+function parcels(answers) {
+  /** @type {Answers[]} */
+  const all = []
+  let size = LONGEST
+  for (const [name, one] of Object.entries(answers)) {
+    const length = name.length + JSON.stringify(one).length
+    if (size + length > LONGEST) {
+      all.push({})
+      size = 0
+    }
+    size += length
+    all[all.length - 1][name] = one
+  }
+  return all
+}
