@@ -20,7 +20,7 @@ VARIANTS = 37
 """Of a step, each under its seed from 1 on: a prime, so that any stride goes through all places of a range."""
 STRIDES = (1, 8, 14, 5)
 """Of the quantities in their order: two of them do not grow together."""
-NUMBER = re.compile(r"\$[^$]+\$|(?<![_^])\{([^{}]+)\}")
+NUMBER = re.compile(r"\$[^$]+\$|(?<![_^])\{([\w\s.+*/^()-]+)\}")
 """A formula, which stays as it is, or an expression in braces."""
 
 

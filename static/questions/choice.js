@@ -1,7 +1,7 @@
 // A choice: answers to press, each with its own sentence once it is taught; a class's votes are bars beside them.
 
 import {button, element, marked} from "../core/dom.js"
-import {text} from "./fields.js"
+import {box, text} from "./fields.js"
 import {orderOf} from "./order.js"
 import {Question, SUCH, mark} from "./question.js"
 
@@ -11,12 +11,14 @@ export class Choice extends Question {
   static label = "Choice"
 
   static fields() {
-    return OFFERED.map(optionRow)
+    return [...OFFERED.map(optionRow), box("fixed", "fixed", "The answers keep this order")]
   }
 
   /** @param {HTMLFormElement} form */
   static read(form) {
-    return {options: OFFERED.flatMap(n => optionOf(form, n))}
+    /** @type {import("./question.js").Fields} */
+    const fields = {options: OFFERED.flatMap(n => optionOf(form, n))}
+    return text(form, "fixed") ? {...fields, fixed: true} : fields
   }
 
   chosen = -1

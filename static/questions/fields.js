@@ -17,8 +17,22 @@ export function chooser(label, name, options) {
 /** @param {HTMLFormElement} form @param {string} name */
 export const text = (form, name) => String(new FormData(form).get(name) ?? "").trim()
 
+/** A box to tick. @param {string} name @param {string} value @param {string} label @param {boolean} isSet */
+export function box(name, value, label, isSet = false) {
+  const input = element("input", {type: "checkbox", name, value, checked: isSet ? "" : undefined})
+  return element("label", {class: "ask-box"}, input, ` ${label}`)
+}
+
+/** What is right, as a number or told by the scene's. @param {string} label */
+export const answerFields = label => [labelled(label, "is"), labelled("or an expression, such as 2 * tau", "of")]
+
 /**
- * Its numbers as they are typed: the session reads them as it reads a field.
+ * Its numbers as they are typed: the session reads them as it reads a field. An expression is what it says.
  * @param {HTMLFormElement} form @param {string} unit
  */
-export const answerIn = (form, unit) => ({is: text(form, "is"), unit, tol: text(form, "tol")})
+export function answerIn(form, unit) {
+  const [is, of] = [text(form, "is"), text(form, "of")]
+  /** @type {import("./question.js").Fields} */
+  const told = of ? {of} : {is}
+  return {...told, ...(of && is ? {is} : {}), unit, tol: text(form, "tol")}
+}

@@ -2,7 +2,7 @@
 
 import {button, element} from "../core/dom.js"
 import {Dots} from "./dots.js"
-import {answerIn, labelled, text} from "./fields.js"
+import {answerFields, answerIn, labelled, text} from "./fields.js"
 import {Question, mark} from "./question.js"
 
 const LONGEST = 60 // characters: components/language/messages.py
@@ -11,7 +11,7 @@ export class Numeric extends Question {
   static label = "Number"
 
   static fields() {
-    return [labelled("Right answer", "is"), labelled("Unit", "unit"), labelled("Tolerance (±)", "tol")]
+    return [...answerFields("Right answer"), labelled("Unit", "unit"), labelled("Tolerance (±)", "tol")]
   }
 
   /** @param {HTMLFormElement} form */

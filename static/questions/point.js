@@ -2,7 +2,7 @@
 
 import {element} from "../core/dom.js"
 import {Dots} from "./dots.js"
-import {answerIn, chooser, labelled, text} from "./fields.js"
+import {answerFields, answerIn, chooser, labelled, text} from "./fields.js"
 import {Marker} from "./marker.js"
 import {Question, mark, plotOf} from "./question.js"
 
@@ -14,7 +14,7 @@ export class Point extends Question {
   /** @param {Plot[]} plots */
   static fields(plots) {
     const axes = plots.flatMap(plot => [axis(plot, "x", "horizontal"), axis(plot, "y", "vertical")])
-    return [chooser("Axis", "axis", axes), labelled("Right place", "is"), labelled("Tolerance (±)", "tol")]
+    return [chooser("Axis", "axis", axes), ...answerFields("Right place"), labelled("Tolerance (±)", "tol")]
   }
 
   /** @param {HTMLFormElement} form @param {Plot[]} plots */

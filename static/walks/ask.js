@@ -4,7 +4,7 @@
 import {chip, element} from "../core/dom.js"
 import {Asked} from "./asked.js"
 import {parts, sentences} from "../compare/coverable.js"
-import {chooser, labelled, text} from "../questions/fields.js"
+import {box, chooser, labelled, text} from "../questions/fields.js"
 import {KINDS} from "../questions/kinds.js"
 import {save} from "../export/save.js"
 
@@ -145,12 +145,6 @@ class Ask {
     this.problem.textContent = refused
     if (!refused) this.element.close()
   }
-}
-
-/** @param {string} name @param {string} value @param {string} label @param {boolean} isSet */
-const box = (name, value, label, isSet) => {
-  const input = element("input", {type: "checkbox", name, value, checked: isSet ? "" : undefined})
-  return element("label", {class: "ask-box"}, input, ` ${label}`)
 }
 
 /** @param {HTMLElement} label */

@@ -15,6 +15,7 @@ from components.scenes import SCENES
 from components.walks.checking import problems
 from components.walks.features import Peak, Trough, ValueAt
 from components.walks.loading import load_walk
+from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
 from tests.browser.dropping import drop
@@ -121,15 +122,19 @@ def ask_each_kind(page: Page) -> Locator:
     choice = {"text-1": "Both", "text-2": "Neither"}
     asked(page, "Which one swings?", "choice", **choice)
     expect(dialog.locator(".problem")).to_contain_text("a wrong answer needs a reply")
-    asked(page, "Which one swings?", "choice", **choice, **{"reply-2": "It is right at rest."})
+    dialog.get_by_label("The answers keep this order").check()
+    dialog.locator("[name=reply-2]").fill("It is right at rest.")
+    dialog.get_by_role("button", name="Add this question").click()
     expect(dialog.locator("li")).to_have_count(1)
     asked(page, "How long does a beat take?", "number", **{"is": "soon", "unit": "s", "tol": "0.1"})
     expect(dialog.locator(".problem")).to_contain_text("answer: “soon” is not a number")
     asked(page, "How long is {beat:null}?", "number", **{"is": "2500 ms", "unit": "s", "tol": "0,1"})
     expect(dialog.locator("li")).to_have_count(2)
+    asked(page, "How long is it?", "number", of="2 * pi / omega_mines", unit="s", tol="0.1")
+    expect(dialog.locator(".problem")).to_contain_text("has a name that the scene does not have, omega_mines; it has")
     asked(page, "Sketch mass 1.", "sketch", curve="x1.x1")
     expect(dialog.locator("li")).to_have_count(3)
-    asked(page, "Mark where mass 2 begins.", "point", **{"axis": "x2.y", "is": "−0.5", "tol": "0.1"})
+    asked(page, "Mark where mass 2 begins.", "point", axis="x2.y", of="x2_0 - 0.5", tol="0.1")
     expect(dialog.locator("li")).to_have_count(4)
     return dialog
 
@@ -169,6 +174,8 @@ def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
         assert feature.value == pytest.approx(height, abs=1e-4)
         assert abs(speed) < 0.003 or feature.at == 0.0, "it turns where no point is drawn"
     assert isinstance(walk.steps[3], PointStep) and walk.steps[3].answer.unit == "m"
+    assert walk.steps[3].answer.quantities == ("x2_0 - 0.5",) and not walk.steps[3].answer.numbers
+    assert isinstance(walk.steps[0], ChoiceStep) and walk.steps[0].fixed
     dialog.get_by_role("button", name="Close").click()
     drop(page, file.name, file.read_text(encoding="utf-8"))
     for place, answer in enumerate((choose, number, partial(sketch, drawn), point)):
