@@ -13,7 +13,10 @@ import sys
 
 from playwright.sync_api import sync_playwright
 
+SHELL = "chromium-headless-shell"
+"""Chromium without a window's parts: a page costs it two thirds of what it costs the whole."""
 NAMES = (
+    SHELL,
     "chromium",
     "google-chrome",
     "google-chrome-stable",
@@ -30,10 +33,10 @@ def find() -> str | None:
 
 
 def install() -> None:
-    """Debian's chromium where this is root on Debian, Playwright's own elsewhere."""
+    """Debian's Chromium without windows where this is root on Debian, Playwright's own elsewhere."""
     if _is_debian() and os.geteuid() == 0:
         _run("apt-get", "update")
-        _run("apt-get", "install", "--yes", "--no-install-recommends", "chromium", "fonts-liberation")
+        _run("apt-get", "install", "--yes", "--no-install-recommends", SHELL, "fonts-liberation")
     else:
         _run(sys.executable, "-m", "playwright", "install", "chromium")
 
