@@ -351,6 +351,11 @@ declare namespace page {
     type: "show"
   }
 
+  /** Closes the vote: no answer is taken until the question is put as another vote. Nothing is shown. */
+  interface CloseVote extends Ordered {
+    type: "close"
+  }
+
   /** Withdraws the question: none is open. */
   interface Withdraw extends Ordered {
     type: "withdraw"
@@ -374,16 +379,17 @@ declare namespace page {
     type: "end"
   }
 
-  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | Withdraw | RestoreAnswers | EndRoom
+  type Order = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | Withdraw | RestoreAnswers | EndRoom
 
   /** The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
-   * teaches once the answer is shown. Without a step none is. */
+   * teaches once the answer is shown; a vote that is `closed` takes no answers. Without a step none is. */
   interface PutTo {
     walk: string
     step: string
     card: StepCard | null
     place: string
     vote: number
+    closed: boolean
     lesson: Lesson | null
   }
 
@@ -407,7 +413,7 @@ declare namespace page {
     lost: boolean | null
     ended: boolean
     answers: boolean
-    deed: "" | "next" | "back" | "show" | "close"
+    deed: "" | "next" | "back" | "show" | "votes" | "again" | "blank" | "close"
     remotes: string[] | null
   }
 
@@ -480,7 +486,7 @@ declare namespace page {
 
   /** A press of a button on a remote control. */
   interface Done {
-    deed: "next" | "back" | "show" | "close"
+    deed: "next" | "back" | "show" | "votes" | "again" | "blank" | "close"
   }
 
   /** An axis as it is drawn: places are numbers in units of `factor` (SI) times 10**exponent, raised to `power`, or

@@ -45,6 +45,10 @@ class ShowAnswer(Ordered, frozen=True, kw_only=True, tag="show"):
     """Shows all the lesson of the step; no answer is taken any more."""
 
 
+class CloseVote(Ordered, frozen=True, kw_only=True, tag="close"):
+    """Closes the vote: no answer is taken until the question is put as another vote. Nothing is shown."""
+
+
 class Withdraw(Ordered, frozen=True, kw_only=True, tag="withdraw"):
     """Withdraws the question: none is open."""
 
@@ -67,18 +71,19 @@ class EndRoom(Ordered, frozen=True, kw_only=True, tag="end"):
     """Ends the class: the room and all that was answered are forgotten."""
 
 
-Order: TypeAlias = RunClock | HandWalk | PutQuestion | ShowAnswer | Withdraw | RestoreAnswers | EndRoom
+Order: TypeAlias = RunClock | HandWalk | PutQuestion | ShowAnswer | CloseVote | Withdraw | RestoreAnswers | EndRoom
 
 
 class PutTo(Struct, frozen=True, kw_only=True):
     """The question that is put: a step of a walk, its card, its place in the lecture, the vote from 1 on, and what it
-    teaches once the answer is shown. Without a step none is."""
+    teaches once the answer is shown; a vote that is `closed` takes no answers. Without a step none is."""
 
     walk: str = ""
     step: str = ""
     card: StepCard | None = None
     place: str = ""
     vote: int = 1
+    closed: bool = False
     lesson: Lesson | None = None
 
 
@@ -105,7 +110,7 @@ class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
     lost: bool | None = None
     ended: bool = False
     answers: bool = False
-    deed: Literal["", "next", "back", "show", "close"] = ""
+    deed: Literal["", "next", "back", "show", "votes", "again", "blank", "close"] = ""
     remotes: tuple[str, ...] | None = None
 
 
@@ -188,4 +193,4 @@ class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 class Done(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A press of a button on a remote control."""
 
-    deed: Literal["next", "back", "show", "close"]
+    deed: Literal["next", "back", "show", "votes", "again", "blank", "close"]

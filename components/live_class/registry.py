@@ -11,6 +11,7 @@ import msgspec
 
 from components.language.messages import Given
 from components.language.room import (
+    CloseVote,
     EndRoom,
     HandWalk,
     Order,
@@ -152,13 +153,19 @@ class Registry:
                 same = (put.walk, put.step) == (walk, step)
                 again = max(put.vote, min(asked, put.vote + 1, LAST))  # the same if it is asked for twice
                 vote = again if asked and same else put.vote if same and put.lesson is None else asked or FIRST
-                await self._keep(room, question=self.bank_of(room).put(walk, step, vote))
+                asked_anew = self.bank_of(room).put(walk, step, vote)
+                is_closed = same and put.closed and vote == put.vote
+                await self._keep(room, question=msgspec.structs.replace(asked_anew, closed=is_closed))
             case ShowAnswer():
                 put = room.question
                 if not put.step:
                     raise ValueError("No question is open now.")
                 lesson = self.bank_of(room).lesson(Given(walk=put.walk, step=put.step))
                 await self._keep(room, question=msgspec.structs.replace(put, lesson=lesson))
+            case CloseVote():
+                if not room.question.step:
+                    raise ValueError("No question is open now.")
+                await self._keep(room, question=msgspec.structs.replace(room.question, closed=True))
             case Withdraw():
                 await self._keep(room, question=NOTHING_PUT)
             case RestoreAnswers(answers=answers):
@@ -251,7 +258,7 @@ class Registry:
         Where there are more answers than phones may be here, the newest token that is not here any more makes way.
         """
         put = room.question
-        if (put.walk, put.step, put.vote) != (vote.walk, vote.step, vote.vote) or put.lesson:
+        if (put.walk, put.step, put.vote) != (vote.walk, vote.step, vote.vote) or put.lesson or put.closed:
             raise ValueError("This question is closed.")
         judged = msgspec.structs.replace(self.bank_of(room).judge(vote), at=round(time()), here=room.here)
         question, answer = _question(put), msgspec.json.encode(judged)

@@ -144,7 +144,10 @@ function acts(event, {own}) {
 const isTyping = target =>
   target.isContentEditable || target.matches("input:not([type=range], [type=checkbox]), textarea, select")
 
-function blank() {
+/** Black, or back from it. */
+export function blank() {
+  const there = document.querySelector(".blank")
+  if (there) return there.remove()
   const black = document.createElement("div")
   black.className = "blank"
   black.addEventListener("pointerdown", () => black.remove())

@@ -6,6 +6,7 @@ import {answer, mine} from "./mine.js"
 import {Refusal, ask, pause} from "./room.js"
 
 const SENT = "Sent. You can change it until the answer is shown."
+const CLOSED = "The vote is closed."
 const MOMENT = 400 // ms without a change until an answer is sent
 const SPREAD = 1500 // ms over which all phones ask what is said of their answers
 
@@ -40,7 +41,16 @@ export class AskedPut {
     if (!question.step) this.#leave()
     else if (!same || !this.card) await this.#lay()
     else this.#resend()
+    if (this.card) this.#close(question)
     if (this.card && question.lesson) await this.#teach(question.lesson)
+  }
+
+  /** @param {page.PutTo} question which takes no answers, or does again */
+  #close({closed, lesson}) {
+    const isClosed = closed && !lesson
+    this.card?.question.element.toggleAttribute("inert", isClosed)
+    if (isClosed) this.status.textContent = CLOSED
+    else if (this.status.textContent === CLOSED) this.status.textContent = ""
   }
 
   /** A picture of another scene has no card yet. @param {Drawn} shown */
@@ -65,7 +75,7 @@ export class AskedPut {
       this.status.textContent = ""
       this.timer = setTimeout(() => this.#send(), MOMENT)
     }
-    this.status.textContent = ""
+    this.status.textContent = question.vote > 1 ? `A new vote, number ${question.vote}: answer once more.` : ""
     this.#restore()
     page.redraw() // plots have made way for it
   }

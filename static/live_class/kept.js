@@ -12,7 +12,7 @@ const AGAIN = 1000 // ms until it is sent again
 
 /**
  * A room, the remote control that was let in, the question that is put, the last vote on each, and when it was led.
- * @typedef {{walk: string, step: string, vote: number, isShown: boolean}} Put
+ * @typedef {{walk: string, step: string, vote: number, isShown: boolean, isClosed: boolean}} Put
  * @typedef {page.Opened & {control?: string, put?: Put | null, last?: Record<string, number>, seen?: number}} Room
  * @typedef {Record<string, page.Voted>} Answers by the names of those who gave them
  */
@@ -49,8 +49,8 @@ export class Kept {
   /** @param {Partial<page.News>} news */
   hear({question, answers}) {
     if (question) {
-      const {walk, step, vote, lesson} = question
-      const put = step ? {walk, step, vote, isShown: Boolean(lesson)} : null
+      const {walk, step, vote, lesson, closed} = question
+      const put = step ? {walk, step, vote, isShown: Boolean(lesson), isClosed: closed} : null
       this.save({put, last: put ? {...this.room.last, [`${walk}/${step}`]: vote} : this.room.last})
     }
     const {put} = this.room
@@ -89,6 +89,7 @@ export class Kept {
     /** @type {page.Order[]} */
     const orders = own.map(name => ({type: "walk", name, text: texts[name]}))
     if (put) orders.push({type: "put", walk: put.walk, step: put.step, vote: put.vote})
+    if (put?.isClosed) orders.push({type: "close"})
     if (put?.isShown) orders.push({type: "show"})
     const lost = [...this.answers.values()].flatMap(parcels)
     orders.push(...lost.map(answers => /** @type {const} */ ({type: "restore", answers})))

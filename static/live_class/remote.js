@@ -86,7 +86,8 @@ class Remote {
   #enter() {
     this.isIn = true
     const deeds = /** @type {[string, page.Done["deed"]][]} */ ([
-      ["Next", "next"], ["Back", "back"], ["Show the answer", "show"], ["Close the QR code", "close"],
+      ["Next", "next"], ["Back", "back"], ["Show the votes", "votes"], ["Show the answer", "show"],
+      ["Vote again", "again"], ["Blank the screen", "blank"], ["Close the QR code", "close"],
     ]) // prettier-ignore
     const buttons = deeds.map(([name, deed]) =>
       button({class: deed === "next" ? "act filled" : "act"}, () => this.#do(deed), name),

@@ -2,6 +2,7 @@
 
 import {button, chip, element} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
+import {blank} from "../input/keys.js"
 import {tabStorage} from "../core/storage.js"
 import {Corner} from "./corner.js"
 import {Kept} from "./kept.js"
@@ -138,6 +139,9 @@ export class Teach {
     const {walks} = this.lecture
     const {walk} = walks
     if (deed === "close") this.large.close()
+    else if (deed === "blank") blank()
+    else if (deed === "again") this.again()
+    else if (deed === "votes") this.votes.open()
     else if (deed === "back") walks.turn(-1)
     else if (deed === "next") walks.turn(1)
     else if (deed === "show" && walk && !walk.lesson) walk.show(true)
@@ -234,13 +238,24 @@ export class Teach {
   async #put({sheet: {name}, step, walks: {own, texts}}) {
     const {put} = this
     if (own.has(name) && !(await this.order({type: "walk", name, text: texts[name]}))) return
-    if (put === this.put) this.order({type: "put", walk: name, step: step.id, vote: 0})
+    if (put === this.put) this.order({type: "put", walk: name, step: step.id, vote: this.#last(name, step.id)})
   }
 
-  /** Puts the question once more, after talk. */
+  /** A question that comes back stands at its last vote; 0 where there was none. @param {string} walk @param {string} step */
+  #last(walk, step) {
+    return this.kept.room.last?.[`${walk}/${step}`] ?? 0
+  }
+
+  /** Takes no more answers. */
+  close() {
+    this.order({type: "close"})
+  }
+
+  /** Puts the question once more, after talk; what was voted before is shown with the new votes. */
   again() {
     const {walk} = this.lecture.walks
-    if (!walk?.step) return
+    if (!walk?.step || walk.lesson) return
+    this.votes.close()
     const vote = (this.news.question?.vote ?? 1) + 1
     this.order({type: "put", walk: walk.sheet.name, step: walk.step.id, vote}).then(() => this.votes.count())
   }

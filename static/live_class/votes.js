@@ -26,7 +26,8 @@ export class Votes {
     this.status = element("p", {role: "status"})
     this.all = element("p", {class: "all"})
     this.once = chip("Vote again", () => teach.again())
-    this.hide = chip("Hide the votes", () => this.#close())
+    this.hide = chip("Hide the votes", () => this.close())
+    this.end = chip("Close the vote", () => teach.close())
     this.chips = element("div", {class: "chips"})
     this.element = element("div", {class: "votes"}, this.all, this.status, this.chips)
   }
@@ -52,7 +53,7 @@ export class Votes {
     this.update()
   }
 
-  #close() {
+  close() {
     const {walk} = this.teach.lecture.walks
     this.isOpen = false
     if (this.card && walk?.lesson) claim(this.card.page, walk.lesson.title)
@@ -90,14 +91,22 @@ export class Votes {
     if (!card || !walk) return
     const here = this.teach.news.here ?? 0
     const before = tally?.before ? ", outlined: first vote" : ""
+    const turn = tally && tally.vote > 1 && !walk.lesson ? `Vote ${tally.vote}: ` : ""
     const answered = tally?.now.answered ?? 0
     const of = answered > here ? "" : ` of ${here}` // some have left since
     const drawn = tally?.now.sketches.length ?? 0
     const some = drawn && drawn < answered ? `, ${drawn} of them drawn here` : "" // more would be one dark area
-    this.status.textContent = `${answered}${of} have answered${this.isOpen ? some + before : ""}`
+    this.status.textContent = `${turn}${answered}${of} have answered${this.isOpen ? some + before : ""}`
     if (!walk.lesson) card.forward.textContent = this.waits ? "Show the votes" : "Show the answer"
     if (!walk.lesson) card.forward.classList.remove("waiting")
-    const tools = this.isOpen ? [this.hide, ...(walk.lesson ? [] : [this.once])] : []
+    const {closed} = this.teach.news.question ?? {}
+    if (closed && !walk.lesson) this.status.append(". The vote is closed.")
+    const isAsked = !walk.lesson
+    const tools = [
+      ...(this.isOpen ? [this.hide] : []),
+      ...(isAsked && (this.isOpen || closed) ? [this.once] : []),
+      ...(isAsked && !closed ? [this.end] : []),
+    ]
     this.chips.replaceChildren(...tools)
     this.all.textContent = ""
     card.page.root.classList.toggle("voted", this.isOpen)

@@ -6,6 +6,7 @@ import {inUnits, set, svg, unitSize} from "../core/dom.js"
 const R = 3.5
 const WIDTH = 280
 const HEIGHT = 84
+const LETTER = 6 // across
 const TOP = 18 // above it the truth is named
 
 export class Dots {
@@ -44,12 +45,16 @@ export class Dots {
     if (!this.tally) return
     const {now, before} = this.tally
     const numbers = now.numbers.toSorted((a, b) => a - b)
-    const middle = numbers[Math.floor(numbers.length / 2)]
+    const middle = middleOf(numbers)
     set(this.svg, {
       "aria-label": numbers.length ? `${numbers.length} numbers, median ${short(middle)}` : "no answers yet",
     })
-    const place = this.plot ? this.#onAxis(this.plot) : this.#onLine([...numbers, ...(before?.numbers ?? [])])
-    const dots = [...stacked(before?.numbers ?? [], place, "before"), ...stacked(now.numbers, place, "")]
+    const place = this.plot ? this.#onAxis(this.plot) : this.#onLine(numbers, before?.numbers ?? [])
+    const isOn = (/** @type {number} */ number) => number >= place.start && number <= place.end
+    const dots = [
+      ...stacked((before?.numbers ?? []).filter(isOn), place, "before"),
+      ...stacked(now.numbers.filter(isOn), place, ""),
+    ]
     this.svg.replaceChildren(...place.marks, ...dots, ...place.over)
   }
 
@@ -61,23 +66,28 @@ export class Dots {
     /** @param {number} value */
     const at = value => (across ? plot.px(value) : plot.py(value))
     const base = across ? top + height : left
-    return {at, across, base, way: across ? -1 : 1, room: (across ? height : width) - R, zero: 0, marks: [], over: []}
+    const room = (across ? height : width) - R
+    return {at, across, base, way: across ? -1 : 1, room, zero: 0, start: -Infinity, end: Infinity, marks: [], over: []}
   }
 
-  /** What lies far off the others is drawn at an end of the line, but never the truth. @param {number[]} numbers */
-  #onLine(numbers) {
-    const sorted = numbers.toSorted((a, b) => a - b)
-    const most = [0.05, 0.95].map(share => sorted[Math.round(share * (sorted.length - 1))] ?? this.truths[0] ?? 0)
-    const low = Math.min(...most, ...this.truths)
-    const high = Math.max(...most, ...this.truths)
+  /**
+   * What lies far off the others is counted at an end of the line, but never the truth; values that were given most
+   * often stand under it with their counts.
+   * @param {readonly number[]} now @param {readonly number[]} before
+   */
+  #onLine(now, before) {
+    const [low, high] = reach([...now, ...before], this.truths)
     const span = high - low || Math.abs(high) || 1
     const [start, end] = [low - 0.2 * span, high + 0.2 * span]
     set(this.svg, {viewBox: `0 0 ${WIDTH} ${HEIGHT}`})
     /** @param {number} value */
-    const at = value => 8 + (WIDTH - 16) * Math.min(Math.max((value - start) / (end - start), 0), 1)
+    const at = value => 8 + ((WIDTH - 16) * (value - start)) / (end - start)
     const base = HEIGHT - 18
     const line = svg("line", {x1: 0, x2: WIDTH, y1: base, y2: base, stroke: "currentColor"})
-    const ends = [...new Set([low, high])].map(value => this.#named(at(value), HEIGHT - 3, value, ""))
+    const ends = this.#counted(now, low, high).map(([value, words]) => label(at(value), HEIGHT - 3, words, "middle"))
+    const [below, above] = [now.filter(value => value < start), now.filter(value => value > end)].map(all => all.length)
+    if (below) ends.push(label(0, base - 4, `← ${below} below`, "start"))
+    if (above) ends.push(label(WIDTH, base - 4, `${above} above →`, "end"))
     const over = this.truths.flatMap(value => this.#truth(at(value), value, base))
     const top = over.length ? TOP : 0
     return {
@@ -87,26 +97,72 @@ export class Dots {
       way: -1,
       room: base - top - R,
       zero: this.truths.length ? at(this.truths[0]) : 0,
+      start,
+      end,
       marks: [line, ...ends],
       over,
     }
   }
 
-  /** @param {number} x @param {number} y @param {number} value @param {string} name */
-  #named(x, y, value, name) {
-    return svg("text", {x, y, class: `t0 ${name}`, "text-anchor": "middle"}, `${short(value)} ${this.unit}`.trim())
+  /**
+   * Values with how often each was given, the most frequent first, as many as stand beside each other.
+   * @param {readonly number[]} numbers @param {number} low @param {number} high @returns {[number, string][]}
+   */
+  #counted(numbers, low, high) {
+    /** @type {Map<number, number>} */
+    const counts = new Map()
+    for (const value of numbers) if (value >= low && value <= high) counts.set(value, (counts.get(value) ?? 0) + 1)
+    const span = high - low || 1
+    /** @type {[number, string][]} */
+    const told = []
+    for (const [value, count] of [...counts].toSorted(([, one], [, other]) => other - one)) {
+      const words = `${this.#written(value)} × ${count}`
+      const apart = told.every(([other, named]) => {
+        const room = ((words.length + named.length) / 2 + 1) * LETTER
+        return (Math.abs(value - other) / (1.4 * span)) * (WIDTH - 16) > room
+      })
+      if (apart) told.push([value, words])
+    }
+    return told
+  }
+
+  /** @param {number} value */
+  #written(value) {
+    return `${short(value)} ${this.unit}`.trim()
   }
 
   /** @param {number} x @param {number} value @param {number} base */
   #truth(x, value, base) {
     const line = svg("line", {x1: x, x2: x, y1: TOP, y2: base + 4, stroke: "currentColor", "stroke-width": 2})
-    return [line, this.#named(x, TOP - 4, value, "truth")]
+    return [line, label(x, TOP - 4, this.#written(value), "middle", "truth")]
   }
 
   leave() {
     this.observer.disconnect()
     this.svg.remove()
   }
+}
+
+/** @param {number} x @param {number} y @param {string} words @param {string} anchor @param {string} [name] */
+const label = (x, y, words, anchor, name = "") => svg("text", {x, y, class: `t0 ${name}`, "text-anchor": anchor}, words)
+
+/** @param {readonly number[]} sorted */
+const middleOf = sorted => sorted[Math.floor(sorted.length / 2)]
+
+/**
+ * The least and the greatest number that a line shows: the middle four fifths, what is near them, and the truth.
+ * @param {readonly number[]} numbers @param {readonly number[]} truths @returns {[number, number]}
+ */
+export function reach(numbers, truths) {
+  const sorted = numbers.toSorted((a, b) => a - b)
+  const last = sorted.length - 1
+  const middle = middleOf(sorted) ?? truths[0] ?? 0
+  const usual = middleOf(sorted.map(value => Math.abs(value - middle)).toSorted((a, b) => a - b)) ?? 0
+  const most = 6 * usual || Math.abs(middle)
+  const near = sorted.filter(value => Math.abs(value - middle) <= most)
+  const inner = sorted.slice(Math.ceil(0.1 * last), Math.floor(0.9 * last) + 1)
+  const shown = [...near, ...inner, ...truths]
+  return shown.length ? [Math.min(...shown), Math.max(...shown)] : [0, 0]
 }
 
 /**

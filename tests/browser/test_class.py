@@ -41,9 +41,17 @@ def test_a_question_is_asked_answered_twice_and_shown(window: Open, screenshot: 
     counted(lecture, "1", "1", "0", "0")
     lecture.get_by_role("button", name="Vote again").click()
     expect(lecture.locator(".votes")).to_contain_text("0 of 2 have answered")
+    expect(lecture.locator(".votes")).to_contain_text("Vote 2:")
+    assert lecture.locator(".vote-bar").count() == 0  # who votes again does not see how the others voted
     for phone in phones:
         phone.wait_for_function("oscillations.asked.question.vote === 2 && oscillations.asked.card")
+        expect(phone.get_by_text("A new vote, number 2: answer once more.")).to_be_visible()
         phone.locator(".answers [data-option='1']").click()
+    expect(lecture.locator(".votes")).to_contain_text("2 of 2 have answered")
+    lecture.get_by_role("button", name="Close the vote").click()
+    expect(phones[0].get_by_text("The vote is closed.")).to_be_visible()
+    assert phones[0].evaluate("oscillations.asked.card.question.element.inert")
+    clicked(lecture)
     counted(lecture, "1 → 0", "1 → 2", "0 → 0", "0 → 0")
     lecture.reload()
     lecture.wait_for_function(f"{CONNECTED} && {LED}")

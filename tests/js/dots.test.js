@@ -1,0 +1,27 @@
+// The line of the numbers that a class has given: absurd values do not stretch it.
+
+import assert from "node:assert/strict"
+import {test} from "node:test"
+
+import "./browser.js"
+
+const {reach} = await import("../../static/questions/dots.js")
+
+const many = (count, value) => Array.from({length: count}, () => value)
+
+test("the line holds what many have given, and the truth", () => {
+  assert.deepEqual(reach([], []), [0, 0])
+  assert.deepEqual(reach([], [2]), [2, 2])
+  assert.deepEqual(reach([1, 2, 3], []), [1, 3])
+  assert.deepEqual(reach([1, 2, 3], [20]), [1, 20])
+  assert.deepEqual(reach([...many(100, 0.5), ...many(50, 5), ...many(30, 0.05)], [0.5]), [0.05, 5])
+})
+
+test("a few values far off are counted at its ends, however few have answered", () => {
+  assert.deepEqual(reach([0.5, 0.52, 1e6], [0.5]), [0.5, 0.52])
+  assert.deepEqual(reach([...many(280, 0.498), -1e9, 1e300, 1e300], [0.498]), [0.498, 0.498])
+  for (const far of [1e3, 1e30, -1e12, 1.7e308]) {
+    const [low, high] = reach([1, 1.1, 1.2, 1.3, 1.4, far], [])
+    assert.ok(low >= 1 && high <= 1.4)
+  }
+})
