@@ -13,13 +13,14 @@ from msgspec.structs import asdict, replace
 from components.language.messages import Given
 from components.language.room import Counted, PutTo, Voted
 from components.language.walk import Lesson
+from components.layout.text import plain
 from components.quantities.numbers import excerpt
 from components.walks import Walks
 from components.walks.apart import Apart, Here, Reading
-from components.walks.cards import place_in_lecture, step_card
+from components.walks.cards import asked, parted, place_in_lecture, step_card
 from components.walks.links import Scenes
 from components.walks.loading import WalkError, read_walk, steps_of
-from components.walks.questions.question import UNFIT, Judged
+from components.walks.questions.question import UNFIT, Judged, Written
 from components.walks.subject import Subject
 from components.walks.walk import Step, Walk
 
@@ -64,10 +65,10 @@ class QuestionBank:
 
     def put(self, walk: str, step: str, vote: int) -> PutTo:
         """A question as it is told to all."""
-        asked = self.step(walk, step)
+        found = self.step(walk, step)
         steps = self._walks[walk].steps
-        place = " · ".join(filter(None, (place_in_lecture(asked.slides), f"{steps.index(asked) + 1} of {len(steps)}")))
-        return PutTo(walk=walk, step=step, card=step_card(walk, asked, self._scenes), place=place, vote=vote)
+        place = " · ".join(filter(None, (place_in_lecture(found.slides), f"{steps.index(found) + 1} of {len(steps)}")))
+        return PutTo(walk=walk, step=step, card=step_card(walk, found, self._scenes), place=place, vote=vote)
 
     def lesson(self, given: Given) -> Lesson:
         """The lesson of a step for an answer, or for none; ValueError for what is no answer to it."""
@@ -84,9 +85,14 @@ class QuestionBank:
     def counted(self, walk: str, step: str, given: Sequence[Judged]) -> Counted:
         return self.step(walk, step).count(given)
 
-    def written(self, given: Judged, code: str) -> str:
-        """An answer in one cell of the table of a class."""
-        return self.step(given.walk, given.step).written(given, code)
+    def written(self, given: Judged) -> Written:
+        """An answer in the table of a class."""
+        return self.step(given.walk, given.step).written(given, self._subject(given.walk, given.step))
+
+    def asked(self, walk: str, step: str) -> str:
+        """The question of a step without marks."""
+        _, question = parted(asked(self.step(walk, step), self._subject(walk, step)))
+        return plain(question)
 
     def _features(self, walk: str, step: str) -> tuple[str, ...]:
         """The names of the features of a right sketch."""

@@ -278,13 +278,18 @@ class Registry:
 
     async def given(self, room: ClassRoom, question: str) -> list[Judged]:
         """The answers to a vote; those known last where the store is away."""
+        return [one for _, one in await self.given_by(room, question)]
+
+    async def given_by(self, room: ClassRoom, question: str) -> list[tuple[str, Judged]]:
+        """The answers to a vote beside the names of those who gave them."""
         try:
             room.votes[question] = await self.store.votes(room.code, question)
         except AwayError:
             if question not in room.votes:
                 raise
         bank = self.bank_of(room)
-        return [one async for kept in by_and_by(room.votes[question].values()) if (one := bank.read(kept))]
+        votes = room.votes[question]
+        return [(name, one) async for name, kept in by_and_by(votes.items()) if (one := bank.read(kept))]
 
     async def tally(self, room: ClassRoom) -> Tally | None:
         put = room.question

@@ -241,7 +241,10 @@ export class Teach {
     if (put === this.put) this.order({type: "put", walk: name, step: step.id, vote: this.#last(name, step.id)})
   }
 
-  /** A question that comes back stands at its last vote; 0 where there was none. @param {string} walk @param {string} step */
+  /**
+   * A question that comes back stands at its last vote; 0 where there was none.
+   * @param {string} walk @param {string} step
+   */
   #last(walk, step) {
     return this.kept.room.last?.[`${walk}/${step}`] ?? 0
   }

@@ -4,7 +4,7 @@
 const [BASIS, PRIME, MIX] = [0x811c9dc5, 0x01000193, 0x85ebca6b] // FNV-1a, and a step of MurmurHash3
 
 /**
- * The places in the file, in the order shown; components/walks/questions/order.py has the same.
+ * The places in the file, in the order shown.
  * @param {{id: string, options: unknown[], fixed: boolean}} step @param {string} seed
  */
 export function orderOf({id, options, fixed}, seed) {

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import asyncio
 import base64
+import io
 import re
 import socket
+from csv import DictReader
+from datetime import UTC, datetime
 
 import pytest
 
 from components.live_class import follower_routes
 from components.live_class.codes import join_key
 from components.serving.server import Server
-from components.walks.questions.order import order_of
 from tests.bench.visitor import Visitor
 from tests.live_class.caller import Class, Stream, called
 from tests.live_class.served import CHOICE, run, served
@@ -94,8 +96,13 @@ def test_a_follower_answers_once_and_learns_what_is_said_of_it_when_it_is_shown(
         taught = (await called(url, path, "POST", {**CHOICE, "option": 1}, token)).json
         assert taught["type"] == "taught" and taught["lesson"]["right"] is False
         csv = await called(url, f"/class/{lesson.code}/answers.csv", word=lesson.key)
-        place = order_of("d31-03", 3, lesson.code).index(0) + 1
-        assert csv.text.splitlines() == ["walk,step,vote,answer,right", f"d31,d31-03,1,{place},yes"]
+        (row,) = DictReader(io.StringIO(csv.text))
+        at = datetime.strptime(row.pop("time"), "%Y-%m-%dT%H:%M:%SZ").replace(tzinfo=UTC)
+        assert abs((datetime.now(UTC) - at).total_seconds()) < 60
+        assert row == {
+            "phone": "1", "here": row["here"], "walk": "d31", "step": "d31-03", "vote": "1", "unit": "", "right": "yes",
+            "question": "How long does one swing take?", "answer": "Just as long as it did before",
+        }  # fmt: skip
 
     run(test)
 

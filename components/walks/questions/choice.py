@@ -11,9 +11,8 @@ from msgspec import Meta
 from components.language.messages import Given
 from components.language.room import Counted
 from components.language.walk import Lesson, StepCard, Verdict
-from components.layout.text import rich
-from components.walks.questions.order import order_of
-from components.walks.questions.question import Judged, Judgement, Question, astray
+from components.layout.text import plain, rich
+from components.walks.questions.question import Judged, Judgement, Question, Written, astray
 from components.walks.subject import Subject
 from components.walks.types import Reply, Sentence
 
@@ -71,8 +70,5 @@ class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
         counts = Counter(one.option for one in given)
         return Counted(answered=len(given), options=tuple(counts[i] for i in range(len(self.options))))
 
-    def written(self, given: Judged, seed: str) -> str:
-        """Options count from 1, in the order in which the class sees them."""
-        count = len(self.options)
-        shown = list(range(count)) if self.fixed else order_of(self.id, count, seed)
-        return str(shown.index(given.option or 0) + 1)
+    def written(self, given: Judged, subject: Subject) -> Written:
+        return Written(plain(self.options[given.option or 0].text))

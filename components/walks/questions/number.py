@@ -14,7 +14,7 @@ from components.language.walk import Lesson, StepCard
 from components.quantities.numbers import shortest, three
 from components.quantities.typed import typed_number, unit_size
 from components.walks.expressions import numbers_of, worked_out
-from components.walks.questions.question import Judged, Judgement, Question, astray, refused
+from components.walks.questions.question import Judged, Judgement, Question, Written, astray, refused
 from components.walks.subject import Subject
 from components.walks.types import Entry, Reply, Sentence
 
@@ -157,5 +157,5 @@ class NumberStep(NumericStep, frozen=True, kw_only=True, tag="number"):
     def count(self, given: Sequence[Judged]) -> Counted:
         return Counted(answered=len(given), numbers=tuple(one.number for one in given))
 
-    def written(self, given: Judged, seed: str) -> str:
-        return shortest(given.number)
+    def written(self, given: Judged, subject: Subject) -> Written:
+        return Written(shortest(given.number), self.answer.unit)

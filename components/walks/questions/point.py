@@ -14,7 +14,7 @@ from components.language.walk import Lesson, StepCard
 from components.quantities.axes import Axis
 from components.quantities.numbers import excerpt
 from components.walks.questions.number import NumericStep
-from components.walks.questions.question import Judged
+from components.walks.questions.question import Judged, Written
 from components.walks.subject import Subject, number_at, place_of
 
 
@@ -78,5 +78,5 @@ class PointStep(NumericStep, frozen=True, kw_only=True, tag="point"):
         """Places on the axis."""
         return Counted(answered=len(given), numbers=tuple(one.value or 0.0 for one in given))
 
-    def written(self, given: Judged, seed: str) -> str:
-        return f"{given.value:.6g}"
+    def written(self, given: Judged, subject: Subject) -> Written:
+        return Written(f"{given.number:.6g}", self.answer.unit)

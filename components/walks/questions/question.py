@@ -31,6 +31,13 @@ class Judgement(NamedTuple):
     where: str = ""
 
 
+class Written(NamedTuple):
+    """An answer as it stands in a table, and the unit that it is in."""
+
+    answer: str
+    unit: str = ""
+
+
 class Judged(Voted, frozen=True, kw_only=True):
     """An answer as a class keeps it, with what is known of it, and by which form of its step it was judged."""
 
@@ -105,8 +112,8 @@ class Question(BaseStep, frozen=True, kw_only=True):
         """The answers of a class together."""
         raise NotImplementedError
 
-    def written(self, given: Judged, seed: str) -> str:
-        """An answer in one cell of a table of the class of this seed."""
+    def written(self, given: Judged, subject: Subject) -> Written:
+        """An answer in the table of a class."""
         raise NotImplementedError
 
 

@@ -12,7 +12,7 @@ from components.language.room import Counted, SketchOf
 from components.language.walk import Lesson, StepCard
 from components.quantities.numbers import excerpt
 from components.walks.features import Feature
-from components.walks.questions.question import UNFIT, Judged, Judgement, Question, astray
+from components.walks.questions.question import UNFIT, Judged, Judgement, Question, Written, astray
 from components.walks.sketch import Sketch
 from components.walks.subject import Subject
 from components.walks.types import Reply, Sentence
@@ -114,10 +114,12 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
         having = tuple(sum(each) for each in zip(*(one.has for one in given), strict=True))
         return Counted(answered=len(given), sketches=sketches, having=having)
 
-    def written(self, given: Judged, seed: str) -> str:
-        """Heights in thousandths of the frame."""
-        return "; ".join(f"{name}: {' '.join(map(_height, curve))}" for name, curve in given.curves.items())
-
-
-def _height(height: int | None) -> str:
-    return "-" if height is None else str(height)
+    def written(self, given: Judged, subject: Subject) -> Written:
+        """The points of each curve, across and up."""
+        axes = subject.pad(self.plot)
+        across, up = axes.x.factor, axes.y.factor
+        told = (
+            f"{name}: " + "; ".join(f"{x * across:.4g} {y * up:.4g}" for x, y in axes.numbers(curve))
+            for name, curve in given.curves.items()
+        )
+        return Written(" | ".join(told), "SI")
