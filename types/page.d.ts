@@ -403,7 +403,8 @@ declare namespace page {
    *
    * `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
    * answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
-   * remote control, and of all `remotes` that wait to be let in, by the two digits that each shows. */
+   * remote control, or that the lead was taken over, and of all `remotes` that wait to be let in, by the two digits
+   * that each shows. */
   interface News {
     number: string
     picture: SentPicture | null
@@ -413,7 +414,7 @@ declare namespace page {
     lost: boolean | null
     ended: boolean
     answers: boolean
-    deed: "" | "next" | "back" | "show" | "votes" | "again" | "blank" | "close"
+    deed: "" | "next" | "back" | "show" | "votes" | "again" | "blank" | "close" | "taken"
     remotes: string[] | null
   }
 
@@ -460,6 +461,25 @@ declare namespace page {
     right: number
   }
 
+  /** The answers to a vote by their number, and how many of them were right. */
+  interface VoteSummary {
+    vote: number
+    answered: number
+    right: number
+  }
+
+  /** A question that a class has answered, a step of a walk: its place there, from 1 on, its votes, and the wrong
+   * answer that was given most often in the last, by how many; "" where that cannot be said in a few words. */
+  interface StepSummary {
+    walk: string
+    step: string
+    place: number
+    question: Html
+    votes: VoteSummary[]
+    mistake: string
+    mistaken: number
+  }
+
   /** A follower's way in: the code as it is written, and the token under which answers are kept. */
   interface Entered {
     code: string
@@ -477,6 +497,21 @@ declare namespace page {
   interface Paired {
     digits: string
     key: string
+  }
+
+  /** Asks for a word with which another computer leads the class from now on, at the page of this link. */
+  interface HandOver {
+    query: string
+  }
+
+  /** Takes the lead of a class with such a word, good once. */
+  interface TakeOver {
+    word: string
+  }
+
+  /** A room that another computer led, and the link of the page that it showed. */
+  interface TakenOver extends Opened {
+    query: string
   }
 
   /** The digits that the instructor has seen on the phone. */

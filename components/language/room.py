@@ -99,7 +99,8 @@ class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
 
     `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
     answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
-    remote control, and of all `remotes` that wait to be let in, by the two digits that each shows.
+    remote control, or that the lead was taken over, and of all `remotes` that wait to be let in, by the two digits
+    that each shows.
     """
 
     number: str
@@ -110,7 +111,7 @@ class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
     lost: bool | None = None
     ended: bool = False
     answers: bool = False
-    deed: Literal["", "next", "back", "show", "votes", "again", "blank", "close"] = ""
+    deed: Literal["", "next", "back", "show", "votes", "again", "blank", "close", "taken"] = ""
     remotes: tuple[str, ...] | None = None
 
 
@@ -162,6 +163,27 @@ class Tally(Struct, frozen=True, kw_only=True):
     right: int
 
 
+class VoteSummary(Struct, frozen=True, kw_only=True):
+    """The answers to a vote by their number, and how many of them were right."""
+
+    vote: int
+    answered: int
+    right: int
+
+
+class StepSummary(Struct, frozen=True, kw_only=True):
+    """A question that a class has answered, a step of a walk: its place there, from 1 on, its votes, and the wrong
+    answer that was given most often in the last, by how many; "" where that cannot be said in a few words."""
+
+    walk: str
+    step: str
+    place: int
+    question: Html
+    votes: tuple[VoteSummary, ...]
+    mistake: str
+    mistaken: int
+
+
 class Entered(Struct, frozen=True, kw_only=True):
     """A follower's way in: the code as it is written, and the token under which answers are kept."""
 
@@ -182,6 +204,24 @@ class Paired(Struct, frozen=True, kw_only=True):
 
     digits: str
     key: str
+
+
+class HandOver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Asks for a word with which another computer leads the class from now on, at the page of this link."""
+
+    query: Annotated[str, Meta(max_length=4000)]
+
+
+class TakeOver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Takes the lead of a class with such a word, good once."""
+
+    word: Annotated[str, Meta(max_length=20)]
+
+
+class TakenOver(Opened, frozen=True, kw_only=True):
+    """A room that another computer led, and the link of the page that it showed."""
+
+    query: str
 
 
 class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

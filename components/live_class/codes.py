@@ -5,7 +5,7 @@ from __future__ import annotations
 import hmac
 from base64 import urlsafe_b64encode
 from hashlib import scrypt, sha256
-from secrets import token_urlsafe
+from secrets import choice, token_urlsafe
 from time import time
 
 SIGNS = "23456789ABCDEFGHJKMNPRSTUVWXYZ"
@@ -47,6 +47,11 @@ class Keys:
 
     def _signature(self, word: str) -> str:
         return urlsafe_b64encode(hmac.digest(self._secret, f"key {word}".encode(), "sha256")[:12]).decode()
+
+
+def new_word() -> str:
+    """A word to be read from one screen and typed at another, good once and for a moment."""
+    return "".join(choice(SIGNS) for _ in range(2 * LENGTH))
 
 
 def join_key(key: str) -> str:

@@ -8,6 +8,7 @@ from components.language.room import Order, Reopen, Tally
 from components.live_class.codes import as_code, digest, is_key
 from components.live_class.handler import ClassHandler
 from components.live_class.store import ALONE
+from components.live_class.summary import summary
 from components.live_class.votes_csv import votes_csv
 from components.serving.handlers import RefusedError
 from components.serving.visitors import network_of
@@ -87,6 +88,14 @@ class CopyAnswers(ClassHandler):
     async def get(self, code: str) -> None:
         room = await self.led(code)
         self.reply(await self.outcome(self.classes.registry.copied(room, self.get_query_argument("question", ""))))
+
+
+class SumUp(ClassHandler):
+    """The handler of the summary of a class: each question that was answered, and how many were right."""
+
+    async def get(self, code: str) -> None:
+        room = await self.led(code)
+        self.reply(await self.outcome(summary(self.classes.registry, room)))
 
 
 class TakeAnswers(ClassHandler):

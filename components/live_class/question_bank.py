@@ -94,6 +94,10 @@ class QuestionBank:
         _, question = parted(asked(self.step(walk, step), self._subject(walk, step)))
         return plain(question)
 
+    def place(self, walk: str, step: str) -> int:
+        """The place of a step in its walk, from 1 on."""
+        return self._walks[walk].steps.index(self.step(walk, step)) + 1
+
     def _features(self, walk: str, step: str) -> tuple[str, ...]:
         """The names of the features of a right sketch."""
         return tuple(one.name for one in self.lesson(Given(walk=walk, step=step)).findings)

@@ -8,7 +8,8 @@ from typing import Any
 from components.live_class.codes import Keys
 from components.live_class.context import ClassContext
 from components.live_class.follower_routes import Answers, Enter, Events, MovedByCode, Now, TimeOfDay
-from components.live_class.instructor_routes import CopyAnswers, CountAnswers, LeadClass, OpenClass, TakeAnswers
+from components.live_class.instructor_routes import CopyAnswers, CountAnswers, LeadClass, OpenClass, SumUp, TakeAnswers
+from components.live_class.lead_routes import MovedByWord, PassLead
 from components.live_class.publisher import Publisher
 from components.live_class.question_bank import QuestionBank
 from components.live_class.registry import Registry
@@ -38,6 +39,8 @@ class LiveClass:
             rf"/class/{CODE}/tally": CountAnswers,
             rf"/class/{CODE}/answers": CopyAnswers,
             rf"/class/{CODE}/answers.csv": TakeAnswers,
+            rf"/class/{CODE}/summary": SumUp,
+            rf"/class/{CODE}/word": PassLead,
             rf"/class/{CODE}/tickets": LetIn,
             rf"/class/{CODE}/remote": RemoteControl,
             rf"/class/{CODE}/token": Enter,
@@ -46,7 +49,7 @@ class LiveClass:
             rf"/class/{CODE}/answer": Answers,
         }
         own = [(address, handler, {"classes": self.context}) for address, handler in handlers.items()]
-        return [*own, (rf"/{CODE}(/?)", MovedByCode)]
+        return [*own, (rf"/{CODE}(/?)", MovedByCode), (rf"/{CODE}-([0-9A-Za-z]{{8}})", MovedByWord)]
 
     def figures(self) -> Looked:
         registry, upkeep = self.context.registry, self._upkeep

@@ -179,6 +179,10 @@ async function begin() {
     const {control} = await import("./remote.js")
     return control(typed, query.get("remote") ?? "")
   }
+  if (query.has("lead")) {
+    const {takeOver} = await import("./kept.js")
+    return takeOver(typed, query.get("lead") ?? "").catch(reason => wait(inWords(reason)))
+  }
   try {
     if (!/^[\s-]*([0-9a-z][\s-]*){4}$/i.test(typed)) throw new Refusal("A code has four letters and digits.", 404)
     const {code, token} = await entered(typed, query.get("join") ?? "")

@@ -1,6 +1,6 @@
 // Copies of a class in its instructor's browser, so that a server that has lost the class has it again.
 
-import {browserStorage} from "../core/storage.js"
+import {browserStorage, tabStorage} from "../core/storage.js"
 import {Refusal, ask, pause} from "./room.js"
 
 const ROOM = "class-room"
@@ -62,6 +62,21 @@ export class Kept {
     if (this.stale.size) this.timer ??= setTimeout(() => this.#copy(), COPYING)
   }
 
+  /** All that was answered before this computer led the class. */
+  async #copyAll() {
+    const {code, key} = this.room
+    /** @type {page.StepSummary[]} */
+    const steps = await ask(`${code}/summary`, {word: key}).catch(() => [])
+    const last = {...this.room.last}
+    for (const {walk, step, votes} of steps)
+      for (const {vote} of votes) {
+        this.stale.add(voteOf({walk, step, vote}))
+        last[`${walk}/${step}`] ??= votes[votes.length - 1].vote
+      }
+    this.save({last})
+    this.#wait()
+  }
+
   /** Answers to one vote are kept here as well. */
   async #copy() {
     const {code, key} = this.room
@@ -120,7 +135,9 @@ export class Kept {
     const room = /** @type {Room | null} */ (browserStorage.value(ROOM))
     if (!room) return null
     try {
-      return new Kept({...room, ...(await ask(`${room.code}/lead`, {word: room.key}))})
+      const kept = new Kept({...room, ...(await ask(`${room.code}/lead`, {word: room.key}))})
+      if (!room.seen) kept.#copyAll()
+      return kept
     } catch (reason) {
       if (!(reason instanceof Refusal) || reason.passes) throw reason
     }
@@ -131,6 +148,18 @@ export class Kept {
       () => null,
     )
   }
+}
+
+/**
+ * This computer leads a class from now on, with a word from the one that has led it.
+ * @param {string} code @param {string} word
+ */
+export async function takeOver(code, word) {
+  /** @type {page.TakenOver} */
+  const {query, ...room} = await ask(`${code}/word`, {method: "PUT", body: {word}})
+  browserStorage.keepOrSay(ROOM, room)
+  tabStorage.keep(ROOM, "open") // the page that follows comes back to it by itself
+  location.replace(`./?${query}`)
 }
 
 const given = () => browserStorage.names().filter(name => name.startsWith(GIVEN))

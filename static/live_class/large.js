@@ -5,6 +5,7 @@ import {inWords} from "../core/notes.js"
 import {save} from "../export/save.js"
 import {place} from "./corner.js"
 import {ask, asked} from "./room.js"
+import {summary} from "./summary.js"
 
 const PATIENCE = 60000 // ms for the answers of a whole lecture
 
@@ -66,6 +67,8 @@ export class Large {
   #tools() {
     const deeds = /** @type {[string, () => void][]} */ ([
       ["Remote control", () => this.#try(() => this.#remote())],
+      ["Another computer", () => this.#try(() => this.#handOver())],
+      ["Summary", () => this.#try(() => summary(this.teach.room))],
       ["Answers as CSV", () => this.#try(() => this.#csv())],
       ["End the class", () => this.#end()],
     ])
@@ -106,6 +109,22 @@ export class Large {
     const {code, key} = this.teach.room
     const answer = await asked(`${code}/answers.csv`, {word: key, signal: AbortSignal.timeout(PATIENCE)})
     save(`class-${code}.csv`, await answer.blob(), "text/csv")
+  }
+
+  /** A word with which another computer leads the class. */
+  async #handOver() {
+    const {code, key} = this.teach.room
+    const {query} = this.teach.lecture.page.shown
+    const {address} = await ask(`${code}/word`, {method: "POST", body: {query}, word: key})
+    const words = element(
+      "div",
+      {class: "class-words"},
+      element("span", {}, "On the other computer open, within two minutes,"),
+      element("b", {class: "at"}, place(address)),
+      element("span", {}, "It then leads the class, and this one does not."),
+    )
+    this.dialog?.querySelector(".class-square")?.replaceChildren() // phones have nothing to do here
+    this.dialog?.querySelector(".class-words")?.replaceWith(words)
   }
 
   /** A code that lets one phone in, within a minute. */

@@ -139,6 +139,7 @@ export class Teach {
     const {walks} = this.lecture
     const {walk} = walks
     if (deed === "close") this.large.close()
+    else if (deed === "taken") this.#over("Another computer leads this class now.")
     else if (deed === "blank") blank()
     else if (deed === "again") this.again()
     else if (deed === "votes") this.votes.open()

@@ -86,10 +86,10 @@ export class Dots {
     const line = svg("line", {x1: 0, x2: WIDTH, y1: base, y2: base, stroke: "currentColor"})
     const ends = this.#counted(now, low, high).map(([value, words]) => label(at(value), HEIGHT - 3, words, "middle"))
     const [below, above] = [now.filter(value => value < start), now.filter(value => value > end)].map(all => all.length)
-    if (below) ends.push(label(0, base - 4, `← ${below} below`, "start"))
-    if (above) ends.push(label(WIDTH, base - 4, `${above} above →`, "end"))
+    if (below) ends.push(label(0, TOP - 4, `← ${below} below`, "start"))
+    if (above) ends.push(label(WIDTH, TOP - 4, `${above} above →`, "end"))
     const over = this.truths.flatMap(value => this.#truth(at(value), value, base))
-    const top = over.length ? TOP : 0
+    const top = over.length || below || above ? TOP : 0
     return {
       at,
       across: true,

@@ -1,0 +1,62 @@
+"""The live class over HTTP, where its lead goes from one computer to another, by a word read from the first."""
+
+from __future__ import annotations
+
+import msgspec
+
+from components.language.room import HandOver, TakenOver, TakeOver, Ticket
+from components.live_class.codes import as_code, digest, new_word
+from components.live_class.follower_routes import MINUTE, MISSES, TOO_MANY
+from components.live_class.handler import ClassHandler
+from components.serving.handlers import LectureHandler, RefusedError
+from components.serving.visitors import network_of
+
+MOMENT = 120.0
+"""Seconds for which a word is good."""
+NO_WORD = "This key has been used, or is older than two minutes. The computer that leads the class shows a new one."
+
+
+class Lent(msgspec.Struct, frozen=True):
+    """The lead, as it waits for who has the word."""
+
+    code: str
+    key: str
+    query: str
+
+
+class PassLead(ClassHandler):
+    """The handler of the word that another computer leads a class with: given to who leads it, taken once."""
+
+    async def post(self, code: str) -> None:
+        room, asked = await self.led(code), self.body(HandOver)
+        word = new_word()
+        lent = msgspec.json.encode(Lent(room.code, self.word, asked.query))
+        await self.outcome(self.classes.registry.store.lend(_name(word), lent, MOMENT))
+        self.reply(Ticket(address=self.address(f"{room.code}-{word}")))
+
+    async def put(self, code: str) -> None:
+        store, miss = self.classes.registry.store, f"miss {network_of(self.visitor)}"
+        if await self.outcome(store.count(miss, MINUTE, 0)) >= MISSES:
+            raise RefusedError(429, TOO_MANY, MINUTE)
+        kept = await self.outcome(store.take(_name(self.body(TakeOver).word.upper())))
+        lent = msgspec.json.decode(kept, type=Lent) if kept else None
+        if lent is None or lent.code != as_code(code):
+            await self.outcome(store.count(miss, MINUTE))
+            raise RefusedError(403, NO_WORD)
+        room = await self.outcome(self.classes.registry.led(lent.code, lent.key))
+        await self.outcome(store.tell(room.code, {"deed": b'"taken"'}))
+        opened = msgspec.structs.asdict(self.opened(room.code, lent.key))
+        self.reply(TakenOver(query=lent.query, **opened))
+
+
+class MovedByWord(LectureHandler):
+    """The handler of the address that takes code and word, as lecture.example/EUW5-7K2M9XQP."""
+
+    def get(self, code: str, word: str) -> None:
+        self.redirect(f"./?class={code.upper()}&lead={word.upper()}")  # relative: a proxy may serve it under a path
+
+    head = get
+
+
+def _name(word: str) -> str:
+    return f"lead {digest(word).decode()}"

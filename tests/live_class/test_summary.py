@@ -1,0 +1,67 @@
+"""The summary of a class, and the lead that goes from one computer to another."""
+
+from __future__ import annotations
+
+from components.live_class import lead_routes
+from components.serving.server import Server
+from tests.live_class.caller import Class, called
+from tests.live_class.served import CHOICE, run
+
+NUMBER = {"walk": "d31", "step": "d31-02"}
+
+
+def test_a_summary_has_each_question_its_votes_and_the_mistake_that_is_made_most() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        path = f"/class/{lesson.code}/summary"
+        assert (await called(url, path, word=lesson.key)).json == []
+        tokens = [await lesson.token() for _ in range(4)]
+        for vote, options in ((1, (0, 2, 2, 1)), (2, (0, 0, 2, 2))):
+            await lesson.order("put", **CHOICE, vote=vote)
+            for token, option in zip(tokens, options, strict=True):
+                assert (await lesson.vote(token, **CHOICE, vote=vote, option=option)).status == 204
+        await lesson.order("put", **NUMBER)
+        assert (await lesson.vote(tokens[0], **NUMBER, text="1e9")).status == 204
+        choice, number = (await called(url, path, word=lesson.key)).json
+        assert (choice["walk"], choice["step"], choice["place"]) == ("d31", "d31-03", 3)
+        assert [(one["answered"], one["right"]) for one in choice["votes"]] == [(4, 1), (4, 2)]
+        assert choice["mistake"].startswith("Shorter: the spring pulls") and choice["mistaken"] == 2
+        assert (number["place"], number["mistaken"]) == (2, 1) and number["mistake"].startswith("1000000000")
+        assert (await called(url, path, word=tokens[0])).status == 404
+
+    run(test)
+
+
+def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson, other = await Class.open(url), await Class.open(url)
+        path, link = f"/class/{lesson.code}/word", {"query": "scene=coupled&k2=3"}
+        assert (await called(url, path, "POST", link, await lesson.token())).status == 404
+        leader = await lesson.lead()
+        address = (await called(url, path, "POST", link, lesson.key)).json["address"]
+        moved = await called(url, "/" + address.rpartition("/")[2].lower())
+        word = address.rpartition("-")[2]
+        assert (moved.status, moved.headers["Location"]) == (302, f"./?class={lesson.code}&lead={word}")
+        for wrong in ("ZZZZZZZZ", "", "x" * 30):
+            refused = await called(url, path, "PUT", {"word": wrong})
+            assert refused.status in (400, 403) and refused.json["sentence"].endswith(".")
+        taken = (await called(url, path, "PUT", {"word": word})).json
+        assert (taken["code"], taken["key"], taken["query"]) == (lesson.code, lesson.key, link["query"])
+        assert (await leader.until(lambda event: event.get("deed")))["deed"] == "taken"
+        again = await called(url, path, "PUT", {"word": word})
+        assert (again.status, again.json["sentence"]) == (403, lead_routes.NO_WORD)
+        word = (await called(url, path, "POST", link, lesson.key)).json["address"].rpartition("-")[2]
+        assert (await called(url, f"/class/{other.code}/word", "PUT", {"word": word})).status == 403
+        await leader.close()
+
+    run(test)
+
+
+def test_words_cannot_be_guessed() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        await server.classes.registry.store.count("miss 127.0.0.0/24", 60.0, 300)
+        refused = await called(url, f"/class/{lesson.code}/word", "PUT", {"word": "ZZZZZZZZ"})
+        assert refused.status == 429
+
+    run(test)
