@@ -57,14 +57,14 @@ def alone(chain: TwoMassChain) -> TwoMassChain:
     return TwoMassChain(m1=chain.m1, m2=chain.m2, k1=chain.k1, k2=0.0)
 
 
-def damped_solution(chain: TwoMassChain, c: float, F_0: float, omega: float) -> NDArray[np.complex128]:
+def damped_solution(chain: TwoMassChain, c: float, F_0: float, omega: float, c1: float = 0.0) -> NDArray[np.complex128]:
     """X1, X2 (2,) in m, complex: x_i = Im(X_i exp(i omega t)); both parts rounded once.
 
-    c >= 0 in N s/m; c = 0 gives particular_solution. inf where no steady amplitude exists. ValueError if
-    a part leaves the range of doubles.
+    c, c1 >= 0 in N s/m, between the masses and beside spring 1; without both it is particular_solution. inf where no
+    steady amplitude exists. ValueError if a part leaves the range of doubles.
     """
-    checked_damping(c, F_0, omega=[omega])
-    parts = _Whole.of(chain, c, F_0).at(omega)
+    checked_damping(c, F_0, omega=[omega], c1=c1)
+    parts = _Whole.of(chain, c, F_0, c1).at(omega)
     (a, b), size, (above, below) = parts.D, parts.D[0] ** 2 + parts.D[1] ** 2, parts.unit
     result = []
     for re, im in (parts.N, parts.kappa):
@@ -76,16 +76,16 @@ def damped_solution(chain: TwoMassChain, c: float, F_0: float, omega: float) -> 
     return np.array(result)
 
 
-def damped_amplitude(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike) -> Array:
+def damped_amplitude(chain: TwoMassChain, c: float, F_0: float, omega: ArrayLike, c1: float = 0.0) -> Array:
     """|X1|, |X2| in m: (2,) for one drive frequency omega in rad/s, (2, n) for n of them, within 0.51 ulp.
 
-    c >= 0 in N s/m; c = 0 is |particular_solution| itself. inf where no steady amplitude exists. ValueError
-    if an amplitude leaves the range of doubles.
+    c, c1 as in damped_solution; without both it is |particular_solution| itself. inf where no steady amplitude
+    exists. ValueError if an amplitude leaves the range of doubles.
     """
-    frequencies = checked_damping(c, F_0, omega)
-    if not c:
+    frequencies = checked_damping(c, F_0, omega, c1)
+    if not (c or c1):
         return np.abs(particular_solution(chain, F_0, omega))
-    whole = _Whole.of(chain, c, F_0)
+    whole = _Whole.of(chain, c, F_0, c1)
     rows = [whole.at(w).moduli(w) for w in frequencies.tolist()]
     return np.array(rows).T if np.ndim(omega) else np.array(rows[0])
 
@@ -109,7 +109,7 @@ def helped_band(chain: TwoMassChain, c: float = 0.0) -> Band | None:
     inf as the upper end where it helps at every higher frequency; None where it never helps.
     """
     check_not_negative("a damping in N s/m", c=c)
-    m1, m2, k1, k2, damping, *_ = _Whole.of(chain, c)  # A, B and C have the same power of the scale, which cancels
+    m1, m2, k1, k2, damping, _, *_ = _Whole.of(chain, c)  # A, B and C have the same power of the scale, which cancels
     A = damping**2 * (2 * m1 + m2) - 2 * m1 * m2 * k2
     B = k2**2 * (2 * m1 + m2) + 2 * k1 * (m2 * k2 - damping**2)
     C = -2 * k1 * k2**2
@@ -201,20 +201,21 @@ class _Whole(NamedTuple):
     k1: int
     k2: int
     c: int
+    c1: int
     F_0: tuple[int, int]
     scale: int
 
     @classmethod
-    def of(cls, chain: TwoMassChain, c: float, F_0: float = 0.0) -> "_Whole":
-        ratios = [v.as_integer_ratio() for v in map(float, (chain.m1, chain.m2, chain.k1, chain.k2, c))]
+    def of(cls, chain: TwoMassChain, c: float, F_0: float = 0.0, c1: float = 0.0) -> "_Whole":
+        ratios = [v.as_integer_ratio() for v in map(float, (chain.m1, chain.m2, chain.k1, chain.k2, c, c1))]
         scale = max(below for _, below in ratios)
-        m1, m2, k1, k2, damping = (above * (scale // below) for above, below in ratios)
-        return cls(m1, m2, k1, k2, damping, float(F_0).as_integer_ratio(), scale)
+        m1, m2, k1, k2, damping, first = (above * (scale // below) for above, below in ratios)
+        return cls(m1, m2, k1, k2, damping, first, float(F_0).as_integer_ratio(), scale)
 
     def at(self, omega: float) -> _Parts:
         """N, kappa and D for omega = p/q; where k2 = 0, what N and kappa share is left out."""
         p, q = float(omega).as_integer_ratio()
-        machine = self.k1 * q**2 - self.m1 * p**2
+        machine, braked = self.k1 * q**2 - self.m1 * p**2, self.c1 * p * q
         inertia = self.m2 * p**2
         if self.k2:
             N, kappa = (self.k2 * q**2 - inertia, self.c * p * q), (self.k2 * q**2, self.c * p * q)
@@ -222,13 +223,16 @@ class _Whole(NamedTuple):
             N, kappa = (-self.m2 * p, self.c * q), (0, self.c * q)
         else:
             N, kappa = (1, 0), (0, 0)
-        D = machine * N[0] - inertia * kappa[0], machine * N[1] - inertia * kappa[1]
+        D = (
+            machine * N[0] - braked * N[1] - inertia * kappa[0],
+            machine * N[1] + braked * N[0] - inertia * kappa[1],
+        )
         return _Parts(N, kappa, D, (self.F_0[0] * self.scale * q**2, self.F_0[1]))
 
 
-def checked_damping(c: float, F_0: float, omega: ArrayLike) -> Array:
+def checked_damping(c: float, F_0: float, omega: ArrayLike, c1: float = 0.0) -> Array:
     """omega (n,), one frequency included."""
-    check_not_negative("a damping in N s/m", c=c)
+    check_not_negative("a damping in N s/m", c=c, c1=c1)
     check_finite("a force in N", F_0=F_0)
     frequencies = finite_array("omega", omega)
     check_not_negative("a drive frequency in rad/s", omega=float(np.min(frequencies, initial=0.0)))

@@ -1,10 +1,10 @@
 """The motion of the damped and driven chain as a sum of exponentials, from its Laplace transform.
 
-With kappa = k2 + c s, rho_i = m_i (x_i0 s + v_i0) +- c (x_10 - x_20), J = rho_1 + rho_2 and f = F_0 omega/(s^2 +
-omega^2) the equations of physics.transient give
+With kappa = k2 + c s, rho_i = m_i (x_i0 s + v_i0) +- c (x_10 - x_20), and c1 x_10 more in rho_1, J = rho_1 + rho_2,
+f = F_0 omega/(s^2 + omega^2) and own = m1 s^2 + c1 s + k1 the equations of physics.transient give
 
-    P x1 = m2 s^2 (rho_1 + f) + kappa (J + f),        P x2 = (m1 s^2 + k1) rho_2 + kappa (J + f),
-    P (x2 - x1) = (m1 s^2 + k1) rho_2 - m2 s^2 (rho_1 + f).
+    P x1 = m2 s^2 (rho_1 + f) + kappa (J + f),        P x2 = own rho_2 + kappa (J + f),
+    P (x2 - x1) = own rho_2 - m2 s^2 (rho_1 + f),     P = own (m2 s^2 + kappa) + m2 s^2 kappa.
 
 Coefficients are rational numbers, without error; exponents and residues have the digits asked for.
 """
@@ -29,7 +29,7 @@ _SAME = 1e-6  # relative distance below which two exponents make one term in dou
 
 
 class Driven(NamedTuple):
-    """The chain, its dashpot, the drive and the start."""
+    """The chain, its dashpots, c between the masses and c1 beside spring 1, the drive and the start."""
 
     chain: TwoMassChain
     c: float
@@ -37,6 +37,7 @@ class Driven(NamedTuple):
     omega: float
     x_0: tuple[float, float]
     v_0: tuple[float, float]
+    c1: float = 0.0
 
 
 class Transform(NamedTuple):
@@ -196,17 +197,17 @@ class Expansion:
 def transform(driven: Driven) -> Transform:
     """The Laplace transform, without error, for any doubles."""
     chain = driven.chain
-    m1, m2, k1, k2, c = map(Fraction, (chain.m1, chain.m2, chain.k1, chain.k2, driven.c))
+    m1, m2, k1, k2, c, c1 = map(Fraction, (chain.m1, chain.m2, chain.k1, chain.k2, driven.c, driven.c1))
     (x1, x2), (v1, v2) = (map(Fraction, pair) for pair in (driven.x_0, driven.v_0))
     F = Fraction(driven.F_0) * Fraction(driven.omega)
     pull = c * (x1 - x2)
-    rho1, rho2 = (m1 * v1 + pull, m1 * x1), (m2 * v2 - pull, m2 * x2)
-    kappa, own1, own2 = (k2, c), (k1, Fraction(0), m1), (Fraction(0), Fraction(0), m2)
+    rho1, rho2 = (m1 * v1 + pull + c1 * x1, m1 * x1), (m2 * v2 - pull, m2 * x2)
+    kappa, own1, own2 = (k2, c), (k1, c1, m1), (Fraction(0), Fraction(0), m2)
     both = _product(kappa, _sum(rho1, rho2))
     one, two = _product(own2, rho1), _product(own1, rho2)
     start: tuple[Polynomial, ...] = (_sum(one, both), _sum(two, both), _sum(two, _product((Fraction(-1),), one)))
     drive: tuple[Polynomial, ...] = ((F * k2, F * c, F * m2), (F * k2, F * c), (Fraction(0), Fraction(0), -F * m2))
-    P = (k1 * k2, c * k1, m1 * k2 + m2 * k1 + m2 * k2, c * (m1 + m2), m1 * m2)
+    P = _sum(_product(own1, _sum(own2, kappa)), _product(own2, kappa))
     shared = min(_power(polynomial) for polynomial in (*start, *drive, P))
     start, drive = (tuple(_trimmed(polynomial[shared:]) for polynomial in many) for many in (start, drive))
     return Transform(start, drive, P[shared:])
@@ -224,7 +225,7 @@ def _context(digits: int) -> Any:
 def expansion(driven: Driven, digits: int) -> Expansion:
     """The sum in numbers of that many digits, worked out as far as it is asked for."""
     exact = transform(driven)
-    return expanded(exact.P, exact.start, exact.drive, driven.omega, digits, undamped=not driven.c)
+    return expanded(exact.P, exact.start, exact.drive, driven.omega, digits, undamped=not (driven.c or driven.c1))
 
 
 def expanded(

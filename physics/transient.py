@@ -1,10 +1,11 @@
-"""The chain with a dashpot between its masses, driven from any start: particular solution and transient.
+"""The chain with dashpots beside its springs, driven from any start: particular solution and transient.
 
-    wall --k1-- [m1] --k2, c-- [m2]        F_0 sin(omega t) on m1; the equations are those of physics.absorber
+    wall --k1, c1-- [m1] --k2, c-- [m2]        F_0 sin(omega t) on m1
 
-A free motion x_i = X_i exp(s t) is possible at the roots of
+The equations are those of physics.absorber, with -c1 x1' on mass 1 besides. A free motion x_i = X_i exp(s t) is
+possible at the roots of
 
-    P(s) = m1 m2 s^4 + c (m1 + m2) s^3 + (m1 k2 + m2 k1 + m2 k2) s^2 + c k1 s + k1 k2,
+    P(s) = m1 m2 s^4 + (m1 c + m2 (c1 + c)) s^3 + (m1 k2 + m2 (k1 + k2) + c1 c) s^2 + (c1 k2 + c k1) s + k1 k2,
 
 the exponents of the complex modes, and the motion is a sum over these,
 
@@ -67,10 +68,22 @@ class Decaying(NamedTuple):
     exponent: complex
     amplitudes: Complexes
 
+    @property
+    def rate(self) -> "Decaying":
+        """Its rate of change, in m/s."""
+        slopes = self.amplitudes[1:] * np.arange(1, len(self.amplitudes))[:, None]
+        return Decaying(self.exponent, self.exponent * self.amplitudes + np.vstack([slopes, 0 * self.amplitudes[:1]]))
+
+    def at(self, t: Array) -> Array:
+        """x1, x2 and x2 - x1 (3, n)."""
+        with np.errstate(under="ignore"):
+            return np.asarray((polyval(t, self.amplitudes) * np.exp(self.exponent * t)).real)
+
 
 @dataclass(frozen=True, kw_only=True)
 class DampedModes:
-    """The motion under F_0 sin(omega t) on mass 1 with a dashpot c (N s/m) between the masses, from any start."""
+    """The motion under F_0 sin(omega t) on mass 1, from any start, with a dashpot c (N s/m) between the masses and one,
+    c1, beside spring 1."""
 
     chain: TwoMassChain
     c: float
@@ -78,9 +91,10 @@ class DampedModes:
     omega: float
     x_0: tuple[float, float] = REST
     v_0: tuple[float, float] = REST
+    c1: float = 0.0
 
     def __post_init__(self) -> None:
-        check_not_negative("a damping in N s/m", c=self.c)
+        check_not_negative("a damping in N s/m", c=self.c, c1=self.c1)
         check_finite("a force in N", F_0=self.F_0)
         check_not_negative("a drive frequency in rad/s", omega=self.omega)
         check_finite("a displacement in m", x1_0=self.x_0[0], x2_0=self.x_0[1])
@@ -107,7 +121,7 @@ class DampedModes:
         that would take more than a fraction of a second.
         """
         t = finite_array("t", t)
-        if not self.c:
+        if not (self.c or self.c1):
             return forced_motion(self.chain, self.F_0, self.omega, t, self.x_0, self.v_0)
         if self._stays:
             still = np.repeat(np.array(self._start)[:, None], t.size, axis=1)
@@ -120,18 +134,22 @@ class DampedModes:
     def complementary(self, t: ArrayLike) -> Array:
         """The transient alone, x1, x2, x2 - x1 (3, n), from its terms in doubles."""
         t = finite_array("t", t)
-        total = np.zeros((3, t.size))
-        for exponent, amplitudes in self.transient:
-            total += (polyval(t, amplitudes) * np.exp(exponent * t)).real
-        return total
+        return sum((term.at(t) for term in self.transient), np.zeros((3, t.size)))
 
     def particular_motion(self, t: ArrayLike) -> Array:
         """The particular motion alone, x1, x2, x2 - x1 (3, n)."""
         return np.asarray((self.particular[:, None] * np.exp(1j * self.omega * finite_array("t", t))).imag)
 
+    def drawn(self, t: ArrayLike) -> tuple[Array, Array]:
+        """x1, x2, x2 - x1 and their rates of change (3, n), from the terms in doubles."""
+        t = finite_array("t", t)
+        turned = self.particular[:, None] * np.exp(1j * self.omega * t)
+        rates = sum((term.rate.at(t) for term in self.transient), (1j * self.omega * turned).imag)
+        return turned.imag + self.complementary(t), rates
+
     @property
     def _driven(self) -> Driven:
-        return Driven(self.chain, self.c, self.F_0, self.omega, self.x_0, self.v_0)
+        return Driven(self.chain, self.c, self.F_0, self.omega, self.x_0, self.v_0, self.c1)
 
     @property
     def _stays(self) -> bool:
@@ -146,7 +164,7 @@ class DampedModes:
         return x1, x2, x2 - x1, v1, v2
 
     def _check_particular(self) -> None:
-        if self.F_0 and np.any(np.isinf(damped_solution(self.chain, self.c, self.F_0, self.omega))):
+        if self.F_0 and np.any(np.isinf(damped_solution(self.chain, self.c, self.F_0, self.omega, self.c1))):
             raise at_natural_frequency(self.omega)
 
 

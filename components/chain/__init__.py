@@ -2,9 +2,13 @@
 
 from components.chain.modes import MODES, direction_lines, directions, mode_readouts
 from components.chain.parameters import (
+    BRAKED,
     CHAIN,
+    DASHPOTS,
     SHARES,
     START,
+    damping_of,
+    dashpots,
     masses_and_springs,
     measured_by,
     of_scene,
@@ -19,6 +23,7 @@ from components.chain.stage import (
     WALL,
     DrawnChain,
     Extremes,
+    cups,
     displacement_arrow,
     extremes,
     ground,
@@ -38,9 +43,17 @@ FREE = ("m1 x1'' = -k1 x1 - k2 (x1 - x2)", "m2 x2'' = k2 (x1 - x2)")
 
 DRIVEN = (FREE[0] + " + F_0 sin(omega t)", FREE[1])
 
+BRAKED_DRIVEN = (
+    FREE[0] + " - c1 x1' - c2 (x1' - x2') + F_0 sin(omega t)",
+    FREE[1] + " + c2 (x1' - x2')",
+)
+
 __all__ = [
     "BODY",
+    "BRAKED",
+    "BRAKED_DRIVEN",
     "CHAIN",
+    "DASHPOTS",
     "DRIVEN",
     "EQUILIBRIUM",
     "FREE",
@@ -51,6 +64,9 @@ __all__ = [
     "DrawnChain",
     "Extremes",
     "components",
+    "cups",
+    "damping_of",
+    "dashpots",
     "direction_lines",
     "directions",
     "displacement_arrow",

@@ -1,6 +1,8 @@
 """The forces on the two masses of the chain, as arrows and live numbers: what a scene shows when asked for them.
 
 F_1 = -k1 x1 - k2 (x1 - x2) + F_0 sin(omega t),   F_2 = k2 (x1 - x2)        (D34, slides 1 and 6)
+
+With dashpots -c1 v1 - c2 (v1 - v2) is added to F_1, c2 (v1 - v2) to F_2.
 """
 
 from __future__ import annotations
@@ -9,6 +11,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from components.chain.parameters import Pair
 from components.chain.stage import place, side
 from components.language.numbers import Number, var
 from components.language.picture import Digits
@@ -35,26 +38,42 @@ class Forces:
     live: dict[str, Digits] = field(default_factory=dict)
 
 
-def on_masses(system: TwoMassChain, motion: Motion, F_0: float = 0.0, omega: float = 0.0) -> Floats:
-    """F_1, F_2 (2, n) in N from the springs' elongations and the drive; ValueError if one leaves the doubles."""
+def on_masses(
+    system: TwoMassChain, motion: Motion, F_0: float = 0.0, omega: float = 0.0, c: Pair = (0.0, 0.0)
+) -> Floats:
+    """F_1, F_2 (2, n) in N from springs, dashpots c1, c2 and the drive; ValueError if one leaves the doubles."""
     with np.errstate(over="ignore", invalid="ignore"):
         one, two = (k * e for k, e in zip((system.k1, system.k2), motion.e, strict=True))
+        if any(c):
+            one, two = one + c[0] * motion.v[0], two + c[1] * (motion.v[1] - motion.v[0])
         result = np.array([two - one + F_0 * np.sin(omega * motion.t), -two])
     if not np.all(np.isfinite(result)):
         raise ValueError(f"the forces on the masses leave {DOUBLES}")
     return result
 
 
-def forces(system: TwoMassChain, motion: Motion, size: Axis, F_0: float = 0.0, omega: float = 0.0) -> Forces:
-    """The forces while the signals x1 and x2 (of the axis `size`) move, and `drive`, the sine of the drive."""
-    largest = max(float(np.abs(on_masses(system, motion, F_0, omega)).max()), F_0)
+def forces(
+    system: TwoMassChain,
+    motion: Motion,
+    size: Axis,
+    F_0: float = 0.0,
+    omega: float = 0.0,
+    c: Pair = (0.0, 0.0),
+    speed: Axis | None = None,
+) -> Forces:
+    """The forces while the signals x1 and x2 (of the axis `size`) move, and `drive`, the sine of the drive; with
+    dashpots c1, c2 the signals v1 and v2, of the axis `speed`, too."""
+    largest = max(float(np.abs(on_masses(system, motion, F_0, omega, c)).max()), F_0)
     axis = nice_axis(0.0, largest or 1.0, "N", exact=True)
     k1, k2 = (scaled(axis.exponent - size.exponent, k) for k in (system.k1, system.k2))
-    pull = k2 * (var("x2") - var("x1"))
+    hold, pull = k1 * var("x1"), k2 * (var("x2") - var("x1"))
+    if speed is not None:
+        c1, c2 = (scaled(axis.exponent - speed.exponent, one) for one in c)
+        hold, pull = hold + c1 * var("v1"), pull + c2 * (var("v2") - var("v1"))
     push = scaled(axis.exponent, F_0) * var("drive") if F_0 else 0.0
     newton = LENGTH / axis.place(axis.end)
     return Forces(
-        signals={"F1": derived(pull - k1 * var("x1") + push), "F2": derived(-pull)},
+        signals={"F1": derived(pull - hold + push), "F2": derived(-pull)},
         scalars={"forces": 1.0, "newton": newton, "push": newton * axis.place(F_0)},
         values={"force_unit": axis.full_unit},
         live=dict.fromkeys(("F1", "F2"), axis.digits(signed=True)),

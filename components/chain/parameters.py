@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from components.language.messages import Onward
 from components.layout.controls import Group
-from components.quantities.parameters import Quantity, displacement, mass, stiffness, velocity
+from components.quantities.parameters import Quantity, displacement, mass, not_negative, stiffness, velocity
 from physics.coupled import TwoMassChain
 
 Pair = tuple[float, float]
 CHAIN = Group("Masses and springs", ("m1", "m2", "k1", "k2"))
 SHARES = {f"{name} of the chain": name for name in CHAIN.names}
 """The parameters of the chain, by the meaning that all scenes of the same chain give them."""
+DASHPOTS = Group("", ("c1", "c2"), "Dashpots beside the springs", folded=True)
+BRAKED = SHARES | {f"{name} of the chain": name for name in DASHPOTS.names}
+"""The parameters of the chain and its dashpots, likewise."""
 START = Group("Start", ("x1_0", "x2_0", "v1_0", "v2_0"))
 
 
@@ -24,6 +27,19 @@ def masses_and_springs(
         stiffness(k1, symbol="k_1", says="ties mass 1 to the wall. 0 lets the pair go free; type any value from 0 up."),
         stiffness(k2, symbol="k_2", says="couples the masses. 0 lets mass 2 go free; type any value from 0 up."),
     )
+
+
+def dashpots() -> tuple[Quantity, Quantity]:
+    """c1 and c2, 0 at first."""
+    one, two = (
+        not_negative(
+            0.0, symbol=f"c_{i}", unit="N s/m", label="damping", tint="T", scale="near0", softbounds=(0.0, 4.0),
+            allowed="a dashpot only takes energy: its damping is a finite number, 0 or more",
+            says=f"is the dashpot beside spring {i}: its force over the velocity. Any value from 0 up.",
+        )
+        for i in (1, 2)
+    )  # fmt: skip
+    return one, two
 
 
 def start_positions(x1_0: float = 0.0, x2_0: float = 0.0, *, how: str = "") -> tuple[Quantity, Quantity]:
@@ -47,6 +63,12 @@ def start_velocities() -> tuple[Quantity, Quantity]:
 def of_scene(scene: object) -> TwoMassChain:
     """The chain that the scene's parameters stand for."""
     return TwoMassChain(**_values(scene, CHAIN))
+
+
+def damping_of(scene: object) -> Pair:
+    """c1 and c2 of the dashpots beside its springs."""
+    c1, c2 = _values(scene, DASHPOTS).values()
+    return c1, c2
 
 
 def start_of(scene: object) -> tuple[Pair, Pair]:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from components.language.numbers import Number, var
 from components.language.shapes import Grab
-from components.layout.stage import LOW, Looks, Shape, W, arrow, box, line, spring, text, wall, wire
+from components.layout.stage import LOW, Looks, Shape, W, arrow, box, line, shown_by, spring, text, wall, wire
 from components.quantities.axes import Axis
 from components.quantities.motion import round_down, scaled
 from components.quantities.numbers import short
@@ -24,6 +24,8 @@ MAGNIFIED = 1e308
 """The largest drawing scale, a double still; the last few subnormal displacements stay invisible."""
 STEPS = (1, 2, 3, 5)
 """The digits of drawing scales: a step is seldom more than half as much again."""
+CUP, CUP_AT = 4, 0.27
+"""Half the width of a dashpot in pixels, and its height over the floor, in that of the springs."""
 LARGEST, SMALLEST, MARGIN, HOOK = 0.125, 0.02, 0.03, 0.04
 BODY = W * (1 - 0.3 * LOW)
 """The width of which sides of blocks are fractions: less on a low stage, where arrows stand close over the blocks."""
@@ -131,6 +133,37 @@ def masses(
         ),
         box(x1, foot, side1, "" if small else "*m*_1", tint="m1", grab=grabs[0], **faces),
         box(x2, foot, side2, "" if small else "*m*_2", tint="m2", grab=grabs[1], **faces),
+    ]
+
+
+def cups(foot: Number, x1: Number, x2: Number) -> list[Shape]:
+    """The dashpots under the springs, where there are any: the piston stays in its cup however far the masses go."""
+    height = foot - var("hook") * BODY * CUP_AT
+    return [
+        *shown_by("dashpot1", *_cup(WALL * W, x1 - side(1) / 2, rest(1) - side(1) / 2 - WALL * W, height)),
+        *shown_by(
+            "dashpot2",
+            *_cup(
+                x1 + side(1) / 2,
+                x2 - side(2) / 2,
+                rest(2) - rest(1) - side(1) / 2 - side(2) / 2,
+                height,
+            ),
+        ),
+    ]
+
+
+def _cup(left: Number, right: Number, long: Number, y: Number) -> list[Shape]:
+    """Of a dashpot between two places, `long` apart at rest."""
+    near, far, middle = left + 0.14 * long, left + 0.86 * long, left + 0.5 * long + 0.34 * (right - left - long)
+    look: Looks = {"tint": "T"}
+    return [
+        line(left, y, near, y, **look),
+        line(near, y - CUP, near, y + CUP, **look),
+        line(near, y - CUP, far, y - CUP, **look),
+        line(near, y + CUP, far, y + CUP, **look),
+        line(middle, y - CUP + 2, middle, y + CUP - 2, style="sum", **look),
+        line(middle, y, right, y, **look),
     ]
 
 

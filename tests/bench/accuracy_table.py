@@ -19,7 +19,7 @@ from random import Random
 import mpmath as mp
 import numpy as np
 
-from tests.bench import one_mass
+from tests.bench import braked_chain, one_mass
 from tests.bench.float_chains import METHODS
 from tests.physics.chain_families import FAMILIES
 from tests.physics.chain_truth import WORKING_BITS, Truth, U, ulps, units
@@ -47,7 +47,8 @@ def main() -> None:
         warnings.simplefilter("ignore")  # what the plain forms overflow to is their result
         table = {name: measured(family, options.samples, options.seed) for name, family in FAMILIES.items()}
     options.out.mkdir(parents=True, exist_ok=True)
-    text = markdown(table, options.samples, options.seed) + one_mass.table(options.samples, options.seed)
+    text = markdown(table, options.samples, options.seed)
+    text += one_mass.table(options.samples, options.seed) + braked_chain.table(options.samples, options.seed)
     (options.out / "accuracy.md").write_text(text)
     write_csv(table, options.out / "accuracy.csv")
     print(text)

@@ -48,11 +48,12 @@ def table(samples: int, seed: int) -> str:
             for method, quantity, error in measured(*draw(random), random):
                 worst[method][quantity] = max(worst[method][quantity], error)
         for method, found in worst.items():
-            lines.append(f"| {family} | {method} | " + " | ".join(map(_shown, found.values())) + " |")
+            lines.append(f"| {family} | {method} | " + " | ".join(map(shown, found.values())) + " |")
     return "\n".join(lines) + "\n"
 
 
-def _shown(error: float) -> str:
+def shown(error: float) -> str:
+    """An error with two digits behind the point, a large one by its power of ten."""
     return "no digit" if not error < 2.0**53 else f"{error:.2f}" if error < 100 else f"{error:.0e}"
 
 

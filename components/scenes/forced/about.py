@@ -12,7 +12,9 @@ from components.scene import Picture
 from components.scene.about import About, bounded, drawn_as_bands, few, rows
 from physics.energy import chain_energy
 from physics.forced import DrivenModes
+from physics.reference_braked import braked_points, braked_swings
 from physics.reference_single import steady_points
+from physics.transient import DampedModes
 
 BANDS = MASSES | {
     f"x{i}_{part}": f"the {name} part" for i in (1, 2) for part, name in (("p", "particular"), ("c", "complementary"))
@@ -32,6 +34,21 @@ def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) ->
         bounded("the particular solution", 2, "its own value", rows(swings, sweep, true, at, DRIVE)),
     )
     return About(tables, _work_gap(driven, columns["t"]), drawn_as_bands(picture.sources, BANDS))
+
+
+def dying_about(picture: Picture, modes: DampedModes) -> About:
+    """Displacements with dashpots, and both sizes of the particular solution."""
+    columns, sweep = picture.sources["time"], picture.sources["response"]
+    at = few(columns["t"])
+    true = braked_points(modes, columns["t"][at].tolist())
+    inside = few(sweep["omega"])
+    swings = {"Xp1": r"$|X_{\mathrm{p}1}|$", "Xp2": r"$|X_{\mathrm{p}2}|$"}
+    steady = braked_swings(modes, sweep["omega"][inside].tolist())
+    tables = (
+        bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement by then", rows(MASSES, columns, true, at)),
+        bounded("the particular solution", 4, "its own value", rows(swings, sweep, steady, inside, DRIVE)),
+    )
+    return About(tables, "", drawn_as_bands(picture.sources, BANDS))
 
 
 def _work_gap(driven: DrivenModes, t: NDArray[np.float64]) -> str:

@@ -22,6 +22,8 @@ from components.quantities.axes import Axis, log_axis, nice_axis
 from components.quantities.numbers import three
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns, Floats
+from components.scenes.forced.dying import Dying
+from physics.absorber import damped_amplitude
 from physics.coupled import TwoMassChain
 from physics.forced import DrivenModes, antiresonance, particular_solution
 
@@ -33,6 +35,8 @@ CLOSEST = 1e-5
 """The first point of a branch stands this far from its pole, as a fraction of the branch."""
 NEAR, EVEN = np.geomspace(CLOSEST, 0.5, POINTS), np.linspace(0.0, 0.5, POINTS)
 """Half a branch, as fractions of it: closer and closer together towards a pole, or equally far apart."""
+WIDTHS = np.array([0.0, *np.geomspace(0.05, 40.0, 20)])
+"""The distances from a peak at which its curve is drawn, in widths of the peak."""
 BESIDE = 1e-6
 """The relative distance that a log axis keeps from the frequency at which mass 1 stands still."""
 REACH = 1.55
@@ -79,6 +83,55 @@ def response_curves(driven: DrivenModes, shown: str, lecture: bool, frame: Frame
     scalars, values = _marks(driven, frequencies, across, up, shown)
     scalars |= _names(w, drawn, list(branches.values()), across, up)
     return DrawnResponse(columns, axes, scalars, values)
+
+
+def dying_response(dying: Dying, shown: str, lecture: bool, frame: Frame = FITTED) -> DrawnResponse:
+    """The curves with dashpots, finite everywhere, as `size` or `log`: neither with nor against the push."""
+    system, modes = dying.chain, dying.modes
+    frequencies = system.modes().omega
+    unit, base = _units(system, modes.F_0, frequencies, modes.omega)
+    end = max(2.5 * unit, REACH * frequencies[1]) if lecture else max(REACH * frequencies[1], 1.05 * modes.omega)
+    start = min(w for w in (*frequencies, unit, modes.omega or unit) if w > 0) / 30 if shown == "log" else 0.0
+    across = _axis(start, end, "√(k₁/m₁)" if lecture else "rad/s", shown, unit if lecture else 1.0)
+    up = _height(base, "log" if shown == "log" else "size", base if lecture else 1.0, lecture)
+    axes = framed(frame, {"omega": replace(across, drawn=(across.start, end)), "X": up})
+    across, up = axes["omega"], axes["X"]
+    w = _grid(dying, across, shown == "log")
+    swings = damped_amplitude(system, modes.c, modes.F_0, w, modes.c1)
+    inside = np.isfinite(swings).all(axis=0)
+    w, swings = w[inside], swings[:, inside]
+    columns: dict[str, Columns] = {f"branch{i}": {} for i in range(len(BRANCHES))}
+    columns |= {"branch0": _column(w, swings), "response": _column(w, swings)}
+    marks = {"minus": frequencies[0], "plus": frequencies[1]}
+    if not modes.c and system.k2:
+        marks["still"] = antiresonance(system)
+    scalars, values = _flags({name: w for name, w in marks.items() if w > 0}, across)
+    if modes.omega > 0 or shown != "log":
+        one, two = np.abs(dying.X).tolist()
+        scalars |= {"drive_at": across.place(modes.omega), "Xp1_at": up.place(one), "Xp2_at": up.place(two)}
+        scalars |= _outside(scalars, up)
+    return DrawnResponse(columns, axes, scalars | _names(w, swings, [slice(0, w.size)], across, up), values)
+
+
+def _grid(dying: Dying, across: Axis, log: bool) -> Floats:
+    """Frequencies over the axis, and more about each peak, as it is wide."""
+    low, high = across.start, across.end
+    grid = np.geomspace(low, high, 4 * POINTS) if log else np.linspace(low, high, 4 * POINTS)
+    peaks = [
+        exponent.imag + side * max(-exponent.real, CLOSEST * exponent.imag) * WIDTHS
+        for exponent, _ in dying.modes.transient
+        for side in (-1, 1)
+        if exponent.imag
+    ]
+    found = np.unique(np.concatenate([grid, *peaks, dying.chain.modes().omega]))
+    return found[(found >= low) & (found <= high)]
+
+
+def _flags(marks: dict[str, float], across: Axis) -> tuple[dict[str, float], dict[str, str]]:
+    scalars: dict[str, float] = {}
+    for name, w in marks.items():
+        scalars |= {f"mark_{name}": across.place(w), f"mark_{name}_si": float(w)}
+    return scalars, {f"mark_{name}": three(w) for name, w in marks.items()}
 
 
 def _poles(system: TwoMassChain, frequencies: Floats) -> list[float]:
@@ -158,10 +211,7 @@ def _marks(
     marks = {"minus": frequencies[0], "plus": frequencies[1], "still": antiresonance(driven.chain)}
     if not driven.chain.k2:
         del marks["still"], marks["minus"]
-    scalars: dict[str, float] = {}
-    for name, w in marks.items():
-        if w > 0 or shown != "log":
-            scalars |= {f"mark_{name}": across.place(w), f"mark_{name}_si": float(w)}
+    scalars, _ = _flags({name: w for name, w in marks.items() if w > 0 or shown != "log"}, across)
     values = {f"mark_{name}": three(w) for name, w in marks.items()}
     if not driven.at_resonance and (driven.omega > 0 or shown != "log"):
         X = driven.particular if shown == "signed" else np.abs(driven.particular)
@@ -231,7 +281,10 @@ def response_plot() -> PlotBlock:
         title="Amplitude of each mass against the drive frequency, with its two resonances and the antiresonance",
         curves=tuple(_branch(i, b) for i in (1, 2) for b in range(len(BRANCHES))),
         x_column="omega",
-        heading=(phrase("", "sum", "ink", words="with the push"), phrase("", "dash", "ink", words="against it")),
+        heading=(
+            phrase("", "sum", "ink", form="rows", sign="with the push", braked=""),
+            phrase("", "dash", "ink", form="rows", sign="against it", braked=""),
+        ),
         marks=marks,
         handles=(Handle(parameter="omega", symbol="ω", label="Drive frequency", tint="F", axis="x", covering="rad/s"),),
         shapes=(*_named(), *_gone(), *_drive()),

@@ -7,6 +7,7 @@ from components.chain.forces import arrows
 from components.chain.grabs import mass_grab
 from components.language.blocks import Block
 from components.language.numbers import var
+from components.language.plots import Term
 from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
 from components.layout.stage import H, Shape, W, arrow, circle, text
@@ -49,6 +50,7 @@ def _shapes() -> list[Shape]:
         chain.standing_wall(0.2 * H, 0.62 * H),
         *chain.ground(foot),
         *(s for i in (1, 2) for s in chain.displacement_arrow(i, foot)),
+        *chain.cups(foot, push, chain.place(2, "x2")),
         *chain.masses(foot, push, chain.place(2, "x2"), corner=True, grabs=(mass_grab(1), mass_grab(2))),
         arrow(push, middle, tip, middle, tint="F", style="thick", head=18),
         circle(push, middle, 5, tint="F"),
@@ -77,18 +79,7 @@ def _motion(i: int) -> Block:
         title=f"Displacement of mass {i} against time, with its particular and its complementary part",
         curves=(*(curve for curve, _ in traces), *envelope),
         bands=tuple(band for _, band in traces),
-        heading=(
-            term(f"x{i}", "sum", f"m{i}", formula=f"x_{i} ="),
-            term(f"x{i}_p", "line", "xp", formula=rf"\text{{particular }}\val{{X{i}}}\,\sin(\val{{omega}}\,t)"),
-            term(f"x{i}_c", "dash", "xc", formula=r"+\; \text{complementary}"),
-            phrase(
-                f"x{i}_limit",
-                "line",
-                "xp",
-                grows=f"resonant part: its swing grows by {{growth{i}}} m a second",
-                beats=f"resonant part, a long beat: its swing first grows by {{growth{i}}} m a second",
-            ),
-        ),
+        heading=_heading(i),
         x_labels=i == 2,
         cursor="time",
         room=Room(40, 58),
@@ -97,16 +88,49 @@ def _motion(i: int) -> Block:
     )
 
 
+def _heading(i: int) -> tuple[Term, ...]:
+    """x_i as the sum of its parts; near resonance what its swing does."""
+    return (
+        term(f"x{i}", "sum", f"m{i}", formula=f"x_{i} ="),
+        term(
+            f"x{i}_p",
+            "line",
+            "xp",
+            formula=rf"\text{{particular }}\val{{X{i}}}\,\sin(\val{{omega}}\,t)",
+            dies=rf"\text{{particular }}\val{{X{i}}}\,\sin(\val{{omega}}\,t\,\val{{lag{i}}})",
+        ),
+        term(
+            f"x{i}_c",
+            "dash",
+            "xc",
+            formula=r"+\; \text{complementary}",
+            dies=r"+\; \text{complementary}",
+        ),
+        phrase(
+            f"x{i}_limit",
+            "line",
+            "xp",
+            grows=f"resonant part: its swing grows by {{growth{i}}} m a second",
+            beats=f"resonant part, a long beat: its swing first grows by {{growth{i}}} m a second",
+        ),
+    )
+
+
 def _energy() -> Block:
     return plot(
         "energy",
         x="t",
         y="E",
-        title="Gain of kinetic and potential energy since the start, and the work of the drive: they are equal",
-        bands=(region(low="none", high="gain", source="energy", tint="k2fill"),),
+        title="Gain of kinetic and potential energy since the start, with the heat of dashpots where there are any, "
+        "and the work of the drive: they are equal",
+        bands=(
+            region(low="none", high="gain", source="energy", tint="k2fill"),
+            region(low="gain", high="work", source="energy", tint="T", alpha=0.25, group="heat", read="heat"),
+        ),
         curves=(curve("work", source="energy", tint="F", width="dash", label="work"),),
         heading=(
             term("", "band", "k2fill", formula=r"\text{gain of } T + V"),
+            phrase("", "band", "T", form="rows", sign="", braked="+ heat"),
             term("", "dash", "F", formula=r"=\; \text{work of the drive}"),
         ),
         cursor="time",

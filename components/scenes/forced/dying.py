@@ -1,0 +1,228 @@
+"""The driven motion with dashpots as it is drawn: a steady part, which remains, and one that dies."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from components.chain.forces import Forces, forces
+from components.chain.parameters import Pair
+from components.language.numbers import var
+from components.language.signals import AnySignal
+from components.quantities.axes import Axis, nice_axis
+from components.quantities.motion import QUARTER, decays, derived, sampled, sines, total
+from components.scene.traces import Columns, Floats, band_columns
+from physics.coupled import Motion, TwoMassChain
+from physics.energy import chain_energy
+from physics.sampling import drawable
+from physics.transient import DampedModes, Decaying
+from physics.valid import in_range
+
+HUGE = 1e3
+"""Parts so many times as large as their sum are not drawn apart."""
+SURE = 1e-9
+"""The share of a motion that no drawing shows."""
+NODES = 801
+"""Points of a window that the browser joins by Hermite pieces, where the parts cancel too far for doubles."""
+TERMS = 2
+"""Terms of a part that dies, 1 and t, that a signal has."""
+AT_FIRST = np.geomspace(1e-16, 0.8, 60)
+"""Shares of the first step, in which what dies at any rate is seen to die."""
+_GAUSS = np.polynomial.legendre.leggauss(5)
+
+
+@dataclass(frozen=True, eq=False)
+class Dying:
+    """A driven motion with dashpots over a window that ends at `end`, in s."""
+
+    modes: DampedModes
+    end: float
+
+    @property
+    def chain(self) -> TwoMassChain:
+        return self.modes.chain
+
+    @property
+    def damping(self) -> Pair:
+        return self.modes.c1, self.modes.c
+
+    @cached_property
+    def fastest(self) -> float:
+        """The largest angular frequency of what moves."""
+        return max(self.modes.omega, float(self.chain.modes().omega[1]))
+
+    @cached_property
+    def X(self) -> tuple[complex, complex]:
+        """The steady swings: x_p = Im(X exp(i omega t))."""
+        one, two, _ = self.modes.particular.tolist()
+        return one, two
+
+    @cached_property
+    def _reach(self) -> float:
+        """The largest displacement."""
+        return float(np.abs(self.modes.drawn(np.linspace(0.0, self.end, 257))[0][:2]).max())
+
+    @cached_property
+    def split(self) -> bool:
+        """Whether the parts are worth drawing."""
+        return float(np.abs(self.modes.particular[:2]).max()) <= HUGE * self._reach
+
+    @cached_property
+    def in_doubles(self) -> bool:
+        """Whether the parts, summed in doubles, are right to all that is drawn."""
+        if any(len(one.amplitudes) > TERMS for one in self.modes.transient):
+            return False
+        sizes = float(np.abs(self.modes.particular).max())
+        for _, rows in self.modes.transient:
+            sizes += sum(float(np.abs(row).max()) * self.end**j for j, row in enumerate(rows))
+        return 2.0**-52 * (1 + self.fastest * self.end) * sizes <= SURE * self._reach
+
+    def motion(self, t: Floats) -> Motion:
+        """The motion as far as a drawing shows it; ValueError where that takes more time than a picture has."""
+        if not self.in_doubles:
+            return self.modes.motion(t, quick=True)
+        x, v = self.modes.drawn(t)
+        in_range("the displacements", x)
+        return Motion(t, x[:2], in_range("the velocities", v[:2]), x[::2])
+
+    def columns(self, t: Floats) -> tuple[Columns, Columns]:
+        """x1, x2 and their parts where they are drawn; or the bands that they fill, where they are too fast."""
+        if not drawable(self.fastest, t):
+            return {}, self._bands(t)
+        return self._curves(t, self.motion(t).x), {}
+
+    def exact(self, t: Floats) -> Columns:
+        """The curves to the last digits."""
+        return self._curves(t, self.modes.motion(t).x)
+
+    def _curves(self, t: Floats, x: Floats) -> Columns:
+        found = {"x1": x[0], "x2": x[1]}
+        if self.split:
+            steady, dying = self.modes.particular_motion(t), self.modes.complementary(t)
+            found |= {f"x{i + 1}_{part}": rows[i] for i in (0, 1) for part, rows in (("p", steady), ("c", dying))}
+        return found
+
+    def _bands(self, t: Floats) -> Columns:
+        """Not further than all parts together go."""
+        found: Columns = {}
+        for i, X in enumerate(self.X):
+            size = np.full_like(t, abs(X))
+            for exponent, rows in self.modes.transient:
+                powers = sum(abs(row[i]) * t**j for j, row in enumerate(rows))
+                size += powers * np.exp(np.maximum(exponent.real * t, -700.0))
+            found |= dict(zip(band_columns(f"x{i + 1}"), (-size, size), strict=True))
+        return found
+
+    def energy(self, t: Floats) -> Columns:
+        """The gain of T + V since the start, and the work of the drive: what is between them is heat."""
+        energy = chain_energy(self.chain, self.motion(t)).total
+        found = {"gain": energy - energy[0], "none": np.zeros_like(t)}
+        return found | {
+            "work": self._integrated(t, lambda s: self.modes.F_0 * np.sin(self.modes.omega * s) * self._v(s)[0])
+        }
+
+    def heat(self, t: Floats) -> Floats:
+        """The heat of the dashpots since the start, from the velocities."""
+        c1, c2 = self.damping
+        return self._integrated(t, lambda s: c1 * self._v(s)[0] ** 2 + c2 * np.diff(self._v(s), axis=0)[0] ** 2)
+
+    def _v(self, t: Floats) -> Floats:
+        return self.motion(t).v
+
+    def _integrated(self, t: Floats, power: Callable[[Floats], Floats]) -> Floats:
+        edges = np.concatenate([[0.0], t[1] * AT_FIRST, t[1:]])
+        step, (nodes, weights) = np.diff(edges), _GAUSS
+        inner = (edges[:-1, None] + step[:, None] * (1 + nodes) / 2).ravel()
+        with np.errstate(over="ignore", invalid="ignore"):
+            pieces = power(inner).reshape(-1, nodes.size) @ weights * step / 2
+            done = np.concatenate([[0.0], np.cumsum(pieces)[AT_FIRST.size :]])
+        return in_range("the energies", done)
+
+    def signals(self, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
+        """The clock's: x1, x2, their parts, the drive."""
+        found: dict[str, AnySignal] = {}
+        for i in (0, 1):
+            found |= self._signal(i, size, time) if self.in_doubles else self._table(i, size, time)
+        found["drive"] = sines(Axis(0.0, 1.0), time, (1.0 if self.modes.F_0 else 0.0, self.modes.omega, 0.0))
+        found["force_now"] = sines(force, time, (self.modes.F_0, self.modes.omega, 0.0))
+        return found
+
+    def _signal(self, i: int, size: Axis, time: Axis) -> dict[str, AnySignal]:
+        """Steady, dying and resting part of mass i (0, 1), and their sum."""
+        name, terms = f"x{i + 1}", self.modes.transient
+        return {
+            f"{name}_p": _steady(self.X[i], self.modes.omega, size, time),
+            f"{name}_dies": decays(size, time, *_waves(terms, i)),
+            f"{name}_rests": sines(size, time, line=_line(terms, i)),
+            f"{name}_c": total(f"{name}_dies", f"{name}_rests"),
+            name: total(f"{name}_p", f"{name}_c"),
+        }
+
+    def _table(self, i: int, size: Axis, time: Axis) -> dict[str, AnySignal]:
+        motion, last = self._tabled
+        name = f"x{i + 1}"
+        found: dict[str, AnySignal] = {name: sampled(time, last, size.places(motion.x[i]), size.places(motion.v[i]))}
+        if self.split:
+            found[f"{name}_p"] = _steady(self.X[i], self.modes.omega, size, time)
+            found[f"{name}_c"] = derived(var(name) - var(f"{name}_p"))
+        return found
+
+    @cached_property
+    def _tabled(self) -> tuple[Motion, float]:
+        last = 1.02 * self.end  # a table is periodic: it must not begin anew within the window
+        return self.motion(np.linspace(0.0, last, NODES)), last
+
+    def forces(self, t: Floats, size: Axis, time: Axis) -> Forces:
+        """The forces on the masses, with the signals of both velocities that the dashpots answer to."""
+        motion = self.motion(t)
+        speed = nice_axis(0.0, float(np.abs(motion.v).max()) or 1.0, "m/s", exact=True)
+        found = forces(self.chain, motion, size, self.modes.F_0, self.modes.omega, self.damping, speed)
+        return replace(found, signals=self._rates(speed, time) | found.signals)
+
+    def _rates(self, speed: Axis, time: Axis) -> dict[str, AnySignal]:
+        if not self.in_doubles:
+            motion, last = self._tabled
+            step = last / (NODES - 1)
+            return {
+                f"v{i + 1}": sampled(time, last, speed.places(v), np.gradient(speed.places(v), step))
+                for i, v in enumerate(motion.v)
+            }
+        rates, omega, found = [term.rate for term in self.modes.transient], self.modes.omega, {}
+        for i in (0, 1):
+            found[f"v{i + 1}_p"] = _steady(1j * omega * self.X[i], omega, speed, time)
+            found[f"v{i + 1}_dies"] = decays(speed, time, *_waves(rates, i))
+            found[f"v{i + 1}_rests"] = sines(speed, time, line=_line(rates, i))
+            found[f"v{i + 1}"] = total(f"v{i + 1}_p", f"v{i + 1}_dies", f"v{i + 1}_rests")
+        return found
+
+    @cached_property
+    def slowest(self) -> float:
+        """The rate at which the part dies that lasts longest, in 1/s; 0 where something stays."""
+        left = [-one.exponent.real for one in self.modes.transient]
+        return min(left, default=math.inf)
+
+
+def _steady(X: complex, omega: float, size: Axis, time: Axis) -> AnySignal:
+    return sines(size, time, (abs(X), omega, cmath.phase(X)))
+
+
+def _waves(terms: tuple[Decaying, ...] | list[Decaying], i: int) -> Iterator[tuple[float, float, float, float, float]]:
+    """Each Re(A exp(s t)) and Re(B t exp(s t)) as a decaying sine."""
+    for exponent, rows in terms:
+        for j, A in enumerate(rows[:, i] if exponent else ()):
+            if A:
+                sizes = (abs(A), 0.0) if j == 0 else (0.0, abs(A))
+                yield (*sizes, -exponent.real, exponent.imag, cmath.phase(A) + QUARTER)
+
+
+def _line(terms: tuple[Decaying, ...] | list[Decaying], i: int) -> Pair:
+    """A constant and a drift, of what nothing ties to its place."""
+    for exponent, rows in terms:
+        if not exponent:
+            return float(rows[0, i].real), float(rows[1, i].real) if len(rows) > 1 else 0.0
+    return 0.0, 0.0

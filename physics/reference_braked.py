@@ -1,0 +1,61 @@
+"""The driven chain with dashpots in arbitrary precision, independent of physics.transient.
+
+The state (x1, x2, v1, v2) beside the particular solution follows y' = A y: its exponential is summed as a power series.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+from physics.reference import Point, point
+from physics.transient import DampedModes
+
+DIGITS = 60
+
+
+def braked_points(modes: DampedModes, t: Sequence[float]) -> dict[str, list[Point]]:
+    """x1 and x2 at times t, each beside the sum of its largest parts up to then."""
+    import mpmath as mp
+
+    points: dict[str, list[Point]] = {"x1": [], "x2": []}
+    with mp.workdps(DIGITS):
+        A, X = _matrix(mp, modes), _steady(mp, modes, modes.omega)
+        w = mp.mpf(modes.omega)
+        start = mp.matrix([*map(mp.mpf, (*modes.x_0, *modes.v_0))])
+        rest = start - mp.matrix([*(one.imag for one in X), *(w * one.real for one in X)])
+        for time in map(mp.mpf, t):
+            now, turn = mp.expm(A * time) * rest, mp.expj(w * time)
+            for i, found in enumerate(points.values()):
+                found.append(point(now[i] + (X[i] * turn).imag, abs(X[i]) + mp.norm(rest[:2]) + abs(now[i])))
+    return points
+
+
+def braked_swings(modes: DampedModes, omega: Sequence[float]) -> dict[str, list[Point]]:
+    """|Xp1| and |Xp2| at drive frequencies in rad/s."""
+    import mpmath as mp
+
+    with mp.workdps(DIGITS):
+        pairs = [_steady(mp, modes, w) for w in omega]
+        return {f"Xp{i + 1}": [point(abs(pair[i]), abs(pair[i])) for pair in pairs] for i in (0, 1)}
+
+
+def _matrix(mp: Any, modes: DampedModes) -> Any:
+    chain = modes.chain
+    m1, m2, k1, k2, c1, c2 = map(mp.mpf, (chain.m1, chain.m2, chain.k1, chain.k2, modes.c1, modes.c))
+    return mp.matrix(
+        [
+            [0, 0, 1, 0],
+            [0, 0, 0, 1],
+            [-(k1 + k2) / m1, k2 / m1, -(c1 + c2) / m1, c2 / m1],
+            [k2 / m2, -k2 / m2, c2 / m2, -c2 / m2],
+        ]
+    )
+
+
+def _steady(mp: Any, modes: DampedModes, omega: float) -> tuple[Any, Any]:
+    """X of x_p = Im(X exp(i omega t)), from Newton's laws as two linear equations; 0 where nothing pushes."""
+    chain, w = modes.chain, mp.mpf(omega)
+    m1, m2, k1, k2, c1, c2, F = map(mp.mpf, (chain.m1, chain.m2, chain.k1, chain.k2, modes.c1, modes.c, modes.F_0))
+    link = mp.mpc(k2, c2 * w)
+    first, second = mp.mpc(k1, c1 * w) + link - m1 * w**2, link - m2 * w**2
+    below = first * second - link**2
+    return (second * F / below, link * F / below) if F and below else (mp.mpc(0), mp.mpc(0))

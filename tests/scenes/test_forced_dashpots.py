@@ -1,0 +1,154 @@
+"""Scene forced with dashpots: finite at resonance, and what remains is the particular solution."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from typing import Any
+
+import numpy as np
+import pytest
+from msgspec import to_builtins
+
+from components.chain.forces import LENGTH, on_masses
+from components.scene import Scene
+from components.scenes import SCENES
+from components.scenes.forced import SLOW, Forced
+from components.scenes.forced.dying import Dying
+from tests.page.playing import played
+
+CHAINS: list[dict[str, float]] = [
+    {},
+    {"m1": 2.0, "k1": 4.0, "k2": 2.0},
+    {"k1": 0.0, "x1_0": 0.3},
+    {"k2": 0.0, "v2_0": 0.1},
+    {"k1": 0.0, "k2": 0.0, "v1_0": 1.0},
+    {"m1": 400.0, "m2": 225.0, "k1": 625.0, "k2": 144.0, "x1_0": 0.1},
+]
+DASHPOTS = [(0.4, 0.2), (0.2, 0.0), (0.0, 216.0), (1e-12, 0.0), (0.0, 1e12), (1e12, 1e-3)]
+SAME = {
+    ("forced", ()): "f5d42b8e4dcc53c0",
+    ("forced", (("view", "forces"),)): "d7eb6e78c076aba4",
+    ("forced", (("view", "work"),)): "4ceec9f39f4520f9",
+    ("forced", (("curve", "signed"), ("axes", "lecture"))): "efe4240df5988079",
+    ("forced", (("curve", "log"), ("omega", SLOW))): "58fd959ada96210a",
+    ("forced", (("k1", 0.0), ("x1_0", 0.3))): "118cf8a82d318da4",
+    ("forced", (("k2", 0.0),)): "77b3bcdd60655a10",
+    ("modes", ()): "50fc3386d2ab1f59",
+    ("modes", (("task", "solve"),)): "86f01ca7a71a007d",
+    ("modes", (("task", "hunt"),)): "5ca79d69a38bb300",
+    ("modes", (("task", "solve"), ("m1", 1.0), ("k2", 0.0))): "8863c97ff6431e15",
+}
+"""What was told of these scenes before there were dashpots, by a hash of it to ten digits."""
+
+
+def plain(told: Any) -> Any:
+    if isinstance(told, float):
+        return float(f"{told:.9e}")
+    if isinstance(told, np.ndarray):
+        return [plain(float(one)) for one in told[:: max(1, told.size // 40)]]
+    if isinstance(told, dict):
+        return {str(name): plain(one) for name, one in told.items()}
+    return [plain(one) for one in told] if isinstance(told, (list, tuple)) else told
+
+
+def told(scene: Scene) -> str:
+    shown = scene.shown
+    facts = {
+        "signals": to_builtins(shown.signals),
+        "sources": {name: dict(columns) for name, columns in shown.sources.items()},
+        "values": shown.values,
+        "forms": shown.forms,
+        "scalars": shown.scalars,
+        "notes": shown.notes,
+        "live": to_builtins(shown.live),
+        "axes": {name: (axis.start, axis.end) for name, axis in shown.axes.items()},
+    }
+    return hashlib.sha256(json.dumps(plain(facts), sort_keys=True).encode()).hexdigest()[:16]
+
+
+@pytest.mark.parametrize(("slug", "values"), SAME)
+def test_without_dashpots_every_picture_is_as_it_was(slug: str, values: tuple[tuple[str, Any], ...]) -> None:
+    assert told(SCENES[slug](**dict(values))) == SAME[slug, values]
+
+
+@pytest.mark.parametrize("chain", CHAINS)
+@pytest.mark.parametrize(("c1", "c2"), DASHPOTS)
+def test_what_is_played_is_the_motion(chain: dict[str, float], c1: float, c2: float) -> None:
+    """The browser's signals against the physics' own numbers, to what a drawing shows: places, and Newton's law."""
+    scene = Forced(**chain, c1=c1, c2=c2, view="forces")
+    shown, modes = scene.shown, scene._braked()
+    axes, t = shown.axes, np.linspace(0.05, 0.97, 4) * shown.axes["t"].end
+    motion = modes.motion(t)
+    forces = on_masses(modes.chain, motion, scene.F_0, scene.omega, (c1, c2))
+    named = [played(shown, axes["t"].place(float(one))) for one in t]
+    reach = axes["x"].place(axes["x"].end) - axes["x"].place(axes["x"].start)
+    for i in (1, 2):
+        places = [float(one[f"x{i}"]) for one in named]
+        np.testing.assert_allclose(places, axes["x"].places(motion.x[i - 1]), atol=1e-5 * reach)
+        lengths = [float(one[f"F{i}"]) * shown.scalars["newton"] for one in named]
+        unit = shown.scalars["push"] / scene.F_0
+        np.testing.assert_allclose(lengths, forces[i - 1] * unit, atol=2e-3 * LENGTH)
+
+
+@pytest.mark.parametrize("chain", CHAINS[:2])
+@pytest.mark.parametrize(("c1", "c2"), [(0.8, 0.4), (0.6, 0.0), (0.0, 0.9)])
+def test_the_swing_at_resonance_is_finite_and_remains(chain: dict[str, float], c1: float, c2: float) -> None:
+    omega = float(Forced(**chain)._driven().free.omega[0])
+    scene = Forced(**chain, c1=c1, c2=c2, omega=omega, window=120.0)
+    data = scene.sources["time"].data
+    late = data["t"] > 100
+    assert scene.shown.forms["steady"] == "braked"
+    for i in (1, 2):
+        X = data[f"x{i}_p"].max()
+        assert pytest.approx(abs(scene._braked().particular[i - 1]), rel=0.01) == X
+        assert abs(data[f"x{i}_c"][late]).max() < 0.03 * X
+        np.testing.assert_allclose(data[f"x{i}_c"] + data[f"x{i}_p"], data[f"x{i}"], atol=1e-12 * X)
+        response = scene.sources["branch0"].data
+        assert np.all(np.isfinite(response[f"Xp{i}"])) and response[f"Xp{i}"].max() >= 0.999 * X
+
+
+@pytest.mark.parametrize(("c1", "c2"), DASHPOTS[:3])
+@pytest.mark.parametrize("chain", CHAINS[:4])
+def test_the_work_of_the_drive_becomes_energy_and_heat(chain: dict[str, float], c1: float, c2: float) -> None:
+    scene = Forced(**chain, c1=c1, c2=c2, view="work")
+    data = scene.sources["energy"].data
+    size = abs(data["work"]).max() + abs(data["gain"]).max()
+    heat = Dying(scene._braked(), float(data["t"][-1])).heat(data["t"])
+    np.testing.assert_allclose(data["work"] - data["gain"], heat, atol=1e-7 * size)
+    assert np.all(np.diff(heat) >= 0)
+
+
+def test_pushed_on_its_particular_solution_nothing_dies() -> None:
+    scene = Forced(c1=0.3, c2=0.1)
+    steady = Forced(c1=0.3, c2=0.1, **scene.action("steady"))
+    data = steady.sources["time"].data
+    assert max(abs(data["x1_c"]).max(), abs(data["x2_c"]).max()) < 1e-12
+
+
+def test_a_light_mass_hangs_still_where_only_spring_1_has_a_dashpot() -> None:
+    """The zero of mass 1 at sqrt(k2/m2) is marked where it is one."""
+    assert "mark_still" in Forced(c1=0.2).shown.scalars and "mark_still" not in Forced(c2=0.2).shown.scalars
+    assert abs(Forced(c1=0.2, omega=1.0)._braked().particular[0]) == 0.0
+    assert abs(Forced(c2=0.2, omega=1.0)._braked().particular[0]) > 0.1
+
+
+@pytest.mark.parametrize("curve", ["size", "signed", "log"])
+@pytest.mark.parametrize(("c1", "c2"), DASHPOTS)
+def test_the_response_is_drawn_of_sizes(curve: str, c1: float, c2: float) -> None:
+    scene = Forced(curve=curve, c1=c1, c2=c2)
+    response = scene.sources["branch0"].data
+    assert np.all(response["Xp1"] >= 0) and np.all(np.diff(response["omega"]) > 0)
+    assert ("neither with the push" in " ".join(scene.shown.notes)) == (curve == "signed")
+
+
+def test_dashpots_are_carried_with_the_chain() -> None:
+    assert {"c1", "c2"} <= set(Forced.shares.values())
+    assert Forced().action("rest") == dict.fromkeys(("x1_0", "x2_0", "v1_0", "v2_0"), 0.0)
+
+
+@pytest.mark.parametrize(("c1", "c2"), DASHPOTS)
+def test_about_these_numbers_finds_no_number_beyond_its_bound(c1: float, c2: float) -> None:
+    scene = Forced(c1=c1, c2=c2, x1_0=0.5)
+    for table in scene.about(scene.shown).tables:
+        assert table.rows and all(point.off <= table.limit for point in table.rows), table
