@@ -195,6 +195,7 @@ export class Lecture {
 
   /** @param {Drawn} shown @param {Asked | null} asked */
   async #show(shown, asked) {
+    this.hall.stand(shown.state)
     if (shown.scene === this.page?.spec.slug) {
       this.#wait() // before, so that it is not overwritten, and after for what has been
       this.page.apply(shown, asked)

@@ -5,6 +5,7 @@ import {later} from "../later.js"
 import {tabStorage} from "../core/storage.js"
 
 const FULL = "full-screen"
+const WALK = "data-in-walk"
 const root = document.documentElement
 
 export class Hall {
@@ -36,6 +37,13 @@ export class Hall {
     this.lecture.readdress()
     this.#point()
     this.shown(this.lecture.page)
+  }
+
+  /** A walk has smaller type, beside its card. @param {page.State} state */
+  stand({step}) {
+    if (root.hasAttribute(WALK) === Boolean(step)) return
+    root.toggleAttribute(WALK, Boolean(step))
+    if (this.on) this.lecture.page?.place()
   }
 
   /** Its values stand in one line while the panel is folded away. @param {PartHost} page */

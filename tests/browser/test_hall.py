@@ -15,12 +15,14 @@ from tests.browser.waiting import passed, seek
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
-DRAWN = 22 / 13
-"""The scale at which the page is shown on 1080 lines."""
-SIZES = ((1920, 1080), (1280, 720))
-LINES = """oscillations.plots.flatMap(({figure: {model}}) => (model?.renderers ?? [])
-  .filter(({glyph}) => glyph.type === "Line").map(({glyph}) => glyph.line_width.value ?? glyph.line_width))"""
-UNDER = "oscillations.plots.map(p => p.figure.model?.below[0].major_label_text_font_size).filter(Boolean)"
+SCENE, STEP = (28, 22), (22, 19)
+"""The smallest type on 1080 lines, and an index: of a scene, and of a step of a walk, beside its card."""
+SIZES = ((1920, 1080), (1280, 720), (1024, 768))
+LINES = """oscillations.plots.filter(({host}) => host.checkVisibility())
+  .flatMap(({figure: {model}}) => (model?.renderers ?? []))
+  .filter(({glyph}) => glyph.type === "Line").map(({glyph}) => glyph.line_width.value ?? glyph.line_width)"""
+UNDER = """oscillations.plots.filter(({host}) => host.checkVisibility())
+  .map(({figure: {model}}) => model?.below[0].major_label_text_font_size).filter(Boolean)"""
 SIZE_OF = "part => parseFloat(getComputedStyle(part).fontSize)"
 THIN = """[...document.querySelectorAll(".block.plot, .block.stage")].filter(part =>
   part.checkVisibility() && part.getBoundingClientRect().width < 20).map(part => part.className)"""
@@ -28,19 +30,22 @@ THIN = """[...document.querySelectorAll(".block.plot, .block.stage")].filter(par
 UNIT = "parseFloat(getComputedStyle(document.documentElement).fontSize) / 16"
 
 
-def looked_at(page: Page, width: int, height: int) -> list[str]:
-    """The faults of the page on such a screen."""
+def looked_at(page: Page, width: int, height: int, least: tuple[int, int] = SCENE) -> list[str]:
+    """The faults of the page on such a screen, where nothing is smaller than at a desk."""
+    lines = min(height, width * 9 / 16)
     page.set_viewport_size({"width": width, "height": height})
     passed(page)
     seek(page, 0.0)
-    assert page.evaluate(UNIT) == pytest.approx(DRAWN * height / 1080, rel=1e-5)
-    return [f"{width} x {height}: {fault}" for fault in faults(page, 22 * height / 1080, 19 * height / 1080)]
+    assert page.evaluate(UNIT) == pytest.approx(max(1, least[0] / 13 * lines / 1080), rel=1e-5)
+    found = faults(page, *(size * lines / 1080 for size in least))
+    return [f"{width} x {height}: {fault}" for fault in found]
 
 
 def test_every_scene_has_the_halls_type_and_nothing_overlaps(server: Server, page: Page) -> None:
     page.goto(f"{server.url}?scene=oscillator&projector")
     found = []
-    for slug, given in [*((slug, {}) for slug in SCENES), ("modes", {"task": "hunt"})]:
+    views = [("modes", {"task": task}) for task in ("guess", "solve", "sweep")]
+    for slug, given in [*((slug, {}) for slug in SCENES), *views, ("coupled", {"view": "constants"})]:
         page.evaluate("([scene, parameters]) => oscillations.open({scene, parameters})", [slug, given])
         page.wait_for_function(f"slug => oscillations.page.spec.slug === slug && {READY}", arg=slug)
         page.wait_for_function(
@@ -50,8 +55,9 @@ def test_every_scene_has_the_halls_type_and_nothing_overlaps(server: Server, pag
         for width, height in SIZES:
             found += [f"{slug} {given}, {fault}" for fault in looked_at(page, width, height)]
             under = {round(float(size[:-2]), 3) for size in page.evaluate(UNDER)}
-            assert under == {round(22 * height / 1080, 3)}
-            expected = [share * height / 1080 for share in (6, 3.5, 1.5)]
+            lines = min(height, width * 9 / 16)
+            assert under <= {round(28 * lines / 1080, 3)}
+            expected = [share * lines / 1080 for share in (6, 3.5, 1.5)]
             for line in page.evaluate(LINES):
                 assert any(abs(line - one) < 0.01 for one in expected), (slug, line)
             low = page.evaluate("oscillations.page.paper.scrollHeight - oscillations.page.paper.clientHeight")
@@ -65,15 +71,15 @@ def test_every_scene_has_the_halls_type_and_nothing_overlaps(server: Server, pag
 def test_a_walk_in_the_hall(server: Server, page: Page) -> None:
     page.goto(f"{server.url}?walk=d34&step=12&projector")
     page.wait_for_function(f"{READY} && document.querySelector('.card')")
-    found = looked_at(page, 1280, 720)
+    found = looked_at(page, 1280, 720, STEP)
     asked = page.locator("h1.waits")
     expect(asked).to_have_text("After a very long time, which frequencies are left in its motion?")
     page.locator(".answers [data-option='1']").click()
     page.keyboard.press("PageDown")
     page.wait_for_function("oscillations.walks.walk.lesson && !oscillations.shown.state.covered.length")
     expect(page.locator("h1")).to_have_text("Undamped motion never becomes steady")
-    found += looked_at(page, 1920, 1080)
-    for part, least in ((".answers .name", 27), (".asked-line", 27), (".card .why", 27), ("h1", 46), (".act", 27)):
+    found += looked_at(page, 1920, 1080, STEP)
+    for part, least in ((".answers .name", 28), (".asked-line", 28), (".card .why", 28), ("h1", 46), (".act", 28)):
         assert page.locator(part).first.evaluate(SIZE_OF) > least - 0.01, part
     lines = [page.locator(f".answers [data-option='{i}'] .line") for i in range(4)]
     assert [line.is_visible() for line in lines] == [False, True, False, False]
@@ -82,6 +88,9 @@ def test_a_walk_in_the_hall(server: Server, page: Page) -> None:
     page.wait_for_function("oscillations.shown.settings.omega.value === 0.77")  # where that would be right
     assert page.locator("h1").inner_text() == "Undamped motion never becomes steady"
     assert page.evaluate("location.search") == "?walk=d34&step=d34-12&projector"
+    page.keyboard.press("w")
+    expect(page.locator(".card")).to_have_count(0)
+    found += looked_at(page, 1920, 1080)  # the scene has its type again
     assert not found, "\n".join(found)
 
 
