@@ -44,6 +44,8 @@ def limit(type: ast.expr) -> str:
     """The limit that an annotation sets, in words."""
     match type:
         case ast.Subscript(value=ast.Name(id="Annotated"), slice=ast.Tuple(elts=[inner, ast.Call(keywords=[most])])):
+            if most.arg == "pattern":
+                return f"of the form `{ast.literal_eval(most.value)}`"
             unit = " characters" if notation(inner) == "string" else ""
             return f"at most {ast.unparse(most.value)}{unit}"
     return ""

@@ -61,4 +61,5 @@ def test_a_type_without_notation_is_refused() -> None:
 def test_limits() -> None:
     assert limit(ast.parse("Annotated[str, Meta(max_length=7)]", mode="eval").body) == "at most 7 characters"
     assert limit(ast.parse("Annotated[list[Name], Meta(max_length=5)]", mode="eval").body) == "at most 5"
+    assert limit(ast.parse("Annotated[str, Meta(pattern='^[0-9]$')]", mode="eval").body) == "of the form `^[0-9]$`"
     assert limit(ast.parse("str", mode="eval").body) == ""
