@@ -14,7 +14,7 @@ from components.scenes import SCENES
 from components.scenes.coupled.starting import BY_MODES
 from tests.browser.touch import Finger, Mouse, swipe
 from tests.browser.views import choices
-from tests.browser.waiting import QUIET, passed
+from tests.browser.waiting import QUIET, passed, turned
 from tests.grids import WHOLE
 
 pytestmark = pytest.mark.browser
@@ -80,11 +80,7 @@ def new_grips(page: Page, slug: str) -> Iterator[Locator]:
     """Every grip of a scene, each once, in the first of its views that has it; nothing plays."""
     known: set[str] = set()
     for view in (scene.off_default() for scene in choices(SCENES[slug])):
-        page.evaluate("([scene, parameters]) => oscillations.open({scene, parameters})", [slug, view])
-        page.wait_for_function(
-            "view => Object.entries(view).every(([name, value]) => oscillations.shown.settings[name].value === value)",
-            arg=view,
-        )
+        turned(page, slug, view)
         stopped(page)
         for name in set(page.evaluate(GRIPS)) - known:
             known.add(name)

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.waiting import redrawn
+from tests.browser.waiting import redrawn, turned
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -80,10 +80,10 @@ def test_hunt_by_dragging_the_start(page: Page, open_scene: Open) -> None:
 
 
 def test_views_on_a_narrow_phone(new_page: Callable[..., Page], open_scene: Open) -> None:
-    page = new_page(320, 800, has_touch=True)
+    page = open_scene(new_page(320, 800, has_touch=True), scene="modes")
     for task in ("guess", "solve", "sweep", "hunt"):
-        for values in ({}, {"k2": "1e8"}, {"m2": "1e-6"}, {"m1": "1.2345e-100", "k1": "1e100"}):
-            open_scene(page, scene="modes", task=task, **values)
+        for values in ({}, {"k2": 1e8}, {"m2": 1e-6}, {"m1": 1.2345e-100, "k1": 1e100}):
+            turned(page, "modes", {"task": task, **values})
             assert page.evaluate("document.documentElement.scrollWidth") == 320, (task, values)
         chip = page.get_by_role("button", name="All equal")
         chip.scroll_into_view_if_needed()

@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from components.scenes import SCENES
-from tests.browser.waiting import passed
+from tests.browser.waiting import passed, turned
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -36,8 +36,9 @@ NAVIGATION = "[...document.querySelectorAll('.nav a, .nav button')].map(one => o
 
 def test_each_page_has_a_title_of_its_own_its_language_and_the_navigation_of_all(page: Page, open_scene: Open) -> None:
     found = set()
+    open_scene(page, scene="oscillator")
     for slug, scene in SCENES.items():
-        open_scene(page, scene=slug)
+        turned(page, slug, {})
         expect(page).to_have_title(f"{scene.headline} – Oscillations")
         assert page.evaluate("document.documentElement.lang") == "en"
         expect(page.get_by_role("button", name="Keys")).to_be_visible()
