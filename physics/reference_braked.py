@@ -6,6 +6,7 @@ The state (x1, x2, v1, v2) beside the particular solution follows y' = A y: its 
 from collections.abc import Sequence
 from typing import Any
 
+from physics.coupled import TwoMassChain
 from physics.reference import Point, point
 from physics.transient import DampedModes
 
@@ -36,6 +37,18 @@ def braked_swings(modes: DampedModes, omega: Sequence[float]) -> dict[str, list[
     with mp.workdps(DIGITS):
         pairs = [_steady(mp, modes, w) for w in omega]
         return {f"Xp{i + 1}": [point(abs(pair[i]), abs(pair[i])) for pair in pairs] for i in (0, 1)}
+
+
+def braked_exponents(chain: TwoMassChain, c1: float, c2: float) -> list[tuple[Point, Point]]:
+    """Real and imaginary part of each exponent with Im >= 0, as eigenvalues, beside their modulus."""
+    import mpmath as mp
+
+    modes = DampedModes(chain=chain, c=c2, c1=c1, F_0=0.0, omega=0.0)
+    with mp.workdps(2 * DIGITS):
+        found = mp.eig(_matrix(mp, modes), right=False)
+        least = mp.mpf(10) ** -50 * max(map(abs, found))
+        upper = [one for one in (mp.chop(one, least) for one in found) if mp.im(one) >= 0]
+        return [(point(mp.re(one), abs(one)), point(mp.im(one), abs(one))) for one in upper]
 
 
 def _matrix(mp: Any, modes: DampedModes) -> Any:

@@ -205,3 +205,19 @@ def test_with_friction_two_humps_have_a_saddle_above_zero() -> None:
     X, inside = response["Xp1"], slice(1, -1)
     turns = np.sign(np.diff(X))
     assert np.sum((turns[1:] < 0) & (turns[:-1] > 0)) == 2 and X[inside].min() > 0.02
+
+
+def test_a_damper_brings_odd_powers() -> None:
+    """d34-06."""
+    shown = such("d34-06", 2).shown
+    assert shown.forms["braked"] == "shown" and shown.values["p3"] != "+ 0.00" != shown.values["p1"]
+
+
+def test_friction_passes_energy_from_the_fast_mode_to_the_slow_one() -> None:
+    """d34-11: it starts in the fast mode alone, and most of what is left is in the slow one."""
+    scene = such("d34-11", 2)
+    chain = TwoMassChain(**{name: scene.values[name] for name in ("m1", "m2", "k1", "k2")})
+    motion = scene._braked().motion(scene.shown.sources["time"]["t"])
+    energies = [free_modes(chain, x, v).energy for x, v in zip(motion.x.T[::20], motion.v.T[::20], strict=True)]
+    slow, fast = np.array(energies).T
+    assert slow[0] < 1e-12 * fast[0] and slow.max() > 1e-3 * fast[0] and slow[-1] > 10 * fast[-1]

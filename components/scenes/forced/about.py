@@ -10,10 +10,12 @@ from components.chain.parameters import Pair
 from components.quantities.numbers import short
 from components.scene import Picture
 from components.scene.about import About, bounded, drawn_as_bands, few, rows
+from components.scenes.forced.dying import Dying
 from physics.energy import chain_energy
 from physics.forced import DrivenModes
 from physics.reference_braked import braked_points, braked_swings
 from physics.reference_single import steady_points
+from physics.sampling import drawable
 from physics.transient import DampedModes
 
 BANDS = MASSES | {
@@ -48,7 +50,17 @@ def dying_about(picture: Picture, modes: DampedModes) -> About:
         bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement by then", rows(MASSES, columns, true, at)),
         bounded("the particular solution", 4, "its own value", rows(swings, sweep, steady, inside, DRIVE)),
     )
-    return About(tables, "", drawn_as_bands(picture.sources, BANDS))
+    return About(tables, _heat_gap(modes, columns["t"]), drawn_as_bands(picture.sources, BANDS))
+
+
+def _heat_gap(modes: DampedModes, t: NDArray[np.float64]) -> str:
+    dying = Dying(modes, float(t[-1]))
+    if not drawable(2 * dying.fastest, t):
+        return "The energies change too fast in this window to be added up."
+    energy = dying.energy(t)
+    largest = float(np.max(np.abs([energy["gain"], energy["work"]]))) or 1.0
+    gap = float(np.max(np.abs((energy["work"] - energy["gain"] - dying.heat(t)) / largest)))
+    return f"The work of the drive is the gain of $T + V$ and the heat of the dashpots to {short(gap)} of the largest."
 
 
 def _work_gap(driven: DrivenModes, t: NDArray[np.float64]) -> str:

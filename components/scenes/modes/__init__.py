@@ -16,7 +16,8 @@ from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED
 from components.scenes.modes import guess, guess_picture, hunt, solve, sweep
-from components.scenes.modes.about import guess_about, hunt_about, solve_about, sweep_about
+from components.scenes.modes.about import braked_about, guess_about, hunt_about, solve_about, sweep_about
+from components.scenes.modes.braked import braked_readouts
 from components.scenes.modes.watch import WATCH
 from physics.coupled import TwoMassChain
 from physics.sweeps import PARAMETERS
@@ -28,6 +29,7 @@ TASKS = {
     "hunt": "Drag the start: from where is the path a straight line?",
 }
 VIEWS = {"hunt": "Hunt", "guess": "Guess", "solve": "Solve", "sweep": "Sweep"}
+LEFT_OUT = "Shown without the dashpots: they are part of Solve."
 ROW_OF = {"row1": 1, "row2": 2}
 """The equation, that of mass 1 or of mass 2, which an action takes the shape from."""
 SOURCES = (
@@ -63,20 +65,22 @@ class ModesScene(Scene):
         ),
         Group("Start, from rest", ("x1_0", "x2_0"), "or drag the ring", form="hunt"),
         chain.CHAIN,
+        replace(chain.DASHPOTS, form="solve"),
     )
-    shares = chain.SHARES
+    shares = chain.BRAKED
     watch = WATCH
     presets = {
         "Default": {},
         "All equal": {"m1": 1.0, "m2": 1.0, "k1": 1.0, "k2": 1.0},
         "Beats": {"m1": 1.0, "k1": 0.96, "m2": 0.04, "k2": 0.04},
         "No wall": {"k1": 0.0},
-        "Loose": {"k2": 0.1},
+        "Loose": {"k2": 0.1, "c1": 0.0, "c2": 0.0},
     }
     opens = {"task": "hunt"}
 
     task = one_of(default="guess", objects=list(VIEWS), label="View")
     m1, m2, k1, k2 = chain.masses_and_springs(2.0, 1.0, 4.0, 2.0)
+    c1, c2 = chain.dashpots()
     omega = angular_frequency(
         1.7,
         softbounds=(0.0, 2.4),
@@ -115,11 +119,16 @@ class ModesScene(Scene):
             columns={name: {} for name in SOURCES} | picture.columns,
             scalars={**chain.sizes(system, 0.88), **picture.scalars},
             forms={self.task: "shown", **picture.forms},
+            notes=(*picture.notes, *((LEFT_OUT,) if self._brakes and self.task != "solve" else ())),
         )
+
+    @property
+    def _brakes(self) -> bool:
+        return any(chain.damping_of(self))
 
     def _view(self, system: TwoMassChain, frame: Frame) -> Picture:
         if self.task == "solve":
-            return solve.picture(system, self.window, frame)
+            return solve.picture(system, chain.damping_of(self), self.window, frame)
         if self.task == "sweep":
             return sweep.picture(system, self.swept, frame)
         if self.task == "hunt":
@@ -137,6 +146,8 @@ class ModesScene(Scene):
         return {"ratio": float(wanted)}
 
     def readouts(self) -> tuple[Readout, ...]:
+        if self._brakes and self.task == "solve":
+            return braked_readouts(chain.of_scene(self), chain.damping_of(self))
         return chain.mode_readouts(
             chain.of_scene(self),
             "omega_{mode} {mode}_omega {mode}_long now_{mode}",
@@ -149,4 +160,6 @@ class ModesScene(Scene):
             return hunt_about(shown, system, (self.x1_0, self.x2_0))
         if self.task == "sweep":
             return sweep_about(shown, system, self.swept)
+        if self._brakes and self.task == "solve":
+            return braked_about(system, chain.damping_of(self))
         return solve_about(system) if self.task == "solve" else guess_about(shown, system)

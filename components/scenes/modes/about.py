@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from components.chain.about import FREQUENCY, MASSES, free_drift, modes_table, motion_rows
+from components.chain.modes import MODES
 from components.chain.parameters import Pair
 from components.quantities.numbers import ten
 from components.scene import Picture
-from components.scene.about import About, Place, bounded, few, rows
+from components.scene.about import About, CheckedPoint, Place, bounded, few, rows
+from physics.braked_modes import braked_modes
 from physics.coupled import TwoMassChain, free_modes
 from physics.modes import determinant_curve
 from physics.reference import Point, determinants, modes_of
+from physics.reference_braked import braked_exponents
 
 
 def guess_about(picture: Picture, chain: TwoMassChain) -> About:
@@ -27,6 +31,18 @@ def guess_about(picture: Picture, chain: TwoMassChain) -> About:
 
 def solve_about(chain: TwoMassChain) -> About:
     return About((modes_table(chain),))
+
+
+def braked_about(chain: TwoMassChain, damping: Pair) -> About:
+    """The exponents of both modes."""
+    true = braked_exponents(chain, *damping)
+    found = []
+    for mode, one in zip(MODES, braked_modes(chain, *damping), strict=True):
+        s = one.exponents[0]
+        near = min(true, key=lambda pair: math.hypot(float(pair[0].value) - s.real, float(pair[1].value) - s.imag))
+        for part, value, point in zip(("Re", "Im"), (s.real, s.imag), near, strict=True):
+            found.append(CheckedPoint(f"{part} $s$", f"The {mode} mode", value, point))
+    return About((bounded("an exponent", 1, "its modulus", found),))
 
 
 def sweep_about(picture: Picture, chain: TwoMassChain, swept: str) -> About:

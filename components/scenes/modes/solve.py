@@ -6,6 +6,7 @@ import math
 from decimal import Decimal
 
 from components import chain
+from components.chain.parameters import Pair
 from components.language.blocks import Block
 from components.language.numbers import var
 from components.language.signals import AnySignal
@@ -17,6 +18,7 @@ from components.quantities.motion import pace, sines
 from components.quantities.numbers import signed, three
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
+from components.scenes.modes.braked import ARROWS, BRAKED, braked_picture
 from physics.coupled import TwoMassChain
 from physics.exact import precise
 from physics.modes import quadratic
@@ -44,11 +46,18 @@ def sheet() -> Block:
     )
 
 
+def _always(text_: str) -> Paragraph:
+    """A text that stands without dashpots."""
+    return either("ratios", both=text_, loose=text_)
+
+
 def _formulas() -> list[Paragraph]:
     return [
-        r"**Where is** $D = m_1 m_2 \omega^4 - b\,\omega^2 + k_1 k_2$ **zero?**",
-        r"$\val{m1m2}\,\omega^4 - \val{b}\,\omega^2 + \val{k1k2_}$$= 0$ with $b = m_1 k_2 + m_2 (k_1 + k_2)$",
-        r"$\omega_\pm^2 = (b \pm \sqrt{\Delta})/(2 m_1 m_2)$ with $\Delta = b^2 - 4 m_1 m_2 k_1 k_2$$= \val{Delta}$",
+        _always(r"**Where is** $D = m_1 m_2 \omega^4 - b\,\omega^2 + k_1 k_2$ **zero?**"),
+        _always(r"$\val{m1m2}\,\omega^4 - \val{b}\,\omega^2 + \val{k1k2_}$$= 0$ with $b = m_1 k_2 + m_2 (k_1 + k_2)$"),
+        _always(
+            r"$\omega_\pm^2 = (b \pm \sqrt{\Delta})/(2 m_1 m_2)$ with $\Delta = b^2 - 4 m_1 m_2 k_1 k_2$$= \val{Delta}$"
+        ),
         either(
             "positive",
             sum=r"**$\Delta > 0$:** it is "
@@ -66,8 +75,9 @@ def _formulas() -> list[Paragraph]:
             r"So both $\omega^2$ are positive and $\omega$ is real.",
             zero=r"**$\sqrt{\Delta} = b$** $= \val{b}$, as $4 m_1 m_2 k_1 k_2 = 0$. So $\omega_-$ = 0: a drift.",
         ),
-        r"[slow|$\omega_-^2 = \val{slow_square}$, $\omega_- = \val{slow_omega}$ rad/s]",
-        r"[fast|$\omega_+^2 = \val{fast_square}$, $\omega_+ = \val{fast_omega}$ rad/s]",
+        _always(r"[slow|$\omega_-^2 = \val{slow_square}$, $\omega_- = \val{slow_omega}$ rad/s]"),
+        _always(r"[fast|$\omega_+^2 = \val{fast_square}$, $\omega_+ = \val{fast_omega}$ rad/s]"),
+        *BRAKED,
         *_ratios(),
     ]
 
@@ -96,6 +106,7 @@ def _ratios() -> list[Paragraph]:
             "arrows",
             shown=r"**The arrows** are the $X_j e^{i \omega t}$ of the notes of D34, each mass above the tip of its "
             r"own. A real ratio $X_2/X_1$ means that they point the same way or opposite ways.",
+            **ARROWS,
         ),
     ]
 
@@ -114,7 +125,7 @@ def _shapes() -> list[Shape]:
         for i in (1, 2):
             full = chain.rest(i) + METRE * W * var(f"X{i}_{mode}")
             shapes.append(box(full, foot, chain.side(i), "", tint=f"m{i}", style="ghost full"))
-        shapes += chain.masses(foot, *places)
+        shapes += [*chain.cups(foot, *places), *chain.masses(foot, *places)]
         for i, place in zip((1, 2), places, strict=True):
             rest, tip = chain.rest(i), axle - METRE * W * var(f"y{i}_{mode}")
             shapes += [
@@ -138,8 +149,10 @@ def _title(mode: str, sign: str, top: float) -> list[Shape]:
     ]
 
 
-def picture(system: TwoMassChain, window: float | None, frame: Frame = FITTED) -> Picture:
-    """All of the view for one chain."""
+def picture(system: TwoMassChain, damping: Pair, window: float | None, frame: Frame = FITTED) -> Picture:
+    """All of the view for one chain, with its dashpots."""
+    if any(damping):
+        return braked_picture(system, damping, window, frame)
     modes = system.modes()
     slow, fast = (float(w) for w in modes.omega)
     axes, metres = framed(frame, {"t": time_axis(window or time_window(slow, fast))}), Axis(-1.0, 1.0, "m")
