@@ -1,27 +1,38 @@
-// A pointer that the hall sees, while a pen, a finger or a mouse is held down.
+// A pointer that the hall sees, while a mouse or pen moves or a finger touches. At rest it leaves, and the numbers
+// over a plot with it: static/styles/hall.css.
 
 import {element} from "../core/dom.js"
 
+const REST = 1500 // ms without a move
+const root = document.documentElement
+
 /** @type {HTMLElement | null} */
 let disc = null
+
+/** @type {number | undefined} */
+let timer
 
 /** To be asked for as often as one likes. */
 export function pointer() {
   if (disc) return
   disc = element("i", {class: "pointer", "aria-hidden": "true", hidden: ""})
   document.body.append(disc)
-  for (const kind of ["pointerdown", "pointermove"]) addEventListener(kind, event => show(event), true)
-  for (const kind of ["pointerup", "pointercancel"]) addEventListener(kind, () => hide(), true)
+  for (const kind of ["pointerdown", "pointermove", "pointerup"]) addEventListener(kind, event => show(event), true)
+  addEventListener("pointercancel", () => stand(false), true)
 }
 
 /** @param {Event} event */
 function show(event) {
   if (!disc || !(event instanceof PointerEvent)) return
-  const inHall = document.documentElement.dataset.mode === "projector"
-  disc.hidden = !inHall || !event.buttons
+  const isHeld = event.buttons > 0
+  stand(root.dataset.mode === "projector" && (isHeld || event.pointerType !== "touch"))
   disc.style.transform = `translate(${event.clientX}px, ${event.clientY}px)`
+  clearTimeout(timer)
+  if (!isHeld) timer = setTimeout(() => stand(false), REST)
 }
 
-function hide() {
-  if (disc) disc.hidden = true
+/** @param {boolean} isSeen */
+function stand(isSeen) {
+  if (disc) disc.hidden = !isSeen
+  root.toggleAttribute("data-pointing", isSeen)
 }

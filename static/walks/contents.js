@@ -88,7 +88,8 @@ export class Contents {
     const where = [step.place, step.scene].filter(Boolean).join(", ")
     const said = kept ? `${where}, your answer: ${kept.said}` : `${where}, ${minutes([step])}`
     const {given, question} = this.walk.numbered(step)
-    const claim = marked("span", {class: "claim"}, kept ? kept.title : `${given} ${question}`.trim())
+    const words = kept ? kept.title : this.walk.lecture.hall.on ? "" : `${given} ${question}`.trim()
+    const claim = marked("span", {class: "claim"}, words) // a hall does not read what it will be asked
     const number = element("span", {class: "number-of-step"}, String(i + 1))
     const parts = [number, claim, element("span", {class: "said"}, said), ...(kept ? [mark(kept.right)] : [])]
     const go = () => {

@@ -88,6 +88,11 @@ def test_a_walk_in_the_hall(server: Server, page: Page) -> None:
     page.wait_for_function("oscillations.shown.settings.omega.value === 0.77")  # where that would be right
     assert page.locator("h1").inner_text() == "Undamped motion never becomes steady"
     assert page.evaluate("location.search") == "?walk=d34&step=d34-12&projector"
+    page.get_by_role("button", name="Contents", exact=True).first.click()
+    contents = page.locator("dialog.contents")
+    expect(contents).to_contain_text("D34, slide 7")
+    assert "?" not in contents.inner_text()  # what will be asked is not read here
+    page.get_by_role("button", name="Close", exact=True).click()
     page.keyboard.press("w")
     expect(page.locator(".card")).to_have_count(0)
     found += looked_at(page, 1920, 1080)  # the scene has its type again
@@ -119,7 +124,14 @@ def test_the_hall_is_a_key_and_part_of_the_link(page: Page, open_scene: Callable
     held = page.locator(".grip.held").bounding_box()
     assert held and abs(held["x"] - box["x"] - 60) < 2  # the hand is where the mouse is
     page.mouse.up()
+    expect(page.locator(".pointer")).to_be_hidden()  # it rests
+    plot = page.locator(".block.plot:visible").last.bounding_box()
+    assert plot
+    page.mouse.move(plot["x"] + plot["width"] / 2, plot["y"] + plot["height"] / 2)
+    expect(page.locator(".pointer")).to_be_visible()
+    expect(page.locator(".reading:visible")).to_have_count(1)
     expect(page.locator(".pointer")).to_be_hidden()
+    expect(page.locator(".reading:visible")).to_have_count(0)
     page.wait_for_function("before => oscillations.shown.settings.x1_0.value > before", arg=before)
     page.keyboard.press("p")
     assert "projector" not in page.evaluate("location.search")
