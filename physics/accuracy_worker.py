@@ -18,6 +18,7 @@ from typing import Any
 from physics.accuracy import Limits, System
 from physics.coupled import TwoMassChain
 from physics.race import measure
+from physics.solvers import METHODS
 
 try:
     import resource
@@ -70,7 +71,7 @@ def serve() -> None:
     reason = None
     try:
         limits = Limits(seconds=order["seconds"])
-        for run in measure([decoded_system(order["system"])], methods, limits, cancelled):
+        for run in measure([decoded_system(order["system"])], [METHODS[slug] for slug in methods], limits, cancelled):
             ended |= {run.method} if run.end not in ("", "cancelled") else set()
             tell(run=run.to_dict())
         if not ended | skipped >= set(methods):

@@ -35,14 +35,31 @@ def _with_dashpot(problem: Problem) -> Trajectory:
 
 
 def slide_formulas(problem: Problem, _: float, watch: Watch) -> Trajectory:
-    """The lecture's formulas (D34, slides 3 to 8) in the order they are printed, in float64."""
+    """The lecture's formulas (D34, slides 3 to 8) in the order they are printed, in float64; with a dashpot D31's."""
     chain = problem.chain
+    if problem.c:
+        return _damped_exponentials(problem, watch)
     b = chain.m1 * chain.k2 + chain.m2 * (chain.k1 + chain.k2)
     root = np.sqrt(b * b - 4 * chain.m1 * chain.m2 * chain.k1 * chain.k2)
     squares = np.array([b - root, b + root]) / (2 * chain.m1 * chain.m2)
     ratios = -(chain.m1 * squares - chain.k1 - chain.k2) / chain.k2
     particular = _slide_particular(problem, squares)
     return _superposed(problem, np.sqrt(squares), np.array([[1.0, 1.0], ratios]), particular, watch)
+
+
+def _damped_exponentials(problem: Problem, watch: Watch) -> Trajectory:
+    """A exp(s_1 t) + B exp(s_2 t) and the particular solution, s from the quadratic formula as it stands."""
+    watch.evaluations = problem.t.size
+    m, k, c, omega, t = problem.chain.m1, problem.chain.k1, problem.c, problem.omega, problem.t
+    root = np.sqrt(c * c - 4 * m * k)
+    slow, fast = (-c + root) / (2 * m), (-c - root) / (2 * m)
+    X = problem.F_0 / complex(k - m * omega**2, c * omega) if problem.F_0 else 0j
+    x_0, v_0 = problem.x_0[0] - X.imag, problem.v_0[0] - omega * X.real
+    A, B = (v_0 - fast * x_0) / (slow - fast), (v_0 - slow * x_0) / (fast - slow)
+    first, second, turning = A * np.exp(slow * t), B * np.exp(fast * t), X * np.exp(1j * omega * t)
+    x, v = first + second + turning.imag, slow * first + fast * second + omega * turning.real
+    still = np.zeros_like(x)
+    return _trajectory(np.stack([x, still]), np.stack([v, still]))
 
 
 def dense_eigh(problem: Problem, _: float, watch: Watch) -> Trajectory:

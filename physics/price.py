@@ -1,7 +1,7 @@
 """The price of an error with each method: the one rule by which prices are read off measured runs."""
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import repeat
 from math import exp, log
 from typing import Any
@@ -34,6 +34,20 @@ class Price:
     @property
     def name(self) -> str:
         return METHODS[self.method].name
+
+
+IN_DOUBLES = ("eigh", "slides")
+"""Closed forms in plain doubles: the modes, or for a dashpot the formulas as they stand."""
+
+
+def in_doubles(of: Mapping[str, Price]) -> Price | None:
+    """The price of the closed form in doubles, of the prices by method."""
+    return next((of[slug] for slug in IN_DOUBLES if slug in of), None)
+
+
+def once_more(runs: Iterable[Run]) -> list[Run]:
+    """The runs with the times that they took when the benchmark was run again, and without those not timed then."""
+    return [replace(run, time=run.again) for run in runs if run.again or run.failure]
 
 
 def grouped(runs: Iterable[Run]) -> dict[str, list[Run]]:

@@ -92,13 +92,15 @@ class StepTooSmallError(StoppedError):
 class Watch:
     """A watch over one run: it counts evaluations and steps; check(t), called now and then, may raise StoppedError.
 
-    Fixed steps whose displacements pass `bound` (m) are given up as unstable.
+    `stiff_steps` are those that LSODA takes with formulas for stiff equations. Fixed steps whose displacements pass
+    `bound` (m) are given up as unstable.
     """
 
     check: Callable[[float], None] = lambda t: None
     bound: float = inf
     evaluations: int = 0
     steps: int = 0
+    stiff_steps: int = 0
 
 
 @dataclass(frozen=True)

@@ -24,12 +24,14 @@ from physics.exact import Array
 from physics.problem import CancelledError, OverTimeError, Problem, StoppedError, Trajectory, Watch
 from physics.reference import Reference, reference
 from physics.solvers import METHODS, Method
+from physics.stability import stable_count
 from physics.valid import DOUBLES
 
 EXPLODED = 1e3  # times the largest true displacement: a step that gets there is unstable
 SMALLEST_ENERGY = 1e-290  # J: below, doubles run out of digits
 GLANCE = 64  # steps of SciPy's solvers, or outputs, between two looks at the clock
-STANDS, GAIN, RESOLVED = 4, 2.0, 0.1  # so many rungs without such a gain, the fast mode resolved so well: the floor
+STANDS, GAIN, RESOLVED = 2, 2.0, 0.1  # so many rungs without such a gain, the fast mode resolved so well: the floor
+FORESEEN, GLIMPSE = 0.7, 0.01  # a run is not tried that would get so far, by a run before it of so many seconds
 
 clock = perf_counter if sys.platform == "win32" else thread_time  # Windows counts a thread's time in 16 ms
 Cancelled = Callable[[str], bool]
@@ -37,7 +39,7 @@ Cancelled = Callable[[str], bool]
 
 def measure(
     systems: Sequence[System],
-    methods: Sequence[str] = tuple(METHODS),
+    methods: Sequence[Method] = tuple(METHODS.values()),
     limits: Limits | None = None,
     cancelled: Cancelled = lambda method: False,
 ) -> Iterator[Run]:
@@ -49,9 +51,7 @@ def measure(
     limits = limits or Limits()
     pace = median(yardstick() for _ in range(5))
     benches = [bench_of(system, limits, cancelled, pace) for system in systems]
-    ladders = [
-        Ladder(bench, METHODS[slug]) for slug in methods for bench in benches if slug in entered(bench.system, [slug])
-    ]
+    ladders = [Ladder(bench, method) for method in methods for bench in benches if entered(bench.system, [method.slug])]
     while any(not ladder.end for ladder in ladders):
         for ladder in ladders:
             if not ladder.end and (run := ladder.climb()):
@@ -104,12 +104,16 @@ class Bench:
         time = median(times) * 2 * self.pace / (pace + yardstick())
         return runs[0] if runs[0].failure else replace(runs[0], time=time, time_low=time, time_high=time, rounds=1)
 
+    def late(self, method: Method, setting: float, share: float) -> Run:
+        """The row of a run that gets no further than this share of the motion in time."""
+        return self._row(method, setting, Watch(), f"time limit {self.limits.seconds:g} s", OverTimeError.end, share)
+
     def _row(
         self, method: Method, setting: float, watch: Watch, failure: str, end: str = "", reached: float = 0.0
     ) -> Run:
         return Run(
-            system=self.system.slug, method=method.slug, setting=setting, failure=failure, end=end, reached=reached,
-            evaluations=watch.evaluations, steps=watch.steps,
+            system=self.system.slug, method=method.slug, setting=setting, compiled=method.compiled, failure=failure,
+            end=end, reached=reached, evaluations=watch.evaluations, steps=watch.steps,
         )  # fmt: skip
 
     def _timed(self, method: Method, setting: float, watch: Watch) -> tuple[float, Trajectory]:
@@ -133,18 +137,24 @@ class Bench:
         return check
 
     def _judged(self, method: Method, setting: float, watch: Watch, result: Trajectory) -> Run:
-        error = self.truth.errors(result.x)
-        energy_error = self.truth.energy_errors(self.problem.chain, result)
+        error, chain = self.truth.errors(result.x), self.problem.chain
+        if self.problem.c:
+            error = np.maximum(error, self.truth.velocity_errors(result.v))
+        energy_error = self.truth.energy_errors(chain, result)
         if not np.all(np.isfinite(error + energy_error)):
             return self._row(method, setting, watch, "not a number")
         return Run(
             system=self.system.slug,
             method=method.slug,
             setting=setting,
+            compiled=method.compiled,
             evaluations=watch.evaluations,
             steps=watch.steps,
             error=float(np.max(error)),
             energy_error=float(np.max(energy_error)),
+            final_error=float(error[-1]),
+            mode_errors=self.truth.mode_errors(chain, result.x) if chain.k2 else (),
+            stiff_share=watch.stiff_steps / watch.steps if watch.steps else 0.0,
             error_growth=_growth(error),
             energy_growth=_growth(energy_error),
         )
@@ -174,6 +184,8 @@ class Ladder:
         self.bench, self.method, self.end = bench, method, ""
         self.runs: list[Run] = []
         self._settings = method.settings()
+        if method.family == "fixed":  # the fewest steps that are stable, too
+            self._settings = tuple(sorted({*self._settings, float(stable_count(method.slug, bench.problem))}))
         self._times: list[list[float]] = []
 
     def climb(self) -> Run | None:
@@ -181,18 +193,29 @@ class Ladder:
         if self.bench.cancelled(self.method.slug):
             self.end = "cancelled"
             return None
-        run = self.bench.visit(self.method, self._settings[len(self.runs)])
+        setting = self._settings[len(self.runs)]
+        run = self._foreseen(setting) or self.bench.visit(self.method, setting)
         self.runs.append(run)
         self._times.append([] if run.time is None else [run.time])
         self.end = self._end()
         self.runs[-1] = replace(run, end=self.end)
         return self.runs[-1]
 
+    def _foreseen(self, setting: float) -> Run | None:
+        """The row of a run that would be far out of time, by the time of the run before it: it is not tried."""
+        before, limit = self.runs[-1] if self.runs else None, self.bench.limits.seconds
+        if before is None or before.time is None or self.method.family != "fixed":
+            return None
+        share = limit / (before.time * setting / before.setting)
+        if share > FORESEEN or before.time < GLIMPSE:
+            return None
+        return self.bench.late(self.method, setting, share)
+
     def again(self, rung: int) -> Run | None:
         """The run at a rung with its time measured once more."""
         if rung >= len(self.runs) or not self._times[rung] or self.bench.cancelled(self.method.slug):
             return None
-        if len(self._times[rung]) >= 2 and sum(self._times[rung]) > self.bench.limits.budget:
+        if len(self._times[rung]) >= self.bench.limits.least and sum(self._times[rung]) > self.bench.limits.budget:
             return None
         run = self.bench.visit(self.method, self._settings[rung])
         if run.time is None:  # this time it was too slow

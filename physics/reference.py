@@ -37,10 +37,11 @@ class Point(NamedTuple):
 
 @dataclass(frozen=True)
 class Reference:
-    """Displacements x + x_rest (2, n), rounded to 106 bits, and the energy (n,)."""
+    """Displacements x + x_rest (2, n), rounded to 106 bits, velocities (2, n), and the energy (n,)."""
 
     x: Array
     x_rest: Array
+    v: Array
     energy: Array
 
     @property
@@ -57,6 +58,19 @@ class Reference:
         """|x - true| (n,), the worse of both masses, in units of the largest displacement."""
         difference = np.abs((x - self.x) - self.x_rest)
         return np.asarray(np.max(difference, axis=0) / self.size)
+
+    def velocity_errors(self, v: Array) -> Array:
+        """|v - true| (n,), the worse of both masses, in units of the largest velocity."""
+        return np.asarray(np.max(np.abs(v - self.v), axis=0) / np.max(np.abs(self.v)))
+
+    def mode_errors(self, chain: TwoMassChain, x: Array) -> tuple[float, float]:
+        """The largest parts of the error of x in the slow and in the fast mode of a chain with k2 > 0."""
+        e1, e2 = (x - self.x) - self.x_rest
+        slow, fast = (
+            np.max(np.abs(chain.m1 * e1 + chain.m2 * r * e2)) * max(1.0, abs(r)) / (chain.m1 + chain.m2 * r * r)
+            for r in chain.modes().ratio.tolist()
+        )
+        return float(slow / self.size), float(fast / self.size)
 
     def energy_errors(self, chain: TwoMassChain, result: Trajectory) -> Array:
         """|T + V - true| (n,) in units of the largest energy."""
@@ -81,13 +95,14 @@ def reference(problem: Problem) -> Reference:
 
     with mpmath.workdps(DIGITS + _spread(problem.chain)):
         if problem.c:
-            rows = [(x, mpmath.mpf(0), energy) for x, energy in dashpot_rows(problem)]
+            rows = [(x, mpmath.mpf(0), v, mpmath.mpf(0), energy) for x, v, energy in dashpot_rows(problem)]
         else:
             modes = _modes(mpmath.mp, problem)
             rows = [_state(mpmath.mp, problem, modes, t) for t in problem.t.tolist()]
         x = np.array([[float(value) for value in row[:2]] for row in rows]).T
         rest = [[float(value - float(value)) for value in row[:2]] for row in rows]
-        return Reference(x=x, x_rest=np.array(rest).T, energy=np.array([float(row[2]) for row in rows]))
+        v = np.array([[float(value) for value in row[2:4]] for row in rows]).T
+        return Reference(x=x, x_rest=np.array(rest).T, v=v, energy=np.array([float(row[4]) for row in rows]))
 
 
 def modal_points(problem: Problem) -> list[list[list[Point]]]:
@@ -179,8 +194,8 @@ def _shapes(mp: Any, chain: TwoMassChain) -> list[tuple[Any, tuple[Any, Any]]]:
     return [(mp.sqrt(square), (mp.mpf(1), (k1 + k2 - m1 * square) / k2)) for square in squares]
 
 
-def _state(mp: Any, problem: Problem, modes: list[_Mode], t: float) -> tuple[Any, Any, Any]:
-    """x1, x2 and the energy."""
+def _state(mp: Any, problem: Problem, modes: list[_Mode], t: float) -> tuple[Any, ...]:
+    """x1, x2, v1, v2 and the energy."""
     chain, zero = problem.chain, mp.mpf(0)
     x, v = [zero, zero], [zero, zero]
     for mode in modes:
@@ -189,7 +204,7 @@ def _state(mp: Any, problem: Problem, modes: list[_Mode], t: float) -> tuple[Any
             x[i] += share * q
             v[i] += share * p
     T = chain.m1 * v[0] ** 2 + chain.m2 * v[1] ** 2
-    return x[0], x[1], (T + chain.k1 * x[0] ** 2 + chain.k2 * (x[1] - x[0]) ** 2) / 2
+    return *x, *v, (T + chain.k1 * x[0] ** 2 + chain.k2 * (x[1] - x[0]) ** 2) / 2
 
 
 def _coordinate(mp: Any, mode: _Mode, omega: Any, t: Any) -> tuple[Any, Any]:

@@ -10,8 +10,8 @@ from physics.problem import Problem
 DIGITS = 120
 
 
-def dashpot_rows(problem: Problem) -> list[tuple[Any, Any]]:
-    """x1 and the energy at the output times; numbers of mpmath. The two roots are not equal."""
+def dashpot_rows(problem: Problem) -> list[tuple[Any, Any, Any]]:
+    """x1, v1 and the energy at the output times; numbers of mpmath. The two roots are not equal."""
     import mpmath
 
     with mpmath.workdps(DIGITS):
@@ -29,5 +29,5 @@ def dashpot_rows(problem: Problem) -> list[tuple[Any, Any]]:
             parts = (A * mp.exp(slow * t), B * mp.exp(fast * t), X * mp.expj(w * t))
             now = parts[0] + parts[1] + parts[2].imag
             rate = slow * parts[0] + fast * parts[1] + (w * parts[2]).real
-            rows.append((now, (m * rate**2 + k * now**2) / 2))
+            rows.append((now, rate, (m * rate**2 + k * now**2) / 2))
         return rows

@@ -7,7 +7,8 @@
   and in the usual one that does not;
 - exact steps: the matrix exponential from one output time to the next;
 - fixed steps: physics.integrators, the setting is the number of steps from one output time to the next;
-- chosen steps: SciPy's solvers, the setting is rtol.
+- chosen steps: SciPy's solvers, the setting is rtol. Those of solve_ivp are Python but for LSODA; VODE and the second
+  DOP853 are compiled and call Python for the right-hand side alone.
 
 A method that cannot go on raises StoppedError with the reason.
 """
@@ -33,13 +34,18 @@ Runner = Callable[[Problem, float, Watch], Trajectory]
 
 FINEST = 2.0**40
 """Steps an output: nobody waits for more."""
+STRETCH = 500
+"""Steps of a compiled solver between two looks at the clock."""
+MUSED, BDF = 18, 2
+"""Where LSODA tells the formulas of its last step, and the number of the stiff ones."""
 
 
 @dataclass(frozen=True)
 class Method:
     """One method; its setting is rtol, or steps an output for fixed steps, or 0 where there is none.
 
-    Without `friction` it is for chains without a dashpot.
+    Without `friction` it is for chains without a dashpot; `solved` says that its linear equations are solved in
+    advance; `compiled` that its stepping function is, as in the benchmark.
     """
 
     slug: str
@@ -48,6 +54,8 @@ class Method:
     run: Runner
     order: int = 0
     friction: bool = True
+    solved: bool = False
+    compiled: bool = False
 
     @cached_property
     def mark(self) -> str:
@@ -55,12 +63,12 @@ class Method:
         return self.name.partition(" (")[0]
 
     def settings(self) -> tuple[float, ...]:
-        """Coarse to fine: two tolerances in a decade, or as many steps as shrink the error by sqrt(10) each time."""
+        """Coarse to fine: a tolerance in each decade, or as many steps as shrink the error by 10 each time."""
         if self.family == "adaptive":
-            return tuple(float(f"{10 ** (-n / 2):.1e}") for n in range(4, 27))
+            return tuple(float(f"1e-{n}") for n in range(2, 14))
         if self.family != "fixed":
             return (0,)
-        ratio, steps, n = 10 ** (0.5 / self.order), [1.0], 0
+        ratio, steps, n = 10 ** (1 / self.order), [1.0], 0
         while steps[-1] < FINEST:
             n += 1
             if round(ratio**n) > steps[-1]:
@@ -75,14 +83,12 @@ def solve_ivp(method: str, problem: Problem, rtol: float, watch: Watch) -> Traje
     """
     from scipy import integrate
 
-    slow, fast = problem.rates
-    size = np.array([1.0, 1.0, slow or fast, slow or fast]) * problem.size
     A, rates = _linear(problem)
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
         solver = getattr(integrate, method)(
             rates, 0.0, np.array(problem.start), problem.t[-1],
-            rtol=rtol, atol=1e-3 * rtol * size, **_jacobian(method, A),
+            rtol=rtol, atol=_tolerances(problem, rtol), **_jacobian(method, A),
         )  # fmt: skip
         states, message = _stepped(solver, problem, watch)
     if solver.status == "failed":
@@ -98,10 +104,13 @@ def _stepped(solver: Any, problem: Problem, watch: Watch) -> tuple[Array, str | 
     states, message = np.empty((problem.t.size, 4)), None
     states[0] = problem.start
     times, n = [*problem.t.tolist(), inf], 1
+    inner = getattr(solver, "_lsoda_solver", None)
     try:
         while solver.status == "running":
             message = solver.step()
             watch.steps += 1
+            if inner and inner._integrator.iwork[MUSED] == BDF:
+                watch.stiff_steps += 1
             watch.check(solver.t)
             if times[n] <= solver.t:
                 first, n = n, bisect_right(times, solver.t)
@@ -109,6 +118,49 @@ def _stepped(solver: Any, problem: Problem, watch: Watch) -> tuple[Array, str | 
     finally:
         watch.evaluations = solver.nfev
     return states, message
+
+
+def ode(name: str, problem: Problem, rtol: float, watch: Watch, **options: Any) -> Trajectory:
+    """A solver of scipy.integrate.ode, asked for one output time after the other; tolerances as in solve_ivp.
+
+    Its DOP853 takes a single atol, the least of them.
+    """
+    from scipy import integrate
+
+    _, rates = _linear(problem)
+    atol = _tolerances(problem, rtol)
+    tolerances = {"rtol": rtol, "atol": atol if name == "vode" else float(np.min(atol)), "nsteps": STRETCH}
+    solver = integrate.ode(rates).set_integrator(name, **tolerances, **options)
+    solver.set_initial_value(np.array(problem.start), 0.0)
+    inner, states = solver._integrator, np.empty((problem.t.size, 4))
+    states[0] = problem.start
+    for n, t in enumerate(problem.t[1:].tolist(), 1):
+        while solver.t < t:
+            before = solver.t
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")  # it has not got there within STRETCH steps
+                states[n] = solver.integrate(t)
+            _count(name, inner.iwork, watch)
+            watch.check(solver.t)
+            if solver.t == before:
+                raise StepTooSmallError("step below spacing", before)
+    return trajectory(states)
+
+
+def _count(name: str, told: Array, watch: Watch) -> None:
+    """Evaluations and steps: VODE's so far, DOP853's of this output, at the places that their sources name."""
+    if name == "vode":
+        watch.evaluations, watch.steps = int(told[11]), int(told[10])
+    else:
+        watch.evaluations += int(told[16]) + int(told[17])  # it leaves one of each step out
+        watch.steps += int(told[17])
+
+
+def _tolerances(problem: Problem, rtol: float) -> Array:
+    """The absolute ones: 1e-3 rtol of the displacements and velocities to be expected."""
+    slow, fast = problem.rates
+    tolerances: Array = 1e-3 * rtol * problem.size * np.array([1.0, 1.0, slow or fast, slow or fast])
+    return tolerances
 
 
 def _linear(problem: Problem) -> tuple[Array, Callable[[float, Array], Array]]:
@@ -142,7 +194,7 @@ def _jacobian(method: str, A: Array) -> dict[str, Any]:
 def _methods() -> dict[str, Method]:
     without = (
         Method("closed", "Closed form", "closed", closed_form),
-        Method("slides", "Slide formulas", "closed", slide_formulas, friction=False),
+        Method("slides", "Slide formulas", "closed", slide_formulas),
         Method("eigh", "Modes by eigh", "closed", dense_eigh, friction=False),
         Method("naive", "Modes by eigh, naive", "closed", naive_eigh, friction=False),
         Method("expm", "expm", "exact", matrix_exponential),
@@ -154,19 +206,26 @@ def _methods() -> dict[str, Method]:
         "midpoint": "Implicit midpoint",
         "newmark": "Newmark (average acceleration)",
         "rk4": "RK4",
+        "nystrom4": "Nyström 4",
+        "nystrom6": "Nyström 6",
         "gauss4": "Gauss 4",
         "yoshida4": "Yoshida 4",
         "yoshida6": "Yoshida 6",
     }
     fixed = (
-        Method(slug, name, "fixed", partial(run_fixed, slug), STEPPING[slug].order, STEPPING[slug].friction)
+        Method(slug, name, "fixed", partial(run_fixed, slug), step.order, step.friction, step.solved)
         for slug, name in names.items()
+        for step in [STEPPING[slug]]
     )
     chosen = (
         Method(name.lower(), name, "adaptive", partial(solve_ivp, name))
         for name in ("RK23", "RK45", "DOP853", "Radau", "BDF", "LSODA")
     )
-    return {method.slug: method for method in (*without, *fixed, *chosen)}
+    compiled = (
+        Method("fortran", "DOP853 compiled (restarted at each output)", "adaptive", partial(ode, "dop853")),
+        Method("adams", "VODE-Adams", "adaptive", partial(ode, "vode", method="adams")),
+    )
+    return {method.slug: method for method in (*without, *fixed, *chosen, *compiled)}
 
 
 METHODS: Mapping[str, Method] = MappingProxyType(_methods())

@@ -24,7 +24,7 @@ matplotlib.rcParams |= {"svg.hashsalt": "bench", "axes.grid": True, "grid.alpha"
 FAMILIES = {slug: method.family for slug, method in METHODS.items()}
 SHADES = {"closed": "Greys", "exact": "Greys", "fixed": "winter", "adaptive": "autumn"}
 LINES = {"closed": "none", "exact": "none", "fixed": "--", "adaptive": "-"}
-MARKERS = "osD^v<>Ph*X"
+MARKERS = "osD^v<>Ph*Xpd8"
 ROUNDING = 2.0**-53
 EQUAL_ERROR, EQUAL_COST = 1e-4, 0.1
 
@@ -45,13 +45,13 @@ def draw_system(path: Path, system: System, runs: list[Run], caption: str) -> No
         axes[0], ("time", "evaluations"), ("run time, s", "evaluations of the right-hand side"), strict=True
     ):
         _work_precision(place, runs, quantity, label)
-    many = by_method(runs)
+    many = by_method(run for run in runs if not run.compiled)
     same_error = {slug: at_error(each, EQUAL_ERROR) for slug, each in many.items()}
     same_cost = {slug: at_cost(each, EQUAL_COST) for slug, each in many.items()}
     _growth(axes[1][0], system, same_error, f"first run with an error of {EQUAL_ERROR:g} at the most")
     _growth(axes[1][1], system, same_cost, f"finest run within {EQUAL_COST:g} s")
     figure.legend(*axes[0][0].get_legend_handles_labels(), loc="outside lower center", ncols=5, fontsize=8)
-    figure.suptitle(f"{system.name}: 1000 outputs over 50 {system.unit}. {caption}", fontsize=9)
+    figure.suptitle(f"{system.name}: 1000 outputs over 50 {system.unit}; dotted: compiled. {caption}", fontsize=9)
     _save(figure, path)
 
 
@@ -64,16 +64,23 @@ def by_method(runs: Iterable[Run]) -> dict[str, list[Run]]:
 
 
 def _work_precision(axes: Axes, runs: list[Run], quantity: str, label: str) -> None:
-    for slug, many in by_method(runs).items():
-        places = [getattr(run, quantity) for run in many]
-        errors = [max(run.error or 0, LEAST) for run in many]
+    """In Python, and dotted compiled: they differ in time alone."""
+    for slug, many in by_method(run for run in runs if not run.compiled).items():
         line = {"linestyle": LINES[FAMILIES[slug]], "markersize": 4, "linewidth": 1}
-        axes.loglog(places, errors, label=METHODS[slug].name, **_look(slug), **line)
+        places, errors = _line(axes, many, quantity, {"label": METHODS[slug].name, **_look(slug), **line})
         if quantity == "time":
             low, high = ([abs(run.time - end) for run, end in zip(many, ends, strict=True)] for ends in _ends(many))
             axes.errorbar(places, errors, xerr=(low, high), fmt="none", ecolor=_look(slug)["color"], elinewidth=0.8)
+    for slug, many in by_method(run for run in runs if run.compiled).items():
+        _line(axes, many, quantity, {"linestyle": ":", "markersize": 3, "linewidth": 1, **_look(slug)})
     axes.axhline(ROUNDING, color="k", linewidth=0.8, linestyle=":")
     axes.set(xlabel=label, ylabel="largest error of the motion", ylim=(LEAST / 3, 10))
+
+
+def _line(axes: Axes, runs: list[Run], quantity: str, look: dict[str, object]) -> tuple[list[float], list[float]]:
+    places, errors = [getattr(run, quantity) for run in runs], [max(run.error or 0, LEAST) for run in runs]
+    axes.loglog(places, errors, **look)
+    return places, errors
 
 
 def _ends(runs: list[Run]) -> tuple[list[float], list[float]]:
@@ -82,7 +89,7 @@ def _ends(runs: list[Run]) -> tuple[list[float], list[float]]:
 
 def _growth(axes: Axes, system: System, chosen: dict[str, Run | None], title: str) -> None:
     for slug, run in chosen.items():
-        if run is not None:
+        if run is not None and run.error_growth:
             look = {**_look(slug), "linestyle": "-" if FAMILIES[slug] != "fixed" else "--", "markersize": 4}
             axes.semilogy(MARKS[1:], np.maximum(run.error_growth[1:], LEAST), linewidth=1, **look)
     axes.set(xlabel=system.unit, ylabel="error, worst so far", ylim=(LEAST / 3, 10))
@@ -118,7 +125,9 @@ def draw_length(path: Path, runs: list[Run], caption: str) -> None:
     left.set(xlabel="slow periods", ylabel="run time, s")
     right.set(xlabel="slow periods", ylabel="largest error of the motion")
     figure.legend(loc="outside lower center", ncols=5, fontsize=8)
-    figure.suptitle(f"Benign: 500 outputs, 400 steps a slow period or rtol 1e-6. {caption}", fontsize=9)
+    figure.suptitle(
+        f"Benign in Python: 100 outputs, 2,800 evaluations a slow period or rtol 1e-6. {caption}", fontsize=9
+    )
     _save(figure, path)
 
 

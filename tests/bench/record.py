@@ -1,4 +1,5 @@
-"""Records of the benchmark, to a few digits, for the accuracy scene before anything is measured there."""
+"""Records of the benchmark, to a few digits: what the accuracy scene shows before anything is measured there, and what
+the document is written of."""
 
 from __future__ import annotations
 
@@ -6,34 +7,59 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from physics.accuracy import Limits, Run
+from components.scenes.accuracy.measuring import decoded_run
+from physics.accuracy import SYSTEMS, Run
 
 if TYPE_CHECKING:
     from tests.bench.error_vs_time import Report
 
 GROWTH = ("error_growth", "energy_growth")
+FULL = ("error", "final_error", "mode_errors")
+"""Errors keep four digits more than the rest: 1.0004e-3 misses what 1e-3 reaches."""
 
 
-def record(folder: Path, about: dict[str, str], limits: Limits, report: Report) -> None:
+def record(folder: Path, report: Report) -> None:
     """One file a system, and one a study; each says where and when."""
     folder.mkdir(parents=True, exist_ok=True)
-    told = {"about": about, "seconds": limits.seconds}
+    told = {"about": report.about, "seconds": report.seconds}
     for slug, many in report.runs.items():
         _write(folder / f"{slug}.json", {**told, "runs": [slim(run) for run in many]})
     _write(folder / "length.json", {**told, "runs": [slim(run) for run in report.length]})
-    _write(folder / "digits.json", {**told, **report.digits, "costs": [vars(each) for each in report.costs]})
+    _write(folder / "digits.json", {**told, **report.digits, "costs": report.costs})
+
+
+def recalled(folder: Path) -> Report:
+    """The report that was recorded."""
+    from tests.bench.error_vs_time import Report
+
+    systems = {slug: _read(folder / f"{slug}.json") for slug in SYSTEMS}
+    digits = _read(folder / "digits.json")
+    about, seconds, costs = (digits.pop(name) for name in ("about", "seconds", "costs"))
+    runs = {slug: [decoded_run(row) for row in data["runs"]] for slug, data in systems.items()}
+    length = [decoded_run(row) for row in _read(folder / "length.json")["runs"]]
+    return Report(about, seconds, runs, length, digits, costs)
 
 
 def slim(run: Run) -> dict[str, Any]:
-    """A run as JSON, without what is at its default, its numbers to four digits and its growth to two."""
+    """A run as JSON, without what is at its default, its numbers to four digits, errors to eight, growth to two."""
     defaults = {name: each.default for name, each in Run.__dataclass_fields__.items()}
     facts = {name: value for name, value in run.to_dict().items() if value != defaults[name]}
-    short = {name: [float(f"{value:.1e}") for value in facts.get(name, ())] for name in GROWTH if name in facts}
-    return {name: _rounded(name, value) for name, value in facts.items() if name not in GROWTH} | short
+    return {name: _rounded(value, _digits(name)) for name, value in facts.items()}
 
 
-def _rounded(name: str, value: Any) -> Any:
-    return float(f"{value:.4g}") if isinstance(value, float) and name != "setting" else value
+def _digits(name: str) -> int:
+    return 17 if name == "setting" else 8 if name in FULL else 2 if name in GROWTH else 4
+
+
+def _rounded(value: Any, digits: int) -> Any:
+    if isinstance(value, tuple):
+        return [_rounded(each, digits) for each in value]
+    return float(f"{value:.{digits}g}") if isinstance(value, float) else value
+
+
+def _read(path: Path) -> dict[str, Any]:
+    data: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+    return data
 
 
 def _write(path: Path, data: dict[str, Any]) -> None:

@@ -9,12 +9,13 @@ import numpy as np
 import pytest
 
 from components.scenes.accuracy import Accuracy
-from components.scenes.accuracy.data import Known, Series, picked_run, setting_text
+from components.scenes.accuracy.data import Known, Series, picked_run, reached_text, setting_text
 from components.scenes.accuracy.measurement import Measurement, known
 from components.scenes.accuracy.measuring import LIVE, Job, queue
 from components.scenes.accuracy.plots import name_places
 from components.scenes.accuracy.prices import price_list
 from components.scenes.accuracy.recorded import recorded
+from components.scenes.accuracy.sheet import limit_text
 from components.scenes.accuracy.studies import LASTING, step_explosion
 from physics.accuracy import MARKS, SYSTEMS, Run, entered
 from physics.coupled import TwoMassChain
@@ -80,19 +81,34 @@ def test_dots_are_measured_here_and_lines_recorded() -> None:
 
 def test_rows_of_prices() -> None:
     rows = dict(price_list(Known(Series(HERE), Series(BEFORE)), ("closed", "verlet", "rk4", "bdf", "lsoda"), 1e-3))
-    assert rows["closed"] == ("Closed form", "1.00 ms", "× 1")
-    assert rows["verlet"] == ("Verlet", "31.6 ms", "× 31.6")
-    assert rows["rk4"] == ("RK4", "4.00 ms", "× 2"), "recorded with recorded"
+    assert rows["closed"] == ("Closed form", "outputs", "1.00 ms", "× 1", "", "")
+    assert rows["verlet"] == ("Verlet", "4000", "31.6 ms", "× 31.6", "", "")
+    assert rows["rk4"] == ("RK4", "1000", "4.00 ms", "× 2", "", ""), "recorded with recorded"
     fine = dict(price_list(Known(Series(HERE), Series(BEFORE)), ("verlet", "rk4", "bdf", "lsoda"), 1e-10))
-    assert fine["verlet"] == ("Verlet", "over 1 s", "best 1·10⁻⁴")
-    assert fine["rk4"] == ("RK4", "not yet", "best 1·10⁻⁴")
-    assert fine["bdf"] == ("BDF", "never", "best 1·10⁻⁹")
+    assert fine["verlet"] == ("Verlet", "", "over 1 s", "best 1·10⁻⁴", "", "")
+    assert fine["rk4"] == ("RK4", "", "not yet", "best 1·10⁻⁴", "", "")
+    assert fine["bdf"] == ("BDF", "", "never", "best 1·10⁻⁹", "", "")
+
+
+def test_compiled_steps_are_priced_beside_those_in_python() -> None:
+    """Against the closed form of the record, be it in doubles; also where Python does not get there."""
+    fast = Series(
+        tuple(replace(run, compiled=True) for run in (a_run("rk4", 3, 1e-3, 1e-4), a_run("rk4", 9, 1e-2, 1e-9)))
+    )
+    before = Series((*BEFORE, a_run("eigh", 0, 1e-4, 1e-13)))
+    found = Known(Series(HERE), before, compiled=fast)
+    assert dict(price_list(found, ("rk4",), 1e-4))["rk4"][2:] == ("4.00 ms", "× 2", "1.00 ms", "× 0.5")
+    assert dict(price_list(found, ("rk4",), 1e-4, "doubles"))["rk4"][2:] == ("4.00 ms", "× 40", "1.00 ms", "× 10")
+    assert dict(price_list(found, ("rk4",), 1e-9))["rk4"][1:] == ("1000", "not yet", "best 1·10⁻⁴", "10.0 ms", "× 5")
+    assert dict(price_list(found, ("verlet",), 1e-3, "doubles"))["verlet"][3] == "", (
+        "no closed form in doubles ran here"
+    )
 
 
 def test_a_method_without_a_result_is_a_row_with_its_reason() -> None:
     failed = (a_run("rk4", 1, None, None, failure="unstable step: h omega_+ = 3.1e+02", end="time limit"),)
     rows = price_list(Known(Series(failed), Series()), ("rk4", "bdf"), 1e-3)
-    assert rows == [("rk4", ("RK4", "no result", "unstable step"))]
+    assert rows == [("rk4", ("RK4", "", "no result", "unstable step", "", ""))]
 
 
 def test_rows_from_records_are_told_apart() -> None:
@@ -105,7 +121,7 @@ def test_rows_from_records_are_told_apart() -> None:
 def test_a_time_that_does_not_repeat_is_marked() -> None:
     unsteady = (a_run("rk4", 3, 4e-3, 1e-4, time_low=3e-3, time_high=5e-3, rounds=3),)
     ((_, cells),) = price_list(Known(Series(unsteady), Series()), ("rk4",), 1e-3)
-    assert cells[1] == "4.00 ms ±"
+    assert cells[2] == "4.00 ms ±"
 
 
 def test_the_picked_run_keeps_energy_and_loses_phase() -> None:
@@ -119,6 +135,40 @@ def test_the_picked_run_keeps_energy_and_loses_phase() -> None:
     assert setting_text(HERE[1]) == "Verlet, 1 step an output"
     assert setting_text(a_run("rk45", 3.2e-5, 1.0, 1.0)) == "RK45, rtol 3.2·10⁻⁵"
     assert setting_text(a_run("rk45", 1e-6, 1.0, 1.0)) == "RK45, rtol 10⁻⁶"
+
+
+def test_a_picked_run_tells_what_was_asked_and_what_was_reached() -> None:
+    run = a_run("rk45", 1e-6, 1.0, 5.6e-5, final_error=4.4e-5, mode_errors=(6e-10, 5.6e-5))
+    assert reached_text(run) == (
+        "RK45, rtol 10⁻⁶: error 6·10⁻⁵, at the end 4·10⁻⁵, slow mode 6·10⁻¹⁰, fast mode 6·10⁻⁵"
+    )
+    assert reached_text(replace(run, mode_errors=())).endswith("at the end 4·10⁻⁵")
+
+
+def test_the_compiled_view_has_the_compiled_methods_and_those_without_steps() -> None:
+    scene = Accuracy(clock="compiled", hidden=[])
+    drawn = {slug for slug in METHODS if scene.sources[f"rec_{slug}"].data}
+    assert drawn | {"euler"} == {slug for slug, method in METHODS.items() if method.family != "adaptive"} | {"euler"}
+    python = Accuracy(hidden=[])
+    for slug in ("rk4", "gauss4", "nystrom6"):
+        one, other = (each.sources[f"rec_{slug}"].data for each in (scene, python))
+        assert one["time"][-1] != other["time"][-1] and one["error"][3] == other["error"][3]
+    own = Accuracy(system="own", clock="compiled")
+    assert not any(own.sources[f"rec_{slug}"].data for slug in METHODS)
+    assert own.shown.forms["origin"] == "none"
+
+
+def test_where_runs_are_stopped_is_said_of_both() -> None:
+    seconds = recorded("benign").seconds
+    assert limit_text(seconds, seconds).startswith("a run is stopped at ")
+    assert Accuracy(limit=0.01).shown.values["limit"].startswith("a run here is stopped at 10.0 ms, recorded ones at ")
+
+
+def test_the_facts_of_a_case_name_its_drive() -> None:
+    said = {slug: Accuracy(system=slug).shown.values["system"] for slug in SYSTEMS}
+    assert "driven by 1 N at ω₋ · (1 + 10⁻⁸)" in said["near"] and "driven by 1 N at ω₋." in said["resonance"]
+    assert "driven by 10⁶ N at 1 rad/s" in said["dashpot"]
+    assert [slug for slug, text in said.items() if "driven" in text] == ["dashpot", "near", "resonance"]
 
 
 def test_growth_at_equal_error_and_at_equal_cost() -> None:
@@ -208,7 +258,7 @@ def test_names_stand_beside_their_lines() -> None:
 def test_what_the_run_bar_says() -> None:
     work = Measurement()
     told = work.progress(Accuracy())
-    assert (told.done, told.text) == (0, "Run measures 8 methods here.")
-    assert work.progress(Accuracy(system="dashpot")).text == "Run measures 6 methods here."
+    assert (told.done, told.text) == (0, "Run measures 15 methods here.")
+    assert work.progress(Accuracy(system="dashpot")).text == "Run measures 11 methods here."
     told = work.progress(measured())
     assert (told.done, told.total, told.unit) == (3, 3, "methods measured here")

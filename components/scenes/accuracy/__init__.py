@@ -18,19 +18,22 @@ from components.scene.traces import Columns
 from components.scenes.accuracy.data import (
     ALONE,
     MORE,
+    Known,
     chosen,
+    compiled_only,
+    done,
     growth,
     kept,
     picked_run,
-    setting_text,
+    reached_text,
     shown_methods,
     work,
 )
 from components.scenes.accuracy.measurement import SCALE, Measurement, known
 from components.scenes.accuracy.plots import name_places
-from components.scenes.accuracy.prices import PriceRow, power, price_forms, price_list, price_texts, time_text
+from components.scenes.accuracy.prices import PriceRow, power, price_forms, price_list, price_texts
 from components.scenes.accuracy.recorded import recorded, records
-from components.scenes.accuracy.sheet import VIEWS, compared_text, paper, system_texts
+from components.scenes.accuracy.sheet import VIEWS, compared_text, limit_text, paper, system_texts
 from components.scenes.accuracy.studies import (
     digits_columns,
     digits_texts,
@@ -55,7 +58,7 @@ class Accuracy(Scene):
     title = "Accuracy"
     lecture = "Numerics"
     points = "beyond the slides"
-    headline = "Stepping pays for every digit; the formula does not"
+    headline = "Stepping pays for digits; the formula does not"
     equations = chain.DRIVEN
     work = Measurement
     physical = ("system",)
@@ -69,6 +72,8 @@ class Accuracy(Scene):
     }
     groups = (
         Group("Run", ("wanted", "limit")),
+        Group("Time of the steps", ("clock",), form="time"),
+        Group("× closed form", ("unit",), form="time"),
         Group("Compared at", ("equal",), form="growth"),
         Group("", ("cost",), form="cost"),
     )
@@ -104,6 +109,10 @@ class Accuracy(Scene):
         says="is the run time that every method may spend where they are compared at equal cost.",
     )
     equal = one_of(default="error", objects={"Equal error": "error", "Equal cost": "cost"}, label="Compared at")
+    clock = one_of(default="python", objects={"In Python": "python", "Compiled": "compiled"}, label="Time of the steps")
+    unit = one_of(
+        default="app", objects={"As the app runs it": "app", "In doubles": "doubles"}, label="Closed form compared with"
+    )
     view = one_of(default="time", objects=list(VIEWS), label="View")
     picked = param.List(
         default=["rec_verlet", "5"], item_type=str, doc="The run picked: source and place among its points."
@@ -132,10 +141,11 @@ class Accuracy(Scene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         system, measured = self.shown_system(), known(self)
-        methods, picked = shown_methods(self.hidden), picked_run(measured, self.picked)
+        drawn = compiled_only(measured) if self.clock == "compiled" else measured
+        methods, picked = shown_methods(self.hidden), picked_run(drawn, self.picked)
         axes = framed(frame, {**study_axes(system.unit), **_axes(self.limit, picked)})
         time, error = axes["time"], axes["error"]
-        curves, rows = work(measured), price_list(measured, methods, self.wanted)
+        curves, rows = work(drawn), price_list(measured, methods, self.wanted, self.unit)
         racing = entered(system, methods)
         compared = chosen(measured, racing, self.equal, self.wanted, self.cost)
         return Picture(
@@ -148,17 +158,19 @@ class Accuracy(Scene):
                 "limit_at": time.place(self.limit),
                 "empty": float(not measured.here.every and not measured.before.every),
                 **_picked_scalars(picked, time, error, system),
+                **_stiff_scalars(drawn, methods, time, error),
             },
             values={
                 **price_texts(rows),
                 **self._texts(system, [METHODS[slug].mark for slug in racing if slug not in compared]),
-                "picked": setting_text(picked) if picked else "",
+                "picked": reached_text(picked) if picked else "",
             },
             forms={
                 self.view: "shown",
                 **price_forms(rows, measured),
                 **{name: "shown" for name, there in self._there(rows, picked) if there},
                 "origin": _ORIGINS[bool(measured.here.every), bool(measured.before.every)],
+                "clock": self.clock,
             },
         )
 
@@ -166,7 +178,12 @@ class Accuracy(Scene):
         """The parts of the sheet that stand on a condition, and whether they do."""
         unsteady = any("±" in cell for _, cells in rows for cell in cells)
         cost = (self.view, self.equal) == ("growth", "cost")
-        return ("costs", bool(rows)), ("unsteady", unsteady), ("kept", picked is not None), ("cost", cost)
+        return (
+            ("costs", bool(rows)),
+            ("unsteady", unsteady),
+            ("kept", picked is not None and bool(picked.error_growth)),
+            ("cost", cost),
+        )
 
     def _view_columns(self, system: System, compared: dict[str, Run]) -> dict[str, Columns]:
         """The columns of the other views, while they are seen."""
@@ -179,8 +196,9 @@ class Accuracy(Scene):
         }
 
     def _texts(self, system: System, missing: list[str]) -> dict[str, str]:
-        texts = {"wanted": power(self.wanted), "limit": time_text(self.limit), **system_texts(system)}
-        texts["origin"] = (records(system.slug) or recorded(SCALE)).origin
+        texts = {"wanted": power(self.wanted), **system_texts(system)}
+        record = records(system.slug) or recorded(SCALE)
+        texts["origin"], texts["limit"] = record.origin, limit_text(self.limit, record.seconds)
         texts["length_origin"] = recorded("length").origin
         texts["compared"] = compared_text(self.equal, self.wanted, self.cost)
         texts["missing"] = f"Not so far: {', '.join(missing)}." if missing else ""
@@ -202,6 +220,15 @@ def _axes(limit: float, picked: Run | None) -> dict[str, Axis]:
         "error_growth": ERROR,
         "energy_growth": ERROR,
     }
+
+
+def _stiff_scalars(drawn: Known, methods: tuple[str, ...], time: Axis, error: Axis) -> dict[str, float]:
+    """The first run of LSODA that takes most of its steps by the formulas for stiff equations."""
+    runs = done(drawn.of("lsoda")) if "lsoda" in methods else []
+    run = next((run for run in runs if run.stiff_share > 0.5), None)
+    if run is None:
+        return {}
+    return {"bdf": 1.0, "bdf_at": time.place(run.time or 0.0), "bdf_error": error.place(max(run.error or 0.0, LEAST))}
 
 
 def _picked_scalars(picked: Run | None, time: Axis, error: Axis, system: System) -> dict[str, float]:

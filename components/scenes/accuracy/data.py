@@ -10,7 +10,7 @@ from itertools import product
 
 import numpy as np
 
-from components.quantities.numbers import ten
+from components.quantities.numbers import short, ten
 from components.scene.traces import Columns
 from components.scenes.accuracy.measuring import LIVE
 from physics.accuracy import MARKS, Run
@@ -44,11 +44,14 @@ class Series:
 
 @dataclass(frozen=True)
 class Known:
-    """The runs made here and those recorded before; for a motion without records those of another, for scale."""
+    """The runs made here and those recorded before, in Python and compiled; for a motion without records those of
+    another, for scale.
+    """
 
     here: Series
     before: Series
     scale: Series = Series()
+    compiled: Series = Series()
 
     def of(self, method: str) -> Sequence[Run]:
         """The runs of a method, made here if there are any."""
@@ -66,6 +69,16 @@ def shown_methods(hidden: Sequence[str]) -> tuple[str, ...]:
 def done(runs: Iterable[Run]) -> list[Run]:
     """The runs that can be drawn."""
     return [run for run in runs if run.error is not None and run.time is not None and run.error <= WRONG]
+
+
+def compiled_only(measured: Known) -> Known:
+    """The methods that are compiled, and those without steps; nothing compiled is measured here."""
+    without = [slug for slug, method in METHODS.items() if method.family in ("closed", "exact")]
+    here, before, scale = (
+        Series(tuple(run for run in series.every if run.method in without))
+        for series in (measured.here, measured.before, measured.scale)
+    )
+    return Known(here, Series((*before.every, *measured.compiled.every)), scale)
 
 
 def work(measured: Known) -> dict[str, Columns]:
@@ -102,6 +115,18 @@ def growth(runs: Mapping[str, Run]) -> dict[str, Columns]:
 def _growth(run: Run, of: str) -> Columns:
     levels = [max(error, LEAST) for error in getattr(run, of)[1:]]
     return {"period": np.array(MARKS[1:][: len(levels)], dtype=float), of: np.array(levels, dtype=float)}
+
+
+def reached_text(run: Run) -> str:
+    """A run, and the error that it reached: at all outputs, at the last alone, and mode by mode."""
+    if run.error is None or run.final_error is None:
+        return setting_text(run)
+    text = f"{setting_text(run)}: error {_digit(run.error)}, at the end {_digit(run.final_error)}"
+    return text + (", slow mode {}, fast mode {}".format(*map(_digit, run.mode_errors)) if run.mode_errors else "")
+
+
+def _digit(error: float) -> str:
+    return short(float(f"{error:.0e}"))
 
 
 def setting_text(run: Run) -> str:

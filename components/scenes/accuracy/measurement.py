@@ -39,7 +39,9 @@ def known(scene: Measurable) -> Known:
     """The runs of a scene's system: measured here, and recorded."""
     system = scene.shown_system()
     here, before = Series(_here(scene)), records(system.slug)
-    return Known(here, before.runs) if before else Known(here, Series(), scale=recorded(SCALE).runs)
+    if before is None:
+        return Known(here, Series(), scale=recorded(SCALE).runs)
+    return Known(here, before.runs, compiled=before.compiled)
 
 
 def _here(scene: Measurable) -> tuple[Run, ...]:

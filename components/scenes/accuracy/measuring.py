@@ -24,8 +24,11 @@ from physics.accuracy_worker import encoded_system
 
 KEPT = 64
 """The number of finished measurements that are remembered."""
-LIVE = ("closed", "eigh", "verlet", "newmark", "rk4", "dop853", "radau", "lsoda")
-"""The methods that are measured while a visitor looks on: few enough for a minute."""
+LIVE = (
+    "closed", "slides", "eigh", "expm", "verlet", "newmark", "rk4", "gauss4", "yoshida6", "nystrom6",
+    "dop853", "radau", "lsoda", "fortran", "adams",
+)  # fmt: skip
+"""The methods that are measured while a visitor looks on, the best of each kind: few enough for a minute."""
 WAITING = 8
 """The number of measurements that may wait for their turn."""
 BUDGET = 60.0

@@ -99,12 +99,22 @@ def _meanings() -> Iterable[AnyShape]:
     """Texts at the two dashed lines, and on what to do where nothing has been measured."""
     limit, rounding = on_x("work", var("limit_at")) - 6, on_y("work", var("rounding_at"))
     told: dict[str, Any] = {"anchor": "end", "tint": "mute", "style": "t1 halo"}
+    methods = f"{len(LIVE)} methods"
     x, y = (var("work.left") + var("work.right")) / 2, (var("work.top") + var("work.bottom")) / 2
     return (
         text(limit, rounding - 6, "one rounding of a double, 1.1·10⁻¹⁶", **told),
-        text(limit, var("work.top") + 14, "a run is stopped at {limit}", **told),
-        text(x, y, "Press Run: eight methods on this motion, within a minute.", style="halo", show="empty wide"),
-        text(x, y - 9, "Press Run: eight methods", style="halo", show="empty narrow"),
+        text(limit, var("work.top") + 14, "{limit}", **told),
+        text(
+            on_x("work", var("bdf_at")) + 9,
+            on_y("work", var("bdf_error")) - 7,
+            "most steps by BDF",
+            anchor="start",
+            tint="mute",
+            style="t1 halo",
+            show="bdf",
+        ),
+        text(x, y, f"Press Run: {methods} on this motion, within a minute.", style="halo", show="empty wide"),
+        text(x, y - 9, f"Press Run: {methods}", style="halo", show="empty narrow"),
         text(x, y + 9, "on this motion, within a minute.", style="halo", show="empty narrow"),
     )
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from components.language.blocks import Block
 from components.language.text import Forms
@@ -11,32 +11,70 @@ from components.layout.sheet import either, table
 from components.quantities.numbers import short, three
 from components.scenes.accuracy.data import Known
 from physics.accuracy import Run
-from physics.price import Price, prices
+from physics.price import Price, in_doubles, prices
 from physics.solvers import METHODS
 
 ROWS = len(METHODS)
 PriceRow = tuple[str, tuple[str, ...]]
 """A method and its cells."""
-CELLS = ("name", "time", "ratio")
+CELLS = ("name", "evaluations", "time", "ratio", "compiled", "compiled_ratio")
 NEVER = ("floor", "finest", "spacing")
 """Why a method is refined no further although time is left: then it does not get there."""
+Quoted = Mapping[str, Price]
 
 
-def price_list(measured: Known, methods: Sequence[str], wanted: float) -> list[PriceRow]:
-    """Rows (method, cells), cheapest first, then what does not get there, then what has no result."""
+def price_list(measured: Known, methods: Sequence[str], wanted: float, unit: str = "app") -> list[PriceRow]:
+    """Rows (method, cells), cheapest first, then what does not get there, then what has no result.
+
+    Ratios are to the closed form, of the same machine: as the app runs it, or in doubles with the `unit` "doubles".
+    """
     found = {method: runs for method in methods if (runs := measured.of(method))}
-    closed, recorded = measured.of("closed"), measured.before.by_method.get("closed", ())
-    here, before = (next((price.time for price in prices([runs], wanted)), None) for runs in (closed, recorded))
+    here, before, compiled = (
+        {price.method: price for price in prices(series.by_method.values(), wanted)}
+        for series in (measured.here, measured.before, measured.compiled)
+    )
+    units = {True: _unit(here, unit), False: _unit(before, unit)}
     rows = []
     for price in prices(found.values(), wanted):
-        unit = here if measured.is_here(price.method) else before
-        rows.append((price.method, price_cells(price, unit, found[price.method][-1])))
+        slug = price.method
+        own = price_cells(price, units[measured.is_here(slug)], found[slug][-1])
+        other = compiled.get(slug)
+        name, evaluations = own[0], evaluations_text(slug, _evaluations(price, other))
+        rows.append((slug, (name, evaluations, *own[1:], *_timed(other, units[False]))))
     known = {method for method, _ in rows}
     return rows + [
-        (method, (METHODS[method].mark, "no result", _why(runs[-1])))
+        (method, (METHODS[method].mark, "", "no result", _why(runs[-1]), *_timed(compiled.get(method), units[False])))
         for method, runs in found.items()
         if method not in known
     ]
+
+
+def _evaluations(*prices: Price | None) -> float | None:
+    """Of the first that has them: they are the same in Python and compiled."""
+    return next((price.evaluations for price in prices if price and price.evaluations is not None), None)
+
+
+def _unit(quoted: Quoted, unit: str) -> float | None:
+    """What the closed form takes."""
+    price = in_doubles(quoted) if unit == "doubles" else quoted.get("closed")
+    return price.time if price else None
+
+
+def evaluations_text(method: str, evaluations: float | None) -> str:
+    """Evaluations of the right-hand side, or outputs of a method that has none."""
+    if evaluations is None:
+        return ""
+    if METHODS[method].family in ("closed", "exact"):
+        return "outputs"
+    return short(float(f"{evaluations:.1e}"))
+
+
+def _timed(price: Price | None, unit: float | None) -> tuple[str, str]:
+    """A run time and its ratio, where there is one."""
+    if price is None or price.time is None:
+        return "", ""
+    unsteady = "" if price.repeats is not False else " ±"
+    return f"{time_text(price.time)}{unsteady}", f"× {short(price.time / unit)}" if unit else ""
 
 
 def price_cells(price: Price, unit: float | None, last: Run) -> tuple[str, ...]:
@@ -44,9 +82,7 @@ def price_cells(price: Price, unit: float | None, last: Run) -> tuple[str, ...]:
     name = METHODS[price.method].mark
     if price.time is None:
         return name, _not_reached(price, last), f"best {short(float(f'{price.best:.0e}'))}"
-    unsteady = "" if price.repeats is not False else " ±"
-    ratio = f"× {short(price.time / unit)}" if unit else ""
-    return name, f"{time_text(price.time)}{unsteady}", ratio
+    return name, *_timed(price, unit)
 
 
 def _not_reached(price: Price, last: Run) -> str:
@@ -87,7 +123,9 @@ def price_forms(rows: Sequence[PriceRow], measured: Known) -> dict[str, str]:
 
 def price_rows(phone: int) -> Block:
     """The methods in the order of what the wanted error costs with each."""
-    return table(*([_cell(f"price{i}", cell) for cell in CELLS] for i in range(ROWS)), style="tight", phone=phone)
+    head = ("", "evaluations", "Python", "", "compiled", "")
+    rows = ([_cell(f"price{i}", cell) for cell in CELLS] for i in range(ROWS))
+    return table(*rows, head=head, style="tight", phone=phone)
 
 
 def _cell(form: str, cell: str) -> Forms:

@@ -17,11 +17,12 @@ FOLDER = Path(__file__).with_name("recorded")
 
 @dataclass(frozen=True)
 class Recorded:
-    """A recorded series: where and when, the time limit of a run in s, and the runs."""
+    """A recorded series: where and when, the time limit of a run in s, and the runs, in Python and compiled."""
 
     about: dict[str, str]
     seconds: float
     runs: Series
+    compiled: Series
 
     @property
     def origin(self) -> str:
@@ -39,7 +40,9 @@ def recorded(name: str) -> Recorded:
     """The runs on a system, or those of the study "length"."""
     path = FOLDER / f"{name}.json"
     data = json.loads(path.read_text(encoding="utf-8"))
-    return Recorded(data["about"], data["seconds"], Series(tuple(decoded_run(row) for row in data["runs"])))
+    runs = [decoded_run(row) for row in data["runs"]]
+    python, compiled = (Series(tuple(run for run in runs if run.compiled == kind)) for kind in (False, True))
+    return Recorded(data["about"], data["seconds"], python, compiled)
 
 
 @cache

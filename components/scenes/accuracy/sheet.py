@@ -36,9 +36,15 @@ def _system_words() -> Block:
         either(
             "origin",
             before="All recorded, {origin}.",
-            both="**Dots: measured here.** Thin lines: recorded {origin}.",
-            here="**Dots: measured here.** Thin, for scale: Benign, recorded {origin}.",
-            none="Thin, for scale: Benign, recorded {origin}.",
+            both="**Dots: measured here, in Python.** Thin lines: recorded {origin}.",
+            here="**Dots: measured here, in Python:** nothing is compiled for a motion of your own. Thin, for scale: "
+            "Benign, recorded {origin}.",
+            none="Run measures in Python: nothing is compiled for a motion of your own. Thin, for scale: Benign, "
+            "recorded {origin}.",
+        ),
+        either(
+            "clock",
+            compiled="Only methods with fixed steps are compiled; those without steps are in Python.",
         ),
         style="plain",
         phone=9,
@@ -48,24 +54,29 @@ def _system_words() -> Block:
 def _price_column() -> Block:
     return column(
         words(
-            either("costs", shown="**An error of {wanted} costs** [mute|time, × closed form]"),
+            either("costs", shown="**An error of {wanted} costs** [mute|run time, × closed form]"),
             style="plain",
             phone=11,
         ),
         price_rows(phone=11),
-        words(either("unsteady", shown="[mute|± does not repeat within 20 %]"), style="plain", phone=12),
+        words(
+            either("costs", shown="[mute|Newmark, midpoint and Gauss 4 have their linear systems solved in advance.]"),
+            either("unsteady", shown="[mute|± does not repeat within 20 %]"),
+            style="plain",
+            phone=12,
+        ),
         desk(
             words(
                 either(
                     "kept",
-                    shown="**Energy kept, phase lost?** {picked}; worst so far. Click a line to pick a run.",
+                    shown="**Energy kept, phase lost?** {picked}. Drawn: worst so far. Click a line to pick a run.",
                 ),
                 style="plain",
                 phone=13,
             )
         ),
         picked_plot(),
-        basis=330,
+        basis=400,
         grow=0,
     )
 
@@ -74,13 +85,30 @@ def system_texts(system: System) -> dict[str, str]:
     """The motion in a line."""
     chain, (slow, fast) = system.chain, system.rates
     if system.c:
-        text = f"m = {power(chain.m1)}, k = {power(chain.k1)}, c = {power(system.c)}"
+        text = f"m = {power(chain.m1)}, k = {power(chain.k1)}, c = {power(system.c)}{_drive_text(system)}"
         text += f". Rates of decay 1 to {power(fast / slow)}"
     else:
         names = ("m1", "m2", "k1", "k2")
         text = ", ".join(f"{name} = {short(getattr(chain, name))}" for name in names)
-        text += f". Fast over slow frequency {three(fast / slow) if slow else '∞'}"
+        text += f"{_drive_text(system)}. Fast over slow frequency {three(fast / slow) if slow else '∞'}"
     return {"system": f"{text}. 50 {system.unit}, 1000 outputs."}
+
+
+def _drive_text(system: System) -> str:
+    """What drives the motion: force and frequency, near the slow one by how far it is from it."""
+    if not system.F_0:
+        return ""
+    slow = system.rates[0]
+    off = system.omega / slow - 1 if slow and not system.c else 1.0
+    at = f"{short(system.omega)} rad/s" if abs(off) > 1e-3 else f"ω₋ · (1 + {power(off)})" if off else "ω₋"
+    return f", driven by {power(system.F_0)} N at {at}"
+
+
+def limit_text(here: float, recorded: float) -> str:
+    """Where runs are stopped: here, and when those of the record were made."""
+    if here == recorded:
+        return f"a run is stopped at {time_text(here)}"
+    return f"a run here is stopped at {time_text(here)}, recorded ones at {time_text(recorded)}"
 
 
 def compared_text(equal: str, wanted: float, cost: float) -> str:

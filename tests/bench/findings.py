@@ -1,0 +1,121 @@
+"""What the benchmark has found, in sentences whose names and numbers are read off the runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from physics.accuracy import SYSTEMS, Run
+from physics.integrators import STEPPING
+from physics.price import Price, grouped, in_doubles, prices
+from physics.solvers import METHODS
+
+Runs = Mapping[str, list[Run]]
+WANTED = (1e-3, 1e-6, 1e-9)
+EXPLICIT = tuple(slug for slug, step in STEPPING.items() if not step.solved)
+
+
+def findings(runs: Runs) -> list[str]:
+    """Sentences on the systems that were measured."""
+    found = [*_pays(runs), _closed(runs), _compiling(runs), *_stability(runs), *_ringing(runs), *_switching(runs)]
+    return [each for each in found if each]
+
+
+def quoted(runs: Runs, slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
+    """The prices of a system by method, without those that were not reached."""
+    many = grouped(run for run in runs[slug] if run.compiled == compiled).values()
+    return {price.method: price for price in prices(many, wanted) if price.time is not None}
+
+
+def _stepping(runs: Runs, slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
+    """Those with steps of their own."""
+    priced = quoted(runs, slug, wanted, compiled)
+    return {name: price for name, price in priced.items() if METHODS[name].family in ("fixed", "adaptive")}
+
+
+def _pays(runs: Runs) -> Iterator[str]:
+    """The cheapest stepping on the benign chain."""
+    if "benign" not in runs:
+        return
+    for compiled, kind in ((False, "in Python"), (True, "compiled")):
+        for wanted in WANTED:
+            if stepping := _stepping(runs, "benign", wanted, compiled):
+                best = min(stepping.values(), key=lambda price: price.time or 0.0)
+                yield f"Benign, an error of {wanted:g}, {kind}: {_named(runs, 'benign', best, wanted)}."
+
+
+def _named(runs: Runs, slug: str, best: Price, wanted: float) -> str:
+    """The cheapest method, its time, and its ratios to the closed form."""
+    priced = quoted(runs, slug, wanted, compiled=False)
+    doubles = in_doubles(priced)
+    text = f"the cheapest steps are those of {best.name}, {1e3 * (best.time or 0.0):.3g} ms"
+    text += f", {(best.time or 0.0) / (priced['closed'].time or 1.0):.2g} times the closed form as the app runs it"
+    return text + (f" and {(best.time or 0.0) / (doubles.time or 1.0):.2g} times it in doubles" if doubles else "")
+
+
+def _closed(runs: Runs) -> str:
+    """Where steps are cheaper than the closed form."""
+    found: dict[str, dict[str, list[str]]] = {"as the app runs it": {}, "in doubles": {}}
+    for slug in runs:
+        for wanted in WANTED:
+            priced = quoted(runs, slug, wanted, compiled=False)
+            times = [
+                price.time or 0.0 for kind in (False, True) for price in _stepping(runs, slug, wanted, kind).values()
+            ]
+            for told, unit in (("as the app runs it", priced.get("closed")), ("in doubles", in_doubles(priced))):
+                if unit and times and min(times) < (unit.time or 0.0):
+                    found[told].setdefault(SYSTEMS[slug].name, []).append(f"{wanted:g}")
+    cheaper = {
+        how: "; ".join(f"{name} at {' and '.join(errors)}" for name, errors in where.items()) or "no system"
+        for how, where in found.items()
+    }
+    steps = "steps of some method, in Python or compiled,"
+    return " ".join(f"Cheaper than the closed form {how} are {steps} on {each}." for how, each in cheaper.items())
+
+
+def _compiling(runs: Runs) -> str:
+    """How much faster compiled steps are."""
+    ratios = []
+    for slug in runs:
+        for wanted in WANTED:
+            python, compiled = (quoted(runs, slug, wanted, kind) for kind in (False, True))
+            ratios += [(python[name].time or 0.0) / (compiled[name].time or 1.0) for name in python.keys() & compiled]
+    if not ratios:
+        return ""
+    return f"In Python the same steps take {min(ratios):.0f} to {max(ratios):.0f} times as long as compiled."
+
+
+def _stability(runs: Runs) -> Iterator[str]:
+    """What explicit methods pay where the fast part is at rest or dies at once."""
+    for slug in ("wider", "dashpot"):
+        priced = quoted(runs, slug, 1e-6, compiled=True) if slug in runs else {}
+        explicit = [priced[name] for name in EXPLICIT if name in priced]
+        implicit = [price for name, price in priced.items() if METHODS[name].solved]
+        if explicit and implicit:
+            one, other = (min(many, key=lambda price: price.evaluations or 0.0) for many in (explicit, implicit))
+            ratio = (one.evaluations or 0.0) / (other.evaluations or 1.0)
+            yield (
+                f"{SYSTEMS[slug].name}, an error of 1e-06: explicit methods need {ratio:.1g} times the evaluations of "
+                f"{other.name} ({one.name}, compiled {one.time:.2g} s, beside {1e3 * (other.time or 0.0):.2g} ms)."
+            )
+
+
+def _ringing(runs: Runs) -> Iterator[str]:
+    """Errors where the fast part should be gone at once: with one step an output, and with the first tolerances."""
+    for slug in ("midpoint", "newmark", "gauss4", "radau", "bdf"):
+        good = [run for run in runs.get("dashpot", ()) if run.method == slug and not run.compiled and not run.failure]
+        if good:
+            run = good[0]
+            how = f"rtol {run.setting:g}" if run.family == "adaptive" else "the fewest steps"
+            yield (
+                f"Stiff: a dashpot, {how}: {run.name} takes {run.steps} steps and has an error of {run.error:.2g}, "
+                f"and of {run.final_error:.2g} still at the end."
+            )
+
+
+def _switching(runs: Runs) -> Iterator[str]:
+    """Where LSODA goes over to the formulas for stiff equations although nothing decays."""
+    for slug, many in runs.items():
+        stiff = [run for run in many if run.method == "lsoda" and run.stiff_share > 0.5]
+        if stiff and not SYSTEMS[slug].c:
+            shares = ", ".join(f"rtol {run.setting:g}" for run in stiff)
+            yield f"{SYSTEMS[slug].name}: LSODA takes most of its steps by BDF at {shares}: a kink of its line."

@@ -1,0 +1,36 @@
+"""Compiled stepping functions give the numbers of those that Python runs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from physics.accuracy import SYSTEMS
+from physics.integrators import STEPPING
+from physics.problem import Problem, StoppedError, Watch
+from physics.solvers import METHODS
+from tests.bench.compiled import run_compiled
+
+DRIVEN = replace(SYSTEMS["near"].problem(), x_0=(1.0, -0.5), v_0=(0.2, 0.3))
+RUBBED = SYSTEMS["dashpot"].problem()
+
+
+@pytest.mark.parametrize(
+    ("method", "problem"),
+    [*((slug, DRIVEN) for slug in STEPPING), *((slug, RUBBED) for slug in ("rk4", "newmark"))],
+    ids=lambda value: value if isinstance(value, str) else "rubbed" if value.c else "driven",
+)
+def test_both_kinds_give_the_same_numbers(method: str, problem: Problem) -> None:
+    short = replace(problem, t=(1e-5 if problem.c else 1.0) * problem.t[:40])
+    for steps in (1, 7):
+        python, compiled = Watch(), Watch()
+        one, other = METHODS[method].run(short, steps, python), run_compiled(method, short, steps, compiled)
+        np.testing.assert_allclose(other.x, one.x, rtol=0, atol=1e-13 * np.max(np.abs(one.x)))
+        np.testing.assert_allclose(other.v, one.v, rtol=0, atol=1e-13 * np.max(np.abs(one.v)))
+        assert (python.steps, python.evaluations) == (compiled.steps, compiled.evaluations)
+    if method == "rk4" and not problem.c:
+        for run in (METHODS[method].run, lambda *asked: run_compiled(method, *asked)):
+            with pytest.raises(StoppedError, match="unstable step: h omega_"):
+                run(replace(problem, t=100 * problem.t), 1, Watch(bound=1e3))
