@@ -222,7 +222,7 @@ def _methods() -> dict[str, Method]:
         for name in ("RK23", "RK45", "DOP853", "Radau", "BDF", "LSODA")
     )
     compiled = (
-        Method("fortran", "DOP853 compiled (restarted at each output)", "adaptive", partial(ode, "dop853")),
+        Method("fortran", "DOP853 C (compiled, restarted at each output)", "adaptive", partial(ode, "dop853")),
         Method("adams", "VODE-Adams", "adaptive", partial(ode, "vode", method="adams")),
     )
     return {method.slug: method for method in (*without, *fixed, *chosen, *compiled)}

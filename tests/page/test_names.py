@@ -44,7 +44,8 @@ MORE: dict[str, list[dict[str, Any]]] = {
     "absorber": [{"omega": 50.0001, "tuning": "free"}],
     "forced": [{"window": 1e4}, {"omega": 0.6180339887498949 + 2e-5, "window": 2e5}],
     "accuracy": [
-        {"view": "growth", "wanted": 1.0, "hidden": []},
+        {"view": "growth", "wanted": 1.0, "hidden": [], "system": "near"},
+        {"limit": 0.01},
         {"view": "growth", "equal": "cost"},
         {"measured": MEASURED},
     ],

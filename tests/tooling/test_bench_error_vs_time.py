@@ -4,19 +4,22 @@ from __future__ import annotations
 
 import csv
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from physics.accuracy import SYSTEMS, Limits, Run, entered
+from physics.accuracy import SYSTEMS, Run, entered
 from tests.bench import error_vs_time, studies
-from tests.bench.record import record, slim
-from tests.bench.tables import price_text
+from tests.bench.findings import findings
+from tests.bench.record import recalled, record, slim
+from tests.bench.tables import _price_table, markdown
 
 
 @pytest.fixture
 def short(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Studies of two places each."""
+    """Studies of two places each, and nothing compiled."""
+    monkeypatch.setattr("tests.bench.compiled.compiled_methods", lambda systems: [])
     for name, value in (("LENGTHS", (5, 10)), ("STEPPING", ("rk4",)), ("TOLERANCES", {"lsoda": 1e-6})):
         monkeypatch.setattr(studies, name, value)
     monkeypatch.setattr(studies, "NEIGHBOURS", (1.0,))
@@ -45,16 +48,51 @@ def test_what_is_recorded_comes_back(tmp_path: Path) -> None:
         system="benign", method="rk45", setting=3.2e-5, time=0.123456, error=1.23456e-7, error_growth=(0.0, 1.23e-9)
     )
     back = decoded_run(json.loads(json.dumps(slim(run))))
-    assert (back.setting, back.time, back.error, back.error_growth) == (3.2e-5, 0.1235, 1.235e-07, (0.0, 1.2e-9))
-    report = error_vs_time.Report({"date": "x"}, {"benign": [run]}, [run], {"ratio": {"x": [1.0]}}, [])
-    record(tmp_path, report.about, Limits(), report)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["benign.json", "digits.json", "length.json"]
+    assert (back.setting, back.time, back.error, back.error_growth) == (3.2e-5, 0.1235, 1.23456e-07, (0.0, 1.2e-9))
+    near = replace(run, error=0.0010004123456, mode_errors=(1e-9, 0.0010004123456))
+    assert decoded_run(json.loads(json.dumps(slim(near)))).error == 0.0010004123, "what misses a column still does"
+    runs = {slug: [replace(run, system=slug)] for slug in SYSTEMS}
+    report = error_vs_time.Report({"date": "x"}, 1.0, runs, [run], {"ratio": {"x": [1.0]}}, [])
+    record(tmp_path, report)
+    names = [*SYSTEMS, "digits", "length"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(f"{name}.json" for name in names)
+    assert recalled(tmp_path).runs["beats"] == [replace(back, system="beats")]
 
 
-def test_what_a_price_says() -> None:
-    from physics.price import Price
+def test_a_second_benchmark_stands_beside_the_first_and_marks_what_differs() -> None:
+    """Ratios to the closed form count, not times: what is slower as a whole has not changed."""
+    closed = Run(system="benign", method="closed", setting=0, time=1e-3, error=1e-16, evaluations=1001)
+    rk4 = Run(system="benign", method="rk4", setting=9, time=1e-2, error=1e-7, evaluations=36000)
+    first = error_vs_time.Report({"date": "x"}, 1.0, {"benign": [closed, rk4]}, [], {}, [])
+    for slower, told in ((1.25, "10 (12.5)"), (1.5, "10 (15) ‡"), (0.7, "10 (7) ‡")):
+        second = {"benign": [replace(closed, time=2e-3), replace(rk4, time=2e-2 * slower)]}
+        rows = _price_table(error_vs_time.twice(first, second).runs["benign"], 1e-6)
+        assert f"| RK4 | 3.6e+04 | 10 ms | {told} |" in rows[3]
+    assert "| RK4 | 3.6e+04 | 10 ms | 10 |" in _price_table(first.runs["benign"], 1e-6)[3]
 
-    facts = {"method": "rk4", "best": 1e-5}
-    assert price_text(Price(time=0.02, evaluations=5e4, end="", repeats=False, **facts), 1e-3) == "20 ms †, × 20, 5e+04"
-    for end, told in (("time limit", "not within the time limit"), ("floor", "never"), ("", "not refined so far")):
-        assert price_text(Price(time=None, evaluations=None, end=end, **facts), 1e-3) == told
+
+def test_the_document_is_what_the_record_says() -> None:
+    report = recalled(error_vs_time.RECORDED)
+    assert (error_vs_time.ROOT / "docs/bench/error_vs_time.md").read_text(encoding="utf-8") == markdown(report)
+    assert all(0.0 < run.time < 2 * report.seconds for many in report.runs.values() for run in many if run.time)
+
+
+def test_findings_are_read_off_the_runs() -> None:
+    def run(method: str, time: float, compiled: bool = False, **facts: float) -> Run:
+        told = {"error": 1e-10, "evaluations": 1000, **facts}
+        return Run(system="wider", method=method, setting=1, compiled=compiled, time=time, **told)  # type: ignore[arg-type]
+
+    runs = [run("closed", 2e-3), run("eigh", 1e-3), run("rk4", 1.0), run("rk4", 2e-2, True, evaluations=10**7)]
+    runs += [run("gauss4", 1e-1), run("gauss4", 1.5e-3, True), run("lsoda", 1e-1, stiff_share=0.99)]
+    said = " ".join(findings({"wider": runs}))
+    assert "as the app runs it are steps of some method, in Python or compiled, on Wide apart, 1e10 at 0.001" in said
+    assert "in doubles are steps of some method, in Python or compiled, on no system." in said
+    assert "take 50 to 67 times as long as compiled" in said
+    assert "explicit methods need 1e+04 times the evaluations of Gauss 4 (RK4, compiled 0.02 s, beside 1.5 ms)" in said
+    assert "LSODA takes most of its steps by BDF at rtol 1" in said
+
+
+def test_every_method_that_is_not_refined_further_says_why() -> None:
+    for end, told in (("time limit", "not in time"), ("floor", "never"), ("", "not refined so far")):
+        runs = [Run(system="benign", method="rk4", setting=1, time=1.0, error=1e-5, end=end)]
+        assert f"| {told}, best 1.0e-05 |" in _price_table(runs, 1e-6)[2]

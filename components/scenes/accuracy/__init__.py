@@ -31,9 +31,9 @@ from components.scenes.accuracy.data import (
 )
 from components.scenes.accuracy.measurement import SCALE, Measurement, known
 from components.scenes.accuracy.plots import name_places
-from components.scenes.accuracy.prices import PriceRow, power, price_forms, price_list, price_texts
+from components.scenes.accuracy.prices import PriceRow, power, price_forms, price_list, price_texts, time_text
 from components.scenes.accuracy.recorded import recorded, records
-from components.scenes.accuracy.sheet import VIEWS, compared_text, limit_text, paper, system_texts
+from components.scenes.accuracy.sheet import VIEWS, compared_text, paper, system_texts
 from components.scenes.accuracy.studies import (
     digits_columns,
     digits_texts,
@@ -48,6 +48,8 @@ from physics.price import LEAST
 from physics.solvers import METHODS
 
 OWN = "own"
+MIDDLE = 0.02
+"""A time in s about in the middle of the plot: what is said of an earlier one stands right of it."""
 ERROR = log_axis(LEAST, 10.0, "", 3)
 """The axis of errors, whatever of."""
 _ORIGINS = {(True, True): "both", (True, False): "here", (False, True): "before", (False, False): "none"}
@@ -156,6 +158,7 @@ class Accuracy(Scene):
                 "wanted_at": error.place(self.wanted),
                 "rounding_at": error.place(2.0**-53),
                 "limit_at": time.place(self.limit),
+                "limit_right" if self.limit < MIDDLE else "limit_left": 1.0,
                 "empty": float(not measured.here.every and not measured.before.every),
                 **_picked_scalars(picked, time, error, system),
                 **_stiff_scalars(drawn, methods, time, error),
@@ -170,7 +173,6 @@ class Accuracy(Scene):
                 **price_forms(rows, measured),
                 **{name: "shown" for name, there in self._there(rows, picked) if there},
                 "origin": _ORIGINS[bool(measured.here.every), bool(measured.before.every)],
-                "clock": self.clock,
             },
         )
 
@@ -179,6 +181,7 @@ class Accuracy(Scene):
         unsteady = any("±" in cell for _, cells in rows for cell in cells)
         cost = (self.view, self.equal) == ("growth", "cost")
         return (
+            ("compiled", self.clock == "compiled"),
             ("costs", bool(rows)),
             ("unsteady", unsteady),
             ("kept", picked is not None and bool(picked.error_growth)),
@@ -196,9 +199,9 @@ class Accuracy(Scene):
         }
 
     def _texts(self, system: System, missing: list[str]) -> dict[str, str]:
-        texts = {"wanted": power(self.wanted), **system_texts(system)}
+        texts = {"wanted": power(self.wanted), "limit": time_text(self.limit), **system_texts(system)}
         record = records(system.slug) or recorded(SCALE)
-        texts["origin"], texts["limit"] = record.origin, limit_text(self.limit, record.seconds)
+        texts["origin"], texts["recorded_limit"] = record.origin, time_text(record.seconds)
         texts["length_origin"] = recorded("length").origin
         texts["compared"] = compared_text(self.equal, self.wanted, self.cost)
         texts["missing"] = f"Not so far: {', '.join(missing)}." if missing else ""

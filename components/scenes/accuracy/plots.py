@@ -103,7 +103,14 @@ def _meanings() -> Iterable[AnyShape]:
     x, y = (var("work.left") + var("work.right")) / 2, (var("work.top") + var("work.bottom")) / 2
     return (
         text(limit, rounding - 6, "one rounding of a double, 1.1·10⁻¹⁶", **told),
-        text(limit, var("work.top") + 14, "{limit}", **told),
+        text(limit, var("work.top") + 14, "runs here stop at {limit}", show="limit_left", **told),
+        text(
+            limit + 12,
+            var("work.top") + 14,
+            "runs here stop at {limit}",
+            show="limit_right",
+            **{**told, "anchor": "start"},
+        ),
         text(
             on_x("work", var("bdf_at")) + 9,
             on_y("work", var("bdf_error")) - 7,

@@ -74,14 +74,14 @@ def _timed(price: Price | None, unit: float | None) -> tuple[str, str]:
     if price is None or price.time is None:
         return "", ""
     unsteady = "" if price.repeats is not False else " ±"
-    return f"{time_text(price.time)}{unsteady}", f"× {short(price.time / unit)}" if unit else ""
+    return f"{three(1e3 * price.time)}{unsteady}", short(price.time / unit) if unit else ""
 
 
 def price_cells(price: Price, unit: float | None, last: Run) -> tuple[str, ...]:
-    """Name, run time and its ratio to the closed form's; or why not, by the method's last run, and the best error."""
+    """Name, run time and its ratio to the closed form's; or why not, by the method's last run, and the least error."""
     name = METHODS[price.method].mark
     if price.time is None:
-        return name, _not_reached(price, last), f"best {short(float(f'{price.best:.0e}'))}"
+        return name, _not_reached(price, last), f"≥ {short(float(f'{price.best:.0e}'))}"
     return name, *_timed(price, unit)
 
 
@@ -123,9 +123,9 @@ def price_forms(rows: Sequence[PriceRow], measured: Known) -> dict[str, str]:
 
 def price_rows(phone: int) -> Block:
     """The methods in the order of what the wanted error costs with each."""
-    head = ("", "evaluations", "Python", "", "compiled", "")
+    head = [either("costs", shown=f"[mute|{name}]") for name in ("", "evaluations", "Python", "×", "compiled", "×")]
     rows = ([_cell(f"price{i}", cell) for cell in CELLS] for i in range(ROWS))
-    return table(*rows, head=head, style="tight", phone=phone)
+    return table(head, *rows, style="tight", phone=phone)
 
 
 def _cell(form: str, cell: str) -> Forms:

@@ -35,17 +35,14 @@ def _system_words() -> Block:
         "{system}",
         either(
             "origin",
-            before="All recorded, {origin}.",
-            both="**Dots: measured here, in Python.** Thin lines: recorded {origin}.",
+            before="All recorded, {origin}, each run for {recorded_limit} at the most.",
+            both="**Dots: measured here, in Python.** Thin: recorded {origin}, each run at most {recorded_limit}.",
             here="**Dots: measured here, in Python:** nothing is compiled for a motion of your own. Thin, for scale: "
             "Benign, recorded {origin}.",
             none="Run measures in Python: nothing is compiled for a motion of your own. Thin, for scale: Benign, "
             "recorded {origin}.",
         ),
-        either(
-            "clock",
-            compiled="Only methods with fixed steps are compiled; those without steps are in Python.",
-        ),
+        either("compiled", shown="Only fixed steps are compiled; what takes no steps is shown in Python."),
         style="plain",
         phone=9,
     )
@@ -54,7 +51,10 @@ def _system_words() -> Block:
 def _price_column() -> Block:
     return column(
         words(
-            either("costs", shown="**An error of {wanted} costs** [mute|run time, × closed form]"),
+            either(
+                "costs",
+                shown="**An error of {wanted} costs** [mute|evaluations; ms and × closed form, in Python and compiled]",
+            ),
             style="plain",
             phone=11,
         ),
@@ -102,13 +102,6 @@ def _drive_text(system: System) -> str:
     off = system.omega / slow - 1 if slow and not system.c else 1.0
     at = f"{short(system.omega)} rad/s" if abs(off) > 1e-3 else f"ω₋ · (1 + {power(off)})" if off else "ω₋"
     return f", driven by {power(system.F_0)} N at {at}"
-
-
-def limit_text(here: float, recorded: float) -> str:
-    """Where runs are stopped: here, and when those of the record were made."""
-    if here == recorded:
-        return f"a run is stopped at {time_text(here)}"
-    return f"a run here is stopped at {time_text(here)}, recorded ones at {time_text(recorded)}"
 
 
 def compared_text(equal: str, wanted: float, cost: float) -> str:

@@ -1,0 +1,116 @@
+"""What the accuracy scene says of methods, against the recorded runs: in Python and compiled."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import pytest
+
+from components.scenes.accuracy.measuring import LIVE
+from components.scenes.accuracy.recorded import recorded
+from physics.accuracy import PERIODS, SYSTEMS, Run
+from physics.integrators import STEPPING
+from physics.price import Price, prices
+from physics.solvers import METHODS
+from physics.stability import stable_count
+
+WANTED = (1e-3, 1e-6, 1e-9)
+both = pytest.mark.parametrize("compiled", [False, True], ids=["python", "compiled"])
+IMPLICIT = ("midpoint", "newmark", "gauss4")
+
+
+def quoted(slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
+    known = recorded(slug)
+    found = prices((known.compiled if compiled else known.runs).by_method.values(), wanted)
+    return {price.method: price for price in found if price.time is not None}
+
+
+def stepping(slug: str, wanted: float, compiled: bool) -> dict[str, float]:
+    """Evaluations of the methods with steps of their own, but for one that 1,000 restarts make better than asked."""
+    found = {name: price for name, price in quoted(slug, wanted, compiled).items() if name != "fortran"}
+    return {name: p.evaluations or 0.0 for name, p in found.items() if METHODS[name].family in ("fixed", "adaptive")}
+
+
+@both
+@pytest.mark.parametrize("slug", SYSTEMS)
+def test_stepping_pays_for_digits(slug: str, compiled: bool) -> None:
+    coarse, fine = (stepping(slug, wanted, compiled) for wanted in (1e-3, 1e-9))
+    for method in coarse.keys() & fine.keys():
+        assert fine[method] > 1.2 * coarse[method], method
+    assert {quoted(slug, wanted, False)["closed"].evaluations for wanted in WANTED} == {1001}
+
+
+@both
+def test_each_further_digit_costs_steps_on_the_benign_chain(compiled: bool) -> None:
+    many = [stepping("benign", wanted, compiled) for wanted in WANTED]
+    for one, other in pairwise(many):
+        for method in one.keys() & other.keys():
+            assert other[method] > 1.2 * one[method], method
+
+
+@both
+def test_frequencies_close_to_each_other_are_no_harder(compiled: bool) -> None:
+    beats, benign = (stepping(slug, 1e-6, compiled) for slug in ("beats", "benign"))
+    assert all(beats[method] < benign[method] for method in beats.keys() & benign.keys())
+
+
+@both
+def test_where_both_modes_swing_all_swings_are_stepped_through(compiled: bool) -> None:
+    for slug, ratio in (("wide", 2000), ("light", 1000)):
+        found = stepping(slug, 1e-3, compiled)
+        assert all(evaluations > PERIODS * ratio for evaluations in found.values())
+        for run in (recorded(slug).compiled if compiled else recorded(slug).runs).every:
+            if run.error is not None and run.error < 0.5 and METHODS[run.method].family == "fixed":
+                assert run.mode_errors[0] < run.mode_errors[1], "the fast mode is lost first"
+
+
+def test_an_explicit_method_follows_a_mode_at_rest() -> None:
+    """What stability alone asks for, and every price that was found, against Gauss 4."""
+    gauss = stepping("wider", 1e-6, False)["gauss4"]
+    problem = SYSTEMS["wider"].problem()
+    for slug, step in STEPPING.items():
+        if not step.solved and slug != "euler":
+            assert stable_count(slug, problem) * 1000 * step.evaluations > 1000 * gauss, slug
+    for compiled in (False, True):
+        found = stepping("wider", 1e-6, compiled)
+        assert all(found[slug] > 1000 * gauss for slug in found if slug in STEPPING and slug not in IMPLICIT)
+
+
+def coarsest(method: str, compiled: bool = False) -> Run:
+    known = recorded("dashpot")
+    return next(run for run in (known.compiled if compiled else known.runs).by_method[method] if run.error is not None)
+
+
+def test_long_steps_of_newmark_ring_to_the_end_and_of_radau_and_bdf_not() -> None:
+    for compiled in (False, True):
+        for method in IMPLICIT:
+            run = coarsest(method, compiled)
+            assert run.setting == 1 and run.final_error is not None and run.final_error > 0.3
+    for method in ("radau", "bdf"):
+        run = coarsest(method)
+        assert run.steps < 1000 and run.final_error is not None and run.final_error < 0.01
+
+
+@both
+@pytest.mark.parametrize("slug", SYSTEMS)
+def test_what_is_seen_at_first_has_the_best_of_each_kind(slug: str, compiled: bool) -> None:
+    """By evaluations, within a quarter: what no machine changes. Explicit and implicit are two kinds."""
+    for wanted in WANTED:
+        found = stepping(slug, wanted, compiled)
+        for family, implicit in (("fixed", False), ("fixed", True), ("adaptive", False)):
+            kind = {
+                name: cost for name, cost in found.items()
+                if METHODS[name].family == family and METHODS[name].solved == implicit
+            }  # fmt: skip
+            seen = [cost for name, cost in kind.items() if name in LIVE]
+            assert not kind or (seen and min(seen) <= 1.25 * min(kind.values())), (wanted, kind)
+
+
+@pytest.mark.parametrize("slug", SYSTEMS)
+def test_both_kinds_have_the_same_errors(slug: str) -> None:
+    known = recorded(slug)
+    python = {(run.method, run.setting): run.error for run in known.runs.every if run.error is not None}
+    pairs = [(run, python.get((run.method, run.setting))) for run in known.compiled.every if run.error is not None]
+    assert sum(error is not None for _, error in pairs) > 5
+    for run, error in pairs:
+        assert error is None or run.error == pytest.approx(error, rel=1e-3, abs=1e-11), run
