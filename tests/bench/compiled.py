@@ -15,7 +15,7 @@ import numpy as np
 
 from physics.accuracy import System, entered
 from physics.exact import Array
-from physics.integrators import FIXED_STEP, STEPPING, State, advance_of, begun, constants, exploded, right_hand_side
+from physics.integrators import FIXED_STEP, STEPPING, StepState, advance_of, begun, constants, exploded, right_hand_side
 from physics.problem import Problem, StoppedError, Trajectory, Watch, trajectory
 from physics.solvers import METHODS, Method
 
@@ -27,8 +27,8 @@ compiler = cache(numba.njit(error_model="numpy"))
 
 @numba.njit
 def through(
-    advance: Any, given: Any, steps: int, first: int, last: int, bound: float, state: State, states: Array
-) -> tuple[int, State]:
+    advance: Any, given: Any, steps: int, first: int, last: int, bound: float, state: StepState, states: Array
+) -> tuple[int, StepState]:
     """States from the output after `first` to `last`, or to the first whose displacements are out of bounds."""
     p, numbers, h = given
     for n in range(first + 1, last + 1):
@@ -41,7 +41,7 @@ def through(
 
 
 def run_compiled(method: str, problem: Problem, steps: float, watch: Watch) -> Trajectory:
-    """What physics.integrators.run_fixed does, compiled."""
+    """A run of physics.integrators.run_fixed, compiled."""
     h, state = begun(problem, steps)
     advance = advance_of(method, right_hand_side(problem), compiler)
     given = (constants(problem), STEPPING[method].numbers(problem, h), h)

@@ -1,4 +1,4 @@
-"""What the benchmark has found, in sentences whose names and numbers are read off the runs."""
+"""Findings of the benchmark, in sentences whose names and numbers are read off the runs."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def quoted(runs: Runs, slug: str, wanted: float, compiled: bool) -> dict[str, Pr
 
 
 def _stepping(runs: Runs, slug: str, wanted: float, compiled: bool) -> dict[str, Price]:
-    """Those with steps of their own."""
+    """Prices of the methods with steps of their own."""
     priced = quoted(runs, slug, wanted, compiled)
     return {name: price for name, price in priced.items() if METHODS[name].family in ("fixed", "adaptive")}
 
@@ -73,7 +73,7 @@ def _closed(runs: Runs) -> str:
 
 
 def _compiling(runs: Runs) -> str:
-    """How much faster compiled steps are."""
+    """Ratios of the times in Python and compiled."""
     ratios = []
     for slug in runs:
         for wanted in WANTED:
@@ -85,7 +85,7 @@ def _compiling(runs: Runs) -> str:
 
 
 def _stability(runs: Runs) -> Iterator[str]:
-    """What explicit methods pay where the fast part is at rest or dies at once."""
+    """The price of explicit methods where the fast part is at rest or dies at once."""
     for slug in ("wider", "dashpot"):
         priced = quoted(runs, slug, 1e-6, compiled=True) if slug in runs else {}
         explicit = [priced[name] for name in EXPLICIT if name in priced]

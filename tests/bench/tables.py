@@ -81,7 +81,7 @@ def _write_csv(path: Path, fields: list[str], rows: list[dict[str, object]]) -> 
 
 
 def markdown(report: Report) -> str:
-    """What was found; tables of the price of errors on each system, of the length of the run, and of the digits."""
+    """Findings; tables of the price of errors on each system, of the length of the run, and of the digits."""
     lines = ["# Error against run time", "", *(f"- {value}" for value in report.about.values()), ""]
     lines += ["## Found", "", *(f"- {each}" for each in findings(report.runs)), RULES]
     for slug, many in report.runs.items():
@@ -135,7 +135,7 @@ def _price_cells(
 
 
 def _units(quotes: Quotes) -> tuple[float | None, float | None]:
-    """What the closed form takes, as the app runs it and in doubles."""
+    """Run times of the closed form, as the app runs it and in doubles."""
     python = {slug: price for (slug, compiled), price in quotes.items() if not compiled}
     closed, doubles = python.get("closed"), in_doubles(python)
     return closed.time if closed else None, doubles.time if doubles else None

@@ -1,4 +1,4 @@
-"""What the accuracy scene says of methods, against the recorded runs: in Python and compiled."""
+"""Claims of the accuracy scene on methods, against the recorded runs: in Python and compiled."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_where_both_modes_swing_all_swings_are_stepped_through(compiled: bool) -
 
 
 def test_an_explicit_method_follows_a_mode_at_rest() -> None:
-    """What stability alone asks for, and every price that was found, against Gauss 4."""
+    """The steps that stability alone asks for, and every price that was found, against Gauss 4."""
     gauss = stepping("wider", 1e-6, False)["gauss4"]
     problem = SYSTEMS["wider"].problem()
     for slug, step in STEPPING.items():

@@ -79,8 +79,8 @@ def test_the_document_is_what_the_record_says() -> None:
 
 def test_findings_are_read_off_the_runs() -> None:
     def run(method: str, time: float, compiled: bool = False, **facts: float) -> Run:
-        told = {"error": 1e-10, "evaluations": 1000, **facts}
-        return Run(system="wider", method=method, setting=1, compiled=compiled, time=time, **told)  # type: ignore[arg-type]
+        told = {"error": 1e-10, "evaluations": 1000, "compiled": compiled, **facts}
+        return Run(system="wider", method=method, setting=1, time=time, **told)  # type: ignore[arg-type]
 
     runs = [run("closed", 2e-3), run("eigh", 1e-3), run("rk4", 1.0), run("rk4", 2e-2, True, evaluations=10**7)]
     runs += [run("gauss4", 1e-1), run("gauss4", 1.5e-3, True), run("lsoda", 1e-1, stiff_share=0.99)]

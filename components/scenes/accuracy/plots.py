@@ -31,9 +31,9 @@ LOOK: dict[str, dict[str, str]] = {
     "adaptive": {"tint": "ink", "width": "line", "marker": "disc"},
 }
 KEYS = (
-    phrase("adaptive", "line", "ink", formula="chooses its steps"),
-    phrase("fixed", "dash", "mute", formula="fixed steps"),
-    phrase("closed", "none", "ink", formula="● no steps"),
+    phrase("adaptive", "line", "ink", formula="chosen"),
+    phrase("fixed", "dash", "mute", formula="fixed"),
+    phrase("closed", "none", "ink", formula="● none"),
     phrase(MORE, "line", "mute", formula=f"{len(METHODS) - len(LIVE)} more"),
 )
 
@@ -47,7 +47,7 @@ def work_plot() -> Block:
         title="Error of the motion against run time, one line a method",
         curves=(*_recorded(), *_front()),
         x_column="time",
-        heading=(phrase("", "none", "ink", formula="**Error against run time**"), *KEYS),
+        heading=(phrase("", "none", "ink", formula="**Error against run time**, steps"), *KEYS),
         handles=(Handle(parameter="wanted", label="Accepted error", tint="mute", axis="y"),),
         marks=(
             Mark(at="wanted_at", label="accepted error", axis="y"),
@@ -203,7 +203,9 @@ def growth_plot(of: str, title: str, form: str) -> Block:
         title=title,
         curves=curves,
         x_column="period",
-        heading=(phrase("", "none", "ink", formula=f"**{title}**"), *(KEYS if of == "error_growth" else ())),
+        heading=(phrase("", "none", "ink", formula=f"**{title}**, steps"), *KEYS)
+        if of == "error_growth"
+        else (phrase("", "none", "ink", formula=f"**{title}**"),),
         room=Room(54, 140),
         phone=10,
         height=300,

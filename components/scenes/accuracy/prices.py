@@ -55,7 +55,7 @@ def _evaluations(*prices: Price | None) -> float | None:
 
 
 def _unit(quoted: Quoted, unit: str) -> float | None:
-    """What the closed form takes."""
+    """The run time of the closed form."""
     price = in_doubles(quoted) if unit == "doubles" else quoted.get("closed")
     return price.time if price else None
 
@@ -123,7 +123,7 @@ def price_forms(rows: Sequence[PriceRow], measured: Known) -> dict[str, str]:
 
 def price_rows(phone: int) -> Block:
     """The methods in the order of what the wanted error costs with each."""
-    head = [either("costs", shown=f"[mute|{name}]") for name in ("", "eval.", "Python", "×", "compiled", "×")]
+    head = [either("costs", shown=f"[mute|{name}]") for name in ("method", "eval.", "Python", "×", "compiled", "×")]
     rows = ([_cell(f"price{i}", cell) for cell in CELLS] for i in range(ROWS))
     return table(head, *rows, style="tight", phone=phone)
 

@@ -95,7 +95,7 @@ def system_texts(system: System) -> dict[str, str]:
 
 
 def _drive_text(system: System) -> str:
-    """What drives the motion: force and frequency, near the slow one by how far it is from it."""
+    """The drive: force and frequency, near the slow one by how far it is from it."""
     if not system.F_0:
         return ""
     slow = system.rates[0]
