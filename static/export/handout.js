@@ -1,5 +1,5 @@
-// A walk on paper: its steps with their pictures and space for the answers, then what each of them means. The walk is
-// gone through once, as a visitor would; the pages are made of what it shows.
+// A walk on paper: its steps with their pictures and space for the answers; and, printed apart, what each of them means.
+// The walk is gone through once, as a visitor would; the pages are made of what it shows.
 
 import {coveredPlots} from "../compare/cover.js"
 import {element, frame, marked} from "../core/dom.js"
@@ -12,51 +12,54 @@ import {things} from "./things.js"
 const PICTURE = 420 // units of a plot, half a page wide
 const LONGEST = 20_000 // ms that a step may take to be shown
 
-/** From the step that stands, and back to it. @param {Walk} walk */
-export async function handout(walk) {
+/** From the step that stands, and back to it. @param {Walk} walk @param {boolean} isAnswered */
+export async function handout(walk, isAnswered) {
   const {place, sheet} = walk
   const progress = element("p", {class: "offer", role: "status"})
   document.body.append(progress)
-  const questions = element("section", {}, element("h1", {}, sheet.title))
-  const answers = element("section", {class: "handout-answers"}, element("h1", {}, "Answers"))
+  const title = `${sheet.title}${isAnswered ? ": answers" : ""}`
+  const style = isAnswered ? "handout-answers" : ""
+  const section = element("section", {class: style}, element("h1", {}, title))
   try {
-    await go(walk, 0, i => {
+    await go(walk, 0, isAnswered, i => {
       progress.textContent = `Preparing the handout: step ${i + 1} of ${sheet.steps.length}.`
-      return [questions, answers]
+      return section
     })
   } finally {
     progress.remove()
     walk.go(place)
   }
-  const paper = element("div", {class: "printed handout", "data-theme": "light"}, questions, answers)
+  const paper = element("div", {class: "printed handout", "data-theme": "light"}, section)
   document.body.append(paper)
   addEventListener("afterprint", () => paper.remove(), {once: true})
   print()
 }
 
 /**
- * From a step to the last: its question, then its answer.
- * @param {Walk} walk @param {number} i @param {(i: number) => HTMLElement[]} sections
+ * From a step to the last: its question, or its answer.
+ * @param {Walk} walk @param {number} i @param {boolean} isAnswered @param {(i: number) => HTMLElement} begin
  * @returns {Promise<void>}
  */
-async function go(walk, i, sections) {
+async function go(walk, i, isAnswered, begin) {
   const {lecture} = walk
   if (!walk.sheet.steps[i]) return
   const step = walk.numbered(walk.sheet.steps[i])
-  const [questions, answers] = sections(i)
+  const section = begin(i)
   walk.go(i)
   const isAsked = () => walk.place === i && !walk.lesson && walk.card?.page === lecture.page
   await until(() => isAsked() && stands(lecture, step.opens))
   // What another view of a scene has brought takes its place first.
   await frame()
   await frame()
-  questions.append(question(walk, i + 1))
-  walk.show(true)
-  await until(() => walk.lesson && stands(lecture, step.reveals))
-  await frame()
-  await frame()
-  answers.append(answer(walk, i + 1))
-  await go(walk, i + 1, sections)
+  if (!isAnswered) section.append(question(walk, i + 1))
+  else {
+    walk.show(true)
+    await until(() => walk.lesson && stands(lecture, step.reveals))
+    await frame()
+    await frame()
+    section.append(answer(walk, i + 1))
+  }
+  await go(walk, i + 1, isAnswered, begin)
 }
 
 /** @param {() => unknown} isSo @param {number} [end] @returns {Promise<void>} */
@@ -101,7 +104,14 @@ function pictures(page, step) {
     ...stages.slice(0, 1).map(stage => stagePicture(stage, page, false)),
     ...others.filter(plot => plot.box && !plot.absent).map(plot => plotPicture(plot, false, PICTURE)),
   ]
-  return [element("div", {class: "printed-pictures"}, ...drawn.map(one => shown(one)))]
+  return [element("div", {class: "printed-pictures"}, ...drawn.map(placed))]
+}
+
+/** A picture in the size at which its labels are read. @param {import("./picture.js").Picture} picture */
+function placed(picture) {
+  const host = shown(picture)
+  host.style.setProperty("--units", String(picture.width))
+  return host
 }
 
 /** @param {Walk} walk @param {number} n */
@@ -114,7 +124,7 @@ function answer({step, lesson, card, lecture: {page}}, n) {
     {},
     marked("h2", {}, `${n}. ${taught.title}`),
     ...(card?.question.printed(taught) ?? []),
-    ...drawn.map(plot => element("div", {class: "printed-pictures"}, shown(plotPicture(plot, false, PICTURE)))),
+    ...drawn.map(plot => element("div", {class: "printed-pictures"}, placed(plotPicture(plot, false, PICTURE)))),
     why,
   )
 }

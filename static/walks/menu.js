@@ -27,7 +27,8 @@ export class Menu {
     this.file = element("input", {type: "file", accept: ".toml,text/plain"})
     this.file.addEventListener("change", () => this.#run(this.file.files?.[0]))
     this.#entry("walk-file", () => this.file.click())
-    this.#entry("handout", async () => walks.walk && (await later("export/handout")).handout(walks.walk))
+    this.#entry("handout", () => this.#print(false))
+    this.#entry("handout-answers", () => this.#print(true))
     this.#entry("ask", () => this.#ask())
     this.#entry("teach", () => walks.lecture.classes.begin())
     this.#entry("projector", () => hall.toggle())
@@ -42,6 +43,12 @@ export class Menu {
       this.close()
       act()
     })
+  }
+
+  /** @param {boolean} isAnswered */
+  async #print(isAnswered) {
+    const {walk} = this.walks
+    if (walk) (await later("export/handout")).handout(walk, isAnswered)
   }
 
   /** The tour is offered on the first visit, until a walk is entered. */
