@@ -5,6 +5,7 @@ import {browserStorage} from "../core/storage.js"
 import {later} from "../later.js"
 
 const VISITED = "visited"
+const ASK = "#ask" // of a window that is opened to write a question
 
 export class Menu {
   /** @type {Map<string, string>} the addresses of the sheets by name */
@@ -58,9 +59,11 @@ export class Menu {
     browserStorage.keep(VISITED, "yes")
   }
 
-  /** A question is asked of a scene: a step of a walk is one already. */
+  /** A question is asked of a scene: a step of a walk is one already. A hall does not see it written. */
   async #ask() {
-    if (this.walks.walk) this.walks.lecture.page.notice.tell("Leave the walk first: a question is written on a scene.")
+    const {walk, lecture} = this.walks
+    if (walk) lecture.page.notice.tell("Leave the walk first: a question is written on a scene.")
+    else if (lecture.hall.on) open(`./?${lecture.page.shown.query}${ASK}`, "_blank", "noopener")
     else (await later("walks/ask")).ask(this.walks)
   }
 
@@ -99,6 +102,9 @@ export class Menu {
   walked(isWalked) {
     this.element?.classList.toggle("walked", isWalked)
     if (isWalked && this.tour) this.tour.hidden = true
+    if (location.hash !== ASK) return
+    history.replaceState(history.state, "", location.href.replace(ASK, ""))
+    this.#ask()
   }
 
   /** The way back to a walk, in words; "" where there is none. @param {string} back */

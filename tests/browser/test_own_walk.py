@@ -213,3 +213,15 @@ def point(page: Page) -> None:
     mark = page.get_by_role("slider", name="Your mark")
     while float(mark.get_attribute("aria-valuenow") or "nan") > -0.45:
         mark.press("ArrowDown")
+
+
+def test_a_hall_does_not_see_a_question_written(page: Page, open_scene: Callable[..., Page]) -> None:
+    open_scene(page, scene="coupled", k2=3, projector="")
+    page.locator(".walks summary").click()
+    with page.expect_popup() as window:
+        page.get_by_role("button", name="Write a question").click()
+    desk = window.value
+    expect(desk.get_by_role("dialog", name="Write a question")).to_be_visible()
+    assert "k2=3" in desk.url and "projector" not in desk.url and "#ask" not in desk.url
+    expect(page.get_by_role("dialog", name="Write a question")).to_have_count(0)
+    desk.close()
