@@ -1,5 +1,5 @@
-// A walk on paper: its steps with their pictures and space for the answers; and, printed apart, what each of them means.
-// The walk is gone through once, as a visitor would; the pages are made of what it shows.
+// A walk on paper: its steps with their pictures and space for the answers; and, printed apart, what each of them
+// means. The walk is gone through once, as a visitor would; the pages are made of what it shows.
 
 import {coveredPlots} from "../compare/cover.js"
 import {element, frame, marked} from "../core/dom.js"

@@ -132,7 +132,7 @@ export class AskedPut {
     const {card, given} = this
     if (!given || card?.walk.lesson || this.following.server === this.sentTo) return
     await pause(Math.random() * SPREAD)
-    if (card === this.card && given === this.given) this.#send()
+    if (card === this.card && given === this.given && !this.following.stream.over) this.#send()
   }
 
   /** What was answered before the page was loaded anew. */

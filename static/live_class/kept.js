@@ -13,7 +13,8 @@ const AGAIN = 1000 // ms until it is sent again
 /**
  * A room, the remote control that was let in, the question that is put, the last vote on each, and when it was led.
  * @typedef {{walk: string, step: string, vote: number, isShown: boolean, isClosed: boolean}} Put
- * @typedef {page.Opened & {control?: string, put?: Put | null, last?: Record<string, number>, seen?: number}} Room
+ * @typedef {page.Opened & {control?: string, put?: Put | null, last?: Record<string, number>,
+ *   seen?: number, isLost?: boolean}} Room one that is lost is not wholly restored
  * @typedef {Record<string, page.Voted>} Answers by the names of those who gave them
  */
 
@@ -48,6 +49,7 @@ export class Kept {
 
   /** @param {Partial<page.News>} news */
   hear({question, answers}) {
+    if (this.room.isLost) return
     if (question) {
       const {walk, step, vote, lesson, closed} = question
       const put = step ? {walk, step, vote, isShown: Boolean(lesson), isClosed: closed} : null
@@ -98,6 +100,7 @@ export class Kept {
    */
   async restore(texts) {
     const {code, key, control = "", put} = this.room
+    this.save({isLost: true})
     this.save(await ask(`${code}/lead`, {method: "PUT", body: {control}, word: key}))
     const used = new Set([...this.answers.keys()].map(vote => vote.split("/")[0]).concat(put?.walk ?? []))
     const own = [...used].filter(name => name in texts)
@@ -109,6 +112,7 @@ export class Kept {
     const lost = [...this.answers.values()].flatMap(parcels)
     orders.push(...lost.map(answers => /** @type {const} */ ({type: "restore", answers})))
     await orders.reduce((done, order) => done.then(() => this.#order(order)), Promise.resolve())
+    this.save({isLost: false})
   }
 
   /** What is refused for good holds up nothing else. @param {page.Order} order @returns {Promise<void>} */
@@ -137,6 +141,7 @@ export class Kept {
     try {
       const kept = new Kept({...room, ...(await ask(`${room.code}/lead`, {word: room.key}))})
       if (!room.seen) kept.#copyAll()
+      if (room.isLost) await kept.restore(texts)
       return kept
     } catch (reason) {
       if (!(reason instanceof Refusal) || reason.passes) throw reason

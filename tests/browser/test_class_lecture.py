@@ -57,6 +57,8 @@ def choice(lecture: Page, phone: Page, screenshot: Take) -> None:
     lecture.get_by_role("button", name="Vote again").click()
     phone.wait_for_function("oscillations.asked.question.vote === 2 && oscillations.asked.card")
     phone.locator(".answers [data-option='0']").click()
+    expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
+    clicked(lecture)
     counted(lecture, "0 → 1", "1 → 0", "0 → 0")
     shown = [[row.inner_text() for row in page.locator(".answers .name").all()] for page in (lecture, phone)]
     assert shown[0] == shown[1], "one order for all"
