@@ -25,7 +25,7 @@ def walk(server: Server, new_page: Callable[..., Page]) -> Callable[..., Page]:
         page = new_page(fresh=bool(init), **options)
         if init:
             page.add_init_script(init)
-        page.goto(f"{server.url}?walk={step.split('-')[0]}&step={step}")
+        page.goto(f"{server.url}?walk={step.rpartition('-')[0]}&step={step}")
         page.wait_for_function(CARD)
         return page
 
