@@ -36,7 +36,7 @@ Looks: TypeAlias = dict[str, Any]
 """Further attributes of a shape, as its builder takes them: each kind has its own."""
 
 W, H = var("W"), var("H")
-WIDE, NARROW, LOW, T = var("wide"), var("narrow"), var("low"), var("t")
+WIDE, NARROW, LOW, HALL, T = var("wide"), var("narrow"), var("low"), var("hall"), var("t")
 
 
 def on_x(plot: str, value: Number) -> Expression:

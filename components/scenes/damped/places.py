@@ -12,7 +12,7 @@ from components.scenes.damped.case import MOST_PEAKS, DampedCase
 
 LEAST_DROP = 0.04
 """A stair is drawn where its drop is this share of the frame."""
-TICKS = (0.2, 0.4, 0.6, 0.8)
+TICKS, NAMED = (0.2, 0.4, 0.6, 0.8), (0.4, 0.8)
 
 
 def scalars_of(case: DampedCase, axes: dict[str, Axis], forces: bool) -> dict[str, float]:

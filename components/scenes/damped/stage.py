@@ -27,7 +27,7 @@ from components.layout.stage import (
     wall,
 )
 from components.scenes.damped.case import MOST_PEAKS
-from components.scenes.damped.places import STAIRS, TICKS
+from components.scenes.damped.places import NAMED, STAIRS, TICKS
 
 SQUARE = "M0 0H1V1H0Z"
 MIDDLE = WIDE * 0.52 * W + NARROW * 0.3 * W
@@ -180,7 +180,7 @@ def _circle(x0: Number, y0: Number, radius: Number) -> list[Shape]:
         inner, outer, name = ((x0 + far * x * radius, y0 - far * y * radius) for far in (0.97, 1.03, 1.12))
         found += [
             line(*inner, *outer, style="floor", tint="T", inside="roots"),
-            text(name[0], name[1] + 4, f"{zeta}", tint="T", inside="roots"),
+            text(name[0], name[1] + 4, f"{zeta}", tint="T", inside="roots", show="" if zeta in NAMED else "desk"),
         ]
     return [*found, text(x0 - 1.04 * radius, y0 - 7, "critical 1", "end", tint="T", style="halo", inside="roots")]
 

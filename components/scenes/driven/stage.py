@@ -8,12 +8,14 @@ from components.dashpot import NARROW_BELOW, apparatus
 from components.language.numbers import Number, var
 from components.language.shapes import Begin, Grab
 from components.layout.grabs import at_rest, begin, grab, linear
-from components.layout.stage import NARROW, WIDE, H, Shape, T, W, arrow, circle, line, on_x, on_y, shown_by, text
+from components.layout.stage import HALL, NARROW, WIDE, H, Shape, T, W, arrow, circle, line, on_x, on_y, shown_by, text
 
 MIDDLE = WIDE * 0.34 * W + NARROW * 0.28 * W
 LEVEL = WIDE * on_y("x", 0) + NARROW * 0.3 * H
 SCALE = WIDE * -1 * var("x.y1") + NARROW * 0.12 * H * var("per_reach")
-STROKE = (0.7 + 0.4 * var("shaken")) * (WIDE * (var("x.bottom") - var("x.top")) + NARROW * 0.34 * H)
+STROKE = (0.7 - 0.15 * HALL + (0.4 - 0.25 * HALL) * var("shaken")) * (
+    WIDE * (var("x.bottom") - var("x.top")) + NARROW * 0.34 * H
+)
 SIDE = (WIDE * 42 + NARROW * 42) * var("side")
 ASIDE = MIDDLE + 0.5 * SIDE + 48
 """Where the drive stands, beside the block."""

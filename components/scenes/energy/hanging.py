@@ -6,6 +6,7 @@ from components.language.numbers import Expression, Number, var
 from components.language.shapes import Begin
 from components.layout.grabs import at_rest, begin, linear, on_plot
 from components.layout.stage import (
+    HALL,
     NARROW,
     WIDE,
     H,
@@ -25,8 +26,8 @@ from components.layout.stage import (
     wave,
 )
 
-CENTRE = WIDE * 0.5 * W + NARROW * 0.44 * W
-HALF = WIDE * 62 + NARROW * 52
+CENTRE = WIDE * (0.5 * W + 16 * HALL) + NARROW * 0.44 * W
+HALF = WIDE * (62 - 8 * HALL) + NARROW * 52
 """The reach of the levels to either side of it."""
 STRIP, STRIP_LENGTH = 0.79 * W, 0.2 * W
 """On a phone the stage has a small x(t) of its own."""
@@ -102,7 +103,7 @@ def body() -> list[Shape]:
             grab=begin("Mass, start", linear(lambda x: height(x) + 0.5 * side, "y", "x_0", **MOVES), start=START),
         ),
         arrow(CENTRE + 46, height(0), CENTRE + 46, hook, tint="m1"),
-        text(CENTRE + 46, BOTTOM + 22, "*x* = {x} {x_unit}", "start", tint="m1", style="t2 b halo"),
+        text(CENTRE + 46 - 6 * HALL, BOTTOM + 22, "*x* = {x} {x_unit}", "start", tint="m1", style="t2 b halo"),
     ]
 
 
