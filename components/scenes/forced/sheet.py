@@ -104,7 +104,7 @@ def _heading(i: int) -> tuple[Term, ...]:
             "dash",
             "xc",
             formula=r"+\; \text{complementary}",
-            dies=r"+\; \text{complementary}",
+            dies=r"+\; \text{dying part}",
         ),
         phrase(
             f"x{i}_limit",
