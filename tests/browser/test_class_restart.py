@@ -15,6 +15,7 @@ from tests.reconnect.site import Site
 
 pytestmark = pytest.mark.browser
 
+BOTH = f"Object.keys({LED}.kept.answers.get('d31/d31-03/1')).length === 2"
 COPIED = f"{LED}.kept.answers.size && !{LED}.kept.stale.size"
 
 
@@ -55,6 +56,7 @@ def test_a_killed_server_has_the_class_again(contexts: list[BrowserContext], tmp
         lecture.wait_for_function("oscillations.walks.walk.lesson")
         expect(phone.get_by_text("Twice the pull is twice the force")).to_be_visible()
 
+        lecture.wait_for_function(BOTH)
         site.kill()  # the instructor's page is loaded anew meanwhile, and the answer had been shown
         site.start()
         lecture.reload()
