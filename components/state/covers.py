@@ -63,8 +63,8 @@ def coverable(scene: type[Scene], picture: Picture) -> set[str]:
 
 
 def checked_covers(scene: type[Scene], picture: Picture, covered: Iterable[str]) -> tuple[str, ...]:
-    """The covers; ValueError, in words, for one that covers nothing, neither in this picture nor in any other."""
-    covers = tuple(covered)
+    """The covers, each once; ValueError, in words, for one that covers nothing in any picture."""
+    covers = tuple(dict.fromkeys(covered))
     for refusal in refused_covers(scene, picture, covers).values():
         raise ValueError(refusal)
     return covers

@@ -8,15 +8,16 @@ be predicted stands there in the same way: before.k=20.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from decimal import ROUND_CEILING, ROUND_FLOOR, Context
+from decimal import ROUND_CEILING, ROUND_FLOOR, ROUND_HALF_EVEN, Context
 from urllib.parse import urlencode
 
 from msgspec.structs import replace
 
 from components.language.state import Frame, State
-from components.layout.choices import MOST_ITEMS, chosen, word
+from components.layout.choices import chosen, word
 from components.quantities.axes import Range, ordered
 from components.quantities.numbers import MINUS, excerpt, parse_number, shortest
 from components.quantities.parameters import AnyParameter, Quantity, Values
@@ -27,6 +28,7 @@ from components.state.beside import HIDDEN, holdable
 FOREIGN_KEYS = ("bokeh-", "panel-")
 PAGE_KEYS = frozenset({"theme", "projector", "walk", "step", "seed"})
 MOST_PROBLEMS = 8
+MOST_COVERS = 200
 COVER = "cover"
 FRAME, GIVEN = "frame.", Frame(given=True)
 HELD, BEFORE = "held", "before"
@@ -110,7 +112,7 @@ def step_query(step: str) -> str:
 def _frame_parts(frame: Frame) -> dict[str, str]:
     ranges = {FRAME + name: ",".join(map(shortest, _brief(span))) for name, span in frame.ranges.items()}
     sizes = {name: getattr(frame, name) for name in SIZES}
-    return ranges | {FRAME + name: shortest(float(f"{size:.{DIGITS}g}")) for name, size in sizes.items() if size}
+    return ranges | {FRAME + name: shortest(_towards(size, ROUND_HALF_EVEN)) for name, size in sizes.items() if size}
 
 
 def _brief(span: Range) -> Range:
@@ -123,7 +125,8 @@ def _brief(span: Range) -> Range:
 
 
 def _towards(value: float, way: str) -> float:
-    return float(Context(prec=DIGITS, rounding=way).create_decimal(shortest(value)))
+    brief = float(Context(prec=DIGITS, rounding=way).create_decimal(shortest(value)))
+    return brief if math.isfinite(brief) else value
 
 
 def _read_other(scene: type[Scene], key: str, given: Sequence[bytes]) -> dict[str, object]:
@@ -154,8 +157,8 @@ def _range(text: str) -> tuple[float, float]:
 
 def _read_covers(text: str) -> tuple[str, ...]:
     covers = tuple(dict.fromkeys(name for name in text.split(",") if name))
-    if len(covers) > MOST_ITEMS:
-        raise ValueError(f"{COVER}: give at most {MOST_ITEMS} names.")
+    if len(covers) > MOST_COVERS:
+        raise ValueError(f"{COVER}: give at most {MOST_COVERS} names.")
     return covers
 
 

@@ -3,6 +3,7 @@
 
 import {browserStorage} from "../core/storage.js"
 import {using} from "../later.js"
+import {blank} from "../shell/blank.js"
 import {BEGINS_NUMBER} from "../core/numbers.js"
 
 /**
@@ -143,16 +144,6 @@ function acts(event, {own}) {
 /** @param {HTMLElement} target */
 const isTyping = target =>
   target.isContentEditable || target.matches("input:not([type=range], [type=checkbox]), textarea, select")
-
-/** Black, or back from it. */
-export function blank() {
-  const there = document.querySelector(".blank")
-  if (there) return there.remove()
-  const black = document.createElement("div")
-  black.className = "blank"
-  black.addEventListener("pointerdown", () => black.remove())
-  document.body.append(black)
-}
 
 /** Menus, the equations of a step, the list of the keys; a walk is left by its own key alone. */
 function close() {

@@ -2,7 +2,7 @@
 
 import {button, chip, element} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
-import {blank} from "../input/keys.js"
+import {blank} from "../shell/blank.js"
 import {tabStorage} from "../core/storage.js"
 import {Corner} from "./corner.js"
 import {Kept} from "./kept.js"

@@ -1,5 +1,6 @@
 """Links: what differs from the default comes back; what is bad is named and the rest kept."""
 
+import sys
 from typing import Any
 from urllib.parse import parse_qs
 
@@ -9,12 +10,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from components.language.blocks import Block
-from components.language.state import Frame
+from components.language.state import Frame, State
 from components.layout.sheet import column
 from components.quantities.parameters import displacement, mass, positive, stiffness
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED
-from components.state.link import MOST_PROBLEMS, read_query
+from components.state.link import MOST_PROBLEMS, read_query, write_query
 from components.state.standing import fitted
 
 
@@ -91,9 +92,16 @@ def test_bad_parts_of_a_frame_are_named_and_good_ones_kept() -> None:
         "frame.window: The window of a frame is -3.0: it must be above 0.",
         "frame.scale: “big” is not a number: type one such as 2.5 or 1e-3.",
     ]
-    assert read_query(query("cover=" + ",".join(map(str, range(51)))), SCENES).problems == [
-        "cover: give at most 50 names."
+    assert read_query(query("cover=" + ",".join(map(str, range(201)))), SCENES).problems == [
+        "cover: give at most 200 names."
     ]
+
+
+def test_a_frame_at_the_end_of_the_doubles_is_carried() -> None:
+    largest = sys.float_info.max
+    frame = Frame(ranges={"x": (-largest, 0.0)}, speed=largest, given=True)
+    state = State(scene="first", frame=frame)
+    assert read_query(query(write_query(state, First)), SCENES).frame == frame
 
 
 def test_link_without_a_scene_is_of_the_first() -> None:

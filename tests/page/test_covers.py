@@ -47,7 +47,9 @@ def test_a_covered_plot_takes_its_motion_along() -> None:
 
 def test_a_covered_number_is_not_sent() -> None:
     page = Page(SCENES["coupled"]())
-    view = covering(page, "value:omega_minus")["view"]
+    told = covering(page, "value:omega_minus", "value:omega_minus")
+    view = told["view"]
+    assert told["state"]["covered"] == ["value:omega_minus"]
     assert "omega_minus" not in view["values"] and view["left_out"] == ["omega_minus"]
 
 
