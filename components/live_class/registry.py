@@ -44,6 +44,7 @@ MOST_OWN = 5
 TRIES = 3
 """Codes that are tried for a new room: of 500 rooms one in 1600 has the code of another."""
 NOT_OF_IT = "This is not the key of a class with this code."
+OVER = "The class is over."
 NO_PLACE = "This server has no room for another class now. Try again later."
 
 
@@ -88,7 +89,7 @@ class Registry:
         room = await self._found(code)
         if not room.parts:
             if await self.store.count(_ended(digest(key)), LIFE, 0):
-                raise ClosedError("The class is over.")
+                raise ClosedError(OVER)
             await self.store.open(code, {**_locks(key), **({CONTROL: control.encode()} if control else {})})
             room = await self._found(code)
         if not room.parts:
@@ -98,9 +99,14 @@ class Registry:
         return self._asked(room)
 
     async def followed(self, code: str, token: str) -> ClassRoom | None:
-        """The room of a follower's token; None where there is none, or the token is not of it."""
+        """The room of a follower's token; None where there is none, or the token is not of it. ClosedError where it was
+        ended."""
         room = await self._found(code)
-        return self._asked(room) if room.voter(token) else None
+        if room.voter(token):
+            return self._asked(room)
+        if not room.parts and await self.store.count(_ended(code.encode()), LIFE, 0):
+            raise ClosedError(OVER)
+        return None
 
     async def room(self, code: str) -> ClassRoom:
         """ClosedError where there is none."""
@@ -171,7 +177,8 @@ class Registry:
             case RestoreAnswers(answers=answers):
                 await self._restore(room, answers)
             case EndRoom():
-                await self.store.count(_ended(room.parts["key"]), LIFE)
+                for ended in (room.parts["key"], room.code.encode()):
+                    await self.store.count(_ended(ended), LIFE)
                 await self.store.end(room.code)
 
     async def show(self, room: ClassRoom, picture: SentPicture) -> None:
@@ -335,5 +342,6 @@ def _locks(key: str) -> Parts:
     return {"key": digest(key), "join": digest(join_key(key))}
 
 
-def _ended(kept: bytes) -> str:
-    return f"ended {kept.decode()}"
+def _ended(name: bytes) -> str:
+    """What counts the ends of a room, by its code, or by what is kept of its key."""
+    return f"ended {name.decode()}"

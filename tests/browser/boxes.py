@@ -76,7 +76,7 @@ FAULTS = r"""([least, leastIndex]) => {
   const seen = texts.filter(piece => !piece.gone)
   // Whatever is clicked through, what lies uppermost at the foot of a text is that text, or can be seen through.
   const reached = document.head.appendChild(document.createElement("style"))
-  reached.textContent = "* { pointer-events: auto !important }"
+  reached.textContent = "*:not(.pointer) { pointer-events: auto !important }"
   const isClear = colour => /^(none|transparent|rgba\(.*, 0\))$/.test(colour)
   const hides = (part, owner) => {
     if (part instanceof SVGRectElement && !isClear(style(part).fill)) return part

@@ -56,7 +56,7 @@ def test_every_scene_has_the_halls_type_and_nothing_overlaps(server: Server, pag
             found += [f"{slug} {given}, {fault}" for fault in looked_at(page, width, height)]
             under = {round(float(size[:-2]), 3) for size in page.evaluate(UNDER)}
             lines = min(height, width * 9 / 16)
-            assert under <= {round(28 * lines / 1080, 3)}
+            assert under <= {round(28 * lines / 1080, 3)}, (slug, given, width, height)
             expected = [share * lines / 1080 for share in (6, 3.5, 1.5)]
             for line in page.evaluate(LINES):
                 assert any(abs(line - one) < 0.01 for one in expected), (slug, line)

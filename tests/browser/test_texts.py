@@ -23,7 +23,7 @@ MOST = {
     "modes": 101,
     "forced": 110,
     "absorber": 93,
-    "accuracy": 100,
+    "accuracy": 180,
 }
 USUAL = 91
 PASSING = {"Drag what moves, and let it go.", "New here? Ten-minute tour"}

@@ -59,12 +59,16 @@ def _price_column() -> Block:
             phone=11,
         ),
         price_rows(phone=11),
-        words(
-            either("costs", shown="[mute|Newmark, midpoint and Gauss 4 have their linear systems solved in advance.]"),
-            either("unsteady", shown="[mute|± does not repeat within 20 %]"),
-            style="plain",
-            phone=12,
+        desk(
+            words(
+                either(
+                    "costs", shown="[mute|Newmark, midpoint and Gauss 4 have their linear systems solved in advance.]"
+                ),
+                style="plain",
+                phone=12,
+            )
         ),
+        words(either("unsteady", shown="[mute|± does not repeat within 20 %]"), style="plain", phone=12),
         desk(
             words(
                 either(
@@ -75,7 +79,7 @@ def _price_column() -> Block:
                 phone=13,
             )
         ),
-        picked_plot(),
+        desk(picked_plot()),
         basis=400,
         grow=0,
     )
