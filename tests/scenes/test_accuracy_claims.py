@@ -34,9 +34,13 @@ def stepping(slug: str, wanted: float, compiled: bool) -> dict[str, float]:
 @both
 @pytest.mark.parametrize("slug", SYSTEMS)
 def test_stepping_pays_for_digits(slug: str, compiled: bool) -> None:
+    """But where the fewest stable steps are good enough as they are."""
     coarse, fine = (stepping(slug, wanted, compiled) for wanted in (1e-3, 1e-9))
     for method in coarse.keys() & fine.keys():
-        assert fine[method] > 1.2 * coarse[method], method
+        known = recorded(slug)
+        runs = (known.compiled if compiled else known.runs).by_method[method]
+        first = next(run for run in runs if run.error is not None)
+        assert fine[method] > 1.2 * coarse[method] or (first.error or 0.0) < 1e-9, method
     assert {quoted(slug, wanted, False)["closed"].evaluations for wanted in WANTED} == {1001}
 
 
@@ -94,9 +98,11 @@ def test_long_steps_of_newmark_ring_to_the_end_and_of_radau_and_bdf_not() -> Non
 @both
 @pytest.mark.parametrize("slug", SYSTEMS)
 def test_what_is_seen_at_first_has_the_best_of_each_kind(slug: str, compiled: bool) -> None:
-    """By evaluations, within a quarter: what no machine changes. Explicit and implicit are two kinds."""
+    """By evaluations, within a quarter: what no machine changes. Explicit and implicit are two kinds; what costs ten
+    times the best of all wins nowhere."""
     for wanted in WANTED:
         found = stepping(slug, wanted, compiled)
+        found = {name: cost for name, cost in found.items() if cost < 10 * min(found.values())}
         for family, implicit in (("fixed", False), ("fixed", True), ("adaptive", False)):
             kind = {
                 name: cost for name, cost in found.items()
