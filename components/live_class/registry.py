@@ -343,5 +343,5 @@ def _locks(key: str) -> Parts:
 
 
 def _ended(name: bytes) -> str:
-    """What counts the ends of a room, by its code, or by what is kept of its key."""
+    """The name under which the end of a room is counted: by its code, or by the digest of its key."""
     return f"ended {name.decode()}"
