@@ -112,10 +112,10 @@ def _meanings() -> Iterable[AnyShape]:
             **{**told, "anchor": "start"},
         ),
         text(
-            on_x("work", var("bdf_at")) + 9,
+            on_x("work", var("bdf_at")) - 9,
             on_y("work", var("bdf_error")) - 7,
             "most steps by BDF",
-            anchor="start",
+            anchor="end",
             tint="mute",
             style="t1 halo",
             show="bdf",
