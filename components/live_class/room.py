@@ -20,8 +20,7 @@ from components.walks.walk import Walk
 SILENCE = 15.0
 """Seconds after which those who follow hear something, whatever happens."""
 ASKED = 5.0
-"""Seconds for which somebody who asks, once a second without a stream, is counted: whoever has one by then, on another
-replica, would be two."""
+"""Seconds for which somebody who asks, once a second without a stream, is counted."""
 NOTHING_PUT = PutTo()
 KINDS: dict[str, type] = {"picture": SentPicture, "clock": RunClock, "question": PutTo}
 """The parts that followers hear of."""
@@ -100,19 +99,15 @@ class ClassRoom:
         return bool(self.listeners or self.unsaved) or monotonic() - self.asked < 2 * SILENCE
 
     @property
-    def streaming(self) -> set[str]:
-        """The names of those who follow by a stream."""
-        return {listener.name for listener in self.listeners if not listener.leads}
-
-    @property
-    def asking(self) -> set[str]:
-        """The names of those who follow without a stream."""
+    def following(self) -> set[str]:
+        """The names of those who follow, by a stream or by asking."""
         late = monotonic() - ASKED
-        return {one for one, seen in self.polls.items() if seen > late} - self.streaming
+        asking = (one for one, seen in self.polls.items() if seen > late)
+        return {*(listener.name for listener in self.listeners if not listener.leads), *asking}
 
     @property
     def followers(self) -> int:
-        return len(self.streaming) + len(self.asking)
+        return len(self.following)
 
     @property
     def names(self) -> set[str]:

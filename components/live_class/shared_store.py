@@ -31,7 +31,6 @@ from components.live_class.store import (
     Hear,
     Parts,
     Store,
-    counted,
 )  # fmt: skip
 
 CHANNEL = "class"
@@ -47,7 +46,7 @@ SLICE = 500
 OF_A_ROOM_KEYS = """
 local function keys_of(code)
   local keys = {}
-  for _, kind in ipairs({'room', 'led', 'present', 'names', 'size', 'questions'}) do
+  for _, kind in ipairs({'room', 'led', 'here', 'names', 'size', 'questions'}) do
     keys[#keys + 1] = 'class:' .. kind .. ':' .. code
   end
   for _, question in ipairs(redis.call('zrange', 'class:questions:' .. code, 0, -1)) do
@@ -114,6 +113,7 @@ PRESENT = """
 local code, now, alone, replica, told, is_followed = unpack(ARGV, 1, 6)
 if redis.call('exists', KEYS[1]) == 0 then return {} end
 redis.call('hset', KEYS[2], replica, told)
+redis.call('pexpire', KEYS[2], redis.call('pttl', KEYS[1]))
 if is_followed == '1' and redis.call('pttl', KEYS[1]) < alone - math.min(alone / 10, 15000) then
   lives(code, tonumber(alone), now)
 end
@@ -188,27 +188,22 @@ class SharedStore(Store):
             names: Any = await self._redis.zrange(_questions(code), 0, -1)
             return [name.decode() for name in names]
 
-    async def present(self, code: str, replica: str, count: int, asking: Collection[str] = ()) -> int:
+    async def present(self, code: str, replica: str, names: Collection[str]) -> int:
         now = time()
-        told = msgspec.msgpack.encode((count, list(asking), now + SEEN))
         async with _asked():
-            given: list[Any] = [code, now, self._alone, replica, told, int(bool(count or asking))]
-            all_told = await self._present([_room(code), _present_at(code)], given)
-        known = [msgspec.msgpack.decode(each, type=tuple[int, list[str], float]) for each in all_told]
-        return counted((streams, names) for streams, names, until in known if until > now)
+            given: list[Any] = [code, now, self._alone, replica, _named_now(names), int(bool(names))]
+            return len(_still_named(await self._present([_room(code), _here(code)], given)))
 
     async def name(self, code: str, replica: str, names: Collection[str]) -> None:
         async with _asked():
             pipe = self._redis.pipeline()
-            pipe.hset(_names(code), replica, msgspec.msgpack.encode((time() + SEEN, list(names))))
+            pipe.hset(_names(code), replica, _named_now(names))
             pipe.pexpire(_names(code), int(2000 * SEEN))
             await pipe.execute()
 
     async def named(self, code: str) -> set[str]:
         async with _asked():
-            told: Any = await self._redis.hvals(_names(code))
-        known = [msgspec.msgpack.decode(each, type=tuple[float, list[str]]) for each in told]
-        return {name for until, names in known if until > time() for name in names}
+            return _still_named(await self._redis.hvals(_names(code)))
 
     async def count(self, name: str, seconds: float, more: int = 1) -> int:
         key = f"class:count:{name}:{int(time() // seconds)}"
@@ -278,8 +273,8 @@ def _room(code: str) -> str:
     return f"class:room:{code}"
 
 
-def _present_at(code: str) -> str:
-    return f"class:present:{code}"
+def _here(code: str) -> str:
+    return f"class:here:{code}"
 
 
 def _names(code: str) -> str:
@@ -304,6 +299,17 @@ def _flat(parts: Parts) -> list[Any]:
 
 def _named(fields: Any) -> dict[str, bytes]:
     return {name.decode(): value for name, value in fields.items()}
+
+
+def _named_now(names: Collection[str]) -> bytes:
+    """Names that a replica tells, and until when that holds."""
+    return msgspec.msgpack.encode((time() + SEEN, list(names)))
+
+
+def _still_named(told: Any) -> set[str]:
+    """All names that any replica has told of late."""
+    known = [msgspec.msgpack.decode(each, type=tuple[float, list[str]]) for each in told]
+    return {name for until, names in known if until > time() for name in names}
 
 
 def _published(code: str, parts: Parts) -> bytes:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from asyncio import Event
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from time import monotonic, time
 from typing import NamedTuple
@@ -39,13 +39,6 @@ class FullError(ValueError):
 
 OF_A_ROOM = "The server keeps no more answers of this class. Those already given are kept."
 OF_THE_STORE = "The record of live classes is full: changes do not reach everybody until a class ends."
-
-
-def counted(replicas: Iterable[tuple[int, Collection[str]]]) -> int:
-    """The number of followers, from the streams of each replica and the names of those who ask it: a phone without
-    cookies asks several, in turn, and is one."""
-    told = list(replicas)
-    return sum(streams for streams, _ in told) + len({name for _, names in told for name in names})
 
 
 class Store(ABC):
@@ -94,13 +87,12 @@ class Store(ABC):
         """The questions that have been answered, in the order of their first answers."""
 
     @abstractmethod
-    async def present(self, code: str, replica: str, count: int, asking: Collection[str] = ()) -> int:
-        """Note how many have a stream of a replica and who else asks it, and how many follow in all; they keep the room
-        alive."""
+    async def present(self, code: str, replica: str, names: Collection[str]) -> int:
+        """Note who is here at a replica, and how many are at any: a phone with two is one. They keep the room alive."""
 
     @abstractmethod
     async def name(self, code: str, replica: str, names: Collection[str]) -> None:
-        """Note who follows a replica."""
+        """Note who follows a replica, or has until a moment ago."""
 
     @abstractmethod
     async def named(self, code: str) -> set[str]:
@@ -142,7 +134,7 @@ class _Room:
     """Until when the last sign of its instructor holds."""
     ends: float
     votes: dict[str, dict[str, bytes]] = field(default_factory=dict)
-    here: dict[str, tuple[int, Collection[str], float]] = field(default_factory=dict)
+    here: dict[str, tuple[Collection[str], float]] = field(default_factory=dict)
     names: dict[str, set[str]] = field(default_factory=dict)
     size: int = 0
     """Bytes of all answers."""
@@ -232,15 +224,15 @@ class MemoryStore(Store):
     async def questions(self, code: str) -> list[str]:
         return list(self._rooms[code].votes) if code in self._rooms else []
 
-    async def present(self, code: str, replica: str, count: int, asking: Collection[str] = ()) -> int:
+    async def present(self, code: str, replica: str, names: Collection[str]) -> int:
         now = self._clock()
         if code not in self._rooms:
             return 0
         room = self._rooms[code]
-        room.here[replica] = count, asking, now + SEEN
-        if count or asking:
+        room.here[replica] = names, now + SEEN
+        if names:
             room.ends = max(room.ends, min(now + self._alone, room.led))
-        return counted((streams, names) for streams, names, until in room.here.values() if until > now)
+        return len(set().union(*(told for told, until in room.here.values() if until > now)))
 
     async def name(self, code: str, replica: str, names: Collection[str]) -> None:
         if code in self._rooms:

@@ -64,7 +64,7 @@ class Upkeep:
 
     async def _left(self, room: ClassRoom) -> None:
         """Whoever followed here is counted where they come back."""
-        await self.registry.store.present(room.code, self._replica, 0)
+        await self.registry.store.present(room.code, self._replica, ())
 
     async def _listen(self) -> None:
         back, lost = asyncio.Event(), 0.0
@@ -176,7 +176,7 @@ class Upkeep:
             await (self._restore if turn else self._save)(room)
         if turn and room.is_led:
             await self.registry.store.keep(room.code, {})
-        here = await self.registry.store.present(room.code, self._replica, len(room.streaming), room.asking)
+        here = await self.registry.store.present(room.code, self._replica, room.following)
         names = frozenset(room.names)
         if turn or names != self._named.get(room.code, frozenset()):
             await self.registry.store.name(room.code, self._replica, names)

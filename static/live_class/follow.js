@@ -164,9 +164,10 @@ function outdated() {
 /** The token that this browser keeps, or a new one. @param {string} typed @param {string} word of the QR code */
 async function entered(typed, word) {
   const code = typed.toUpperCase().replace(/[\s-]/g, "")
-  const token = mine(code)?.token
-  if (token) return {code, token}
+  const known = () => ({code, token: mine(code)?.token ?? ""})
+  if (known().token) return known()
   const found = await ask(`${encodeURIComponent(code)}/token`, {method: "POST", word})
+  if (known().token) return known() // another tab of this phone came in meanwhile: both are one
   enter(found.code, found.token)
   return found
 }

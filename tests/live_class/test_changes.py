@@ -179,13 +179,11 @@ def test_who_has_no_stream_learns_who_is_here_and_leads_as_well() -> None:
 
 
 def test_who_has_no_stream_here_is_counted_as_long_as_it_asks(monkeypatch: pytest.MonkeyPatch) -> None:
-    """It may have one elsewhere since, and would be counted twice."""
-
     async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
         room = await registry.led(code, key)
         room.polled("a follower's", leads=False)
         await upkeep._look_at(room)
-        assert await store.present(code, "another", 1) == 2
+        assert await store.present(code, "another", {"a phone"}) == 2
         monkeypatch.setattr(room_of, "monotonic", lambda: monotonic() + room_of.ASKED)
         await upkeep._look_at(room)
         assert room.here == 1 and room.names  # whose answers count for some time more
@@ -198,9 +196,9 @@ def test_who_followed_a_replica_that_ends_is_not_counted_there_any_more() -> Non
         room = await registry.led(code, key)
         room.polled("a follower's", leads=False)
         await upkeep._look_at(room)
-        assert await store.present(code, "another", 1) == 2
+        assert await store.present(code, "another", {"a phone"}) == 2
         await upkeep.end()
-        assert await store.present(code, "another", 1) == 1
+        assert await store.present(code, "another", {"a phone"}) == 1
 
     in_rooms(test)
 

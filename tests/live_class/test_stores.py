@@ -70,7 +70,7 @@ def test_a_room_ends_some_time_after_the_last_sign_of_its_instructor(on: Callabl
             assert await kept.keep(code, {})
 
         async def over() -> bool:
-            await kept.present(code, "here", 3)  # followers are no sign of the instructor
+            await kept.present(code, "here", {"one"})  # followers are no sign of the instructor
             return await kept.parts(code) == {}
 
         await until(over)
@@ -89,8 +89,8 @@ def test_a_room_that_nobody_leads_or_follows_ends_soon(on: Callable[..., None]) 
         assert await kept.rooms() == 2
 
         async def over() -> bool:
-            await kept.present(followed, "here", 1)
-            await kept.present(alone, "here", 0)
+            await kept.present(followed, "here", {"one"})
+            await kept.present(alone, "here", ())
             return await kept.parts(alone) == {}
 
         await until(over)
@@ -217,11 +217,10 @@ def test_those_present_are_counted_over_replicas(on: Callable[..., None]) -> Non
     async def test(kept: Store) -> None:
         code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
-        assert await kept.present(code, "a", 2) == 2
-        assert await kept.present(code, "b", 3) == 5
-        assert await kept.present(code, "a", 1) == 4
-        assert await kept.present(code, "a", 1, {"one", "two"}) == 6
-        assert await kept.present(code, "b", 3, {"one"}) == 6  # who asks one after the other is one
+        assert await kept.present(code, "a", ["one", "two"]) == 2
+        assert await kept.present(code, "b", ["two", "three", "four"]) == 4  # with two tabs at two replicas one is one
+        assert await kept.present(code, "a", ["one"]) == 4
+        assert await kept.present(code, "b", ()) == 1
 
     on(test)
 

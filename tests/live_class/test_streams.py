@@ -13,8 +13,9 @@ from components.live_class.follower_routes import Events
 from components.live_class.registry import Registry
 from components.live_class.store import MemoryStore
 from components.serving.server import Server
-from tests.live_class.caller import Class
-from tests.live_class.served import LECTURE, run
+from tests.live_class.caller import Class, Stream, streams_closed
+from tests.live_class.served import LECTURE, run, served
+from tests.live_class.stores import Valkey, made
 
 
 def test_what_is_told_while_a_stream_begins_is_heard(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -97,3 +98,26 @@ def test_a_room_is_kept_while_somebody_is_on_the_way(monkeypatch: pytest.MonkeyP
         assert not registry.rooms
 
     asyncio.run(test())
+
+
+def test_a_phone_whose_tabs_are_at_two_replicas_is_one_and_asleep_none(valkey: Valkey) -> None:
+    async def whole() -> None:
+        async with (
+            made("valkey", valkey.url) as store,
+            made("valkey", valkey.url) as other,
+            served(store) as (_, url),
+            served(other) as (_, second),
+            streams_closed(),
+        ):
+            lesson = await Class.open(url)
+            leader, token = await lesson.lead(), await lesson.token()
+            tabs = [await Stream(at, lesson.code, token).open() for at in (url, second)]
+            await lesson.follow(second)
+            heard = leader.heard
+            await leader.until(lambda event: event.get("here") == 2)
+            assert max(event.get("here", 0) for _, event in heard) == 2  # never three
+            await tabs[0].close()
+            await tabs[1].close()  # both are asleep
+            await leader.until(lambda event: event is heard[-1][1] and event.get("here") == 1)
+
+    asyncio.run(whole())
