@@ -162,7 +162,6 @@ clean:
 
 $(VENV)/run.stamp: requirements.txt
 	@test -n "$(PYTHON)" || { echo "Needs Python 3.11, 3.12 or 3.13 with venv: make PYTHON=/path/to/python3.12"; exit 1; }
-	@test ! -L $(VENV) || { echo "$(VENV) is a link to another's environment, which is not cleared: remove the link"; exit 1; }
 	$(PYTHON) -m venv --clear $(VENV)
 	$(INSTALL) -r requirements.txt
 	@touch $@

@@ -57,20 +57,6 @@ def copied(recipe: str = DOCKERFILE) -> list[str]:
     return [source for line in lines for source in line.split()[:-1]]
 
 
-def test_an_environment_that_is_a_link_is_not_cleared(tmp_path: Path) -> None:
-    own, other = tmp_path / "own", tmp_path / "other"
-    own.mkdir()
-    other.mkdir()
-    (other / "kept").touch()
-    (own / ".venv").symlink_to(other)
-    for name in ("Makefile", "requirements.txt"):
-        shutil.copy(ROOT / name, own)
-    plain = {name: value for name, value in os.environ.items() if name not in ("MAKEFLAGS", "VENV")}
-    command = ["make", ".venv/run.stamp", f"PYTHON={sys.executable}"]
-    made = subprocess.run(command, cwd=own, env=plain, check=False, capture_output=True, text=True)
-    assert made.returncode and ".venv is a link" in made.stdout and (other / "kept").exists()
-
-
 def test_no_test_imports_from_a_test() -> None:
     imports = re.compile(r"^(?:from|import) tests\.(?:\w+\.)*test_", re.M)
     modules = list((ROOT / "tests").rglob("*.py"))
