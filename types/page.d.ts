@@ -509,9 +509,10 @@ declare namespace page {
     word: string
   }
 
-  /** A room that another computer led, and the link of the page that it showed. */
+  /** A room that another computer led, the link of the page that it showed, and the walks from its files, by name. */
   interface TakenOver extends Opened {
     query: string
+    walks: Record<string, string>
   }
 
   /** The digits that the instructor has seen on the phone. */

@@ -219,9 +219,10 @@ class TakeOver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class TakenOver(Opened, frozen=True, kw_only=True):
-    """A room that another computer led, and the link of the page that it showed."""
+    """A room that another computer led, the link of the page that it showed, and the walks from its files, by name."""
 
     query: str
+    walks: dict[str, str]
 
 
 class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):

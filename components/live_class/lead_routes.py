@@ -46,7 +46,7 @@ class PassLead(ClassHandler):
         room = await self.outcome(self.classes.registry.led(lent.code, lent.key))
         await self.outcome(store.tell(room.code, {"deed": b'"taken"'}))
         opened = msgspec.structs.asdict(self.opened(room.code, lent.key))
-        self.reply(TakenOver(query=lent.query, **opened))
+        self.reply(TakenOver(query=lent.query, walks=room.own, **opened))
 
 
 class MovedByWord(LectureHandler):

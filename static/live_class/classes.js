@@ -5,6 +5,7 @@ import {inWords} from "../core/notes.js"
 import {tabStorage} from "../core/storage.js"
 
 const LEFT = "class-left" // where a follower is kept who looks around on their own
+const SOUGHT = "class-sought" // the case that they look for
 const LED = "class-room"
 
 export class Classes {
@@ -58,6 +59,9 @@ export class Classes {
   async #kept() {
     if (tabStorage.text(LED)) await this.begin()
     const left = tabStorage.text(LEFT)
+    const sought = /** @type {page.State | null} */ (tabStorage.value(SOUGHT))
+    tabStorage.forget(SOUGHT)
+    if (left && sought) this.lecture.open(sought)
     if (left) (await later("live_class/own")).ownWay(left, step => (this.put = step))
   }
 }

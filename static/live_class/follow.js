@@ -41,7 +41,6 @@ export class Following {
   line = {send() {}, last: 0, rests: true}
   send() {}
   take() {}
-  open() {}
   change() {}
   fit() {}
 
@@ -122,6 +121,12 @@ export class Following {
     await frame()
     await page.join().catch(error => console.warn(error))
     document.documentElement.dataset.ready = "true"
+  }
+
+  /** A case that a reply speaks of is looked at on one's own. @param {page.State} state */
+  open(state) {
+    this.bar.leave({...state, step: "", covered: []})
+    location.assign(`./?scene=${state.scene}`)
   }
 
   /** The instructor's clock; who asked for less motion sees where it was set to. */

@@ -16,7 +16,7 @@ export class Bar {
     this.within = element("span", {class: "within"})
     this.line = element("span", {})
     this.own = element("a", {class: "act", href: "./"}, "Look around on your own")
-    this.own.addEventListener("click", () => this.#leave())
+    this.own.addEventListener("click", () => this.leave())
     this.element.append(
       element("div", {}, element("div", {role: "status"}, this.state, this.line), this.within),
       this.own,
@@ -48,9 +48,10 @@ export class Bar {
     if (shown) this.own.href = `./?${shown.query}`
   }
 
-  /** The page that opens knows the way back. */
-  #leave() {
+  /** The page that opens knows the way back, and what it is to show. @param {page.State} [sought] */
+  leave(sought) {
     tabStorage.keep("class-left", this.following.code)
+    if (sought) tabStorage.keep("class-sought", sought)
   }
 
   over() {

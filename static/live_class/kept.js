@@ -4,7 +4,8 @@ import {browserStorage, tabStorage} from "../core/storage.js"
 import {Refusal, ask, pause} from "./room.js"
 
 const ROOM = "class-room"
-const GIVEN = "class-given "
+const GIVEN = "class-given"
+const WALK = "class-walk"
 const BREAK = 20 * 60000 // ms: a class that nobody leads for longer is over on any server
 const COPYING = 5000 // ms until new answers are copied
 const LONGEST = 40000 // characters of an order
@@ -28,17 +29,12 @@ export class Kept {
   /** @param {Room} room */
   constructor(room) {
     this.room = room
-    const [own, others] = [[], []].map(() => /** @type {string[]} */ ([]))
-    for (const name of given()) (name.startsWith(this.#name("")) ? own : others).push(name)
-    browserStorage.forget(...others)
+    browserStorage.forget(...copies().filter(name => name.split(" ")[1] !== room.code))
     /** @type {Map<string, Answers>} by vote, as step and number */
-    this.answers = new Map(own.map(name => [name.slice(this.#name("").length), browserStorage.value(name) ?? {}]))
+    this.answers = copied(GIVEN, room.code, name => browserStorage.value(name) ?? {})
+    /** @type {Map<string, string>} texts of walks from files that were asked, by name */
+    this.walks = copied(WALK, room.code, name => browserStorage.text(name) ?? "")
     this.save()
-  }
-
-  /** @param {string} vote */
-  #name(vote) {
-    return `${GIVEN}${this.room.code} ${vote}`
   }
 
   /** @param {Partial<Room>} [more] */
@@ -88,24 +84,25 @@ export class Kept {
     const answers = await ask(path, {word: key}).catch(() => null)
     if (answers) {
       this.answers.set(vote, answers)
-      browserStorage.keep(this.#name(vote), answers) // of too many this page alone has them
+      browserStorage.keep(copyOf(GIVEN, code, vote), answers) // of too many this page alone has them
     } else this.stale.add(vote)
     this.timer = undefined
     this.#wait()
   }
 
-  /**
-   * Opens the room anew, with all that was asked and answered in it.
-   * @param {Record<string, string>} texts of walks from files, by name
-   */
-  async restore(texts) {
+  /** A walk from a file that is asked goes along. @param {string} name @param {string} text */
+  take(name, text) {
+    this.walks.set(name, text)
+    browserStorage.keep(copyOf(WALK, this.room.code, name), text)
+  }
+
+  /** Opens the room anew, with all that was asked and answered in it. */
+  async restore() {
     const {code, key, control = "", put} = this.room
     this.save({isLost: true})
     this.save(await ask(`${code}/lead`, {method: "PUT", body: {control}, word: key}))
-    const used = new Set([...this.answers.keys()].map(vote => vote.split("/")[0]).concat(put?.walk ?? []))
-    const own = [...used].filter(name => name in texts)
     /** @type {page.Order[]} */
-    const orders = own.map(name => ({type: "walk", name, text: texts[name]}))
+    const orders = [...this.walks].map(([name, text]) => ({type: "walk", name, text}))
     if (put) orders.push({type: "put", walk: put.walk, step: put.step, vote: put.vote})
     if (put?.isClosed) orders.push({type: "close"})
     if (put?.isShown) orders.push({type: "show"})
@@ -131,24 +128,24 @@ export class Kept {
   /** The class is over. */
   forget() {
     clearTimeout(this.timer)
-    browserStorage.forget(ROOM, ...given())
+    browserStorage.forget(ROOM, ...copies())
   }
 
-  /** The class that this browser led until a moment ago, if it goes on. @param {Record<string, string>} texts */
-  static async find(texts) {
+  /** The class that this browser led until a moment ago, if it goes on. */
+  static async find() {
     const room = /** @type {Room | null} */ (browserStorage.value(ROOM))
     if (!room) return null
     try {
       const kept = new Kept({...room, ...(await ask(`${room.code}/lead`, {word: room.key}))})
       if (!room.seen) kept.#copyAll()
-      if (room.isLost) await kept.restore(texts)
+      if (room.isLost) await kept.restore()
       return kept
     } catch (reason) {
       if (!(reason instanceof Refusal) || reason.passes) throw reason
     }
     if (Date.now() - (room.seen ?? 0) > BREAK) return null
     const kept = new Kept(room)
-    return kept.restore(texts).then(
+    return kept.restore().then(
       () => kept,
       () => null,
     )
@@ -161,13 +158,28 @@ export class Kept {
  */
 export async function takeOver(code, word) {
   /** @type {page.TakenOver} */
-  const {query, ...room} = await ask(`${code}/word`, {method: "PUT", body: {word}})
+  const {query, walks, ...room} = await ask(`${code}/word`, {method: "PUT", body: {word}})
+  for (const [name, text] of Object.entries(walks)) browserStorage.keep(copyOf(WALK, room.code, name), text)
   browserStorage.keepOrSay(ROOM, room)
   tabStorage.keep(ROOM, "open") // the page that follows comes back to it by itself
   location.replace(`./?${query}`)
 }
 
-const given = () => browserStorage.names().filter(name => name.startsWith(GIVEN))
+/** The names of all that is kept here of classes, "class-given EUW5 d31/d31-03/1". */
+const copies = () => browserStorage.names().filter(name => name.startsWith(GIVEN) || name.startsWith(WALK))
+
+/** @param {string} kind @param {string} code @param {string} of a vote or walk */
+const copyOf = (kind, code, of) => `${kind} ${code} ${of}`
+
+/**
+ * What is kept of a class, by what it is of.
+ * @template Value @param {string} kind @param {string} code @param {(name: string) => Value} read
+ */
+function copied(kind, code, read) {
+  const all = copyOf(kind, code, "")
+  const own = copies().filter(name => name.startsWith(all))
+  return new Map(own.map(name => [name.slice(all.length), read(name)]))
+}
 
 /** @param {{walk: string, step: string, vote: number}} put */
 const voteOf = ({walk, step, vote}) => `${walk}/${step}/${vote}`

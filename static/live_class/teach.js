@@ -82,7 +82,7 @@ export class Teach {
   /** @returns {Promise<void>} */
   async #restore() {
     try {
-      await this.kept.restore(this.lecture.walks.texts)
+      await this.kept.restore()
     } catch (reason) {
       if (!(reason instanceof Refusal && reason.passes)) return this.#over(inWords(reason))
       await pause(AGAIN)
@@ -123,8 +123,10 @@ export class Teach {
     Object.assign(this.news, news)
     this.kept.hear(news)
     this.say()
-    if (isFirst && this.lecture.walks.walk) this.walked(this.lecture.walks.walk)
-    const {walk} = this.lecture.walks
+    const {walks} = this.lecture
+    const {walk} = walks
+    if (isFirst && walk) this.walked(walk)
+    if (isFirst) walks.lead(this.kept.walks, this.news.question)
     // By another window of the instructor's.
     if (news.question?.lesson && !wasShown && !isFirst && walk?.card && !walk.lesson && this.#isAsked(walk))
       walk.show(true)
@@ -238,7 +240,11 @@ export class Teach {
   /** The room must know a walk from a file before it can be asked of phones. @param {Walk} walk */
   async #put({sheet: {name}, step, walks: {own, texts}}) {
     const {put} = this
-    if (own.has(name) && !(await this.order({type: "walk", name, text: texts[name]}))) return
+    if (own.has(name)) {
+      const text = texts[name]
+      if (!(await this.order({type: "walk", name, text}))) return
+      this.kept.take(name, text)
+    }
     if (put === this.put) this.order({type: "put", walk: name, step: step.id, vote: this.#last(name, step.id)})
   }
 
@@ -293,7 +299,7 @@ const nameOf = walk => (walk?.step ? `${walk.sheet.name}/${walk.step.id}` : "")
 
 /** The room that this browser has the key of, or a new one. @param {LectureHost} lecture */
 export async function teach(lecture) {
-  const kept = (await Kept.find(lecture.walks.texts)) ?? new Kept(await opened())
+  const kept = (await Kept.find()) ?? new Kept(await opened())
   tabStorage.keep(LED, "open") // this tab comes back to it by itself
   return new Teach(lecture, kept)
 }

@@ -19,6 +19,9 @@ export class Walks {
    */
   left = null
 
+  /** @type {Promise<void> | null} until the step of one's own that the address names stands */
+  coming = null
+
   /** @type {Map<string, page.WalkSheet>} walks that only this session knows */
   own = new Map()
 
@@ -31,7 +34,7 @@ export class Walks {
     // A new session takes the place of one that knew these: it is told of them before anything is asked of it.
     lecture.line.before = () => Object.entries(this.texts).map(([name, text]) => ({type: "walk", name, text}))
     const {walk, step} = Object.fromEntries(new URLSearchParams(location.search))
-    if (walk in this.texts) this.#rejoin(walk, step)
+    if (walk in this.texts) this.coming = this.#rejoin(walk, step)
   }
 
   get names() {
@@ -160,10 +163,27 @@ export class Walks {
   /** A page that is loaded anew has a session that knows no walk of its own. @param {string} name @param {string} id */
   async #rejoin(name, id) {
     const refused = await this.check(name, this.texts[name])
-    const {page} = this.lecture
-    if (refused) return page.notice.tell(refused)
-    const place = this.own.get(name)?.steps.findIndex(step => step.id === id) ?? 0
-    page.notice.hide()
+    if (refused) return this.lecture.page.notice.tell(refused)
+    await this.#comeTo(name, id)
+  }
+
+  /** @param {string} name @param {string} id */
+  async #comeTo(name, id) {
+    const {steps} = await this.sheet(name)
+    this.lecture.page.notice.hide() // that there is no such walk
+    const place = steps.findIndex(step => step.id === id)
     await this.enter(name, Math.max(place, 0))
+  }
+
+  /**
+   * A page that knew nothing of it leads a class: it has the class's walks from files, and stands at the step that is
+   * asked.
+   * @param {Map<string, string>} texts by name @param {page.PutTo | null | undefined} question
+   */
+  async lead(texts, question) {
+    const others = [...texts].filter(([name]) => !(name in this.texts))
+    await Promise.all([this.coming, ...others.map(([name, text]) => this.check(name, text))])
+    if (this.walk || this.lecture.kept.step || !question?.step || !this.names.includes(question.walk)) return
+    await this.#comeTo(question.walk, question.step)
   }
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -9,34 +10,42 @@ import pytest
 from playwright.sync_api import Browser, BrowserContext, Page, expect
 
 from tests.browser.classroom import CONNECTED, LED, counted
+from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
 from tests.live_class.caller import call
 from tests.reconnect.site import Site
 
 pytestmark = pytest.mark.browser
 
-BOTH = f"Object.keys({LED}.kept.answers.get('d31/d31-03/1')).length === 2"
+BOTH = f"Object.keys({LED}.kept.answers.get('mine/pull/1')).length === 2"
 COPIED = f"{LED}.kept.answers.size && !{LED}.kept.stale.size"
+MINE = 'title = "Mine"\n[[step]]\nid = "pull"\nfrom = "d31-03"\n'
+AGAIN = 30_000
+"""Milliseconds for whoever was left alone to come back by itself."""
 
 
 @pytest.fixture
 def contexts(browser: Browser) -> Iterator[list[BrowserContext]]:
-    """The instructor's browser and a phone's, which note as errors what a lost server refuses."""
-    made = [browser.new_context(viewport={"width": width, "height": 844}, bypass_csp=True) for width in (1280, 390)]
+    """The browsers of the instructor, of a phone, and of the remote control, later that of another computer; they note
+    as errors what a lost server refuses."""
+    sizes = ((1280, 844), (390, 844), (390, 844))
+    made = [browser.new_context(viewport={"width": w, "height": h}, bypass_csp=True) for w, h in sizes]
     yield made
     for context in made:
         context.close()
 
 
+@pytest.mark.timeout(300)  # two servers are killed under four windows
 def test_a_killed_server_has_the_class_again(contexts: list[BrowserContext], tmp_path: Path) -> None:
     with Site(tmp_path) as site:
-        lecture, phone = (context.new_page() for context in contexts)
+        lecture, phone, remote = (context.new_page() for context in contexts)
         code = _begun(lecture, site)
+        _paired(lecture, remote)
         phone.goto(f"{site.url}{code}")
         phone.wait_for_function(f"{READY} && oscillations.asked.card")
         gone = call(site.url, f"/class/{code}/token", "POST").json["token"]  # a phone that leaves
         call(site.url, f"/class/{code}/now", word=gone)
-        vote = {"walk": "d31", "step": "d31-03", "option": 1}
+        vote = {"walk": "mine", "step": "pull", "option": 1}
         assert call(site.url, f"/class/{code}/answer", "PUT", vote, gone).status == 204
         lecture.wait_for_function(COPIED)
         phone.locator(".answers [data-option='0']").click()
@@ -44,31 +53,66 @@ def test_a_killed_server_has_the_class_again(contexts: list[BrowserContext], tmp
 
         site.kill()
         expect(phone.locator(".class-bar")).to_contain_text("Not connected")
+        expect(remote.locator(".class-remote p")).to_contain_text("The server does not answer")
         site.start()
-        expect(phone.locator(".class-bar")).to_contain_text("Following", timeout=30_000)
-        lecture.wait_for_function(f"{LED}.news.here === 1 && {LED}.votes.tally?.now.answered === 2", timeout=30_000)
+        expect(phone.locator(".class-bar")).to_contain_text("Following", timeout=AGAIN)
+        lecture.wait_for_function(f"{LED}.news.here === 1 && {LED}.votes.tally?.now.answered === 2", timeout=AGAIN)
         assert lecture.evaluate(f"{LED}.room.code") == code
-        lecture.wait_for_function("document.documentElement.dataset.connected === 'true'", timeout=30_000)
-        lecture.keyboard.press("PageDown")
+        lecture.wait_for_function("document.documentElement.dataset.connected === 'true'", timeout=AGAIN)
+        expect(remote.locator(".class-remote p")).to_contain_text("1 of 1", timeout=AGAIN)
+        remote.get_by_role("button", name="Show the votes").click()  # it is let in still
         counted(lecture, "1", "1", "0")
-        lecture.wait_for_timeout(500)
-        lecture.keyboard.press("PageDown")
+        remote.get_by_role("button", name="Show the answer").click()
         lecture.wait_for_function("oscillations.walks.walk.lesson")
         expect(phone.get_by_text("Twice the pull is twice the force")).to_be_visible()
 
         lecture.wait_for_function(BOTH)
-        site.kill()  # the instructor's page is loaded anew meanwhile, and the answer had been shown
+        site.kill()  # the instructor's window is closed meanwhile, and the answer had been shown
+        address = lecture.url
+        lecture.close()
         site.start()
-        lecture.reload()
-        lecture.wait_for_function(f"{LED}?.news.number && {LED}.room.code === '{code}'", timeout=30_000)
+        lecture = contexts[0].new_page()  # which knows nothing of the walk's file
+        lecture.goto(address)
+        lecture.wait_for_function(CONNECTED)
+        lecture.keyboard.press("t")
+        lecture.wait_for_function(f"{LED}?.news.number && {LED}.room.code === '{code}'", timeout=AGAIN)
         lecture.wait_for_function(f"{LED}.news.question.lesson && {LED}.votes.tally?.now.answered === 2")
+        remote.close()
+        _taken_over(lecture, contexts[2].new_page())
 
 
 def _begun(lecture: Page, site: Site) -> str:
-    """The code of a class that asks its first question."""
-    lecture.goto(f"{site.url}?walk=d31&step=d31-03")
+    """The code of a class that asks the question of a walk from a file."""
+    lecture.goto(f"{site.url}?scene=oscillator")
     lecture.wait_for_function(CONNECTED)
+    drop(lecture, "mine.toml", MINE)
+    lecture.wait_for_function("oscillations.walks.walk?.card")
     lecture.keyboard.press("t")
-    lecture.wait_for_function(f"{LED}?.news.question?.step === 'd31-03'")
+    lecture.wait_for_function(f"{LED}?.news.question?.step === 'pull'")
     code: str = lecture.evaluate(f"{LED}.room.code")
     return code
+
+
+def _paired(lecture: Page, remote: Page) -> None:
+    """A phone is let in as the remote control."""
+    lecture.keyboard.press("j")
+    with lecture.expect_response(re.compile("/tickets$")) as answer:
+        lecture.get_by_role("button", name="Remote control").click()
+    remote.goto(answer.value.json()["address"])
+    lecture.get_by_role("button", name="Yes, connect it").click()
+    remote.get_by_role("button", name="Close").click()
+    expect(lecture.get_by_role("dialog")).to_have_count(0)
+
+
+def _taken_over(lecture: Page, other: Page) -> None:
+    """Another computer leads the class, and has the walk that it never opened."""
+    other.set_viewport_size({"width": 1280, "height": 844})
+    lecture.keyboard.press("j")
+    with lecture.expect_response(re.compile("/word$")) as answer:
+        lecture.get_by_role("button", name="Another computer").click()
+    other.goto(answer.value.json()["address"])
+    expect(lecture.get_by_text("Another computer leads this class now.")).to_be_visible()
+    other.wait_for_function(f"{LED}?.news.question?.step === 'pull' && oscillations.walks.walk?.lesson")
+    assert other.evaluate("oscillations.walks.walk.sheet.name") == "mine"
+    other.wait_for_function(f"{LED}.votes.tally?.now.answered === 2")
+    expect(other.locator(".notice")).to_be_hidden()

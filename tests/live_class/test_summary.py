@@ -38,6 +38,8 @@ def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
         path, link = f"/class/{lesson.code}/word", {"query": "scene=coupled&k2=3"}
         assert (await called(url, path, "POST", link, await lesson.token())).status == 404
         leader = await lesson.lead()
+        mine = 'title = "Mine"\n[[step]]\nid = "pull"\nfrom = "d31-03"\n'
+        assert (await lesson.order("walk", name="mine", text=mine)).status == 204
         address = (await called(url, path, "POST", link, lesson.key)).json["address"]
         moved = await called(url, "/" + address.rpartition("/")[2].lower())
         word = address.rpartition("-")[2]
@@ -47,6 +49,7 @@ def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
             assert refused.status in (400, 403) and refused.json["sentence"].endswith(".")
         taken = (await called(url, path, "PUT", {"word": word})).json
         assert (taken["code"], taken["key"], taken["query"]) == (lesson.code, lesson.key, link["query"])
+        assert taken["walks"] == {"mine": mine}
         assert (await leader.until(lambda event: event.get("deed")))["deed"] == "taken"
         again = await called(url, path, "PUT", {"word": word})
         assert (again.status, again.json["sentence"]) == (403, lead_routes.NO_WORD)
