@@ -3,6 +3,7 @@
 
 import {coveredPlots} from "../compare/cover.js"
 import {element, frame, marked} from "../core/dom.js"
+import {paged} from "./pages.js"
 import {plotPicture, stagePicture} from "./picture.js"
 import {shown} from "./print.js"
 import {things} from "./things.js"
@@ -18,8 +19,7 @@ export async function handout(walk, isAnswered) {
   const progress = element("p", {class: "offer", role: "status"})
   document.body.append(progress)
   const title = `${sheet.title}${isAnswered ? ": answers" : ""}`
-  const style = isAnswered ? "handout-answers" : ""
-  const section = element("section", {class: style}, element("h1", {}, title))
+  const section = element("section", {}, element("h1", {}, title))
   try {
     await go(walk, 0, isAnswered, i => {
       progress.textContent = `Preparing the handout: step ${i + 1} of ${sheet.steps.length}.`
@@ -31,6 +31,7 @@ export async function handout(walk, isAnswered) {
   }
   const paper = element("div", {class: "printed handout", "data-theme": "light"}, section)
   document.body.append(paper)
+  paged(section)
   addEventListener("afterprint", () => paper.remove(), {once: true})
   print()
 }
@@ -78,14 +79,14 @@ const stands = ({kept, page}, {scene, step, covered}) =>
 function question({step, card, lecture: {page}}, n) {
   const head = element("h2", {}, `${n}. `, element("small", {}, step.place))
   const given = step.given ? [marked("p", {}, step.given)] : []
+  const space = card?.question.space()
   return element(
     "article",
     {},
     head,
     ...given,
     marked("p", {class: "asks"}, step.question),
-    ...pictures(page, step),
-    card?.question.space() ?? "",
+    element("div", {class: "printed-pictures"}, ...pictures(page, step), element("div", {class: "space"}, space ?? "")),
   )
 }
 
@@ -104,7 +105,7 @@ function pictures(page, step) {
     ...stages.slice(0, 1).map(stage => stagePicture(stage, page, false)),
     ...others.filter(plot => plot.box && !plot.absent).map(plot => plotPicture(plot, false, PICTURE)),
   ]
-  return [element("div", {class: "printed-pictures"}, ...drawn.map(placed))]
+  return drawn.map(placed)
 }
 
 /** A picture in the size at which its labels are read. @param {import("./picture.js").Picture} picture */

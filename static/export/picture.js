@@ -106,6 +106,18 @@ class Easel {
     this.host.remove()
     return picture
   }
+
+  /** What is drawn, without the empty paper around it. @param {string} title @returns {Picture} */
+  trimmed(title) {
+    const drawn = this.svg.getBBox()
+    const picture = this.done(title)
+    const left = Math.max(0, Math.floor(drawn.x) - EDGE)
+    const top = Math.max(0, Math.floor(drawn.y) - EDGE)
+    const width = Math.min(picture.width, Math.ceil(drawn.x + drawn.width) + EDGE) - left
+    const height = Math.min(picture.height, Math.ceil(drawn.y + drawn.height) + EDGE) - top
+    const box = `viewBox="${left} ${top} ${width} ${height}"`
+    return {svg: picture.svg.replace(/viewBox="[^"]*"/, box), width, height}
+  }
 }
 
 /**
@@ -188,7 +200,7 @@ export function stagePicture(stage, page, captioned = true) {
   drawn.append(shifted(svg("g", {}, ...seenOf(stage.svg)), stage.host, box))
   easel.y += box.height + 2 * EDGE
   if (captioned) easel.caption(page, instant(page))
-  return easel.done(page.spec.headline)
+  return captioned ? easel.done(page.spec.headline) : easel.trimmed(page.spec.headline)
 }
 
 /** The plots in the picture of a stage. @param {Stage} stage @param {PartHost} page */

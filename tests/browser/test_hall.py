@@ -169,16 +169,23 @@ def test_a_walk_is_printed_with_space_for_answers_and_apart_from_it_the_answers(
     assert min(boxes) > 100  # a view that has just come has its place before it is drawn
     assert "?" not in "".join(steps.locator("svg").all_text_contents())  # what is hidden has left no trace
     assert min(page.evaluate(POINTS)) > 6.9
-    (count,) = re.findall(rb"/Count (\d+)", page.pdf(format="A4"))
-    assert 2 <= int(count) <= 6
+    page.emulate_media(media="screen")  # where they are as wide as on paper
+    filled = page.evaluate(FILLED)
+    assert 2 <= len(filled) <= 5 and min(filled) >= 0.7 and max(filled) <= 1, filled
+    page.locator(".handout").evaluate("one => { one.remove = () => {} }")  # it is printed twice
+    page.emulate_media(media="print")
+    for paper in ("A4", "Letter"):
+        assert re.findall(rb"/Count (\d+)", page.pdf(format=paper)) == [str(len(filled)).encode()], paper
+    page.locator(".handout").evaluate("one => one.replaceWith()")
     page.emulate_media(media="screen")
-    page.evaluate("dispatchEvent(new Event('afterprint'))")
     answers = printed(page, "Print the answers of this walk")
     expect(answers).to_contain_text("the same 1.00 s")
     assert "?" not in "".join(answers.locator(".why").all_inner_texts())
     assert page.evaluate("oscillations.walks.walk.answers.of('tour-01')") is None  # nothing was answered
 
 
+FILLED = """[...document.querySelectorAll(".handout .sheet")].map(sheet => sheet.offsetHeight / 950)"""
+"""How much of each page is used."""
 POINTS = """[...document.querySelectorAll(".handout svg text")].filter(one => one.textContent.trim()).map(one =>
   parseFloat(getComputedStyle(one).fontSize) * one.ownerSVGElement.getScreenCTM().a * 0.75)"""
 """The type of the labels on paper."""

@@ -1,0 +1,57 @@
+// The pages of a handout: each step whole, on as few pages as they need, all of them used; what stands alone on a page
+// is drawn larger.
+
+import {element, unitSize} from "../core/dom.js"
+
+const HIGH = 950 // units of a page: A4 and Letter have them, upright, between margins of 12 mm
+const LARGEST = 1.6 // times the size at which labels are 7 pt
+const FINER = 0.1
+
+/** Puts what a handout has on pages. @param {HTMLElement} handout */
+export function paged(handout) {
+  const [head, ...articles] = /** @type {HTMLElement[]} */ ([...handout.children])
+  const heights = articles.map(high)
+  heights[0] += high(head)
+  const parts = packed(heights, HIGH)
+  const sheets = parts.map(([from, end]) => element("div", {class: "sheet"}, ...articles.slice(from, end)))
+  sheets[0].prepend(head)
+  handout.replaceChildren(...sheets)
+  sheets.forEach(fill)
+}
+
+/** Pictures as large as the page has room for. @param {HTMLElement} sheet */
+function fill(sheet) {
+  let size = LARGEST
+  const grow = () => sheet.style.setProperty("--grow", String(size))
+  grow()
+  while (size > 1 && high(sheet) > HIGH) {
+    size = Math.max(1, size - FINER)
+    grow()
+  }
+}
+
+/** @param {HTMLElement} part */
+const high = part => part.getBoundingClientRect().height / unitSize()
+
+/**
+ * The first and the end of what stands on each page: on as few as there can be, as evenly as they can be filled.
+ * @param {number[]} heights @param {number} most of a page @returns {[number, number][]}
+ */
+export function packed(heights, most) {
+  /** @type {{pages: [number, number][], waste: number}[]} of all from each on */
+  const best = []
+  best[heights.length] = {pages: [], waste: 0}
+  for (let from = heights.length - 1; from >= 0; from--) {
+    let used = 0
+    for (let end = from + 1; end <= heights.length; end++) {
+      used += heights[end - 1]
+      if (used > most && end > from + 1) break
+      const {pages, waste} = best[end]
+      const [count, left] = [pages.length + 1, waste + Math.max(0, most - used) ** 2]
+      const known = best[from]
+      if (!known || count < known.pages.length || (count === known.pages.length && left < known.waste))
+        best[from] = {pages: [[from, end], ...pages], waste: left}
+    }
+  }
+  return best[0].pages
+}
