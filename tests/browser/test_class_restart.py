@@ -68,15 +68,9 @@ def test_a_killed_server_has_the_class_again(contexts: list[BrowserContext], tmp
 
         lecture.wait_for_function(BOTH)
         site.kill()  # the instructor's window is closed meanwhile, and the answer had been shown
-        address = lecture.url
         lecture.close()
         site.start()
-        lecture = contexts[0].new_page()  # which knows nothing of the walk's file
-        lecture.goto(address)
-        lecture.wait_for_function(CONNECTED)
-        lecture.keyboard.press("t")
-        lecture.wait_for_function(f"{LED}?.news.number && {LED}.room.code === '{code}'", timeout=AGAIN)
-        lecture.wait_for_function(f"{LED}.news.question.lesson && {LED}.votes.tally?.now.answered === 2")
+        lecture = _opened_anew(contexts[0].new_page(), site, code)
         remote.close()
         _taken_over(lecture, contexts[2].new_page())
 
@@ -102,6 +96,16 @@ def _paired(lecture: Page, remote: Page) -> None:
     lecture.get_by_role("button", name="Yes, connect it").click()
     remote.get_by_role("button", name="Close").click()
     expect(lecture.get_by_role("dialog")).to_have_count(0)
+
+
+def _opened_anew(lecture: Page, site: Site, code: str) -> Page:
+    """Another window of the instructor's, which knows nothing of the walk's file, leads the class."""
+    lecture.goto(f"{site.url}?scene=oscillator")
+    lecture.wait_for_function(CONNECTED)
+    lecture.keyboard.press("t")
+    lecture.wait_for_function(f"{LED}?.news.number && {LED}.room.code === '{code}'", timeout=AGAIN)
+    lecture.wait_for_function(f"{LED}.news.question.lesson && {LED}.votes.tally?.now.answered === 2")
+    return lecture
 
 
 def _taken_over(lecture: Page, other: Page) -> None:
