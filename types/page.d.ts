@@ -886,7 +886,7 @@ declare namespace page {
     tint: string
   }
 
-  type Anchor = "start" | "middle" | "end"
+  type Anchor = "start" | "middle" | "end" | "beside"
 
   type Side = "left" | "right" | "top" | "bottom"
 
@@ -1104,7 +1104,8 @@ declare namespace page {
     turns: Number
   }
 
-  /** Words at a place of the stage. */
+  /** Words at a place of the stage. Words `beside` a point of the plot over which they lie stand to its right or left,
+   * clear of the lines. */
   interface Label extends Look {
     kind: "text"
     x: Number

@@ -9,7 +9,7 @@ from msgspec import Struct
 from components.language.numbers import Number
 from components.language.text import Runs
 
-Anchor: TypeAlias = Literal["start", "middle", "end"]
+Anchor: TypeAlias = Literal["start", "middle", "end", "beside"]
 Side: TypeAlias = Literal["left", "right", "top", "bottom"]
 
 
@@ -235,7 +235,8 @@ class Layers(Look, frozen=True, kw_only=True, tag="layers"):
 
 
 class Label(Look, frozen=True, kw_only=True, tag="text"):
-    """Words at a place of the stage."""
+    """Words at a place of the stage. Words `beside` a point of the plot over which they lie stand to its right or left,
+    clear of the lines."""
 
     x: Number
     y: Number

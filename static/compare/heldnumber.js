@@ -2,6 +2,7 @@
 
 import {set, svg} from "../core/dom.js"
 import {fixed} from "../core/numbers.js"
+import {moved} from "../paper/places.js"
 
 const GAP = 9 // units between a label and the number held
 
@@ -20,7 +21,7 @@ export class HeldNumber {
     this.group = svg("g", {class: tint}, this.text)
     this.group.style.display = "none"
     stage.svg.append(this.group)
-    stage.clear.labels.push({text: this.text, group: this.group, fixed: false})
+    stage.clear.labels.push({text: this.text, group: this.group, fixed: false, wishes: () => this.#wishes()})
   }
 
   /** Not where it would say the same. @param {Named} named the quantities held @param {Drawn["view"]} view */
@@ -35,34 +36,18 @@ export class HeldNumber {
     if (!isShown) return
     const after = rest.map(({kind, text}) => (kind === "value" ? (view.values[text] ?? "") : text)).join("")
     this.text.textContent = `held ${held}${after}`
-    set(this.text, this.#place())
   }
 
   /** To the right of the label, or under or over it where the stage ends or another label stands. */
-  #place() {
+  #wishes() {
     const {clear, size} = this.stage
     const {left, right, top, bottom} = clear.box(this.label)
-    const {left: start, right: end} = clear.box(this.text)
-    const y = Number(this.label.getAttribute("y"))
+    set(this.text, {x: right + GAP, y: this.label.getAttribute("y")})
+    const beside = clear.box(this.text)
     const line = bottom - top + 3
-    const beside = {x: right + GAP, y}
-    const below = {x: left, y: y + (y + line < size.H ? line : -line)}
+    const below = moved(beside, left - beside.left, bottom + line < size.H ? line : -line)
     const edge = size.narrow ? clear.room.right : size.W // nothing stands beside a stage on a phone
-    const isIn = right + GAP + end - start <= edge
-    return isIn && this.#isFree({left: right + GAP, right: right + GAP + end - start, top, bottom}) ? beside : below
-  }
-
-  /** @param {import("../paper/clear.js").Box} box */
-  #isFree(box) {
-    const {clear} = this.stage
-    const others = clear.labels.filter(({text, group}) => {
-      const isOwn = text === this.label || text === this.text || text.classList.contains("held-number")
-      return !isOwn && group.style.display === "" && text.style.display === ""
-    })
-    return !others.some(({text}) => {
-      const {left, right, top, bottom} = clear.box(text)
-      return left < box.right && box.left < right && top < box.bottom && box.top < bottom
-    })
+    return beside.right <= edge ? [beside, below] : [below]
   }
 }
 

@@ -165,6 +165,7 @@ export class Drawing {
     this.host.append(layer)
     const stage = new Stage({shapes, label: ""}, layer)
     stage.leave()
+    stage.under = this
     const [W, H] = [this.host.offsetWidth / unitSize(), this.host.offsetHeight / unitSize()]
     stage.size = {W, H, narrow: 0, wide: 1, hall: 0, desk: 1, low: 0}
     // Other plots are not in the picture: what leads there ends here.

@@ -3,10 +3,10 @@
 
 import {element} from "../core/dom.js"
 import {evaluate} from "../core/signals.js"
+import {places} from "../paper/places.js"
 
 const MOMENT = 400 // ms without a further change
 const INSTANTS = 24 // at which it is seen what is where
-const CELL = 4 // pixels
 const AIR = 6 // pixels around what is drawn
 const BESIDE = 24 // pixels beside words, or the hint is read on from them
 const CORNER = 28 // pixels of the button in the upper right corner
@@ -14,7 +14,7 @@ const OVER = 32 // pixels over the stage, where it does not stay in sight while 
 const WORDS = "Drag what moves, and let it go."
 const WRITTEN = "h1, button, label, .item > div, .head" // what stands around a stage
 
-/** @typedef {{left: number, right: number, top: number, bottom: number}} Box */
+/** @typedef {import("../paper/places.js").Box} Box */
 
 export class Hint {
   /** @type {number | undefined} */
@@ -52,11 +52,11 @@ export class Hint {
     host.append(this.element)
     this.element.hidden = false
     const over = getComputedStyle(host).position === "sticky" ? 0 : OVER
-    const taken = this.#taken(host.getBoundingClientRect(), over)
+    const taken = this.#taken(host.getBoundingClientRect())
     const to = grip.getBoundingClientRect()
     const stands = [1, 0.6].some(share => {
       if (share < 1) this.element.style.width = `${share * this.element.offsetWidth}px`
-      return this.#stand(host, taken, to)
+      return this.#stand(host, taken, to, over)
     })
     this.element.hidden = !stands
     this.aside = stands ? "" : WORDS
@@ -65,38 +65,33 @@ export class Hint {
 
   /**
    * Where the hint has room, nearest to a grip; false where it has none.
-   * @param {HTMLElement} host @param {Taken} taken @param {DOMRect} to
+   * @param {HTMLElement} host @param {Box[]} taken @param {DOMRect} to @param {number} over
    */
-  #stand(host, taken, to) {
+  #stand(host, taken, to, over) {
     const {offsetWidth: width, offsetHeight: height} = this.element
     const own = host.getBoundingClientRect()
-    const [x, y] = [to.left + to.width / 2 - own.left - width / 2, to.top + to.height / 2 - own.top - height / 2]
-    let best = null
-    let closest = Infinity
-    for (let top = -taken.over; top <= own.height - height; top += CELL) {
-      for (let left = 0; left <= own.width - width; left += CELL) {
-        const far = Math.hypot(left - x, top - y)
-        if (far >= closest || taken.any({left, right: left + width, top, bottom: top + height})) continue
-        best = {left, top}
-        closest = far
-      }
-    }
-    if (best) this.element.style.translate = `${best.left}px ${best.top}px`
-    return best !== null
+    const [x, y] = [to.left + to.width / 2 - own.left, to.top + to.height / 2 - own.top]
+    const wish = {left: x - width / 2, right: x + width / 2, top: y - height / 2, bottom: y + height / 2}
+    const room = {left: 0, right: own.width, top: -over, bottom: own.height}
+    const [place] = places([{wishes: [wish], across: Infinity, down: Infinity, room}], taken)
+    if (place) this.element.style.translate = `${place.left}px ${place.top}px`
+    return place !== null
   }
 
-  /** What is drawn or written at any instant, seen from a stage. @param {DOMRect} own @param {number} over */
-  #taken(own, over) {
+  /** What is drawn or written at any instant, seen from a stage. @param {DOMRect} own */
+  #taken(own) {
     const {page} = this
     const {view} = page.shown
-    const taken = new Taken(own.width, own.height, over)
+    /** @type {Map<string, Box>} each once */
+    const taken = new Map()
     /** @param {DOMRect} box @param {number} air over and under it @param {number} [beside] it */
     const take = ({left, right, top, bottom, width, height}, air, beside = air) => {
       if (!width && !height) return
       const [x, y] = [own.left, own.top]
-      taken.take({left: left - x - beside, right: right - x + beside, top: top - y - air, bottom: bottom - y + air})
+      const box = {left: left - x - beside, right: right - x + beside, top: top - y - air, bottom: bottom - y + air}
+      taken.set(JSON.stringify(box), box)
     }
-    taken.take({left: own.width - CORNER, right: own.width, top: 0, bottom: CORNER})
+    take(new DOMRect(own.right - CORNER, own.top, CORNER, CORNER), 0)
     const range = document.createRange()
     for (const part of page.paper.querySelectorAll(WRITTEN)) {
       range.selectNodeContents(part)
@@ -108,46 +103,6 @@ export class Hint {
       for (const part of page.paper.querySelectorAll("svg.stage > g")) take(part.getBoundingClientRect(), AIR)
     }
     page.redraw()
-    return taken
-  }
-}
-
-/** @param {number} at @param {number} most */
-const limit = (at, most) => Math.min(Math.max(at, 0), most)
-
-/** The cells of a part of the page, and of so much over it, of which something is taken. */
-class Taken {
-  /** @param {number} width @param {number} height @param {number} over */
-  constructor(width, height, over) {
-    this.over = over
-    this.across = Math.ceil(width / CELL)
-    this.down = Math.ceil((height + over) / CELL)
-    this.cells = new Uint8Array(this.across * this.down)
-  }
-
-  /** The cells that a box touches: first and last column, first and last row. @param {Box} box */
-  #within({left, right, top, bottom}) {
-    return [
-      limit(Math.floor(left / CELL), this.across),
-      limit(Math.ceil(right / CELL), this.across),
-      limit(Math.floor((top + this.over) / CELL), this.down),
-      limit(Math.ceil((bottom + this.over) / CELL), this.down),
-    ]
-  }
-
-  /** @param {Box} box */
-  take(box) {
-    const [first, last, top, bottom] = this.#within(box)
-    for (let row = top; row < bottom; row++) this.cells.fill(1, row * this.across + first, row * this.across + last)
-  }
-
-  /** Whether anything of a box is taken. @param {Box} box */
-  any(box) {
-    const [first, last, top, bottom] = this.#within(box)
-    for (let row = top; row < bottom; row++) {
-      const start = row * this.across
-      if (this.cells.subarray(start + first, start + last).includes(1)) return true
-    }
-    return false
+    return [...taken.values()]
   }
 }

@@ -1,15 +1,28 @@
-// Clearance of texts in a picture: of two that would overlap the later one moves up or down, or leaves.
+// Clearance of texts in a picture: of two that would overlap the later one moves up or down, or leaves. What stands
+// beside a point of a plot keeps off its lines too, if it can.
 
 import {surface, unitSize} from "../core/dom.js"
+import {EVERYWHERE, meet, moved, places} from "./places.js"
 
 /**
- * @typedef {{left: number, right: number, top: number, bottom: number}} Box in units
+ * @typedef {import("./places.js").Box} Box in units
  * @typedef {{spec: page.AnyShape, group: SVGElement, parts: SVGElement[]}} Drawn
+ * @typedef {{text: SVGTextElement, group: SVGElement, fixed: boolean, beside?: boolean, wishes?: () => Box[]}} Label
+ * a text; whether it belongs beside the place where it is; and the boxes in which it would stand, if not there
  */
 
 const AIR = 2 // units between texts that stand side by side
 const FAR = 2.5 // lines that a text may move
 const EDGE = 4 // units that it keeps from the edges of the paper, and may stand out of the picture
+const NEAR = 0.001 // units that are no way
+const POINT = 9 // units from a point to the text beside it
+const DROP = 0.37 // of its line, by which its middle comes to the point's height
+const OUT = 2.5 // and from the height of a point beside which it stands
+const STEPS = [0, 1, -1, 2, -2] // lines that it moves where it cannot be clear of all
+const PIECE = 8 // units of a line, which a text keeps off
+const MOST = 500 // pieces between two points, however far out one of them lies
+const OFF = 3 // units that it keeps from there
+const BASE = 0.2 // of a text's size under its base line
 
 export class Clear {
   /** @type {Map<string, {width: number, size: number}>} by style and words: all digits are of one width */
@@ -20,12 +33,23 @@ export class Clear {
   /** @type {Box[]} */
   standing = []
 
+  /** @type {Box[]} of the plot under the texts: its lines in pieces */
+  lines = []
+
+  frame = EVERYWHERE // of that plot, with the room over it and on its right
+
   /** @param {Drawn[]} shapes in the order of what matters most */
   constructor(shapes) {
+    /** @type {Label[]} */
     this.labels = shapes.flatMap(({spec, group, parts}) =>
       parts
         .filter(part => part instanceof SVGTextElement)
-        .map(text => ({text: /** @type {SVGTextElement} */ (text), group, fixed: spec.kind !== "text"})),
+        .map(text => ({
+          text: /** @type {SVGTextElement} */ (text),
+          group,
+          fixed: spec.kind !== "text",
+          beside: spec.kind === "text" && spec.anchor === "beside",
+        })),
     )
   }
 
@@ -35,12 +59,18 @@ export class Clear {
   }
 
   /**
-   * Where texts may stand, when the page has changed: on the paper, and clear of those of `under`, a drawing of the
-   * same size.
-   * @param {Element} host @param {DOMRect} picture @param {SVGSVGElement} [under]
+   * Where texts may stand, when the page has changed: on the paper, and clear of those of `under`, a plot of the same
+   * size.
+   * @param {Element} host @param {DOMRect} picture @param {Canvas} [under]
    */
   measure(host, picture, under) {
-    this.standing = under ? this.#boxes(under) : []
+    const stand = [...(under?.over.querySelectorAll("text") ?? [])].filter(({style}) => style.display === "")
+    this.standing = stand.map(text => aired(this.box(text)))
+    if (under && this.labels.some(({beside}) => beside)) {
+      const {left, top, height} = under.frame
+      this.frame = {left, right: picture.width / unitSize() + 2 * EDGE, top: 0, bottom: top + height}
+      this.lines = under.view ? piecesOf(under) : []
+    }
     const paper = surface(host)
     if (!paper) return
     const [left, right] = [paper.left, paper.right].map(x => (x - picture.left) / unitSize())
@@ -50,29 +80,74 @@ export class Clear {
   /** Once a frame. What stands in a box stays there. */
   place() {
     const shown = this.labels.filter(({group}) => group.style.display === "")
-    const fixed = shown.filter(label => label.fixed && label.text.style.display === "")
-    const kept = [...this.standing, ...fixed.map(({text}) => this.box(text))]
-    for (const {text} of shown.filter(label => !label.fixed)) {
-      const box = this.#inside(text, this.box(text))
-      const down = box.right > box.left ? way(box, kept, this.room.bottom) : 0
-      text.style.display = down === null ? "none" : ""
-      if (down === null) continue
-      if (down) text.setAttribute("y", String(Number(text.getAttribute("y")) + down))
-      kept.push({...box, top: box.top + down, bottom: box.bottom + down})
+    const boxed = shown.filter(({fixed, text}) => fixed && text.style.display === "")
+    const standing = [...this.standing, ...boxed.map(({text}) => aired(this.box(text)))]
+    for (const label of shown.filter(({fixed}) => !fixed)) {
+      const box = this.box(label.text)
+      const place = box.right > box.left ? this.#find(label, box, standing) : box
+      label.text.style.display = place ? "" : "none"
+      if (!place) continue
+      standing.push(place)
+      this.#put(label.text, place)
     }
   }
 
-  /** Where the texts of a drawing stand. @param {SVGSVGElement} drawing */
-  #boxes(drawing) {
-    return [...drawing.querySelectorAll("text")].filter(({style}) => style.display === "").map(text => this.box(text))
+  /** @param {Label} label @param {Box} box @param {Box[]} standing */
+  #find({wishes, beside}, box, standing) {
+    const line = box.bottom - box.top
+    if (!beside) {
+      const asked = (wishes?.() ?? [box]).map(aired)
+      return places([{wishes: asked, down: FAR * line, room: this.#roomOf(box)}], standing)[0]
+    }
+    return this.#beside(moved(box, POINT, DROP * line), standing)
+  }
+
+  /**
+   * Beside a point: clear of all lines, else of as many as can be.
+   * @param {Box} after it @param {Box[]} standing
+   */
+  #beside(after, standing) {
+    const {frame, lines} = this
+    const line = after.bottom - after.top
+    const before = moved(after, after.left - after.right - 2 * POINT, 0)
+    const sides = [after, before].map(aired).filter(({left, right}) => left >= frame.left && right <= frame.right)
+    const [clear] = places([{wishes: sides, down: OUT * line, room: frame}], [...standing, ...lines])
+    if (clear) return clear
+    const steps = STEPS.flatMap(step => sides.map(side => moved(side, 0, step * line)))
+    const free = steps.flatMap(wish => places([{wishes: [wish], room: frame}], standing)[0] ?? [])
+    const crossed = free.map(box => lines.filter(piece => meet(box, piece)).length)
+    return free[crossed.indexOf(Math.min(...crossed))] ?? null
+  }
+
+  /**
+   * What stands in the picture is not moved out of it: a heading is above, the transport below. What is drawn over
+   * plots below it may be, and what is wider than the paper stays.
+   * @param {Box} box
+   */
+  #roomOf(box) {
+    const {left, right, bottom} = this.room
+    const isWide = box.right - box.left > right - left - 2 * EDGE
+    return {
+      left: isWide ? -Infinity : left + EDGE - AIR / 2,
+      right: isWide ? Infinity : right - EDGE + AIR / 2,
+      top: Math.min(box.top, -EDGE),
+      bottom: box.top < bottom ? bottom + EDGE : Infinity,
+    }
   }
 
   /** Where a text stands. @param {SVGTextElement} text @returns {Box} */
   box(text) {
     const {width, size} = this.#sizeOf(text)
     const [x, y] = ["x", "y"].map(name => Number(text.getAttribute(name)))
-    const left = x - width * ({middle: 0.5, end: 1}[text.getAttribute("text-anchor") ?? ""] ?? 0)
-    return {left, right: left + width, top: y - 0.75 * size, bottom: y + 0.2 * size}
+    const left = x - width * anchored(text)
+    return {left, right: left + width, top: y - 0.75 * size, bottom: y + BASE * size}
+  }
+
+  /** @param {SVGTextElement} text @param {Box} place */
+  #put(text, {left, right, bottom}) {
+    const [x, y] = [left + AIR / 2 + (right - left - AIR) * anchored(text), bottom - BASE * this.#sizeOf(text).size]
+    for (const [name, to] of Object.entries({x, y}))
+      if (Math.abs(to - Number(text.getAttribute(name))) > NEAR) text.setAttribute(name, String(to))
   }
 
   /** @param {SVGTextElement} text */
@@ -85,34 +160,38 @@ export class Clear {
     this.#sizes.set(key, size)
     return size
   }
-
-  /** @param {SVGTextElement} text @param {Box} box */
-  #inside(text, box) {
-    const {left, right, bottom} = this.room
-    const isWide = box.right - box.left > right - left
-    const across = isWide ? 0 : Math.max(Math.min(0, right - EDGE - box.right), left + EDGE - box.left)
-    // What stands at the foot of the picture stays above the transport; what is drawn over plots below it is not moved.
-    const up = box.top < bottom ? Math.min(0, bottom + EDGE - box.bottom) : 0
-    if (across) text.setAttribute("x", String(Number(text.getAttribute("x")) + across))
-    if (up) text.setAttribute("y", String(Number(text.getAttribute("y")) + up))
-    return {left: box.left + across, right: box.right + across, top: box.top + up, bottom: box.bottom + up}
-  }
 }
 
-/**
- * How far down, or up, a box stands clear of all others; null where it does not.
- * @param {Box} box @param {Box[]} others @param {number} foot of the picture
- */
-function way(box, others, foot) {
-  const near = others.filter(({left, right}) => box.left < right + AIR && left < box.right + AIR)
-  const isClear = (/** @type {number} */ down) =>
-    !near.some(({top, bottom}) => box.top + down < bottom - 0.01 && top < box.bottom + down - 0.01)
-  if (isClear(0)) return 0
-  const most = FAR * (box.bottom - box.top)
-  const ways = near.flatMap(({top, bottom}) => [top - box.bottom, bottom - box.top])
-  // What stands in the picture is not moved out of it: a heading is above, the transport below.
-  const stays = (/** @type {number} */ down) =>
-    down < 0 ? box.top + down > -EDGE : box.bottom > foot + EDGE || box.bottom + down < foot + EDGE
-  const best = ways.filter(down => Math.abs(down) <= most && stays(down) && isClear(down))
-  return best.length ? best.reduce((one, other) => (Math.abs(other) < Math.abs(one) ? other : one)) : null
+/** The share of a text's width that stands left of its x. @param {SVGTextElement} text */
+const anchored = text => ({middle: 0.5, end: 1})[text.getAttribute("text-anchor") ?? ""] ?? 0
+
+/** @param {Box} box @returns {Box} */
+const aired = ({left, right, top, bottom}) => ({left: left - AIR / 2, right: right + AIR / 2, top, bottom})
+
+/** The lines of a plot, as far as they lie in its frame, and its points. @param {Canvas} plot @returns {Box[]} */
+function piecesOf(plot) {
+  const {left, top, width, height} = plot.frame
+  const isIn = (/** @type {Point} */ {x, y}) => x >= left && x <= left + width && y >= top && y <= top + height
+  return plot.block.curves.flatMap(curve => {
+    const {[curve.x]: xs, [curve.y]: ys} = plot.view.columns[curve.source] ?? {}
+    if (!ys?.length || plot.hidden.has(curve.group)) return []
+    const ends = Array.from(xs, (x, i) => ({x: plot.px(x), y: plot.py(ys[i])}))
+    const points = curve.width === "none" ? [] : ends.flatMap((end, i) => between(ends[i - 1] ?? end, end))
+    return [
+      ...points.filter(isIn).map(point => around(point, OFF)),
+      ...(curve.marker ? ends.filter(isIn).map(point => around(point, 2 * OFF)) : []),
+    ]
+  })
+}
+
+/** @param {Point} point @param {number} far @returns {Box} */
+const around = ({x, y}, far) => ({left: x - far, right: x + far, top: y - far, bottom: y + far})
+
+/** Points on the way from one to another, with that one. @param {Point} from @param {Point} to */
+function between(from, to) {
+  const count = Math.min(Math.ceil(Math.hypot(to.x - from.x, to.y - from.y) / PIECE), MOST) || 1
+  return Array.from({length: count}, (_, i) => {
+    const share = (i + 1) / count
+    return {x: from.x + share * (to.x - from.x), y: from.y + share * (to.y - from.y)}
+  })
 }

@@ -2,9 +2,14 @@
 
 import {toSI} from "../core/ruler.js"
 import {long, marked, set, svg, textWidth, units, unitSize, words} from "../core/dom.js"
+import {everyWhich, inLine, places} from "./places.js"
 
 const OVERHANG = 6 // a number with its unit may stand out by so much to the left before the unit goes under it
 
+const LEAST = 20 // units of a band's thickness at its name
+const ALIKE = 0.02 // the share by which a band is no thicker
+const HALF = 7 // of a line of a band's name
+const WIDER = 1.2 // its bold type, over a small text's
 const LIFT = 44 // units that a flag stands over the frame; one over another stands higher
 
 export class Labels {
@@ -23,11 +28,14 @@ export class Labels {
   }
 
   place() {
-    /** @type {Point[]} */
-    const taken = []
     this.#numbers()
     this.#nameCurves()
-    for (const {band, text} of this.bands) this.#labelBand(band, text, taken)
+    const found = places(this.bands.map(({band}) => ({wishes: this.#thickest(band)})))
+    for (const [i, {text}] of this.bands.entries()) {
+      const place = found[i]
+      text.style.display = place ? "" : "none"
+      if (place) set(text, {x: (place.left + place.right) / 2, y: (place.top + place.bottom) / 2 + 5})
+    }
   }
 
   // Numbers beside the vertical axis. They are not Bokeh's, which would move the frame, and stacked plots share a time
@@ -36,7 +44,7 @@ export class Labels {
     const {left, top, height} = this.plot.frame
     const {ticks, labels} = this.plot.y
     const last = ticks.length - 1
-    const step = everyWhich(ticks.map(tick => this.plot.py(tick)))
+    const step = everyWhich(ticks.map(tick => ({at: this.plot.py(tick), size: units("t0")})))
     this.scale.replaceChildren(
       ...(this.plot.block.plain ? [] : ticks).flatMap((tick, i) => {
         const y = this.plot.py(tick)
@@ -61,21 +69,14 @@ export class Labels {
       const isShown = column?.length && !this.plot.hidden.has(curve.group)
       text.style.display = isShown ? "" : "none"
       if (!isShown) continue
-      const y = this.plot.py(column[column.length - 1])
-      shown.push({text, y: Math.min(Math.max(y, top + 4), top + height - 2)})
+      shown.push({text, at: this.plot.py(column[column.length - 1])})
     }
     const {ghost} = this.plot
-    if (ghost && ghost.end !== null) {
-      shown.push({text: ghost.name, y: Math.min(Math.max(ghost.end, top + 4), top + height - 2)})
-    }
-    shown.sort((a, b) => a.y - b.y)
-    const gap = units("t1") + 2
-    const places = apart(
-      shown.map(one => one.y),
-      gap,
-      top + height,
-    )
-    for (const [i, {text}] of shown.entries()) set(text, {x: left + width + 7, y: places[i] + 4})
+    if (ghost && ghost.end !== null) shown.push({text: ghost.name, at: ghost.end})
+    const size = units("t1") + 2
+    const spans = shown.map(({at}) => ({at, size}))
+    const heights = inLine(spans, top + 4 - size / 2, top + height - 2 + size / 2)
+    for (const [i, {text}] of shown.entries()) set(text, {x: left + width + 7, y: heights[i] + 4})
   }
 
   /** Where a curve is drawn as its band, its name stands at the band's middle. @param {string} name */
@@ -86,48 +87,21 @@ export class Labels {
     return low?.length ? [(low[low.length - 1] + high[high.length - 1]) / 2] : undefined
   }
 
-  /**
-   * The name of a band stands where the band is thickest and no other name stands.
-   * @param {page.Region} band @param {SVGTextElement} text @param {Point[]} taken
-   */
-  #labelBand(band, text, taken) {
-    const {[band.high]: high, [band.low]: low, [band.x]: xs} = this.plot.view.columns[band.source] ?? {}
-    text.style.display = "none"
-    if (!high?.length || !low?.length) return
-    const at = (/** @type {number} */ i) => ({x: this.plot.px(xs[i]), y: this.plot.py((high[i] + low[i]) / 2)})
-    let best = -1
-    let size = 0
-    for (let i = Math.floor(high.length * 0.1); i < high.length * 0.9; i++) {
-      const thick = Math.abs(high[i] - low[i])
-      if (thick > size * 1.02 && !isTaken(at(i), taken)) [best, size] = [i, thick]
+  /** Where the name of a band would stand: where it is thickest, and thick enough. @param {page.Region} band */
+  #thickest({source, x, high: upper, low: lower, label}) {
+    const {[upper]: high, [lower]: low, [x]: xs} = this.plot.view.columns[source] ?? {}
+    const count = Math.min(high?.length ?? 0, low?.length ?? 0)
+    const half = (WIDER * textWidth(label.map(({text}) => text).join(""))) / 2
+    const wishes = []
+    for (let i = Math.floor(count * 0.1); i < count * 0.9; i++) {
+      const [top, bottom] = [this.plot.py(high[i]), this.plot.py(low[i])]
+      const [across, middle, thick] = [this.plot.px(xs[i]), (top + bottom) / 2, Math.abs(top - bottom)]
+      if (thick < LEAST) continue
+      const box = {left: across - half, right: across + half, top: middle - HALF, bottom: middle + HALF}
+      wishes.push({thick: Math.round(Math.log(thick) / ALIKE), box})
     }
-    const {y, frame} = this.plot
-    if (best < 0 || (size / (y.end - y.start)) * frame.height < 20) return
-    const place = at(best)
-    taken.push(place)
-    text.style.display = ""
-    set(text, {x: place.x, y: place.y + 5})
+    return wishes.toSorted((one, other) => other.thick - one.thick).map(({box}) => box)
   }
-}
-
-/** Where numbers would touch, every second one stands, or fewer. @param {number[]} heights */
-function everyWhich(heights) {
-  const gap = Math.min(...heights.slice(1).map((height, i) => Math.abs(height - heights[i])))
-  return Math.max(Math.ceil(units("t0") / gap), 1)
-}
-
-/** @param {Point} place @param {Point[]} taken */
-const isTaken = ({x, y}, taken) => taken.some(other => Math.abs(other.x - x) < 56 && Math.abs(other.y - y) < 14)
-
-/**
- * Heights from top to bottom, moved down as far as they would touch, and up as far as they would leave at the bottom.
- * @param {number[]} heights @param {number} gap @param {number} bottom
- */
-export function apart(heights, gap, bottom) {
-  const places = [...heights]
-  for (let i = 1; i < places.length; i++) places[i] = Math.max(places[i], places[i - 1] + gap)
-  if (!places.length || places[places.length - 1] <= bottom) return places
-  return places.map((place, i) => Math.min(place, bottom - (places.length - 1 - i) * gap))
 }
 
 export class Flags {
@@ -190,32 +164,14 @@ export class Flags {
   #spread() {
     const flags = this.marks
       .filter(({mark, flag}) => mark.axis !== "y" && flag.style.display !== "none" && !flag.hidden)
-      .map(({flag, mark, at}) => ({flag, at, half: flag.offsetWidth / unitSize() / 2 + 3, lift: mark.lift}))
-      .toSorted((a, b) => a.at - b.at)
+      .map(({flag, mark, at}) => ({flag, at, size: flag.offsetWidth / unitSize() + 6, lift: mark.lift}))
     for (const row of new Set(flags.map(flag => flag.lift))) {
       const side = flags.filter(flag => flag.lift === row)
-      const places = sideBySide(side, this.plot.host.clientWidth / unitSize())
-      for (const [i, {flag}] of side.entries()) flag.style.left = long(places[i])
+      const starts = side.map(({at, size}) => at - size / 2)
+      const ends = side.map(({at, size}) => at + size / 2)
+      const width = this.plot.host.clientWidth / unitSize()
+      const middles = inLine(side, Math.min(0, ...starts), Math.max(width, ...ends))
+      for (const [i, {flag}] of side.entries()) flag.style.left = long(middles[i])
     }
   }
-}
-
-/**
- * Middles of flags from left to right, moved right as far as they would touch; those pushed out at the right push back.
- * @param {{at: number, half: number}[]} flags where each wants to stand, and half its width @param {number} width
- */
-export function sideBySide(flags, width) {
-  const places = []
-  let end = -Infinity
-  for (const {at, half} of flags) {
-    places.push(Math.max(at, end + half))
-    end = places[places.length - 1] + half
-  }
-  const last = flags.length - 1
-  let start = places[last] > flags[last].at ? width : Infinity
-  for (let i = last; i >= 0; i--) {
-    places[i] = Math.min(places[i], start - flags[i].half)
-    start = places[i] - flags[i].half
-  }
-  return places
 }

@@ -6,6 +6,7 @@ import {element, inUnits, set, svg, textWidth, unitSize} from "../core/dom.js"
 import {Figure} from "./figure.js"
 import {Handles} from "../input/handles.js"
 import {Flags, Labels} from "./labels.js"
+import {everyWhich} from "./places.js"
 import {Reading, isOnControl} from "./reading.js"
 import {PLAIN, toOneScale} from "../core/ruler.js"
 
@@ -172,13 +173,8 @@ export class Plot {
   #abscissae() {
     const {ticks, labels} = this.x
     const last = ticks.length - 1
-    /** @param {number} i @param {number} j */
-    const touch = (i, j) =>
-      this.px(ticks[j]) - this.px(ticks[i]) < (textWidth(labels[i]) + textWidth(labels[j])) / 2 + 4
-    /** @param {number} step */
-    const fits = step => !ticks.some((_, i) => (last - i) % step === 0 && i + step <= last && touch(i, i + step))
-    let step = 1
-    if (this.box) while (!fits(step)) step++
+    const spans = ticks.map((tick, i) => ({at: this.px(tick), size: textWidth(labels[i]) + 4}))
+    const step = this.box ? everyWhich(spans) : 1
     return new Map(ticks.map((tick, i) => [tick, (last - i) % step || this.handles.cuts(i) ? "" : labels[i]]))
   }
 

@@ -80,10 +80,11 @@ export class Sheet {
     if (block.heading.length) host.append(this.#heading(block))
     const area = element("div", {class: "plot-area"})
     host.append(area)
-    this.plots.push(new Plot(block, area, this.page))
+    const plot = new Plot(block, area, this.page)
+    this.plots.push(plot)
     if (!block.shapes.length) return
     const stage = new Stage({shapes: block.shapes, label: ""}, area, this.page)
-    stage.under = this.plots[this.plots.length - 1].over
+    stage.under = plot
     this.stages.push(stage)
   }
 

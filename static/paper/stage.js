@@ -127,7 +127,9 @@ const KINDS = {
     },
   },
   text: {
-    make: s => [svg("text", {"text-anchor": s.anchor, class: "t1"}, ...words(s.words))],
+    make: s => [
+      svg("text", {"text-anchor": s.anchor === "beside" ? "start" : s.anchor, class: "t1"}, ...words(s.words)),
+    ],
     move([text], {x, y}) {
       set(text, {x, y})
     },
@@ -162,7 +164,7 @@ export function atInstant({spec, moving}, all) {
 }
 
 export class Stage {
-  /** @type {SVGSVGElement | undefined} a drawing of the same size, whose texts stand already */
+  /** @type {Canvas | undefined} a plot of the same size, whose texts stand already */
   under
 
   /** @type {(() => void) | undefined} called when there is more or less room */

@@ -2,6 +2,7 @@
 
 import {short} from "../core/numbers.js"
 import {inUnits, set, svg, unitSize} from "../core/dom.js"
+import {places} from "../paper/places.js"
 
 const R = 3.5
 const WIDTH = 280
@@ -84,7 +85,9 @@ export class Dots {
     const at = value => 8 + ((WIDTH - 16) * (value - start)) / (end - start)
     const base = HEIGHT - 18
     const line = svg("line", {x1: 0, x2: WIDTH, y1: base, y2: base, stroke: "currentColor"})
-    const ends = this.#counted(now, low, high).map(([value, words]) => label(at(value), HEIGHT - 3, words, "middle"))
+    const ends = this.#counted(now, low, high, at).map(({value, words}) =>
+      label(at(value), HEIGHT - 3, words, "middle"),
+    )
     const [below, above] = [now.filter(value => value < start), now.filter(value => value > end)].map(all => all.length)
     if (below) ends.push(label(0, TOP - 4, `← ${below} below`, "start"))
     if (above) ends.push(label(WIDTH, TOP - 4, `${above} above →`, "end"))
@@ -106,24 +109,21 @@ export class Dots {
 
   /**
    * Values with how often each was given, the most frequent first, as many as stand beside each other.
-   * @param {readonly number[]} numbers @param {number} low @param {number} high @returns {[number, string][]}
+   * @param {readonly number[]} numbers @param {number} low @param {number} high @param {(value: number) => number} at
    */
-  #counted(numbers, low, high) {
+  #counted(numbers, low, high, at) {
     /** @type {Map<number, number>} */
     const counts = new Map()
     for (const value of numbers) if (value >= low && value <= high) counts.set(value, (counts.get(value) ?? 0) + 1)
-    const span = high - low || 1
-    /** @type {[number, string][]} */
-    const told = []
-    for (const [value, count] of [...counts].toSorted(([, one], [, other]) => other - one)) {
-      const words = `${this.#written(value)} × ${count}`
-      const apart = told.every(([other, named]) => {
-        const room = ((words.length + named.length) / 2 + 1) * LETTER
-        return (Math.abs(value - other) / (1.4 * span)) * (WIDTH - 16) > room
-      })
-      if (apart) told.push([value, words])
-    }
-    return told
+    const often = [...counts].toSorted(([, one], [, other]) => other - one)
+    const told = often.map(([value, count]) => ({value, words: `${this.#written(value)} × ${count}`}))
+    const found = places(
+      told.map(({value, words}) => {
+        const half = ((words.length + 1) * LETTER) / 2
+        return {wishes: [{left: at(value) - half, right: at(value) + half, top: 0, bottom: 1}]}
+      }),
+    )
+    return told.filter((_, i) => found[i])
   }
 
   /** @param {number} value */

@@ -6,7 +6,7 @@ import json
 import math
 from collections.abc import Callable, Iterator
 from fractions import Fraction
-from itertools import pairwise, product
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -36,7 +36,7 @@ TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_tex
 
 @pytest.fixture(scope="module")
 def scripts(browser: Browser) -> Iterator[Scripts]:
-    running = Scripts(browser, ("core/signals", "core/numbers", "paper/labels", "core/ruler"))
+    running = Scripts(browser, ("core/signals", "core/numbers", "core/ruler"))
     yield running
     running.context.close()
     assert running.faults == []
@@ -241,44 +241,6 @@ def test_a_number_that_moves_keeps_its_places(
 )
 def test_how_many_times_in_words(scripts: Scripts, count: float, text: str) -> None:
     assert scripts.call("numbers.grouped", count) == text
-
-
-def heights() -> list[list[float]]:
-    """Rows of names from apart to all at one height, also at the very bottom."""
-    return [
-        [],
-        [50.0],
-        [10.0, 40.0, 90.0],
-        [10.0, 12.0, 14.0],
-        [90.0, 95.0, 99.0],
-        [98.0, 98.0, 98.0, 98.0],
-        [5.0, 96.0, 97.0],
-    ]
-
-
-@pytest.mark.parametrize("wanted", heights(), ids=str)
-def test_names_that_would_touch_stand_apart(scripts: Scripts, wanted: list[float]) -> None:
-    gap, bottom = 16.0, 100.0
-    places = scripts.call("labels.apart", wanted, gap, bottom)
-    assert len(places) == len(wanted)
-    assert all(b - a >= gap for a, b in pairwise(places))
-    assert all(place <= bottom for place in places)
-    if all(b - a >= gap for a, b in pairwise(wanted)):
-        assert places == wanted
-
-
-FLAGS: list[list[float]] = [[100.0], [100.0, 300.0], [100.0, 110.0, 120.0], [380.0, 390.0], [10.0, 380.0, 385.0, 390.0]]
-
-
-@pytest.mark.parametrize("wanted", FLAGS, ids=str)
-def test_flags_that_would_overlap_stand_side_by_side(scripts: Scripts, wanted: list[float]) -> None:
-    half, width = 30.0, 400.0
-    places = scripts.call("labels.sideBySide", [{"at": at, "half": half} for at in wanted], width)
-    assert all(b - a >= 2 * half - 1e-9 for a, b in pairwise(places))
-    if all(b - a >= 2 * half for a, b in pairwise(wanted)):
-        assert places == wanted
-    else:
-        assert places[-1] + half <= width
 
 
 RULERS: list[dict[str, Any]] = [

@@ -12,7 +12,7 @@ from components.scenes.accuracy import Accuracy
 from components.scenes.accuracy.data import Known, Series, picked_run, reached_text, setting_text
 from components.scenes.accuracy.measurement import Measurement, known
 from components.scenes.accuracy.measuring import LIVE, Job, queue
-from components.scenes.accuracy.plots import name_places
+from components.scenes.accuracy.plots import line_ends
 from components.scenes.accuracy.prices import price_list, time_text
 from components.scenes.accuracy.recorded import recorded
 from components.scenes.accuracy.studies import LASTING, step_explosion
@@ -166,7 +166,6 @@ def test_where_runs_are_stopped_is_said_of_both() -> None:
         time_text(recorded("benign").seconds),
     )
     assert 0.01 < longest < 2 * recorded("benign").seconds
-    assert "limit_right" in scene.shown.scalars and "limit_left" in Accuracy().shown.scalars
 
 
 def test_the_facts_of_a_case_name_its_drive() -> None:
@@ -250,14 +249,15 @@ def test_doubles_do_up_to_the_named_place() -> None:
     assert "where eigh takes" in tight["digits_cost"]
 
 
-def test_names_stand_beside_their_lines() -> None:
-    scene = Accuracy()
-    axes = scene.shown.axes
-    columns = {slug: line for slug in LIVE if (line := scene.shown.columns[f"rec_{slug}"])}
-    places = name_places(columns, axes["time"], axes["error"], scene.limit)
-    for slug in columns:
-        assert (f"{slug}_start" in places) != (f"{slug}_end" in places)
-        assert places[f"{slug}_at"] == pytest.approx(math.log10(columns[slug]["time"][-1]))
+def test_names_belong_to_the_ends_of_their_lines() -> None:
+    shown = Accuracy().shown
+    columns = {slug: line for slug in LIVE if (line := shown.columns[f"rec_{slug}"])}
+    ends = line_ends(columns, shown.axes["time"], shown.axes["error"])
+    assert columns
+    assert ends.items() <= shown.scalars.items()
+    for slug, line in columns.items():
+        assert (ends[f"{slug}_named"], ends[f"{slug}_at"]) == (1.0, pytest.approx(math.log10(line["time"][-1])))
+        assert ends[f"{slug}_error"] == pytest.approx(math.log10(line["error"][-1]))
 
 
 def test_what_the_run_bar_says() -> None:

@@ -30,7 +30,7 @@ from components.scenes.accuracy.data import (
     work,
 )
 from components.scenes.accuracy.measurement import SCALE, Measurement, known
-from components.scenes.accuracy.plots import name_places
+from components.scenes.accuracy.plots import line_ends
 from components.scenes.accuracy.prices import PriceRow, power, price_forms, price_list, price_texts, time_text
 from components.scenes.accuracy.recorded import recorded, records
 from components.scenes.accuracy.sheet import VIEWS, compared_text, paper, system_texts
@@ -48,8 +48,6 @@ from physics.price import LEAST
 from physics.solvers import METHODS
 
 OWN = "own"
-MIDDLE = 0.02
-"""A time in s about in the middle of the plot: what is said of an earlier one stands right of it."""
 ERROR = log_axis(LEAST, 10.0, "", 3)
 """The axis of errors, whatever of."""
 _ORIGINS = {(True, True): "both", (True, False): "here", (False, True): "before", (False, False): "none"}
@@ -154,11 +152,10 @@ class Accuracy(Scene):
             columns={**curves, "kept": kept(picked), **self._view_columns(system, compared)},
             axes=axes,
             scalars={
-                **name_places(_named(curves, methods), time, error, self.limit),
+                **line_ends(_named(curves, methods), time, error),
                 "wanted_at": error.place(self.wanted),
                 "rounding_at": error.place(2.0**-53),
                 "limit_at": time.place(self.limit),
-                "limit_right" if self.limit < MIDDLE else "limit_left": 1.0,
                 "empty": float(not measured.here.every and not measured.before.every),
                 **_picked_scalars(picked, time, error, system),
                 **_stiff_scalars(drawn, methods, time, error),
@@ -231,7 +228,8 @@ def _stiff_scalars(drawn: Known, methods: tuple[str, ...], time: Axis, error: Ax
     run = next((run for run in runs if run.stiff_share > 0.5), None)
     if run is None:
         return {}
-    return {"bdf": 1.0, "bdf_at": time.place(run.time or 0.0), "bdf_error": error.place(max(run.error or 0.0, LEAST))}
+    reached = error.place(max(run.error or 0.0, LEAST))
+    return {"stiff": 1.0, "stiff_at": time.place(run.time or 0.0), "stiff_error": reached}
 
 
 def _picked_scalars(picked: Run | None, time: Axis, error: Axis, system: System) -> dict[str, float]:

@@ -209,11 +209,17 @@ def _stability_plot() -> Block:
     columns = stability()
     # A line that leaves the frame at its top has its name where it leaves.
     names = tuple(
-        text(on_x("stability", leaves(columns, slug)) + 8, var("stability.top") + 13 + 16 * (place % 2), name,
-             anchor="start", tint=_tint(slug), style="t1 halo")
-        for place, (slug, name) in enumerate(ALIKE.items())
+        text(
+            on_x("stability", leaves(columns, slug)),
+            var("stability.top"),
+            name,
+            anchor="beside",
+            tint=_tint(slug),
+            style="t1 halo",
+        )
+        for slug, name in ALIKE.items()
         if leaves(columns, slug) < REACH
-    )  # fmt: skip
+    )
     curves = tuple(
         curve(
             slug,

@@ -1,0 +1,159 @@
+// Places for texts in a picture, so that none lies on another: pure functions of boxes and lengths in one unit.
+
+/**
+ * @typedef {{left: number, right: number, top: number, bottom: number}} Box
+ * @typedef {{at: number, size: number}} Span the middle of something on a line, and how long it is
+ */
+/**
+ * A text: the boxes in which it would stand, the better ones first; how far it may move from there, sideways and up or
+ * down; and the room that it does not leave.
+ * @typedef {{wishes: Box[], across?: number, down?: number, room?: Box}} Text
+ */
+
+const TOUCH = 0.01 // what meets by less lies side by side
+export const EVERYWHERE = {left: -Infinity, right: Infinity, top: -Infinity, bottom: Infinity}
+
+/**
+ * One text after the other, clear of all that is fixed and of those before it, moved as little as can be; null where
+ * it has no place.
+ * @param {Text[]} texts @param {Box[]} [fixed] @returns {(Box | null)[]}
+ */
+export function places(texts, fixed = []) {
+  const standing = [...fixed]
+  return texts.map(text => {
+    const place = placeOf(text, standing)
+    if (place) standing.push(place)
+    return place
+  })
+}
+
+/** @param {Text} text @param {Box[]} others @returns {Box | null} */
+function placeOf({wishes, across = 0, down = 0, room = EVERYWHERE}, others) {
+  let best = null
+  let least = Infinity
+  for (const wish of wishes) {
+    if (wish.right - wish.left > room.right - room.left || wish.bottom - wish.top > room.bottom - room.top) continue
+    const box = moved(
+      wish,
+      inward(wish.left, wish.right, room.left, room.right),
+      inward(wish.top, wish.bottom, room.top, room.bottom),
+    )
+    const wide = reach(box.left, box.right, room.left, room.right, across)
+    const high = reach(box.top, box.bottom, room.top, room.bottom, down)
+    const way = shortest(box, others, wide, high, least)
+    if (way) [best, least] = [moved(box, ...way), Math.hypot(...way)]
+  }
+  return best
+}
+
+/**
+ * The shortest way on which a box comes clear of all others, if it is shorter than `limit`. It ends beside one of them,
+ * or over or under it, or both.
+ * @param {Box} box @param {Box[]} others @param {[number, number]} wide @param {[number, number]} high
+ * @param {number} limit @returns {[number, number] | null}
+ */
+function shortest(box, others, wide, [least, most], limit) {
+  const near = others.filter(
+    ({left, right, top, bottom}) =>
+      left < box.right + wide[1] && right > box.left + wide[0] && top < box.bottom + most && bottom > box.top + least,
+  )
+  const downs = near.flatMap(({top, bottom}) => [top - box.bottom, bottom - box.top])
+  const allowed = [0, ...downs].filter(down => down >= least && down <= most)
+  let best = null
+  for (const down of allowed.toSorted((one, other) => Math.abs(one) - Math.abs(other))) {
+    if (Math.abs(down) >= limit) break
+    const {top, bottom} = moved(box, 0, down)
+    const level = near.filter(other => overlap(top, bottom, other.top, other.bottom))
+    const across = step(
+      level.map(({left, right}) => /** @type {[number, number]} */ ([left - box.right, right - box.left])),
+      wide,
+    )
+    if (across === null || Math.hypot(across, down) >= limit) continue
+    best = /** @type {[number, number]} */ ([across, down])
+    limit = Math.hypot(across, down)
+  }
+  return best
+}
+
+/**
+ * The least step within reach that lies in none of these gaps; null where there is none.
+ * @param {[number, number][]} gaps @param {[number, number]} reach
+ */
+function step(gaps, [least, most]) {
+  let [back, on] = [0, 0]
+  for (const [start, end] of gaps.toSorted(([one], [other]) => one - other))
+    if (start < on - TOUCH && end > on + TOUCH) on = end
+  for (const [start, end] of gaps.toSorted(([, one], [, other]) => other - one))
+    if (end > back + TOUCH && start < back - TOUCH) back = start
+  const ways = [on, back].filter(way => way >= least && way <= most)
+  return ways.length ? ways.reduce((one, other) => (Math.abs(other) < Math.abs(one) ? other : one)) : null
+}
+
+/** @param {number} start @param {number} end @param {number} from @param {number} to */
+const overlap = (start, end, from, to) => start < to - TOUCH && from < end - TOUCH
+
+/** Whether two boxes overlap. @param {Box} one @param {Box} other */
+export const meet = (one, other) =>
+  overlap(one.left, one.right, other.left, other.right) && overlap(one.top, one.bottom, other.top, other.bottom)
+
+/** @param {Box} box @param {number} across @param {number} down @returns {Box} */
+export const moved = (box, across, down) =>
+  across || down
+    ? {left: box.left + across, right: box.right + across, top: box.top + down, bottom: box.bottom + down}
+    : box
+
+/**
+ * The way into a room.
+ * @param {number} low @param {number} high @param {number} least @param {number} most
+ */
+const inward = (low, high, least, most) => Math.max(Math.min(0, most - high), least - low)
+
+/**
+ * How far something may go back and on in its room.
+ * @param {number} low @param {number} high @param {number} least @param {number} most @param {number} far
+ * @returns {[number, number]}
+ */
+const reach = (low, high, least, most, far) => [
+  Math.min(Math.max(-far, least - low), 0),
+  Math.max(Math.min(far, most - high), 0),
+]
+
+/**
+ * The middles of spans, in their order along the line, moved as little as can be (by least squares) until none touches
+ * the next; as far as there is room none leaves it, else at its start.
+ * @param {Span[]} spans @param {number} [least] @param {number} [most]
+ */
+export function inLine(spans, least = -Infinity, most = Infinity) {
+  const order = spans.map((_, i) => i).toSorted((i, j) => spans[i].at - spans[j].at)
+  let length = 0
+  /** @type {{sum: number, count: number}[]} of spans that touch: the starts of the line that they wish for */
+  const groups = []
+  const ends = order.map(i => (length += spans[i].size))
+  for (const [place, i] of order.entries()) {
+    let group = {sum: spans[i].at - ends[place] + spans[i].size / 2, count: 1}
+    for (let last = groups.at(-1); last && last.sum / last.count >= group.sum / group.count; last = groups.at(-1)) {
+      groups.pop()
+      group = {sum: last.sum + group.sum, count: last.count + group.count}
+    }
+    groups.push(group)
+  }
+  const starts = groups.flatMap(({sum, count}) => Array.from({length: count}, () => sum / count))
+  const middles = spans.map(({at}) => at)
+  for (const [place, i] of order.entries()) {
+    const start = Math.min(Math.max(starts[place], least), most - length)
+    middles[i] = start + ends[place] - spans[i].size / 2
+  }
+  return middles
+}
+
+/** @param {Span} one @param {Span} next */
+const touch = (one, next) => Math.abs(next.at - one.at) < (one.size + next.size) / 2
+
+/** Every which of some spans stands, counted from the last, so that none touches the next. @param {Span[]} spans */
+export function everyWhich(spans) {
+  const last = spans.length - 1
+  let which = 1
+  while (spans.some((span, i) => (last - i) % which === 0 && i + which <= last && touch(span, spans[i + which])))
+    which++
+  return which
+}
