@@ -1,6 +1,7 @@
 # make run    the app on http://localhost:5006/        make run PORT=8000   on another port
 # make run HOST=0.0.0.0   for the network too: a live class joins from its phones
-# make test   every check, in a real Chromium too      make load | accuracy | bench   the measurements
+# make test   what a change may break, in a real Chromium too      make rest   what takes long, before it is given on
+# make load | accuracy | bench   the measurements
 PORT ?= 5006
 HOST ?= localhost
 VENV ?= .venv
@@ -13,10 +14,11 @@ LOCK := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --fork-s
 	--no-emit-index-url --custom-compile-command "make lock"
 # Each core begins with half of the tests, in order; who is done takes over from the other.
 BOTH_CORES := -n 2 --dist worksteal
+BROWSER = CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)"
 # A text browser must not take the terminal: a page is opened only where there is a screen.
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
 
-.PHONY: run test test-all scene lint format types hooks fast coverage attack audit digests reconnect load course soak deploy-test class up upgrade accuracy \
+.PHONY: run test rest test-all scene lint format types hooks fast coverage attack audit digests reconnect load course soak deploy-test class up upgrade accuracy \
 	mutants pictures animation bench walk protocol readme lock docker clean
 
 run: $(VENV)/run.stamp
@@ -24,12 +26,17 @@ run: $(VENV)/run.stamp
 
 # In two runs: Playwright leaves an event loop running in a process, which other tests must not meet.
 test: lint
-	$(BIN)/pytest $(BOTH_CORES) -m "not browser"
-	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/pytest $(BOTH_CORES) -m browser
+	$(BIN)/pytest $(BOTH_CORES) -m "not browser and not slow"
+	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) -m "browser and not slow"
 
-# The same with every grid walked whole.
+# What takes seconds to hold what a quicker test holds in part: every scene, deployment, timers waited for.
+rest: $(VENV)/test.stamp
+	$(BIN)/pytest $(BOTH_CORES) -m "not browser and slow"
+	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) -m "browser and slow"
+
+# Both, with every grid walked whole.
 test-all:
-	GRIDS=whole $(MAKE) test
+	GRIDS=whole $(MAKE) test rest
 
 lint: $(VENV)/test.stamp
 	$(BIN)/ruff check .
@@ -57,7 +64,7 @@ hooks: $(VENV)/test.stamp
 # One scene while it is written: make scene SCENE=damped
 scene: lint
 	$(BIN)/pytest $(BOTH_CORES) -m "not browser" -k "$(SCENE)" tests/scenes tests/page tests/components
-	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/pytest $(BOTH_CORES) -m browser -k "$(SCENE)" \
+	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) -m browser -k "$(SCENE)" \
 		tests/browser/test_screens.py tests/browser/test_texts.py tests/browser/test_page.py tests/browser/test_grabs.py
 
 # What needs no browser.
@@ -70,16 +77,16 @@ coverage: $(VENV)/test.stamp
 
 # Twenty faults in a copy of the project, and the tests that find them.
 mutants: $(VENV)/test.stamp
-	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tools.mutants $(ARGS)
+	$(BROWSER) $(BIN)/python -m tools.mutants $(ARGS)
 
 attack: $(VENV)/test.stamp
-	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tests.attack $(ARGS)
+	$(BROWSER) $(BIN)/python -m tests.attack $(ARGS)
 
 reconnect: $(VENV)/test.stamp
-	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tests.reconnect $(ARGS)
+	$(BROWSER) $(BIN)/python -m tests.reconnect $(ARGS)
 
 load: $(VENV)/test.stamp
-	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tests.bench.load $(ARGS)
+	$(BROWSER) $(BIN)/python -m tests.bench.load $(ARGS)
 	$(BIN)/python -m tests.bench.course
 
 # The second half of it alone: every scene, a class that arrives, and those in it who drag.
@@ -96,7 +103,7 @@ deploy-test: $(VENV)/test.stamp
 
 # The live class: 300 and 3,000 followers, answers, sketches, and two replicas of which one is killed.
 class: $(VENV)/test.stamp
-	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tests.bench.classroom $(ARGS)
+	$(BROWSER) $(BIN)/python -m tests.bench.classroom $(ARGS)
 
 audit: $(VENV)/test.stamp
 	$(BIN)/python -m tools.audit
@@ -104,11 +111,11 @@ audit: $(VENV)/test.stamp
 # Before a change that is to keep every picture, and after it: make pictures ARGS="shoot build/before", then
 # ARGS="shoot build/after", then ARGS="compare build/before build/after".
 pictures: $(VENV)/test.stamp
-	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tools.pictures $(ARGS)
+	$(BROWSER) $(BIN)/python -m tools.pictures $(ARGS)
 
 # The moving picture of README.md, of the page as it is.
 animation: $(VENV)/test.stamp
-	CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)" $(BIN)/python -m tools.animation
+	$(BROWSER) $(BIN)/python -m tools.animation
 
 accuracy: $(VENV)/test.stamp
 	$(BIN)/python -m tests.bench.accuracy_table $(ARGS)

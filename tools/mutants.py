@@ -1,5 +1,5 @@
 """`python -m tools.mutants [NAME ...]` breaks a copy of the project in twenty ways, one after the other, and says which
-test finds each fault: in the files of tests that are named for it at least one must fail, all of which pass without it.
+test finds each fault: of what `make test` runs in the files named for it at least one must fail; without it all pass.
 
 A pattern that does not stand exactly once in its file is an error, so that no fault is passed over.
 """
@@ -109,7 +109,18 @@ def failures(mutant: Mutant, folder: Path) -> list[str]:
     """The tests that fail in a copy of the project while the fault is in it."""
     path = folder / mutant.file
     sound, faulty = path.read_bytes(), broken(mutant, folder)
-    command = [sys.executable, "-m", "pytest", "-q", "-x", "-p", "no:cacheprovider", *mutant.tests.split()]
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-q",
+        "-x",
+        "-m",
+        "not slow",
+        "-p",
+        "no:cacheprovider",
+        *mutant.tests.split(),
+    ]
     try:
         path.write_text(faulty, encoding="utf-8")
         told = subprocess.run(command, cwd=folder, env=dict(os.environ), capture_output=True, text=True, check=False)

@@ -5,11 +5,14 @@ from __future__ import annotations
 import asyncio
 from pathlib import Path
 
+import pytest
+
 from tests.bench.classroom import CHOICE, SKETCH, answered, drawing, measured, table
 from tests.bench.crowd import SETTINGS
 from tests.serving.server import serving
 
 
+@pytest.mark.slow
 def test_a_class_has_what_its_instructor_shows(tmp_path: Path) -> None:
     with serving(tmp_path / "log", environment=SETTINGS) as server:
         figures = asyncio.run(measured(server, 20, 2.0))

@@ -12,7 +12,7 @@ from tests.bench.crowd import arrive, depart, drag, dragged, p95, replicas
 from tests.bench.soak import soak, still_open
 from tests.serving.server import Server
 
-pytestmark = pytest.mark.timeout(300)  # two servers start
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]  # two servers start
 
 
 @pytest.fixture(scope="module")

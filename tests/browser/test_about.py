@@ -11,6 +11,7 @@ from playwright.sync_api import Page, WebSocket, expect
 from components.scene import Scene
 from components.scenes import SCENES
 from tests.browser.waiting import QUIET, passed
+from tests.grids import spread
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -93,7 +94,7 @@ def test_it_is_asked_when_opened_and_after_a_change_and_never_while_folded(
     assert len(questions) == count + 1
 
 
-@pytest.mark.parametrize("slug", SLUGS)
+@pytest.mark.parametrize("slug", spread(SLUGS))
 def test_it_stays_within_the_panel(slug: str, page: Page, open_scene: Open, screenshot: Keep) -> None:
     open_scene(page, scene=slug, folded=True)
     assert not page.evaluate(HIGH)

@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from components.scenes import SCENES
+from tests.grids import spread
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -51,7 +52,7 @@ NAMES = """() => [...document.querySelectorAll("button, [role=slider], input")]
   .map(one => `${one.localName} ${one.type ?? ""} ${one.getAttribute("aria-label") ?? one.textContent.trim()}`)"""
 
 
-@pytest.mark.parametrize("slug", SCENES)
+@pytest.mark.parametrize("slug", spread([*SCENES]))
 def test_no_two_things_to_press_have_one_name(slug: str, page: Page, open_scene: Open) -> None:
     """But for the words of a choice, which its group names."""
     open_scene(page, scene=slug)

@@ -59,6 +59,7 @@ def jitter(middle: float, spread: float) -> Callable[[], float]:
     return lambda: drawn.uniform(middle - spread, middle + spread)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("delay", "most"), [(lambda: 0.0, 33), (jitter(0.1, 0.08), 100)], ids=["loopback", "slow"])
 def test_the_bound_of_the_clock_holds_its_error(
     server: Server, phone: Phone, delay: Callable[[], float], most: float
@@ -104,6 +105,7 @@ def test_a_phone_of_another_version_loads_the_page_anew_and_not_again_at_once(se
     assert page.evaluate(VERSION) != "x"
 
 
+@pytest.mark.slow
 def test_a_proxy_that_holds_streams_back_is_asked_instead(server: Server, phone: Phone) -> None:
     room = Room(server.url)
     with between(server.port, holds=True) as proxy:

@@ -129,6 +129,7 @@ def table(lecture: Page, folder: Path) -> list[list[str]]:
         return list(csv.reader(file))
 
 
+@pytest.mark.slow
 @pytest.mark.timeout(300)  # four windows on a machine with other things to do
 def test_a_lecture_of_five_steps(window: Callable[[str, int, int], Page], screenshot: Take, tmp_path: Path) -> None:
     lecture, code = taught(window, "scene=oscillator&projector")

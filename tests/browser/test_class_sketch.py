@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import pytest
 from playwright.sync_api import Page, expect
 
@@ -13,6 +11,7 @@ from components.walks.questions.sketch import SketchStep
 from components.walks.subject import Subject
 from tests.browser.classroom import Open, joined, taught
 from tests.browser.waiting import clicked
+from tests.grids import spread
 from tests.walks.strokes import strokes
 
 pytestmark = pytest.mark.browser
@@ -28,8 +27,7 @@ INKED = """points => { const {plot, canvas} = oscillations.classes.led.votes.lay
     && y > f.top + 4 && y < f.top + f.height - 4)
   const inked = seen.filter(([x, y]) => ink.getImageData(scale * x - 5, scale * y - 5, 11, 11).data.some(Boolean))
   return seen.length && inked.length > 0.95 * seen.length }"""
-WALKS = load_walks(())
-SKETCHED = [(walk, i) for walk in WALKS.values() for i, step in enumerate(walk.steps) if isinstance(step, SketchStep)]
+SKETCHED = [(walk, step) for walk in load_walks(()).values() for step in walk.steps if isinstance(step, SketchStep)]
 
 
 def drawn(phone: Page, points: list[tuple[float, float]]) -> None:
@@ -42,39 +40,36 @@ def drawn(phone: Page, points: list[tuple[float, float]]) -> None:
     phone.mouse.up()
 
 
-@pytest.mark.timeout(300)  # eight questions to a class
-def test_the_exact_curve_from_a_phone_is_right(window: Open) -> None:
-    lecture, code = taught(window, "walk=d31&step=d31-01")
+@pytest.mark.parametrize("step", spread([step.id for _, step in SKETCHED], 4))
+def test_the_exact_curve_from_a_phone_is_right(step: str, window: Open) -> None:
+    walk, asked = next(one for one in SKETCHED if one[1].id == step)
+    lecture, code = taught(window, f"walk={walk.name}&step={step}")
     phone = joined(window, code)
-    for walk, place in SKETCHED:
-        step: Any = walk.steps[place]
-        lecture.evaluate("([name, step]) => oscillations.walks.enter(name, step)", [walk.name, place])
-        phone.wait_for_function(TOLD, arg=step.id)
-        curves = strokes(step)
-        for name, points in curves.items():
-            if len(curves) > 1:
-                phone.get_by_role("button", name=f"Draw {name}", exact=True).click()
-            drawn(phone, points)
-        expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
-        expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
-        clicked(lecture)
-        clicked(lecture)
-        lecture.wait_for_function("oscillations.walks.walk.lesson")
-        lecture.wait_for_function(f"oscillations.classes.led.votes.tally?.step === '{step.id}'")
-        tally = lecture.evaluate("oscillations.classes.led.votes.tally.now.sketches")
-        assert [one["has"] for one in tally] == [[True] * len(step.must)], step.id
-        expect(phone.locator(".findings li")).to_have_count(len(step.must))
-        expect(phone.locator(".findings")).to_contain_text("yours")
-        assert "missed" not in phone.locator(".findings").inner_text(), step.id
-        lecture.wait_for_function("!oscillations.shown.state.covered.length")
-        lecture.wait_for_function(INKED, arg=[point for points in curves.values() for point in points])
+    phone.wait_for_function(TOLD, arg=step)
+    curves = strokes(asked)
+    for name, points in curves.items():
+        if len(curves) > 1:
+            phone.get_by_role("button", name=f"Draw {name}", exact=True).click()
+        drawn(phone, points)
+    expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
+    expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
+    clicked(lecture)
+    clicked(lecture)
+    lecture.wait_for_function("oscillations.walks.walk.lesson")
+    lecture.wait_for_function(f"oscillations.classes.led.votes.tally?.step === '{step}'")
+    tally = lecture.evaluate("oscillations.classes.led.votes.tally.now.sketches")
+    assert [one["has"] for one in tally] == [[True] * len(asked.must)]
+    expect(phone.locator(".findings li")).to_have_count(len(asked.must))
+    expect(phone.locator(".findings")).to_contain_text("yours")
+    assert "missed" not in phone.locator(".findings").inner_text()
+    lecture.wait_for_function("!oscillations.shown.state.covered.length")
+    lecture.wait_for_function(INKED, arg=[point for points in curves.values() for point in points])
 
 
 def test_covers_leave_the_pad_a_frame_of_its_own() -> None:
     """So what is checked above is no accident of equal frames."""
     wide = []
-    for walk, place in SKETCHED:
-        step: Any = walk.steps[place]
+    for _, step in SKETCHED:
         subject = Subject("", step, SCENES)
         pad, shown = subject.pad(step.plot).y, subject.standing.shown.axes
         if all((axis.start, axis.end) != (pad.start, pad.end) for axis in shown.values()):

@@ -11,6 +11,7 @@ from playwright.sync_api import Browser, Page, Route, expect
 
 from tests.browser.fixtures import READY, another_version
 from tests.browser.waiting import unfold
+from tests.grids import spread
 from tests.reconnect.losses import CONNECTED, LINK, LOSSES, SETTLED, too_late, visit
 from tests.reconnect.site import Site
 from tests.serving.server import Server
@@ -51,7 +52,7 @@ def lost(page: Page) -> None:
     page.wait_for_function(CONNECTED.format("false"))
 
 
-@pytest.mark.parametrize("name", LOSSES)
+@pytest.mark.parametrize("name", spread([*LOSSES]))
 def test_every_last_value_stands_when_the_connection_is_back(page: Page, site: Site, name: str) -> None:
     visit(page, site, LOSSES[name], seed=1)
 

@@ -145,6 +145,7 @@ def test_behind_the_real_proxy_of_jupyter_a_page_connects(tmp_path: Path, opened
             assert answer.status == 200
 
 
+@pytest.mark.slow
 def test_a_hub_that_is_not_named_is_refused(tmp_path: Path) -> None:
     with hub(tmp_path, named=False) as address:
         asked = Request(address, headers={"Host": address.split("/")[2].replace("localhost", "hub.example")})

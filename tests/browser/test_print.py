@@ -9,11 +9,12 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from components.scenes import SCENES
+from tests.grids import spread
 
 pytestmark = pytest.mark.browser
 
 
-@pytest.mark.parametrize("slug", SCENES)
+@pytest.mark.parametrize("slug", spread([*SCENES]))
 def test_a_scene_is_one_sheet_in_ink(new_page: Callable[..., Page], open_scene: Callable[..., Page], slug: str) -> None:
     page = open_scene(new_page(color_scheme="dark", reduced_motion="reduce"), scene=slug)
     page.wait_for_function("oscillations.page.print")

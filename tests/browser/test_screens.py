@@ -14,7 +14,7 @@ from tests.browser.fixtures import READY
 from tests.browser.targets import small_targets
 from tests.browser.views import GRID, LINKS, SAMPLE
 from tests.browser.waiting import passed, seek
-from tests.grids import WHOLE
+from tests.grids import WHOLE, spread
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
@@ -65,7 +65,7 @@ def seen(page: Page, width: int, height: int) -> list[str]:
     return [f"{width} x {height}: {fault}" for fault in found]
 
 
-@pytest.mark.parametrize("slug", SCENES)
+@pytest.mark.parametrize("slug", spread([*SCENES]))
 def test_a_finger_hits_what_it_aims_at(
     slug: str, new_page: Callable[..., Page], open_scene: Callable[..., Page]
 ) -> None:

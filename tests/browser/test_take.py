@@ -19,6 +19,7 @@ from components.scenes import SCENES
 from components.state.csv_export import as_file
 from components.state.standing import fitted
 from tests.browser.waiting import seek, turned
+from tests.grids import spread
 
 pytestmark = pytest.mark.browser
 
@@ -78,7 +79,7 @@ def drawn(page: Page) -> str:
     return unquote(page.get_by_role("dialog").locator("img").get_attribute("src") or "").partition(",")[2]
 
 
-@pytest.mark.parametrize("slug", SCENES)
+@pytest.mark.parametrize("slug", spread([*SCENES]))
 def test_every_picture_is_light_says_what_it_is_of_and_needs_nothing_from_the_page(
     new_page: Callable[..., Page], open_scene: Callable[..., Page], slug: str
 ) -> None:

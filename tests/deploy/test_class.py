@@ -61,6 +61,7 @@ async def lesson(site: Site) -> None:
     assert tally["now"]["options"] == [2, 2, 0]
 
 
+@pytest.mark.slow
 @pytest.mark.timeout(240)
 def test_a_class_outlives_a_replica(tmp_path: Path) -> None:
     with valkey_running() as valkey, deployed(tmp_path, (ROOT, ROOT), REDIS_URL=valkey.url) as site:

@@ -13,6 +13,7 @@ from tests.deploy.trials import trial
 from tests.serving.server import ROOT
 
 
+@pytest.mark.slow
 @pytest.mark.timeout(300)  # three servers start
 def test_nothing_is_lost_when_a_replica_fails_another_ends_and_a_later_version_takes_over(tmp_path: Path) -> None:
     with deployed(tmp_path, (ROOT, ROOT, upgraded(tmp_path / "later"))) as site:

@@ -49,6 +49,7 @@ def test_the_cookie_of_a_replica_cannot_be_written_and_stands_on_no_file_that_ca
     assert ask(site.url, "/").headers["Set-Cookie"].startswith(f"replica={written};")
 
 
+@pytest.mark.slow
 @pytest.mark.timeout(240)
 def test_the_proxy_waits_for_no_slow_request_and_no_stream_holds_back_its_end(tmp_path: Path) -> None:
     """A request that comes letter by letter is given up; who listens to a class goes on."""

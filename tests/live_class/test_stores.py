@@ -60,6 +60,7 @@ def test_a_room_is_opened_once_and_keeps_its_parts(on: Callable[..., None]) -> N
     on(test)
 
 
+@pytest.mark.slow
 def test_a_room_ends_some_time_after_the_last_sign_of_its_instructor(on: Callable[..., None]) -> None:
     async def test(kept: Store) -> None:
         code = code_of(new_key())
@@ -100,6 +101,7 @@ def test_a_room_that_nobody_leads_or_follows_ends_soon(on: Callable[..., None]) 
     on(test, alone=0.6)
 
 
+@pytest.mark.slow
 def test_where_all_rooms_are_taken_one_that_is_alone_makes_way(
     on: Callable[..., None], monkeypatch: pytest.MonkeyPatch
 ) -> None:

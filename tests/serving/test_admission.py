@@ -153,6 +153,7 @@ def test_who_waits_is_told_so_without_a_session_and_keeps_the_link(server: Serve
     assert contents(token_of(reply.text))["arguments"].keys() == {"scene", "k2"}
 
 
+@pytest.mark.slow
 @pytest.mark.browser
 def test_the_waiting_page_opens_when_there_is_a_place(
     server: Server, browser: Browser, screenshot: Callable[[Page, str], Path]

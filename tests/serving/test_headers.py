@@ -13,6 +13,7 @@ from playwright.sync_api import Browser, Page, expect
 from components.scenes import SCENES
 from components.serving.assets import assets
 from tests.attack.caller import ask
+from tests.grids import spread
 from tests.serving.server import Server
 
 
@@ -48,7 +49,7 @@ def test_what_a_link_says_is_no_script_of_the_page(server: Server) -> None:
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("slug", SCENES)
+@pytest.mark.parametrize("slug", spread([*SCENES]))
 def test_a_scene_needs_nothing_that_its_page_does_not_allow(
     server: Server, new_page: Callable[..., Page], slug: str
 ) -> None:

@@ -25,6 +25,7 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(studies, "NEIGHBOURS", (1.0,))
 
 
+@pytest.mark.slow
 def test_tables_and_figures_of_one_system(short: None, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     error_vs_time.main(["--systems", "dashpot", "--seconds", "0.02", "--output", str(tmp_path)])
     with (tmp_path / "runs.csv").open(newline="") as file:

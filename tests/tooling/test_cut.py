@@ -53,6 +53,7 @@ def run(packages: Path, *arguments: str, order: str = "") -> str:
         return process.stdout.read()
 
 
+@pytest.mark.slow
 def test_every_scene_is_made(packages: Path) -> None:
     made = (
         "import app, components.serving.__main__; from components.scenes import SCENES; [S() for S in SCENES.values()]"
@@ -60,6 +61,7 @@ def test_every_scene_is_made(packages: Path) -> None:
     assert run(packages, "-c", made + "; print('made')") == "made\n"
 
 
+@pytest.mark.slow
 def test_every_method_measures(packages: Path) -> None:
     order = {"system": encoded_system(SYSTEMS["benign"]), "seconds": 0.01, "budget": 60, "methods": list(LIVE)}
     said = run(packages, "-m", "physics.accuracy_worker", order=json.dumps(order)).splitlines()
