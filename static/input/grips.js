@@ -1,7 +1,8 @@
 // Grips of a stage: an element over each shape that can be grabbed, for mouse, finger, keys and screen readers.
 
 import {element, long, reword, surface, unitSize} from "../core/dom.js"
-import {brief, whileHeld} from "./handles.js"
+import {brief} from "./handles.js"
+import {whileHeld} from "./held.js"
 import {polynomial} from "../core/signals.js"
 
 const FINGER = 44 // pixels, the least that a finger hits
@@ -132,15 +133,15 @@ export class Grips {
     const all = [...this.grips.values()].filter(one => under.includes(one.grip))
     const grip = all.reduce((best, one) => (far(one) < far(best) ? one : best), hit)
     const off = {x: x - grip.x, y: y - grip.y}
-    grip.grip.focus({preventScroll: true})
     grip.grip.setPointerCapture(event.pointerId)
     grip.grip.classList.add("held")
-    this.#take(grip)
     const move = (/** @type {PointerEvent} */ moved) => this.#move({x: at(moved).x - off.x, y: at(moved).y - off.y})
     whileHeld(grip.grip, move, () => {
       grip.grip.classList.remove("held")
       this.#let(grip)
     })
+    grip.grip.focus({preventScroll: true}) // held already: what is said of it may move the page
+    this.#take(grip)
   }
 
   /** @param {Grip} grip */

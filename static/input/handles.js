@@ -1,6 +1,7 @@
 // Pills at the axes of a plot that set a parameter, and the one that moves the instant shown.
 
 import {element, long, reword, textWidth} from "../core/dom.js"
+import {whileHeld} from "./held.js"
 import {MINUS, three, tidy} from "../core/numbers.js"
 import {toPlace, toSI} from "../core/ruler.js"
 
@@ -111,10 +112,9 @@ export class Handles {
   #key(event, pill) {
     const axis = this.#axis(pill)
     const step = KEYS[event.key] * ((axis.end - axis.start) / (event.shiftKey ? STEPS / 10 : STEPS))
-    const here = isSetter(pill) ? this.#value(pill) : this.plot.page.clock.t
     /** @type {Record<string, number>} */
     const ends = {Home: axis.start, End: axis.end}
-    const to = ends[event.key] ?? here + step
+    const to = ends[event.key] ?? this.#here(pill) + step
     if (Number.isNaN(to)) return
     event.preventDefault()
     this.#moveTo(pill, to)
@@ -192,6 +192,11 @@ export class Handles {
     return toPlace(this.#axis(pill), Number(typeof waits === "number" ? waits : value))
   }
 
+  /** Where a pill stands on its axis. @param {Pill} pill */
+  #here(pill) {
+    return isSetter(pill) ? this.#value(pill) : this.plot.page.clock.t
+  }
+
   /** @param {Pill} pill @param {number} place */
   #moveTo(pill, place) {
     const axis = this.#axis(pill)
@@ -201,21 +206,24 @@ export class Handles {
       this.plot.page.send({type: "set", values: {[pill.handle.parameter]: settable(axis, inside, pill.handle.least)}})
   }
 
-  /** @param {PointerEvent} event @param {Pill} pill */
+  /** A pill moves as far as the hand, wherever that has taken it. @param {PointerEvent} event @param {Pill} pill */
   #drag(event, pill) {
+    if (event.button) return
     event.preventDefault()
-    pill.element.focus({preventScroll: true})
     pill.element.setPointerCapture(event.pointerId)
     const {clock} = this.plot.page
     const {playing} = clock
-    const move = (/** @type {PointerEvent} */ moved) => this.#moveTo(pill, this.plot.valueAt(moved, pill.handle?.axis))
+    const at = (/** @type {PointerEvent} */ hand) => this.plot.valueAt(hand, pill.handle?.axis)
+    const off = at(event) - clamp(this.#here(pill), this.#axis(pill))
     if (isSetter(pill)) this.#hold([pill])
     else clock.playing = false
+    const move = (/** @type {PointerEvent} */ moved) => this.#moveTo(pill, at(moved) - off)
     whileHeld(pill.element, move, () => {
       if (pill.handle) return this.#release()
       clock.playing = playing
       clock.touch()
     })
+    pill.element.focus({preventScroll: true}) // held already: what is said of it may move the page
   }
 
   /** @param {Setter[]} pills */
@@ -254,17 +262,4 @@ const clamp = (value, {start, end}) => Math.min(Math.max(value, start), end)
 /** A handle shows three digits of a number that was typed with more. @param {string} text */
 export function brief(text) {
   return text.length > LONGEST ? three(Number(text.replaceAll(MINUS, "-"))) : text
-}
-
-/**
- * Follows a pointer that `host` has captured.
- * @param {HTMLElement} host @param {(event: PointerEvent) => void} move @param {() => void} end
- */
-export function whileHeld(host, move, end) {
-  host.addEventListener("pointermove", move)
-  const stop = () => {
-    host.removeEventListener("pointermove", move)
-    end()
-  }
-  host.addEventListener("lostpointercapture", stop, {once: true})
 }

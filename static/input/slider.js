@@ -3,6 +3,7 @@
 import {element, reword} from "../core/dom.js"
 import {fitting} from "./fitting.js"
 import {Finger, keyed} from "./grip.js"
+import {steady} from "./held.js"
 import {BEGINS_NUMBER, tidy, withTrueMinus} from "../core/numbers.js"
 import {sliderPlace, sliderValue, stepped} from "./scales.js"
 
@@ -40,6 +41,10 @@ export class Slider {
 
   unsent = false // typed, and not yet sent
   held = false // by a pointer
+
+  /** @type {() => void} lets the page move again under a pointer that holds nothing */
+  free = () => {}
+
   typed = ""
 
   /** @param {page.SliderRow} spec @param {Send} send */
@@ -106,10 +111,12 @@ export class Slider {
     slider.addEventListener("keydown", event => this.#stepSlider(event))
     slider.addEventListener("pointerdown", () => {
       this.held = true
+      this.free = steady(slider)
     })
     for (const end of ["pointerup", "pointercancel", "change", "blur"]) {
       slider.addEventListener(end, () => {
-        if (this.held) this.held = false
+        this.held = false
+        this.free()
         if (this.state && !this.asked) this.#place(this.state.value)
       })
     }

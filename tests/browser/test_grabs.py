@@ -77,14 +77,15 @@ PLACE = """grip => {
 
 
 def new_grips(page: Page, slug: str) -> Iterator[Locator]:
-    """Every grip of a scene, each once, in the first of its views that has it; nothing plays."""
+    """Every grip of a scene in order, each once, in the first of its views that has it; nothing plays."""
     known: set[str] = set()
     for view in (scene.off_default() for scene in choices(SCENES[slug])):
         turned(page, slug, view)
         stopped(page)
-        for name in set(page.evaluate(GRIPS)) - known:
-            known.add(name)
-            yield page.locator(f'.grip[data-of="{name}"]').first
+        for name in page.evaluate(GRIPS):
+            if name not in known:
+                known.add(name)
+                yield page.locator(f'.grip[data-of="{name}"]').first
 
 
 HELD_IN = [slug for slug in SCENES if slug != "accuracy"]

@@ -8,10 +8,13 @@ from collections.abc import Callable
 import pytest
 from playwright.sync_api import Locator, Page, expect
 
-from tests.browser.touch import swipe
+from tests.browser.touch import Finger
+from tests.browser.waiting import passed
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
+UNANCHORED = ":root, body {overflow-anchor: none}"
+"""A browser that does not keep in place by itself what it shows."""
 
 
 def middle(handle: Locator) -> tuple[float, float]:
@@ -37,18 +40,46 @@ def top(block: Locator) -> float:
         ({"scene": "accuracy"}, "Accepted error", (0, -40), "wanted.value > 1e-5"),
     ],
 )
-def test_a_finger_drags_a_handle_and_not_the_page(
+def test_a_finger_drags_a_handle_from_where_it_has_taken_it_and_not_the_page(
     query: dict[str, str], name: str, way: tuple[int, int], moves: str, new_page: Callable[..., Page], open_scene: Open
 ) -> None:
     page = open_scene(new_page(390, 844, has_touch=True, is_mobile=True), **query)
     handle = page.get_by_role("slider", name=name, exact=True)
-    start = middle(handle)
+    page.add_style_tag(content=UNANCHORED)
+    x, y = middle(handle)
     plot = page.locator(".block.plot").filter(has=handle)
     before = top(plot)
-    swipe(page, start, way)
+    finger = Finger(page)
+    finger.down(x + 9, y - 9)
+    finger.move(x + 9 + way[0], y - 9 + way[1])
     page.wait_for_function(f"oscillations.shown.settings.{moves}")
-    # What stands above may take a line more or less; the plot has not gone with the finger, which went 40 px.
-    assert top(plot) == pytest.approx(before, abs=20)
+    passed(page)
+    box = handle.bounding_box()
+    assert box and top(plot) == pytest.approx(before, abs=1)
+    gone = (box["x"] + box["width"] / 2 - x, box["y"] + box["height"] / 2 - y)
+    assert gone[way[1] != 0] == pytest.approx(sum(way), abs=3), "no leap to where the finger is"
+    finger.up()
+
+
+@pytest.mark.parametrize("part", [".grip[aria-label^='Mass 1']", ".pill[data-grab=omega]", "[name=omega-slider]"])
+def test_lines_that_come_above_move_nothing_under_a_hand(part: str, page: Page, open_scene: Open) -> None:
+    page.set_viewport_size({"width": 390, "height": 700})
+    open_scene(page, scene="forced")
+    page.add_style_tag(content=UNANCHORED)
+    page.evaluate("oscillations.clock.playing = false")
+    held = page.locator(part).first
+    page.mouse.move(*middle(held))
+    page.mouse.down()
+    passed(page)
+    before = top(held)
+    page.evaluate("document.querySelector('h1').style.paddingBottom = '50px'")
+    passed(page)
+    assert top(held) == pytest.approx(before, abs=1)
+    page.mouse.up()
+    page.evaluate("document.querySelector('h1').style.paddingBottom = ''")
+    passed(page)
+    if "grip" not in part:
+        assert top(held) < before - 20, "nothing is held any more"
 
 
 def test_time_is_dragged_and_plays_on(page: Page, open_scene: Open) -> None:

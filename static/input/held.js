@@ -1,0 +1,28 @@
+// What a hand holds: it follows the pointer until that lets go, and the page stands still under it.
+
+/**
+ * Follows a pointer that `host` has captured.
+ * @param {HTMLElement} host @param {(event: PointerEvent) => void} move @param {() => void} end
+ */
+export function whileHeld(host, move, end) {
+  const free = steady(host.offsetParent ?? host)
+  host.addEventListener("pointermove", move)
+  const stop = () => {
+    host.removeEventListener("pointermove", move)
+    free()
+    end()
+  }
+  host.addEventListener("lostpointercapture", stop, {once: true})
+}
+
+/**
+ * Keeps a part where it stands in the window, whatever lines come and go above it: the page scrolls by as much.
+ * @param {Element} part @returns {() => void} what ends it
+ */
+export function steady(part) {
+  const top = () => part.getBoundingClientRect().top
+  const stood = top()
+  const observer = new ResizeObserver(() => scrollBy(0, top() - stood))
+  observer.observe(document.body)
+  return () => observer.disconnect()
+}
