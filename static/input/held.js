@@ -1,4 +1,4 @@
-// What a hand holds: it follows the pointer until that lets go, and the page stands still under it.
+// A pointer that holds something: followed until it lets go, while the page stands still under it.
 
 /**
  * Follows a pointer that `host` has captured.
