@@ -244,11 +244,11 @@ declare namespace page {
   /** The card of a step, before its answer.
    *
    * `place` says where in the lecture it is, `given` stands over the question, `options` are the answers of a choice,
-   * shown in another order unless they are `fixed`, `unit` is that of a number; `plot` is where a point is marked or a
-   * sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and `frame` the axes x and y of a sketch
-   * that a class shares. `opens` is the state that the question is asked of, `reveals` the one of the answer, where the
-   * parameters in `controls` may be moved. The `core` steps make a shorter walk. `variants` are cards of its question
-   * with other numbers, under the seeds from 1 on. */
+   * shown in another order unless they are `fixed`, none of them right in a `poll`, `unit` is that of a number; `plot`
+   * is where a point is marked or a sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and
+   * `frame` the axes x and y of a sketch that a class shares. `opens` is the state that the question is asked of,
+   * `reveals` the one of the answer, where the parameters in `controls` may be moved. The `core` steps make a shorter
+   * walk. `variants` are cards of its question with other numbers, under the seeds from 1 on. */
   interface StepCard {
     id: string
     kind: string
@@ -263,6 +263,7 @@ declare namespace page {
     controls: string[]
     options: Html[]
     fixed: boolean
+    poll: boolean
     unit: string
     plot: string
     axis: "" | "x" | "y"
@@ -414,7 +415,7 @@ declare namespace page {
     lost: boolean | null
     ended: boolean
     answers: boolean
-    deed: "" | "next" | "back" | "show" | "votes" | "again" | "blank" | "close" | "taken"
+    deed: "" | "next" | "back" | "show" | "votes" | "again" | "poll" | "blank" | "close" | "taken"
     remotes: string[] | null
   }
 
@@ -522,7 +523,7 @@ declare namespace page {
 
   /** A press of a button on a remote control. */
   interface Done {
-    deed: "next" | "back" | "show" | "votes" | "again" | "blank" | "close"
+    deed: "next" | "back" | "show" | "votes" | "again" | "poll" | "blank" | "close"
   }
 
   /** An axis as it is drawn: places are numbers in units of `factor` (SI) times 10**exponent, raised to `power`, or

@@ -111,7 +111,7 @@ class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
     lost: bool | None = None
     ended: bool = False
     answers: bool = False
-    deed: Literal["", "next", "back", "show", "votes", "again", "blank", "close", "taken"] = ""
+    deed: Literal["", "next", "back", "show", "votes", "again", "poll", "blank", "close", "taken"] = ""
     remotes: tuple[str, ...] | None = None
 
 
@@ -234,4 +234,4 @@ class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 class Done(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     """A press of a button on a remote control."""
 
-    deed: Literal["next", "back", "show", "votes", "again", "blank", "close"]
+    deed: Literal["next", "back", "show", "votes", "again", "poll", "blank", "close"]

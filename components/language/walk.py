@@ -15,11 +15,11 @@ class StepCard(Struct, frozen=True, kw_only=True):
     """The card of a step, before its answer.
 
     `place` says where in the lecture it is, `given` stands over the question, `options` are the answers of a choice,
-    shown in another order unless they are `fixed`, `unit` is that of a number; `plot` is where a point is marked or a
-    sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and `frame` the axes x and y of a sketch
-    that a class shares. `opens` is the state that the question is asked of, `reveals` the one of the answer, where the
-    parameters in `controls` may be moved. The `core` steps make a shorter walk. `variants` are cards of its question
-    with other numbers, under the seeds from 1 on.
+    shown in another order unless they are `fixed`, none of them right in a `poll`, `unit` is that of a number; `plot`
+    is where a point is marked or a sketch drawn, `axis` the one of the point, `curves` what is drawn, by name, and
+    `frame` the axes x and y of a sketch that a class shares. `opens` is the state that the question is asked of,
+    `reveals` the one of the answer, where the parameters in `controls` may be moved. The `core` steps make a shorter
+    walk. `variants` are cards of its question with other numbers, under the seeds from 1 on.
     """
 
     id: str
@@ -35,6 +35,7 @@ class StepCard(Struct, frozen=True, kw_only=True):
     controls: tuple[str, ...]
     options: tuple[Html, ...] = ()
     fixed: bool = False
+    poll: bool = False
     unit: str = ""
     plot: str = ""
     axis: Literal["", "x", "y"] = ""

@@ -80,7 +80,7 @@ class QuestionBank:
         if found is None:
             raise ValueError(UNFIT)
         form = self._form(given.walk, given.step)
-        return Judged(**asdict(given), number=found.number, right=found.right, has=found.has, form=form)
+        return Judged(**asdict(given), number=found.number, right=bool(found.right), has=found.has, form=form)
 
     def counted(self, walk: str, step: str, given: Sequence[Judged]) -> Counted:
         return self.step(walk, step).count(given)
@@ -88,6 +88,10 @@ class QuestionBank:
     def written(self, given: Judged) -> Written:
         """An answer in the table of a class."""
         return self.step(given.walk, given.step).written(given, self._subject(given.walk, given.step))
+
+    def judges(self, walk: str, step: str) -> bool:
+        """Whether an answer to it is right or wrong."""
+        return self.step(walk, step).judges
 
     def asked(self, walk: str, step: str) -> str:
         """The question of a step without marks."""

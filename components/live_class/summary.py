@@ -17,14 +17,14 @@ LONGEST = 200
 
 
 async def summary(registry: Registry, room: ClassRoom) -> list[StepSummary]:
-    """The questions in the order of their first answers, each with all its votes."""
+    """The questions that have a right answer, in the order of their first answers, each with all its votes."""
     bank = registry.bank_of(room)
     asked: dict[tuple[str, str], dict[int, list[Judged]]] = defaultdict(dict)
     for question in await registry.store.questions(room.code):
         walk, step, vote = question.split("/")
         if answers := await registry.given(room, question):
             asked[walk, step][int(vote)] = answers
-    return [_summary(bank, walk, step, votes) for (walk, step), votes in asked.items()]
+    return [_summary(bank, walk, step, votes) for (walk, step), votes in asked.items() if bank.judges(walk, step)]
 
 
 def _summary(bank: QuestionBank, walk: str, step: str, votes: dict[int, list[Judged]]) -> StepSummary:

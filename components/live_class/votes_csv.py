@@ -33,10 +33,9 @@ async def votes_csv(registry: Registry, room: ClassRoom) -> str:
         walk, step, vote = question.split("/")
         if not answers:
             continue
-        asked = bank.asked(walk, step)
+        asked, words = bank.asked(walk, step), ("no", "yes") if bank.judges(walk, step) else ("", "")
         async for name, one in by_and_by(sorted(answers, key=lambda answer: phones[answer[0]])):
-            written, right = bank.written(one), "yes" if one.right else "no"
-            row = (time_of(one.at), str(one.here or ""), walk, step, vote, asked, *written, right)
+            row = (time_of(one.at), str(one.here or ""), walk, step, vote, asked, *bank.written(one), words[one.right])
             writer.writerow((phones[name], *map(cell, row)))
     return text.getvalue()
 

@@ -64,6 +64,12 @@ export const KEYS = [
   {keys: ["p", "P"], shown: "P", does: "Projector: large type for a lecture hall", act: l => l.hall.toggle()},
   {keys: ["f", "F"], shown: "F", does: "Full screen", act: l => l.hall.full()},
   {keys: ["t", "T"], shown: "T", does: "Start a live class", act: l => void (l.classes.led ?? l.classes.begin())},
+  {
+    keys: ["v", "V"],
+    shown: "V",
+    does: "Vote A to D on a question asked aloud, in a live class",
+    act: l => l.classes.poll(),
+  },
   {keys: ["j", "J"], shown: "J", does: "Show the code of the class, large", act: l => l.classes.led?.large.toggle()},
   {keys: [".", "b", "B"], shown: "B or .", does: "Blank the screen; any key brings it back", act: () => blank()},
   {keys: ["Escape"], shown: "Esc", does: "Close what is open", act: close, shared: true},

@@ -6,6 +6,7 @@ import {answer, mine} from "./mine.js"
 import {Refusal, ask, pause} from "./room.js"
 
 const SENT = "Sent. You can change it until the answer is shown."
+const VOTED = "Sent. You can change it until the vote is closed."
 const CLOSED = "The vote is closed."
 const MOMENT = 400 // ms without a change until an answer is sent
 const SPREAD = 1500 // ms over which all phones ask what is said of their answers
@@ -88,6 +89,10 @@ export class AskedPut {
     return {...own, unfolded: false, show: () => this.#send(), forward: none, back: none, again: none, open: none}
   }
 
+  get #sent() {
+    return this.card?.walk.step.poll ? VOTED : SENT
+  }
+
   get #name() {
     return nameOf(/** @type {page.PutTo} */ (this.question))
   }
@@ -118,7 +123,7 @@ export class AskedPut {
       this.given = vote
       this.sentTo = this.following.server
       if (card?.walk.lesson) return
-      if (changes === this.changes) this.status.textContent = SENT
+      if (changes === this.changes) this.status.textContent = this.#sent
     } catch (reason) {
       if (!(reason instanceof Refusal)) throw reason
       if (card !== this.card || card?.walk.lesson) return
@@ -141,7 +146,7 @@ export class AskedPut {
     if (!this.given) return
     this.card?.question.restore(this.given)
     clearTimeout(this.timer)
-    this.status.textContent = SENT
+    this.status.textContent = this.#sent
     this.#resend()
   }
 

@@ -39,6 +39,12 @@ export class Classes {
     this.opening = false
   }
 
+  /** A vote A to D, on what is asked aloud. */
+  poll() {
+    if (this.led) this.led.poll()
+    else this.lecture.page.notice.tell("A vote needs a live class: press T.")
+  }
+
   /** Whether this page leads a class, or is about to come back to its own. */
   get leads() {
     return Boolean(this.led ?? tabStorage.text(LED))

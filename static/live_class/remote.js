@@ -87,7 +87,7 @@ class Remote {
     this.isIn = true
     const deeds = /** @type {[string, page.Done["deed"]][]} */ ([
       ["Next", "next"], ["Back", "back"], ["Show the votes", "votes"], ["Show the answer", "show"],
-      ["Vote again", "again"], ["Blank the screen", "blank"], ["Close the QR code", "close"],
+      ["Vote again", "again"], ["Vote A to D", "poll"], ["Blank the screen", "blank"], ["Close the QR code", "close"],
     ]) // prettier-ignore
     const buttons = deeds.map(([name, deed]) =>
       button({class: deed === "next" ? "act filled" : "act"}, () => this.#do(deed), name),

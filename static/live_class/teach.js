@@ -7,6 +7,7 @@ import {tabStorage} from "../core/storage.js"
 import {Corner} from "./corner.js"
 import {Kept} from "./kept.js"
 import {Large} from "./large.js"
+import {poll} from "./poll.js"
 import {Refusal, ask, pause} from "./room.js"
 import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
@@ -145,6 +146,7 @@ export class Teach {
     else if (deed === "blank") blank()
     else if (deed === "again") this.again()
     else if (deed === "votes") this.votes.open()
+    else if (deed === "poll") this.poll()
     else if (deed === "back") walks.turn(-1)
     else if (deed === "next") walks.turn(1)
     else if (deed === "show" && walk && !walk.lesson) walk.show(true)
@@ -254,6 +256,12 @@ export class Teach {
    */
   #last(walk, step) {
     return this.kept.room.last?.[`${walk}/${step}`] ?? 0
+  }
+
+  /** Asks for a vote on what is asked aloud. */
+  async poll() {
+    const refused = await poll(this.lecture)
+    if (refused) this.lecture.page.notice.tell(refused)
   }
 
   /** Takes no more answers. */

@@ -97,7 +97,7 @@ export class Votes {
     const drawn = tally?.now.sketches.length ?? 0
     const some = drawn && drawn < answered ? `, ${drawn} of them drawn here` : "" // more would be one dark area
     this.status.textContent = `${turn}${answered}${of} have answered${this.isOpen ? some + before : ""}`
-    if (!walk.lesson) card.forward.textContent = this.waits ? "Show the votes" : "Show the answer"
+    if (!walk.lesson) card.forward.textContent = this.waits ? "Show the votes" : card.last
     if (!walk.lesson) card.forward.classList.remove("waiting")
     const {closed} = this.teach.news.question ?? {}
     if (closed && !walk.lesson) this.status.append(". The vote is closed.")

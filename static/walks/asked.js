@@ -30,10 +30,15 @@ export class Asked {
 
   /** A walk's file. @param {Fields[]} [steps] */
   file(steps = this.steps) {
-    const parts = steps.map(step => ["[[step]]", ...Object.entries(step).map(line)])
-    return [line(["title", this.title]), ...parts.map(lines => `\n${lines.join("\n")}`)].join("\n") + "\n"
+    return walkText(this.title, steps)
   }
 }
+
+/** A walk's file. @param {string} title @param {Fields[]} steps */
+export const walkText = (title, steps) => [`${line(["title", title])}\n`, ...steps.map(stepText)].join("")
+
+/** A step in such a file. @param {Fields} step */
+export const stepText = step => ["\n[[step]]", ...Object.entries(step).map(line), ""].join("\n")
 
 /** @param {[string, Toml]} field */
 const line = ([name, value]) => `${name} = ${written(value)}`

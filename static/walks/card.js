@@ -28,7 +28,7 @@ export class Card {
     this.after = element("div", {class: "after"})
     this.back = button({class: "act", "data-key": "PageUp"}, () => walk.back(), "Back")
     this.back.disabled = walk.place === 0
-    this.forward = button({class: "act filled"}, () => walk.forward(), "Show the answer")
+    this.forward = button({class: "act filled"}, () => walk.forward(), this.last)
     const asks = marked("h2", {class: "asks", tabindex: -1}, step.question)
     this.body = element("div", {class: "card-body"}, this.#head(), ...given(step), asks, this.question.element)
     this.body.append(this.refusal, this.after)
@@ -46,6 +46,11 @@ export class Card {
     const heard = asks.checkVisibility() ? asks : page.heading
     heard.focus({preventScroll: true})
     this.question.plot?.host.scrollIntoView({block: "nearest"}) // now that all has its place
+  }
+
+  /** What the filled button does once nothing else is to be seen before it: of a poll nothing is right. */
+  get last() {
+    return this.walk.step.poll ? "Go on" : "Show the answer"
   }
 
   #head() {

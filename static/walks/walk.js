@@ -181,6 +181,7 @@ export class Walk {
     const teach = this.lecture.classes.led
     if (this.lesson) this.next()
     else if (teach?.votes.waits) teach.votes.open()
+    else if (this.step.poll) this.walks.goOn()
     else this.show(always || Boolean(teach))
   }
 
@@ -191,6 +192,7 @@ export class Walk {
 
   /** @param {boolean} always */
   async show(always) {
+    if (this.step.poll) return
     if (this.lecture.classes.put === this.#name) return this.card?.refuse(ASKED_NOW)
     const given = this.card?.question.given()
     if (!given && !always) return this.card?.refuse(`${ANSWER_FIRST}.`)
@@ -213,7 +215,7 @@ export class Walk {
 
   /** The step as it stands, to come back to. */
   get bookmark() {
-    if (!this.step || !this.state) return null
+    if (!this.step || !this.state || this.step.poll) return null
     const given = this.card?.question.given() ?? {}
     const known = this.lesson ? {step: this.#name, given} : null
     return {walk: this.sheet.name, place: this.place, state: this.state, known}

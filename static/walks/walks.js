@@ -7,6 +7,7 @@ import {tabStorage} from "../core/storage.js"
 /** @typedef {import("./walk.js").Walk} Walk */
 
 const OWN = "own-walks"
+export const POLLS = "votes" // the walk of what a class is asked aloud
 const NOT_READ = "the server could not read this file. Nothing has changed."
 
 export class Walks {
@@ -80,7 +81,7 @@ export class Walks {
     if (name) {
       await this.#take(name)
       if (shown === this.latest) this.walk?.arrive(step, Number(seed ?? 0), shown)
-      this.left = null
+      if (name !== POLLS) this.left = null
     } else {
       this.left = this.walk?.bookmark ?? this.left
       this.walk?.leave()
@@ -104,6 +105,11 @@ export class Walks {
     await this.#take(left.walk)
     if (this.walk) this.walk.known = left.known
     this.lecture.open(left.state)
+  }
+
+  /** After a vote on what was asked aloud. */
+  goOn() {
+    return this.left ? this.comeBack() : this.leave()
   }
 
   /** Out of the walk, back to it, or the menu of all of them. */

@@ -176,6 +176,30 @@ def test_a_remote_control_is_let_in_and_turns_the_pages(window: Open) -> None:
     expect(remote.locator(".class-remote p")).to_contain_text("2 of 16")
 
 
+def test_a_key_asks_for_a_vote_on_what_is_said_aloud_and_leads_back(window: Open) -> None:
+    """Of a step that is open, nothing is shown by it; a class without a walk votes too."""
+    lecture, code = taught(window, "walk=d34&step=d34-04&projector")
+    phone = joined(window, code)
+    phone.wait_for_function("oscillations.asked.question?.step === 'd34-04'")
+    covered = lecture.evaluate("oscillations.shown.state.covered")
+    lecture.keyboard.press("v")
+    phone.wait_for_function("oscillations.asked.question?.step === 'vote-1' && oscillations.asked.card")
+    assert covered and lecture.evaluate("oscillations.shown.state.covered") == covered
+    phone.get_by_role("button", name="B", exact=False).and_(phone.locator("[data-option='1']")).click()
+    expect(phone.get_by_text("Sent. You can change it until the vote is closed.")).to_be_visible()
+    expect(lecture.locator(".votes")).to_contain_text("1 of 1 have answered")
+    clicked(lecture)
+    counted(lecture, "0", "1", "0", "0")
+    expect(lecture.locator(".card .foot .filled")).to_have_text("Go on")
+    clicked(lecture)
+    lecture.wait_for_function("oscillations.walks.walk?.step?.id === 'd34-04'")
+    phone.wait_for_function("oscillations.asked.question?.step === 'd34-04'")
+    lecture.keyboard.press("w")
+    lecture.wait_for_function("!oscillations.walks.walk")
+    lecture.keyboard.press("v")
+    phone.wait_for_function("oscillations.asked.question?.step === 'vote-2' && oscillations.asked.card")
+
+
 def test_a_phone_keeps_the_theme_that_it_was_given(window: Open) -> None:
     _, code = taught(window, "scene=energy")
     phone = joined(window, code)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+
 from components.live_class import lead_routes
 from components.serving.server import Server
 from tests.live_class.caller import Class, called
@@ -28,6 +30,40 @@ def test_a_summary_has_each_question_its_votes_and_the_mistake_that_is_made_most
         assert choice["mistake"].startswith("Shorter: the spring pulls") and choice["mistaken"] == 2
         assert (number["place"], number["mistaken"]) == (2, 1) and number["mistake"].endswith(" s")
         assert (await called(url, path, word=tokens[0])).status == 404
+
+    run(test)
+
+
+POLL = """
+title = "Votes"
+[[step]]
+id = "vote-1"
+kind = "choice"
+poll = true
+fixed = true
+title = "Vote 1"
+state = "?scene=coupled&k2=3"
+question = "What is your answer to the question just asked?"
+options = [{ text = "A" }, { text = "B" }]
+explain = "The question was asked aloud."
+"""
+
+
+def test_a_poll_is_counted_and_nobody_is_right_or_wrong() -> None:
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        poll = {"walk": "votes", "step": "vote-1"}
+        assert (await lesson.order("walk", name="votes", text=POLL)).status == 204
+        await lesson.order("put", **poll)
+        token = await lesson.token()
+        assert (await lesson.vote(token, **poll, option=1)).status == 204
+        assert (await lesson.vote(token, **poll, option=2)).status == 409
+        tally = (await called(url, f"/class/{lesson.code}/tally", word=lesson.key)).json
+        assert tally["now"]["options"] == [0, 1]
+        assert (await called(url, f"/class/{lesson.code}/summary", word=lesson.key)).json == []
+        table = (await called(url, f"/class/{lesson.code}/answers.csv", word=lesson.key)).text
+        rows = list(csv.DictReader(table.splitlines()))
+        assert [(row["step"], row["answer"], row["right"]) for row in rows] == [("vote-1", "B", "")]
 
     run(test)
 

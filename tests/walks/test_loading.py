@@ -98,6 +98,7 @@ def test_a_complaint_names_file_step_and_field(old: str, new: str, says: str) ->
         ("k2=3", "k2=3&before.k2=2", "state: before: a step begins with no prediction that waits."),
         ("{omega_minus}", "{omega_9}", "explain: there is no live number “omega_9”."),
         ("right = true", "right = false", "options: exactly one must be right."),
+        ("options = [", "poll = true\noptions = [", "options: none is right in a poll."),
         (', reply = "It is right for a **single** mass."', "", "options[1].reply: a wrong answer needs a reply"),
         ("rise?", "rise, $\\\\left($?", "question: “\\left(” cannot be set as a formula."),
         ("Stiffer is", "{tau} is", "title: live numbers can stand in explain only."),

@@ -25,12 +25,18 @@ class OptionEntry(Reply, frozen=True, kw_only=True):
 
 
 class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
-    """One of a few answers, shown in an order of each class's or visitor's own, unless it is `fixed`."""
+    """One of a few answers, shown in an order of each class's or visitor's own, unless it is `fixed`; of a `poll`, on
+    what is asked aloud, none is right."""
 
     takes = "option"
     usual = 2.0
     options: Annotated[tuple[OptionEntry, ...], Meta(min_length=2, max_length=5)]
     fixed: bool = False
+    poll: bool = False
+
+    @property
+    def judges(self) -> bool:
+        return not self.poll
 
     def links(self) -> Iterator[str]:
         yield from super().links()
@@ -43,21 +49,25 @@ class ChoiceStep(Question, frozen=True, kw_only=True, tag="choice"):
             yield f"options[{i}].reply", option.reply
 
     def problems(self, subject: Subject) -> Iterator[str]:
-        if sum(option.right for option in self.options) != 1:
+        right = sum(option.right for option in self.options)
+        if self.poll and right:
+            yield "options: none is right in a poll."
+        if not self.poll and right != 1:
             yield "options: exactly one must be right."
         for i, option in enumerate(self.options):
-            if not option.right and not option.reply:
+            if self.judges and not option.right and not option.reply:
                 yield f"options[{i}].reply: a wrong answer needs a reply."
         yield from astray("options", self.options, subject)
 
     def card(self, subject: Subject, **step: Any) -> StepCard:
-        return StepCard(options=tuple(rich(option.text) for option in self.options), fixed=self.fixed, **step)
+        options = tuple(rich(option.text) for option in self.options)
+        return StepCard(options=options, fixed=self.fixed, poll=self.poll, **step)
 
     def judge(self, given: Given, subject: Subject) -> Judgement:
         option = given.option or 0
         if option >= len(self.options):
             raise ValueError(f"This question has {len(self.options)} answers.")
-        return Judgement(self.options[option].right)
+        return Judgement(self.options[option].right if self.judges else None)
 
     def teaches(self, given: Given, subject: Subject, **step: Any) -> Lesson:
         verdicts = (

@@ -21,10 +21,10 @@ UNFIT = "This answer does not fit the question."
 
 
 class Judgement(NamedTuple):
-    """Whether an answer is right, the number that it is, which of the features asked for it has, the sentence that is
-    its own, and the link of a case of which that speaks."""
+    """Whether an answer is right (None where none is), the number that it is, which of the features asked for it has,
+    the sentence that is its own, and the link of a case of which that speaks."""
 
-    right: bool
+    right: bool | None
     number: float = 0.0
     has: tuple[bool, ...] = ()
     reply: str = ""
@@ -59,6 +59,11 @@ class Question(BaseStep, frozen=True, kw_only=True):
     @property
     def kind(self) -> str:
         return str(self.__struct_config__.tag)
+
+    @property
+    def judges(self) -> bool:
+        """Whether an answer is right or wrong."""
+        return True
 
     @property
     def planned(self) -> float:
