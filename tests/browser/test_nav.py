@@ -18,6 +18,12 @@ MORE = """count => {
   const links = [...document.querySelectorAll(".nav .scenes a")]
   links.slice(-count).forEach(link => link.after(link.cloneNode(true)))
 }"""
+OFF_LINE = """() => {
+  const range = document.createRange()
+  range.selectNodeContents(document.querySelector(".scene-menu summary"))
+  const [text, line] = [range, document.querySelector(".nav")].map(one => one.getBoundingClientRect())
+  return Math.abs(text.top + text.bottom - line.top - line.bottom) / 2
+}"""
 RUN_TOGETHER = """() => {
   const stand = [...document.querySelectorAll(".nav > *, .nav nav :is(a, button, .lecture)")]
     .filter(one => one.checkVisibility() && !one.matches(".skip, nav") && one.getBoundingClientRect().width)
@@ -83,6 +89,7 @@ def test_a_folded_lecture_opens_by_mouse_and_keys(page: Page, open_scene: Open) 
 def test_on_a_narrow_screen_all_stand_in_one_list(width: int, height: int, page: Page, open_scene: Open) -> None:
     page.set_viewport_size({"width": width, "height": height})
     open_scene(page, scene="coupled")
+    assert page.evaluate(OFF_LINE) < 1, "the scene stands in the middle of its line"
     page.locator(".scene-menu summary").click()
     expect(page.locator(".nav .scenes a:visible")).to_have_text([scene.title for scene in SCENES.values()])
     expect(page.locator(".nav .scene-group > button:visible")).to_have_count(0)

@@ -81,7 +81,8 @@ def test_a_finger_hits_what_it_aims_at(
 def test_in_a_low_window_the_bar_goes_under_the_stage(
     size: tuple[int, int], text: str, new_page: Callable[..., Page], open_scene: Callable[..., Page]
 ) -> None:
-    page = open_scene(new_page(*size), scene="oscillator")
+    page = open_scene(new_page(*size), scene="energy")
+    assert page.evaluate("document.querySelector('.transport').getBoundingClientRect().bottom <= innerHeight")
     page.evaluate("size => { document.documentElement.style.fontSize = size }", text)
     passed(page)
     page.evaluate("scrollBy(0, document.querySelector('.transport').getBoundingClientRect().top - 60)")
