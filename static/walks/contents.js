@@ -3,6 +3,7 @@
 import {button, chip, element, marked} from "../core/dom.js"
 import {mark} from "../questions/question.js"
 import {save} from "../export/save.js"
+import {STEPS} from "./steps.js"
 
 export class Contents {
   /** @type {page.WalkSheet[]} */
@@ -43,7 +44,7 @@ export class Contents {
   #fill() {
     const {sheets} = this
     const close = chip("Close", () => this.close())
-    const head = element("header", {}, element("h1", {}, "Steps of this lecture"), close)
+    const head = element("header", {}, element("h1", {}, "Steps of this lecture"), ...this.#apart(), close)
     const columns = element("div", {class: "columns"}, ...sheets.map(sheet => this.#column(sheet)))
     const tools = [chip("Save as text", () => this.#export(sheets)), chip("Delete my answers", () => this.#clear())]
     this.element.replaceChildren(
@@ -53,6 +54,14 @@ export class Contents {
       columns,
       element("div", {class: "tools"}, ...tools),
     )
+  }
+
+  /** Where the hall reads this page, questions still to be asked are read elsewhere. */
+  #apart() {
+    const {sheet, walks, lecture} = this.walk
+    if (!lecture.hall.on) return []
+    const name = walks.own.has(sheet.name) ? walks.menu.names[0] : sheet.name // a walk from a file comes later
+    return [chip("Questions in a window of their own", () => open(`./?walk=${name}${STEPS}`, "_blank", "noopener"))]
   }
 
   /** After the last step: the walk in a few sentences. */
@@ -92,11 +101,7 @@ export class Contents {
     const claim = marked("span", {class: "claim"}, words) // a hall does not read what it will be asked
     const number = element("span", {class: "number-of-step"}, String(i + 1))
     const parts = [number, claim, element("span", {class: "said"}, said), ...(kept ? [mark(kept.right)] : [])]
-    const go = () => {
-      this.close()
-      this.walk.walks.enter(sheet.name, i)
-    }
-    const row = button({}, go, ...parts)
+    const row = button({}, () => this.walk.walks.choose(sheet.name, i), ...parts)
     const isHere = sheet === this.walk.sheet && i === this.walk.place
     if (sheet === this.walk.sheet && !this.walk.steps.includes(step)) row.classList.add("left-out")
     if (isHere) row.setAttribute("aria-current", "step")

@@ -3,6 +3,7 @@
 import {element} from "../core/dom.js"
 import {browserStorage} from "../core/storage.js"
 import {later} from "../later.js"
+import {STEPS, lead} from "./steps.js"
 
 const VISITED = "visited"
 const ASK = "#ask" // of a window that is opened to write a question
@@ -102,9 +103,15 @@ export class Menu {
   walked(isWalked) {
     this.element?.classList.toggle("walked", isWalked)
     if (isWalked && this.tour) this.tour.hidden = true
-    if (location.hash !== ASK) return
-    history.replaceState(history.state, "", location.href.replace(ASK, ""))
-    this.#ask()
+  }
+
+  /** What a window was opened for, once its first picture stands. */
+  begin() {
+    const {hash} = location
+    if (hash !== ASK && hash !== STEPS) return
+    history.replaceState(history.state, "", location.href.replace(hash, ""))
+    if (hash === ASK) this.#ask()
+    else lead(this.walks)
   }
 
   /** The way back to a walk, in words; "" where there is none. @param {string} back */

@@ -2,6 +2,7 @@
 
 import {insisting, later} from "../later.js"
 import {Menu} from "./menu.js"
+import {follow} from "./steps.js"
 import {tabStorage} from "../core/storage.js"
 
 /** @typedef {import("./walk.js").Walk} Walk */
@@ -32,6 +33,7 @@ export class Walks {
     /** @type {Record<string, string>} by name */
     this.texts = tabStorage.value(OWN) ?? {}
     this.menu = new Menu(this)
+    follow(this)
     // A new session takes the place of one that knew these: it is told of them before anything is asked of it.
     lecture.line.before = () => Object.entries(this.texts).map(([name, text]) => ({type: "walk", name, text}))
     const {walk, step} = Object.fromEntries(new URLSearchParams(location.search))
@@ -55,6 +57,11 @@ export class Walks {
   async enter(name, place = 0) {
     await this.#take(name)
     this.walk?.go(place)
+  }
+
+  /** A step that is chosen in the contents. @param {string} name @param {number} place */
+  choose(name, place) {
+    this.enter(name, place)
   }
 
   /** Whether it is the one: a file that is taken anew is another. @param {string} name */
@@ -87,6 +94,7 @@ export class Walks {
       this.walk?.leave()
       this.walk = null
     }
+    this.menu.begin()
     this.menu.offers(this.left ? `Back to step ${this.left.place + 1} (W)` : "")
   }
 

@@ -10,6 +10,7 @@ from playwright.sync_api import Locator, Page, expect
 
 from components.scenes import SCENES
 from tests.browser.boxes import faults
+from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
 from tests.browser.waiting import passed, seek
 from tests.serving.server import Server
@@ -97,6 +98,24 @@ def test_a_walk_in_the_hall(server: Server, page: Page) -> None:
     expect(page.locator(".card")).to_have_count(0)
     found += looked_at(page, 1920, 1080)  # the scene has its type again
     assert not found, "\n".join(found)
+
+
+def test_the_questions_stand_in_a_window_of_their_own_that_leads_the_hall(server: Server, page: Page) -> None:
+    """With what the lecturer's own file asks, which the hall's page alone knows."""
+    page.goto(f"{server.url}?walk=d34&step=12&projector")
+    page.wait_for_function(f"{READY} && document.querySelector('.card')")
+    drop(page, "mine.toml", 'title = "Mine"\n[[step]]\nid = "pull"\nfrom = "d31-03"\n')
+    page.wait_for_function("oscillations.walks.walk?.step?.id === 'pull' && document.querySelector('.card')")
+    page.get_by_role("button", name="Contents", exact=True).first.click()
+    with page.context.expect_page() as opened:
+        page.get_by_role("button", name="Questions in a window of their own").click()
+    steps = opened.value.locator("dialog.contents")
+    expect(steps.locator("section").first).to_contain_text("How long does one swing take?")
+    expect(steps.locator("h2").first).to_contain_text("Mine")
+    steps.get_by_role("button", name="after a very long time", exact=False).click()
+    page.wait_for_function("oscillations.shown.state.step === 'd34/d34-12'")
+    expect(page.locator("dialog.contents")).to_be_hidden()
+    expect(steps).to_be_visible()
 
 
 def test_the_hall_is_a_key_and_part_of_the_link(page: Page, open_scene: Callable[..., Page]) -> None:

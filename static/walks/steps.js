@@ -1,0 +1,30 @@
+// The contents in a window of its own: a step that is chosen there is opened on the page that the hall reads.
+
+/* oxlint-disable unicorn/require-post-message-target-origin -- a channel is one origin's */
+
+const NAME = "steps-of-the-lecture" // what windows of one browser say to each other
+export const STEPS = "#steps" // of the address of such a window
+
+/** @typedef {import("./walks.js").Walks} Walks */
+
+/** The page that the hall reads tells of its walks from files, and goes where it is sent. @param {Walks} walks */
+export function follow(walks) {
+  const channel = new BroadcastChannel(NAME)
+  channel.addEventListener("message", ({data}) => {
+    if (!walks.lecture.hall.on) return
+    if (data.asks) channel.postMessage({texts: walks.texts})
+    else if (walks.names.includes(data.walk)) walks.enter(data.walk, data.place)
+  })
+}
+
+/** This window has the contents, and sends the other. @param {Walks} walks */
+export function lead(walks) {
+  const channel = new BroadcastChannel(NAME)
+  channel.addEventListener("message", async ({data}) => {
+    await Promise.all(Object.entries(data.texts ?? {}).map(([name, text]) => walks.check(name, text)))
+    walks.walk?.open()
+  })
+  walks.choose = (walk, place) => channel.postMessage({walk, place})
+  walks.walk?.open()
+  channel.postMessage({asks: true})
+}
