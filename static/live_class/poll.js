@@ -1,8 +1,8 @@
 // A vote on a question asked aloud: a step with four answers of which none is right, on what is shown.
 
 import {stepText, walkText} from "../walks/asked.js"
-import {POLLS} from "../walks/walks.js"
 
+const VOTES = "votes" // the name of their walk
 const LETTERS = ["A", "B", "C", "D"]
 
 /**
@@ -14,9 +14,9 @@ export async function poll({walks, line, kept}) {
   const told = await line.ask({type: "open", state: {...kept, covered, step: ""}})
   if (told.type !== "shown") return "This picture cannot be voted on."
   const query = told.query.split("&").filter(part => !part.startsWith("cover="))
-  const before = walks.texts[POLLS] ?? walkText("Votes", [])
+  const before = walks.texts[VOTES] ?? walkText("Votes", [])
   const place = before.split("\n[[step]]\n").length - 1
-  return walks.run(POLLS, before + stepText(stepOn(query.join("&"), covered, place + 1)), place)
+  return walks.run(VOTES, before + stepText(stepOn(query.join("&"), covered, place + 1)), place)
 }
 
 /** @param {string} query of what is shown @param {string[]} cover @param {number} number of the vote */

@@ -5,9 +5,7 @@
 const NAME = "steps-of-the-lecture" // what windows of one browser say to each other
 export const STEPS = "#steps" // of the address of such a window
 
-/** @typedef {import("./walks.js").Walks} Walks */
-
-/** The page that the hall reads tells of its walks from files, and goes where it is sent. @param {Walks} walks */
+/** The page that the hall reads tells of its walks from files, and goes where it is sent. @param {LectureHost["walks"]} walks */
 export function follow(walks) {
   const channel = new BroadcastChannel(NAME)
   channel.addEventListener("message", ({data}) => {
@@ -17,7 +15,7 @@ export function follow(walks) {
   })
 }
 
-/** This window has the contents, and sends the other. @param {Walks} walks */
+/** This window has the contents, and sends the other. @param {LectureHost["walks"]} walks */
 export function lead(walks) {
   const channel = new BroadcastChannel(NAME)
   channel.addEventListener("message", async ({data}) => {

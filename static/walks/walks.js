@@ -8,7 +8,6 @@ import {tabStorage} from "../core/storage.js"
 /** @typedef {import("./walk.js").Walk} Walk */
 
 const OWN = "own-walks"
-export const POLLS = "votes" // the walk of what a class is asked aloud
 const NOT_READ = "the server could not read this file. Nothing has changed."
 
 export class Walks {
@@ -88,7 +87,7 @@ export class Walks {
     if (name) {
       await this.#take(name)
       if (shown === this.latest) this.walk?.arrive(step, Number(seed ?? 0), shown)
-      if (name !== POLLS) this.left = null
+      if (!this.walk?.step?.poll) this.left = null // which a vote leads back to
     } else {
       this.left = this.walk?.bookmark ?? this.left
       this.walk?.leave()
