@@ -1,7 +1,8 @@
 // A place to mark on an axis of a plot: an open pill that is pressed, dragged, or moved by the arrow keys.
 
 import {short} from "../core/numbers.js"
-import {element, long, set} from "../core/dom.js"
+import {element, frame, long, set, unitSize} from "../core/dom.js"
+import {EVERYWHERE, places} from "../paper/places.js"
 
 const STEPS = 100 // arrow keys from end to end
 
@@ -88,6 +89,22 @@ export class Marker {
     set(this.pill, {"aria-valuetext": this.value === null ? "not set" : `${this.number} ${this.unit}`})
     for (const [i, truth] of this.truths.entries())
       this.#put(/** @type {HTMLElement} */ (this.layer.children[i + 2]), truth)
+    if (this.truths.length) void frame().then(() => this.#clear()) // then all that the plot says stands
+  }
+
+  /** The pill moves along its line, off what the plot now shows again: its pills, flags and numbers. */
+  #clear() {
+    const {left, top, height} = this.plot.frame
+    const own = this.pill.getBoundingClientRect()
+    const standing = this.plot.host.querySelectorAll(".handles > *, text")
+    const others = [...standing].map(one => one.getBoundingClientRect()).filter(({width}) => width)
+    const isX = this.which === "x"
+    const ways = isX
+      ? {down: Infinity, room: {...EVERYWHERE, bottom: own.bottom}}
+      : {across: Infinity, room: {...EVERYWHERE, left: own.left}}
+    const [place] = places([{wishes: [own], ...ways}], others)
+    const way = place ? place.left - own.left + place.top - own.top : 0
+    this.pill.style.setProperty("--low", long((isX ? top + height : left) + way / unitSize()))
   }
 
   /** @param {HTMLElement} part @param {number} value */
@@ -99,13 +116,13 @@ export class Marker {
     part.style.setProperty("--high", long(this.which === "x" ? top : left + width))
   }
 
-  /** The right places stand beside the one marked. @param {number[]} places */
-  teach(places) {
-    this.truths = places
+  /** The right places stand beside the one marked. @param {number[]} truths */
+  teach(truths) {
+    this.truths = truths
     this.layer.classList.add("taught")
     this.pill.disabled = true
     this.pill.hidden = this.value === null // nothing was marked
-    this.layer.append(...places.map(() => element("i", {class: "line-mark true"})))
+    this.layer.append(...truths.map(() => element("i", {class: "line-mark true"})))
     this.place()
   }
 

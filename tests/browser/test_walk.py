@@ -129,6 +129,24 @@ def test_a_point_is_marked_by_mouse_and_keys(walk: Callable[..., Page]) -> None:
     expect(page.locator(".line-mark.true")).to_have_count(1)
 
 
+CLEAR = """() => {
+  const mark = document.querySelector(".pill-mark"), own = mark.getBoundingClientRect()
+  const others = [...mark.closest(".plot-area").querySelectorAll(".pill, .flag, text")]
+    .map(part => part.getBoundingClientRect()).filter(({width}) => width)
+  return others.length > 0 && !others.some(({left, right, top, bottom}) =>
+    left < own.right - 1 && own.left < right - 1 && top < own.bottom - 1 && own.top < bottom - 1)
+}"""
+"""Whether one's mark lies on nothing that the plot says."""
+
+
+def test_a_mark_moves_off_what_comes_with_the_answer(walk: Callable[..., Page]) -> None:
+    page = walk("d31-12")
+    page.evaluate("oscillations.walks.walk.card.question.marker.put(24)")
+    show(page)
+    expect(page.locator(".line-mark.true")).to_have_count(1)
+    page.wait_for_function(CLEAR)
+
+
 @pytest.mark.parametrize("height", [740, 844])
 @pytest.mark.parametrize("step", ["d31-12", "d34-08", "d34-16", "tour-05"])
 def test_a_point_and_its_question_share_the_first_screen_of_a_phone(

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from components.scene import Scene
 from components.scenes import SCENES
+from components.scenes.driven.polygon import LEFT, RIGHT
 from components.scenes.driven.words import SENTENCE
 from physics.driven import DrivenOscillator, highest, magnification
 from tests.grids import tries
@@ -72,10 +73,11 @@ def test_its_sentence_is_true(kind: str, m: float, k: float, r: float, zeta: flo
 @settings(max_examples=tries(100), deadline=None)
 @given(st.sampled_from(KINDS), SOME, st.floats(0.1, 2.4), st.floats(0.01, 1.5))
 def test_its_polygon_closes_on_the_push(kind: str, m: float, r: float, zeta: float) -> None:
-    """In units of the push, or of k Y, with X up, of the unbalance the acceleration."""
+    """In units of the push, or of k Y, with X up, of the unbalance the acceleration; within its stage."""
     scene = DRIVEN(kind=kind, m=m, zeta=zeta, omega=r * math.sqrt(39.48 / m))
-    at = scene.shown.scalars
+    at, M = scene.shown.scalars, scene.shown.axes["M"]
     end = complex(at["end"], -at["across"])
+    assert -LEFT <= at["across"] * at["scale"] / M.place(M.end) <= RIGHT
     if kind == "base":
         shaken = complex(at["y_up"], -at["y_side"])
         assert abs(shaken) == pytest.approx(1.0) and shaken * complex(1, 2 * zeta * r) == pytest.approx(end)

@@ -28,7 +28,7 @@ from components.scenes.driven.case import DrivenCase
 
 ASIDE = 0.09
 """Arrows that would lie on one another are drawn this far apart, in pushes."""
-WIDEST = 1.4
+LEFT, RIGHT = 0.7, 0.6
 """A polygon that reaches further to a side, in heights of the response, is drawn smaller."""
 GROWN = 0.8
 """The height, in heights of the response, of forces that grow."""
@@ -49,7 +49,7 @@ def scalars_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, float]:
         spring, inertia, across = M / (r * r), M, across / (r * r)
     first, third = (inertia, spring) if case.kind == "unbalance" else (spring, inertia)
     side = across * M * (1.0 if case.kind == "unbalance" else -1.0)
-    reach = max(first, third - first, abs(side) / WIDEST, 1.0)
+    reach = max(first, third - first, side / RIGHT, -side / LEFT, 1.0)
     scale = min(1.0, 0.92 * top / reach)
     apart = math.copysign(max(abs(side), ASIDE / scale), side)
     found = {"closed": 1.0, "up": first, "across": side, "aside": apart, "end": first - third, "scale": scale}

@@ -26,9 +26,10 @@ from components.layout.stage import (
     wave,
 )
 
-CENTRE = WIDE * (0.5 * W + 16 * HALL) + NARROW * 0.44 * W
-HALF = WIDE * (62 - 8 * HALL) + NARROW * 52
-"""The reach of the levels to either side of it."""
+CENTRE = WIDE * (0.5 * W + 16 * HALL) + NARROW * (0.2 * W + 78)
+"""Where it hangs: on a phone names have room left of it, and planets right of it."""
+HALF, ASIDE = WIDE * (62 - 8 * HALL) + NARROW * 44, WIDE * 45 + NARROW * 37
+"""The reach of the levels to either side of it, and where arrows stand."""
 STRIP, STRIP_LENGTH = 0.79 * W, 0.2 * W
 """On a phone the stage has a small x(t) of its own."""
 SQUARE = "M0 0H1V1H0Z"
@@ -75,8 +76,10 @@ def levels() -> list[Shape]:
             for show, lines in BESIDE.items()
             for n, line_ in enumerate(lines)
         ],
-        arrow(CENTRE - 44, natural, CENTRE - 44, level, tint="k", head=9, show="apart"),
-        text(CENTRE - 54, (natural + level) * 0.5 + 6, "*δ*_{st} {delta_st}", "end", style="b halo", show="apart"),
+        arrow(CENTRE - ASIDE, natural, CENTRE - ASIDE, level, tint="k", head=9, show="apart"),
+        text(
+            CENTRE - ASIDE - 10, (natural + level) * 0.5 + 6, "*δ*_{st} {delta_st}", "end", style="b halo", show="apart"
+        ),
     ]
 
 
@@ -102,8 +105,8 @@ def body() -> list[Shape]:
             tint="m1",
             grab=begin("Mass, start", linear(lambda x: height(x) + 0.5 * side, "y", "x_0", **MOVES), start=START),
         ),
-        arrow(CENTRE + 46, height(0), CENTRE + 46, hook, tint="m1"),
-        text(CENTRE + 46 - 6 * HALL, BOTTOM + 22, "*x* = {x} {x_unit}", "start", tint="m1", style="t2 b halo"),
+        arrow(CENTRE + ASIDE, height(0), CENTRE + ASIDE, hook, tint="m1"),
+        text(CENTRE + ASIDE - 6 * HALL, BOTTOM + 22, "*x* = {x} {x_unit}", "start", tint="m1", style="t2 b halo"),
     ]
 
 
