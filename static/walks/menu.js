@@ -15,6 +15,8 @@ export class Menu {
   /** @type {HTMLElement | null} the link that offers it beside the menu */
   tour = document.querySelector(".new-here")
 
+  purpose = location.hash // the address is written anew with the first picture
+
   /** @param {import("./walks.js").Walks} walks */
   constructor(walks) {
     this.walks = walks
@@ -107,11 +109,12 @@ export class Menu {
 
   /** What a window was opened for, once its first picture stands. */
   begin() {
-    const {hash} = location
-    if (hash !== ASK && hash !== STEPS) return
-    history.replaceState(history.state, "", location.href.replace(hash, ""))
-    if (hash === ASK) this.#ask()
-    else lead(this.walks)
+    const {purpose} = this
+    this.purpose = ""
+    if (purpose === ASK || purpose === STEPS)
+      history.replaceState(history.state, "", location.href.replace(purpose, ""))
+    if (purpose === ASK) this.#ask()
+    else if (purpose === STEPS) lead(this.walks)
   }
 
   /** The way back to a walk, in words; "" where there is none. @param {string} back */

@@ -5,7 +5,10 @@
 const NAME = "steps-of-the-lecture" // what windows of one browser say to each other
 export const STEPS = "#steps" // of the address of such a window
 
-/** The page that the hall reads tells of its walks from files, and goes where it is sent. @param {LectureHost["walks"]} walks */
+/**
+ * The page that the hall reads tells of its walks from files, and goes where it is sent.
+ * @param {LectureHost["walks"]} walks
+ */
 export function follow(walks) {
   const channel = new BroadcastChannel(NAME)
   channel.addEventListener("message", ({data}) => {
