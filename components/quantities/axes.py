@@ -19,6 +19,8 @@ TIME_AXIS = "t"
 """The name of the axis that is the time window: the clock runs through it."""
 Range = tuple[float, float]
 Scaled = TypeVar("Scaled", float, NDArray[np.float64])
+LEAST = 1e-10
+"""What is less, in the unit of its axis, shows no digits while it moves: a kept axis may be as many decades too large."""
 
 
 class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as quickly as a dataclass
@@ -82,7 +84,7 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
 
     def digits(self, signed: bool = False) -> Digits:
         """The digits of a moving number on this axis: its decimals, and whether its sign always stands."""
-        largest = max(abs(self.place(end)) for end in self.chosen)
+        largest = max(LEAST, *(abs(self.place(end)) for end in self.chosen))
         return Digits(max(0, 2 - math.floor(math.log10(largest))), signed)
 
     def number(self, value: float) -> str:
