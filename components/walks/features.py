@@ -1,15 +1,18 @@
 """Features of a sketch, each a class: its fields in a walk's file, what a curve has of it, and how that is said.
 
-Places and values are in the unit written at the axis, without its power of ten. A hand is judged by places and heights
-within tolerances, never by style; a part that was not drawn has no feature. Adapted to the hand: slopes over 4 % of the
-frame's width, turning points that stand out by 2 % of its height.
+Places and values are in the unit written at the axis, without its power of ten, or expressions of the scene's numbers
+in SI, of which `worked_out` makes numbers. A hand is judged by places and heights within tolerances, never by style;
+a part that was not drawn has no feature. Adapted to the hand: slopes over 4 % of the frame's width, turning points
+that stand out by 2 % of its height.
 """
 
 from __future__ import annotations
 
 import math
-from typing import ClassVar, Literal, NamedTuple, TypeAlias
+from collections.abc import Mapping
+from typing import ClassVar, Literal, NamedTuple, Self, TypeAlias
 
+import msgspec
 import numpy as np
 from msgspec import field
 
@@ -18,9 +21,14 @@ from components.layout.text import rich
 from components.quantities.axes import Axis
 from components.quantities.numbers import short
 from components.scene.traces import Floats
+from components.walks import expressions
 from components.walks.sketch import FEWEST, Sketch, crossings, upward
 from components.walks.subject import PlotAxes, place_of
 from components.walks.types import Above0, Entry
+
+Coordinate: TypeAlias = float | str
+"""A place or a height in a walk's file, or an expression that `worked_out` makes one of."""
+Extent: TypeAlias = Above0 | str
 
 STRIDE = 0.04  # of the frame's width, over which a slope is seen
 STEEP = 0.06  # of its height, which a slope rises over that
@@ -47,14 +55,28 @@ NOTHING = Seen(False)
 
 
 class BaseFeature(Entry, frozen=True, kw_only=True, tag_field="f"):
-    """A feature that a right sketch has: `says` names it, `on` the curve that is meant where two are drawn."""
+    """A feature that a right sketch has: `says` names it, `on` the curve that is meant where two are drawn.
 
+    Of its numbers those in `across` lie on the horizontal axis, those in `up` on the vertical one.
+    """
+
+    across: ClassVar[tuple[str, ...]] = ()
+    up: ClassVar[tuple[str, ...]] = ()
     says: str = ""
     on: str = ""
 
     @property
     def kind(self) -> str:
         return str(self.__struct_config__.tag)
+
+    def worked_out(self, numbers: Mapping[str, float], axes: PlotAxes) -> Self:
+        """The feature with numbers for its expressions of a scene's; ValueError, in words, where there are none."""
+        on_axes = ((name, axis) for names, axis in ((self.across, axes.x), (self.up, axes.y)) for name in names)
+        told = {name: (text, axis.factor) for name, axis in on_axes if isinstance(text := getattr(self, name), str)}
+        if not told:
+            return self
+        found = {name: expressions.worked_out(text, numbers) / factor for name, (text, factor) in told.items()}
+        return msgspec.convert(msgspec.to_builtins(msgspec.structs.replace(self, **found)), type(self))
 
     def seen(self, drawn: Sketch) -> Seen:
         """The reading of this feature in a curve."""
@@ -90,22 +112,23 @@ class FeatureAt(BaseFeature, frozen=True, kw_only=True):
     """A feature that a curve has at a place; `lead` begins its name."""
 
     lead: ClassVar[str]
-    at: float
+    across: ClassVar[tuple[str, ...]] = ("at",)
+    at: Coordinate
 
     def called(self, axes: PlotAxes) -> str:
-        return f"{self.lead} {_written(self.at, axes.x, FINE)}"
+        return f"{self.lead} {_written(float(self.at), axes.x, FINE)}"
 
 
 class ValueAt(FeatureAt, frozen=True, kw_only=True, tag="value"):
     """A height `is` at a place."""
 
-    lead = "The height at"
-    value: float = field(name="is")
-    tol: Above0
+    lead, up = "The height at", ("value", "tol")
+    value: Coordinate = field(name="is")
+    tol: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
-        y = drawn.at(self.at)
-        return NOTHING if y is None else Seen(abs(y - self.value) <= self.tol, y, self.at, y)
+        y = drawn.at(float(self.at))
+        return NOTHING if y is None else Seen(abs(y - float(self.value)) <= float(self.tol), y, float(self.at), y)
 
 
 class Slope(FeatureAt, frozen=True, kw_only=True, tag="slope"):
@@ -115,11 +138,11 @@ class Slope(FeatureAt, frozen=True, kw_only=True, tag="slope"):
     way: Literal["up", "down"] = field(name="is")
 
     def seen(self, drawn: Sketch) -> Seen:
-        here, there = drawn.at(self.at), drawn.at(self.at + STRIDE * drawn.frame.width)
+        here, there = drawn.at(float(self.at)), drawn.at(float(self.at) + STRIDE * drawn.frame.width)
         if here is None or there is None:
             return NOTHING
         rise = (there - here) / drawn.frame.height
-        return Seen(rise > STEEP if self.way == "up" else rise < -STEEP, None, self.at, here)
+        return Seen(rise > STEEP if self.way == "up" else rise < -STEEP, None, float(self.at), here)
 
     def words(self, yours: Seen, true: Seen, axes: PlotAxes) -> str:
         return f"yours goes {self.way}wards" if yours.has else f"missed: it goes {self.way}wards"
@@ -128,15 +151,15 @@ class Slope(FeatureAt, frozen=True, kw_only=True, tag="slope"):
 class Zero(FeatureAt, frozen=True, kw_only=True, tag="zero"):
     """A zero at a place; a curve that only touches zero has none."""
 
-    lead = "The zero at"
-    tol: Above0
+    lead, across = "The zero at", ("at", "tol")
+    tol: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
         found = crossings(drawn.x, drawn.y)
         if not len(found):
             return NOTHING
-        nearest = float(found[np.argmin(np.abs(found - self.at))])
-        return Seen(abs(nearest - self.at) <= self.tol, nearest, nearest, 0.0)
+        nearest = float(found[np.argmin(np.abs(found - float(self.at)))])
+        return Seen(abs(nearest - float(self.at)) <= float(self.tol), nearest, nearest, 0.0)
 
     def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
         return f"at {_written(found.number or 0.0, axes.x, digits)}"
@@ -146,19 +169,20 @@ class Extreme(FeatureAt, frozen=True, kw_only=True):
     """A turning point at a place, as high as `is`, which is no edge; `sign` is -1 for the lowest."""
 
     sign: ClassVar[float]
-    value: float = field(name="is")
-    tol: Above0
-    tol_y: Above0
+    across, up = ("at", "tol"), ("value", "tol_y")
+    value: Coordinate = field(name="is")
+    tol: Extent
+    tol_y: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
-        around = SURROUNDINGS * self.tol
-        x, y = drawn.between(self.at - around, self.at + around)
+        around = SURROUNDINGS * float(self.tol)
+        x, y = drawn.between(float(self.at) - around, float(self.at) + around)
         if len(x) < FEWEST:
             return NOTHING
         up = self.sign * y
         i = int(np.argmax(up))
         stands_out = up[i] - max(up[0], up[-1]) > STANDS_OUT * drawn.frame.height
-        near = abs(x[i] - self.at) <= self.tol and abs(y[i] - self.value) <= self.tol_y
+        near = abs(x[i] - float(self.at)) <= float(self.tol) and abs(y[i] - float(self.value)) <= float(self.tol_y)
         return Seen(bool(near and stands_out), float(y[i]), float(x[i]), float(y[i]))
 
     def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
@@ -180,19 +204,19 @@ class Trough(Extreme, frozen=True, kw_only=True, tag="trough"):
 class Pole(FeatureAt, frozen=True, kw_only=True, tag="pole"):
     """A pole: the curve goes out through the top of the frame near a place, and is within it on both sides."""
 
-    lead = "Leaves the frame at"
-    tol: Above0
+    lead, across = "Leaves the frame at", ("at", "tol")
+    tol: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
         top = drawn.frame.y[0] + NEAR_TOP * drawn.frame.height
         out = drawn.x[drawn.y >= top]
         if not len(out):
             return NOTHING
-        nearest = float(out[np.argmin(np.abs(out - self.at))])
-        wide = 4 * self.tol
-        _, around = drawn.between(self.at - wide, self.at + wide)
+        nearest = float(out[np.argmin(np.abs(out - float(self.at)))])
+        wide = 4 * float(self.tol)
+        _, around = drawn.between(float(self.at) - wide, float(self.at) + wide)
         returns = bool(len(around)) and float(around.min()) < top
-        return Seen(returns and abs(nearest - self.at) <= self.tol, nearest, nearest, top)
+        return Seen(returns and abs(nearest - float(self.at)) <= float(self.tol), nearest, nearest, top)
 
     def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
         return f"at {_written(found.number or 0.0, axes.x, digits)}"
@@ -201,19 +225,21 @@ class Pole(FeatureAt, frozen=True, kw_only=True, tag="pole"):
 class Within(BaseFeature, frozen=True, kw_only=True):
     """A feature of the part between two places."""
 
-    start: float | None = field(default=None, name="from")
-    end: float | None = field(default=None, name="to")
+    across: ClassVar[tuple[str, ...]] = ("start", "end")
+    start: Coordinate | None = field(default=None, name="from")
+    end: Coordinate | None = field(default=None, name="to")
 
     @property
     def ends(self) -> tuple[float, float]:
-        return -math.inf if self.start is None else self.start, math.inf if self.end is None else self.end
+        return -math.inf if self.start is None else float(self.start), math.inf if self.end is None else float(self.end)
 
 
 class Period(Within, frozen=True, kw_only=True, tag="period"):
     """A period as long as `is`, by the ways between crossings of the middle in one direction."""
 
-    value: Above0 = field(name="is")
-    tol: Above0
+    across = ("start", "end", "value", "tol")
+    value: Extent = field(name="is")
+    tol: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
         x, y = drawn.between(*self.ends)
@@ -224,11 +250,11 @@ class Period(Within, frozen=True, kw_only=True, tag="period"):
         if not gaps:
             return NOTHING
         mean = float(np.mean(gaps))
-        return Seen(abs(mean - self.value) <= self.tol, mean)
+        return Seen(abs(mean - float(self.value)) <= float(self.tol), mean)
 
     def exact(self, true: Sketch) -> Seen:
         """Of a motion that grows or beats, its crossings tell another one."""
-        return self.seen(true)._replace(number=self.value)
+        return self.seen(true)._replace(number=float(self.value))
 
     def called(self, axes: PlotAxes) -> str:
         return "The period"
@@ -240,8 +266,9 @@ class Period(Within, frozen=True, kw_only=True, tag="period"):
 class Farthest(Within, frozen=True, kw_only=True, tag="reach"):
     """The number `is` as the farthest from zero."""
 
-    value: float = field(name="is")
-    tol: Above0
+    up = ("value", "tol")
+    value: Coordinate = field(name="is")
+    tol: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
         start, end = self.ends
@@ -250,26 +277,29 @@ class Farthest(Within, frozen=True, kw_only=True, tag="reach"):
             return NOTHING
         x, y = drawn.between(low, high)
         i = int(np.argmax(np.abs(y)))
-        return Seen(bool(abs(abs(y[i]) - self.value) <= self.tol), float(abs(y[i])), float(x[i]), float(y[i]))
+        far = float(abs(y[i]))
+        return Seen(abs(far - float(self.value)) <= float(self.tol), far, float(x[i]), float(y[i]))
 
     def called(self, axes: PlotAxes) -> str:
         if self.start is None or self.end is None:
             return "How far it goes"
-        return f"How far it goes from {_written(self.start, axes.x, FINE)} to {_written(self.end, axes.x, FINE)}"
+        start, end = (_written(one, axes.x, FINE) for one in self.ends)
+        return f"How far it goes from {start} to {end}"
 
 
 class Least(BaseFeature, frozen=True, kw_only=True, tag="least"):
     """The number `is` as the lowest of all."""
 
-    value: float = field(name="is")
-    tol: Above0
+    up = ("value", "tol")
+    value: Coordinate = field(name="is")
+    tol: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
         if not drawn.covers(*drawn.frame.x):
             return NOTHING
         i = int(np.argmin(drawn.y))
         x, y = float(drawn.x[i]), float(drawn.y[i])
-        return Seen(abs(y - self.value) <= self.tol, y, x, y)
+        return Seen(abs(y - float(self.value)) <= float(self.tol), y, x, y)
 
     def called(self, axes: PlotAxes) -> str:
         return "The lowest point"
@@ -278,9 +308,10 @@ class Least(BaseFeature, frozen=True, kw_only=True, tag="least"):
 class Sum(BaseFeature, frozen=True, kw_only=True, tag="sum"):
     """A sum with the other curve that is `is` everywhere; its place is where it is farthest from that."""
 
+    up = ("value", "tol")
     other: str = field(name="with")
-    value: float = field(name="is")
-    tol: Above0
+    value: Coordinate = field(name="is")
+    tol: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
         if drawn.other is None or not (drawn.covers(*drawn.frame.x) and drawn.other.covers(*drawn.frame.x)):
@@ -288,8 +319,9 @@ class Sum(BaseFeature, frozen=True, kw_only=True, tag="sum"):
         inside = (drawn.x >= drawn.other.x[0]) & (drawn.x <= drawn.other.x[-1])
         x: Floats = drawn.x[inside]
         total = drawn.y[inside] + np.interp(x, drawn.other.x, drawn.other.y)
-        i = int(np.argmax(np.abs(total - self.value)))
-        return Seen(bool(abs(total[i] - self.value) <= self.tol), float(total[i]), float(x[i]), float(total[i]))
+        off = np.abs(total - float(self.value))
+        i = int(np.argmax(off))
+        return Seen(bool(off[i] <= float(self.tol)), float(total[i]), float(x[i]), float(total[i]))
 
     def called(self, axes: PlotAxes) -> str:
         return "The sum of both"

@@ -2,7 +2,7 @@
 
 import {chip, element, marked} from "../core/dom.js"
 import {features} from "./features.js"
-import {chooser, text} from "./fields.js"
+import {chooser, labelled, text} from "./fields.js"
 import {Pad} from "./pad.js"
 import {Question, mark, plotOf} from "./question.js"
 import {Sketches, toggle} from "./sketches.js"
@@ -14,15 +14,21 @@ export class Sketch extends Question {
 
   /** @param {Plot[]} plots */
   static fields(plots) {
-    return [chooser("Curve", "curve", plots.flatMap(curvesOf))]
+    const curve = chooser("Curve", "curve", plots.flatMap(curvesOf))
+    const rows = element("div", {class: "ask-answers"})
+    const fill = () => rows.replaceChildren(...seen(plots, curve.querySelector("select")?.value).flatMap(featureFields))
+    curve.addEventListener("change", fill)
+    fill()
+    return [curve, rows]
   }
 
   /** Its plot is covered: it would be traced. @param {HTMLFormElement} form @param {Plot[]} plots */
   static read(form, plots) {
     const [name, y] = text(form, "curve").split(".")
-    const plot = plotOf(plots, name)
-    const curve = /** @type {page.Curve} */ (plot.block.curves.find(one => one.y === y))
-    return {plot: name, curve: y, must: features(plot, curve), cover: [`plot:${name}`]}
+    const must = seen(plots, `${name}.${y}`).map((one, i) =>
+      Object.assign(one, {at: told(text(form, `at-${i}`), one.at), is: told(text(form, `is-${i}`), one.is)}),
+    )
+    return {plot: name, curve: y, must, cover: [`plot:${name}`]}
   }
 
   again = "Draw again"
@@ -99,3 +105,24 @@ const curvesOf = plot =>
   plot.block.curves
     .filter(curve => plot.view.columns[curve.source]?.[curve.y]?.length)
     .map(({y, read}) => ({value: `${plot.block.name}.${y}`, label: `${plot.block.brief}: ${read || y}`}))
+
+/** The features of a curve, as the form names it. @param {Plot[]} plots @param {string} [named] */
+function seen(plots, named = "") {
+  const [name, y] = named.split(".")
+  const plot = plotOf(plots, name)
+  const curve = plot?.block.curves.find(one => one.y === y)
+  return curve ? features(plot, curve) : []
+}
+
+/** Where a feature is, and how high. @param {{f: string, at: number, is: number}} feature @param {number} i */
+const featureFields = ({f, at, is}, i) => [
+  labelled(
+    `${f === "value" ? "Height" : f === "peak" ? "Peak" : "Trough"} at, or an expression`,
+    `at-${i}`,
+    String(at),
+  ),
+  labelled("is, or an expression", `is-${i}`, String(is)),
+]
+
+/** A number, or an expression of the scene's. @param {string} typed @param {number} read off the curve */
+const told = (typed, read) => (typed === "" ? read : Number.isNaN(Number(typed)) ? typed : Number(typed))

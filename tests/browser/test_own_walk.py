@@ -18,6 +18,7 @@ from components.walks.loading import load_walk
 from components.walks.questions.choice import ChoiceStep
 from components.walks.questions.point import PointStep
 from components.walks.questions.sketch import SketchStep
+from components.walks.subject import Subject
 from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
 from tests.browser.waiting import clicked
@@ -132,7 +133,9 @@ def ask_each_kind(page: Page) -> Locator:
     expect(dialog.locator("li")).to_have_count(2)
     asked(page, "How long is it?", "number", of="2 * pi / omega_mines", unit="s", tol="0.1")
     expect(dialog.locator(".problem")).to_contain_text("has a name that the scene does not have, omega_mines; it has")
-    asked(page, "Sketch mass 1.", "sketch", curve="x1.x1")
+    asked(page, "Sketch mass 1.", "sketch", curve="x1.x1", **{"is-0": "x1_O"})
+    expect(dialog.locator(".problem")).to_contain_text("has a name that the scene does not have, x1_O; it has")
+    asked(page, "Sketch mass 1.", "sketch", curve="x1.x1", **{"is-0": "x1_0"})
     expect(dialog.locator("li")).to_have_count(3)
     asked(page, "Mark where mass 2 begins.", "point", axis="x2.y", of="x2_0 - 0.5", tol="0.1")
     expect(dialog.locator("li")).to_have_count(4)
@@ -149,6 +152,16 @@ def x1_of(values: dict[str, float], t: float) -> tuple[float, float]:
     flow[2:, :2] = [[-(k1 + k2) / m1, k2 / m1], [k2 / m2, -k2 / m2]]
     state = expm(flow * t) @ [x1, x2, scene.v1_0, scene.v2_0]
     return state[0], state[2]
+
+
+def are_read_off(step: SketchStep) -> None:
+    """The features of a sketch are those of the motion; the first was told by an expression."""
+    assert isinstance(step.must[0], ValueAt) and step.must[0].value == "x1_0"
+    for feature in step.told(step.must, Subject("", step, SCENES)):
+        assert isinstance(feature, ValueAt | Peak | Trough)
+        height, speed = x1_of({"k2": 3.0}, float(feature.at))
+        assert feature.value == pytest.approx(height, abs=1e-4)
+        assert abs(speed) < 0.003 or feature.at == 0.0, "it turns where no point is drawn"
 
 
 def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
@@ -168,11 +181,7 @@ def test_what_is_asked_is_a_walk_that_passes_its_checks_and_runs(
     assert [{*step.cover} for step in walk.steps] == [{"value:omega_plus"} | more for more in covers]
     assert walk.steps[0].state == "?scene=coupled&hidden=x1_slow&k2=3&frame.window=40&held.k2=20"
     assert isinstance(walk.steps[2], SketchStep)
-    for feature in walk.steps[2].must:
-        assert isinstance(feature, ValueAt | Peak | Trough)
-        height, speed = x1_of({"k2": 3.0}, feature.at)
-        assert feature.value == pytest.approx(height, abs=1e-4)
-        assert abs(speed) < 0.003 or feature.at == 0.0, "it turns where no point is drawn"
+    are_read_off(walk.steps[2])
     assert isinstance(walk.steps[3], PointStep) and walk.steps[3].answer.unit == "m"
     assert walk.steps[3].answer.quantities == ("x2_0 - 0.5",) and not walk.steps[3].answer.numbers
     assert isinstance(walk.steps[0], ChoiceStep) and walk.steps[0].fixed

@@ -268,6 +268,20 @@ def test_what_a_wrong_sketch_has_is_of_a_curve_that_is_drawn(has: str, says: lis
     assert list(problems(read_walk(text, "mine", steps_of(OWN.values())), SCENES)) == says
 
 
+@pytest.mark.parametrize(
+    ("feature", "says"),
+    [
+        ('{ f = "value", on = "V", at = 0.0, is = "E_total", tol = 0.1 }', ""),
+        ('{ f = "value", on = "V", at = 0.0, is = "2 * E_total", tol = 0.1 }', "the scene's own curve does not have"),
+        ('{ f = "value", on = "V", at = 0.0, is = "E_totl", tol = 0.1 }', "does not have, E_totl; it has"),
+    ],
+)
+def test_a_feature_told_by_the_scenes_numbers_is_checked(feature: str, says: str) -> None:
+    text = f'title = "t"\n[[step]]\nid = "one"\nfrom = "d31-09"\nmust = [{feature}]\nwrong = []'
+    found = list(problems(read_walk(text, "mine", steps_of(OWN.values())), SCENES))
+    assert len(found) == bool(says) and all("must[0]" in one and says in one for one in found), found
+
+
 def test_two_steps_of_one_id_and_too_large_a_file_are_refused() -> None:
     with pytest.raises(WalkError, match=r"mine, step 2: the id “first” was given"):
         read_walk(GOOD + GOOD[GOOD.index("[[step]]") :], "mine")

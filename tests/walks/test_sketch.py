@@ -8,8 +8,10 @@ import msgspec
 import numpy as np
 import pytest
 
-from components.walks.features import Feature
+from components.quantities.axes import Axis
+from components.walks.features import Feature, Seen
 from components.walks.sketch import Ranges, Sketch, sketch
+from components.walks.subject import PlotAxes
 
 FRAME = Ranges((0.0, 2.0), (-0.2, 0.2))
 T = np.linspace(0, 2, 101)
@@ -128,3 +130,28 @@ def test_reach_least_and_sum() -> None:
     assert both.seen(Sketch(alone.x, alone.y, FRAME, drawn(V))).has
     assert not both.seen(Sketch(alone.x, alone.y, FRAME, drawn(T_))).has
     assert not both.seen(alone).has
+
+
+AXES = PlotAxes(Axis(0.0, 2.0, unit="ms", factor=1e-3), Axis(-0.2, 0.2, unit="cm", factor=0.01))
+
+
+def test_a_feature_is_told_by_expressions_of_the_scenes_numbers() -> None:
+    """In SI, whatever unit stands at an axis; what is right for one chain is not for another."""
+    numbers = {"tau": 1.0, "X": 0.16}
+    told = feature(f="trough", at="tau / 4", tol="0.06 * tau", **{"is": "-X"}, tol_y=3.0).worked_out(numbers, AXES)
+    assert (told.at, told.tol, told.value, told.tol_y) == pytest.approx((250.0, 60.0, -16.0, 3.0))
+    wide = Ranges((0.0, 2000.0), (-20.0, 20.0))
+    assert told.seen(drawn(100 * SWING, 1000 * T, wide)).has
+    assert not told.seen(drawn(100 * SWING, 500 * T, wide)).has
+    assert (
+        feature(f="period", **{"is": "tau"}, tol=1.0)
+        .worked_out(numbers, AXES)
+        .measured(Seen(True, 1000.0), AXES, 3)
+        .startswith("1000")
+    )
+    assert TROUGH.worked_out(numbers, AXES) is TROUGH
+    for text, says in (("tua", "does not have, tua"), ("tau +", "is no expression"), ("1 / (tau - 1)", "has no value")):
+        with pytest.raises(ValueError, match=says):
+            feature(f="zero", at=text, tol=0.1).worked_out(numbers, AXES)
+    with pytest.raises(ValueError, match="> 0"):
+        feature(f="zero", at=0.5, tol="-tau").worked_out(numbers, AXES)

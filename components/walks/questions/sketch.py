@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import Annotated, Any
 
 from msgspec import Meta
@@ -11,8 +12,9 @@ from components.language.messages import HEIGHTS, Given
 from components.language.room import Counted, SketchOf
 from components.language.walk import Lesson, StepCard
 from components.quantities.numbers import excerpt
+from components.walks.expressions import numbers_of
 from components.walks.features import Feature
-from components.walks.questions.question import UNFIT, Judged, Judgement, Question, Written, astray
+from components.walks.questions.question import UNFIT, Judged, Judgement, Question, Written, astray, refused
 from components.walks.sketch import Sketch
 from components.walks.subject import Subject
 from components.walks.types import Reply, Sentence
@@ -68,11 +70,14 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
         for i, feature in enumerate(self.must):
             if self._on(feature) not in true:
                 yield f"must[{i}].on: “{excerpt(self._on(feature))}” is not drawn."
-            elif not feature.seen(true[self._on(feature)]).has:
+            elif strange := [*refused(f"must[{i}]", partial(self.told, [feature], subject))]:
+                yield from strange
+            elif not all(self.seen(self.told([feature], subject), true)):
                 yield f"must[{i}]: the scene's own curve does not have this feature."
         yield from astray("wrong", self.wrong, subject)
         kinds = {feature.kind for feature in self.must}
         for i, wrong in enumerate(self.wrong):
+            yield from refused(f"wrong[{i}].has", partial(self.told, wrong.has, subject))
             strange = [feature.on for feature in wrong.has if self._on(feature) not in true]
             yield from (f"wrong[{i}].has: “{excerpt(on)}” is not drawn." for on in strange)
             yield from (f"wrong[{i}].fails: “{kind}” is not in must." for kind in wrong.fails if kind not in kinds)
@@ -85,10 +90,15 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
         if any(name not in self.curves or len(curve) != HEIGHTS for name, curve in given.curves.items()):
             raise ValueError(UNFIT)
         drawn = subject.drawn(self.plot, given.curves, self.curves)
-        has = self.seen(self.must, drawn)
+        has = self.seen(self.told(self.must, subject), drawn)
         missed = {feature.kind for feature, found in zip(self.must, has, strict=True) if not found}
-        wrong = self._wrong(drawn, missed)
+        wrong = self._wrong(drawn, missed, subject)
         return Judgement(all(has), has=has, reply=wrong.reply, where=wrong.where)
+
+    def told(self, features: Iterable[Feature], subject: Subject) -> tuple[Feature, ...]:
+        """Features in numbers, where expressions of the scene's tell them; ValueError, in words, for what is none."""
+        numbers, axes = numbers_of(subject.standing.scene), subject.axes(self.plot)
+        return tuple(feature.worked_out(numbers, axes) for feature in features)
 
     def seen(self, features: Iterable[Feature], drawn: Curves) -> tuple[bool, ...]:
         """Which of the features were drawn."""
@@ -98,15 +108,17 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
         """The curve that has it."""
         return feature.on or self.curve
 
-    def _wrong(self, drawn: Curves, missed: set[str]) -> Reply:
+    def _wrong(self, drawn: Curves, missed: set[str], subject: Subject) -> Reply:
         """The reply to that wrong sketch which has only what this one has, and fails most of what this one fails."""
-        alike = [one for one in self.wrong if missed.issuperset(one.fails) and all(self.seen(one.has, drawn))]
+        fails = (one for one in self.wrong if missed.issuperset(one.fails))
+        alike = [one for one in fails if all(self.seen(self.told(one.has, subject), drawn))]
         return max(alike, key=lambda one: len(one.fails)) if alike else Reply()
 
     def teaches(self, given: Given, subject: Subject, **step: Any) -> Lesson:
         axes, true = subject.axes(self.plot), subject.true(self.plot, self.curves)
         drawn = subject.drawn(self.plot, given.curves, self.curves)
-        found = (feature.finding(drawn[on], true[on], axes) for feature in self.must if (on := self._on(feature)))
+        must = self.told(self.must, subject)
+        found = (feature.finding(drawn[on], true[on], axes) for feature in must if (on := self._on(feature)))
         return Lesson(findings=tuple(found), **step)
 
     def count(self, given: Sequence[Judged]) -> Counted:
