@@ -7,7 +7,6 @@ import {Refusal, ask, pause} from "./room.js"
 
 const SENT = "Sent. You can change it until the answer is shown."
 const VOTED = "Sent. You can change it until the vote is closed."
-const CLOSED = "The vote is closed."
 const MOMENT = 400 // ms without a change until an answer is sent
 const SPREAD = 1500 // ms over which all phones ask what is said of their answers
 
@@ -25,6 +24,8 @@ export class AskedPut {
   timer
 
   changes = 0
+
+  isClosed = false // and so it says
 
   sentTo = "" // the server that has the answer
 
@@ -50,8 +51,9 @@ export class AskedPut {
   #close({closed, lesson}) {
     const isClosed = closed && !lesson
     this.card?.question.element.toggleAttribute("inert", isClosed)
-    if (isClosed) this.status.textContent = CLOSED
-    else if (this.status.textContent === CLOSED) this.status.textContent = ""
+    if (isClosed) this.status.textContent = "The vote is closed."
+    else if (this.isClosed) this.status.textContent = this.given ? this.#sent : ""
+    this.isClosed = isClosed
   }
 
   /** A picture of another scene has no card yet. @param {Drawn} shown */
@@ -66,6 +68,7 @@ export class AskedPut {
     const {page, shown} = this.following
     // Its plot may not be there before the picture that belongs to it.
     if (!page || !question.card || shown.state.scene !== question.card.opens.scene) return
+    this.isClosed = false
     this.card = new Card(this.#walk(question.card, question.place), page)
     this.card.question.element.after(this.status)
     const {changed} = this.card.question

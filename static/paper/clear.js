@@ -36,10 +36,14 @@ export class Clear {
   /** @type {Box[]} of the plot under the texts: its lines in pieces */
   lines = []
 
+  /** @type {Box[]} of that plot */
+  flags = []
+
   frame = EVERYWHERE // of that plot, with the room over it and on its right
 
   /** @param {Drawn[]} shapes in the order of what matters most */
   constructor(shapes) {
+    this.dots = shapes.filter(({spec}) => spec.kind === "circle")
     /** @type {Label[]} */
     this.labels = shapes.flatMap(({spec, group, parts}) =>
       parts
@@ -51,6 +55,15 @@ export class Clear {
           beside: spec.kind === "text" && spec.anchor === "beside",
         })),
     )
+  }
+
+  /** What is drawn as a dot, as far as it is shown. @returns {Box[]} */
+  #dots() {
+    const shown = this.dots.filter(({group}) => group.style.display === "")
+    return shown.map(({parts: [dot]}) => {
+      const [x, y, r] = ["cx", "cy", "r"].map(name => Number(dot.getAttribute(name)))
+      return around({x, y}, r)
+    })
   }
 
   /** Sizes of texts are taken anew: their type may be another one. */
@@ -69,6 +82,8 @@ export class Clear {
     if (under && this.labels.some(({beside}) => beside)) {
       const {left, top, height} = under.frame
       this.frame = {left, right: picture.width / unitSize() + 2 * EDGE, top: 0, bottom: top + height}
+      const flags = [...under.controls.querySelectorAll(".flag")].map(flag => flag.getBoundingClientRect())
+      this.flags = flags.filter(({width}) => width).map(flag => within(flag, picture))
       this.lines = under.view ? piecesOf(under) : []
     }
     const paper = surface(host)
@@ -99,15 +114,16 @@ export class Clear {
       const asked = (wishes?.() ?? [box]).map(aired)
       return places([{wishes: asked, down: FAR * line, room: this.#roomOf(box)}], standing)[0]
     }
-    return this.#beside(moved(box, POINT, DROP * line), standing)
+    return this.#beside(moved(box, POINT, DROP * line), [...standing, ...this.flags])
   }
 
   /**
-   * Beside a point: clear of all lines, else of as many as can be.
+   * Beside a point: clear of all lines and dots, else of as many as can be.
    * @param {Box} after it @param {Box[]} standing
    */
   #beside(after, standing) {
-    const {frame, lines} = this
+    const {frame} = this
+    const lines = [...this.lines, ...this.#dots()]
     const line = after.bottom - after.top
     const before = moved(after, after.left - after.right - 2 * POINT, 0)
     const sides = [after, before].map(aired).filter(({left, right}) => left >= frame.left && right <= frame.right)
@@ -183,6 +199,14 @@ function piecesOf(plot) {
     ]
   })
 }
+
+/** @param {Box} box on the page @param {DOMRect} picture @returns {Box} in units of the picture */
+const within = (box, {left, top}) => ({
+  left: (box.left - left) / unitSize(),
+  right: (box.right - left) / unitSize(),
+  top: (box.top - top) / unitSize(),
+  bottom: (box.bottom - top) / unitSize(),
+})
 
 /** @param {Point} point @param {number} far @returns {Box} */
 const around = ({x, y}, far) => ({left: x - far, right: x + far, top: y - far, bottom: y + far})

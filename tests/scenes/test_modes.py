@@ -87,12 +87,6 @@ def test_nearly_a_mode_is_said_to_be_near() -> None:
     assert shown.values["you_add"] == "force of your hand"
 
 
-def test_names_of_known_values_give_way_to_the_number_at_the_guess() -> None:
-    assert ModesScene().shown.scalars["D0_clear"] == ModesScene().shown.scalars["held_clear"] == 1
-    assert ModesScene(m2=0.05).shown.scalars["D0_clear"] == 0
-    assert ModesScene(omega=1.5).shown.scalars["held_clear"] == 0
-
-
 def test_as_a_mass_wants_takes_its_force_away() -> None:
     for i in (1, 2):
         scene = ModesScene()

@@ -256,27 +256,17 @@ def _over_shapes() -> tuple[Shape, ...]:
 
 
 def _over_determinant() -> tuple[Shape, ...]:
-    """Over D: its zeros, the two values that alone prove them, and its value at the trial frequency."""
+    """Over D: its value at the trial frequency, its zeros, and the two values that alone prove them."""
     shapes = [
+        *_label("det", var("w"), var("D"), "ink", (10, -9), "*D* = {D}", show="D_in"),
         *_point("det", var("w0"), var("D0"), 4, "ink", show="D0_in"),
-        *_label("det", var("w0"), var("D0"), "ink", (14, 9), "*k*_1*k*_2 = {k1k2}", show="D0_in D0_clear", weight="t0"),
+        *_label("det", var("w0"), var("D0"), "ink", (0, 0), "*k*_1*k*_2 = {k1k2}", "beside", "D0_in", "t0"),
         *_point("det", var("w_held"), var("D_held"), 4, "ink", show="held_in"),
-        *_label(
-            "det",
-            var("w_held"),
-            var("D_held"),
-            "ink",
-            (-3, -9),
-            "−*k*_2² = {k2k2}",
-            "middle",
-            "held_in held_clear",
-            weight="t0",
-        ),
+        *_label("det", var("w_held"), var("D_held"), "ink", (0, 0), "−*k*_2² = {k2k2}", "beside", "held_in", "t0"),
     ]
     for mode in chain.MODES:
         shapes += _point("det", var(f"w_{mode}"), var("zero"), 5, mode, style="ring")
-    shapes += _point("det", var("w"), var("D"), 6, "ink", show="D_in")
-    return (*shapes, *_label("det", var("w"), var("D"), "ink", (10, -9), "*D* = {D}", show="D_in"))
+    return (*shapes, *_point("det", var("w"), var("D"), 6, "ink", show="D_in"))
 
 
 def _point(

@@ -101,12 +101,11 @@ def picture(system: TwoMassChain, omega: float, ratio: float, window: float | No
         det=axes["D"],
         exponent=exponent,
     )
-    known = _known(guess)
     return Picture(
         columns=columns,
         axes=axes,
         signals=_signals(push, omega, axes["t"]),
-        scalars=_swing_scalars(push) | _force_scalars(push) | known | _tried(guess, known),
+        scalars=_swing_scalars(push) | _force_scalars(push) | _known(guess) | _tried(guess),
         pace=pace(omega, omega),
         values=_values(guess) | _force_values(guess),
         forms=_forms(guess),
@@ -211,8 +210,8 @@ def _known(guess: Guess) -> dict[str, float]:
     return scalars
 
 
-def _tried(guess: Guess, known: dict[str, float]) -> dict[str, float]:
-    """The places of the trial point, of the shapes that the rows ask for, and of D; and where labels would collide."""
+def _tried(guess: Guess) -> dict[str, float]:
+    """The places of the trial point, of the shapes that the rows ask for, and of D."""
     frequency, shape, D = guess.frequency, guess.shape, guess.asked.determinant
     w = frequency.place(min(guess.omega, 2 * frequency.end))
     r = shape.place(max(min(guess.ratio, 2 * shape.end), 2 * shape.start))
@@ -224,19 +223,7 @@ def _tried(guess: Guess, known: dict[str, float]) -> dict[str, float]:
         ends.append(place)
         scalars |= {f"row{i}": place, f"row{i}_in": guess.w_in * (row is not None and inside(shape, row))}
     scalars |= {"gap": guess.w_in * (None not in guess.asked.rows), "gap_low": ends[0], "gap_high": ends[1]}
-    return scalars | _clear(guess, scalars["w"], scalars["D"], known)
-
-
-def _clear(guess: Guess, w: float, D: float, known: dict[str, float]) -> dict[str, float]:
-    """Whether the names of the two known values of D stand clear of the number beside the trial one."""
-    wide, high = guess.frequency.place(guess.frequency.end), guess.det.place(guess.det.end)
-    high -= guess.det.place(guess.det.start)
-    first, held = ((known[f"w{at}"] - w) / wide for at in ("0", "_held"))
-    above, level = ((known[f"D{at}"] - D) / high for at in ("0", "_held"))
-    return {
-        "D0_clear": float(not (first > -0.4 and -0.05 < above < 0.4)),
-        "held_clear": float(not (-0.15 < held < 0.45 and abs(level) < 0.2)),
-    }
+    return scalars
 
 
 def _values(guess: Guess) -> dict[str, str]:
