@@ -70,6 +70,10 @@ def test_what_is_lost_is_said_and_what_waits_is_shown(page: Page, server: Server
     page.locator("input[name=k2-slider]").fill("0.5")
     expect(page.get_by_text("1 change waits")).to_be_visible()
     expect(page.locator(".control.waits")).to_have_count(1)
+    page.set_viewport_size({"width": 320, "height": 568})
+    page.get_by_role("button", name="Hold").click(trial=True)  # what is said lies over nothing for good
+    assert page.evaluate("(bar => bar.scrollWidth - bar.clientWidth)(document.querySelector('.lost'))") == 0
+    page.set_viewport_size({"width": 1280, "height": 720})
     frames = page.evaluate("oscillations.clock.frames")
     page.wait_for_function("frames => oscillations.clock.frames > frames", arg=frames)
     page.context.set_offline(False)
