@@ -86,7 +86,8 @@ def claim(case: HangingCase) -> str:
 def case_axes(case: HangingCase) -> dict[str, Axis]:
     """The energies over time have the axis of the well, whose level has its number there alone."""
     energy = _energy_axis(case)
-    beside = replace(energy, labels=tuple("" if "J" in label else label for label in energy.labels))
+    total, labelled = energy.place(case.total), zip(energy.ticks, energy.labels, strict=True)
+    beside = replace(energy, labels=tuple("" if tick == total else label for tick, label in labelled))
     x = _x_axis(case)
     return {"t": time_axis(case.own_end), "x": x, "x_well": _well_axis(case, x), "E": energy, "E_time": beside}
 
