@@ -21,10 +21,18 @@ HEIGHT = 720
 STEPS: dict[str, Callable[[int], dict[str, Any]]] = {
     "d34-12": lambda i: {"option": i % 3},
     "d34-14": lambda i: {"curves": {"Xp1": [round(500 + 400 * math.sin(i + j / 9)) for j in range(101)]}},
+    "d34-10": lambda i: {"curves": {"x2": [round(500 + 400 * math.sin(i + j / 9)) for j in range(101)]}},
     "d34-08": lambda i: {"value": 0.8 + 0.1 * i},
     "d34-01": lambda i: {"text": f"{i % 4}"},
 }
 """A step of each kind, whose question or answer takes much room, and what the follower of a number answers."""
+SKETCHED = """[oscillations.walks.walk.card.question.plot].map(({frame, unit, host}) => {
+  const names = [...document.querySelectorAll(".votes .chip")].map(chip => chip.textContent)
+  const corner = document.querySelector(".class-corner").getBoundingClientRect()
+  const isClear = host.getBoundingClientRect().top + frame.top * unit >= corner.bottom
+  return [frame.height * unit / innerHeight, names.includes("Middle 50 %"), isClear]
+})[0]"""
+"""The share of the screen's height that sketches have, and whether their middle half can be told."""
 GO = "id => oscillations.walks.walk.go(oscillations.walks.walk.sheet.steps.findIndex(step => step.id === id))"
 PUT = f"id => {LED}.news.question?.step === id && !oscillations.walks.walk.lesson && {LAID}"
 
@@ -44,13 +52,21 @@ def test_a_step_is_seen_whole_beside_the_corner_of_a_class(server: Server, windo
             assert call(server.url, f"/class/{code}/answer", "PUT", vote, token).status == 204
         shown(lecture)
         found += seen(lecture, HEIGHT, f"{step} with votes, before")
+        found += narrow(lecture, step, answer(0))
         clicked(lecture)
         lecture.wait_for_function(TAUGHT)
         found += seen(lecture, HEIGHT, f"{step} with votes, after")
+        found += narrow(lecture, step, answer(0))
     assert not found, "\n".join(found)
+
+
+def narrow(lecture: Page, step: str, answer: dict[str, Any]) -> list[str]:
+    """What sketches of a class lack: half of the height of the screen, their middle half, room beside the corner."""
+    told = lecture.evaluate(SKETCHED) if "curves" in answer else [1, True, True]
+    return [] if told[0] >= 0.5 and all(told[1:]) else [f"{step}: sketches have {told}"]
 
 
 def shown(lecture: Page) -> None:
     clicked(lecture)
-    expect(lecture.locator(".votes")).to_contain_text(f"{MANY} have answered")
+    expect(lecture.locator(".votes [role=status]")).to_contain_text(f"{MANY} have answered")
     expect(lecture.get_by_role("button", name="Vote again")).to_be_visible()
