@@ -54,7 +54,7 @@ export class Hint {
     const over = getComputedStyle(host).position === "sticky" ? 0 : OVER
     const taken = this.#taken(host.getBoundingClientRect())
     const to = grip.getBoundingClientRect()
-    const stands = [1, 0.6].some(share => {
+    const stands = [1, 0.65].some(share => {
       if (share < 1) this.element.style.width = `${share * this.element.offsetWidth}px`
       return this.#stand(host, taken, to, over)
     })

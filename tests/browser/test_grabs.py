@@ -329,6 +329,8 @@ def test_the_hint_stands_on_the_stage_until_something_is_grabbed(page: Page, ope
     open_scene(page, scene="energy")
     hint = page.locator(".block.stage > .hint")
     expect(hint).to_be_visible()
+    lines = hint.evaluate("hint => hint.offsetHeight / parseFloat(getComputedStyle(hint).lineHeight)")
+    assert round(lines) <= 2, "not squeezed"
     page.get_by_role("slider", name="Mass, start").focus()
     page.keyboard.press("ArrowDown")
     expect(hint).to_have_count(0)
