@@ -12,6 +12,7 @@ import segno
 from components.language.room import Opened
 from components.live_class.codes import as_code, join_key
 from components.live_class.context import ClassContext
+from components.live_class.question_bank import BusyError
 from components.live_class.registry import ClosedError
 from components.live_class.room import ClassRoom
 from components.live_class.store import AwayError
@@ -67,6 +68,8 @@ class ClassHandler(VisitorHandler):
             raise RefusedError(404, str(reason)) from reason
         except AwayError as reason:
             raise RefusedError(503, AWAY, after=1) from reason
+        except BusyError as reason:
+            raise RefusedError(429, str(reason), after=1) from reason
         except ValueError as reason:
             raise RefusedError(409, str(reason)) from reason
 

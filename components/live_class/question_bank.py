@@ -28,6 +28,10 @@ ReadWalks = Mapping[tuple[str, str], Walk]
 """Walks from files, by name and text."""
 
 
+class BusyError(ValueError):
+    """A refusal for a moment: another file is read first."""
+
+
 class QuestionBank:
     """The questions of walks, and all else that a room must know of them."""
 
@@ -50,10 +54,10 @@ class QuestionBank:
         return QuestionBank({**self._walks, **{name: walk for (name, _), walk in own.items()}}, self._scenes)
 
     async def try_own(self, name: str, text: str, network: str = "") -> Walk:
-        """The walk of a file; WalkError, in words, for what is none to be asked."""
+        """The walk of a file; WalkError, in words, for what is none to be asked, BusyError where others come first."""
         replied = await wrap_future(self.apart.ask(Reading(name, text), network))
         if not replied.walk:
-            raise WalkError(replied.refused)
+            raise (BusyError if replied.is_busy else WalkError)(replied.refused)
         return replied.walk
 
     def step(self, walk: str, step: str) -> Step:

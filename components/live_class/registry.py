@@ -27,7 +27,7 @@ from components.language.room import (
 )
 from components.live_class.codes import Keys, code_of, digest, is_key, join_key
 from components.live_class.pauses import by_and_by
-from components.live_class.question_bank import QuestionBank
+from components.live_class.question_bank import BusyError, QuestionBank
 from components.live_class.remotes import CONTROL, decided
 from components.live_class.room import NOTHING_PUT, ClassRoom
 from components.live_class.store import LIFE, MOST_VOTES, AwayError, Parts, Store
@@ -195,7 +195,7 @@ class Registry:
         if not room.reading:
             room.reading = asked, asyncio.ensure_future(self.bank.try_own(name, text, network))
         elif room.reading[0] != asked:
-            raise ValueError("Another walk is being read. Try again in a moment.")
+            raise BusyError("Another walk is being read. Try again in a moment.")
         reading = room.reading[1]  # one that is asked for again, since no answer came, is waited for
         try:
             walk = await reading

@@ -42,7 +42,7 @@ class ReadingProcess:
             waiting = [*self._asked.values()][1:]
             if len(waiting) >= WAITING or (network and network in waiting):
                 refused: Future[Replied] = Future()
-                refused.set_result(Replied(refused=BUSY if len(waiting) >= WAITING else SHARED))
+                refused.set_result(Replied(refused=BUSY if len(waiting) >= WAITING else SHARED, is_busy=True))
                 return refused
             future = self._turn.submit(self._replied, msgspec.msgpack.encode(asked))
             self._asked[future] = network

@@ -47,12 +47,13 @@ Errand: TypeAlias = Reading | Teaching
 
 
 class Replied(Struct, frozen=True, kw_only=True):
-    """A walk and its sheet, what a step teaches, or why there is neither."""
+    """A walk and its sheet, what a step teaches, or why there is neither: if others come first, now only."""
 
     walk: Walk | None = None
     sheet: WalkSheet | None = None
     taught: Taught | None = None
     refused: str = ""
+    is_busy: bool = False
 
 
 class Apart(Protocol):

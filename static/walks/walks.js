@@ -188,14 +188,21 @@ export class Walks {
     await this.enter(name, Math.max(place, 0))
   }
 
+  /** One after the other: the server reads one at a time. @param {string} name @param {string} text */
+  async #takeAlong(name, text) {
+    const refused = await this.check(name, text)
+    if (refused) this.lecture.page.notice.tell(`${name}: ${refused}`)
+  }
+
   /**
    * A page that knew nothing of it leads a class: it has the class's walks from files, and stands at the step that is
    * asked.
    * @param {Map<string, string>} texts by name @param {page.PutTo | null | undefined} question
    */
   async lead(texts, question) {
+    await this.coming
     const others = [...texts].filter(([name]) => !(name in this.texts))
-    await Promise.all([this.coming, ...others.map(([name, text]) => this.check(name, text))])
+    await others.reduce((before, [name, text]) => before.then(() => this.#takeAlong(name, text)), Promise.resolve())
     if (this.walk || this.lecture.kept.step || !question?.step || !this.names.includes(question.walk)) return
     await this.#comeTo(question.walk, question.step)
   }

@@ -14,6 +14,8 @@ import pytest
 
 from components.live_class import follower_routes
 from components.live_class.codes import join_key
+from components.serving import apart
+from components.serving.apart import ReadingProcess
 from components.serving.server import Server
 from tests.bench.visitor import Visitor
 from tests.live_class.caller import Class, Stream, called
@@ -306,3 +308,16 @@ def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_one() 
         assert await server.classes.registry.store.rooms() == 3
 
     run(test, class_passphrase="swinging über springs")
+
+
+def test_a_walk_that_waits_for_others_is_refused_for_a_moment_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    """An instructor's page hands it once more; what is refused for good it gives up."""
+
+    async def test(server: Server, url: str) -> None:
+        lesson = await Class.open(url)
+        monkeypatch.setattr(server.classes.registry.bank, "apart", ReadingProcess("none"))
+        monkeypatch.setattr(apart, "WAITING", 0)
+        refused = await lesson.order("walk", name="mine", text="")
+        assert (refused.status, refused.headers["Retry-After"]) == (429, "1") and refused.json["sentence"] == apart.BUSY
+
+    run(test)
