@@ -168,20 +168,23 @@ declare namespace page {
     notes: Html[]
   }
 
-  /** The lesson of a step, in answer to what was given; `refused` says why there is none. */
+  /** The lesson of a step, in answer to what was given; `refused` says why there is none, `is_busy` that others come
+   * first: it may be asked again. */
   interface Taught extends Told {
     type: "taught"
     walk: string
     step: string
     lesson: Lesson | null
     refused: string
+    is_busy: boolean
   }
 
-  /** A walk that this session runs; `refused` says what is wrong with its file. */
+  /** A walk that this session runs; `refused` says what is wrong with its file, `is_busy` that others come first. */
   interface Walking extends Told {
     type: "walking"
     sheet: WalkSheet | null
     refused: string
+    is_busy: boolean
   }
 
   type ToldAny = Shown | File | AboutNumbers | Taught | Walking

@@ -190,19 +190,22 @@ class AboutNumbers(Told, frozen=True, kw_only=True, tag="about"):
 
 
 class Taught(Told, frozen=True, kw_only=True, tag="taught"):
-    """The lesson of a step, in answer to what was given; `refused` says why there is none."""
+    """The lesson of a step, in answer to what was given; `refused` says why there is none, `is_busy` that others come
+    first: it may be asked again."""
 
     walk: str
     step: str
     lesson: Lesson | None
     refused: str = ""
+    is_busy: bool = False
 
 
 class Walking(Told, frozen=True, kw_only=True, tag="walking"):
-    """A walk that this session runs; `refused` says what is wrong with its file."""
+    """A walk that this session runs; `refused` says what is wrong with its file, `is_busy` that others come first."""
 
     sheet: WalkSheet | None
     refused: str = ""
+    is_busy: bool = False
 
 
 ToldAny: TypeAlias = Shown | File | AboutNumbers | Taught | Walking

@@ -52,6 +52,7 @@ TOO_MANY = (
     "give it the name of one that it may replace, or open another tab."
 )
 ONE_AT_A_TIME = "A walk from a file is being read or answered. Try again in a moment."
+AT_ONCE = Replied(refused=ONE_AT_A_TIME, is_busy=True)
 
 Send = Callable[[Packet], None]
 
@@ -214,7 +215,7 @@ class Session:
     def _ask_apart(self, asked: Errand, answer: int | None) -> Packet | None:
         """Have done elsewhere, one thing at a time, all that a stranger's file asks for, and tell it when it comes."""
         if self._apart and not self._apart[1].done():
-            return None if self._apart[0] == answer else self._told_apart(asked, Replied(refused=ONE_AT_A_TIME), answer)
+            return None if self._apart[0] == answer else self._told_apart(asked, AT_ONCE, answer)
         future = (self.apart or Here(self.walks, self.scenes)).ask(asked, self.network)
         self._apart = answer, future
 
@@ -228,14 +229,16 @@ class Session:
     def _told_apart(self, asked: Errand, replied: Replied, answer: int | None) -> Packet:
         if isinstance(asked, Teaching):
             given = asked.given
-            nothing = Taught(walk=given.walk, step=given.step, lesson=None, refused=replied.refused)
+            nothing = Taught(
+                walk=given.walk, step=given.step, lesson=None, refused=replied.refused, is_busy=replied.is_busy
+            )
             return packed(replace(replied.taught or nothing, answer=answer))
         if replied.walk:
             own = {**self.now.own, replied.walk.name: replied.walk}
             if len(own) > MOST_OWN:
                 return packed(Walking(answer=answer, sheet=None, refused=TOO_MANY))
             self.now = dataclasses.replace(self.now, own=own)
-        return packed(Walking(answer=answer, sheet=replied.sheet, refused=replied.refused))
+        return packed(Walking(answer=answer, sheet=replied.sheet, refused=replied.refused, is_busy=replied.is_busy))
 
     def _about(self) -> About | None:
         if self.now.covered:

@@ -108,9 +108,11 @@ class Remote {
 
   /** @param {unknown} reason */
   #failed(reason) {
-    const isGone = reason instanceof Refusal && reason.status === 403
-    this.over = isGone && this.doubts++ >= DOUBTS
-    if (this.over) this.host.replaceChildren(element("h1", {}, "This is no remote control of a class now."))
+    const status = reason instanceof Refusal ? reason.status : 0
+    const isOver = status === 404 // it was ended: there is nothing to wait for
+    this.over ||= isOver || (status === 403 && this.doubts++ >= DOUBTS)
+    const why = isOver ? inWords(reason) : "This is no remote control of a class now."
+    if (this.over) this.host.replaceChildren(element("h1", {}, why))
     this.state.textContent = reason instanceof Refusal ? reason.message : String(reason)
     if (!this.isIn && !this.over) this.host.append(this.state)
   }

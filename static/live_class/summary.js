@@ -7,16 +7,15 @@ import {ask} from "./room.js"
 export async function summary({code, key}) {
   /** @type {page.StepSummary[]} */
   const steps = await ask(`${code}/summary`, {word: key})
-  const head = element("h1", {}, headline(steps))
-  const dialog = element("dialog", {class: "class-summary", "aria-label": "Summary of the class"}, head)
-  if (steps.length) dialog.append(table(steps))
+  const dialog = element("dialog", {class: "class-summary", "aria-label": "Summary of the class"})
   const tools = element(
     "div",
     {class: "tools"},
     chip("Print", () => onPaper(steps)),
   )
   tools.append(button({class: "act filled"}, () => dialog.close(), "Close"))
-  dialog.append(tools)
+  dialog.append(element("header", {}, element("h1", {}, headline(steps)), tools))
+  if (steps.length) dialog.append(table(steps))
   dialog.addEventListener("close", () => dialog.remove())
   document.body.append(dialog)
   dialog.showModal()

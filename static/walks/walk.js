@@ -197,8 +197,17 @@ export class Walk {
     const given = this.card?.question.given()
     if (!given && !always) return this.card?.refuse(`${ANSWER_FIRST}.`)
     const answer = {walk: this.sheet.name, step: this.step.id, seed: this.numbers, ...given}
-    const told = await this.lecture.line.ask({type: "given", answer})
+    const told = await this.#told({type: "given", answer})
     if (told.type === "taught") this.#taught(told)
+  }
+
+  /** A new session may not have read one's own walk. @param {page.GiveAnswer} message */
+  async #told(message) {
+    const {name} = this.sheet
+    const {own, texts} = this.walks
+    const told = await this.walks.ask(message)
+    const isRead = !own.has(name) || (told.type === "taught" && told.lesson)
+    return isRead || (await this.walks.check(name, texts[name])) ? told : this.walks.ask(message)
   }
 
   next() {

@@ -8,6 +8,7 @@ import {tabStorage} from "../core/storage.js"
 /** @typedef {import("./walk.js").Walk} Walk */
 
 const OWN = "own-walks"
+const AGAIN = 1000 // ms until a question that has to wait is asked again
 const NOT_READ = "the server could not read this file. Nothing has changed."
 
 export class Walks {
@@ -146,11 +147,22 @@ export class Walks {
   }
 
   /**
+   * What the session says, asked again while others come first.
+   * @param {page.RunWalk | page.GiveAnswer} message @returns {Promise<Told>}
+   */
+  async ask(message) {
+    const told = await this.lecture.line.ask(message)
+    if (!("is_busy" in told && told.is_busy)) return told
+    await new Promise(done => setTimeout(done, AGAIN))
+    return this.ask(message)
+  }
+
+  /**
    * A walk's file, for this session alone: why it cannot be run, or "".
    * @param {string} name @param {string} text @returns {Promise<string>}
    */
   async check(name, text) {
-    const told = await this.lecture.line.ask({type: "walk", name, text})
+    const told = await this.ask({type: "walk", name, text})
     if (told.type !== "walking") return NOT_READ
     const {sheet, refused} = told
     if (!sheet) return refused

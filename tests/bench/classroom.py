@@ -1,8 +1,9 @@
 """`make class`: a live class on loopback, its instructor dragging and playing, raw clients following and two Chromiums.
 
 For each size: the time from the slider to the followers (their own clocks are the server's), the server's CPU, bytes an
-update; then answers and sketches of all at once, a phone that wakes, and two replicas of which one is killed. The last
-lines are rows for docs/measured.md. ARGS="--followers 300 --seconds 30"
+update; the first size once more after its server was killed and has the class again; then answers and sketches of all
+at once, a phone that wakes, and two replicas of which one is killed. The last lines are rows for docs/measured.md.
+ARGS="--followers 300 --seconds 30"
 """
 
 from __future__ import annotations
@@ -27,13 +28,15 @@ from tests.bench.followers import Hearing, drag, followed, sizes, values
 from tests.bench.outage import outlived
 from tests.bench.screens import SKETCHED, Phones, chromium, taught, woken
 from tests.bench.visitor import Visitor
-from tests.live_class.caller import Class
+from tests.live_class.caller import Class, called
 from tests.serving.server import Server, serving
 
 CHOICE = {"walk": "d31", "step": "d31-03"}
 SKETCH = {"walk": "d34", "step": "d34-14"}
 ANSWERS = 300
 WAKES = 5
+PARCEL = 200
+"""Answers that are given back at once."""
 PATIENCE = 10.0
 """Seconds for the last picture to come."""
 
@@ -51,6 +54,11 @@ class Figures:
     bytes: int = 0
     updates: int = 0
     missed: int = 0
+    when: str = ""
+
+    @property
+    def head(self) -> str:
+        return f"{self.followers:,} followers{self.when}"
 
     def cells(self) -> list[str]:
         """In the order of `ROWS`."""
@@ -80,9 +88,11 @@ def spread(waits: Sequence[float]) -> str:
     return ", ".join(f"{one:.2f}" for one in (statistics.median(waits), p95(waits), max(waits))) + " s"
 
 
-async def measured(server: Server, count: int, seconds: float, browser: Browser | None = None) -> Figures:
-    """A class of a size, whose instructor drags for so many seconds and then plays and seeks."""
-    figures, room = Figures(count), await Class.open(server.url)
+async def measured(
+    server: Server, count: int, seconds: float, browser: Browser | None = None, room: Class | None = None
+) -> Figures:
+    """A class of a size, in a new room or this one, whose instructor drags for a time, then plays and seeks."""
+    figures, room = Figures(count), room or await Class.open(server.url)
     Hearing.EVENTS.clear()
     visitor = await Visitor.arrive(server.url, "scene=coupled")
     await visitor.say({"type": "lead", "code": room.code, "key": room.key})
@@ -167,7 +177,7 @@ def drawing() -> dict[str, Any]:
 
 def table(sizes: Sequence[Figures], more: Sequence[tuple[str, str, str]]) -> str:
     """Rows in Markdown; what was not measured for each size stands in the first column."""
-    heads = [f"{one.followers:,} followers" for one in sizes]
+    heads = [one.head for one in sizes]
     lines = [("a live class", *heads, "aim"), ("---",) * (len(heads) + 2)]
     for (what, aim), *cells in zip(ROWS, *(one.cells() for one in sizes), strict=True):
         lines.append((what, *cells, aim))
@@ -188,16 +198,41 @@ async def asked_all(server: Server, browser: Browser | None) -> list[tuple[str, 
     return rows
 
 
+async def restarted(folder: Path, count: int, seconds: float, browser: Browser | None = None) -> tuple[Figures, float]:
+    """A class whose server was killed, and the seconds in which the next one has it again, with so many answers."""
+    with serving(folder / "killed", environment=SETTINGS) as server:
+        room = await Class.open(server.url)
+        await room.order("put", **CHOICE)
+        await voted(room, count, CHOICE, {"option": 1})
+        path = f"/class/{room.code}/answers?question={'/'.join(CHOICE.values())}/1"
+        kept = list((await called(room.url, path, word=room.key)).json.items())
+        server.process.kill()
+    with serving(folder / "again", environment=SETTINGS) as server:
+        room.url, begun = server.url, time.monotonic()
+        await called(room.url, f"/class/{room.code}/lead", "PUT", {}, room.key)
+        await room.order("put", **CHOICE)
+        for first in range(0, len(kept), PARCEL):
+            await room.order("restore", answers=dict(kept[first : first + PARCEL]))
+        assert (await room.tally())["now"]["answered"] == count
+        took = time.monotonic() - begun
+        figures = await measured(server, count, seconds, browser, room)
+        figures.when = ", after a restart"
+        print(*server.complaints(), sep="\n")
+    return figures, took
+
+
 async def whole(options: argparse.Namespace, folder: Path) -> None:
     async with chromium() as browser:
         with serving(folder / "log", environment=SETTINGS) as server:
             figures = [await measured(server, count, options.seconds, browser) for count in options.followers]
             rows = await asked_all(server, browser)
             print(*server.complaints(), sep="\n")
+        again, took = await restarted(folder, options.followers[0], options.seconds, browser)
+    rows.append((f"a killed server has the class again, with {again.followers:,} answers", f"{took:.1f} s", ""))
     lost, back, missed = await outlived(folder, ANSWERS, options.seconds / 3)
     what = f"two replicas behind the proxy, one killed: its {lost} of {ANSWERS} followers are back"
     rows += [(what, spread(back), ""), ("and lack the last picture", f"{missed}", "0")]
-    print(table(figures, rows), flush=True)
+    print(table([*figures, again], rows), flush=True)
 
 
 def main() -> None:

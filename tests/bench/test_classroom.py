@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.bench.classroom import CHOICE, SKETCH, answered, drawing, measured, table
+from tests.bench.classroom import CHOICE, SKETCH, answered, drawing, measured, restarted, table
 from tests.bench.crowd import SETTINGS
 from tests.serving.server import serving
 
@@ -25,3 +25,10 @@ def test_a_class_has_what_its_instructor_shows(tmp_path: Path) -> None:
         asyncio.run(answered(server, 20, CHOICE, {"option": 1}))
         asyncio.run(answered(server, 20, SKETCH, drawing()))
         assert server.complaints() == []
+
+
+@pytest.mark.slow
+def test_a_class_whose_server_was_killed_is_measured_again(tmp_path: Path) -> None:
+    figures, took = asyncio.run(restarted(tmp_path, 5, 1.0))
+    assert figures.missed == 0 and max(figures.reach) < float("inf") and took > 0
+    assert "5 followers, after a restart" in table([figures], [])

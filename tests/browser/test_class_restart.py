@@ -17,7 +17,7 @@ from tests.reconnect.site import Site
 
 pytestmark = pytest.mark.browser
 
-BOTH = f"Object.keys({LED}.kept.answers.get('mine/pull/1')).length === 2"
+BOTH = f"Object.keys({LED}.kept.answers.get('d31/d31-03/1')).length === 2"
 COPIED = f"{LED}.kept.answers.size && !{LED}.kept.stale.size"
 MINE = 'title = "Mine"\n[[step]]\nid = "pull"\nfrom = "d31-03"\n'
 AGAIN = 30_000
@@ -41,15 +41,7 @@ def test_a_killed_server_has_the_class_again(contexts: list[BrowserContext], tmp
         lecture, phone, remote = (context.new_page() for context in contexts)
         code = _begun(lecture, site)
         _paired(lecture, remote)
-        phone.goto(f"{site.url}{code}")
-        phone.wait_for_function(f"{READY} && oscillations.asked.card")
-        gone = call(site.url, f"/class/{code}/token", "POST").json["token"]  # a phone that leaves
-        call(site.url, f"/class/{code}/now", word=gone)
-        vote = {"walk": "mine", "step": "pull", "option": 1}
-        assert call(site.url, f"/class/{code}/answer", "PUT", vote, gone).status == 204
-        lecture.wait_for_function(COPIED)
-        phone.locator(".answers [data-option='0']").click()
-        expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
+        _answered(lecture, phone, site, code)
 
         site.kill()
         expect(phone.locator(".class-bar")).to_contain_text("Not connected")
@@ -59,7 +51,7 @@ def test_a_killed_server_has_the_class_again(contexts: list[BrowserContext], tmp
         lecture.wait_for_function(f"{LED}.news.here === 1 && {LED}.votes.tally?.now.answered === 2", timeout=AGAIN)
         assert lecture.evaluate(f"{LED}.room.code") == code
         lecture.wait_for_function("document.documentElement.dataset.connected === 'true'", timeout=AGAIN)
-        expect(remote.locator(".class-remote p")).to_contain_text("1 of 1", timeout=AGAIN)
+        expect(remote.locator(".class-remote p")).to_contain_text("3 of 16", timeout=AGAIN)
         remote.get_by_role("button", name="Show the votes").click()  # it is let in still
         counted(lecture, "1", "1", "0")
         remote.get_by_role("button", name="Show the answer").click()
@@ -67,24 +59,40 @@ def test_a_killed_server_has_the_class_again(contexts: list[BrowserContext], tmp
         expect(phone.get_by_text("Twice the pull is twice the force")).to_be_visible()
 
         lecture.wait_for_function(BOTH)
-        site.kill()  # the instructor's window is closed meanwhile, and the answer had been shown
-        lecture.close()
+        site.kill()  # the instructor's page is loaded anew meanwhile, and the answer had been shown
         site.start()
-        lecture = _opened_anew(contexts[0].new_page(), site, code)
-        remote.close()
-        _taken_over(lecture, contexts[2].new_page())
+        lecture.reload()
+        lecture.wait_for_function(f"{LED}?.news.number && {LED}.room.code === '{code}'", timeout=AGAIN)
+        lecture.wait_for_function(f"{LED}.news.question.lesson && {LED}.votes.tally?.now.answered === 2")
+
+        other = contexts[2].new_page()
+        _taken_over(lecture, other)
+        other.evaluate(f"{LED}.end()")
+        for page in (phone, remote):
+            expect(page.locator("h1")).to_contain_text("The class is over.")
 
 
 def _begun(lecture: Page, site: Site) -> str:
-    """The code of a class that asks the question of a walk from a file."""
-    lecture.goto(f"{site.url}?scene=oscillator")
+    """The code of a class that asks its first question."""
+    lecture.goto(f"{site.url}?walk=d31&step=d31-03")
     lecture.wait_for_function(CONNECTED)
-    drop(lecture, "mine.toml", MINE)
-    lecture.wait_for_function("oscillations.walks.walk?.card")
     lecture.keyboard.press("t")
-    lecture.wait_for_function(f"{LED}?.news.question?.step === 'pull'")
+    lecture.wait_for_function(f"{LED}?.news.question?.step === 'd31-03'")
     code: str = lecture.evaluate(f"{LED}.room.code")
     return code
+
+
+def _answered(lecture: Page, phone: Page, site: Site, code: str) -> None:
+    """A phone answers, and one that is gone has before it."""
+    phone.goto(f"{site.url}{code}")
+    phone.wait_for_function(f"{READY} && oscillations.asked.card")
+    gone = call(site.url, f"/class/{code}/token", "POST").json["token"]  # a phone that leaves
+    call(site.url, f"/class/{code}/now", word=gone)
+    vote = {"walk": "d31", "step": "d31-03", "option": 1}
+    assert call(site.url, f"/class/{code}/answer", "PUT", vote, gone).status == 204
+    lecture.wait_for_function(COPIED)
+    phone.locator(".answers [data-option='0']").click()
+    expect(phone.get_by_text("Sent. You can change it")).to_be_visible()
 
 
 def _paired(lecture: Page, remote: Page) -> None:
@@ -98,25 +106,17 @@ def _paired(lecture: Page, remote: Page) -> None:
     expect(lecture.get_by_role("dialog")).to_have_count(0)
 
 
-def _opened_anew(lecture: Page, site: Site, code: str) -> Page:
-    """Another window of the instructor's, which knows nothing of the walk's file, leads the class."""
-    lecture.goto(f"{site.url}?scene=oscillator")
-    lecture.wait_for_function(CONNECTED)
-    lecture.keyboard.press("t")
-    lecture.wait_for_function(f"{LED}?.news.number && {LED}.room.code === '{code}'", timeout=AGAIN)
-    lecture.wait_for_function(f"{LED}.news.question.lesson && {LED}.votes.tally?.now.answered === 2")
-    return lecture
-
-
 def _taken_over(lecture: Page, other: Page) -> None:
-    """Another computer leads the class, and has the walk that it never opened."""
+    """Another computer leads the class, and has the walk from a file that it never opened."""
+    lecture.wait_for_function(CONNECTED)
+    drop(lecture, "mine.toml", MINE)
+    lecture.wait_for_function(f"{LED}.news.question?.step === 'pull'", timeout=AGAIN)
     other.set_viewport_size({"width": 1280, "height": 844})
     lecture.keyboard.press("j")
     with lecture.expect_response(re.compile("/word$")) as answer:
         lecture.get_by_role("button", name="Another computer").click()
     other.goto(answer.value.json()["address"])
     expect(lecture.get_by_text("Another computer leads this class now.")).to_be_visible()
-    other.wait_for_function(f"{LED}?.news.question?.step === 'pull' && oscillations.walks.walk?.lesson")
+    other.wait_for_function(f"{LED}?.news.question?.step === 'pull' && oscillations.walks.walk?.card", timeout=AGAIN)
     assert other.evaluate("oscillations.walks.walk.sheet.name") == "mine"
-    other.wait_for_function(f"{LED}.votes.tally?.now.answered === 2")
     expect(other.locator(".notice")).to_be_hidden()
