@@ -4,6 +4,7 @@ import {toSI} from "../core/ruler.js"
 import {long, marked, set, svg, textWidth, units, unitSize, words} from "../core/dom.js"
 import {everyWhich, inLine, places} from "./places.js"
 
+const LINE = 1.1 // of the size of a text, from one to the next
 const OVERHANG = 6 // a number with its unit may stand out by so much to the left before the unit goes under it
 
 const LEAST = 20 // units of a band's thickness at its name
@@ -44,18 +45,20 @@ export class Labels {
     const {left, top, height} = this.plot.frame
     const {ticks, labels} = this.plot.y
     const last = ticks.length - 1
-    const step = everyWhich(ticks.map(tick => ({at: this.plot.py(tick), size: units("t0")})))
+    // A number that is too wide has its unit under it.
+    const lines = labels.map(label => (textWidth(label) > left + OVERHANG ? label.split(/ (.*)/, 2) : [label]))
+    const [size, more] = [units("t0"), LINE * units("t0")]
+    const spans = ticks.map((tick, i) => {
+      const under = (lines[i].length - 1) * more
+      return {at: this.plot.py(tick) + under / 2, size: size + under}
+    })
+    const step = everyWhich(spans)
     this.scale.replaceChildren(
       ...(this.plot.block.plain ? [] : ticks).flatMap((tick, i) => {
         const y = this.plot.py(tick)
         if (y < top - 1 || y > top + height + 1 || (last - i) % step) return []
-        const [value, ...rest] = textWidth(labels[i]) > left + OVERHANG ? labels[i].split(" ") : [labels[i]]
-        const unit = rest.join(" ")
-        const lines = [
-          svg("tspan", {x: left - 7}, value),
-          ...(unit ? [svg("tspan", {x: left - 7, dy: "1.1em"}, unit)] : []),
-        ]
-        return [svg("text", {"text-anchor": "end", x: left - 7, y: Math.min(y + 4.5, top + height)}, ...lines)]
+        const parts = lines[i].map((text, n) => svg("tspan", {x: left - 7, dy: n ? `${LINE}em` : "0"}, text))
+        return [svg("text", {"text-anchor": "end", x: left - 7, y: Math.min(y + 4.5, top + height)}, ...parts)]
       }),
     )
   }

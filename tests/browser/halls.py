@@ -27,12 +27,15 @@ SCROLLED = """() => [...document.querySelectorAll("body *")].filter(part => {
 """Parts with more in them than is seen."""
 LARGE = (
     *("h1.waits", "h1:not(.waits)", ".asked-line", ".answers .name", ".card .why", ".act"),
-    *(".corner-words b", ".vote-count", ".votes .all"),
+    *(".corner-words b", ".vote-count", ".votes .all", ".scale text", ".stage text", ".block .head"),
 )
-"""Parts that everybody reads: question, answers, what it means; the code of a class, and how it answered."""
-SMALL = """([least, kinds]) => kinds.flatMap(kind => [...document.querySelectorAll(kind)]
-  .filter(part => part.checkVisibility() && parseFloat(getComputedStyle(part).fontSize) < least - 0.01)
-  .map(() => `${kind} is small`))"""
+"""Parts that everybody reads: question, answers, what it means, what is drawn; the code of a class, how it answered."""
+SMALL = """([least, kinds]) => {
+  const size = part => parseFloat(getComputedStyle(part).fontSize) * (part.getScreenCTM?.().a ?? 1)
+  return kinds.flatMap(kind => [...document.querySelectorAll(kind)]
+    .filter(part => part.checkVisibility() && size(part) < least - 0.01)
+    .map(part => `${kind} is small: ${part.textContent}`))
+}"""
 
 
 def seen(page: Page, height: int, when: str) -> Iterator[str]:

@@ -166,8 +166,9 @@ def _equation() -> Block:
 def _lateness() -> Block:
     """T/T_0 - 1 against the amplitude, which is a handle; flags go where it passes 0.1, 1 and 5 percent."""
     late = (
-        r"\text{Longer by } \tau / \tau_0 - 1, \; \tau = \val{period} \text{ s}, \; "
-        r"\tau_0 = \val{small_period} \text{ s}"
+        r"\text{Longer by } \tau / \tau_0 - 1,",
+        r"\tau = \val{period} \text{ s},",
+        r"\tau_0 = \val{small_period} \text{ s}",
     )
     handle = Handle(parameter="theta_0", symbol="θ₀", label="Angle at the start, °", tint="m1", unit="°")
     return plot(
@@ -182,7 +183,7 @@ def _lateness() -> Block:
                 for name, tint in (("limits", "ink"), ("here", "m1"))
             ),
         ),
-        heading=(term("", "none", "ink", formula=late),),
+        heading=tuple(term("", "none", "ink", formula=part) for part in late),
         x_column="angle",
         handles=(handle,),
         marks=tuple(_flag(name, excess) for name, excess in LIMITS.items()),

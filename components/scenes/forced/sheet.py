@@ -110,8 +110,8 @@ def _heading(i: int) -> tuple[Term, ...]:
             f"x{i}_limit",
             "line",
             "xp",
-            grows=f"resonant part: its swing grows by {{growth{i}}} m a second",
-            beats=f"resonant part, a long beat: its swing first grows by {{growth{i}}} m a second",
+            grows=f"resonant part, growing by {{growth{i}}} m/s",
+            beats=f"resonant part, a long beat, first growing by {{growth{i}}} m/s",
         ),
     )
 

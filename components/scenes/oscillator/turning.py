@@ -119,7 +119,9 @@ def table(y: Number) -> list[Shape]:
         arrow(aside, LEVEL, aside, y, tint="m1"),
         *pulled(MASS + 0.5 * side + 13, y, LEVEL),
         text(MASS + 38, 16, "*x* = {x} {x_unit}", "start", tint="m1", style="t2 b halo"),
-        text(MASS + 52, foot + 4, "smooth table, seen from above", "start", tint="mute", style="halo", show="wide"),
+        text(
+            MASS + 52, foot + 4, "smooth table, seen from above", "start", tint="mute", style="halo", show="wide desk"
+        ),
     ]
 
 

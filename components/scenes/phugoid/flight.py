@@ -136,7 +136,7 @@ def lift_shapes(plot: str, show: str) -> list[Shape]:
     return [
         arrow(x, y, x, y + unit, tint="k", style="thick", head=13, **own),
         arrow(x, y, *tip, tint="F", style="thick", head=13, **own),
-        text(x - 8, y + unit - 4, "*m g*", anchor="end", tint="k", style="t2 b halo told", **own),
+        text(x + 8, y + unit - 4, "*m g*", anchor="start", tint="k", style="t2 b halo told", **own),
         text(tip[0] - 8, tip[1] + 12, "*L*", anchor="end", tint="F", style="t2 b halo told", **own),
     ]
 
