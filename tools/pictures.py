@@ -93,12 +93,13 @@ def _shoot_all(browser: Browser, url: str, folder: Path, wanted: list[Sight], sc
         page.wait_for_function(READY)
         if view.asks:
             page.wait_for_function("oscillations.walks.walk?.card?.page === oscillations.page")
-        _take(page, _path(folder, view.name, screen))
+        # On a phone a step's card scrolls to its question: a picture of the whole page would move it.
+        _take(page, _path(folder, view.name, screen), not view.asks)
         count += 1
         if view.asks:
             page.evaluate("oscillations.walks.walk.show(true)")
             page.wait_for_function(ANSWERED)
-            _take(page, _path(folder, f"{view.name} answered", screen))
+            _take(page, _path(folder, f"{view.name} answered", screen), False)
             count += 1
     context.close()
     return count
@@ -108,14 +109,14 @@ def _path(folder: Path, name: str, screen: str) -> Path:
     return folder / f"{re.sub(r'[^a-zA-Z0-9._=-]+', '-', name)}-{screen}.png"
 
 
-def _take(page: Page, path: Path) -> None:
-    """Keep the picture of a page as it stands when nothing more is drawn."""
+def _take(page: Page, path: Path, whole: bool = True) -> None:
+    """Keep the picture of a page, or of what is seen of it, as it stands when nothing more is drawn."""
     page.evaluate(STOP, INSTANT)
     redrawn(page)
     last = b""
     for _ in range(TRIES):
         passed(page)
-        picture = page.screenshot(full_page=True, animations="disabled", caret="hide")
+        picture = page.screenshot(full_page=whole, animations="disabled", caret="hide")
         if picture == last:
             path.write_bytes(picture)
             return
