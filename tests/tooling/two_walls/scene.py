@@ -33,6 +33,11 @@ class Walls(Scene):
     equations = ("m x'' + (k1 + k2) x = 0",)
     groups = (Group("Mass between two springs", ("m", "k1", "k2")), Group("Start, from rest", ("x_0",)))
     presets = {"Equal": {}, "One does nearly all": {"k1": 40.0, "k2": 0.4}, "Soft": {"k1": 0.5, "k2": 0.5}}
+    watch = {
+        "Equal": "Each spring gives half of the force.",
+        "One does nearly all": "The soft spring hardly changes the period.",
+        "Soft": "With a quarter of the stiffness the period is twice as long.",
+    }
 
     m = mass(1.0, symbol="m", tint="m1")
     k1 = positive(
