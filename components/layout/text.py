@@ -1,12 +1,12 @@
 r"""The one language of texts: plain words, and in them
 
     $formula$              LaTeX, turned into MathML once a process
-    {name}                 the live number called `name`
+    {name}, \val{name}     the live number called `name`
     *x*_1, *x*_{max}       the symbol of a quantity and its index
     **strong**, [tint|words in the colour of a quantity], [scene:slug|words that lead there]
 
 `rich` makes HTML of it, `runs` the pieces that a drawing sets; there formulas, strong and coloured words have no place.
-In a formula two commands are our own:
+In a formula two commands are our own, of which the first stands in plain words too:
 
     \val{name}             the live number called `name`
     \tint{class}{...}      the colour of a quantity: m1, m2, slow, fast, T, V, F, k, ...
@@ -89,8 +89,8 @@ def _converted(latex: str) -> str:
 
 
 _INLINE = re.compile(
-    r"\$(?P<formula>[^$]+)\$|\*\*(?P<strong>[^*]+)\*\*|\{(?P<value>\w+)\}|\[(?P<tint>\w+)\|(?P<coloured>[^\]]+)\]"
-    r"|\[scene:(?P<slug>\w+)\|(?P<leading>[^\]]+)\]"
+    r"\$(?P<formula>[^$]+)\$|\*\*(?P<strong>[^*]+)\*\*|(?:\\val)?\{(?P<value>\w+)\}"
+    r"|\[scene:(?P<slug>\w+)\|(?P<leading>[^\]]+)\]|\[(?P<tint>\w+)\|(?P<coloured>[^\]]+)\]"
     r"|\*(?P<symbol>[^*\s][^*]*)\*|(?P<index>_(?:\{[^}]+\}|\w))"
 )
 

@@ -10,6 +10,7 @@ import param
 
 from components.language.messages import Onward
 from components.layout.controls import Group
+from components.quantities.live_numbers import LiveNumber
 from components.quantities.parameters import AnyParameter, Quantity, Values
 from components.scene.running import Running
 
@@ -26,7 +27,7 @@ class SceneInfo(param.Parameterized):
     """Its claim, in a sentence."""
     equations: ClassVar[tuple[str, ...]]
     """The equations that the numbers obey, in ASCII with the names of the code, for the CSV export."""
-    spoken: ClassVar[Mapping[str, str]] = {}
+    spoken: ClassVar[Mapping[str, str | LiveNumber[Any]]] = {}
     """The numbers that are read aloud when a change moves them: what each is called, and its live numbers with unit."""
     groups: ClassVar[tuple[Group, ...]]
     presets: ClassVar[Mapping[str, Values]] = {}

@@ -34,7 +34,7 @@ def scene_sheet(scene: type[Scene]) -> SceneSheet:
         runs=scene.work is not None,
         about=scene.about is not Scene.about,
         onward=scene.onward,
-        spoken=dict(scene.spoken),
+        spoken={what: text if isinstance(text, str) else text.aloud for what, text in scene.spoken.items()},
         usual=usual(scene).decode(),
         paper=scene.sheet(),
         panel=panel(

@@ -13,6 +13,7 @@ import pytest
 from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.accuracy.recorded import recorded
+from components.state.scene_sheet import scene_sheet
 from components.state.standing import fitted
 from physics.accuracy import SYSTEMS
 from tests.page.names import Names, missing, names
@@ -83,7 +84,7 @@ def test_what_is_spoken_of_is_there(slug: str) -> None:
 @scenes
 def test_what_is_read_aloud_is_there(slug: str) -> None:
     given = [scene.shown.values for scene in cases(SCENES[slug])]
-    for text in SCENES[slug].spoken.values():
+    for text in scene_sheet(SCENES[slug]).spoken.values():
         wanted = set(re.findall(r"\{(\w+)\}", text))
         assert wanted and any(all(values.get(name) for name in wanted) for values in given), text
 

@@ -19,10 +19,11 @@ from components.scene.traces import Traces
 from components.scenes.damped.about import damped_about
 from components.scenes.damped.case import DampedCase
 from components.scenes.damped.curves import axes_of, columns_of, drawn_names, instants, signals_of
+from components.scenes.damped.numbers import Numbers as N
 from components.scenes.damped.places import scalars_of
 from components.scenes.damped.sheet import damped_sheet
 from components.scenes.damped.watch import WATCH
-from components.scenes.damped.words import forms, notes, values
+from components.scenes.damped.words import forms, notes
 from physics.damped import DampedOscillator
 
 USUAL = {"m": 1.0, "k": 39.48, "x_0": 0.1, "v_0": 0.0, "keep": "c"}
@@ -34,7 +35,7 @@ class Damped(Scene):
     lecture = "D32, D33"
     points = "free vibration with a dashpot"
     headline = "A dashpot takes the same share of every swing, or lets none begin"
-    spoken = {"damping ratio": "{zeta}", "natural frequency": "{omega} rad/s", "each swing keeps": "{keep}"}
+    spoken = {"damping ratio": N.zeta, "natural frequency": N.omega, "each swing keeps": N.keep}
     equations = (
         "m x'' + c x' + k x = 0",
         "omega_n = sqrt(k/m); zeta = c/(2 m omega_n); omega_d = omega_n sqrt(1 - zeta^2); delta = 2 pi zeta "
@@ -84,7 +85,7 @@ class Damped(Scene):
             traces={"time": Traces(case.end, t.size, drawn_names(case, t), case.exact)},
             scalars=scalars_of(case, axes, self.view == "forces"),
             pace=pace(case.omega, case.omega),
-            values=values(case, axes),
+            values=N.texts(case, axes),
             live={
                 "x": axes["x"].digits(signed=True),
                 **dict.fromkeys(("T", "V", "heat"), axes["E"].digits()),
@@ -95,12 +96,7 @@ class Damped(Scene):
         )
 
     def readouts(self) -> tuple[Readout, ...]:
-        one = self._case().oscillator
-        found = [Readout("omega", "ω_n", one.omega_n, "rad/s"), Readout("zeta", "ζ", one.zeta, "", "T")]
-        if one.omega_d:
-            found += [Readout("omega_d", "ω_d", one.omega_d, "rad/s", "m1")]
-            found += [Readout("delta", "δ", one.log_decrement, "")]
-        return tuple(found) if one.k else (Readout("rate", "c/m", one.rates[1], "1/s", "T"),)
+        return N.readouts(self._case())
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
         return followed(self, changed, opened=before is None)

@@ -12,7 +12,7 @@ import numpy as np
 from components.quantities.motion import scaled
 from components.scene.frames import Windowed
 from components.scene.traces import Columns, Floats
-from physics.damped import DampedOscillator, FreeDecay
+from physics.damped import DampedOscillator, Fading, FreeDecay
 from physics.energy import half_square
 from physics.exact import exact, precise, rounded
 from physics.sampling import NOTHING_OSCILLATES, periods
@@ -20,6 +20,8 @@ from physics.sampling import NOTHING_OSCILLATES, periods
 DampedKind = Literal["rest", "drift", "glide", "plain", "under", "critical", "over"]
 SAME = 1e-6
 """As near to critical as that both roots are one."""
+HARDLY = 0.9
+"""From this damping ratio on, half a swing leaves less than two thousandths."""
 MOST_PEAKS = 5
 LASTING = 5.0
 """Times of the slower rate after which hardly anything is left."""
@@ -45,6 +47,11 @@ class DampedCase(Windowed):
     def motion(self) -> FreeDecay:
         return FreeDecay(oscillator=self.oscillator, x_0=self.x_0, v_0=self.v_0)
 
+    @property
+    def fading(self) -> Fading:
+        """x in its late parts."""
+        return self.oscillator.fading(self.x_0, self.v_0)[0]
+
     @cached_property
     def omega(self) -> float:
         return self.oscillator.omega_n
@@ -61,6 +68,21 @@ class DampedCase(Windowed):
         if one.regime == "critical" or abs(one.zeta - 1) < SAME:
             return "critical"
         return "under" if one.zeta < 1 else "over"
+
+    @cached_property
+    def said(self) -> str:
+        """What becomes of the motion, in a word: the form of the sentence that holds."""
+        if self.kind in ("glide", "drift"):
+            return self.kind if self.v_0 else "still"
+        if self.kind == "under":
+            return "swing" if self.oscillator.zeta < HARDLY else "hardly"
+        if self.kind not in ("critical", "over"):
+            return self.kind
+        if not self.x_0:
+            return "never"
+        if self.v_0 * self.x_0 < 0 and self.motion.first_zero is not None:
+            return "crosses"
+        return "thrice" if self.kind == "critical" and not self.v_0 else "home"
 
     @property
     def swings(self) -> bool:

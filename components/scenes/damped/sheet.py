@@ -6,6 +6,7 @@ from components.language.blocks import Block
 from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import column, desk, phrase, row, stage, term, when, words
 from components.scene.traces import traced
+from components.scenes.damped.numbers import Numbers as N
 from components.scenes.damped.stage import block, over_energy, over_power, roots, stairs
 from components.scenes.damped.words import FACTS, NATURAL, ROOTS, SENTENCE, TASK
 
@@ -49,18 +50,18 @@ def _displacement() -> Block:
         heading=(
             term(
                 "x", "sum", "m1", form="x",
-                under=r"x = \val{C}\, e^{-\val{a}\,t} \sin(\val{omega_d}\,t\, \val{phi})",
-                plain=r"x = \val{C}\, \sin(\val{omega}\,t\, \val{phi})",
-                critical=r"x = (\val{A}\, \val{B}\,t)\, e^{-\val{a}\,t}",
+                under=rf"x = {N.C}\, e^{{-{N.a}\,t}} \sin({N.omega_d}\,t\, {N.phi})",
+                plain=rf"x = {N.C}\, \sin({N.omega}\,t\, {N.phi})",
+                critical=rf"x = ({N.A}\, {N.B}\,t)\, e^{{-{N.a}\,t}}",
                 parts="x =",
-                sum=r"x = \val{A}\, e^{\val{slow}\,t}\, \val{B}\, e^{\val{fast}\,t}",
+                sum=rf"x = {N.A}\, e^{{{N.slow}\,t}}\, {N.B}\, e^{{{N.fast}\,t}}",
                 rest="x = 0",
-                glide=r"x = \val{x_0}\, \val{v_0}\, \frac{1 - e^{-\val{rate}\,t}}{\val{rate}}",
-                drift=r"x = \val{x_0}\, \val{v_0}\,t",
+                glide=rf"x = {N.x_0}\, {N.v_0}\, \frac{{1 - e^{{-{N.rate}\,t}}}}{{{N.rate}}}",
+                drift=rf"x = {N.x_0}\, {N.v_0}\,t",
             ),
-            term("upper", "line", "m1", formula=r"\pm \val{C}\, e^{-\val{a}\,t}"),
-            term("slow", "line", "m1", formula=r"\val{A}\, e^{\val{slow}\,t}"),
-            term("fast", "dash", "m1", formula=r"\val{B}\, e^{\val{fast}\,t}"),
+            term("upper", "line", "m1", formula=rf"\pm {N.C}\, e^{{-{N.a}\,t}}"),
+            term("slow", "line", "m1", formula=rf"{N.A}\, e^{{{N.slow}\,t}}"),
+            term("fast", "dash", "m1", formula=rf"{N.B}\, e^{{{N.fast}\,t}}"),
         ),
         x_labels=False,
         room=SIDES,
@@ -85,8 +86,8 @@ def _energy() -> Block:
             region("E", "E_0", tint="k2fill", group="heat", read="heat"),
         ),
         heading=(
-            term("total", "sum", "total", formula=r"E_0 = \val{E_total}"),
-            phrase("", "none", "total", formula="{E_unit} ="),
+            term("total", "sum", "total", formula=rf"E_0 = {N.E_total}"),
+            phrase("", "none", "total", formula=f"{N.E_unit} ="),
             term("V", "band", "V", formula=r"V\, \val{V}"),
             term("T", "band", "T", formula=r"+\; T\, \val{T}"),
             phrase("heat", "band", "k2fill", formula="+ heat {heat}"),
@@ -110,7 +111,7 @@ def _power() -> Block:
         bands=(region("none", "P", tint="T", alpha=0.25, group="P"),),
         heading=(
             term("P", "line", "T", formula=r"P = c v^2 = \val{P}"),
-            phrase("", "none", "T", formula="{P_unit}"),
+            phrase("", "none", "T", formula=f"{N.P_unit}"),
             phrase(
                 "", "none", "mute", form="fastest",
                 before="greatest just before *x* = 0", fastest="greatest where the mass is fastest",

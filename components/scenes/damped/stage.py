@@ -27,6 +27,7 @@ from components.layout.stage import (
     wall,
 )
 from components.scenes.damped.case import MOST_PEAKS
+from components.scenes.damped.numbers import Numbers as N
 from components.scenes.damped.places import NAMED, STAIRS, TICKS
 
 SQUARE = "M0 0H1V1H0Z"
@@ -64,7 +65,7 @@ def block() -> list[Shape]:
         arrow(aside, LEVEL, aside, y, tint="m1"),
         *_forces(y),
         text(
-            WIDE * 2 + NARROW * 0.58 * W, WIDE * 16 + NARROW * 0.28 * H, "*x* = {x} {x_unit}", "start", tint="m1",
+            WIDE * 2 + NARROW * 0.58 * W, WIDE * 16 + NARROW * 0.28 * H, f"*x* = {{x}} {N.x_unit}", "start", tint="m1",
             style="t2 b halo",
         ),
         text(2, foot + 28, "smooth table,", "start", tint="mute", style="halo", show="wide desk"),
@@ -102,7 +103,7 @@ def stairs() -> tuple[Shape, ...]:
             f"stair_{i}",
             line(here, level, there, level, style="eq", tint="ink"),
             arrow(there, level, there, low, tint="ink", style="thin", head=8),
-            text(there + 7, (level + low) * 0.5 + 4.5, "{keep_x}", "start", style="b halo"),
+            text(there + 7, (level + low) * 0.5 + 4.5, f"{N.keep_x}", "start", style="b halo"),
         )
     for i in range(MOST_PEAKS):
         x, y = on_x("x", var(f"peak_{i}_t")), on_y("x", var(f"peak_{i}_x"))
@@ -112,7 +113,7 @@ def stairs() -> tuple[Shape, ...]:
         "stair_0",
         text(first[0] + 8, first[1] - 11.5 * var("over") + 4.5, "*x*_1", "start", tint="m1", style="t2 b halo"),
         text(second[0], second[1] + 16 * var("over") + 4.5, "*x*_2", tint="m1", style="t2 b halo"),
-        text(first[0] + 28, first[1] - 11.5 * var("over") + 4.5, "*τ*_d {tau_d} s", "start", style="b halo"),
+        text(first[0] + 28, first[1] - 11.5 * var("over") + 4.5, f"*τ*_d {N.tau_d} s", "start", style="b halo"),
     )
     return (*shapes, *_fastest("x"))
 
@@ -192,9 +193,9 @@ def _legs(x0: Number, y0: Number) -> list[Shape]:
         line(x0, y0, x, y, style="thin", tint="ink"),
         line(x0, y0, x, y0, style="sum", tint="T"),
         line(x, y0, x, y, style="sum", tint="m1"),
-        text(x - 8, (y + y0) * 0.5 + 4, "*ω*_n {omega}", "end", style="b halo"),
-        text((x + x0) * 0.5 - 4, y0 + 19, "*ζω*_n {a}", "end", tint="T", style="b halo"),
-        text(x0 + 16, y + 5, "*ω*_d {omega_d}", "start", tint="m1", style="b"),
+        text(x - 8, (y + y0) * 0.5 + 4, f"*ω*_n {N.omega}", "end", style="b halo"),
+        text((x + x0) * 0.5 - 4, y0 + 19, f"*ζω*_n {N.a}", "end", tint="T", style="b halo"),
+        text(x0 + 16, y + 5, f"*ω*_d {N.omega_d}", "start", tint="m1", style="b"),
     ]
 
 
@@ -209,17 +210,17 @@ def _held(x0: Number, y0: Number) -> list[Shape]:
             "held_root",
             circle(x, y, 8, tint="ink", grab=ROOT_GRAB),
         ),
-        *shown_by("pair", text(x - 14, y - 12, "*ζ* {zeta}", "end", tint="T", style="t2 b halo")),
+        *shown_by("pair", text(x - 14, y - 12, f"*ζ* {N.zeta}", "end", tint="T", style="t2 b halo")),
         *shown_by(
             "real",
             circle(slow, y0, 8, tint="ink", grab=SLOW_GRAB),
-            text(slow, y0 - 17, "*ζ* {zeta}", tint="T", style="t2 b halo"),
+            text(slow, y0 - 17, f"*ζ* {N.zeta}", tint="T", style="t2 b halo"),
         ),
-        *shown_by("apart", text(slow, y0 + 25, "{slow}", style="b halo")),
+        *shown_by("apart", text(slow, y0 + 25, f"{N.slow}", style="b halo")),
         *shown_by(
             "out",
             arrow(edge + 34, y0, edge, y0, tint="ink", style="thin"),
-            text(edge, y0 + 21, "{fast}", "start", style="b halo"),
+            text(edge, y0 + 21, f"{N.fast}", "start", style="b halo"),
         ),
         *shown_by(
             "bare",

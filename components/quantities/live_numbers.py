@@ -1,0 +1,91 @@
+r"""Live numbers, each declared once: its text, its readout, its heading in a file and its cover follow.
+
+A scene has a class of them. In a text, `f"{Numbers.zeta} is small"`, a declaration stands as `\val{zeta}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Generic, TypeVar
+
+from components.quantities.axes import Axis
+from components.quantities.numbers import three
+from components.quantities.readouts import Readout
+
+Case = TypeVar("Case")
+
+
+@dataclass(eq=False, kw_only=True)
+class Named:
+    """What is known by the name under which its class has it."""
+
+    name: str = field(default="", init=False)
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    def __str__(self) -> str:
+        return rf"\val{{{self.name}}}"
+
+
+@dataclass(eq=False)
+class LiveNumber(Named, Generic[Case]):
+    """A number of a case, in SI units: None where there is none, a text where it stands for itself.
+
+    With a symbol it is compared with that of another picture. `form` writes it, or the axis that it is counted on;
+    `angle` and `also` are those of its readout.
+    """
+
+    value: Callable[[Case], float | str | None]
+    symbol: str = ""
+    unit: str = ""
+    tint: str = "ink"
+    form: Callable[[float], str] = three
+    axis: str = ""
+    angle: bool = False
+    also: tuple[str, ...] = ()
+
+    @property
+    def aloud(self) -> str:
+        """A text with its unit, as it is read aloud."""
+        return f"{{{self.name}}} {self.unit}".rstrip()
+
+    def text(self, case: Case, axes: Mapping[str, Axis]) -> str:
+        value = self.value(case)
+        if value is None or isinstance(value, str):
+            return value or ""
+        return axes[self.axis].number(value) if self.axis else self.form(value)
+
+    def readout(self, case: Case) -> Iterator[Readout]:
+        value = self.value(case) if self.symbol else None
+        if value is not None and not isinstance(value, str):
+            yield Readout(self.name, self.symbol, value, self.unit, self.tint, self.angle, self.also)
+
+
+@dataclass(eq=False)
+class AxisUnit(Named):
+    """The unit in which an axis is written."""
+
+    axis: str
+
+    def text(self, case: object, axes: Mapping[str, Axis]) -> str:
+        return axes[self.axis].full_unit
+
+
+class LiveNumbers(Generic[Case]):
+    """Those of a scene, or what scenes share of them; a class is read, never made."""
+
+    @classmethod
+    def texts(cls, case: Case, axes: Mapping[str, Axis]) -> dict[str, str]:
+        return {one.name: one.text(case, axes) for one in cls._declared()}
+
+    @classmethod
+    def readouts(cls, case: Case) -> tuple[Readout, ...]:
+        numbers = (one for one in cls._declared() if isinstance(one, LiveNumber))
+        return tuple(readout for one in numbers for readout in one.readout(case))
+
+    @classmethod
+    def _declared(cls) -> list[LiveNumber[Any] | AxisUnit]:
+        known = {name: one for owner in reversed(cls.__mro__) for name, one in vars(owner).items()}
+        return [one for one in known.values() if isinstance(one, (LiveNumber, AxisUnit))]

@@ -1,0 +1,60 @@
+"""The live numbers of the damped mass."""
+
+from __future__ import annotations
+
+import math
+
+from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.motion import scaled
+from components.quantities.numbers import plus, short, signed, three
+from components.scenes.damped.case import DampedCase
+from physics.damped import DampedOscillator, FreeDecay
+
+HOME = 0.01
+"""The share of x_0 within which the mass counts as home."""
+
+Number = LiveNumber[DampedCase]
+
+
+def percent(share: float) -> str:
+    return f"{short(100 * share)} %"
+
+
+def home_thrice(case: DampedCase) -> float:
+    """When it is home with three times the damping, let go at rest."""
+    one = case.oscillator
+    heavier = DampedOscillator(m=one.m, c=scaled(0, 3.0, one.c), k=one.k)
+    return FreeDecay(oscillator=heavier, x_0=case.x_0, v_0=0.0).settled(HOME) or 0.0
+
+
+class Numbers(LiveNumbers[DampedCase]):
+    x_unit, E_unit, P_unit = AxisUnit("x"), AxisUnit("E"), AxisUnit("P")
+    E_total = Number(lambda c: c.E_0, axis="E")
+    omega = Number(lambda c: c.omega if c.oscillator.k else three(0.0), "ω_n", "rad/s")
+    zeta = Number(lambda c: c.oscillator.zeta if c.oscillator.k else "none", "ζ", tint="T")
+    rate = Number(lambda c: None if c.oscillator.k else c.oscillator.rates[1], "c/m", "1/s", "T")
+    omega_d = Number(lambda c: c.oscillator.omega_d or None, "ω_d", "rad/s", "m1")
+    delta = Number(lambda c: c.oscillator.log_decrement if c.oscillator.omega_d else None, "δ")
+    square = Number(lambda c: c.oscillator.k / c.oscillator.m)
+    a = Number(lambda c: c.oscillator.rates[0])
+    slow = Number(lambda c: -c.oscillator.rates[0])
+    fast = Number(lambda c: -c.oscillator.rates[1])
+    C = Number(lambda c: c.envelope)
+    phi = Number(lambda c: c.oscillator.decays(c.x_0, c.v_0)[0].phase if c.swings else 0.0, form=plus)
+    A = Number(lambda c: signed(c.fading.late[0]) if c.kind == "over" else c.x_0)
+    B = Number(lambda c: c.fading.late[1] if c.kind == "over" else c.fading.rate, form=plus)
+    x_0 = Number(lambda c: c.x_0)
+    v_0 = Number(lambda c: c.v_0, form=plus)
+    keep = Number(lambda c: math.exp(-c.oscillator.log_decrement), form=percent)
+    keep_x = Number(lambda c: math.exp(-c.oscillator.log_decrement), form=lambda share: f"× {three(share)}")
+    keep_energy = Number(lambda c: math.exp(-2 * c.oscillator.log_decrement), form=percent)
+    half = Number(lambda c: math.exp(-c.oscillator.log_decrement / 2), form=percent)
+    longer = Number(
+        lambda c: math.expm1(-math.log1p(-(c.oscillator.zeta**2)) / 2) if c.oscillator.zeta < 1 else 0.0, form=percent
+    )
+    tau_d = Number(lambda c: 2 * math.pi / c.oscillator.omega_d if c.oscillator.omega_d else None)
+    home = Number(lambda c: c.motion.settled(HOME) or 0.0 if c.said in ("home", "thrice") else None)
+    home_3 = Number(lambda c: home_thrice(c) if c.said == "thrice" else None)
+    zero = Number(lambda c: c.motion.first_zero or 0.0 if c.said == "crosses" else None)
+    crossing = Number(lambda c: c.crossing_speed if c.said == "crosses" else None)
+    glide = Number(lambda c: scaled(0, abs(c.v_0), 1 / c.oscillator.rates[1]) if c.said == "glide" else None)

@@ -1,0 +1,63 @@
+"""A live number is declared once: its text and readout follow, and mypy, which reads this file, finds a wrong name."""
+
+from __future__ import annotations
+
+import pytest
+
+from components.layout.text import mathml, rich, runs
+from components.quantities.axes import Axis
+from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.numbers import plus
+from components.quantities.readouts import Readout
+from components.scenes.damped.numbers import Numbers as N
+
+Number = LiveNumber[complex]
+
+
+class Shared(LiveNumbers[complex]):
+    size = Number(abs, "|z|", "m", "m1")
+    unit = AxisUnit("x")
+
+
+class Own(Shared):
+    real = Number(lambda z: z.real, form=plus)
+    imaginary = Number(lambda z: z.imag or None, "y", axis="x")
+    sign = Number(lambda z: "none" if not z.real else z.real / abs(z), "s")
+
+
+AXES = {"x": Axis(0.0, 5e-3, "m")}
+
+
+def test_texts_follow_in_the_order_of_declaration() -> None:
+    texts = Own.texts(3e-3 + 4e-3j, AXES)
+    assert list(texts) == ["size", "unit", "real", "imaginary", "sign"]
+    assert texts["real"] == "+ 0.00300" and texts["unit"] == AXES["x"].full_unit
+    assert texts["imaginary"] == AXES["x"].number(4e-3)
+
+
+def test_what_has_a_symbol_and_a_value_is_compared() -> None:
+    assert Own.readouts(3 + 4j) == (
+        Readout("size", "|z|", 5.0, "m", "m1"), Readout("imaginary", "y", 4.0, ""), Readout("sign", "s", 0.6, ""),
+    )  # fmt: skip
+    assert [one.name for one in Own.readouts(2j)] == ["size", "imaginary"]
+    assert Own.texts(2 + 0j, AXES)["imaginary"] == "" and Own.texts(2j, AXES)["sign"] == "none"
+
+
+def test_a_name_stands_alike_in_words_formulas_and_drawings() -> None:
+    assert rich(f"{Own.size} m") == rich("{size} m")
+    assert mathml(f"r = {Own.size}") == mathml(r"r = \val{size}")
+    assert runs(f"*r* {Own.size}") == runs("*r* {size}")
+
+
+def test_it_is_read_aloud_with_its_unit() -> None:
+    assert (Own.size.aloud, Own.sign.aloud) == ("{size} m", "{sign}")
+
+
+def test_a_misspelt_name_is_an_error_of_types() -> None:
+    with pytest.raises(AttributeError):
+        N.omga  # type: ignore[attr-defined]  # noqa: B018
+    wrong = Number(lambda z: z.rael)  # type: ignore[attr-defined]
+    with pytest.raises(AttributeError):
+        wrong.text(1j, AXES)
+    with pytest.raises(TypeError):
+        Number(symbol="x")  # type: ignore[call-arg]  # a number without a value
