@@ -41,7 +41,6 @@ def test_it_leads_through_a_walk_and_takes_an_answer_back(page: Page, open_scene
 def test_two_presses_at_once_are_one(page: Page, open_scene: Open) -> None:
     open_scene(page, walk="d34", step="d34-02")
     at(page, "d34/d34-02")
-    page.wait_for_timeout(450)
     page.keyboard.press("PageDown")
     page.keyboard.press("PageDown")
     page.wait_for_function(TAUGHT)

@@ -58,5 +58,6 @@ def passed(page: Page, frames: int = 3) -> None:
 
 def clicked(page: Page, key: str = "PageDown") -> None:
     """A press of a clicker, far enough from the one before to count as another."""
-    page.wait_for_timeout(450)
+    page.wait_for_function("performance.now() > (globalThis.pressed ?? -1e9) + 420")
     page.keyboard.press(key)
+    page.evaluate("() => { globalThis.pressed = performance.now() }")
