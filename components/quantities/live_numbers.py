@@ -30,6 +30,16 @@ class Named:
 
 
 @dataclass(eq=False)
+class AxisUnit(Named):
+    """The unit in which an axis is written."""
+
+    axis: str
+
+    def text(self, case: object, axes: Mapping[str, Axis]) -> str:
+        return axes[self.axis].full_unit
+
+
+@dataclass(eq=False)
 class LiveNumber(Named, Generic[Case]):
     """A number of a case, in SI units: None where there is none, a text where it stands for itself.
 
@@ -42,35 +52,26 @@ class LiveNumber(Named, Generic[Case]):
     unit: str = ""
     tint: str = "ink"
     form: Callable[[float], str] = three
-    axis: str = ""
+    axis: AxisUnit | None = None
     angle: bool = False
     also: tuple[str, ...] = ()
 
     @property
     def aloud(self) -> str:
         """A text with its unit, as it is read aloud."""
-        return f"{{{self.name}}} {self.unit}".rstrip()
+        unit = f"{{{self.axis.name}}}" if self.axis else self.unit
+        return f"{{{self.name}}} {unit}".rstrip()
 
     def text(self, case: Case, axes: Mapping[str, Axis]) -> str:
         value = self.value(case)
         if value is None or isinstance(value, str):
             return value or ""
-        return axes[self.axis].number(value) if self.axis else self.form(value)
+        return axes[self.axis.axis].number(value) if self.axis else self.form(value)
 
     def readout(self, case: Case) -> Iterator[Readout]:
         value = self.value(case) if self.symbol else None
         if value is not None and not isinstance(value, str):
             yield Readout(self.name, self.symbol, value, self.unit, self.tint, self.angle, self.also)
-
-
-@dataclass(eq=False)
-class AxisUnit(Named):
-    """The unit in which an axis is written."""
-
-    axis: str
-
-    def text(self, case: object, axes: Mapping[str, Axis]) -> str:
-        return axes[self.axis].full_unit
 
 
 class LiveNumbers(Generic[Case]):

@@ -21,7 +21,7 @@ class Shared(LiveNumbers[complex]):
 
 class Own(Shared):
     real = Number(lambda z: z.real, form=plus)
-    imaginary = Number(lambda z: z.imag or None, "y", axis="x")
+    imaginary = Number(lambda z: z.imag or None, "y", axis=Shared.unit)
     sign = Number(lambda z: "none" if not z.real else z.real / abs(z), "s")
 
 
@@ -50,7 +50,7 @@ def test_a_name_stands_alike_in_words_formulas_and_drawings() -> None:
 
 
 def test_it_is_read_aloud_with_its_unit() -> None:
-    assert (Own.size.aloud, Own.sign.aloud) == ("{size} m", "{sign}")
+    assert (Own.size.aloud, Own.sign.aloud, Own.imaginary.aloud) == ("{size} m", "{sign}", "{imaginary} {unit}")
 
 
 def test_a_misspelt_name_is_an_error_of_types() -> None:

@@ -29,7 +29,7 @@ def home_thrice(case: DampedCase) -> float:
 
 class Numbers(LiveNumbers[DampedCase]):
     x_unit, E_unit, P_unit = AxisUnit("x"), AxisUnit("E"), AxisUnit("P")
-    E_total = Number(lambda c: c.E_0, axis="E")
+    E_total = Number(lambda c: c.E_0, axis=E_unit)
     omega = Number(lambda c: c.omega if c.oscillator.k else three(0.0), "ω_n", "rad/s")
     zeta = Number(lambda c: c.oscillator.zeta if c.oscillator.k else "none", "ζ", tint="T")
     rate = Number(lambda c: None if c.oscillator.k else c.oscillator.rates[1], "c/m", "1/s", "T")

@@ -15,8 +15,7 @@ from components.language.state import Frame
 from components.layout.controls import Group
 from components.layout.stage import wire
 from components.quantities.axes import ONE, Axis
-from components.quantities.motion import QUARTER, derived, pace, scaled, sines
-from components.quantities.numbers import three
+from components.quantities.motion import QUARTER, derived, pace, sines
 from components.quantities.parameters import Values, displacement, mass, not_negative, one_of, positive, velocity
 from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
@@ -26,6 +25,7 @@ from components.scene.traces import Columns, Floats, band_columns, bands_over_ti
 from components.scenes.energy.about import energy_about
 from components.scenes.energy.case import HangingCase, case_axes, claim
 from components.scenes.energy.hanging import PLANETS
+from components.scenes.energy.numbers import Numbers as N
 from components.scenes.energy.sheet import hanging_sheet
 from components.scenes.energy.watch import WATCH
 from physics.hanging import Datum, HangingMass
@@ -39,12 +39,7 @@ class Energy(Scene):
     points = "points 4 to 6"
     headline = "Energy swings between motion and position; the sum stays constant"
     pictured = ("energy", {"window": 1.5})
-    spoken = {
-        "natural frequency": "{omega} rad/s",
-        "period": "{tau} s",
-        "energy": "{E_total} {E_unit}",
-        "static deflection": "{delta_st}",
-    }
+    spoken = {"natural frequency": N.omega, "period": N.tau, "energy": N.E_total, "static deflection": N.delta_st}
     equations = (
         "m x'' + k x = 0; x downwards from equilibrium",
         "T = m v^2/2; delta_st = m g/k",
@@ -107,15 +102,7 @@ class Energy(Scene):
         return {"g": PLANETS[name][1]}
 
     def picture(self, frame: Frame = FITTED) -> Picture:
-        system = HangingMass(m=self.m, k=self.k, g=self.g)
-        case = HangingCase(
-            system=system,
-            x_0=self.x_0,
-            v_0=self.v_0,
-            window=self.window,
-            standing=frame.window,
-            datum=self.datum,
-        )
+        case = self._case(self.datum, frame)
         t = np.linspace(0.0, case.end, samples(case.end, 2 * case.omega))
         names, bands = _drawn(case, t)
         axes = framed(frame, case_axes(case))
@@ -126,7 +113,7 @@ class Energy(Scene):
             traces=over_time(case.end, 2 * case.omega, names, lambda t: _exact(case, t)),
             scalars=_scalars(case, axes, t),
             pace=pace(case.omega, case.omega),
-            values=_values(case, axes),
+            values=N.texts(case, axes),
             live={
                 "x": axes["x"].digits(signed=True),
                 **{name: axes["E"].digits() for name in ("T", "V", "spring")},
@@ -136,13 +123,11 @@ class Energy(Scene):
         )
 
     def readouts(self) -> tuple[Readout, ...]:
-        system = HangingMass(m=self.m, k=self.k, g=self.g)
-        return (
-            Readout("omega", "ω_n", system.omega_n, "rad/s"),
-            Readout("tau", "τ", system.oscillator.period, "s"),
-            Readout("E_total", "E", system.total_energy(self.x_0, self.v_0), "J"),
-            Readout("delta_st", "δ_{st}", system.delta_st, "m"),
-        )
+        return N.readouts(self._case("equilibrium"))
+
+    def _case(self, datum: str, frame: Frame = FITTED) -> HangingCase:
+        system, window = HangingMass(m=self.m, k=self.k, g=self.g), self.window
+        return HangingCase(system=system, x_0=self.x_0, v_0=self.v_0, datum=datum, window=window, standing=frame.window)
 
     def about(self, shown: Picture) -> About:
         system = HangingMass(m=self.m, k=self.k, g=self.g)
@@ -265,21 +250,3 @@ def _planets(case: HangingCase, x: Axis) -> dict[str, float]:
         elif scalars[f"{slug}_here"]:
             scalars[slug] = 0.0
     return scalars
-
-
-def _values(case: HangingCase, axes: dict[str, Axis]) -> dict[str, str]:
-    E, tau = axes["E"], case.system.oscillator.period
-    return {
-        "delta": three(case.system.delta_st),
-        "delta_st": f"{three(case.system.delta_st)} m",
-        "omega": three(case.omega),
-        "omega_2": three(2 * case.omega),
-        "tau": three(tau),
-        "x_unit": axes["x"].full_unit,
-        "E_unit": E.full_unit,
-        "E_total": E.number(case.total),
-        "T_max": E.number(case.E),
-        "v_max": three(scaled(0, case.omega, case.constants.C)),
-        "V_max": E.number(case.total),
-        "shift": f"{E.number(case.shift)} {E.full_unit}",
-    }

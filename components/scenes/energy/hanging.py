@@ -25,6 +25,7 @@ from components.layout.stage import (
     wall,
     wave,
 )
+from components.scenes.energy.numbers import Numbers as N
 
 CENTRE = WIDE * (0.5 * W + 16 * HALL) + NARROW * (0.2 * W + 78)
 """Where it hangs: on a phone names have room left of it, and planets right of it."""
@@ -35,9 +36,10 @@ STRIP, STRIP_LENGTH = 0.79 * W, 0.2 * W
 SQUARE = "M0 0H1V1H0Z"
 BESIDE = {
     "together": ("equilibrium", "= natural", "length"),
-    "close": ("equilibrium,", "{delta_st} below", "natural length"),
+    "close": ("equilibrium,", f"{N.delta_st} m below", "natural length"),
 }
 """Names of the equilibrium where it is the natural length, and where it is too close below for a name of its own."""
+DEFLECTION, SHIFT = f"*δ*_{{st}} {N.delta_st} m", f"½ *k δ*_{{st}}² = {N.shift} {N.E_unit}"
 BAR = WIDE * 22 + NARROW * 12
 PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.81), "jupiter": ("Jupiter", 24.8)}
 """Names and gravities in m/s^2."""
@@ -77,9 +79,7 @@ def levels() -> list[Shape]:
             for n, line_ in enumerate(lines)
         ],
         arrow(CENTRE - ASIDE, natural, CENTRE - ASIDE, level, tint="k", head=9, show="apart"),
-        text(
-            CENTRE - ASIDE - 10, (natural + level) * 0.5 + 6, "*δ*_{st} {delta_st}", "end", style="b halo", show="apart"
-        ),
+        text(CENTRE - ASIDE - 10, (natural + level) * 0.5 + 6, DEFLECTION, "end", style="b halo", show="apart"),
     ]
 
 
@@ -106,7 +106,7 @@ def body() -> list[Shape]:
             grab=begin("Mass, start", linear(lambda x: height(x) + 0.5 * side, "y", "x_0", **MOVES), start=START),
         ),
         arrow(CENTRE + ASIDE, height(0), CENTRE + ASIDE, hook, tint="m1"),
-        text(CENTRE + ASIDE - 6 * HALL, BOTTOM + 22, "*x* = {x} {x_unit}", "start", tint="m1", style="t2 b halo"),
+        text(CENTRE + ASIDE - 6 * HALL, BOTTOM + 22, f"*x* = {{x}} {N.x_unit}", "start", tint="m1", style="t2 b halo"),
     ]
 
 
@@ -173,6 +173,6 @@ def well() -> tuple[Shape, ...]:
         line(x, V, WIDE * on_x("energy", T) + NARROW * x, V, style="level", tint="V", show="wide"),
         *[circle(on_x("well", side * var("C")), level, 4, tint="ink", show="swinging") for side in (-1, 1)],
         arrow(middle, floor, middle, shift, tint="ink", style="thin", head=9, show="shifted"),
-        text(middle - 8, (floor + shift) * 0.5 + 5, "½ *k δ*_{st}² = {shift}", "end", style="b halo", show="shifted"),
+        text(middle - 8, (floor + shift) * 0.5 + 5, SHIFT, "end", style="b halo", show="shifted"),
         circle(x, V, 8, tint="m1", grab=begin("Ball, start", on_plot("well", "x", "x_0", **MOVES), start=START)),
     )

@@ -8,6 +8,7 @@ from components.layout.plots import Room, curve, plot
 from components.layout.sheet import column, desk, either, phrase, row, stage, term, words
 from components.scene.traces import traced
 from components.scenes.energy.hanging import natural_length, shapes, well
+from components.scenes.energy.numbers import Numbers as N
 
 UPPER, LOWER, BETWEEN, ABOVE = 300, 190, 44, 78
 """Shares of the height, pixels between the rows, and the share over x(t) where the spring hangs."""
@@ -51,14 +52,14 @@ def _between() -> Block:
     return words(
         either(
             "claim",
-            equilibrium=r"$T_{\mathrm{max}} = V_{\mathrm{max}} = \val{T_max}$ {E_unit}: "
-            r"all $T$ at equilibrium, where $v = \omega_n x_{\mathrm{max}} = \val{v_max}$ m/s; all $V$ where it turns.",
+            equilibrium=rf"$T_{{\mathrm{{max}}}} = V_{{\mathrm{{max}}}} = {N.T_max}$ {N.E_unit}: all $T$ "
+            rf"at equilibrium, where $v = \omega_n x_{{\mathrm{{max}}}} = {N.v_max}$ m/s; all $V$ where it turns.",
             separate=r"$V_{\mathrm{max}} = T_{\mathrm{max}} + \tfrac{1}{2} k \delta_{\mathrm{st}}^2 "
-            r"= \val{T_max} + $ {shift}: a constant more; the motion does not change.",
+            f"= {N.T_max} + $ {N.shift} {N.E_unit}: a constant more; the motion does not change.",
             weightless="Without weight both ways of counting $V$ are one: "
-            r"$V_{\mathrm{max}} = T_{\mathrm{max}} = \val{T_max}$ {E_unit}.",
+            rf"$V_{{\mathrm{{max}}}} = T_{{\mathrm{{max}}}} = {N.T_max}$ {N.E_unit}.",
             rest="Nothing moves: it rests in equilibrium, where $T$ and $V$ stay 0.",
-            rest_apart="Nothing moves: it rests in equilibrium, $T$ stays 0 and $V$ stays {shift}.",
+            rest_apart=f"Nothing moves: it rests in equilibrium, $T$ stays 0 and $V$ stays {N.shift} {N.E_unit}.",
             slide=r"Three terms, and because $k \delta_{\mathrm{st}} = m g$ their sum is $\tfrac{1}{2} k x^2$: "
             "gravity drops out of the motion.",
         ),
@@ -95,7 +96,7 @@ def _energies() -> Block:
 
 
 def _energy_terms() -> tuple[Term, ...]:
-    twice = r"at $2 \omega_n = \val{omega_2}$ rad/s"
+    twice = rf"at $2 \omega_n = {N.omega_2}$ rad/s"
     return (
         term("total", "sum", "total", formula="T + V"),
         term("V", "line", "V", formula="V"),
@@ -140,10 +141,10 @@ def _well() -> Block:
 
 def _gravity() -> Block:
     return words(
-        r"$\delta_{\mathrm{st}} = \frac{m g}{k} = \val{delta}$ m",
-        r"$\omega_n = \sqrt{\frac{k}{m}} = \val{omega}$ rad/s",
+        rf"$\delta_{{\mathrm{{st}}}} = \frac{{m g}}{{k}} = {N.delta_st}$ m",
+        rf"$\omega_n = \sqrt{{\frac{{k}}{{m}}}} = {N.omega}$ rad/s",
         either("place", said="[small|Gravity sets where it hangs, not how fast it swings.]"),
-        r"$\tau = 2 \pi / \omega_n = \val{tau}$ s",
+        rf"$\tau = 2 \pi / \omega_n = {N.tau}$ s",
         style="proof",
         grow=UPPER,
         basis=BETWEEN,
@@ -154,14 +155,14 @@ def _gravity() -> Block:
 def _law() -> Block:
     """d/dt (T + V) = 0, written out to the equation of motion."""
     return words(
-        r"[T|$T = \tfrac{1}{2} m \dot{x}^2 = \val{T}$ {E_unit}]",
+        rf"[T|$T = \tfrac{{1}}{{2}} m \dot{{x}}^2 = \val{{T}}$ {N.E_unit}]",
         either(
             DATUM,
-            equilibrium=r"[V|$V = \tfrac{1}{2} k x^2 = \val{V}$ {E_unit}]",
-            separate=r"[V|$V = \val{spring}\; \val{gravity} = \val{V}$ {E_unit}]",
+            equilibrium=rf"[V|$V = \tfrac{{1}}{{2}} k x^2 = \val{{V}}$ {N.E_unit}]",
+            separate=rf"[V|$V = \val{{spring}}\; \val{{gravity}} = \val{{V}}$ {N.E_unit}]",
             slide=r"[V|$V = \val{spring}\; \val{constant}\; \val{gravity} = \val{V}$]",
         ),
-        r"$T + V = \val{E_total}$ {E_unit}",
+        f"$T + V = {N.E_total}$ {N.E_unit}",
         r"$\dfrac{\mathrm{d}}{\mathrm{d} t} (T + V) =$",
         either(
             DATUM,

@@ -1,0 +1,21 @@
+"""The live numbers of the hanging mass."""
+
+from __future__ import annotations
+
+from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.motion import scaled
+from components.scenes.energy.case import HangingCase
+
+Number = LiveNumber[HangingCase]
+
+
+class Numbers(LiveNumbers[HangingCase]):
+    x_unit, E_unit = AxisUnit("x"), AxisUnit("E")
+    omega = Number(lambda c: c.omega, "ω_n", "rad/s")
+    tau = Number(lambda c: c.system.oscillator.period, "τ", "s")
+    E_total = Number(lambda c: c.total, "E", "J", axis=E_unit)
+    delta_st = Number(lambda c: c.system.delta_st, "δ_{st}", "m")
+    omega_2 = Number(lambda c: 2 * c.omega)
+    T_max = Number(lambda c: c.E, axis=E_unit)
+    v_max = Number(lambda c: scaled(0, c.omega, c.constants.C))
+    shift = Number(lambda c: c.shift, axis=E_unit)
