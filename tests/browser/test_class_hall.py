@@ -61,7 +61,7 @@ def test_a_step_is_seen_whole_beside_the_corner_of_a_class(server: Server, windo
 
 
 def narrow(lecture: Page, step: str, answer: dict[str, Any]) -> list[str]:
-    """What sketches of a class lack: half of the height of the screen, their middle half, room beside the corner."""
+    """The faults of sketches of a class: less than half of the height, no middle half, none clear of the corner."""
     told = lecture.evaluate(SKETCHED) if "curves" in answer else [1, True, True]
     return [] if told[0] >= 0.5 and all(told[1:]) else [f"{step}: sketches have {told}"]
 

@@ -2,18 +2,11 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
-from typing import Any
-
 import numpy as np
 import pytest
-from msgspec import to_builtins
 
 from components.chain.forces import LENGTH, on_masses
-from components.scene import Scene
-from components.scenes import SCENES
-from components.scenes.forced import SLOW, Forced
+from components.scenes.forced import Forced
 from components.scenes.forced.dying import Dying
 from tests.page.playing import played
 
@@ -26,50 +19,6 @@ CHAINS: list[dict[str, float]] = [
     {"m1": 400.0, "m2": 225.0, "k1": 625.0, "k2": 144.0, "x1_0": 0.1},
 ]
 DASHPOTS = [(0.4, 0.2), (0.2, 0.0), (0.0, 216.0), (1e-12, 0.0), (0.0, 1e12), (1e12, 1e-3)]
-SAME = {
-    ("forced", ()): "f5d42b8e4dcc53c0",
-    ("forced", (("view", "forces"),)): "d7eb6e78c076aba4",
-    ("forced", (("view", "work"),)): "4ceec9f39f4520f9",
-    ("forced", (("curve", "signed"), ("axes", "lecture"))): "efe4240df5988079",
-    ("forced", (("curve", "log"), ("omega", SLOW))): "58fd959ada96210a",
-    ("forced", (("k1", 0.0), ("x1_0", 0.3))): "118cf8a82d318da4",
-    ("forced", (("k2", 0.0),)): "77b3bcdd60655a10",
-    ("modes", ()): "50fc3386d2ab1f59",
-    ("modes", (("task", "solve"),)): "86f01ca7a71a007d",
-    ("modes", (("task", "hunt"),)): "5ca79d69a38bb300",
-    ("modes", (("task", "solve"), ("m1", 1.0), ("k2", 0.0))): "8863c97ff6431e15",
-}
-"""What was told of these scenes before there were dashpots, by a hash of it to ten digits."""
-
-
-def plain(told: Any) -> Any:
-    if isinstance(told, float):
-        return float(f"{told:.9e}")
-    if isinstance(told, np.ndarray):
-        return [plain(float(one)) for one in told[:: max(1, told.size // 40)]]
-    if isinstance(told, dict):
-        return {str(name): plain(one) for name, one in told.items()}
-    return [plain(one) for one in told] if isinstance(told, (list, tuple)) else told
-
-
-def told(scene: Scene) -> str:
-    shown = scene.shown
-    facts = {
-        "signals": to_builtins(shown.signals),
-        "sources": {name: dict(columns) for name, columns in shown.sources.items()},
-        "values": shown.values,
-        "forms": shown.forms,
-        "scalars": shown.scalars,
-        "notes": shown.notes,
-        "live": to_builtins(shown.live),
-        "axes": {name: (axis.start, axis.end) for name, axis in shown.axes.items()},
-    }
-    return hashlib.sha256(json.dumps(plain(facts), sort_keys=True).encode()).hexdigest()[:16]
-
-
-@pytest.mark.parametrize(("slug", "values"), SAME)
-def test_without_dashpots_every_picture_is_as_it_was(slug: str, values: tuple[tuple[str, Any], ...]) -> None:
-    assert told(SCENES[slug](**dict(values))) == SAME[slug, values]
 
 
 @pytest.mark.parametrize("chain", CHAINS)
