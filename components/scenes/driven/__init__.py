@@ -30,10 +30,11 @@ from components.scenes.driven import polygon, response
 from components.scenes.driven.about import driven_about
 from components.scenes.driven.case import DrivenCase
 from components.scenes.driven.curves import ROOM, axes_of, bands_of, drawn_names, signals_of
+from components.scenes.driven.numbers import Numbers as N
 from components.scenes.driven.power import power_columns
 from components.scenes.driven.sheet import KINDS, driven_sheet
 from components.scenes.driven.watch import WATCH
-from components.scenes.driven.words import forms, notes, values
+from components.scenes.driven.words import forms, notes
 from physics.driven import DrivenOscillator
 from physics.sampling import drawable
 
@@ -49,7 +50,7 @@ class DrivenScene(Scene):
     points = "forced vibration with a dashpot"
     headline = "At resonance spring and inertia cancel; only the dashpot holds the push"
     pictured = ("response", {})
-    spoken = {"size of the swing": "{X} m", "r": "{r}", "lag": "{phi} rad"}
+    spoken = {"size of the swing": N.X, "r": N.r, "lag": N.phi}
     equations = (
         "kind = force: m x'' + c x' + k x = F_0 sin(omega t)",
         "kind = base: m x'' + c (x' - y') + k (x - y) = 0; y = Y sin(omega t)",
@@ -103,11 +104,10 @@ class DrivenScene(Scene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         case = self._case(frame)
-        power = power_columns(case)
-        axes = framed(frame, axes_of(case, power) | response.axes_of(case))
+        axes = framed(frame, axes_of(case) | response.axes_of(case))
         live = axes["x"].digits(signed=True)
         return Picture(
-            columns={**response.columns_of(case, axes), "power": power, **bands_of(case)},
+            columns={**response.columns_of(case, axes), "power": power_columns(case), **bands_of(case)},
             axes=axes,
             signals=signals_of(case, axes),
             traces={"time": Traces(case.end, case.t.size, drawn_names(case), case.exact)},
@@ -126,19 +126,15 @@ class DrivenScene(Scene):
                 "Y_at": axes["x"].place(self.Y) if self.kind == "base" else 0.0,
             },
             pace=pace(min(case.omega_n, case.omega or case.omega_n), max(case.omega_n, case.omega)),
-            values=values(case, axes, power),
+            values=N.texts(case, axes),
             live={"x": live},
-            forms=forms(case, power),
+            forms=forms(case),
             notes=notes(case, not drawable(case.fastest, case.t)),
             spans={"omega": (0.0, response.END * case.omega_n)},
         )
 
     def readouts(self) -> tuple[Readout, ...]:
-        case = self._case()
-        found = [Readout("r", "r", case.r, "", "F"), Readout("zeta", "ζ", case.zeta, "", "T")]
-        if case.pushed:
-            found += [Readout("X", "X", abs(case.X), "m", "m1"), Readout("phi", "φ", case.lag, "rad", "m1", angle=True)]
-        return tuple(found)
+        return N.readouts(self._case())
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
         return followed(self, changed, opened=before is None)

@@ -12,15 +12,17 @@ from components.quantities.axes import ONE, Axis, nice_axis, time_axis
 from components.quantities.motion import QUARTER, damped, driven, scaled, sines, total
 from components.scene.traces import Columns, band_columns, bands_over_time
 from components.scenes.driven.case import DrivenCase
+from components.scenes.driven.power import power_columns
 from physics.sampling import drawable
 
 ROOM = 1.2
 """The reach of x(t), in its largest value."""
 
 
-def axes_of(case: DrivenCase, power: Columns) -> dict[str, Axis]:
+def axes_of(case: DrivenCase) -> dict[str, Axis]:
     reach = max(case.reach, case.size if case.kind == "base" else 0.0) or 1.0
     x = replace(nice_axis(-ROOM * reach, ROOM * reach, "m", 2, exact=True), drawn=(-reach, reach))
+    power = power_columns(case)
     ends = [float(column.max(initial=0.0)) for name, column in power.items() if name != "t"]
     least = min((float(column.min(initial=0.0)) for column in power.values()), default=0.0)
     most = max(ends, default=0.0) or 1.0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
@@ -15,6 +16,7 @@ FEWEST, MOST, PER_SWING = 60, 240, 16
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
 
 
+@lru_cache(maxsize=1)
 def power_columns(case: DrivenCase) -> Columns:
     """t, the power put in and the power lost; empty where nothing pushes, or too fast for a line."""
     if not case.pushed:

@@ -18,6 +18,7 @@ from components.layout.stage import Looks, Shape, circle, line, on_x, on_y, path
 from components.quantities.axes import Axis, nice_axis
 from components.scene.traces import Columns, Floats
 from components.scenes.driven.case import DrivenCase
+from components.scenes.driven.numbers import Numbers as N
 from physics.driven import Drive, half_power, highest, lag, magnification
 
 END = 2.5
@@ -138,7 +139,7 @@ def response_plot() -> PlotBlock:
                  style="halo", tint="mute", show="base"),
             line(x, var("response.top"), x, var("response.bottom"), style="thin", tint="F"),
             circle(x, y, 0, show="steady", grab=held),
-            text(x - 9, y - 8, "{M}", "end", tint="m1", style="t2 b halo", show="steady"),
+            text(x - 9, y - 8, f"{N.M}", "end", tint="m1", style="t2 b halo", show="steady"),
         ),
         grow=190,
         phone=10,
@@ -162,10 +163,10 @@ def _width() -> list[Shape]:
         line(low, y, high, y, style="thin", tint="ink"),
         circle(low, on_y("response", var("M_low")), 3.5, tint="m1"),
         circle(high, y, 3.5, tint="m1"),
-        text(high + 10, y + 5, "Δ*ω* = {width} rad/s at half the power", "start", style="halo"),
+        text(high + 10, y + 5, f"Δ*ω* = {N.width} rad/s at half the power", "start", style="halo"),
         line(Q, height, Q + 60, height, style="level", tint="ink", inside="response"),
         circle(Q + 60, height, 5, style="ghost", tint="T", grab=held),
-        text(Q + 70, height + 5, "*Q* = {Q}", "start", style="b halo"),
+        text(Q + 70, height + 5, f"*Q* = {N.Q}", "start", style="b halo"),
     )
 
 

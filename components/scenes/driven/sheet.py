@@ -6,6 +6,7 @@ from components.language.blocks import Block
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
 from components.scene.traces import traced
+from components.scenes.driven.numbers import Numbers as N
 from components.scenes.driven.polygon import polygon
 from components.scenes.driven.response import phase_plot, response_plot
 from components.scenes.driven.stage import block
@@ -57,15 +58,15 @@ def _displacement() -> Block:
             term("x", "sum", "m1", formula="x(t)"),
             phrase(
                 "x_p", "line", "xp",
-                dies=r"steady $\val{X} \sin(\val{omega}\,t\, \val{phi_minus})$",
-                stays=r"particular $\val{X} \sin(\val{omega}\,t\, \val{phi_minus})$",
+                dies=rf"steady ${N.X} \sin({N.omega}\,t\, {N.phi_minus})$",
+                stays=rf"particular ${N.X} \sin({N.omega}\,t\, {N.phi_minus})$",
             ),
-            term("y", "line", "xp", formula=r"y = \val{Y} \sin(\val{omega}\,t)"),
+            term("y", "line", "xp", formula=rf"y = {N.Y} \sin({N.omega}\,t)"),
             phrase(
                 "x_c", "dash", "xc",
-                dies=r"dying part $e^{-\val{decay}\,t}$", stays="other part, which stays",
+                dies=rf"dying part $e^{{-{N.decay}\,t}}$", stays="other part, which stays",
             ),
-            phrase("upper", "line", "m1", formula=r"growth $\pm \val{rate}\, t$"),
+            phrase("upper", "line", "m1", formula=rf"growth $\pm {N.rate}\, t$"),
         ),
         room=SIDES,
         cursor="time",
@@ -86,8 +87,8 @@ def _power() -> Block:
             curve("P_in", source="power", tint="F", group="P_in", read="put in"),
         ),
         heading=(
-            phrase("P_in", "line", "F", formula="power in {P_in} W"),
-            phrase("P_lost", "sum", "T", formula="lost {P_lost} W"),
+            phrase("P_in", "line", "F", formula=f"power in {N.P_in} W"),
+            phrase("P_lost", "sum", "T", formula=f"lost {N.P_lost} W"),
             phrase("", "none", "mute", formula="mean of a swing, at the end"),
         ),
         x_labels=False,

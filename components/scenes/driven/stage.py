@@ -9,6 +9,7 @@ from components.language.numbers import Number, var
 from components.language.shapes import Begin, Grab
 from components.layout.grabs import at_rest, begin, grab, linear
 from components.layout.stage import HALL, NARROW, WIDE, H, Shape, T, W, arrow, circle, line, on_x, on_y, shown_by, text
+from components.scenes.driven.numbers import Numbers as N
 
 MIDDLE = WIDE * 0.34 * W + NARROW * 0.28 * W
 LEVEL = WIDE * on_y("x", 0) + NARROW * 0.3 * H
@@ -55,7 +56,7 @@ def block() -> list[Shape]:
         arrow(arrow_at, LEVEL, arrow_at, y, tint="m1"),
         *_drives(y, lowest, lift),
         text(
-            WIDE * 2 + NARROW * 0.58 * W, WIDE * 16 + NARROW * 0.28 * H, "*x* = {x} {x_unit}", "start", tint="m1",
+            WIDE * 2 + NARROW * 0.58 * W, WIDE * 16 + NARROW * 0.28 * H, f"*x* = {{x}} {N.x_unit}", "start", tint="m1",
             style="t2 b halo",
         ),
     ]  # fmt: skip

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 
 from components.layout.sheet import Paragraph, either
-from components.quantities.axes import Axis
-from components.quantities.numbers import plus, three
-from components.scene.traces import Columns
 from components.scenes.driven.case import DrivenCase
+from components.scenes.driven.numbers import Numbers as N
+from components.scenes.driven.power import power_columns
 
 TASK = "Drag ω through the peak: which arrow holds the push below it, at it, and above it?"
 ALONE = 0.02
@@ -20,7 +19,7 @@ SIZES = (
     r"\sqrt{\dfrac{1 + (2 \zeta r)^2}{(1 - r^2)^2 + (2 \zeta r)^2}}",
     r"\dfrac{r^2}{\sqrt{(1 - r^2)^2 + (2 \zeta r)^2}}",
 )
-GROWTH = r"$c = 0,\ \omega = \omega_n$: no steady size, $\tint{m1}{X = \val{rate}\, t}$ grows"
+GROWTH = rf"$c = 0,\ \omega = \omega_n$: no steady size, $\tint{{m1}}{{X = {N.rate}\, t}}$ grows"
 
 FACTS: tuple[Paragraph, ...] = (
     either(
@@ -31,18 +30,18 @@ FACTS: tuple[Paragraph, ...] = (
     ),
     either(
         "size",
-        force=rf"$\tint{{m1}}{{\dfrac{{k X}}{{F_0}} = {SIZES[0]} = \val{{M}}}}$",
-        base=rf"$\tint{{m1}}{{\dfrac{{X}}{{Y}} = {SIZES[1]} = \val{{M}}}}$",
-        unbalance=rf"$\tint{{m1}}{{\dfrac{{m X}}{{m_0 e}} = {SIZES[2]} = \val{{M}}}}$",
+        force=rf"$\tint{{m1}}{{\dfrac{{k X}}{{F_0}} = {SIZES[0]} = {N.M}}}$",
+        base=rf"$\tint{{m1}}{{\dfrac{{X}}{{Y}} = {SIZES[1]} = {N.M}}}$",
+        unbalance=rf"$\tint{{m1}}{{\dfrac{{m X}}{{m_0 e}} = {SIZES[2]} = {N.M}}}$",
         grows=GROWTH,
     ),
-    either("steady", shown=r"[m1|$X = \val{X}$ m, $\phi = \val{phi}$ rad]"),
-    either("quality", shown=r"$Q = 1 / (2 \zeta) = \val{Q},\ \Delta \omega = \val{width}$ rad/s"),
+    either("steady", shown=rf"[m1|$X = {N.X}$ m, $\phi = {N.phi}$ rad]"),
+    either("quality", shown=rf"$Q = 1 / (2 \zeta) = {N.Q},\ \Delta \omega = {N.width}$ rad/s"),
 )
 WORK: Paragraph = either(
     "work",
-    push=r"Steady: $\pi c\, \omega X^2 = \val{W}$ J a cycle",
-    base=r"Steady: $\pi c\, \omega |X - Y|^2 = \val{W}$ J a cycle",
+    push=rf"Steady: $\pi c\, \omega X^2 = {N.W}$ J a cycle",
+    base=rf"Steady: $\pi c\, \omega |X - Y|^2 = {N.W}$ J a cycle",
 )
 SENTENCE = either(
     "holds",
@@ -50,8 +49,8 @@ SENTENCE = either(
     inertia="**Above resonance inertia holds most of the push.**",
     dashpot="**Here the dashpot holds most of the push.**",
     alone="**At resonance the dashpot alone holds the push.**",
-    grows="**Nothing holds the push: each swing grows by the same {growth} m.**",
-    grows_on="**Nothing holds the push: in the end each swing grows by {growth} m.**",
+    grows=f"**Nothing holds the push: each swing grows by the same {N.growth} m.**",
+    grows_on=f"**Nothing holds the push: in the end each swing grows by {N.growth} m.**",
     near="**Next to resonance and without a dashpot the swing grows for very long.**",
     more="**Below √2 the mass swings more than its base; a stronger dashpot helps.**",
     alike="**At √2 every dashpot is alike: the mass swings as far as its base.**",
@@ -83,30 +82,7 @@ def holds(case: DrivenCase) -> str:
     return "alone" if left < ALONE * min(dashpot, 1.0) else "dashpot"
 
 
-def values(case: DrivenCase, axes: dict[str, Axis], power: Columns) -> dict[str, str]:
-    rate = case.growth * case.omega / (2 * math.pi) if case.pushed else 0.0
-    steady = case.pushed and case.steady
-    return {
-        "x_unit": axes["x"].full_unit,
-        "M": three(case.M),
-        "r": three(case.r),
-        "X": three(abs(case.X)) if steady else "∞",
-        "phi": three(case.lag),
-        "phi_minus": plus(-case.lag),
-        "Q": three(0.5 / case.zeta) if case.zeta else "∞",
-        "width": three(2 * case.zeta * case.omega_n),
-        "W": three(case.work) if steady else "0",
-        "rate": f"{three(rate)}",
-        "growth": three(case.growth) if case.pushed else "",
-        "omega": three(case.omega),
-        "Y": three(case.size),
-        "decay": three(case.oscillator.free.rates[0]),
-        "P_in": three(float(power["P_in"][-1])) if power else "0",
-        "P_lost": three(float(power["P_lost"][-1])) if power else "0",
-    }
-
-
-def forms(case: DrivenCase, power: Columns) -> dict[str, str]:
+def forms(case: DrivenCase) -> dict[str, str]:
     steady = case.pushed and case.steady
     based = case.kind == "base" and case.pushed
     return {
@@ -121,7 +97,7 @@ def forms(case: DrivenCase, power: Columns) -> dict[str, str]:
         "y": "formula" if based else "",
         "x_c": ("dies" if case.oscillator.c else "stays") if case.split else "",
         "upper": "formula" if case.grows and case.pushed else "",
-        "power": "shown" if power else "",
+        "power": "shown" if power_columns(case) else "",
     }
 
 
