@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache
 
 import numpy as np
 from msgspec.structs import replace
@@ -16,71 +15,28 @@ from components.layout.controls import Group
 from components.layout.stage import wire
 from components.quantities.axes import ONE, Axis, nice_axis, time_axis
 from components.quantities.motion import QUARTER, pace, scaled, sines
-from components.quantities.numbers import MINUS, plus, power_unit, signed, three
+from components.quantities.numbers import MINUS, power_unit, three
 from components.quantities.parameters import displacement, mass, one_of, stiffness, velocity
 from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
 from components.scene.about import About
-from components.scene.frames import FITTED, Windowed, framed
+from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns, Floats, Traces, bands_over_time, samples, trace
 from components.scenes.oscillator.about import oscillator_about
+from components.scenes.oscillator.numbers import LEADS, Oscillation
+from components.scenes.oscillator.numbers import Numbers as N
 from components.scenes.oscillator.pull import Force, force
 from components.scenes.oscillator.sheet import WATCH, oscillator_sheet
-from physics.oscillator import Oscillator, OscillatorConstants
-from physics.sampling import Sinusoid, drawable, periods, time_window
+from physics.oscillator import Oscillator
+from physics.sampling import Sinusoid, drawable
 
 LONGEST = 24
 """Characters of numbers in the second form of x."""
 MOST_SWINGS = 6
 """In a longer window a quarter period is too short to be marked."""
-LEADS = {"x": 0.0, "v": QUARTER, "a": math.pi}
-"""The phase by which each row leads x."""
 UNITS = {"x": "m", "v": "m/s", "a": "m/s²"}
 ROOM = {"x": (1.25, 1.25), "v": (1.15, 1.6), "a": (1.2, 1.75)}
 """The reach of an axis below and above, in amplitudes; over v and a stand the marks of the quarter period."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Oscillation(Windowed):
-    """A motion over its window."""
-
-    oscillator: Oscillator
-    x_0: float
-    v_0: float
-
-    @cached_property
-    def omega(self) -> float:
-        return self.oscillator.omega_n
-
-    @cached_property
-    def constants(self) -> OscillatorConstants:
-        return self.oscillator.constants(self.x_0, self.v_0)
-
-    @cached_property
-    def lasting(self) -> float:
-        return periods(self.omega, 2) if self.omega else time_window(0.0, 0.0)
-
-    @property
-    def turns(self) -> bool:
-        """Whether there is an arrow to turn: neither a free mass nor one at rest."""
-        return self.omega > 0 and self.constants.C > 0
-
-    @cached_property
-    def amplitudes(self) -> dict[str, float]:
-        """C, omega C and omega^2 C; of a free mass, its constant speed."""
-        if not self.omega:
-            return {"x": abs(self.x_0), "v": abs(self.v_0), "a": 0.0}
-        return {row: scaled(0, self.constants.C, *[self.omega] * i) for i, row in enumerate(LEADS)}
-
-    @property
-    def loop(self) -> tuple[float, int]:
-        """The time for which the planes (x, v) and (x, a) are drawn, and the points: one turn; of a free mass, all."""
-        return (self.oscillator.period, 145) if self.omega else (self.end, 2)
-
-    def exact(self, t: Floats) -> Columns:
-        """x, v and a."""
-        motion = self.oscillator.motion(self.x_0, self.v_0, t)
-        return {name: getattr(motion, name) for name in LEADS}
 
 
 class OscillatorScene(Scene):
@@ -89,7 +45,7 @@ class OscillatorScene(Scene):
     lecture = "D31"
     points = "points 1 to 3"
     headline = "A swing is a turning arrow, seen from the side"
-    spoken = {"natural frequency": "{omega} rad/s", "period": "{tau} s"}
+    spoken = {"natural frequency": N.omega, "period": N.tau}
     equations = (
         "m x'' + k x = 0",
         "omega_n = sqrt(k/m); v = x'; a = x''; x = x_0 and v = v_0 at t = 0",
@@ -138,7 +94,7 @@ class OscillatorScene(Scene):
         axes = framed(frame, _axes(swing))
         reach = max(swing.amplitudes["x"], abs(self.x_0))
         pull = force(self.k, reach, axes["x"]) if self.view == "force" else Force()
-        values = _values(swing, axes) | pull.values
+        values = N.texts(swing, axes) | pull.values
         return Picture(
             columns=bands_over_time(t, bands),
             axes=axes,
@@ -163,12 +119,7 @@ class OscillatorScene(Scene):
         return Oscillation(oscillator=oscillator, x_0=self.x_0, v_0=self.v_0, window=self.window, standing=frame.window)
 
     def readouts(self) -> tuple[Readout, ...]:
-        swing = self._swing()
-        omega, C = Readout("omega", "ω_n", swing.omega, "rad/s"), Readout("C", "C", swing.constants.C, "m", "m1")
-        if not swing.omega:
-            return (omega,)
-        tau = Readout("tau", "τ", swing.oscillator.period, "s")
-        return omega, tau, C, Readout("phi", "φ", swing.constants.phi, "rad", angle=True)
+        return N.readouts(self._swing())
 
     def about(self, shown: Picture) -> About:
         return oscillator_about(shown, Oscillator(m=self.m, k=self.k), self.x_0, self.v_0)
@@ -257,28 +208,6 @@ def _leads(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, float]:
     peaks = {f"peak_{name}": axes["t"].place((peak - i / 4) * tau) for i, name in enumerate(LEADS)}
     tops = {f"top_{name}": axes[name].place(swing.amplitudes[name]) for name in LEADS}
     return {"leads": 1.0, **peaks, **tops}
-
-
-def _values(swing: Oscillation, axes: dict[str, Axis]) -> dict[str, str]:
-    constants = swing.constants
-    turned_back = constants.phi - math.copysign(math.pi, constants.phi)
-    return {
-        "A": signed(constants.A),
-        "A_plain": three(constants.A),
-        "B": signed(constants.B),
-        "B_plus": plus(constants.B),
-        "C": three(constants.C),
-        "phi": three(constants.phi),
-        "phi_plus": plus(constants.phi),
-        "atan": three(turned_back),
-        "drift": plus(constants.drift),
-        "v_0": signed(swing.v_0),
-        "omega": three(swing.omega),
-        "tau": three(swing.oscillator.period) if swing.omega else "",
-        "ratio": three(scaled(0, swing.omega, swing.omega)),
-        "x_unit": axes["x"].full_unit,
-        **{f"top_{name}": three(swing.amplitudes[name]) for name in LEADS},
-    }
 
 
 def _forms(swing: Oscillation, values: dict[str, str]) -> dict[str, str]:

@@ -7,9 +7,11 @@ from components.layout.plots import HEADING, NUMBERS, Room, curve, plot
 from components.layout.sheet import column, desk, either, phrase, row, stage, term, when, words
 from components.layout.stage import Shape
 from components.scene.traces import traced
+from components.scenes.oscillator.numbers import Numbers as N
 from components.scenes.oscillator.turning import FIRST, first, hero, lead, planes
 
 TINTS = {"x": "m1", "v": "T", "a": "F"}
+TOPS = {"x": N.top_x, "v": N.top_v, "a": N.top_a}
 SHIFTS = {"x": "", "v": r"+ \tfrac{\pi}{2}", "a": r"+ \pi"}
 GAP = 16
 TASK = "Push the mass and let go: where is it fastest, and where is it pulled hardest?"
@@ -26,10 +28,10 @@ WATCH = {
 """A sentence for each preset on what to watch."""
 
 CONSTANTS = (
-    (r"[m1|$A = x_0 = \val{A}$ m]", either("C", turn=r"[m1|$C = \sqrt{A^2 + B^2} = \val{C}$ m]")),
+    (f"[m1|$A = x_0 = {N.A}$ m]", either("C", turn=rf"[m1|$C = \sqrt{{A^2 + B^2}} = {N.C}$ m]")),
     (
-        either("B", turn=r"[T|$B = v_0 / \omega_n = \val{B}$ m]", drift=r"[T|$v_0 = \val{v_0}$ m/s]"),
-        either("phi", turn=r"$\phi = \mathrm{atan2}(A, B) = \val{phi}$ rad"),
+        either("B", turn=rf"[T|$B = v_0 / \omega_n = {N.B}$ m]", drift=f"[T|$v_0 = {N.v_0}$ m/s]"),
+        either("phi", turn=rf"$\phi = \mathrm{{atan2}}(A, B) = {N.phi}$ rad"),
     ),
 )
 
@@ -85,7 +87,7 @@ def _why() -> Block:
             "why",
             right=r"**At** $t = 0$: $\mathrm{atan}(A / B)$ gives the right angle here: it is right for $v_0 > 0$, "
             r"$\mathrm{atan2}$ always.",
-            wrong=r"**At** $t = 0$: $\mathrm{atan}(A / B) = \val{atan}$ points the other way: "
+            wrong=rf"**At** $t = 0$: $\mathrm{{atan}}(A / B) = {N.atan}$ points the other way: "
             r"it is right only for $v_0 > 0.$",
             zero=r"**At** $t = 0$: $\mathrm{atan}(A / B)$ would divide by zero: it is right only for $v_0 > 0.$",
             rest="The mass rests: nothing moves, there is no arrow, and no phase.",
@@ -103,17 +105,17 @@ def _row(name: str) -> Block:
     tint = TINTS[name]
     curve, band = traced(name, tint=tint, width="sum", read=f"*{name}*", signal=name)
     drift = {
-        "x": r"\val{A}\, \val{drift}\,t",
-        "v": r"\val{v_0} \text{: constant}",
+        "x": rf"{N.A}\, {N.drift}\,t",
+        "v": rf"{N.v_0} \text{{: constant}}",
         "a": r"0 \text{: no force}",
     }[name]
-    sine = rf"\val{{top_{name}}}\, \sin(\val{{omega}}\,t\, \val{{phi_plus}} {SHIFTS[name]})"
+    sine = rf"{TOPS[name]}\, \sin({N.omega}\,t\, {N.phi_plus} {SHIFTS[name]})"
     heading = [
         term(name, "sum", tint, formula=f"{name} ="),
         term("", "none", tint, form="kind", turn=sine, drift=drift),
     ]
     if name == "x":
-        parts = r"= \val{A_plain}\, \cos(\val{omega}\,t)\, \val{B_plus}\, \sin(\val{omega}\,t)"
+        parts = rf"= {N.A_plain}\, \cos({N.omega}\,t)\, {N.B_plus}\, \sin({N.omega}\,t)"
         heading.append(term("", "none", "ink", form="parts", shown=parts, left_out=""))
     return plot(
         name,
@@ -144,8 +146,8 @@ def _law_words() -> Block:
             r"$(\omega_n^2 - \omega^2) x = 0$, so $\omega = \omega_n$]",
             drift="",
         ),
-        r"$\omega_n = \sqrt{\frac{k}{m}} = \val{omega}$ rad/s",
-        either("kind", turn=r"$\tau = 2 \pi / \omega_n = \val{tau}$ s", drift="no period"),
+        rf"$\omega_n = \sqrt{{\frac{{k}}{{m}}}} = {N.omega}$ rad/s",
+        either("kind", turn=rf"$\tau = 2 \pi / \omega_n = {N.tau}$ s", drift="no period"),
         style="facts proof",
         grow=212,
         basis=HEADING,
@@ -179,7 +181,7 @@ def _law(over: tuple[Shape, ...]) -> Block:
         y="a_bare",
         title="The law: acceleration against displacement is a straight line",
         curves=(curve("a", source="loop", x="x", tint="ink", signal_x="x", signal="a", group="law"),),
-        heading=(phrase("", "none", "ink", formula=r"**The law:** $a = -\val{ratio}\,x$"),),
+        heading=(phrase("", "none", "ink", formula=rf"**The law:** $a = -{N.ratio}\,x$"),),
         x_column="x",
         x_labels=False,
         room=Room(8, 8, bottom=NUMBERS),

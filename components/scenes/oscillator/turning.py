@@ -28,6 +28,7 @@ from components.layout.stage import (
     wall,
     wave,
 )
+from components.scenes.oscillator.numbers import Numbers as N
 from components.scenes.oscillator.pull import pulled
 
 MASS = WIDE * 0.15 * W + NARROW * 0.1 * W
@@ -118,7 +119,7 @@ def table(y: Number) -> list[Shape]:
         box(MASS, y + 0.5 * side, side, "*m*", tint="m1", grab=MASS_GRAB),
         arrow(aside, LEVEL, aside, y, tint="m1"),
         *pulled(MASS + 0.5 * side + 13, y, LEVEL),
-        text(MASS + 38, 16, "*x* = {x} {x_unit}", "start", tint="m1", style="t2 b halo"),
+        text(MASS + 38, 16, f"*x* = {{x}} {N.x_unit}", "start", tint="m1", style="t2 b halo"),
         text(
             MASS + 52, foot + 4, "smooth table, seen from above", "start", tint="mute", style="halo", show="wide desk"
         ),
