@@ -34,9 +34,10 @@ class AxisUnit(Named):
     """The unit in which an axis is written."""
 
     axis: str
+    form: Callable[[Axis], str] = lambda axis: axis.full_unit
 
     def text(self, case: object, axes: Mapping[str, Axis]) -> str:
-        return axes[self.axis].full_unit
+        return self.form(axes[self.axis])
 
 
 @dataclass(eq=False)

@@ -6,7 +6,6 @@ import math
 from functools import cache
 
 import numpy as np
-from msgspec.structs import replace
 
 from components.language.blocks import Block
 from components.language.numbers import var
@@ -16,7 +15,6 @@ from components.language.state import Frame
 from components.layout.controls import Group
 from components.quantities.axes import ONE, Axis, time_axis
 from components.quantities.motion import cosine_of, derived, pace, sampled, sine_of, sines
-from components.quantities.numbers import short, three
 from components.quantities.parameters import one_of
 from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
@@ -26,6 +24,7 @@ from components.scene.traces import Traces, bands_over_time, samples
 from components.scenes.analogues.about import analogue_about
 from components.scenes.analogues.case import CURVES, DEGREE, LIMITS, AnalogueCase, late_axes, late_columns, motion_bands
 from components.scenes.analogues.controls import LARGEST, SHORT, SWINGING, groups, quantities, start_angle
+from components.scenes.analogues.numbers import Numbers as N
 from components.scenes.analogues.pictures import tiles
 from components.scenes.analogues.reach import REMARKS
 from components.scenes.analogues.sheet import analogue_sheet
@@ -47,7 +46,7 @@ class Analogues(Scene):
     lecture = "D31"
     points = "point 7"
     headline = "Nine systems, one equation: only the names change"
-    spoken = {"period": "{period} s", "frequency": "{frequency} Hz"}
+    spoken = {"period": N.period, "frequency": N.frequency}
     equations = (
         "inertia q'' + stiffness q = 0; of a pendulum and a rocking body: theta'' + omega_n^2 sin(theta) = 0",
         "omega_n = sqrt(stiffness/inertia); x is the spring and mass of equal numbers",
@@ -97,7 +96,7 @@ class Analogues(Scene):
             traces={"time": drawn},
             scalars=_scalars(case, axes),
             pace=_pace(case),
-            values=_values(case, size, energy),
+            values=N.texts(case, axes),
             live={
                 "level": size.digits(signed=True),
                 **dict.fromkeys(("x", "q"), case.table_axis.digits(signed=True)),
@@ -114,8 +113,7 @@ class Analogues(Scene):
         return AnalogueCase(system=system, p=p, q_0=start, window=self.window, standing=standing)
 
     def readouts(self) -> tuple[Readout, ...]:
-        case = self._case()
-        return Readout("omega", "ω_n", case.omega, "rad/s"), Readout("period", "τ", case.period, "s")
+        return N.readouts(self._case())
 
     def about(self, shown: Picture) -> About:
         return analogue_about(shown, self._case())
@@ -209,36 +207,6 @@ def _pendulum_scalars(case: AnalogueCase, axes: dict[str, Axis]) -> dict[str, fl
         "late_after": float(theta <= 25 * DEGREE),
         **flags,
     }
-
-
-def _values(case: AnalogueCase, size: Axis, energy: Axis) -> dict[str, str]:
-    system, own = case.system, case.table_axis
-    degrees = short(math.degrees(abs(case.q_0)))
-    return {
-        "omega": three(case.omega),
-        "frequency": three(1 / case.period),
-        "period": three(case.period),
-        "small_period": three(case.spring.period),
-        "late": three(3 * (case.spring.period * case.excess)),
-        "late_percent": three(100 * case.excess),
-        "end_right": f"{degrees}°",
-        "end_left": f"−{degrees}°" if case.q_0 else "0°",
-        "level_unit": _unit(size, "") if case.pendulum else _unit(size),
-        "system_name": system.name,
-        "m": three(case.spring.m),
-        "m_unit": f"\N{NO-BREAK SPACE}{system.inertia_unit}",
-        "k": three(case.spring.k),
-        "k_unit": f"\N{NO-BREAK SPACE}{system.stiffness_unit}",
-        "x_unit": _unit(replace(own, unit="m")),
-        "q_unit": _unit(own),
-        "J_unit": _unit(energy),
-        "E_unit": _unit(energy) + ("/m²" if system.slug == "wave" else ""),
-    }
-
-
-def _unit(axis: Axis, gap: str = "\N{NO-BREAK SPACE}") -> str:
-    """The unit as it follows a number: ·10⁻⁶ m, or a space and m."""
-    return axis.suffix.replace(" ", "\N{NO-BREAK SPACE}") + axis.unit if axis.suffix else gap + axis.unit
 
 
 def _forms(case: AnalogueCase) -> dict[str, str]:

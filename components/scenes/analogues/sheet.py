@@ -8,10 +8,13 @@ from components.language.blocks import Block
 from components.language.plots import Handle, Mark
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import Paragraph, column, desk, either, row, stage, table, term, when, words
+from components.quantities.live_numbers import Named
 from components.quantities.numbers import three
 from components.scene.traces import traced
 from components.scenes.analogues.case import LIMITS
 from components.scenes.analogues.controls import SWINGING
+from components.scenes.analogues.numbers import GAP
+from components.scenes.analogues.numbers import Numbers as N
 from components.scenes.analogues.reach import IN_TRUTH, REMARKS
 from components.scenes.analogues.stage import over_lateness, over_motion, shapes
 from physics.analogues import ANALOGUES
@@ -65,11 +68,11 @@ def _motion() -> Block:
     )
     exact = {slug: rf"{ANALOGUES[slug].coordinate} \text{{ exact}}" for slug in SWINGING}
     cosine = {
-        slug: rf"{system.coordinate} = {_STARTS[slug]} \cos(\val{{omega}} t)"
+        slug: rf"{system.coordinate} = {_STARTS[slug]} \cos({N.omega} t)"
         for slug, system in ANALOGUES.items()
         if slug not in SWINGING
     }
-    rules = {slug: rf"{_STARTS[slug]} \cos(\val{{omega}} t) \text{{ spring}}" for slug in SWINGING}
+    rules = {slug: rf"{_STARTS[slug]} \cos({N.omega} t) \text{{ spring}}" for slug in SWINGING}
     return plot(
         "motion",
         x="t",
@@ -94,47 +97,31 @@ def _motion() -> Block:
 def _roles() -> Block:
     """The roles x, m, k, T, V and omega_n in both systems, in formulas and numbers that agree or part."""
     systems = ANALOGUES.items()
+    T, V = ({slug: s.T_formula for slug, s in systems}, {slug: EXACT_V.get(slug, s.V_formula) for slug, s in systems})
     rows = [
-        _role("m1", "x", "x", "x_unit", {slug: s.coordinate for slug, s in systems}, "q", "q_unit"),
-        _role("m1", "m", "m", "kg", {slug: s.inertia_formula for slug, s in systems}, "m", "m_unit"),
-        _role("k", "k", "k", "N/m", {slug: s.stiffness_formula for slug, s in systems}, "k", "k_unit"),
-        _role(
-            "T",
-            "T",
-            r"\tfrac{1}{2} m \dot{x}^2",
-            "J_unit",
-            {slug: s.T_formula for slug, s in systems},
-            "T_q",
-            "E_unit",
-        ),
-        _role(
-            "V",
-            "V",
-            r"\tfrac{1}{2} k x^2",
-            "J_unit",
-            {slug: EXACT_V.get(slug, s.V_formula) for slug, s in systems},
-            "V_q",
-            "E_unit",
-        ),
+        _role("m1", "x", "x", N.x_unit, {slug: s.coordinate for slug, s in systems}, "q", N.q_unit),
+        _role("m1", "m", "m", f"{GAP}kg", {slug: s.inertia_formula for slug, s in systems}, "m", N.m_unit),
+        _role("k", "k", "k", f"{GAP}N/m", {slug: s.stiffness_formula for slug, s in systems}, "k", N.k_unit),
+        _role("T", "T", r"\tfrac{1}{2} m \dot{x}^2", N.J_unit, T, "T_q", N.E_unit),
+        _role("V", "V", r"\tfrac{1}{2} k x^2", N.J_unit, V, "V_q", N.E_unit),
     ]
-    omega = {slug: rf"${s.omega_formula} = \val{{omega}}$ rad/s" for slug, s in systems}
-    rows.append(["natural frequency", r"$\sqrt{k/m} = \val{omega}$ rad/s", either("system", **omega)])
+    omega = {slug: f"${s.omega_formula} = {N.omega}$ rad/s" for slug, s in systems}
+    rows.append(["natural frequency", rf"$\sqrt{{k/m}} = {N.omega}$ rad/s", either("system", **omega)])
     rows.append(AIRCRAFT)
-    return table(*rows, head=["", "Spring and mass", "{system_name}"], phone=30, style="roles")
+    return table(*rows, head=["", "Spring and mass", f"{N.system_name}"], phone=30, style="roles")
 
 
 def _role(
-    tint: str, symbol: str, formula: str, unit: str, formulas: dict[str, str], own: str, own_unit: str
+    tint: str, symbol: str, formula: str, unit: Named | str, formulas: dict[str, str], own: str, own_unit: Named
 ) -> list[Paragraph]:
-    """A row: its name, the spring's side, the chosen system's side. A unit may be a live text, ..._unit."""
+    """A row: its name, the spring's side, the chosen system's side."""
     value = {"T": "T_x", "V": "V_x"}.get(symbol, symbol)
-    suffix = f"{{{unit}}}" if unit.endswith("_unit") else f"\N{NO-BREAK SPACE}{unit}"
     return [
         f"role of ${symbol}$",
-        f"[{tint}|${formula} = \\val{{{value}}}$" + suffix + "]",
+        f"[{tint}|${formula} = \\val{{{value}}}${unit}]",
         either(
             "system",
-            **{slug: f"[{tint}|${text} = \\val{{{own}}}${{{own_unit}}}]" for slug, text in formulas.items()},
+            **{slug: f"[{tint}|${text} = \\val{{{own}}}${own_unit}]" for slug, text in formulas.items()},
         ),
     ]
 
@@ -167,8 +154,8 @@ def _lateness() -> Block:
     """T/T_0 - 1 against the amplitude, which is a handle; flags go where it passes 0.1, 1 and 5 percent."""
     late = (
         r"\text{Longer by } \tau / \tau_0 - 1,",
-        r"\tau = \val{period} \text{ s},",
-        r"\tau_0 = \val{small_period} \text{ s}",
+        rf"\tau = {N.period} \text{{ s}},",
+        rf"\tau_0 = {N.small_period} \text{{ s}}",
     )
     handle = Handle(parameter="theta_0", symbol="θ₀", label="Angle at the start, °", tint="m1", unit="°")
     return plot(
@@ -213,8 +200,8 @@ def _formula() -> Block:
     omega = {slug: rf"$\omega_n = {s.omega_formula}$" for slug, s in ANALOGUES.items() if slug not in SWINGING}
     block = words(
         either("system", **omega),
-        r"$= \val{omega}$ rad/s",
-        "{frequency} Hz, one swing takes {period} s",
+        f"$= {N.omega}$ rad/s",
+        f"{N.frequency} Hz, one swing takes {N.period} s",
         either(
             "reach",
             rest="**Nothing moves:** it is let go where it rests.",

@@ -25,6 +25,7 @@ from components.layout.stage import (
 )
 from components.scenes.analogues.case import DEGREE
 from components.scenes.analogues.held import ANGLE, HELD, held, held_spring, rocked, turned
+from components.scenes.analogues.numbers import Numbers as N
 from components.scenes.analogues.pictures import HEIGHT, PICTURES, WIDTH, Canvas, large
 from physics.analogues import ANALOGUES
 
@@ -65,7 +66,7 @@ def coordinates() -> list[Shape]:
         text(
             CENTRE,
             over.get(slug, 0.55 * H - UNIT * (HEIGHT / 2) - 6),
-            f"{symbol.replace('_n*', '*_n')} = {{level}}{{level_unit}}",
+            f"{symbol.replace('_n*', '*_n')} = {{level}}{N.level_unit}",
             show=slug,
             **look,
         )
@@ -86,7 +87,7 @@ def pendulum() -> list[Shape]:
     for side in (-1, 1):
         along, down = side * var("end_sine"), var("end_cosine")
         ends.append(line(x + along * near, y + down * near, x + along * (rod + 7), y + down * (rod + 7), style="floor"))
-        label = "{end_right}" if side > 0 else "{end_left}"
+        label = f"{N.end_right}" if side > 0 else f"{N.end_left}"
         anchor = "start" if side > 0 else "end"
         place = (x + along * rod + side * (radius + 9), y + down * rod - 4)
         ends.append(text(*place, label, anchor, tint="mute", show="wide"))
@@ -131,8 +132,8 @@ def over_motion() -> tuple[Shape, ...]:
     y = on_y(PLOT, var("amplitude")) - 9
     found = [circle(on_x(PLOT, var("t")), on_y(PLOT, var("rule")), 5, style="ghost", tint="m1", show="rule_seen")]
     for show, start, end, words in (
-        ("late_seen", "third_rule", "third_swing", "after 3 swings {late} s behind"),
-        ("period_seen", "first_peak", "second_peak", "one swing {period} s"),
+        ("late_seen", "third_rule", "third_swing", f"after 3 swings {N.late} s behind"),
+        ("period_seen", "first_peak", "second_peak", f"one swing {N.period} s"),
     ):
         a, b = on_x(PLOT, var(start)), on_x(PLOT, var(end))
         ticks = [line(at, y - 5, at, y + 9, style="floor") for at in (a, b)]
@@ -150,6 +151,6 @@ def over_lateness() -> tuple[Shape, ...]:
     return (
         line(on_x("late", 0), y, x, y, style="level", show="rule_seen"),
         line(x, y, x, on_y("late", 0), style="", tint="m1", show="rule_seen"),
-        text(x - 10, y - 8, "+{late_percent} %", "end", style="t2 b halo", show="rule_seen late_before"),
-        text(x + 10, y - 8, "+{late_percent} %", "start", style="t2 b halo", show="rule_seen late_after"),
+        text(x - 10, y - 8, f"+{N.late_percent} %", "end", style="t2 b halo", show="rule_seen late_before"),
+        text(x + 10, y - 8, f"+{N.late_percent} %", "start", style="t2 b halo", show="rule_seen late_after"),
     )

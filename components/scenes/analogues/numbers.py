@@ -1,0 +1,47 @@
+"""The live numbers of the analogues."""
+
+from __future__ import annotations
+
+import math
+
+from msgspec.structs import replace
+
+from components.quantities.axes import Axis
+from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.numbers import short
+from components.scenes.analogues.case import AnalogueCase
+
+GAP = "\N{NO-BREAK SPACE}"
+
+
+def following(axis: Axis) -> str:
+    """The unit as it follows a number: ·10⁻⁶ m, or a space and m."""
+    return (axis.suffix or axis.gap).replace(" ", GAP) + axis.unit
+
+
+def degrees(angle: float) -> str:
+    return f"{short(math.degrees(angle))}°"
+
+
+Number = LiveNumber[AnalogueCase]
+
+
+class Numbers(LiveNumbers[AnalogueCase]):
+    omega = Number(lambda c: c.omega, "ω_n", "rad/s")
+    period = Number(lambda c: c.period, "τ", "s")
+    frequency = Number(lambda c: 1 / c.period, unit="Hz")
+    small_period = Number(lambda c: c.spring.period)
+    late = Number(lambda c: 3 * (c.spring.period * c.excess))
+    late_percent = Number(lambda c: 100 * c.excess)
+    end_right = Number(lambda c: abs(c.q_0), form=degrees)
+    end_left = Number(lambda c: -abs(c.q_0), form=degrees)
+    level_unit = AxisUnit("q", following)
+    system_name = Number(lambda c: c.system.name)
+    m = Number(lambda c: c.spring.m)
+    m_unit = Number(lambda c: GAP + c.system.inertia_unit)
+    k = Number(lambda c: c.spring.k)
+    k_unit = Number(lambda c: GAP + c.system.stiffness_unit)
+    x_unit = Number(lambda c: following(replace(c.table_axis, unit="m")))
+    q_unit = Number(lambda c: following(c.table_axis))
+    J_unit = Number(lambda c: following(c.energy_axis()))
+    E_unit = Number(lambda c: following(c.energy_axis()) + ("/m²" if c.system.slug == "wave" else ""))
