@@ -9,7 +9,7 @@ import {button, chip, element} from "../core/dom.js"
 
 /** @template {Key} Known @param {Known[]} keys @param {Singles} singles @param {(key: Known) => void} press */
 export function toggleList(keys, singles, press) {
-  const open = document.querySelector("dialog.keys")
+  const open = document.querySelector("dialog.keys[open]")
   if (open) return open.remove()
   const dialog = element("dialog", {class: "keys", "aria-label": "Keys"})
   const rows = keys.map(key => row(key, () => press(key)))
