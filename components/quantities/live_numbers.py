@@ -45,7 +45,7 @@ class LiveNumber(Named, Generic[Case]):
     """A number of a case, in SI units: None where there is none, a text where it stands for itself.
 
     With a symbol it is compared with that of another picture. `form` writes it, or the axis that it is counted on;
-    `angle` and `also` are those of its readout.
+    its text ends with its unit where it is `whole`; `angle` and `also` are those of its readout.
     """
 
     value: Callable[[Case], float | str | None]
@@ -54,6 +54,7 @@ class LiveNumber(Named, Generic[Case]):
     tint: str = "ink"
     form: Callable[[float], str] = three
     axis: AxisUnit | None = None
+    whole: bool = False
     angle: bool = False
     also: tuple[str, ...] = ()
 
@@ -61,13 +62,16 @@ class LiveNumber(Named, Generic[Case]):
     def aloud(self) -> str:
         """A text with its unit, as it is read aloud."""
         unit = f"{{{self.axis.name}}}" if self.axis else self.unit
-        return f"{{{self.name}}} {unit}".rstrip()
+        return f"{{{self.name}}}" if self.whole else f"{{{self.name}}} {unit}".rstrip()
 
     def text(self, case: Case, axes: Mapping[str, Axis]) -> str:
         value = self.value(case)
         if value is None or isinstance(value, str):
             return value or ""
-        return axes[self.axis.axis].number(value) if self.axis else self.form(value)
+        text, unit = self.form(value), self.unit
+        if self.axis:
+            text, unit = axes[self.axis.axis].number(value), self.axis.text(case, axes)
+        return f"{text} {unit}" if self.whole else text
 
     def readout(self, case: Case) -> Iterator[Readout]:
         value = self.value(case) if self.symbol else None

@@ -22,6 +22,8 @@ class Shared(LiveNumbers[complex]):
 class Own(Shared):
     real = Number(lambda z: z.real, form=plus)
     imaginary = Number(lambda z: z.imag or None, "y", axis=Shared.unit)
+    length = Number(abs, unit="m", whole=True)
+    height = Number(lambda z: z.imag, axis=Shared.unit, whole=True)
     sign = Number(lambda z: "none" if not z.real else z.real / abs(z), "s")
 
 
@@ -30,9 +32,10 @@ AXES = {"x": Axis(0.0, 5e-3, "m")}
 
 def test_texts_follow_in_the_order_of_declaration() -> None:
     texts = Own.texts(3e-3 + 4e-3j, AXES)
-    assert list(texts) == ["size", "unit", "real", "imaginary", "sign"]
+    assert list(texts) == ["size", "unit", "real", "imaginary", "length", "height", "sign"]
     assert texts["real"] == "+ 0.00300" and texts["unit"] == AXES["x"].full_unit
     assert texts["imaginary"] == AXES["x"].number(4e-3)
+    assert (texts["length"], texts["height"]) == ("0.00500 m", f"{texts['imaginary']} {texts['unit']}")
 
 
 def test_what_has_a_symbol_and_a_value_is_compared() -> None:
@@ -51,6 +54,7 @@ def test_a_name_stands_alike_in_words_formulas_and_drawings() -> None:
 
 def test_it_is_read_aloud_with_its_unit() -> None:
     assert (Own.size.aloud, Own.sign.aloud, Own.imaginary.aloud) == ("{size} m", "{sign}", "{imaginary} {unit}")
+    assert Own.length.aloud == "{length}"
 
 
 def test_a_misspelt_name_is_an_error_of_types() -> None:

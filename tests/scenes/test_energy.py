@@ -28,7 +28,7 @@ def columns(scene: Energy, source: str = "time") -> dict[str, np.ndarray]:
 
 def test_book_values() -> None:
     values = Energy(k=4 * math.pi**2).shown.values
-    assert (values["delta_st"], values["omega"], values["tau"]) == ("0.248", "6.28", "1.00")
+    assert (values["delta"], values["omega"], values["tau"]) == ("0.248", "6.28", "1.00")
     assert values["v_max"] == "1.26"  # omega_n x_max
     assert (values["E_total"], values["T_max"], values["omega_2"]) == ("0.790", "0.790", "12.6")
 

@@ -32,9 +32,11 @@ class Numbers(LiveNumbers[DampedCase]):
     E_total = Number(lambda c: c.E_0, axis=E_unit)
     omega = Number(lambda c: c.omega if c.oscillator.k else three(0.0), "ω_n", "rad/s")
     zeta = Number(lambda c: c.oscillator.zeta if c.oscillator.k else "none", "ζ", tint="T")
-    rate = Number(lambda c: None if c.oscillator.k else c.oscillator.rates[1], "c/m", "1/s", "T")
-    omega_d = Number(lambda c: c.oscillator.omega_d or None, "ω_d", "rad/s", "m1")
-    delta = Number(lambda c: c.oscillator.log_decrement if c.oscillator.omega_d else None, "δ")
+    rate = Number(
+        lambda c: three(c.oscillator.rates[1]) if c.oscillator.k else c.oscillator.rates[1], "c/m", "1/s", "T"
+    )
+    omega_d = Number(lambda c: c.oscillator.omega_d or three(0.0), "ω_d", "rad/s", "m1")
+    delta = Number(lambda c: c.oscillator.log_decrement if c.oscillator.omega_d else "∞", "δ")
     square = Number(lambda c: c.oscillator.k / c.oscillator.m)
     a = Number(lambda c: c.oscillator.rates[0])
     slow = Number(lambda c: -c.oscillator.rates[0])

@@ -36,10 +36,10 @@ STRIP, STRIP_LENGTH = 0.79 * W, 0.2 * W
 SQUARE = "M0 0H1V1H0Z"
 BESIDE = {
     "together": ("equilibrium", "= natural", "length"),
-    "close": ("equilibrium,", f"{N.delta_st} m below", "natural length"),
+    "close": ("equilibrium,", f"{N.delta_st} below", "natural length"),
 }
 """Names of the equilibrium where it is the natural length, and where it is too close below for a name of its own."""
-DEFLECTION, SHIFT = f"*δ*_{{st}} {N.delta_st} m", f"½ *k δ*_{{st}}² = {N.shift} {N.E_unit}"
+DEFLECTION, SHIFT = f"*δ*_{{st}} {N.delta_st}", f"½ *k δ*_{{st}}² = {N.shift}"
 BAR = WIDE * 22 + NARROW * 12
 PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.81), "jupiter": ("Jupiter", 24.8)}
 """Names and gravities in m/s^2."""

@@ -55,11 +55,11 @@ def _between() -> Block:
             equilibrium=rf"$T_{{\mathrm{{max}}}} = V_{{\mathrm{{max}}}} = {N.T_max}$ {N.E_unit}: all $T$ "
             rf"at equilibrium, where $v = \omega_n x_{{\mathrm{{max}}}} = {N.v_max}$ m/s; all $V$ where it turns.",
             separate=r"$V_{\mathrm{max}} = T_{\mathrm{max}} + \tfrac{1}{2} k \delta_{\mathrm{st}}^2 "
-            f"= {N.T_max} + $ {N.shift} {N.E_unit}: a constant more; the motion does not change.",
+            f"= {N.T_max} + $ {N.shift}: a constant more; the motion does not change.",
             weightless="Without weight both ways of counting $V$ are one: "
             rf"$V_{{\mathrm{{max}}}} = T_{{\mathrm{{max}}}} = {N.T_max}$ {N.E_unit}.",
             rest="Nothing moves: it rests in equilibrium, where $T$ and $V$ stay 0.",
-            rest_apart=f"Nothing moves: it rests in equilibrium, $T$ stays 0 and $V$ stays {N.shift} {N.E_unit}.",
+            rest_apart=f"Nothing moves: it rests in equilibrium, $T$ stays 0 and $V$ stays {N.shift}.",
             slide=r"Three terms, and because $k \delta_{\mathrm{st}} = m g$ their sum is $\tfrac{1}{2} k x^2$: "
             "gravity drops out of the motion.",
         ),
@@ -141,7 +141,7 @@ def _well() -> Block:
 
 def _gravity() -> Block:
     return words(
-        rf"$\delta_{{\mathrm{{st}}}} = \frac{{m g}}{{k}} = {N.delta_st}$ m",
+        rf"$\delta_{{\mathrm{{st}}}} = \frac{{m g}}{{k}} = {N.delta}$ m",
         rf"$\omega_n = \sqrt{{\frac{{k}}{{m}}}} = {N.omega}$ rad/s",
         either("place", said="[small|Gravity sets where it hangs, not how fast it swings.]"),
         rf"$\tau = 2 \pi / \omega_n = {N.tau}$ s",
