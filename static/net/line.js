@@ -2,6 +2,7 @@
 // wire all waits.
 
 const PATIENCE = 5000 // ms without an answer until a message is sent once more, and until the wire is given up
+const AGAIN = 1000 // ms until what a new session had no time for is sent again
 
 /**
  * What is known of a message beside it: whether it is a turn, which the back button returns from, whether the clock
@@ -153,8 +154,12 @@ export class Line {
       const message = typeof next.message === "function" ? next.message(this.state) : next.message
       if (!message) continue
       this.asked = {...next, message: {...message, number: message.number ?? ++this.number}}
-      this.#ask(() => this.#ask(() => this.overdue()))
+      this.#say()
     }
+  }
+
+  #say() {
+    this.#ask(() => this.#ask(() => this.overdue()))
   }
 
   // What is lost on the way is sent once more: the server applies a number once, however often it comes.
@@ -186,6 +191,10 @@ export class Line {
     const {asked} = this
     if (told.answer !== asked?.message.number) return
     clearTimeout(this.reminder)
+    if (asked.anew && "is_busy" in told && told.is_busy) {
+      this.reminder = setTimeout(() => this.#say(), AGAIN) // what follows depends on it
+      return
+    }
     this.asked = null
     this.#take(told, asked)
     this.#flush()
