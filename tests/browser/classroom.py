@@ -55,8 +55,8 @@ def taught(window: Open, query: str) -> tuple[Page, str]:
     return page, code
 
 
-def joined(window: Open, code: str) -> Page:
-    page = window(f"class={code.lower()}", 390, 844)
+def joined(window: Open, code: str, width: int = 390, height: int = 844) -> Page:
+    page = window(f"class={code.lower()}", width, height)
     page.wait_for_function(f"{READY} && Boolean(oscillations.clock.lead)")
     return page
 

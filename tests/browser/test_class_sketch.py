@@ -20,6 +20,8 @@ PLACES = """points => { const {plot} = oscillations.asked.card.question.pad
   const b = plot.host.getBoundingClientRect(), f = plot.frame
   return points.filter(([x]) => x >= plot.x.start && x <= plot.x.end).map(([x, y]) => [
     b.left + plot.px(x), b.top + Math.min(Math.max(plot.py(y), f.top - 10), f.top + f.height + 10)]) }"""
+ABOVE = """() => document.querySelector(".drawing").getBoundingClientRect().bottom
+  <= document.querySelector(".class-bar").getBoundingClientRect().top"""
 INKED = """points => { const {plot, canvas} = oscillations.classes.led.votes.layer
   const ink = canvas.getContext("2d"), scale = devicePixelRatio * plot.unit, f = plot.frame
   const places = points.map(([x, y]) => [plot.px(x), plot.py(y)])
@@ -64,6 +66,14 @@ def test_the_exact_curve_from_a_phone_is_right(step: str, window: Open) -> None:
     assert "missed" not in phone.locator(".findings").inner_text()
     lecture.wait_for_function("!oscillations.shown.state.covered.length")
     lecture.wait_for_function(INKED, arg=[point for points in curves.values() for point in points])
+
+
+def test_the_pad_lies_above_the_bar_of_the_class(window: Open) -> None:
+    """A hand cannot draw over the bar."""
+    _, code = taught(window, "walk=d34&step=d34-10")
+    phone = joined(window, code, 844, 390)
+    phone.wait_for_function(TOLD, arg="d34-10")
+    phone.wait_for_function(ABOVE)
 
 
 def test_covers_leave_the_pad_a_frame_of_its_own() -> None:

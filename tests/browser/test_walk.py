@@ -364,6 +364,8 @@ def test_the_first_visit_is_offered_the_tour_and_told_of_the_lectures(
 def test_a_covered_curve_has_no_dot_where_it_begins(walk: Callable[..., Page]) -> None:
     """Its motion stands on the stage still."""
     page = walk("d31-09")
+    expect(page.locator(".cover:visible")).not_to_have_count(0)
+    expect(page.locator(".cover > :visible")).to_have_count(0)  # the wash alone
     plot = "oscillations.page.plots.find(plot => plot.block.name === 'energy')"
     energies = f"{plot}.dots.filter(one => 'TV'.includes(one.curve.y))"
     shown = f"{energies}.map(({{dot}}) => dot.style.display !== 'none')"
