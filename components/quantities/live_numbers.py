@@ -18,7 +18,7 @@ Case = TypeVar("Case")
 
 @dataclass(eq=False, kw_only=True)
 class Named:
-    """What is known by the name under which its class has it."""
+    """A declaration, known by the name under which its class has it."""
 
     name: str = field(default="", init=False)
 
@@ -80,7 +80,7 @@ class LiveNumber(Named, Generic[Case]):
 
 
 class LiveNumbers(Generic[Case]):
-    """Those of a scene, or what scenes share of them; a class is read, never made."""
+    """The live numbers of a scene, or some that scenes share: a class that is read and never made."""
 
     @classmethod
     def texts(cls, case: Case, axes: Mapping[str, Axis]) -> dict[str, str]:

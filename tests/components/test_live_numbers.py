@@ -11,20 +11,20 @@ from components.quantities.numbers import plus
 from components.quantities.readouts import Readout
 from components.scenes.damped.numbers import Numbers as N
 
-Number = LiveNumber[complex]
+number = LiveNumber[complex]
 
 
 class Shared(LiveNumbers[complex]):
-    size = Number(abs, "|z|", "m", "m1")
+    size = number(abs, "|z|", "m", "m1")
     unit = AxisUnit("x")
 
 
 class Own(Shared):
-    real = Number(lambda z: z.real, form=plus)
-    imaginary = Number(lambda z: z.imag or None, "y", axis=Shared.unit)
-    length = Number(abs, unit="m", whole=True)
-    height = Number(lambda z: z.imag, axis=Shared.unit, whole=True)
-    sign = Number(lambda z: "none" if not z.real else z.real / abs(z), "s")
+    real = number(lambda z: z.real, form=plus)
+    imaginary = number(lambda z: z.imag or None, "y", axis=Shared.unit)
+    length = number(abs, unit="m", whole=True)
+    height = number(lambda z: z.imag, axis=Shared.unit, whole=True)
+    sign = number(lambda z: "none" if not z.real else z.real / abs(z), "s")
 
 
 AXES = {"x": Axis(0.0, 5e-3, "m")}
@@ -60,8 +60,8 @@ def test_it_is_read_aloud_with_its_unit() -> None:
 def test_a_misspelt_name_is_an_error_of_types() -> None:
     with pytest.raises(AttributeError):
         N.omga  # type: ignore[attr-defined]  # noqa: B018
-    wrong = Number(lambda z: z.rael)  # type: ignore[attr-defined]
+    wrong = number(lambda z: z.rael)  # type: ignore[attr-defined]
     with pytest.raises(AttributeError):
         wrong.text(1j, AXES)
     with pytest.raises(TypeError):
-        Number(symbol="x")  # type: ignore[call-arg]  # a number without a value
+        number(symbol="x")  # type: ignore[call-arg]  # a number without a value

@@ -1,4 +1,4 @@
-// What a new session is told before all else is told until it has been heard.
+// The first words to a new session: they are said until they have been heard.
 
 import assert from "node:assert/strict"
 import {afterEach, beforeEach, mock, test} from "node:test"

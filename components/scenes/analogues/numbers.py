@@ -23,25 +23,25 @@ def degrees(angle: float) -> str:
     return f"{short(math.degrees(angle))}°"
 
 
-Number = LiveNumber[AnalogueCase]
+number = LiveNumber[AnalogueCase]
 
 
 class Numbers(LiveNumbers[AnalogueCase]):
-    omega = Number(lambda c: c.omega, "ω_n", "rad/s")
-    period = Number(lambda c: c.period, "τ", "s")
-    frequency = Number(lambda c: 1 / c.period, unit="Hz")
-    small_period = Number(lambda c: c.spring.period)
-    late = Number(lambda c: 3 * (c.spring.period * c.excess))
-    late_percent = Number(lambda c: 100 * c.excess)
-    end_right = Number(lambda c: abs(c.q_0), form=degrees)
-    end_left = Number(lambda c: -abs(c.q_0), form=degrees)
+    omega = number(lambda c: c.omega, "ω_n", "rad/s")
+    period = number(lambda c: c.period, "τ", "s")
+    frequency = number(lambda c: 1 / c.period, unit="Hz")
+    small_period = number(lambda c: c.spring.period)
+    late = number(lambda c: 3 * (c.spring.period * c.excess))
+    late_percent = number(lambda c: 100 * c.excess)
+    end_right = number(lambda c: abs(c.q_0), form=degrees)
+    end_left = number(lambda c: -abs(c.q_0), form=degrees)
     level_unit = AxisUnit("q", following)
-    system_name = Number(lambda c: c.system.name)
-    m = Number(lambda c: c.spring.m)
-    m_unit = Number(lambda c: GAP + c.system.inertia_unit)
-    k = Number(lambda c: c.spring.k)
-    k_unit = Number(lambda c: GAP + c.system.stiffness_unit)
-    x_unit = Number(lambda c: following(replace(c.table_axis, unit="m")))
-    q_unit = Number(lambda c: following(c.table_axis))
-    J_unit = Number(lambda c: following(c.energy_axis()))
-    E_unit = Number(lambda c: following(c.energy_axis()) + ("/m²" if c.system.slug == "wave" else ""))
+    system_name = number(lambda c: c.system.name)
+    m = number(lambda c: c.spring.m)
+    m_unit = number(lambda c: GAP + c.system.inertia_unit)
+    k = number(lambda c: c.spring.k)
+    k_unit = number(lambda c: GAP + c.system.stiffness_unit)
+    x_unit = number(lambda c: following(replace(c.table_axis, unit="m")))
+    q_unit = number(lambda c: following(c.table_axis))
+    J_unit = number(lambda c: following(c.energy_axis()))
+    E_unit = number(lambda c: following(c.energy_axis()) + ("/m²" if c.system.slug == "wave" else ""))

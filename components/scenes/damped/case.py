@@ -71,7 +71,7 @@ class DampedCase(Windowed):
 
     @cached_property
     def said(self) -> str:
-        """What becomes of the motion, in a word: the form of the sentence that holds."""
+        """The fate of the motion in a word: the form of the sentence that holds."""
         if self.kind in ("glide", "drift"):
             return self.kind if self.v_0 else "still"
         if self.kind == "under":

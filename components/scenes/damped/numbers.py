@@ -13,7 +13,7 @@ from physics.damped import DampedOscillator, FreeDecay
 HOME = 0.01
 """The share of x_0 within which the mass counts as home."""
 
-Number = LiveNumber[DampedCase]
+number = LiveNumber[DampedCase]
 
 
 def percent(share: float) -> str:
@@ -29,34 +29,34 @@ def home_thrice(case: DampedCase) -> float:
 
 class Numbers(LiveNumbers[DampedCase]):
     x_unit, E_unit, P_unit = AxisUnit("x"), AxisUnit("E"), AxisUnit("P")
-    E_total = Number(lambda c: c.E_0, axis=E_unit)
-    omega = Number(lambda c: c.omega if c.oscillator.k else three(0.0), "ω_n", "rad/s")
-    zeta = Number(lambda c: c.oscillator.zeta if c.oscillator.k else "none", "ζ", tint="T")
-    rate = Number(
+    E_total = number(lambda c: c.E_0, axis=E_unit)
+    omega = number(lambda c: c.omega if c.oscillator.k else three(0.0), "ω_n", "rad/s")
+    zeta = number(lambda c: c.oscillator.zeta if c.oscillator.k else "none", "ζ", tint="T")
+    rate = number(
         lambda c: three(c.oscillator.rates[1]) if c.oscillator.k else c.oscillator.rates[1], "c/m", "1/s", "T"
     )
-    omega_d = Number(lambda c: c.oscillator.omega_d or three(0.0), "ω_d", "rad/s", "m1")
-    delta = Number(lambda c: c.oscillator.log_decrement if c.oscillator.omega_d else "∞", "δ")
-    square = Number(lambda c: c.oscillator.k / c.oscillator.m)
-    a = Number(lambda c: c.oscillator.rates[0])
-    slow = Number(lambda c: -c.oscillator.rates[0])
-    fast = Number(lambda c: -c.oscillator.rates[1])
-    C = Number(lambda c: c.envelope)
-    phi = Number(lambda c: c.oscillator.decays(c.x_0, c.v_0)[0].phase if c.swings else 0.0, form=plus)
-    A = Number(lambda c: signed(c.fading.late[0]) if c.kind == "over" else c.x_0)
-    B = Number(lambda c: c.fading.late[1] if c.kind == "over" else c.fading.rate, form=plus)
-    x_0 = Number(lambda c: c.x_0)
-    v_0 = Number(lambda c: c.v_0, form=plus)
-    keep = Number(lambda c: math.exp(-c.oscillator.log_decrement), form=percent)
-    keep_x = Number(lambda c: math.exp(-c.oscillator.log_decrement), form=lambda share: f"× {three(share)}")
-    keep_energy = Number(lambda c: math.exp(-2 * c.oscillator.log_decrement), form=percent)
-    half = Number(lambda c: math.exp(-c.oscillator.log_decrement / 2), form=percent)
-    longer = Number(
+    omega_d = number(lambda c: c.oscillator.omega_d or three(0.0), "ω_d", "rad/s", "m1")
+    delta = number(lambda c: c.oscillator.log_decrement if c.oscillator.omega_d else "∞", "δ")
+    square = number(lambda c: c.oscillator.k / c.oscillator.m)
+    a = number(lambda c: c.oscillator.rates[0])
+    slow = number(lambda c: -c.oscillator.rates[0])
+    fast = number(lambda c: -c.oscillator.rates[1])
+    C = number(lambda c: c.envelope)
+    phi = number(lambda c: c.oscillator.decays(c.x_0, c.v_0)[0].phase if c.swings else 0.0, form=plus)
+    A = number(lambda c: signed(c.fading.late[0]) if c.kind == "over" else c.x_0)
+    B = number(lambda c: c.fading.late[1] if c.kind == "over" else c.fading.rate, form=plus)
+    x_0 = number(lambda c: c.x_0)
+    v_0 = number(lambda c: c.v_0, form=plus)
+    keep = number(lambda c: math.exp(-c.oscillator.log_decrement), form=percent)
+    keep_x = number(lambda c: math.exp(-c.oscillator.log_decrement), form=lambda share: f"× {three(share)}")
+    keep_energy = number(lambda c: math.exp(-2 * c.oscillator.log_decrement), form=percent)
+    half = number(lambda c: math.exp(-c.oscillator.log_decrement / 2), form=percent)
+    longer = number(
         lambda c: math.expm1(-math.log1p(-(c.oscillator.zeta**2)) / 2) if c.oscillator.zeta < 1 else 0.0, form=percent
     )
-    tau_d = Number(lambda c: 2 * math.pi / c.oscillator.omega_d if c.oscillator.omega_d else None)
-    home = Number(lambda c: c.motion.settled(HOME) or 0.0 if c.said in ("home", "thrice") else None)
-    home_3 = Number(lambda c: home_thrice(c) if c.said == "thrice" else None)
-    zero = Number(lambda c: c.motion.first_zero or 0.0 if c.said == "crosses" else None)
-    crossing = Number(lambda c: c.crossing_speed if c.said == "crosses" else None)
-    glide = Number(lambda c: scaled(0, abs(c.v_0), 1 / c.oscillator.rates[1]) if c.said == "glide" else None)
+    tau_d = number(lambda c: 2 * math.pi / c.oscillator.omega_d if c.oscillator.omega_d else None)
+    home = number(lambda c: c.motion.settled(HOME) or 0.0 if c.said in ("home", "thrice") else None)
+    home_3 = number(lambda c: home_thrice(c) if c.said == "thrice" else None)
+    zero = number(lambda c: c.motion.first_zero or 0.0 if c.said == "crosses" else None)
+    crossing = number(lambda c: c.crossing_speed if c.said == "crosses" else None)
+    glide = number(lambda c: scaled(0, abs(c.v_0), 1 / c.oscillator.rates[1]) if c.said == "glide" else None)

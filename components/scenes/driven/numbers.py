@@ -9,24 +9,24 @@ from components.quantities.numbers import plus
 from components.scenes.driven.case import DrivenCase
 from components.scenes.driven.power import power_columns
 
-Number = LiveNumber[DrivenCase]
+number = LiveNumber[DrivenCase]
 
 
 class Numbers(LiveNumbers[DrivenCase]):
     x_unit = AxisUnit("x")
-    r = Number(lambda c: c.r, "r", tint="F")
-    zeta = Number(lambda c: c.zeta, "ζ", tint="T")
-    X = Number(lambda c: (abs(c.X) if c.steady else math.inf) if c.pushed else None, "X", "m", "m1")
-    phi = Number(lambda c: c.lag if c.pushed else None, "φ", "rad", "m1", angle=True)
-    phi_minus = Number(lambda c: -c.lag, form=plus)
-    M = Number(lambda c: c.M)
-    Q = Number(lambda c: 0.5 / c.zeta if c.zeta else math.inf)
-    width = Number(lambda c: 2 * c.zeta * c.omega_n)
-    W = Number(lambda c: c.work if c.pushed and c.steady else None)
-    rate = Number(lambda c: c.growth * c.omega / (2 * math.pi) if c.pushed else None)
-    growth = Number(lambda c: c.growth if c.pushed else None)
-    omega = Number(lambda c: c.omega)
-    Y = Number(lambda c: c.size)
-    decay = Number(lambda c: c.oscillator.free.rates[0])
-    P_in = Number(lambda c: float(power_columns(c)["P_in"][-1]) if power_columns(c) else None)
-    P_lost = Number(lambda c: float(power_columns(c)["P_lost"][-1]) if power_columns(c) else None)
+    r = number(lambda c: c.r, "r", tint="F")
+    zeta = number(lambda c: c.zeta, "ζ", tint="T")
+    X = number(lambda c: (abs(c.X) if c.steady else math.inf) if c.pushed else None, "X", "m", "m1")
+    phi = number(lambda c: c.lag if c.pushed else None, "φ", "rad", "m1", angle=True)
+    phi_minus = number(lambda c: -c.lag, form=plus)
+    M = number(lambda c: c.M)
+    Q = number(lambda c: 0.5 / c.zeta if c.zeta else math.inf)
+    width = number(lambda c: 2 * c.zeta * c.omega_n)
+    W = number(lambda c: c.work if c.pushed and c.steady else None)
+    rate = number(lambda c: c.growth * c.omega / (2 * math.pi) if c.pushed else None)
+    growth = number(lambda c: c.growth if c.pushed else None)
+    omega = number(lambda c: c.omega)
+    Y = number(lambda c: c.size)
+    decay = number(lambda c: c.oscillator.free.rates[0])
+    P_in = number(lambda c: float(power_columns(c)["P_in"][-1]) if power_columns(c) else None)
+    P_lost = number(lambda c: float(power_columns(c)["P_lost"][-1]) if power_columns(c) else None)

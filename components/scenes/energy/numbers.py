@@ -6,18 +6,18 @@ from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
 from components.quantities.motion import scaled
 from components.scenes.energy.case import HangingCase
 
-Number = LiveNumber[HangingCase]
+number = LiveNumber[HangingCase]
 
 
 class Numbers(LiveNumbers[HangingCase]):
     x_unit, E_unit = AxisUnit("x"), AxisUnit("E")
-    omega = Number(lambda c: c.omega, "ω_n", "rad/s")
-    tau = Number(lambda c: c.system.oscillator.period, "τ", "s")
-    E_total = Number(lambda c: c.total, "E", "J", axis=E_unit)
-    delta_st = Number(lambda c: c.system.delta_st, "δ_{st}", "m", whole=True)
-    delta = Number(lambda c: c.system.delta_st)
-    omega_2 = Number(lambda c: 2 * c.omega)
-    T_max = Number(lambda c: c.E, axis=E_unit)
-    V_max = Number(lambda c: c.total, axis=E_unit)
-    v_max = Number(lambda c: scaled(0, c.omega, c.constants.C))
-    shift = Number(lambda c: c.shift, axis=E_unit, whole=True)
+    omega = number(lambda c: c.omega, "ω_n", "rad/s")
+    tau = number(lambda c: c.system.oscillator.period, "τ", "s")
+    E_total = number(lambda c: c.total, "E", "J", axis=E_unit)
+    delta_st = number(lambda c: c.system.delta_st, "δ_{st}", "m", whole=True)
+    delta = number(lambda c: c.system.delta_st)
+    omega_2 = number(lambda c: 2 * c.omega)
+    T_max = number(lambda c: c.E, axis=E_unit)
+    V_max = number(lambda c: c.total, axis=E_unit)
+    v_max = number(lambda c: scaled(0, c.omega, c.constants.C))
+    shift = number(lambda c: c.shift, axis=E_unit, whole=True)

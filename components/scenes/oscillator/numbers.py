@@ -61,26 +61,26 @@ class Oscillation(Windowed):
         return {name: getattr(motion, name) for name in LEADS}
 
 
-Number = LiveNumber[Oscillation]
+number = LiveNumber[Oscillation]
 
 
-def amplitude(row: str) -> Number:
-    return Number(lambda c: c.amplitudes[row])
+def amplitude(row: str) -> LiveNumber[Oscillation]:
+    return number(lambda c: c.amplitudes[row])
 
 
 class Numbers(LiveNumbers[Oscillation]):
     x_unit = AxisUnit("x")
-    omega = Number(lambda c: c.omega, "ω_n", "rad/s")
-    tau = Number(lambda c: c.oscillator.period if c.omega else None, "τ", "s")
-    C = Number(lambda c: c.constants.C if c.omega else None, "C", "m", "m1")
-    phi = Number(lambda c: c.constants.phi if c.omega else None, "φ", "rad", angle=True)
-    phi_plus = Number(lambda c: c.constants.phi, form=plus)
-    atan = Number(lambda c: c.constants.phi - math.copysign(math.pi, c.constants.phi))
-    A = Number(lambda c: c.constants.A, form=signed)
-    A_plain = Number(lambda c: c.constants.A)
-    B = Number(lambda c: c.constants.B, form=signed)
-    B_plus = Number(lambda c: c.constants.B, form=plus)
-    drift = Number(lambda c: c.constants.drift, form=plus)
-    v_0 = Number(lambda c: c.v_0, form=signed)
-    ratio = Number(lambda c: scaled(0, c.omega, c.omega))
+    omega = number(lambda c: c.omega, "ω_n", "rad/s")
+    tau = number(lambda c: c.oscillator.period if c.omega else None, "τ", "s")
+    C = number(lambda c: c.constants.C if c.omega else None, "C", "m", "m1")
+    phi = number(lambda c: c.constants.phi if c.omega else None, "φ", "rad", angle=True)
+    phi_plus = number(lambda c: c.constants.phi, form=plus)
+    atan = number(lambda c: c.constants.phi - math.copysign(math.pi, c.constants.phi))
+    A = number(lambda c: c.constants.A, form=signed)
+    A_plain = number(lambda c: c.constants.A)
+    B = number(lambda c: c.constants.B, form=signed)
+    B_plus = number(lambda c: c.constants.B, form=plus)
+    drift = number(lambda c: c.constants.drift, form=plus)
+    v_0 = number(lambda c: c.v_0, form=signed)
+    ratio = number(lambda c: scaled(0, c.omega, c.omega))
     top_x, top_v, top_a = map(amplitude, LEADS)
