@@ -31,10 +31,11 @@ class Named:
 
 @dataclass(eq=False)
 class AxisUnit(Named):
-    """The unit in which an axis is written."""
+    """The unit in which an axis is written; `write` writes a number that is counted on it."""
 
     axis: str
     form: Callable[[Axis], str] = lambda axis: axis.full_unit
+    write: Callable[[Axis, float], str] = Axis.number
 
     def text(self, case: object, axes: Mapping[str, Axis]) -> str:
         return self.form(axes[self.axis])
@@ -70,7 +71,7 @@ class LiveNumber(Named, Generic[Case]):
             return value or ""
         text, unit = self.form(value), self.unit
         if self.axis:
-            text, unit = axes[self.axis.axis].number(value), self.axis.text(case, axes)
+            text, unit = self.axis.write(axes[self.axis.axis], value), self.axis.text(case, axes)
         return f"{text} {unit}" if self.whole else text
 
     def readout(self, case: Case) -> Iterator[Readout]:

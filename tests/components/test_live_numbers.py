@@ -38,6 +38,11 @@ def test_texts_follow_in_the_order_of_declaration() -> None:
     assert (texts["length"], texts["height"]) == ("0.00500 m", f"{texts['imaginary']} {texts['unit']}")
 
 
+def test_an_axis_has_its_own_way_to_write_what_is_counted_on_it() -> None:
+    whole = AxisUnit("x", write=lambda axis, value: f"{axis.place(value):.0f}")
+    assert number(abs, axis=whole).text(3e-3 + 4e-3j, AXES) == f"{AXES['x'].place(5e-3):.0f}"
+
+
 def test_what_has_a_symbol_and_a_value_is_compared() -> None:
     assert Own.readouts(3 + 4j) == (
         Readout("size", "|z|", 5.0, "m", "m1"), Readout("imaginary", "y", 4.0, ""), Readout("sign", "s", 0.6, ""),

@@ -26,12 +26,12 @@ from components.scene.traces import Traces
 from components.scenes.absorber import data, drawing
 from components.scenes.absorber.about import absorber_about
 from components.scenes.absorber.duty import Duty
-from components.scenes.absorber.goals import goals
+from components.scenes.absorber.goals import goal_texts, goals
 from components.scenes.absorber.moved import moved, times
+from components.scenes.absorber.numbers import Numbers as N
 from components.scenes.absorber.played import signals
 from components.scenes.absorber.rest import rest_block, rest_columns, rest_exact
-from components.scenes.absorber.watch import WATCH
-from components.scenes.absorber.wording import TASK, sentences
+from components.scenes.absorber.wording import TASK, WATCH, sentences
 from physics.absorber import den_hartog, tuned_stiffness
 from physics.forced import antiresonance
 from physics.sampling import periods
@@ -60,7 +60,7 @@ class Absorber(Scene):
     points = "point 9"
     headline = "A tuned mass holds the machine still; the price is two resonances"
     pictured = ("swing", {})
-    spoken = {"machine": "{swing} {x_unit}", "resonances": "{slow} and {fast} rad/s"}
+    spoken = {"machine": N.swing, "resonances": f"{{slow}} and {N.fast.aloud}"}
     equations = (
         "m1 x1'' = -k1 x1 - k2 (x1 - x2) - c (x1' - x2') + F_0 sin(omega t)",
         "m2 x2'' = k2 (x1 - x2) + c (x1' - x2'); c = 0 with damping = none",
@@ -81,15 +81,15 @@ class Absorber(Scene):
             (),
             form="fixed",
             facts=(
-                (r"[m1|$m_1 = \val{m1}$ kg] on [k|$k_1 = \val{k1}$ kN/m],",),
-                (r"shaken by [F|$F_0 = \val{F_0}$ N] at [F|$\omega = \val{omega}$ rad/s]",),
+                (f"[m1|$m_1 = {N.m1}$ kg] on [k|$k_1 = {N.k1}$ kN/m],",),
+                (rf"shaken by [F|$F_0 = {N.F_0}$ N] at [F|$\omega = {N.omega}$ rad/s]",),
             ),
         ),
         Group("Your own machine", MACHINE, form="own", dense=True),
         Group(
             "Your absorber",
             ("m2", "k2", "tuning"),
-            facts=((r"Mass ratio $\mu = m_2/m_1 = \val{mu}$",), ("Your lightest solution: {lightest}",)),
+            facts=((rf"Mass ratio $\mu = m_2/m_1 = {N.mu}$",), ("Your lightest solution: {lightest}",)),
         ),
         Group("", ("damping",), "Beyond the lecture: damping", folded=True),
         Group("", ("c",), actions=(("optimum", "Den Hartog's optimum"),), form="damped"),
@@ -275,6 +275,7 @@ class Absorber(Scene):
         rest, own = rest_columns(motion if duty.from_rest else None, duty, swing)
         names = tuple(name for name in rest if name != "t") if motion and motion.in_doubles else ()
         axes |= framed(frame, {"rest": own})
+        counted = axes | {"F": push}
         drawn = data.drawn(duty, motion, end, swing, frame.scale)
         return Picture(
             columns=columns | {"rest": {} if names else rest},
@@ -285,7 +286,7 @@ class Absorber(Scene):
             pace=pace(self.omega, self.omega if duty.plays else duty.fastest),
             scale=drawn.scale,
             fits=drawn.fits,
-            values={**data.values(duty, axes, push, self.m2, self.lightest), "tick": drawn.tick},
+            values=N.texts(duty, counted) | goal_texts(duty, counted, self.lightest) | {"tick": drawn.tick},
             live={
                 **{name: swing.digits(signed=True) for name in ("x_alone", "x1", "x2")},
                 **{name: push.digits(signed=True) for name in ("drive_now", "pull_now")},
@@ -295,14 +296,7 @@ class Absorber(Scene):
         )
 
     def readouts(self) -> tuple[Readout, ...]:
-        duty = self._shown_duty
-        (swing, stroke, _), (slow, fast) = duty.swings, duty.driven.free.omega.tolist()
-        return (
-            Readout("swing", "X_1", swing, "m", "m1"),
-            Readout("stroke", "X_2 − X_1", stroke, "m", "m2"),
-            Readout("slow", "ω_{−}", slow, "rad/s", "slow"),
-            Readout("fast", "ω_{+}", fast, "rad/s", "fast"),
-        )
+        return N.readouts(self._shown_duty)
 
     def about(self, shown: Picture) -> About:
         return absorber_about(shown, self._shown_duty)

@@ -1,4 +1,4 @@
-"""The numbers of the absorber's scene: curves, motions, sizes on the stage, texts."""
+"""The numbers of the absorber's scene: curves, motions, sizes on the stage."""
 
 from __future__ import annotations
 
@@ -10,14 +10,13 @@ import numpy as np
 from components.layout.stage import wire
 from components.quantities.axes import Axis
 from components.quantities.motion import round_down
-from components.quantities.numbers import short, three
+from components.quantities.numbers import short
 from components.scene.traces import Columns, Floats
 from components.scenes.absorber.duty import AWAY, Duty
 from components.scenes.absorber.moved import FromStart, reach_alone
 from components.scenes.absorber.played import pull
-from components.scenes.absorber.rest import length, rest_texts
 from components.scenes.absorber.wording import VERDICTS
-from physics.absorber import damped_amplitude, den_hartog, fixed_points, highest_peak
+from physics.absorber import damped_amplitude, fixed_points
 from physics.absorber_curves import machine_curves
 
 LARGEST, SMALLEST, HOOK = 0.265, 0.045, 0.058
@@ -143,11 +142,7 @@ def marks(duty: Duty, axes: dict[str, Axis]) -> dict[str, float]:
     w, X1, X2 = axes["w"], axes["X1"], axes["X2"]
     slow, fast = duty.driven.free.omega.tolist()
     swing, stroke, alone = duty.swings
-    places = {
-        "slow": slow,
-        "omega": duty.omega,
-        "fast": fast,
-    }
+    places = {"slow": slow, "omega": duty.omega, "fast": fast}
     places |= {"away_low": (1 - AWAY) * duty.omega, "away_high": (1 + AWAY) * duty.omega}
     scalars = {name: w.place(min(x, 4 * w.end)) for name, x in places.items()}
     scalars |= {f"{name}_seen": float(w.start <= places[name] <= w.end) for name in ("slow", "omega", "fast")}
@@ -167,77 +162,6 @@ def marks(duty: Duty, axes: dict[str, Axis]) -> dict[str, float]:
                 f"{name}_y": X1.place(min(height, X1.end)),
             }
     return scalars
-
-
-def values(duty: Duty, axes: dict[str, Axis], push: Axis, m2: float, lightest: float | None) -> dict[str, str]:
-    """The texts of the live numbers."""
-    X1, X2 = axes["X1"], axes["X2"]
-    swing, stroke, alone = duty.swings
-    j, share = duty.nearest
-    slow, fast = duty.driven.free.omega
-    Xp1, Xp2 = duty.X.real.tolist()
-    band = duty.band or (0.0, 0.0)
-    best = den_hartog(duty.m1, duty.k1, duty.m2).height * duty.deflections(1.0)
-    texts = {
-        "m1": three(duty.m1), "k1": three(duty.k1 / 1e3), "F_0": three(duty.F_0), "omega": three(duty.omega),
-        "slow": three(slow), "fast": three(fast), "mu": three(m2 / duty.m1),
-        "lightest": f"{_score(lightest)} kg" if lightest else "none yet",
-        "Xp1": length(X1, Xp1), "Xp2": length(X2, Xp2), "swing": length(X1, swing), "stroke": length(X2, stroke),
-        "alone": length(X1, alone), "x_unit": X1.full_unit, "F_unit": push.full_unit,
-        "push": f"{push.number(duty.F_0)} {push.full_unit}",
-        "pull": push.number(pull(duty)) if duty.solved else "",
-        "link": "pull" if duty.c else "spring 2",
-        "height": length(X1, best),
-        "over_height": _over_height(duty) if duty.c else "",
-        "help_low": three(band[0]), "help_high": three(band[1]),
-    }  # fmt: skip
-    texts |= {f"goal{i}": text for i, text in enumerate((
-        f"Resonances {short(100 * AWAY)} % away",
-        f"Machine's xₚ within {short(X1.place(duty.limits[0]))} {X1.full_unit}",
-        f"Stroke in xₚ within {short(X2.place(duty.limits[1]))} {X2.full_unit}",
-    ))}  # fmt: skip
-    near = f"{('ω₋', 'ω₊')[j]} {three(float((slow, fast)[j]))} rad/s"
-    texts["found0"] = f"nearest is {_percent(share)} % away: {near}"
-    told = not duty.c or duty.from_rest
-    within = duty.bounds if told else (0.0, 0.0)
-    texts["found1"], texts["found2"] = (
-        _found(axis, way, f"{duty.whence} within {length(axis, bound)}" if told else "")
-        for axis, way, bound in zip((X1, X2), (swing, stroke), within, strict=True)
-    )
-    played = "particular solution", duty.whence
-    texts |= {"judged": played[not duty.plays], "judged_alone": played[not duty.plays_alone]}
-    return texts | rest_texts(duty, X1)
-
-
-def _over_height(duty: Duty) -> str:
-    """The height of the peak at Den Hartog's optimum above the fixed points, in percent."""
-    mu = min(duty.m2 / duty.m1, 1e6)
-    if mu < 1e-3:
-        return "less than 0.01 %"
-    best = den_hartog(1.0, 1.0, mu)
-    peak = highest_peak(mu, 1 / (1 + mu), best.c / (2 * mu))
-    return f"{100 * (peak / best.height - 1):.2g} %"
-
-
-def _score(mass: float) -> str:
-    """A digit more than is usual, for those who go for the last one."""
-    return f"{mass:.4g}" if 0.1 <= mass < 1e4 else three(mass)
-
-
-def _found(axis: Axis, swing: float, within: str) -> str:
-    """The reading of a goal: in the particular solution, by which it is judged, and from the start."""
-    if not math.isfinite(swing):
-        return "no xₚ here: it grows without limit"
-    found = f"xₚ: {length(axis, swing)} {axis.full_unit}"
-    return f"{found}; {within} {axis.full_unit}" if within else found
-
-
-def _percent(share: float) -> str:
-    """A share in percent, never rounded up to the limit where it does not reach it."""
-    if share >= 10:
-        return short(100 * share)
-    short_of_it = share < AWAY <= round(share, 3)
-    return f"{math.floor(1000 * share) / 10 if short_of_it else 100 * share:.1f}"
 
 
 def forms(duty: Duty, *, own: bool, damped: bool) -> dict[str, str]:

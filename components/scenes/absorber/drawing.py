@@ -15,6 +15,7 @@ from components.layout.sheet import phrase, stage
 from components.layout.stage import H, Shape, W, arrow, box, circle, line, on_x, on_y, spring, text, wall
 from components.quantities.axes import Axis, nice_axis, nice_ticks
 from components.scenes.absorber.goals import frequencies
+from components.scenes.absorber.numbers import Numbers as N
 from components.scenes.absorber.wording import HELPED, VERDICTS
 
 WALL, REST = 0.024, (0.36, 0.687)
@@ -95,7 +96,7 @@ def _alone() -> list[Shape]:
 def _displacement(i: int, signal: str, lift: Number, top: Number) -> list[Shape]:
     """The arrow from equilibrium to the mass; its number stands where nothing moves."""
     zero, x, tint = REST[i - 1] * W, _place(i, signal), f"m{i}"
-    look = {"words": f"*x*_{i} = {{{signal}}} {{x_unit}}", "tint": tint, "style": "t2 b halo"}
+    look = {"words": f"*x*_{i} = {{{signal}}} {N.x_unit}", "tint": tint, "style": "t2 b halo"}
     if i == 1:
         names = [text(zero - var("wide") * var(f"lead_{signal}") * W - 8, lift + 5, anchor="end", **look)]
     else:  # the verdict stands on its right where there is room for it
@@ -151,28 +152,14 @@ def _driven(plot_: str, readings: dict[str, str]) -> tuple[Shape, ...]:
 def _forces() -> list[Shape]:
     """The drive and the pull of spring 2 start at one point: equally long, they are the explanation."""
     x, y = _place(1, "x1"), FLOORS[1] - 0.5 * side(1) - 4
+    pulls, look = f"{N.link}: {{pull_now}} {N.F_unit}", "t1 b halo"
+    drives = f"*F* = {{drive_now}} {N.F_unit}"
     return [
         arrow(x, y, x + var("push") * W * var("drive"), y, tint="F", style="thick", head=16),
         arrow(x, y, x + var("push") * W * var("pull"), y, tint="k", style="thick", head=16),
         circle(x, y, 5),
-        text(
-            var("tag_left") * W,
-            y + 5,
-            "{link}: {pull_now} {F_unit}",
-            "end",
-            tint="k",
-            style="t1 b halo",
-            show="wide",
-        ),
-        text(
-            var("tag_right") * W,
-            y + 5,
-            "*F* = {drive_now} {F_unit}",
-            "start",
-            tint="F",
-            style="t1 b halo",
-            show="wide",
-        ),
+        text(var("tag_left") * W, y + 5, pulls, "end", tint="k", style=look, show="wide"),
+        text(var("tag_right") * W, y + 5, drives, "start", tint="F", style=look, show="wide"),
     ]
 
 
@@ -181,17 +168,16 @@ def _verdicts() -> list[Shape]:
     above, below = FLOORS[0] - 0.5 * side(1) + 6, FLOORS[1] - side(1) - 23
     above = above - var("narrow") * (0.5 * side(1) + 13)
     below = var("wide") * below + var("narrow") * (FLOORS[0] + 4)
+    told = "verdict b halo told"
     shapes = [
-        text(W, above, "Alone, the machine shakes", "end", style="verdict b halo told", show="alone_shakes"),
-        text(W, above, "Alone, it grows without limit", "end", style="verdict b halo told", show="alone_grows"),
-        text(W, above, "Alone, it beats, slowly", "end", style="verdict b halo told", show="alone_beats"),
-        text(W, above, "Alone, within {rest_alone} {x_unit}", "end", style="verdict b halo told", show="alone_within"),
-        text(W, above - 19, "{judged_alone}", "end", tint="mute", style="t0 halo", show="wide"),
-        text(W, below - 19, "{judged}", "end", tint="mute", style="t0 halo", show="wide differ"),
+        text(W, above, "Alone, the machine shakes", "end", style=told, show="alone_shakes"),
+        text(W, above, "Alone, it grows without limit", "end", style=told, show="alone_grows"),
+        text(W, above, "Alone, it beats, slowly", "end", style=told, show="alone_beats"),
+        text(W, above, f"Alone, within {N.rest_alone} {N.x_unit}", "end", style=told, show="alone_within"),
+        text(W, above - 19, f"{N.judged_alone}", "end", tint="mute", style="t0 halo", show="wide"),
+        text(W, below - 19, f"{N.judged}", "end", tint="mute", style="t0 halo", show="wide differ"),
     ]
-    return shapes + [
-        text(W, below, words, "end", style="verdict b halo told", show=f"is_{name}") for name, words in VERDICTS.items()
-    ]
+    return shapes + [text(W, below, words, "end", style=told, show=f"is_{name}") for name, words in VERDICTS.items()]
 
 
 KNOB = Handle(

@@ -1,15 +1,22 @@
-"""The shapes over and beside the absorber's plots: goals, their limits, readings at the running speed."""
+"""Over and beside the absorber's plots: goals, their limits, readings at the running speed."""
 
 from __future__ import annotations
+
+import math
 
 from components.language.blocks import Block
 from components.language.numbers import Number, var
 from components.layout.sheet import stage
 from components.layout.stage import Shape, circle, line, on_x, on_y, path, text
 from components.layout.text import rich
+from components.quantities.axes import Axis
+from components.quantities.numbers import short, three
+from components.scenes.absorber.duty import AWAY, Duty
+from components.scenes.absorber.numbers import Numbers as N
+from components.scenes.absorber.numbers import bound, length
 
 TICK, CROSS = "M-3.5 .5l2.6 2.6 5-5.600", "M-2.800 -2.800l5.600 5.600M2.800 -2.800l-5.600 5.600"
-MARKS = (("slow", r"$\omega_-$ {slow}"), ("F", r"$\omega$ {omega}"), ("fast", r"$\omega_+$ {fast}"))
+MARKS = (("slow", rf"$\omega_-$ {N.slow}"), ("F", rf"$\omega$ {N.omega}"), ("fast", rf"$\omega_+$ {N.fast}"))
 
 
 def frequencies() -> list[tuple[str, str, str]]:
@@ -53,9 +60,9 @@ def _readings() -> list[Shape]:
         circle(here, alone, 6, tint="m1", style="hollow", show="alone_seen"),
         circle(here, swing, 7, tint="m1", show="swing_seen"),
         circle(here, stroke, 7, tint="m2", show="stroke_seen"),
-        text(here - 11, alone + 5, "{alone}", "end", tint="m1", style=bold, show="alone_seen"),
-        text(here + 11, over, "{swing}", "start", tint="m1", style=bold, show="swing_seen"),
-        text(here + 11, stroke - 8, "{stroke}", "start", tint="m2", style=bold, show="stroke_seen"),
+        text(here - 11, alone + 5, f"{N.alone}", "end", tint="m1", style=bold, show="alone_seen"),
+        text(here + 11, over, f"{N.swing}", "start", tint="m1", style=bold, show="swing_seen"),
+        text(here + 11, stroke - 8, f"{N.stroke}", "start", tint="m2", style=bold, show="stroke_seen"),
     ]
 
 
@@ -80,3 +87,34 @@ def _joints() -> list[Shape]:
         x = on_x("swing", var(at))
         shapes.append(line(x, var("swing.bottom"), x, var("stroke.top"), tint=tint, show=f"{at}_seen"))
     return shapes
+
+
+def goal_texts(duty: Duty, axes: dict[str, Axis], lightest: float | None) -> dict[str, str]:
+    """Goals, what is found in the particular solution, by which they are judged, and from the start; the score."""
+    j, share = duty.nearest
+    near = f"{('ω₋', 'ω₊')[j]} {(N.slow, N.fast)[j].text(duty, axes)} rad/s"
+    texts = {
+        "lightest": f"{_score(lightest)} kg" if lightest else "none yet",
+        "goal0": f"Resonances {short(100 * AWAY)} % away",
+        "found0": f"nearest is {_percent(share)} % away: {near}",
+    }
+    for i, what in enumerate(("Machine's", "Stroke in"), start=1):
+        axis, way, within = axes[f"X{i}"], duty.swings[i - 1], bound(duty, i - 1)
+        told = "" if within is None else f"; {duty.whence} within {length(axis, within)} {axis.full_unit}"
+        found = f"xₚ: {length(axis, way)} {axis.full_unit}{told}"
+        texts[f"goal{i}"] = f"{what} xₚ within {short(axis.place(duty.limits[i - 1]))} {axis.full_unit}"
+        texts[f"found{i}"] = found if math.isfinite(way) else "no xₚ here: it grows without limit"
+    return texts
+
+
+def _score(mass: float) -> str:
+    """A digit more than is usual, for those who go for the last one."""
+    return f"{mass:.4g}" if 0.1 <= mass < 1e4 else three(mass)
+
+
+def _percent(share: float) -> str:
+    """A share in percent, never rounded up to the limit where it does not reach it."""
+    if share >= 10:
+        return short(100 * share)
+    short_of_it = share < AWAY <= round(share, 3)
+    return f"{math.floor(1000 * share) / 10 if short_of_it else 100 * share:.1f}"

@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-import math
-
-import numpy as np
 from msgspec.structs import replace
 
 from components.language.blocks import Block
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import Paragraph, column, either, term, words
 from components.quantities.axes import Axis, nice_ticks, widest
-from components.quantities.numbers import three
 from components.scene.traces import Columns
 from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.moved import FromStart
-from physics.exact import exact, precise
+from components.scenes.absorber.numbers import Numbers as N
 
 TALLEST = 1e30
 """The largest motion drawn from a start, over the static deflection: a number in its unit is a float32."""
@@ -23,17 +19,17 @@ _NEVER = "does not die out: nothing damps it."
 SENTENCES: list[Paragraph] = [
     either(
         "why_rest",
-        parts="The particular solution is {swing} {x_unit}. The complementary part, {part1} {x_unit} at "
-        f"$\\omega_-$ and {{part2}} {{x_unit}} at $\\omega_+$, {_NEVER}",
-        alone="The particular solution is {swing} {x_unit}. The complementary part, {part2} {x_unit} at its "
+        parts=f"The particular solution is {N.swing} {N.x_unit}. The complementary part, {N.part1} {N.x_unit} at "
+        f"$\\omega_-$ and {N.part2} {N.x_unit} at $\\omega_+$, {_NEVER}",
+        alone=f"The particular solution is {N.swing} {N.x_unit}. The complementary part, {N.part2} {N.x_unit} at its "
         f"own frequency, {_NEVER}",
         grow="The drive meets a natural frequency: no particular solution exists, the swing grows in "
         "proportion to time.",
         beat="Next to a natural frequency the machine's swing grows for long in proportion to time, then it beats.",
         aside="Next to a natural frequency at which almost mass 2 alone swings its swing grows for long, the machine's "
-        "stays within {rest1} {x_unit}.",
-        damped="The particular solution, {swing} {x_unit}, is what remains. The complementary part dies out: "
-        "after {dies} at most 1 % of it is left.",
+        f"stays within {N.rest1} {N.x_unit}.",
+        damped=f"The particular solution, {N.swing} {N.x_unit}, is what remains. The complementary part dies out: "
+        f"after {N.dies} at most 1 % of it is left.",
     ),
 ]
 
@@ -90,28 +86,3 @@ def rest_exact(moved: FromStart) -> Columns:
     if moved.particular is None or moved.complementary is None:
         return {"x1": moved.x[0]}
     return {"x1": moved.x[0], "x1_p": moved.particular[0], "x1_c": moved.complementary[0]}
-
-
-def rest_texts(duty: Duty, unit: Axis) -> dict[str, str]:
-    """The amplitudes of the complementary part at the machine, and what swing, stroke and swing alone stay within."""
-    texts = dict.fromkeys(("part1", "part2", "rest1", "rest2", "rest_alone", "dies"), "")
-    if duty.c and not duty.from_rest:
-        return texts
-    if duty.c:
-        slowest = min((-exponent.real for exponent, _ in duty.damped.transient), default=0.0)
-        texts["dies"] = f"{three(math.log(100) / slowest)} s" if slowest > 0 else "no time"
-    elif duty.solved:
-        parts = duty.driven.complementary_modes.amplitude[:, 0].tolist()
-        texts |= {f"part{j}": length(unit, part) for j, part in enumerate(parts, start=1)}
-    texts |= {name: length(unit, bound) for name, bound in zip(("rest1", "rest2"), duty.bounds, strict=True)}
-    return texts | {"rest_alone": length(unit, duty.bound_alone)} if duty.from_rest else texts
-
-
-def length(axis: Axis, value: float) -> str:
-    """Three digits; what is below 5 µm, or is what rounding leaves of nothing, is zero."""
-    if not np.isfinite(value):
-        return three(value)
-    least = 0.005 if axis.unit == "mm" else 1e-9 * axis.place(axis.end)
-    with precise():
-        place = exact(value).scaleb(-axis.exponent)
-    return three(place) if abs(place) >= least else "0.00"

@@ -3,12 +3,20 @@
 from __future__ import annotations
 
 from components.layout.sheet import Paragraph, either
+from components.scenes.absorber.numbers import Numbers as N
 
 TASK = "Meet all three goals, then meet them with less mass."
+WATCH = {
+    "Below": "Below the machine's own frequency: see how much vibration is left with a tuned absorber.",
+    "Resonant": "At the machine's own frequency: without an absorber it would swing further and further.",
+    "Above": "Above the machine's own frequency: watch between which resonances its speed lies.",
+    "Own": "Your own machine: set it first, then its absorber.",
+}
+"""A sentence for each preset on what to watch."""
 
 HELPED = {
-    "band": "less vibration from {help_low} to {help_high} rad/s",
-    "above": "less vibration above {help_low} rad/s",
+    "band": f"less vibration from {N.help_low} to {N.help_high} rad/s",
+    "above": f"less vibration above {N.help_low} rad/s",
     "never": "no improvement",
 }
 
@@ -22,38 +30,37 @@ VERDICTS = {
     "grow": "At a resonance, it grows",
     "beat": "By a resonance, it beats",
     "detached": "Detached, it shakes",
-    "rest": "With it, within {rest1} {x_unit}",
+    "rest": f"With it, within {N.rest1} {N.x_unit}",
 }
 
+_X1 = r"X_{\mathrm{p}1} = \dfrac{(k_2 - m_2 \omega^2) F_0}{D}"
+_X2 = r"X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D}"
 _FIRST = either(
     "first",
-    undamped=(
-        r"$\tint{m1}{X_{\mathrm{p}1} = \dfrac{(k_2 - m_2 \omega^2) F_0}{D} = \val{Xp1}}$"
-        " [m1|{x_unit}]"
-    ),
-    damped=(r"$\tint{m1}{|X_1| = \dfrac{|\kappa - m_2 \omega^2| F_0}{|D|} = \val{swing}}$ [m1|{x_unit}]"),
+    undamped=rf"$\tint{{m1}}{{{_X1} = {N.Xp1}}}$ [m1|{N.x_unit}]",
+    damped=rf"$\tint{{m1}}{{|X_1| = \dfrac{{|\kappa - m_2 \omega^2| F_0}}{{|D|}} = {N.swing}}}$ [m1|{N.x_unit}]",
     none=r"$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = 0$",
 )
 _SECOND = either(
     "second",
-    still=(r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = -\dfrac{F_0}{k_2} = \val{Xp2}}$ [m2|{x_unit}]"),
-    undamped=r"$\tint{m2}{X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D} = \val{Xp2}}$ [m2|{x_unit}]",
+    still=rf"$\tint{{m2}}{{{_X2} = -\dfrac{{F_0}}{{k_2}} = {N.Xp2}}}$ [m2|{N.x_unit}]",
+    undamped=rf"$\tint{{m2}}{{{_X2} = {N.Xp2}}}$ [m2|{N.x_unit}]",
     damped="",
 )
-_BOTH = "alone the machine swings {alone} {x_unit}, with it {swing} {x_unit}."
+_BOTH = f"alone the machine swings {N.alone} {N.x_unit}, with it {N.swing} {N.x_unit}."
 _WHY = either(
     "why",
     still=(
         r"$k_2 = m_2 \omega^2$: spring 2 pulls exactly as hard as the drive pushes, and nothing is left to move the "
-        "machine. From rest it still swings up to {rest1} {x_unit}: nothing damps that part."
+        f"machine. From rest it still swings up to {N.rest1} {N.x_unit}: nothing damps that part."
     ),
     less=(
-        r"$k_2 \ne m_2 \omega^2$: spring 2 pulls with {pull} {F_unit} at the most, the drive pushes with "
-        "{push}. What is left moves the machine."
+        r"$k_2 \ne m_2 \omega^2$: spring 2 pulls "
+        f"with {N.pull} {N.F_unit} at the most, the drive pushes with {N.push}. What is left moves the machine."
     ),
     almost=(
-        r"$k_2 \approx m_2 \omega^2$: spring 2 pulls almost as hard as the drive pushes, and {swing} {x_unit} are "
-        "left. From rest it swings up to {rest1} {x_unit}: nothing damps that part."
+        r"$k_2 \approx m_2 \omega^2$: spring 2 pulls almost as hard as the drive pushes, "
+        f"and {N.swing} {N.x_unit} are left. From rest it swings up to {N.rest1} {N.x_unit}: nothing damps that part."
     ),
     same=f"Here the absorber hardly changes anything: {_BOTH}",
     more=f"Here the absorber does harm: {_BOTH} A resonance is too near.",
@@ -69,7 +76,7 @@ _WHY = either(
     ),
     aside=(
         "The drive is next to a natural frequency at which almost mass 2 alone swings: from rest its swing grows for "
-        "long, the machine's stays within {rest1} {x_unit}."
+        f"long, the machine's stays within {N.rest1} {N.x_unit}."
     ),
     detached="Nothing pulls back: the machine takes the whole drive.",
     damped=(r"$\kappa = k_2 + i c \omega$ takes the place of $k_2$. $P$ and $Q$ do not depend on $c$."),
@@ -77,7 +84,7 @@ _WHY = either(
 _OPTIMUM = either(
     "optimum",
     shown=(
-        r"Den Hartog makes them equal, {height} {x_unit}, and nearly the peaks, which are {over_height} higher: "
+        f"Den Hartog makes them equal, {N.height} {N.x_unit}, and nearly the peaks, which are {N.over_height} higher: "
         r"$\omega_2 = \dfrac{\omega_1}{1 + \mu}$, "
         r"$\dfrac{c}{2 m_2 \omega_1} = \sqrt{\dfrac{3 \mu}{8 (1 + \mu)^3}}$"
     ),
