@@ -28,9 +28,10 @@ from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns, Floats, bands_over_time, over_time, samples, trace
 from components.scenes.coupled import starting
 from components.scenes.coupled.about import coupled_about
+from components.scenes.coupled.numbers import Numbers as N
 from components.scenes.coupled.sheet import coupled_sheet
 from components.scenes.coupled.watch import WATCH
-from components.scenes.coupled.words import forms, values
+from components.scenes.coupled.words import forms
 from physics.coupled import FreeModes
 from physics.energy import ChainEnergy, chain_energy, mean_energy
 from physics.sampling import drawable, time_window
@@ -49,7 +50,7 @@ class Coupled(Scene):
     lecture = "D34"
     points = "points 1, 2, 5"
     headline = "Every free motion is a slow mode plus a fast mode"
-    spoken = {"slow mode": "{omega_minus} rad/s", "fast mode": "{omega_plus} rad/s", "energy": "{E_total} {E_unit}"}
+    spoken = {"slow mode": N.omega_minus, "fast mode": N.omega_plus, "energy": N.E_total}
     equations = chain.FREE
     groups = (
         chain.CHAIN,
@@ -124,7 +125,7 @@ class Coupled(Scene):
             pace=pace(slow or fast, fast),
             scale=drawn.scale,
             fits=drawn.fits,
-            values={**values(free, energy), **drawn.values, **pulled.values},
+            values={**N.texts(free, axes), **drawn.values, **pulled.values},
             live={
                 **pulled.live,
                 **{name: size.digits(signed=True) for name in ("x1", "x2")},
@@ -135,13 +136,7 @@ class Coupled(Scene):
         )
 
     def readouts(self) -> tuple[Readout, ...]:
-        system = chain.of_scene(self)
-        energy = starting.motion(self).energy.tolist()
-        return (
-            *chain.mode_readouts(system, "omega_{sign}", "ratio_{sign}"),
-            Readout("E_minus", "E_{−}", energy[0], "J", "slow"),
-            Readout("E_plus", "E_{+}", energy[1], "J", "fast"),
-        )
+        return N.readouts(starting.motion(self))
 
     def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
         if before is None:

@@ -11,13 +11,14 @@ from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import choice, column, desk, either, row, stage, table, term, when, words
 from components.layout.stage import H, Shape, W, arrow, circle, line, on_x, on_y, shown_by, text
 from components.scene.traces import traced
+from components.scenes.coupled.numbers import Numbers as N
 from components.scenes.coupled.words import CONSTANTS, CONSTANTS_TABLE, FORCES, TASK, captions
 
 FEET = (0.56, 0.815, 0.99)
 """Where the motion, its slow part and its fast part stand, as fractions of the stage's height."""
 BEAT = either(
     "beat",
-    both="Beat period {beat_period}",
+    both=f"Beat period {N.beat_period}",
     apart="No beat: the two frequencies are too far apart",
     one="No beat: only one mode is seen to move",
     rest="Nothing moves",
@@ -111,15 +112,10 @@ def _displacements(i: int) -> Block:
                 f"x{i}_slow",
                 "line",
                 "slow",
-                sine=rf"\val{{X{i}_minus}}\,\sin(\val{{omega_minus}}\,t\; \val{{phi_minus}})",
-                drift=rf"\val{{a{i}}}\; \val{{b{i}}}\,t",
+                sine=rf"{N.X_slow[i - 1]}\,\sin({N.omega_minus}\,t\; {N.phi_minus})",
+                drift=rf"{N.a[i - 1]}\; {N.b[i - 1]}\,t",
             ),
-            term(
-                f"x{i}_fast",
-                "dash",
-                "fast",
-                sine=rf"\val{{X{i}_plus}}\,\sin(\val{{omega_plus}}\,t\; \val{{phi_plus}})",
-            ),
+            term(f"x{i}_fast", "dash", "fast", sine=rf"{N.X_fast[i - 1]}\,\sin({N.omega_plus}\,t\; {N.phi_plus})"),
         ),
         x_labels=False,
         cursor="time",
@@ -145,12 +141,12 @@ def _part_energies() -> Block:
         title="Kinetic and potential energy of each mass and spring, stacked to their constant sum",
         bands=tuple(region(low=low, high=high, tint=tint, read=label) for low, high, _, tint, label in STACK),
         heading=(
-            term("", "none", "ink", formula=r"T + V = \val{E_total} ="),
+            term("", "none", "ink", formula=f"T + V = {N.E_total} ="),
             *(
                 term("", "band", tint, formula=rf"{name[0]}_{name[1]} = \val{{{name}}}{' +' if name != 'T2' else ''}")
                 for _, _, name, tint, _ in STACK
             ),
-            term("", "none", "ink", formula=r"\val{E_unit}"),
+            term("", "none", "ink", formula=str(N.E_unit)),
         ),
         cursor="time",
         phone=13,
@@ -172,10 +168,10 @@ def _mode_energies() -> Block:
             curve("E_total", tint="ink", width="sum", label="*E*"),
         ),
         heading=(
-            term("", "none", "ink", formula=r"T + V = \val{E_total} ="),
-            term("E_slow", "line", "slow", formula=r"\val{E_minus}"),
-            term("E_fast", "dash", "fast", formula=r"+\; \val{E_plus}"),
-            term("", "none", "ink", formula=r"\val{E_unit}\text{: each mode keeps its own}"),
+            term("", "none", "ink", formula=f"T + V = {N.E_total} ="),
+            term("E_slow", "line", "slow", formula=str(N.E_minus)),
+            term("E_fast", "dash", "fast", formula=rf"+\; {N.E_plus}"),
+            term("", "none", "ink", formula=rf"{N.E_unit}\text{{: each mode keeps its own}}"),
         ),
         cursor="time",
         phone=13,

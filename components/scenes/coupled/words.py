@@ -2,28 +2,19 @@
 
 from __future__ import annotations
 
-import math
-
-import numpy as np
-
-from components.chain import MODES
 from components.layout.sheet import Paragraph, either
-from components.quantities.axes import Axis
-from components.quantities.numbers import plus, signed, three
+from components.scenes.coupled.numbers import Numbers as N
+from components.scenes.coupled.numbers import beating
 from physics.coupled import FreeModes
 
 TASK = "Pull mass 1, hold mass 2, let go of both: does any part of the motion die out?"
 
-SIGN = {"slow": "minus", "fast": "plus"}
-BEATS = 1e-3
-"""A mode smaller than this share of the other leaves no beat that is seen."""
-CLOSE = 0.2
-"""The difference of the frequencies over their sum up to which two sines are seen to beat."""
+MARKS = {"slow": ("-", "=", N.omega_minus, N.ratio_minus), "fast": ("+", "+", N.omega_plus, N.ratio_plus)}
 
 
 def captions(mode: str) -> list[Paragraph]:
     """The caption beside the row of a mode: its name, its frequency and its shape."""
-    name, index, sign = SIGN[mode], {"slow": "-", "fast": "+"}[mode], {"slow": "=", "fast": "+"}[mode]
+    index, sign, omega, ratio = MARKS[mode]
     title = either(
         f"{mode}_fact",
         sine=f"[{mode}|{sign} {mode} mode]",
@@ -33,8 +24,8 @@ def captions(mode: str) -> list[Paragraph]:
     )
     fact = either(
         f"{mode}_omega",
-        sine=rf"$\omega_{{{index}}} = \val{{omega_{name}}}$ rad/s, $X_2 / X_1 = \val{{ratio_{name}}}$",
-        drift=rf"$\omega_{{{index}}} = 0$: $x = a + b\,t$, $X_2 / X_1 = \val{{ratio_{name}}}$",
+        sine=rf"$\omega_{{{index}}} = {omega}$ rad/s, $X_2 / X_1 = {ratio}$",
+        drift=rf"$\omega_{{{index}}} = 0$: $x = a + b\,t$, $X_2 / X_1 = {ratio}$",
         two=r"$\omega_- = \omega_+ = 0$: $x = a + b\,t$, each mass on its own",
     )
     return [title, fact]
@@ -64,9 +55,9 @@ CONSTANTS: list[Paragraph] = [
 """From the displacements and velocities at the start to the amplitudes and phases of both modes."""
 
 CONSTANTS_TABLE: list[list[Paragraph]] = [
-    ["$M$", "{M_minus}", "{M_plus}", "kg"],
-    [r"$X_1 \sin \phi$", "{q_minus}", "{q_plus}", "m"],
-    [r"$\omega X_1 \cos \phi$", "{rate_minus}", "{rate_plus}", "m/s"],
+    ["$M$", *map(str, N.M), "kg"],
+    [r"$X_1 \sin \phi$", *map(str, N.q), "m"],
+    [r"$\omega X_1 \cos \phi$", *map(str, N.rate), "m/s"],
 ]
 
 FORCES: list[Paragraph] = [
@@ -77,52 +68,6 @@ FORCES: list[Paragraph] = [
     r"$F_2 =$ {F2} {force_unit}",
     "[small|That $T + V$ stays constant is one equation: two masses need two.]",
 ]
-
-
-def values(free: FreeModes, energy: Axis) -> dict[str, str]:
-    texts: dict[str, str] = {}
-    for j, mode in enumerate(MODES):
-        texts |= _of_mode(free, j, mode)
-        texts[f"E_{SIGN[mode]}"] = energy.number(free.energy[j])
-    for i in (1, 2):
-        texts[f"a{i}"], texts[f"b{i}"] = three(free.drift_a[i - 1]), plus(free.drift_b[i - 1])
-    beat = free.chain.modes().beat
-    texts["beat_period"] = f"{three(2 * math.pi / beat)} s" if beating(free) == "both" else "none"
-    texts["E_total"], texts["E_unit"] = energy.number(float(free.energy.sum())), energy.full_unit
-    return texts
-
-
-def _of_mode(free: FreeModes, j: int, mode: str) -> dict[str, str]:
-    """Frequency, shape, modal mass, the coordinate at the start and its rate, amplitudes and phase of one mode."""
-    name = SIGN[mode]
-    omega, ratio = free.omega[j], free.chain.modes().ratio[j]
-    (exact_mode, coordinate, rate) = free.each()[j]
-    texts = {
-        f"omega_{name}": three(omega),
-        f"ratio_{name}": "∞" if math.isinf(ratio) else signed(ratio),
-        f"M_{name}": three(exact_mode.mass),
-        f"q_{name}": signed(coordinate),
-        f"rate_{name}": signed(rate),
-        f"phi_{name}": plus(free.phase[j]),
-        f"{mode}_period": f"{three(2 * math.pi / omega)} s" if omega else "none",
-    }
-    written = three if mode == "slow" else plus  # the second of two terms is added
-    for i, amplitude in enumerate(free.amplitude[j].tolist(), start=1):
-        texts[f"X{i}_{name}"] = written(amplitude)
-    return texts
-
-
-def beating(free: FreeModes) -> str:
-    """Whether the motion beats: both modes move, none is a drift, their frequencies are close; or why it does not."""
-    if not (np.any(free.amplitude) or np.any(free.drift_b)):
-        return "rest"
-    slow, fast = free.omega.tolist()
-    if not slow:
-        return "drift"
-    sizes = [sorted(map(abs, of_mass)) for of_mass in free.amplitude.T.tolist()]
-    if not any(less > BEATS * more for less, more in sizes):
-        return "one"
-    return "both" if free.chain.modes().beat <= CLOSE * (slow + fast) else "apart"
 
 
 def forms(free: FreeModes) -> dict[str, str]:
