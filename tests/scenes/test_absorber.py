@@ -144,6 +144,15 @@ def test_stroke_is_the_distance_between_the_masses() -> None:
     assert Absorber(omega=60.0, k2=36864.0, tuning="free").shown.values["stroke"] == "183"
 
 
+@pytest.mark.parametrize("F_0", [1.0, 1.6, 2.5, 500.0, 15e3, 2e4, 1e9, 1.4e-6])
+def test_swing_and_stroke_are_counted_in_one_unit(F_0: float) -> None:
+    """Their numbers stand beside both plots and in sentences: where one axis ends at 0.9 m, the other ends at 1.2 m."""
+    shown = Absorber(F_0=F_0, omega=50.0, tuning="free").shown
+    swing, stroke = shown.axes["X1"], shown.axes["X2"]
+    assert swing.full_unit == stroke.full_unit == shown.values["x_unit"] and len(stroke.ticks) >= 2
+    assert shown.values["found2"].startswith(f"xₚ: {shown.values['stroke']} {shown.values['x_unit']}")
+
+
 @pytest.mark.parametrize("m2", [1e-6, 0.01, 16.0, 1e6])
 def test_springs_end_on_the_smaller_mass(m2: float) -> None:
     scalars = Absorber(m2=m2).shown.scalars

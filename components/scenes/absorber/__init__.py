@@ -264,7 +264,7 @@ class Absorber(Scene):
         own_window = self.window or periods(self.omega, TURNS)
         end = frame.window or own_window
         low, high = min(0.4 * duty.own, 0.7 * self.omega), max(1.6 * duty.own, 1.3 * self.omega)
-        swing, stroke = (drawing.size_axis(duty.deflections(top)) for top in TOP)
+        swing, stroke = drawing.size_axes(*map(duty.deflections, TOP))
         marked = min(duty.own, self.omega), max(duty.own, self.omega)
         frequency = replace(nice_axis(low, high, "rad/s", 3, exact=True), drawn=marked)
         axes = framed(frame, {"t": time_axis(own_window), "w": frequency, "X1": swing, "X2": stroke})

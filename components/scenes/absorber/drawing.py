@@ -25,13 +25,14 @@ TEETH = 190 * var("hook")
 """The height of a spring's teeth in pixels: they stay above the floor."""
 
 
-def size_axis(top: float) -> Axis:
-    """An axis of amplitudes from 0 to `top` metres, in millimetres where that is what people say."""
-    if 1e-4 <= top < 1:
-        axis = Axis(0.0, top, "mm", -3, ticks=nice_ticks(0.0, 1e3 * top, 2))
+def size_axes(swing: float, stroke: float) -> tuple[Axis, Axis]:
+    """Axes of amplitudes from 0 to so many metres, both in one unit: millimetres where that is what people say."""
+    if 1e-4 <= swing < 1:
+        one = Axis(0.0, swing, "mm", -3, ticks=nice_ticks(0.0, 1e3 * swing, 2))
     else:
-        axis = nice_axis(0.0, top, "m", exact=True)
-    return replace(axis, drawn=(0.0, top / 2))
+        one = nice_axis(0.0, swing, "m", exact=True)
+    two = replace(one, end=stroke, ticks=nice_ticks(0.0, one.place(stroke), 2))
+    return replace(one, drawn=(0.0, swing / 2)), replace(two, drawn=(0.0, stroke / 2))
 
 
 def side(mass: int) -> Number:
