@@ -19,6 +19,8 @@ from physics.exact import PI, precise
 
 LARGEST_POWER = 1000
 
+_HALF_WIDTH = {code: code - 0xFEE0 for code in range(0xFF01, 0xFF5F)} | {ord("。"): ".", ord("｡"): "."}
+
 _NUMBER_PART = re.compile(r"(?:pi(?![a-z])|sqrt|(?<=[0-9.])e(?=[-+−]?[0-9])|[-−+*/^()·×⋅√π0-9.,\s⁰¹²³⁴-⁹⁺⁻])*", re.I)
 _TOKENS = re.compile(r"(?:[0-9]+\.?[0-9]*(?:e[+-]?[0-9]+)?|\.[0-9]+(?:e[+-]?[0-9]+)?|pi|sqrt|\*\*|[-+*/()])+")
 _PRODUCT = re.compile(r"(?<=[0-9.)])(?=pi|sqrt|\()|(?<=pi)(?=sqrt|\()")
@@ -31,14 +33,14 @@ _OPERATIONS: dict[type[ast.operator], Callable[[Decimal, Decimal], Decimal]] = {
 
 
 def typed_number(text: str, unit: str) -> float:
-    """The double that a person means by `text` in a field of `unit`: 1/3, 2.5 N/m, 36 km/h, 3·10⁴, 1,5.
+    """The double that a person means by `text` in a field of `unit`: 1/3, 2.5 N/m, 36 km/h, 3·10⁴, 1,5, １／３, 1。5.
 
     Raises ValueError, in words for that person, for anything else, for another kind of unit and for what no double
     can hold.
     """
     if len(text) > LONGEST_INPUT:
         raise NoNumberError(text)
-    number, given = _parts(text)
+    number, given = _parts(text.translate(_HALF_WIDTH))
     if given in ("", unit):
         with suppress(NoNumberError):
             return parse_number(number)

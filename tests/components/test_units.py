@@ -6,6 +6,7 @@ import pytest
 
 from components.language.controls import Setting, SliderRow
 from components.layout.controls import control, settings
+from components.quantities.typed import typed_number
 from components.quantities.units import Unit
 from components.scenes.phugoid import Phugoid
 from components.state.scene_sheet import scene_sheet
@@ -74,3 +75,10 @@ def test_marks_and_outlines_reach_the_page() -> None:
     presets = scene_sheet(Phugoid).panel.presets
     assert [preset.label for preset in presets] == list(Phugoid.presets)
     assert all(preset.outline.startswith("M") for preset in presets)
+
+
+@pytest.mark.parametrize(
+    ("text", "value"), [("２．５", 2.5), ("－3", -3), ("１／３", 1 / 3), ("1。5", 1.5), ("２ｍ", 2)]
+)
+def test_full_width_characters_are_read_as_plain_ones(text: str, value: float) -> None:
+    assert typed_number(text, "m") == value
