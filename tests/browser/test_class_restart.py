@@ -35,6 +35,7 @@ def contexts(browser: Browser) -> Iterator[list[BrowserContext]]:
         context.close()
 
 
+@pytest.mark.slow
 @pytest.mark.timeout(300)  # two servers are killed under four windows
 def test_a_killed_server_has_the_class_again(contexts: list[BrowserContext], tmp_path: Path) -> None:
     with Site(tmp_path) as site:

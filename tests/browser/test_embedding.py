@@ -130,6 +130,7 @@ def hub(folder: Path, named: bool) -> Iterator[str]:
         log.close()
 
 
+@pytest.mark.slow
 def test_behind_the_real_proxy_of_jupyter_a_page_connects(tmp_path: Path, opened: Callable[[str], Page]) -> None:
     with hub(tmp_path, named=True) as address:
         page = opened(f"{address}?scene=coupled")

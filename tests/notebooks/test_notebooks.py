@@ -9,6 +9,7 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 
+from tests.grids import spread
 from tests.serving.server import ROOT
 
 NOTEBOOKS = sorted((ROOT / "docs" / "notebooks").glob("*.ipynb"))
@@ -33,7 +34,7 @@ def test_there_are_three() -> None:
     assert [path.stem for path in NOTEBOOKS] == ["a-scene", "against-scipy", "your-own-system"]
 
 
-@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.stem)
+@pytest.mark.parametrize("path", spread(NOTEBOOKS), ids=lambda path: path.stem)
 def test_a_notebook_shows_what_it_gives(path: Path) -> None:
     notebook = nbformat.read(path, as_version=4)
     stored, count = shown(notebook), len(notebook.cells)

@@ -12,6 +12,7 @@ from urllib.request import urlopen
 import pytest
 from PIL import Image
 
+from tests.grids import spread
 from tests.serving.server import ROOT, free_port
 from tools.animation import MOST_BYTES, MOVING
 
@@ -48,7 +49,7 @@ def test_every_command_is_run_by_a_test() -> None:
         assert f"def {name}" in (ROOT / path).read_text(encoding="utf-8")
 
 
-@pytest.mark.parametrize("more", [(), ("HOST=0.0.0.0",)])
+@pytest.mark.parametrize("more", spread([("HOST=0.0.0.0",), ()]))
 def test_make_run_serves_the_lecture(more: tuple[str, ...]) -> None:
     port = free_port()
     plain = {name: value for name, value in os.environ.items() if not name.startswith(("MAKE", "MFLAGS", "DISPLAY"))}
