@@ -20,7 +20,8 @@ TIME_AXIS = "t"
 Range = tuple[float, float]
 Scaled = TypeVar("Scaled", float, NDArray[np.float64])
 LEAST = 1e-10
-"""What is less, in the unit of its axis, shows no digits while it moves: a kept axis may be many decades too large."""
+"""The smallest value, in the unit of its axis, that a moving number has decimals for: 12 of them and not hundreds, on
+a kept axis that has become far too large."""
 
 
 class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as quickly as a dataclass

@@ -204,7 +204,7 @@ def test_a_walk_is_printed_with_space_for_answers_and_apart_from_it_the_answers(
 
 
 FILLED = """[...document.querySelectorAll(".handout .sheet")].map(sheet => sheet.offsetHeight / 950)"""
-"""How much of each page is used."""
+"""The share of each printed page's height that its steps take."""
 POINTS = """[...document.querySelectorAll(".handout svg text")].filter(one => one.textContent.trim()).map(one =>
   parseFloat(getComputedStyle(one).fontSize) * one.ownerSVGElement.getScreenCTM().a * 0.75)"""
 """The type of the labels on paper."""

@@ -56,7 +56,7 @@ SENTENCE = either(
     drift="No spring and no dashpot: it keeps its velocity.",
     still="No spring, and a start at rest: nothing moves.",
 )
-"""What becomes of the motion, in one sentence."""
+"""The sentence on the fate of the motion, in each of its forms."""
 
 
 def forms(case: DampedCase) -> dict[str, str]:
