@@ -3,6 +3,7 @@
 import {button, element} from "../core/dom.js"
 import {later} from "../later.js"
 import {tabStorage} from "../core/storage.js"
+import {follow} from "../walks/steps.js"
 
 const FULL = "full-screen"
 const WALK = "data-in-walk"
@@ -11,6 +12,9 @@ const root = document.documentElement
 export class Hall {
   /** @type {HTMLElement | undefined} says what the next key does */
   offer
+
+  /** @type {BroadcastChannel | undefined} from a window with the contents, once this page has been a hall's */
+  steps
 
   /** @param {LectureHost} lecture */
   constructor(lecture) {
@@ -87,6 +91,7 @@ export class Hall {
 
   async #point() {
     if (!this.on) return
+    this.steps ??= follow(this.lecture)
     const {pointer} = await later("input/pointer")
     pointer()
   }

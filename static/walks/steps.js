@@ -7,15 +7,17 @@ export const STEPS = "#steps" // of the address of such a window
 
 /**
  * The page that the hall reads tells of its walks from files, and goes where it is sent.
- * @param {LectureHost["walks"]} walks
+ * @param {LectureHost} lecture
  */
-export function follow(walks) {
+export function follow(lecture) {
   const channel = new BroadcastChannel(NAME)
   channel.addEventListener("message", ({data}) => {
-    if (!walks.lecture.hall.on) return
+    const {hall, walks} = lecture
+    if (!hall.on) return
     if (data.asks) channel.postMessage({texts: walks.texts})
     else if (walks.names.includes(data.walk)) walks.enter(data.walk, data.place)
   })
+  return channel
 }
 
 /** This window has the contents, and sends the other. @param {LectureHost["walks"]} walks */

@@ -2,7 +2,6 @@
 
 import {insisting, later} from "../later.js"
 import {Menu} from "./menu.js"
-import {follow} from "./steps.js"
 import {tabStorage} from "../core/storage.js"
 
 /** @typedef {import("./walk.js").Walk} Walk */
@@ -33,7 +32,6 @@ export class Walks {
     /** @type {Record<string, string>} by name */
     this.texts = tabStorage.value(OWN) ?? {}
     this.menu = new Menu(this)
-    follow(this)
     // A new session takes the place of one that knew these: it is told of them before anything is asked of it.
     lecture.line.before = () => Object.entries(this.texts).map(([name, text]) => ({type: "walk", name, text}))
     const {walk, step} = Object.fromEntries(new URLSearchParams(location.search))
