@@ -2,7 +2,7 @@
 // the session as any walk's file is, so that what is made here runs.
 
 import {chip, element} from "../core/dom.js"
-import {Asked} from "./asked.js"
+import {Asked, shownBy} from "./asked.js"
 import {parts, sentences} from "../compare/coverable.js"
 import {box, chooser, labelled, text} from "../questions/fields.js"
 import {KINDS} from "../questions/kinds.js"
@@ -125,14 +125,13 @@ class Ask {
   #read() {
     const {form} = this
     const boxes = [...form.querySelectorAll("input[name=cover]:checked")].map(one => one.getAttribute("value") ?? "")
-    const query = this.page.shown.query.split("&").filter(part => !part.startsWith("cover="))
     const kind = text(form, "kind")
     const {cover = [], ...asks} = KINDS[kind].read(form, this.plots)
     return {
       id: this.asked.nextId,
       kind,
       title: text(form, "title"),
-      state: `?${query.join("&")}`,
+      state: shownBy(this.page.shown.query),
       cover: [...new Set([...this.covered, ...boxes, ...cover])],
       question: text(form, "question"),
       ...asks,

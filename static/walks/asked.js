@@ -40,6 +40,13 @@ export const walkText = (title, steps) => [`${line(["title", title])}\n`, ...ste
 /** A step in such a file. @param {Fields} step */
 export const stepText = step => ["\n[[step]]", ...Object.entries(step).map(line), ""].join("\n")
 
+/** The link of what a step shows: covers are a field of their own. @param {string} query */
+export const shownBy = query =>
+  `?${query
+    .split("&")
+    .filter(part => !part.startsWith("cover="))
+    .join("&")}`
+
 /** @param {[string, Toml]} field */
 const line = ([name, value]) => `${name} = ${written(value)}`
 
