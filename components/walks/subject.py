@@ -16,6 +16,7 @@ from components.quantities.axes import Axis
 from components.state.covers import without
 from components.state.scene_sheet import plots
 from components.state.standing import Standing
+from components.walks.expressions import numbers_of
 from components.walks.links import Scenes, elsewhere, name_in_state, opening_state, standing_at
 from components.walks.sketch import Ranges, Sketch, sketch
 from components.walks.types import BaseStep
@@ -72,6 +73,16 @@ class Subject:
     def answered(self) -> Standing:
         """The page that is shown with the answer."""
         return standing_at(self._step.shown, self.scenes)
+
+    @cached_property
+    def numbers_asked(self) -> Mapping[str, float]:
+        """The numbers of the scene that the question is asked of, by name."""
+        return numbers_of(self.standing.scene)
+
+    @cached_property
+    def numbers(self) -> Mapping[str, float]:
+        """The numbers of the scene that is shown with the answer, by name."""
+        return numbers_of(self.answered.scene)
 
     @property
     def opening(self) -> State:

@@ -13,7 +13,7 @@ from components.language.room import Counted
 from components.language.walk import Lesson, StepCard
 from components.quantities.numbers import shortest, three
 from components.quantities.typed import typed_number, unit_size
-from components.walks.expressions import numbers_of, worked_out
+from components.walks.expressions import worked_out
 from components.walks.questions.question import Judged, Judgement, Question, Written, astray, refused
 from components.walks.subject import Subject
 from components.walks.types import Entry, Reply, Sentence
@@ -88,7 +88,7 @@ class NumericStep(Question, frozen=True, kw_only=True):
 
     def _of_scene(self, expression: str, subject: Subject) -> float:
         """An expression of the numbers that the scene has with the answer, in the unit of the answer."""
-        return worked_out(expression, numbers_of(subject.answered.scene)) / unit_size(self.answer.unit)
+        return worked_out(expression, subject.numbers) / unit_size(self.answer.unit)
 
     def truth(self, subject: Subject) -> str:
         unit = self.answer.unit
@@ -120,7 +120,7 @@ class NumericStep(Question, frozen=True, kw_only=True):
     def doubts(self, subject: Subject) -> Iterator[str]:
         """A number that is none of the scene's may be a slip; of two misses with one number only the first is told."""
         size = unit_size(self.answer.unit)
-        known = [number / size for number in numbers_of(subject.answered.scene).values()]
+        known = [number / size for number in subject.numbers.values()]
         for number in () if self.answer.quantities else self.answer.numbers:
             if not self.is_near(number, known):
                 yield f"answer: {number:g} is no number of this scene: name the quantity that it is, of = ..."

@@ -12,7 +12,6 @@ from components.language.messages import HEIGHTS, Given
 from components.language.room import Counted, SketchOf
 from components.language.walk import Lesson, StepCard
 from components.quantities.numbers import excerpt
-from components.walks.expressions import numbers_of
 from components.walks.features import Feature
 from components.walks.questions.question import UNFIT, Judged, Judgement, Question, Written, astray, refused
 from components.walks.sketch import Sketch
@@ -97,8 +96,8 @@ class SketchStep(Question, frozen=True, kw_only=True, tag="sketch"):
 
     def told(self, features: Iterable[Feature], subject: Subject) -> tuple[Feature, ...]:
         """Features in numbers, where expressions of the scene's tell them; ValueError, in words, for what is none."""
-        numbers, axes = numbers_of(subject.standing.scene), subject.axes(self.plot)
-        return tuple(feature.worked_out(numbers, axes) for feature in features)
+        axes = subject.axes(self.plot)
+        return tuple(feature.worked_out(subject.numbers_asked, axes) for feature in features)
 
     def seen(self, features: Iterable[Feature], drawn: Curves) -> tuple[bool, ...]:
         """Which of the features were drawn."""
