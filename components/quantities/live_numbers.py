@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from typing import Any, Generic, TypeVar
 
 from components.quantities.axes import Axis
@@ -93,6 +94,7 @@ class LiveNumbers(Generic[Case]):
         return tuple(readout for one in numbers for readout in one.readout(case))
 
     @classmethod
+    @cache
     def _declared(cls) -> list[LiveNumber[Any] | AxisUnit]:
         known = {name: one for owner in reversed(cls.__mro__) for name, one in vars(owner).items()}
         return [one for one in known.values() if isinstance(one, (LiveNumber, AxisUnit))]
