@@ -183,7 +183,7 @@ def _circle(x0: Number, y0: Number, radius: Number) -> list[Shape]:
             line(*inner, *outer, style="floor", tint="T", inside="roots"),
             text(name[0], name[1] + 4, f"{zeta}", tint="T", inside="roots", show="" if zeta in NAMED else "desk"),
         ]
-    return [*found, text(x0 - 1.04 * radius, y0 - 7, "critical 1", "end", tint="T", style="halo", inside="roots")]
+    return [*found, text(x0 - 0.94 * radius, y0 - 7, "critical 1", "start", tint="T", style="halo", inside="roots")]
 
 
 def _legs(x0: Number, y0: Number) -> list[Shape]:
