@@ -140,6 +140,7 @@ def test_a_long_number_is_shortened_to_its_field_and_whole_while_it_has_the_focu
     panel.type("k2", "1/3")
     expect(field).to_have_value("0.3333333333333333")
     field.blur()
+    expect(field).not_to_have_value("0.3333333333333333")  # it is measured with the next frame
     shown = field.input_value()
     assert shown.startswith("0.33") and len(shown) < 12
     assert field.evaluate("field => field.scrollWidth <= field.clientWidth")
