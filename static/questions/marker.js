@@ -95,16 +95,18 @@ export class Marker {
   /** The pill moves along its line, off what the plot now shows again: its pills, flags and numbers. */
   #clear() {
     const {left, top, height} = this.plot.frame
+    const isX = this.which === "x"
+    const low = isX ? top + height : left
+    this.pill.style.setProperty("--low", long(low)) // from where it stands on its axis
     const own = this.pill.getBoundingClientRect()
     const standing = this.plot.host.querySelectorAll(".handles > *, text")
     const others = [...standing].map(one => one.getBoundingClientRect()).filter(({width}) => width)
-    const isX = this.which === "x"
     const ways = isX
       ? {down: Infinity, room: {...EVERYWHERE, bottom: own.bottom}}
       : {across: Infinity, room: {...EVERYWHERE, left: own.left}}
     const [place] = places([{wishes: [own], ...ways}], others)
     const way = place ? place.left - own.left + place.top - own.top : 0
-    this.pill.style.setProperty("--low", long((isX ? top + height : left) + way / unitSize()))
+    this.pill.style.setProperty("--low", long(low + way / unitSize()))
   }
 
   /** @param {HTMLElement} part @param {number} value */
