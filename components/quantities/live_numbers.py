@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
+from decimal import Decimal
 from functools import cache
 from typing import Any, Generic, TypeVar
 
@@ -50,15 +51,20 @@ class LiveNumber(Named, Generic[Case]):
     its text ends with its unit where it is `whole`; `angle` and `also` are those of its readout.
     """
 
-    value: Callable[[Case], float | str | None]
+    value: Callable[[Case], float | Decimal | str | None]
     symbol: str = ""
     unit: str = ""
     tint: str = "ink"
-    form: Callable[[float], str] = three
+    form: Callable[[Any], str] = three
     axis: AxisUnit | None = None
     whole: bool = False
     angle: bool = False
     also: tuple[str, ...] = ()
+
+    @classmethod
+    def both(cls, values: Callable[[Case], Any], form: Callable[[Any], str] = three) -> list[LiveNumber[Case]]:
+        """Numbers of the slow and the fast mode, or of mass 1 and mass 2."""
+        return [cls(lambda case: values(case)[0], form=form), cls(lambda case: values(case)[1], form=form)]
 
     @property
     def aloud(self) -> str:
@@ -72,13 +78,13 @@ class LiveNumber(Named, Generic[Case]):
             return value or ""
         text, unit = self.form(value), self.unit
         if self.axis:
-            text, unit = self.axis.write(axes[self.axis.axis], value), self.axis.text(case, axes)
+            text, unit = self.axis.write(axes[self.axis.axis], float(value)), self.axis.text(case, axes)
         return f"{text} {unit}" if self.whole else text
 
     def readout(self, case: Case) -> Iterator[Readout]:
         value = self.value(case) if self.symbol else None
         if value is not None and not isinstance(value, str):
-            yield Readout(self.name, self.symbol, value, self.unit, self.tint, self.angle, self.also)
+            yield Readout(self.name, self.symbol, float(value), self.unit, self.tint, self.angle, self.also)
 
 
 class LiveNumbers(Generic[Case]):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
+
 import pytest
 
 from components.layout.text import mathml, rich, runs
@@ -25,6 +27,7 @@ class Own(Shared):
     length = number(abs, unit="m", whole=True)
     height = number(lambda z: z.imag, axis=Shared.unit, whole=True)
     sign = number(lambda z: "none" if not z.real else z.real / abs(z), "s")
+    first, second = number.both(lambda z: (Decimal(z.real), z.imag), plus)
 
 
 AXES = {"x": Axis(0.0, 5e-3, "m")}
@@ -32,9 +35,10 @@ AXES = {"x": Axis(0.0, 5e-3, "m")}
 
 def test_texts_follow_in_the_order_of_declaration() -> None:
     texts = Own.texts(3e-3 + 4e-3j, AXES)
-    assert list(texts) == ["size", "unit", "real", "imaginary", "length", "height", "sign"]
+    assert list(texts) == ["size", "unit", "real", "imaginary", "length", "height", "sign", "first", "second"]
     assert texts["real"] == "+ 0.00300" and texts["unit"] == AXES["x"].full_unit
     assert texts["imaginary"] == AXES["x"].number(4e-3)
+    assert (texts["first"], texts["second"]) == ("+ 0.00300", "+ 0.00400")
     assert (texts["length"], texts["height"]) == ("0.00500 m", f"{texts['imaginary']} {texts['unit']}")
 
 
@@ -66,7 +70,9 @@ def test_a_misspelt_name_is_an_error_of_types() -> None:
     with pytest.raises(AttributeError):
         N.omga  # type: ignore[attr-defined]  # noqa: B018
     wrong = number(lambda z: z.rael)  # type: ignore[attr-defined]
-    with pytest.raises(AttributeError):
-        wrong.text(1j, AXES)
+    first, _ = number.both(lambda z: (z.rael, z.imag))  # type: ignore[attr-defined]
+    for one in (wrong, first):
+        with pytest.raises(AttributeError):
+            one.text(1j, AXES)
     with pytest.raises(TypeError):
         number(symbol="x")  # type: ignore[call-arg]  # a number without a value

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
@@ -37,11 +35,6 @@ def shape(ratio: float) -> str:
     return "∞" if math.isinf(ratio) else signed(ratio)
 
 
-def both(values: Callable[[FreeModes], Any], form: Callable[[float], str] = three) -> list[LiveNumber[FreeModes]]:
-    """Numbers of the slow and the fast mode, or of mass 1 and mass 2."""
-    return [number(lambda c: values(c)[0], form=form), number(lambda c: values(c)[1], form=form)]
-
-
 class Numbers(LiveNumbers[FreeModes]):
     E_unit = AxisUnit("E")
     omega_minus = number(lambda c: float(c.omega[0]), "ω_{−}", "rad/s", "slow")
@@ -51,13 +44,13 @@ class Numbers(LiveNumbers[FreeModes]):
     E_minus = number(lambda c: float(c.energy[0]), "E_{−}", "J", "slow", axis=E_unit)
     E_plus = number(lambda c: float(c.energy[1]), "E_{+}", "J", "fast", axis=E_unit)
     E_total = number(lambda c: float(c.energy.sum()), axis=E_unit)
-    X_slow = X1_minus, X2_minus = both(lambda c: c.amplitude[0])
-    X_fast = X1_plus, X2_plus = both(lambda c: c.amplitude[1], plus)
-    phi_minus, phi_plus = both(lambda c: c.phase, plus)
-    a = a1, a2 = both(lambda c: c.drift_a)
-    b = b1, b2 = both(lambda c: c.drift_b, plus)
-    M = M_minus, M_plus = both(lambda c: [three(mode.mass) for mode, _, _ in c.each()])
-    q = q_minus, q_plus = both(lambda c: [signed(coordinate) for _, coordinate, _ in c.each()])
-    rate = rate_minus, rate_plus = both(lambda c: [signed(rate) for _, _, rate in c.each()])
-    slow_period, fast_period = both(lambda c: [f"{three(math.tau / o)} s" if o else "none" for o in c.omega])
+    X_slow = X1_minus, X2_minus = number.both(lambda c: c.amplitude[0])
+    X_fast = X1_plus, X2_plus = number.both(lambda c: c.amplitude[1], plus)
+    phi_minus, phi_plus = number.both(lambda c: c.phase, plus)
+    a = a1, a2 = number.both(lambda c: c.drift_a)
+    b = b1, b2 = number.both(lambda c: c.drift_b, plus)
+    M = M_minus, M_plus = number.both(lambda c: [mode.mass for mode, _, _ in c.each()])
+    q = q_minus, q_plus = number.both(lambda c: [coordinate for _, coordinate, _ in c.each()], signed)
+    rate = rate_minus, rate_plus = number.both(lambda c: [rate for _, _, rate in c.each()], signed)
+    slow_period, fast_period = number.both(lambda c: [f"{three(math.tau / o)} s" if o else "none" for o in c.omega])
     beat_period = number(lambda c: f"{three(math.tau / c.chain.modes().beat)} s" if beating(c) == "both" else "none")
