@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from components.scenes.phugoid import AIRCRAFT, SPEEDS, Phugoid
-from physics.phugoid import CUSP_EXCESS
+from components.quantities.numbers import three
+from components.scenes.phugoid import SPEEDS, Phugoid
+from components.scenes.phugoid.swing import AIRCRAFT, Swing
+from physics.phugoid import CUSP_EXCESS, period_excess
 from tests.page.playing import hermite, played
 from tests.page.told import apply_message, picture_wire
 
@@ -185,6 +187,14 @@ def test_lateness_of_the_slides_numbers() -> None:
     assert Phugoid().shown.values["late"] == "1.71 % longer"
     assert Phugoid(excess=CUSP_EXCESS).shown.values["late"] == "2.22 % longer"
     assert Phugoid(excess=1.0).shown.values["late"] == "6.30 % shorter"
+
+
+@pytest.mark.parametrize("excess", EXCESSES)
+def test_the_exact_period_is_told_as_it_is_compared(excess: float) -> None:
+    scene = Phugoid(excess=excess)
+    readout = next(one for one in scene.readouts() if one.name == "tau_exact")
+    assert scene.shown.values["tau_exact"] == three(readout.value) and "late" in readout.also
+    assert readout.value / Swing(scene.v_0, scene.g, excess).linear.tau - 1 == pytest.approx(period_excess(excess))
 
 
 def test_period_is_one_line_for_every_aircraft() -> None:

@@ -14,7 +14,6 @@ from components.layout.sheet import choice, column, desk, row, stage, when, word
 from components.layout.stage import NARROW, WIDE, Shape, W, text
 from components.quantities.axes import Axis, nice_axis, time_axis
 from components.quantities.motion import pace
-from components.quantities.numbers import MINUS, signed, three
 from components.quantities.parameters import Quantity, Values, mass, one_of, positive
 from components.quantities.readouts import Readout
 from components.quantities.units import Unit
@@ -31,6 +30,7 @@ from components.scenes.phugoid.flight import (
     velocity_axes,
     velocity_shapes,
 )
+from components.scenes.phugoid.numbers import Numbers as N
 from components.scenes.phugoid.plots import (
     exchange_plots,
     lift_plot,
@@ -41,6 +41,8 @@ from components.scenes.phugoid.plots import (
     velocity_plot,
 )
 from components.scenes.phugoid.swing import (
+    AIRCRAFT,
+    FOOT,
     Swing,
     curves,
     family_velocities,
@@ -49,20 +51,13 @@ from components.scenes.phugoid.swing import (
     path_times,
     share_signals,
     velocities,
-    verdict,
 )
 from components.scenes.phugoid.watch import WATCH
 from physics.phugoid import CUSP_EXCESS, EXCESS_AT_LATENESS, flight, linear_phugoid
 
-FOOT, KNOT = 0.3048, 1852 / 3600
+KNOT = 1852 / 3600
 SPEEDS = {"ft/s": FOOT, "m/s": 1.0, "knots": KNOT, "km/h": 1 / 3.6}
 LENGTHS = {"ft/s": ("ft", FOOT), "knots": ("ft", FOOT), "m/s": ("m", 1.0), "km/h": ("m", 1.0)}
-AIRCRAFT = {
-    "model": ("Model", 35 * FOOT, 2.0),
-    "glider": ("Glider", 90 * FOOT, 450.0),
-    "light": ("Light aircraft", 150 * FOOT, 1100.0),
-    "airliner": ("Airliner", 250.0, 70000.0),
-}
 FASTEST = 275.0  # m/s, the end of the plot of periods
 LARGEST = 3.0  # v_0; the flight is then a small circle far below the level line
 NAMES = {name: label for name, (label, _, _) in AIRCRAFT.items()}
@@ -79,7 +74,7 @@ class Phugoid(Scene):
     points = "points 8 to 10"
     headline = "Left alone, an aircraft swings; only its speed sets the period"
     pictured = ("path", {"excess": 0.5})
-    spoken = {"period by the linear theory": "{tau} s", "this swing": "{late}"}
+    spoken = {"period by the linear theory": N.tau, "this swing": N.late}
     equations = (
         "V' = -g sin(theta); V theta' = g (V/v_0)^2 - g cos(theta); lift over weight = (V/v_0)^2",
         "h and v from those of steady flight: v = V - v_0; v = excess v_0 at t = 0 in level flight",
@@ -162,7 +157,7 @@ class Phugoid(Scene):
             column(
                 stage(*shapes, label=label, grow=0, basis=26, phone=0, height=28, style="still"), path_plot(), grow=262
             ),
-            words("{verdict}", style="narrow", phone=6),
+            words(f"{N.verdict}", style="narrow", phone=6),
             row(
                 column(
                     desk(choice("show", VIEWS, "View", phone=5)),
@@ -204,7 +199,7 @@ class Phugoid(Scene):
             traces=traces,
             scalars=self._scalars(swing, axes),
             pace=pace(swing.linear.omega, swing.fastest),
-            values=self._values(swing, axes),
+            values=N.texts(swing, axes),
             live={
                 **{name: axes[name].digits(signed=True) for name in ("h", "v")},
                 **{name: axes["lift"].digits() for name in ("lift", "lift_linear") if self.show == "lift"},
@@ -254,32 +249,8 @@ class Phugoid(Scene):
             }
         return scalars
 
-    def _values(self, swing: Swing, axes: dict[str, Axis]) -> dict[str, str]:
-        late = swing.late
-        return {
-            "h_unit": axes["h"].full_unit,
-            "v_unit": axes["v"].full_unit,
-            "h_size": three(-swing.climb / axes["h"].factor),
-            "v_size": three(self.excess * self.v_0 / axes["v"].factor),
-            **({} if self.show == "lift" else {"lift": "", "lift_linear": ""}),
-            "gain": signed(axes["v"].place(self.excess * self.v_0)),
-            "omega": three(swing.linear.omega),
-            "tau": three(swing.linear.tau),
-            "C": f"{swing.lap.C:.3f}".replace("-0.000", "0.000").replace("-", MINUS),
-            "late": f"{three(100 * abs(late))} % {'longer' if late >= 0 else 'shorter'}",
-            "verdict": verdict(swing),
-            **{
-                f"tau_{name}": f"{three(linear_phugoid(speed, self.g).tau)} s"
-                for name, (_, speed, _) in AIRCRAFT.items()
-            },
-        }
-
     def readouts(self) -> tuple[Readout, ...]:
-        swing = Swing(self.v_0, self.g, self.excess)
-        return (
-            Readout("tau", "τ", swing.linear.tau, "s"),
-            Readout("late", "τ_{exact}", swing.period, "s"),
-        )
+        return N.readouts(Swing(self.v_0, self.g, self.excess))
 
     def about(self, shown: Picture) -> About:
         return flight_about(shown, Swing(self.v_0, self.g, self.excess))
@@ -287,7 +258,7 @@ class Phugoid(Scene):
 
 def _words() -> list[Shape]:
     return [
-        text(0, 17, "*h*′ = {h} {h_unit}", anchor="start", tint="V", style="t2 b"),
-        text(BESIDE, 17, "*v*′ = {v} {v_unit}", anchor="start", tint="T", style="t2 b"),
-        text(W, 17, "{verdict}", anchor="end", tint="ink", show="wide"),
+        text(0, 17, f"*h*′ = {{h}} {N.h_unit}", anchor="start", tint="V", style="t2 b"),
+        text(BESIDE, 17, f"*v*′ = {{v}} {N.v_unit}", anchor="start", tint="T", style="t2 b"),
+        text(W, 17, f"{N.verdict}", anchor="end", tint="ink", show="wide"),
     ]

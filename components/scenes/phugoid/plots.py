@@ -9,8 +9,10 @@ from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import term, words
 from components.layout.stage import Looks, Shape, circle, line, on_x, on_y
 from components.layout.text import rich
+from components.quantities.live_numbers import LiveNumber
 from components.scene.traces import traced
-from components.scenes.phugoid.swing import FAMILY
+from components.scenes.phugoid.numbers import Numbers as N
+from components.scenes.phugoid.swing import FAMILY, Swing
 
 EQUATIONS = {"h": r"\ddot{h} + 2 (g/v_0)^2\, h' = 0", "v": r"g\, h' + v_0\, v' = 0"}
 """To first order: the equation of motion, and what the two trade."""
@@ -39,7 +41,7 @@ def path_plot() -> Block:
 
 def swing_plot(name: str, tint: str, low: bool) -> Block:
     """h'(t) or v'(t), exact and linear, under the formula; the lower plot carries the time."""
-    wave = rf"\val{{{name}_size}}\, \cos(\val{{omega}}\,t)"
+    wave = rf"{N.h_size if name == 'h' else N.v_size}\, \cos({N.omega}\,t)"
     word = {"h": "Height", "v": "Speed"}[name]
     dashed, dashed_band = traced(f"{name}_lin", tint=tint, width="dash", read="linear", signal=f"{name}_lin")
     solid, solid_band = traced(name, tint=tint, width="sum", read="exact", signal=name)
@@ -74,23 +76,23 @@ def period_plot(names: dict[str, str]) -> Block:
         curves=(curve("tau", source="periods", tint="ink", width="sum", read="*τ*"),),
         heading=(
             term("", "sum", "ink", formula=r"\tau ="),
-            term("", "none", "ink", formula=r"\sqrt{2}\,\pi\,v_0 / g = \val{tau}\;\text{s}"),
+            term("", "none", "ink", formula=rf"\sqrt{{2}}\,\pi\,v_0 / g = {N.tau}\;\text{{s}}"),
         ),
         room=Room(44, 26, top=60),
         handles=(Handle(parameter="v_0", symbol="v₀", label="Speed of steady flight", tint="T", least=1.0),),
-        marks=tuple(_example(name, label, i % 2) for i, (name, label) in enumerate(names.items())),
+        marks=tuple(map(_example, names, names.values(), N.examples, (0, 1, 0, 1))),
         phone=14,
         height=270,
     )
 
 
-def _example(name: str, label: str, row: int) -> Mark:
+def _example(name: str, label: str, tau: LiveNumber[Swing], row: int) -> Mark:
     """The flag of an example, in one of two rows over the frame."""
     return Mark(
         at=f"at_{name}",
         tint="ink",
         style="bare",
-        html=rich(f"{label.split()[0]}{{tau_{name}}}"),
+        html=rich(f"{label.split()[0]}{tau}"),
         label=f"Speed of: {label}",
         act=name,
         flag="one",
@@ -209,8 +211,8 @@ def velocity_plot() -> Block:
             curve("w", source="velocity", tint="m1", width="sum"),
         ),
         heading=(
-            term("w", "sum", "m1", formula=r"C = u - V^3/3 = \val{C}"),
-            term("w_lin", "dash", "m1", formula=r"\text{linear; exact }\val{late}"),
+            term("w", "sum", "m1", formula=f"C = u - V^3/3 = {N.C}"),
+            term("w_lin", "dash", "m1", formula=rf"\text{{linear; exact }}{N.late}"),
         ),
         room=Room(8, 8),
         square=True,

@@ -29,6 +29,13 @@ from physics.phugoid import (
 )
 from physics.sampling import Sinusoid, drawable
 
+FOOT = 0.3048
+AIRCRAFT = {
+    "model": ("Model", 35 * FOOT, 2.0),
+    "glider": ("Glider", 90 * FOOT, 450.0),
+    "light": ("Light aircraft", 150 * FOOT, 1100.0),
+    "airliner": ("Airliner", 250.0, 70000.0),
+}
 NODES = 64
 """Points of a period that the browser joins by Hermite pieces, over sqrt(|C|): it is then within 1e-6 of the frame."""
 CORNER = 1 / 64
@@ -110,6 +117,11 @@ class Swing:
         return self.length * self.excess
 
     @property
+    def gain(self) -> float:
+        """The excess of speed at the start, in m/s."""
+        return self.excess * self.v_0
+
+    @property
     def late(self) -> float:
         """T/T_0 - 1: by how much the exact swing takes longer than the linear one."""
         return period_excess(self.excess)
@@ -136,7 +148,7 @@ def exact_over_time(swing: Swing, t: Floats) -> Columns:
     V = exact.V / swing.v_0
     return {
         "h_lin": linear.h,
-        "v_lin": swing.excess * swing.v_0 * np.cos(swing.linear.omega * t),
+        "v_lin": swing.gain * np.cos(swing.linear.omega * t),
         "h": exact.h,
         "v": exact.gain(swing.v_0, swing.g),
         "lift": V * V,
@@ -173,8 +185,7 @@ def curves(swing: Swing, t: Floats, ahead: Floats, show: str) -> tuple[dict[str,
 
 def _over_time(swing: Swing, t: Floats, show: str) -> tuple[tuple[str, ...], Columns]:
     """The names of the curves over time, and the bands of those that are too fast to draw."""
-    gain = swing.excess * swing.v_0
-    drawn = {"h_lin": (swing.climb, -math.pi / 2), "v_lin": (gain, math.pi / 2)}
+    drawn = {"h_lin": (swing.climb, -math.pi / 2), "v_lin": (swing.gain, math.pi / 2)}
     names, bands = list[str](), Columns()
     if drawable(swing.linear.omega, t):
         names += drawn
@@ -280,7 +291,7 @@ def motion_signals(
     return {
         **{name: sampled(time, swing.period, *parts) for name, parts in tables.items()},
         "h_lin": sines(height, time, (swing.climb, omega, -quarter)),
-        "v_lin": sines(speed, time, (swing.excess * v_0, omega, quarter)),
+        "v_lin": sines(speed, time, (swing.gain, omega, quarter)),
         "x_lin": sines(along, time, (climb, omega, 0.0), line=(0.0, v_0)),
         "y": derived(to_path * var("h")),
         "y_lin": derived(to_path * var("h_lin")),
