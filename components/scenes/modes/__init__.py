@@ -17,7 +17,7 @@ from components.scene.about import About
 from components.scene.frames import FITTED
 from components.scenes.modes import guess, guess_picture, hunt, solve, sweep
 from components.scenes.modes.about import braked_about, guess_about, hunt_about, solve_about, sweep_about
-from components.scenes.modes.braked import braked_readouts
+from components.scenes.modes.numbers import BrakedChain, BrakedNumbers
 from components.scenes.modes.watch import WATCH
 from physics.coupled import TwoMassChain
 from physics.sweeps import PARAMETERS
@@ -147,7 +147,7 @@ class ModesScene(Scene):
 
     def readouts(self) -> tuple[Readout, ...]:
         if self._brakes and self.task == "solve":
-            return braked_readouts(chain.of_scene(self), chain.damping_of(self))
+            return BrakedNumbers.readouts(BrakedChain(chain.of_scene(self), chain.damping_of(self)))
         return chain.mode_readouts(
             chain.of_scene(self),
             "omega_{mode} {mode}_omega {mode}_long now_{mode}",

@@ -1,0 +1,97 @@
+"""The live numbers of the modes, by what they are numbers of; those of a guess stand with it."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+
+from components.chain.parameters import Pair
+from components.quantities.live_numbers import LiveNumber, LiveNumbers
+from components.quantities.numbers import plus, signed, three
+from physics.braked_modes import BrakedMode, braked_modes
+from physics.coupled import TwoMassChain
+from physics.laplace import Driven, transform
+from physics.modes import Quadratic
+
+
+@dataclass(frozen=True)
+class BrakedChain:
+    """A chain with its dashpots."""
+
+    system: TwoMassChain
+    damping: Pair
+
+    @cached_property
+    def modes(self) -> tuple[BrakedMode, BrakedMode]:
+        return braked_modes(self.system, *self.damping)
+
+    @cached_property
+    def powers(self) -> list[float]:
+        """The coefficients of D in powers of s, the constant first."""
+        c1, c2 = self.damping
+        P = transform(Driven(self.system, c2, 0.0, 0.0, (1.0, 0.0), (0.0, 1.0), c1)).P
+        return [0.0] * (5 - len(P)) + [float(a) for a in P]
+
+
+number = LiveNumber[TwoMassChain]
+term = LiveNumber[Quadratic]
+braked = LiveNumber[BrakedChain]
+
+
+class EquationNumbers(LiveNumbers[Quadratic]):
+    """The terms of the quadratic for omega^2, and of its discriminant as a sum of squares."""
+
+    m1m2 = term(lambda q: q.leading)
+    b = term(lambda q: q.b)
+    k1k2_ = term(lambda q: q.constant)
+    Delta = term(lambda q: q.Delta)
+    difference = term(lambda q: q.difference)
+    coupling = term(lambda q: q.coupling)
+    root = term(lambda q: q.root)
+    gap = term(lambda q: q.fourfold / (q.b + q.root) if q.b else 0.0)
+    fourfold = term(lambda q: q.fourfold)
+
+
+class SolvedNumbers(LiveNumbers[TwoMassChain]):
+    gamma = number(lambda c: c.modes().gamma)
+    delta = number(lambda c: c.modes().delta)
+    product = number(lambda c: -Decimal(c.m1) / Decimal(c.m2))
+    omega = slow_omega, fast_omega = number.both(lambda c: c.modes().omega)
+    slow_square, fast_square = number.both(lambda c: [mode.omega**2 for mode in c.exact_modes])
+    ratio = slow_ratio, fast_ratio = number.both(lambda c: c.modes().ratio, signed)
+
+
+def off_line(one: BrakedMode) -> float:
+    """The angle in degrees by which the arrows of a mode are out of line."""
+    X1, X2 = one.shape
+    if not X1 or not X2:
+        return 0.0
+    ratio = X2 / X1
+    return math.degrees(math.atan2(abs(ratio.imag), abs(ratio.real)))
+
+
+def shape(one: BrakedMode) -> str:
+    """X2/X1 with its sign, or with its angle where the arrows are out of line."""
+    X1, X2 = one.shape
+    ratio = X2 / X1 if X1 else complex(math.inf)
+    return f"{three(abs(ratio))} at {three(math.degrees(cmath.phase(ratio)))}°" if off_line(one) else signed(ratio.real)
+
+
+class BrakedNumbers(LiveNumbers[BrakedChain]):
+    slow_omega = braked(lambda c: c.modes[0].exponents[0].imag, "ω_{−}", "rad/s", "slow")
+    slow_rate = braked(lambda c: c.modes[0].exponents[0].real, "Re s_{−}", "1/s", "slow")
+    fast_omega = braked(lambda c: c.modes[1].exponents[0].imag, "ω_{+}", "rad/s", "fast")
+    fast_rate = braked(lambda c: c.modes[1].exponents[0].real, "Re s_{+}", "1/s", "fast")
+    rate = slow_rate, fast_rate
+    turn = slow_turn, fast_turn = braked.both(lambda c: [one.exponents[0].imag for one in c.modes])
+    other = slow_other, fast_other = braked.both(lambda c: [one.exponents[-1].real for one in c.modes])
+    slow_ratio, fast_ratio = braked.both(lambda c: [shape(one) for one in c.modes])
+    slow_angle, fast_angle = braked.both(lambda c: [off_line(one) for one in c.modes])
+    cross = braked(lambda c: c.damping[0] * c.system.k2)
+    other_cross = braked(lambda c: c.damping[1] * c.system.k1)
+    p4 = braked(lambda c: c.powers[4])
+    p3, p2 = braked.both(lambda c: c.powers[3:1:-1], plus)
+    p1, p0 = braked.both(lambda c: c.powers[1::-1], plus)
