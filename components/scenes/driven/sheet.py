@@ -24,7 +24,7 @@ def driven_sheet() -> Block:
             stage(*block(), label=label, grow=150, height=210),
             column(_displacement(), desk(when("power", _power())), grow=460),
             column(
-                choice("kind", KINDS, "The drive", basis=36, phone=1),
+                choice("kind", KINDS, "The drive", basis=36, phone=2),
                 words(*FACTS, style="facts", phone=13),
                 desk(words(WORK, style="facts", phone=14)),
                 words(SENTENCE, style="facts", phone=2),
