@@ -19,10 +19,11 @@ from components.layout.sheet import Paragraph, choice, column, either, row, stag
 from components.layout.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
 from components.quantities.axes import Axis, nice_axis, time_axis
 from components.quantities.motion import pace, round_down, total
-from components.quantities.numbers import signed, three
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Traces
+from components.scenes.modes.numbers import AnswerNumbers as N
+from components.scenes.modes.numbers import ShareNumbers
 from physics.coupled import FreeModes, TwoMassChain, free_modes
 from physics.modes import Mixture, mixture
 from physics.sampling import time_window
@@ -77,7 +78,7 @@ def _verdict() -> Paragraph:
 def _answer() -> Paragraph:
     return either(
         "answer",
-        shown=r"The lines: [slow|$X_2/X_1 = \val{answer_slow}$] and [fast|$X_2/X_1 = \val{answer_fast}$].",
+        shown=rf"The lines: [slow|$X_2/X_1 = {N.answer_slow}$] and [fast|$X_2/X_1 = {N.answer_fast}$].",
     )
 
 
@@ -122,12 +123,12 @@ def _shapes() -> list[Shape]:
         chain.place(2, "x2"),
         grabs=(mass_grab(1, flicked=False), mass_grab(2, flicked=False)),
     )
-    for n, mode in enumerate(chain.MODES):
+    for n, (mode, share) in enumerate(zip(chain.MODES, ShareNumbers.share, strict=True)):
         y = (0.76 + 0.18 * n) * H
         shapes += [
-            text(0, y - 12, f"{mode} mode {{share_{mode}}} of the swing", "start", tint=mode, style="t1 b"),
+            text(0, y - 12, f"{mode} mode {share} of the swing", "start", tint=mode, style="t1 b"),
             line(0, y, W, y, tint="rule", style="thick faint told"),
-            line(0, y, var(f"share_{mode}") * W, y, tint=mode, style="thick", show=f"share_{mode}"),
+            line(0, y, var(share.name) * W, y, tint=mode, style="thick", show=share.name),
         ]
     return shapes
 
@@ -161,7 +162,7 @@ def picture(
         pace=pace(slow or fast, fast),
         scale=drawn.scale,
         fits=drawn.fits,
-        values={**drawn.values, **_values(system, parts, revealed)},
+        values=drawn.values | ShareNumbers.texts(parts, axes) | (N.texts(system, axes) if revealed else {}),
         live={name: size.digits(signed=True) for name in ("x1", "x2")},
         forms={"verdict": found(system, parts), "answer": "shown" if revealed else ""},
         notes=drawn.notes,
@@ -194,14 +195,6 @@ def _round_up(value: float) -> float:
     """The smallest of 1, 2, 4, 5 times a power of ten that is not below `value`."""
     below = round_down(value)
     return value if below == value else min(f * below for f in (2.0, 2.5) if f * below >= value * (1 - 1e-9))
-
-
-def _values(system: TwoMassChain, parts: Mixture, revealed: bool) -> dict[str, str]:
-    values = {f"share_{mode}": f"{three(100 * part)} %" for mode, part in zip(chain.MODES, parts, strict=False)}
-    if revealed:
-        ratios = zip(chain.MODES, system.modes().ratio.tolist(), strict=True)
-        values |= {f"answer_{mode}": signed(ratio) for mode, ratio in ratios}
-    return values
 
 
 def found(system: TwoMassChain, parts: Mixture) -> str:

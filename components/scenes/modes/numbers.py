@@ -14,7 +14,7 @@ from components.quantities.numbers import plus, signed, three
 from physics.braked_modes import BrakedMode, braked_modes
 from physics.coupled import TwoMassChain
 from physics.laplace import Driven, transform
-from physics.modes import Quadratic
+from physics.modes import Mixture, Quadratic
 
 
 @dataclass(frozen=True)
@@ -62,6 +62,19 @@ class SolvedNumbers(LiveNumbers[TwoMassChain]):
     omega = slow_omega, fast_omega = number.both(lambda c: c.modes().omega)
     slow_square, fast_square = number.both(lambda c: [mode.omega**2 for mode in c.exact_modes])
     ratio = slow_ratio, fast_ratio = number.both(lambda c: c.modes().ratio, signed)
+
+
+class SweptNumbers(LiveNumbers[TwoMassChain]):
+    now_slow, now_fast = number.both(lambda c: c.modes().omega)
+    now_ratio_slow, now_ratio_fast = number.both(lambda c: c.modes().ratio, signed)
+
+
+class AnswerNumbers(LiveNumbers[TwoMassChain]):
+    answer_slow, answer_fast = number.both(lambda c: c.modes().ratio, signed)
+
+
+class ShareNumbers(LiveNumbers[Mixture]):
+    share = share_slow, share_fast = LiveNumber[Mixture].both(lambda m: [f"{three(100 * part)} %" for part in m])
 
 
 def off_line(one: BrakedMode) -> float:

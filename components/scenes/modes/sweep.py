@@ -16,10 +16,10 @@ from components.layout.plots import Room, curve, plot
 from components.layout.sheet import Paragraph, choice, column, either, row, term, words
 from components.layout.text import rich
 from components.quantities.axes import Axis, log_axis
-from components.quantities.numbers import signed, three
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns
+from components.scenes.modes.numbers import SweptNumbers as N
 from physics.coupled import TwoMassChain
 from physics.sweeps import PARAMETERS, Sweep, limit, sweep
 from physics.valid import DOUBLES
@@ -81,8 +81,8 @@ def sheet() -> Block:
         ),
         words(
             "**Now**",
-            r"[slow|$\omega_- = \val{now_slow}$ rad/s, $X_2/X_1 = \val{now_ratio_slow}$]",
-            r"[fast|$\omega_+ = \val{now_fast}$ rad/s, $X_2/X_1 = \val{now_ratio_fast}$]",
+            rf"[slow|$\omega_- = {N.now_slow}$ rad/s, $X_2/X_1 = {N.now_ratio_slow}$]",
+            rf"[fast|$\omega_+ = {N.now_fast}$ rad/s, $X_2/X_1 = {N.now_ratio_fast}$]",
             *_limits("low"),
             *_limits("high"),
             either(
@@ -210,8 +210,7 @@ def picture(system: TwoMassChain, swept: str, frame: Frame = FITTED) -> Picture:
         axes=axes,
         scalars=_crossing(run, axes["p"]),
         values={
-            **{f"now_{mode}": three(float(w)) for mode, w in zip(MODES, modes.omega, strict=True)},
-            **{f"now_ratio_{mode}": signed(float(r)) for mode, r in zip(MODES, modes.ratio, strict=True)},
+            **N.texts(system, axes),
             "low_name": f"{SYMBOLS[swept]} → 0",
             "high_name": f"{SYMBOLS[swept]} → ∞",
         },
