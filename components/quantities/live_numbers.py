@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
 from functools import cache
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, Self, TypeVar
 
 from components.quantities.axes import Axis
 from components.quantities.numbers import three
@@ -62,9 +62,10 @@ class LiveNumber(Named, Generic[Case]):
     also: tuple[str, ...] = ()
 
     @classmethod
-    def both(cls, values: Callable[[Case], Any], form: Callable[[Any], str] = three) -> list[LiveNumber[Case]]:
+    def both(cls, values: Callable[[Case], Any], form: Callable[[Any], str] = three, **rest: Any) -> list[Self]:
         """Numbers of the slow and the fast mode, or of mass 1 and mass 2."""
-        return [cls(lambda case: values(case)[0], form=form), cls(lambda case: values(case)[1], form=form)]
+        first, second = (lambda case: values(case)[0]), (lambda case: values(case)[1])
+        return [cls(first, form=form, **rest), cls(second, form=form, **rest)]
 
     @property
     def aloud(self) -> str:

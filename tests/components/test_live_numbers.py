@@ -27,7 +27,7 @@ class Own(Shared):
     length = number(abs, unit="m", whole=True)
     height = number(lambda z: z.imag, axis=Shared.unit, whole=True)
     sign = number(lambda z: "none" if not z.real else z.real / abs(z), "s")
-    first, second = number.both(lambda z: (Decimal(z.real), z.imag), plus)
+    first, second = number.both(lambda z: (Decimal(z.real), z.imag), plus, unit="m", whole=True)
 
 
 AXES = {"x": Axis(0.0, 5e-3, "m")}
@@ -38,7 +38,7 @@ def test_texts_follow_in_the_order_of_declaration() -> None:
     assert list(texts) == ["size", "unit", "real", "imaginary", "length", "height", "sign", "first", "second"]
     assert texts["real"] == "+ 0.00300" and texts["unit"] == AXES["x"].full_unit
     assert texts["imaginary"] == AXES["x"].number(4e-3)
-    assert (texts["first"], texts["second"]) == ("+ 0.00300", "+ 0.00400")
+    assert (texts["first"], texts["second"]) == ("+ 0.00300 m", "+ 0.00400 m")
     assert (texts["length"], texts["height"]) == ("0.00500 m", f"{texts['imaginary']} {texts['unit']}")
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from components import chain
 from components.language.blocks import Block
 from components.language.numbers import Number, var
@@ -12,28 +10,25 @@ from components.layout.plots import Room, curve, plot
 from components.layout.sheet import Paragraph, column, either, phrase, row, stage, term, words
 from components.layout.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
 from components.layout.text import rich
+from components.quantities.live_numbers import LiveNumber
 from components.scenes.modes.guess_hand import METRE, full_swing, guess_point
-from components.scenes.modes.guess_picture import REACH, ROWS
+from components.scenes.modes.guess_picture import REACH, Guess
+from components.scenes.modes.guess_picture import GuessNumbers as N
 
 ARROWS = W - 0.36 * W * var("narrow") - 0.3 * W * var("hall")
 """The length of which force arrows are a fraction: beside short ones there is room for numbers on a narrow stage."""
 SWING = ARROWS * var("swing")
-
-
-class RowWords(NamedTuple):
-    """The words beside a row of forces, by the room that there is."""
-
-    wide: dict[str, str]
-    narrow: str
-
-
-ROWS_SAID = (
-    RowWords(
-        {"wide desk": "Force needed at full swing: −*m* *ω*² *X*", "wide hall": "needed: −*m* *ω*² *X*"}, "needed"
+FORCES = (
+    (
+        N.need,
+        "ink",
+        {"wide desk": "Force needed at full swing: −*m* *ω*² *X*", "wide hall": "needed: −*m* *ω*² *X*"},
+        "needed",
     ),
-    RowWords({"wide": "= force of the springs"}, "springs"),
-    RowWords({"wide": "+ {you_add}"}, "hand"),
+    (N.give, "k", {"wide": "= force of the springs"}, "springs"),
+    (N.add, "F", {"wide": f"+ {N.you_add}"}, "hand"),
 )
+"""Each row of forces, its tint, and the words beside it, by the room that there is."""
 
 
 def sheet() -> Block:
@@ -47,10 +42,8 @@ def sheet() -> Block:
                 height=230,
             ),
             words(
-                r"$A = \begin{pmatrix} {\tint{m1}{m_1 \omega^2 - k_1 - k_2}} & {\tint{m1}{k_2}} \\"
-                r" {\tint{m2}{k_2}} & {\tint{m2}{m_2 \omega^2 - k_2}} \end{pmatrix}$",
-                r"$\begin{pmatrix} {\tint{m1}{\val{a11}}} & {\tint{m1}{\val{a12}}} \\"
-                r" {\tint{m2}{\val{a12}}} & {\tint{m2}{\val{a22}}} \end{pmatrix}"
+                "$A = " + _matrix((r"m_1 \omega^2 - k_1 - k_2", "k_2"), ("k_2", r"m_2 \omega^2 - k_2")) + "$",
+                f"${_matrix((N.a11, N.a12), (N.a12, N.a22))}"
                 r" \begin{pmatrix} X_1 \\ X_2 \end{pmatrix} = \begin{pmatrix} 0 \\ 0 \end{pmatrix}$",
                 style="system",
                 grow=296,
@@ -70,13 +63,19 @@ def sheet() -> Block:
     )
 
 
+def _matrix(*rows: tuple[object, object]) -> str:
+    """A matrix of which each row has the tint of its mass."""
+    cells = (" & ".join(rf"{{\tint{{m{i}}}{{{cell}}}}}" for cell in row_) for i, row_ in enumerate(rows, start=1))
+    return r"\begin{pmatrix} " + r" \\ ".join(cells) + r" \end{pmatrix}"
+
+
 def _readings() -> list[Paragraph]:
     lines: list[Paragraph] = []
-    for i in (1, 2):
+    for i, asked in enumerate(N.row, start=1):
         lines.append(
             either(
                 f"row{i}_says",
-                number=rf"[m{i}|Equation {i} requires $X_2/X_1$ = **{{row{i}}}**]",
+                number=rf"[m{i}|Equation {i} requires $X_2/X_1$ = **{asked}**]",
                 pole=rf"[m{i}|Equation {i} requires $X_1$ = **0**]",
                 any=rf"[m{i}|Equation {i} is 0 = 0: any shape]",
             )
@@ -85,13 +84,13 @@ def _readings() -> list[Paragraph]:
         *lines,
         either(
             "agree",
-            apart="They differ by **{distance}**. Only rest satisfies both, except where the curves cross.",
+            apart=f"They differ by **{N.distance}**. Only rest satisfies both, except where the curves cross.",
             pole=r"Only rest satisfies both equations, except at $\omega_-$ and $\omega_+$.",
             alone_1="[fast|**Mass 1 alone** satisfies both equations: the fast mode.]",
             alone_2="[slow|**Mass 2 alone** satisfies both equations: it is free, and the slow mode is its drift.]",
             every="**Every shape** satisfies both equations: nothing holds the masses.",
-            near_slow=r"Almost equal: they differ by **{distance}**. $\omega_-$ is {slow_long} rad/s.",
-            near_fast=r"Almost equal: they differ by **{distance}**. $\omega_+$ is {fast_long} rad/s.",
+            near_slow=rf"Almost equal: they differ by **{N.distance}**. $\omega_-$ is {N.slow_long} rad/s.",
+            near_fast=rf"Almost equal: they differ by **{N.distance}**. $\omega_+$ is {N.fast_long} rad/s.",
             same_slow="[slow|**Both equations agree:** the slow mode.]",
             same_fast="[fast|**Both equations agree:** the fast mode.]",
         ),
@@ -102,8 +101,8 @@ def _determinant_words() -> list[Paragraph]:
     return [
         either(
             "D",
-            product=r"$D = k_2 (k_2 - m_2 \omega^2) \cdot (\val{apart})$$= \val{D}$",
-            value=r"$D = \val{D}$",
+            product=rf"$D = k_2 (k_2 - m_2 \omega^2) \cdot ({N.apart})$$= {N.D}$",
+            value=f"$D = {N.D}$",
         ),
         either(
             "roots",
@@ -162,7 +161,7 @@ def _determinant_plot() -> Block:
                 label="Trial frequency, squared",
                 tint="F",
                 axis="x",
-                text="square",
+                text=N.square.name,
                 covering="(rad/s)²",
             ),
         ),
@@ -174,10 +173,10 @@ def _determinant_plot() -> Block:
                 exactly=f"w_{mode}_si",
                 lift=23,
                 label=f"Go to the {mode} mode",
-                html=rich(rf"$\omega_{sign}$ {{omega_{mode}}}"),
+                html=rich(rf"$\omega_{sign}$ {omega}"),
                 flag="one",
             )
-            for mode, sign in (("slow", "-"), ("fast", "+"))
+            for mode, sign, omega in zip(chain.MODES, "-+", N.omega, strict=True)
         ),
         shapes=_over_determinant(),
         grow=100,
@@ -191,49 +190,45 @@ def _shapes() -> list[Shape]:
     last = foot + 3 * gap
     shapes = [chain.standing_wall(0.09 * H, 0.415 * H), line(chain.WALL * W, foot, W, foot, style="floor")]
     places = [chain.rest(i) + METRE * W * var(f"x{i}") for i in (1, 2)]
-    for i, place in zip((1, 2), places, strict=True):
+    for i, place, amplitude in zip((1, 2), places, N.X, strict=True):
         rest = chain.rest(i)
         shapes += [
             line(rest, lift - 6, rest, last + 8, tint="mute", style="eq told"),
             line(place, lift, place, foot - chain.side(i), tint="mute", style="eq told"),
             arrow(rest, lift, place, lift, tint=f"m{i}"),
-            text(rest, lift - 12, f"*X*_{i} = {{X{i}}} m", tint=f"m{i}", style="t2 b halo"),
+            text(rest, lift - 12, f"*X*_{i} = {amplitude} m", tint=f"m{i}", style="t2 b halo"),
         ]
     shapes += [*full_swing(foot), *chain.masses(foot, *places)]
-    for n, name in enumerate(ROWS):
-        y = foot + (n + 1) * gap - 4
-        for i in (1, 2):
-            shapes += _force(i, name, y)
+    for n, (forces, tint, _, _) in enumerate(FORCES, start=1):
+        for i, force in enumerate(forces, start=1):
+            shapes += _force(i, force, tint, foot + n * gap - 4)
     for i in (1, 2):
-        for name, start in (("give", 2), ("need", 1)):
-            tip = chain.rest(i) + SWING * var(f"{name}{i}_N")
+        for forces, start in ((N.give, 2), (N.need, 1)):
+            tip = chain.rest(i) + SWING * var(forces[i - 1].name)
             shapes.append(line(tip, foot + start * gap, tip, last + 4, tint="mute", style="eq told"))
-    for n, said in enumerate(ROWS_SAID):
-        y, tint = foot + (n + 1) * gap, ("ink", "k", "F")[n]
+    for n, (_, tint, wide, narrow) in enumerate(FORCES, start=1):
+        y = foot + n * gap
         shapes += [
-            *(
-                text(W + 20, y + 2, words_, "start", tint=tint, style="t3 b", show=show)
-                for show, words_ in said.wide.items()
-            ),
-            text(W, y + 1, said.narrow, "end", tint=tint, style="t0 halo", show="narrow"),
+            text(W + 20, y + 2, said, "start", tint=tint, style="t3 b", show=show) for show, said in wide.items()
         ]
+        shapes.append(text(W, y + 1, narrow, "end", tint=tint, style="t0 halo", show="narrow"))
     return shapes
 
 
-def _force(i: int, name: str, y: Number) -> list[Shape]:
+def _force(i: int, force: LiveNumber[Guess], tint: str, y: Number) -> list[Shape]:
     """One force arrow, from equilibrium (what is missing: from the springs' to the needed one), and its number."""
-    tint = {"need": f"m{i}", "give": "k", "add": "F"}[name]
-    start, tip = (var(f"give{i}_N"), var(f"need{i}_N")) if name == "add" else (0, var(f"{name}{i}_N"))
-    rest = chain.rest(i)
-    force, look = f"{{{name}{i}_N}}", {"tint": tint, "style": "t1 b halo"}
+    need, give = var(N.need[i - 1].name), var(N.give[i - 1].name)
+    start, tip = (give, need) if force in N.add else (0, var(force.name))
+    tint = f"m{i}" if force in N.need else tint
+    rest, said, look = chain.rest(i), str(force), {"tint": tint, "style": "t1 b halo"}
     # Clear of the arrows, wherever they swing to; with a hall's type there is no room for a number between them.
     before, beyond = (
-        text(rest + REACH * ARROWS * s + 8 * s, y + 5, force, anchor, show=show, **look)
+        text(rest + REACH * ARROWS * s + 8 * s, y + 5, said, anchor, show=show, **look)
         for s, anchor, show in ((-1, "end", "wide" if i == 1 else "desk"), (1, "start", "hall"))
     )
-    other = text(0, y + 5, force, "start", show="narrow", **look) if i == 1 else beyond
+    other = text(0, y + 5, said, "start", show="narrow", **look) if i == 1 else beyond
     tail, head = rest + SWING * start, rest + SWING * tip
-    return [arrow(tail, y, head, y, tint=tint, style="thick", head=14, show=f"{name}{i}_N"), before, other]
+    return [arrow(tail, y, head, y, tint=tint, style="thick", head=14, show=force.name), before, other]
 
 
 def _over_shapes() -> tuple[Shape, ...]:
@@ -244,8 +239,8 @@ def _over_shapes() -> tuple[Shape, ...]:
         line(w, on_y("shape", var("gap_low")), w, on_y("shape", var("gap_high")), tint="F", style="thick", show="gap"),
         line(var("shape.left"), r, w, r, tint="F", style="dots", show="guess_in"),
     ]
-    for mode, shift in (("slow", (14, -8)), ("fast", (11, -14))):
-        w_mode, r_mode, name = var(f"w_{mode}"), var(f"r_{mode}"), f"{mode} mode {{r_{mode}}}"
+    for mode, shift, ratio in zip(chain.MODES, ((14, -8), (11, -14)), N.r, strict=True):
+        w_mode, r_mode, name = var(f"w_{mode}"), var(ratio.name), f"{mode} mode {ratio}"
         shapes += _point("shape", w_mode, r_mode, 7, mode, show=f"{mode}_in", style="ring")
         shapes += _label("shape", w_mode, r_mode, mode, shift, name, show=f"{mode}_in wide")
         shapes += _label("shape", w_mode, r_mode, mode, (6, -14), name, "middle", show=f"{mode}_in narrow")
@@ -258,11 +253,11 @@ def _over_shapes() -> tuple[Shape, ...]:
 def _over_determinant() -> tuple[Shape, ...]:
     """Over D: its value at the trial frequency, its zeros, and the two values that alone prove them."""
     shapes = [
-        *_label("det", var("w"), var("D"), "ink", (10, -9), "*D* = {D}", show="D_in"),
+        *_label("det", var("w"), var("D"), "ink", (10, -9), f"*D* = {N.D}", show="D_in"),
         *_point("det", var("w0"), var("D0"), 4, "ink", show="D0_in"),
-        *_label("det", var("w0"), var("D0"), "ink", (0, 0), "*k*_1*k*_2 = {k1k2}", "beside", "D0_in", "t0"),
+        *_label("det", var("w0"), var("D0"), "ink", (0, 0), f"*k*_1*k*_2 = {N.k1k2}", "beside", "D0_in", "t0"),
         *_point("det", var("w_held"), var("D_held"), 4, "ink", show="held_in"),
-        *_label("det", var("w_held"), var("D_held"), "ink", (0, 0), "−*k*_2² = {k2k2}", "beside", "held_in", "t0"),
+        *_label("det", var("w_held"), var("D_held"), "ink", (0, 0), f"−*k*_2² = {N.k2k2}", "beside", "held_in", "t0"),
     ]
     for mode in chain.MODES:
         shapes += _point("det", var(f"w_{mode}"), var("zero"), 5, mode, style="ring")

@@ -14,6 +14,7 @@ from components.chain import MODES
 from components.language.signals import AnySignal
 from components.language.state import Frame
 from components.quantities.axes import Axis, nice_axis, squared_axis, time_axis
+from components.quantities.live_numbers import LiveNumber, LiveNumbers
 from components.quantities.motion import pace, sines
 from components.quantities.numbers import signed, ten, three
 from components.scene import Picture
@@ -25,7 +26,6 @@ from physics.modes import Trial, TrialForces, determinant_curve, row_curves, tri
 from physics.sampling import NOTHING_OSCILLATES, periods
 from physics.valid import DOUBLES
 
-ROWS = ("need", "give", "add")
 REACH = 0.17
 """The longest force arrow, as a fraction of the stage's width."""
 NEAR, ALIKE = 1e-3, Decimal("0.01")
@@ -70,6 +70,56 @@ class Guess:
     def w_in(self) -> float:
         return inside(self.frequency, self.omega)
 
+    @property
+    def sizes(self) -> list[Decimal]:
+        """The larger of the force that is needed and that of the springs, on each mass."""
+        return [max(abs(one), abs(two)) for one, two in zip(self.push.needed, self.push.springs, strict=True)]
+
+    @cached_property
+    def left(self) -> list[Decimal]:
+        """The force missing on each mass; nothing at a mode, whose frequency and shape few doubles are."""
+        for mode in self.system.exact_modes:
+            if not mode.shape[0]:
+                continue
+            with precise():
+                ratio = mode.shape[1] / mode.shape[0]
+            alike = abs(ratio - exact(self.ratio)) <= ROUNDING * abs(ratio)
+            if alike and within_an_ulp(self.omega, mode.omega):
+                return [Decimal(0)] * 2
+        sizes = zip(self.push.missing, self.sizes, strict=True)
+        return [value if abs(value) > ROUNDING * size else Decimal(0) for value, size in sizes]
+
+
+def added(guess: Guess) -> str:
+    """What a hand adds, in words."""
+    if not any(guess.left):
+        return "no extra force: a mode"
+    little = all(abs(value) <= LITTLE * size for value, size in zip(guess.left, guess.sizes, strict=True))
+    return "almost no extra force" if little else "force of your hand"
+
+
+number = LiveNumber[Guess]
+
+
+class GuessNumbers(LiveNumbers[Guess]):
+    a11, a12 = number.both(lambda g: g.asked.matrix[0])
+    a22 = number(lambda g: g.asked.matrix[1][1])
+    D = number(lambda g: g.asked.determinant)
+    square = number(lambda g: Decimal(g.omega) ** 2)
+    apart = number(lambda g: g.asked.apart)
+    distance = number(lambda g: None if g.asked.apart is None else abs(g.asked.apart))
+    k1k2 = number(lambda g: g.at_rest)
+    k2k2 = number(lambda g: -(Decimal(g.system.k2) ** 2))
+    row = row1, row2 = number.both(lambda g: g.asked.rows, signed)
+    omega = omega_slow, omega_fast = number.both(lambda g: g.modes.omega)
+    r = r_slow, r_fast = number.both(lambda g: g.modes.ratio, signed)
+    slow_long, fast_long = number.both(lambda g: [f"{w:.5g}" if 0.1 <= w < 1e4 else three(w) for w in g.modes.omega])
+    X = X1, X2 = number.both(lambda g: g.push.amplitude, signed)
+    need = need1_N, need2_N = number.both(lambda g: g.push.needed, signed, unit="N", whole=True)
+    give = give1_N, give2_N = number.both(lambda g: g.push.springs, signed, unit="N", whole=True)
+    add = add1_N, add2_N = number.both(lambda g: g.left, signed, unit="N", whole=True)
+    you_add = number(added)
+
 
 def inside(axis: Axis, value: float | Decimal) -> float:
     """1 where a value is within the range of an axis, else 0."""
@@ -107,7 +157,7 @@ def picture(system: TwoMassChain, omega: float, ratio: float, window: float | No
         signals=_signals(push, omega, axes["t"]),
         scalars=_swing_scalars(push) | _force_scalars(push) | _known(guess) | _tried(guess),
         pace=pace(omega, omega),
-        values=_values(guess) | _force_values(guess),
+        values=GuessNumbers.texts(guess, axes),
         forms=_forms(guess),
     )
 
@@ -224,52 +274,6 @@ def _tried(guess: Guess) -> dict[str, float]:
         scalars |= {f"row{i}": place, f"row{i}_in": guess.w_in * (row is not None and inside(shape, row))}
     scalars |= {"gap": guess.w_in * (None not in guess.asked.rows), "gap_low": ends[0], "gap_high": ends[1]}
     return scalars
-
-
-def _values(guess: Guess) -> dict[str, str]:
-    modes, asked = guess.modes, guess.asked
-    (a11, a12), (_, a22) = asked.matrix
-    values = {"a11": three(a11), "a12": three(a12), "a22": three(a22), "D": three(asked.determinant)}
-    values["square"] = three(Decimal(guess.omega) ** 2)
-    if asked.apart is not None:
-        values |= {"apart": three(asked.apart), "distance": three(abs(asked.apart))}
-    values |= {"k1k2": three(guess.at_rest), "k2k2": three(-(Decimal(guess.system.k2) ** 2))}
-    for i, row in enumerate(asked.rows, start=1):
-        values[f"row{i}"] = "" if row is None else signed(row)
-    for mode, w, r in zip(MODES, modes.omega, modes.ratio, strict=True):
-        values |= {f"omega_{mode}": three(float(w)), f"r_{mode}": signed(float(r))}
-        values[f"{mode}_long"] = f"{w:.5g}" if 0.1 <= w < 1e4 else three(float(w))
-    return values
-
-
-def _force_values(guess: Guess) -> dict[str, str]:
-    push, left = guess.push, _left(guess)
-    values = {f"X{i}": signed(amplitude) for i, amplitude in enumerate(push.amplitude, start=1)}
-    for name, pair in zip(ROWS, (push.needed, push.springs, left), strict=True):
-        values |= {f"{name}{i}_N": f"{signed(value)} N" for i, value in enumerate(pair, start=1)}
-    if not any(left):
-        return values | {"you_add": "no extra force: a mode"}
-    little = all(abs(value) <= LITTLE * size for value, size in zip(left, _sizes(push), strict=True))
-    return values | {"you_add": "almost no extra force" if little else "force of your hand"}
-
-
-def _sizes(push: TrialForces) -> list[Decimal]:
-    """The larger of the other two forces on each mass."""
-    return [max(abs(needed), abs(springs)) for needed, springs in zip(push.needed, push.springs, strict=True)]
-
-
-def _left(guess: Guess) -> list[Decimal]:
-    """The force missing on each mass; nothing at a mode, whose frequency and shape few doubles are."""
-    for mode in guess.system.exact_modes:
-        if not mode.shape[0]:
-            continue
-        with precise():
-            ratio = mode.shape[1] / mode.shape[0]
-        alike = abs(ratio - exact(guess.ratio)) <= ROUNDING * abs(ratio)
-        if alike and within_an_ulp(guess.omega, mode.omega):
-            return [Decimal(0)] * 2
-    sizes = zip(guess.push.missing, _sizes(guess.push), strict=True)
-    return [value if abs(value) > ROUNDING * size else Decimal(0) for value, size in sizes]
 
 
 def _forms(guess: Guess) -> dict[str, str]:
