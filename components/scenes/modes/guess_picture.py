@@ -91,7 +91,7 @@ class Guess:
 
 
 def added(guess: Guess) -> str:
-    """What a hand adds, in words."""
+    """The force of the hand, in words."""
     if not any(guess.left):
         return "no extra force: a mode"
     little = all(abs(value) <= LITTLE * size for value, size in zip(guess.left, guess.sizes, strict=True))
