@@ -1,4 +1,4 @@
-"""The view Guess of the scene modes: a guess is a point, each equation a curve, a mode a crossing."""
+"""The view Guess of the scene modes: a guess is a point that a hand takes, each equation a curve, a mode a crossing."""
 
 from __future__ import annotations
 
@@ -6,15 +6,20 @@ from components import chain
 from components.language.blocks import Block
 from components.language.numbers import Number, var
 from components.language.plots import Handle, Mark
+from components.language.shapes import Along, Quotient
+from components.layout.grabs import grab, on_plot
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import Paragraph, column, either, phrase, row, stage, term, words
-from components.layout.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
+from components.layout.stage import H, Shape, W, arrow, box, circle, line, on_x, on_y, shown_by, text
 from components.layout.text import rich
 from components.quantities.live_numbers import LiveNumber
-from components.scenes.modes.guess_hand import METRE, full_swing, guess_point
 from components.scenes.modes.guess_picture import REACH, Guess
 from components.scenes.modes.guess_picture import GuessNumbers as N
 
+UNIT = 0.112 * W
+"""An amplitude of 1 m on the stage."""
+LEAST = 0.02
+"""m; as small as a hand makes an amplitude: the other one is 1 m."""
 ARROWS = W - 0.36 * W * var("narrow") - 0.3 * W * var("hall")
 """The length of which force arrows are a fraction: beside short ones there is room for numbers on a narrow stage."""
 SWING = ARROWS * var("swing")
@@ -189,7 +194,7 @@ def _shapes() -> list[Shape]:
     foot, gap, lift = 0.505 * H, 0.144 * H, 0.122 * H
     last = foot + 3 * gap
     shapes = [chain.standing_wall(0.09 * H, 0.415 * H), line(chain.WALL * W, foot, W, foot, style="floor")]
-    places = [chain.rest(i) + METRE * W * var(f"x{i}") for i in (1, 2)]
+    places = [chain.rest(i) + UNIT * var(f"x{i}") for i in (1, 2)]
     for i, place, amplitude in zip((1, 2), places, N.X, strict=True):
         rest = chain.rest(i)
         shapes += [
@@ -198,7 +203,7 @@ def _shapes() -> list[Shape]:
             arrow(rest, lift, place, lift, tint=f"m{i}"),
             text(rest, lift - 12, f"*X*_{i} = {amplitude} m", tint=f"m{i}", style="t2 b halo"),
         ]
-    shapes += [*full_swing(foot), *chain.masses(foot, *places)]
+    shapes += [*_full_swing(foot), *chain.masses(foot, *places)]
     for n, (forces, tint, _, _) in enumerate(FORCES, start=1):
         for i, force in enumerate(forces, start=1):
             shapes += _force(i, force, tint, foot + n * gap - 4)
@@ -212,6 +217,20 @@ def _shapes() -> list[Shape]:
             text(W + 20, y + 2, said, "start", tint=tint, style="t3 b", show=show) for show, said in wide.items()
         ]
         shapes.append(text(W, y + 1, narrow, "end", tint=tint, style="t0 halo", show="narrow"))
+    return shapes
+
+
+def _full_swing(foot: Number) -> list[Shape]:
+    """Both masses where they turn, in outline: the one that swings less is taken in hand, the other keeps its 1 m."""
+    one, two = chain.rest(1), chain.rest(2)
+    first = Quotient(parameter="ratio", moves="X1", across="x", zero=one, unit=UNIT, over="X2", least=LEAST, most=1.0)
+    second = Along(parameter="ratio", moves="X2", across="x", zero=two, unit=UNIT, least=-1.0, most=1.0)
+    shapes: list[Shape] = []
+    for i, way in ((1, first), (2, second)):
+        full = chain.rest(i) + UNIT * var(f"X{i}")
+        held = grab(f"Shape: where mass {i} turns", way)
+        shapes.append(box(full, foot, chain.side(i), "", tint=f"m{i}", style="ghost full"))
+        shapes += shown_by(f"less{i}", circle(full, foot - 0.5 * chain.side(i), 0, grab=held))
     return shapes
 
 
@@ -247,7 +266,14 @@ def _over_shapes() -> tuple[Shape, ...]:
     for i in (1, 2):
         at = var(f"row{i}")
         shapes += _point("shape", var("w"), at, 6, f"m{i}", show=f"row{i}_in")
-    return (*shapes, guess_point(w, r))
+    return (*shapes, _guess_point(w, r))
+
+
+def _guess_point(x: Number, y: Number) -> Shape:
+    """The point in the plane of omega^2 and X2/X1."""
+    ways = on_plot("shape", "x", "omega", "w", "w", least=0.0), on_plot("shape", "y", "ratio", "r", "r")
+    held = grab("Guess: frequency and shape", *ways, inside="shape")
+    return circle(x, y, 8, tint="F", show="guess_in", grab=held, held=True)
 
 
 def _over_determinant() -> tuple[Shape, ...]:
