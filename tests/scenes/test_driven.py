@@ -10,12 +10,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from components.language.shapes import Label
 from components.scene import Scene
 from components.scenes import SCENES
-from components.scenes.driven.polygon import LEFT, RIGHT
+from components.scenes.driven.polygon import LEFT, RIGHT, polygon
 from components.scenes.driven.words import SENTENCE
 from physics.driven import DrivenOscillator, highest, magnification
 from tests.grids import tries
+from tests.page.playing import number
 from tests.page.told import Page, put
 from tests.scenes.presets import readout, taken
 from tests.scenes.said import read
@@ -88,6 +90,23 @@ def test_its_polygon_closes_on_the_push(kind: str, m: float, r: float, zeta: flo
         assert lag % (2 * math.pi) == pytest.approx(readout(scene, "phi"), abs=1e-9)
     first = abs(steady(scene)) * (scene.m / scene.moment if kind == "unbalance" else scene.k / scene.F_0)
     assert at["up"] == pytest.approx(abs(steady(scene)) / scene.Y if kind == "base" else first)
+
+
+@settings(max_examples=tries(100), deadline=None)
+@given(st.floats(0.1, 2.4), st.floats(0.01, 1.5))
+def test_the_names_of_push_and_lag_lie_on_neither_arrow(r: float, zeta: float) -> None:
+    """A push of 36 px, as in a low hall: the middles of both names are 9 px off the lines of the push and of kX."""
+    scene = DRIVEN(zeta=zeta, omega=r * math.sqrt(39.48))
+    at = scene.shown.scalars
+    named = {**at, "wide": 1.0, "narrow": 0.0, "W": 0.0, "H": 0.0, "per_top": 0.0, "response.y0": 0.0}
+    named["response.y1"] = -36 / at["scale"]
+    labels = [shape for shape in polygon().shapes if isinstance(shape, Label) and "unbalance" not in shape.show]
+    for name in ("F", "φ") if at["lags"] else ("F",):
+        label = next(label for label in labels if label.words[0].text == name)
+        middle = complex(number(label.x, named), number(label.y, named) - 5)
+        for arrow in (-36j * at["up"], 36 * complex(at["across"], -at["end"])):
+            share = min(max((middle * arrow.conjugate()).real / abs(arrow) ** 2, 0.0), 1.0)
+            assert abs(middle - share * arrow) > 9, (name, middle, arrow)
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -30,6 +30,8 @@ ASIDE = 0.09
 """Arrows that would lie on one another are drawn this far apart, in pushes."""
 LEFT, RIGHT = 0.7, 0.6
 """A polygon that reaches further to a side, in heights of the response, is drawn smaller."""
+NARROWEST, ASIDE_OF_X = 0.6, 0.5
+"""A lag that has no room for its name, in rad, has it on the other side of the arrow from which it is counted."""
 GROWN = 0.8
 """The height, in heights of the response, of forces that grow."""
 
@@ -57,7 +59,7 @@ def scalars_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, float]:
     if case.kind == "base":
         turned = math.sin(case.lag), math.cos(case.lag)
         found |= {"y_side": -turned[0], "y_up": turned[1], "y_braked": float(across > ASIDE)}
-    middle, way = case.lag / 2, 1.0 if case.kind == "unbalance" else -1.0
+    middle, way = case.lag / 2 if case.lag > NARROWEST else -ASIDE_OF_X, 1.0 if case.kind == "unbalance" else -1.0
     found |= {"phi_side": way * math.sin(middle), "phi_up": -way * math.cos(middle), "lags": float(case.lag > 0.15)}
     start = 0.0 if case.kind == "unbalance" else math.pi
     return found | {"from_X": start, "to_F": start + case.lag}
@@ -123,10 +125,11 @@ def _pushes(tail: tuple[Number, Number], unit: Number, across: Number, end: Numb
     spring = x + unit * var("y_side"), y - unit * var("y_up")
     look: Looks = {"tint": "F", "style": "thick", "head": 15}
     name = (x + across) * 0.5, (y + end) * 0.5
+    away = name[0] - 16 * var("end"), name[1] - 16 * var("across") + 5  # from the others, at right angles to it
     return [
         *shown_by("closed force", arrow(x, y, across, end, **look)),
         *shown_by("closed unbalance", arrow(x, y, across, end, **look)),
-        *shown_by("closed force", text(name[0] - 12, name[1] + 16, "*F*_0", "end", tint="F", style="t2 b halo")),
+        *shown_by("closed force", text(*away, "*F*_0", tint="F", style="t2 b halo")),
         *shown_by("closed unbalance", text(name[0] + 12, name[1] + 16, "*F*_0", "start", tint="F", style="t2 b halo")),
         *shown_by(
             "closed base",
