@@ -177,6 +177,12 @@ def test_no_wall_is_said() -> None:
 # All views
 
 
+def test_what_is_compared_has_the_names_by_which_the_views_tell_it() -> None:
+    told = {name for task in VIEWS for name in ModesScene(task=task, answer="shown").shown.values}
+    compared = {name for one in ModesScene().readouts() for name in (one.name, *one.also)}
+    assert compared - told == {"ratio_slow", "ratio_fast"}
+
+
 @views
 def test_presets_in_every_view(task: str) -> None:
     scene = ModesScene(task=task)

@@ -17,7 +17,7 @@ from components.scene.about import About
 from components.scene.frames import FITTED
 from components.scenes.modes import guess, guess_picture, hunt, solve, sweep
 from components.scenes.modes.about import braked_about, guess_about, hunt_about, solve_about, sweep_about
-from components.scenes.modes.numbers import BrakedChain, BrakedNumbers
+from components.scenes.modes.numbers import BrakedChain, BrakedNumbers, ComparedNumbers
 from components.scenes.modes.watch import WATCH
 from physics.coupled import TwoMassChain
 from physics.sweeps import PARAMETERS
@@ -50,7 +50,7 @@ class ModesScene(Scene):
     points = "points 3, 4"
     headline = "Both masses agree on a shape at just two frequencies"
     pictured = ("shape", {"task": "guess"})
-    spoken = {"slow mode": "{omega_slow} rad/s", "fast mode": "{omega_fast} rad/s"}
+    spoken = {"slow mode": ComparedNumbers.omega_slow, "fast mode": ComparedNumbers.omega_fast}
     equations = (
         *chain.FREE,
         "row 1: X2/X1 = (k1 + k2 - m1 w^2)/k2; row 2: X2/X1 = k2/(k2 - m2 w^2)",
@@ -148,11 +148,7 @@ class ModesScene(Scene):
     def readouts(self) -> tuple[Readout, ...]:
         if self._brakes and self.task == "solve":
             return BrakedNumbers.readouts(BrakedChain(chain.of_scene(self), chain.damping_of(self)))
-        return chain.mode_readouts(
-            chain.of_scene(self),
-            "omega_{mode} {mode}_omega {mode}_long now_{mode}",
-            "ratio_{mode} {mode}_ratio r_{mode} now_ratio_{mode} answer_{mode}",
-        )
+        return ComparedNumbers.readouts(chain.of_scene(self))
 
     def about(self, shown: Picture) -> About:
         system = chain.of_scene(self)

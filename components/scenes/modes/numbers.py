@@ -41,6 +41,29 @@ term = LiveNumber[Quadratic]
 braked = LiveNumber[BrakedChain]
 
 
+class ComparedNumbers(LiveNumbers[TwoMassChain]):
+    """The frequencies and the shapes, with all names by which a view tells them."""
+
+    omega_slow = number(
+        lambda c: c.modes().omega[0], "ω_{−}", "rad/s", "slow", also=("slow_omega", "slow_long", "now_slow")
+    )
+    ratio_slow = number(
+        lambda c: c.modes().ratio[0],
+        "X₂/X₁_{−}",
+        tint="slow",
+        also=("slow_ratio", "r_slow", "now_ratio_slow", "answer_slow"),
+    )
+    omega_fast = number(
+        lambda c: c.modes().omega[1], "ω_{+}", "rad/s", "fast", also=("fast_omega", "fast_long", "now_fast")
+    )
+    ratio_fast = number(
+        lambda c: c.modes().ratio[1],
+        "X₂/X₁_{+}",
+        tint="fast",
+        also=("fast_ratio", "r_fast", "now_ratio_fast", "answer_fast"),
+    )
+
+
 class EquationNumbers(LiveNumbers[Quadratic]):
     """The terms of the quadratic for omega^2, and of its discriminant as a sum of squares."""
 
