@@ -1,17 +1,15 @@
-"""The numbers at the pointer over a plot: those of the motion itself, else as many digits as a column has."""
+"""The numbers at the pointer over a plot: those of the motion itself."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 
 import pytest
-from playwright.sync_api import Browser, Page, expect
+from playwright.sync_api import Page, expect
 
 from components.quantities.numbers import short
 from components.scenes import SCENES
-from components.state.encoding import COARSE
-from tests.browser.script_page import Scripts
-from tests.page.playing import played
+from tests.page.scripts import played
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -20,30 +18,6 @@ POINT = """([name, share]) => {
   const box = plot.host.getBoundingClientRect(), x = Math.round(box.x + frame.left + share * frame.width)
   return {x, y: box.y + frame.top + frame.height / 2, place: plot.valueAt({clientX: x, clientY: 0})}
 }"""
-
-
-@pytest.fixture(scope="module")
-def scripts(browser: Browser) -> Iterator[Scripts]:
-    running = Scripts(browser, ("paper/reading",))
-    yield running
-    running.context.close()
-    assert running.faults == []
-
-
-def test_no_digit_is_shown_that_is_not_known(scripts: Scripts) -> None:
-    step = 30 / COARSE  # 0.00046
-    cases = [
-        (12.3456, step, "12.3"),
-        (-0.123456, step, "−0.123"),
-        (0.0123456, step, "0.012"),
-        (-0.00234, step, "−0.002"),
-        (0.0003, step, "0"),
-        (0.0, step, "0"),
-        (2.3456, 0.03, "2.3"),
-        (2.3456, 0.0, "2.35"),
-        (0.000123456, 0.0, "1.23·10⁻⁴"),
-    ]
-    assert scripts.each("reading.honest", (case[:2] for case in cases)) == [text for *_, text in cases]
 
 
 @pytest.mark.parametrize("share", [0.2, 0.55, 0.93])

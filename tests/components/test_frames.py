@@ -18,7 +18,7 @@ from components.scene import Picture, Scene
 from components.scene.frames import FITTED, checked, grown, unfitted
 from components.scene.picture import draw, frame_of
 from components.scenes import SCENES
-from tests.page.playing import played
+from tests.page.scripts import played
 from tests.page.told import Page
 from tests.scenes.checks import check_picture
 

@@ -22,7 +22,7 @@ from components.quantities.numbers import (
 from tests.serving.server import ROOT
 
 TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
-"""Texts that both languages write: tests/browser/test_scripts.py reads them too."""
+"""Texts that both languages write: tests/page/test_scripts.py reads them too."""
 finite = st.floats(allow_nan=False, allow_infinity=False)
 
 

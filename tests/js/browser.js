@@ -4,7 +4,9 @@ import {mock} from "node:test"
 
 class FakeElement extends EventTarget {
   children = []
+  classList = {add() {}, remove() {}}
   dataset = {}
+  style = {}
 
   append(...children) {
     this.children.push(...children)
@@ -14,7 +16,14 @@ class FakeElement extends EventTarget {
     this.children.unshift(...children)
   }
 
+  getBoundingClientRect() {
+    return {left: 0, right: 640, top: 0, bottom: 240}
+  }
+
+  closest() {}
+  focus() {}
   setAttribute() {}
+  setPointerCapture() {}
   remove() {}
   getContext() {
     return {}
@@ -33,8 +42,17 @@ globalThis.document = Object.assign(new EventTarget(), {
   documentElement: new FakeElement(),
   hidden: false,
   createElement: () => new FakeElement(),
+  createElementNS: () => new FakeElement(),
+  elementsFromPoint: () => [],
 })
 document.documentElement.dataset.version = "1"
+globalThis.getComputedStyle = () => ({fontSize: "16px", getPropertyValue: () => ""})
+globalThis.matchMedia = () => ({matches: false})
+globalThis.requestAnimationFrame = () => {}
+globalThis.ResizeObserver = class {
+  observe() {}
+}
+globalThis.SVGTextElement = class {}
 
 /** A clock that a test turns, from midnight on; chance is always a half. */
 export function clock() {

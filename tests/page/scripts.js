@@ -1,13 +1,23 @@
-// The page's own reading of messages, for tests in Python: one message a line, in and out.
+// The page's own scripts, for tests in Python: a function of a module and its cases a line, and what it gives for each.
 
 import {createInterface} from "node:readline"
-import {unpacked} from "../../static/net/columns.js"
+import "../js/browser.js"
 
 /** @param {string} _ @param {unknown} value */
 const plain = (_, value) => (ArrayBuffer.isView(value) ? Array.from(value) : value)
 
+console.error = text => {
+  throw new Error(text)
+}
+
 for await (const line of createInterface({input: process.stdin})) {
-  const {data, usual} = JSON.parse(line)
-  const told = await unpacked(Uint8Array.from(Buffer.from(data, "base64")).buffer, usual)
+  const [module, name, cases] = JSON.parse(line)
+  const told = {found: []}
+  try {
+    const {[name]: called} = await import(`../../${module}.js`)
+    for (const given of cases) told.found.push(await called(...given))
+  } catch (error) {
+    told.fault = error.stack
+  }
   process.stdout.write(JSON.stringify(told, plain) + "\n")
 }

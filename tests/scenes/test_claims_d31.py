@@ -16,7 +16,7 @@ from components.scenes.oscillator import OscillatorScene
 from components.scenes.phugoid import Phugoid
 from components.state.commands import sentence
 from physics.analogues import ANALOGUES
-from tests.page.playing import played
+from tests.page.scripts import played
 from tests.scenes.said import Draw, said, sentences
 
 DRAWS = 120

@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 from components.quantities.numbers import signed, three
 from components.scenes.coupled import Coupled
 from physics.coupled import TwoMassChain, free_modes
-from tests.page.playing import value_of
+from tests.page.scripts import values_of
 
 
 def test_default_is_the_good_chain() -> None:
@@ -184,6 +184,6 @@ def test_forces_are_the_springs_pull() -> None:
     scene = Coupled(view="forces", x1_0=0.4, x2_0=0.8)
     size = scene.shown.axes["x"]
     here = {"x1": size.place(0.4), "x2": size.place(0.8)}
-    F1, F2 = (value_of(scene.shown.signals[name], np.zeros(()), here) for name in ("F1", "F2"))
+    F1, F2 = (values_of({name: scene.shown.signals[name]}, here, 0.0)[name] for name in ("F1", "F2"))
     np.testing.assert_allclose([F1, F2], [-4 * 0.4 - 2 * (0.4 - 0.8), 2 * (0.4 - 0.8)])
     assert scene.shown.values["force_unit"] == "N" and "F1" not in Coupled().shown.signals

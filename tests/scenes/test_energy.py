@@ -14,7 +14,7 @@ from components.scenes.energy import Energy
 from components.scenes.energy.hanging import PLANETS
 from components.state.link import read_query
 from components.state.standing import fitted
-from tests.page.playing import played
+from tests.page.scripts import played
 from tests.page.told import apply_message, take_preset
 from tests.scenes.checks import check_picture, corners, typed
 

@@ -13,7 +13,7 @@ from components.scenes.forced import Forced
 from components.scenes.forced.response import response_plot
 from physics.coupled import TwoMassChain
 from physics.forced import particular_solution
-from tests.page.playing import value_of
+from tests.page.scripts import played
 from tests.page.told import apply_message, take_preset
 
 GOLDEN = (math.sqrt(5) + 1) / 2
@@ -133,10 +133,8 @@ def test_a_long_window_bends_the_line_into_a_beat() -> None:
 def test_forces_on_demand_are_newtons_law() -> None:
     assert "F1" not in Forced().shown.signals
     scene = Forced(view="forces", x1_0=0.5, v2_0=-1.0)
-    signals, t = scene.shown.signals, scene.sources["time"].data["t"]
-    x = {name: scene.sources["time"].data[name] for name in ("x1", "x2")} | {"drive": np.sin(scene.omega * t)}
-    F1, F2 = (value_of(signals[name], t, x) for name in ("F1", "F2"))
-    step = t[1] - t[0]
+    x, now = scene.sources["time"].data, played(scene.shown, scene.sources["time"].data["t"])
+    (F1, F2), step = (now["F1"], now["F2"]), x["t"][1] - x["t"][0]
     for F, m, name in ((F1, scene.m1, "x1"), (F2, scene.m2, "x2")):
         np.testing.assert_allclose(F[1:-1], m * np.diff(x[name], 2) / step**2, atol=0.01)
     scalars = scene.shown.scalars

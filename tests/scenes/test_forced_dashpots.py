@@ -8,7 +8,7 @@ import pytest
 from components.chain.forces import LENGTH, on_masses
 from components.scenes.forced import Forced
 from components.scenes.forced.dying import Dying
-from tests.page.playing import played
+from tests.page.scripts import played
 
 CHAINS: list[dict[str, float]] = [
     {},

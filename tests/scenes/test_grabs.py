@@ -10,7 +10,7 @@ import param
 import pytest
 
 from components.chain import START
-from components.language.shapes import AnyShape, Grab
+from components.language.shapes import Along, AnyShape, Grab
 from components.scene import Scene
 from components.scene.picture import frame_of
 from components.scenes import SCENES
@@ -22,8 +22,8 @@ from tests.page.told import Page
 
 AT = 0.37
 """The instant at which a hand takes hold, in the unit of the time axis."""
-NEAR = 0.1
-"""Pixels."""
+NEAR = 1.0
+"""Pixels: a hand sets values to the digits that it can tell apart."""
 ALSO: dict[str, tuple[dict[str, Any], ...]] = {
     "modes": ({"ratio": 2.0},),
     "absorber": ({"played": "rest", "x1_0": 0.002},),
@@ -73,11 +73,11 @@ def test_each_grab_sets_what_it_names_and_its_handle_is_where_the_hand_was(slug:
     """In each preset and each way of showing things, on a wide page and on a phone."""
     taken = set()
     for values, wide in itertools.chain([({}, False)], ((values, True) for values in shown_ways(slug))):
-        for i, (shape, grab) in enumerate(grabs(SCENES[slug])):
-            hand = Hand(fitted(SCENES[slug].at(values)), wide)
-            if dragged(hand, shape, grab):
-                taken.add(i)
-    assert taken == set(range(len(list(grabs(SCENES[slug]))))), f"not taken in hand: {slug}"
+        now = fitted(SCENES[slug].at(values))
+        for shape, grab in grabs(now.kind, now.shown.forms):
+            if dragged(Hand(now, shape, wide=wide, t=AT), grab):
+                taken.add(shape)
+    assert taken == {shape for shape, _ in grabs(SCENES[slug])}, f"not taken in hand: {slug}"
 
 
 def shown_ways(slug: str) -> Iterator[dict[str, Any]]:
@@ -89,37 +89,30 @@ def shown_ways(slug: str) -> Iterator[dict[str, Any]]:
             yield from ({name: value} for value in parameter.get_range().values())
 
 
-def dragged(hand: Hand, shape: AnyShape, grab: Grab) -> bool:
-    """Takes a shape in hand, drags it, and says whether it is drawn at all."""
-    named = hand.all(AT)
-    if any(way.axis and way.axis not in hand.now.shown.axes for way in grab.ways) or not hand.grip(shape, named):
+def dragged(hand: Hand, grab: Grab) -> bool:
+    """Takes a grip in hand, drags it, and says whether it is drawn at all."""
+    before, grip = hand.scene.values, hand.at()
+    free = {way.across for way in grab.ways if isinstance(way, Along) and not way.parameter}
+    if not grip:
         return False
-    before = hand.scene.values
-    t = AT
-    if grab.begins:
-        grip = hand.grip(shape, named)
-        hand.set(hand.take(grab, grip, named) if grip and grab.start else {})
-        t, named = 0.0, hand.all(0.0)
-        if grab.start:
-            assert hand.grip(shape, named) == pytest.approx(grip, abs=NEAR), grab.label
-    x, y = hand.grip(shape, named) or pytest.fail(f"{grab.label} vanishes when it is taken")
+    hand.set(hand.take())
+    x, y = hand.at() or pytest.fail(f"{grab.label} vanishes when it is taken")
+    if grab.start:
+        assert (x, y) == pytest.approx(grip, abs=NEAR), grab.label
     for far in ((7.0, -5.0), (-9.0, 6.0)):
-        at = (x + far[0], y + far[1])
-        wanted = [(way, *hand.placed(way, at, named)) for way in grab.ways if way.parameter]
-        values = {way.parameter: value for way, _, value in wanted}
-        problems = [hand.scene.param[name].refusal(value) for name, value in values.items()]
-        if any(problems):
+        values = hand.move((x + far[0], y + far[1]))
+        if any(hand.scene.param[name].refusal(value) for name, value in values.items()):
             continue
         hand.set(values)
         changed = hand.scene.differing(before) & hand.scene.linked().keys()
         assert changed <= {*sets(grab), *(one.parameter for one in grab.start), *FOLLOWS.get(hand.scene.slug, ())}
-        now = hand.all(t)
-        after = hand.grip(shape, now)
-        assert after, grab.label
-        for way, si, value in wanted:
-            assert hand.scene.values[way.parameter] == value
-            pixel = abs(hand.placed(way, (after[0] + 1, after[1] + 1), now)[0] - hand.placed(way, after, now)[0])
-            assert hand.placed(way, after, now)[0] == pytest.approx(si, rel=1e-12, abs=NEAR * pixel), way
+        assert values.items() <= hand.scene.values.items()
+        after = hand.at(moved=False) or pytest.fail(f"{grab.label} vanishes when it is dragged")
+        for across, answered, drawn in zip("xy", after, hand.at() or (), strict=True):
+            assert across in free or answered == pytest.approx(drawn, abs=NEAR), grab.label
+        again, aside = hand.move(after), hand.move((after[0] + 1, after[1] + 1))
+        for name, value in values.items():
+            assert again[name] == pytest.approx(value, rel=1e-12, abs=0.1 * abs(aside[name] - value)), name
     return True
 
 

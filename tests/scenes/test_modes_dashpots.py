@@ -14,7 +14,7 @@ from components.scenes.modes import ModesScene
 from components.state.shared_system import brought, taken_along
 from physics.braked_modes import braked_modes, in_line
 from physics.coupled import TwoMassChain
-from tests.page.playing import played
+from tests.page.scripts import played
 
 CHAINS = [
     (2.0, 1.0, 4.0, 2.0),

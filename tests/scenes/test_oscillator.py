@@ -13,7 +13,7 @@ from components.scenes import SCENES
 from components.scenes.oscillator import OscillatorScene
 from components.state.link import read_query
 from components.state.standing import fitted
-from tests.page.playing import played, value_of
+from tests.page.scripts import played
 from tests.page.told import apply_message, take_preset
 from tests.scenes.checks import check_picture
 
@@ -28,9 +28,9 @@ def columns(scene: OscillatorScene, source: str = "time") -> dict[str, np.ndarra
 
 def signal(scene: OscillatorScene, name: str, t: np.ndarray) -> np.ndarray:
     """A signal at times in s, in SI units, as the browser evaluates it."""
-    wire, axes = scene.shown.signals[name], scene.shown.axes
+    axes = scene.shown.axes
     size = 10.0 ** axes[name].exponent if name in axes else 1.0
-    return size * value_of(wire, t / 10.0 ** axes["t"].exponent, {})
+    return size * played(scene.shown, t / 10.0 ** axes["t"].exponent)[name]
 
 
 def test_first_scene_of_the_lecture() -> None:

@@ -19,7 +19,7 @@ from components.state.standing import Standing
 from components.walks.links import standing_at
 from components.walks.loading import load_walks
 from components.walks.walk import Step
-from tests.page.playing import played
+from tests.page.scripts import played
 
 STEPS = [step for walk in load_walks(()).values() for step in walk.steps if STAGE in step.cover]
 every_step = pytest.mark.parametrize("step", STEPS, ids=lambda step: step.id)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from fractions import Fraction
 from itertools import product
 from typing import Any
@@ -12,21 +12,16 @@ from typing import Any
 import numpy as np
 import pytest
 from mpmath import mp, mpf
-from msgspec import to_builtins
-from playwright.sync_api import Browser
 
 from components.language.numbers import Expression, Product
 from components.language.signals import AnySignal, CosineOf, Derived, Response, Responses, Sampled, Sine, SineOf, Sines
 from components.quantities.axes import ONE, Axis
 from components.quantities.motion import damped, driven
-from components.scenes import SCENES
+from components.state.encoding import COARSE
 from physics.damped import DampedOscillator
 from physics.driven import Drive, DrivenOscillator
-from tests.browser.script_page import Scripts
-from tests.page.playing import played
+from tests.page.scripts import call, each
 from tests.serving.server import ROOT
-
-pytestmark = pytest.mark.browser
 
 NEAR = 1e-12
 """Of the size that a signal has reached by then: angles to 1000 rad, a few roundings each."""
@@ -34,20 +29,11 @@ INSTANTS = [0, 1e-6, 1e-3, 0.02, 0.5, 1.3, 7.0, 40.0, 300.0]
 TEXTS = json.loads((ROOT / "tests" / "reference" / "number_texts.json").read_text(encoding="utf-8"))
 
 
-@pytest.fixture(scope="module")
-def scripts(browser: Browser) -> Iterator[Scripts]:
-    running = Scripts(browser, ("core/signals", "core/numbers", "core/ruler"))
-    yield running
-    running.context.close()
-    assert running.faults == []
-
-
 def evaluated(
-    scripts: Scripts, signals: dict[str, AnySignal], times: list[float], scalars: dict[str, float] | None = None
+    signals: dict[str, AnySignal], times: list[float], scalars: dict[str, float] | None = None
 ) -> dict[str, list[float]]:
     """The signals in JavaScript, by name."""
-    told = to_builtins(signals, enc_hook=float)
-    values = scripts.each("signals.evaluate", ([told, scalars or {}, t] for t in times))
+    values = each("static/core/signals.evaluate", ([signals, scalars or {}, t] for t in times))
     return {name: [value[name] for value in values] for name in signals}
 
 
@@ -83,9 +69,9 @@ DRIVES = [
 
 
 @pytest.mark.parametrize(("omega", "omega_n"), DRIVES)
-def test_response_to_a_drive(scripts: Scripts, omega: float, omega_n: float) -> None:
+def test_response_to_a_drive(omega: float, omega_n: float) -> None:
     signal = Responses(responses=(Response(2.0, omega, omega_n),))
-    found = evaluated(scripts, {"x": signal}, INSTANTS)["x"]
+    found = evaluated({"x": signal}, INSTANTS)["x"]
     exact = from_rest(omega, omega_n)
     assert_near(found, lambda t: 2 * exact(t), INSTANTS)
 
@@ -96,11 +82,11 @@ SECONDS = Axis(0.0, 1.0, "s")
 
 @pytest.mark.parametrize("zeta", ZETAS)
 @pytest.mark.parametrize("start", [(1.0, 0.0), (0.7, -3.0), (0.0, 1.0), (0.0, 0.0)])
-def test_a_damped_mass(scripts: Scripts, zeta: float, start: tuple[float, float]) -> None:
+def test_a_damped_mass(zeta: float, start: tuple[float, float]) -> None:
     """x and v, against the physics: at critical damping and next to it, at rest, without a dashpot and overdamped."""
     one, times = DampedOscillator(m=2.0, c=4 * zeta, k=2.0), np.array(INSTANTS)
     signals = dict(zip("xva", (damped(ONE, SECONDS, row) for row in one.fading(*start)), strict=True))
-    found, true = evaluated(scripts, dict(signals), INSTANTS), one.motion(*start, times)
+    found, true = evaluated(dict(signals), INSTANTS), one.motion(*start, times)
     size = max(map(abs, start))
     for name in "xv":
         off = np.abs(np.array(found[name]) - getattr(true, name))
@@ -110,18 +96,18 @@ def test_a_damped_mass(scripts: Scripts, zeta: float, start: tuple[float, float]
 @pytest.mark.parametrize("zeta", ZETAS)
 @pytest.mark.parametrize("omega", [0.0, 0.3, 0.8, 1.0, 1 + 1e-12, 1 - 1e-6, 2.5])
 @pytest.mark.parametrize("kind", ["force", "base", "unbalance"])
-def test_a_driven_mass(scripts: Scripts, zeta: float, omega: float, kind: Drive) -> None:
+def test_a_driven_mass(zeta: float, omega: float, kind: Drive) -> None:
     """x, against the physics: at resonance with and without a dashpot, at critical damping, at first and at last."""
     one, times = DrivenOscillator(m=2.0, c=4 * zeta, k=2.0), np.array(INSTANTS)
-    found = evaluated(scripts, {"x": driven(ONE, SECONDS, one.push(omega, 1.0, kind))}, INSTANTS)["x"]
+    found = evaluated({"x": driven(ONE, SECONDS, one.push(omega, 1.0, kind))}, INSTANTS)["x"]
     true = one.motion(omega, 1.0, t=times, kind=kind).x
     reached = np.maximum.accumulate(np.abs(true))
     assert np.all(np.abs(np.array(found) - true) <= NEAR * reached), (found, true)
 
 
-def test_sines_with_a_line_and_a_decay(scripts: Scripts) -> None:
+def test_sines_with_a_line_and_a_decay() -> None:
     sines = (Sine(1.5, 2.0, 0.3, 0.1), Sine(-0.2, 3.1, -2.0), Sine(4.0, 0.0, 1.0, 2.0, 3.0))
-    found = evaluated(scripts, {"x": Sines(sines=sines, line=(0.5, -0.01))}, INSTANTS)["x"]
+    found = evaluated({"x": Sines(sines=sines, line=(0.5, -0.01))}, INSTANTS)["x"]
 
     def exact(t: mpf) -> mpf:
         waves = (
@@ -133,9 +119,9 @@ def test_sines_with_a_line_and_a_decay(scripts: Scripts) -> None:
     assert_near(found, exact, INSTANTS)
 
 
-def test_what_has_decayed_is_small_and_not_rounded_away(scripts: Scripts) -> None:
+def test_what_has_decayed_is_small_and_not_rounded_away() -> None:
     times = [0.0, 1.0, 100.0, 650.0]
-    found = evaluated(scripts, {"x": Sines(sines=(Sine(1.0, 1.0, 1.0, 1.0),))}, times)["x"]
+    found = evaluated({"x": Sines(sines=(Sine(1.0, 1.0, 1.0, 1.0),))}, times)["x"]
     with mp.workdps(60):
         for t, value in zip(times, found, strict=True):
             true = mp.exp(-mpf(t)) * mp.sin(mpf(t) + 1)
@@ -157,31 +143,31 @@ def piece(t: Fraction) -> Fraction:
     return turns * Fraction(SAMPLED.drift) + third + h * (d0 * u * (1 - u) ** 2 + d1 * u * u * (u - 1))
 
 
-def test_hermite_pieces_at_their_ends_between_and_in_later_periods(scripts: Scripts) -> None:
+def test_hermite_pieces_at_their_ends_between_and_in_later_periods() -> None:
     ends = [k * SAMPLED.period / 3 for k in range(7)]
     times = [*ends, 0.1, 0.83, 1.7, 2.4999999, 2.5, 2.5000001, 11.3, 250.1]
-    found = evaluated(scripts, {"x": SAMPLED}, times)["x"]
+    found = evaluated({"x": SAMPLED}, times)["x"]
     for t, value in zip(times, found, strict=True):
         assert abs(value - float(piece(Fraction(t)))) <= NEAR * (2 + abs(value)), t
 
 
-def test_a_sampled_motion_has_no_step_and_no_kink(scripts: Scripts) -> None:
+def test_a_sampled_motion_has_no_step_and_no_kink() -> None:
     smooth = Sampled(period=2.5, y=(1.0, -0.4, 1.0), dy=(0.5, -2.0, 0.5), drift=0.0)
     h = 1e-6
     for node in (1.25, 2.5, 3.75, 5.0):
-        before, at, after = evaluated(scripts, {"x": smooth}, [node - h, node, node + h])["x"]
+        before, at, after = evaluated({"x": smooth}, [node - h, node, node + h])["x"]
         assert abs(after - before) < 5 * h
         assert abs((at - before) - (after - at)) < 1e-9
 
 
-def test_what_is_derived_builds_on_what_comes_before(scripts: Scripts) -> None:
+def test_what_is_derived_builds_on_what_comes_before() -> None:
     signals: dict[str, AnySignal] = {
         "x": Sines(sines=(Sine(1.0, 2.0, 0.5),)),
         "p": Derived(value=Expression((Product(3.0, ("x", "x", "k")), Product(-1.0, ()), Product(0.5, ("t",))))),
         "s": SineOf(of="p"),
         "c": CosineOf(of="p"),
     }
-    found = evaluated(scripts, signals, INSTANTS, {"k": 0.25})
+    found = evaluated(signals, INSTANTS, {"k": 0.25})
     for i, t in enumerate(INSTANTS):
         p = 0.75 * math.sin(2 * t + 0.5) ** 2 - 1 + 0.5 * t
         assert found["p"][i] == pytest.approx(p, rel=1e-12, abs=1e-12)
@@ -189,33 +175,12 @@ def test_what_is_derived_builds_on_what_comes_before(scripts: Scripts) -> None:
         assert found["c"][i] == pytest.approx(math.cos(p), abs=1e-12)
 
 
-@pytest.mark.parametrize("slug", SCENES)
-def test_every_scene_moves_in_the_browser_as_in_python(scripts: Scripts, slug: str) -> None:
-    scene = SCENES[slug]()
-    picture = scene.shown
-    if not picture.signals:
-        pytest.skip("nothing moves here")
-    end = picture.axes["t"].end
-    times = [float(end * share) for share in (0, 0.001, 0.1, 0.37, 0.5, 0.93, 1)]
-    scalars = {name: float(value) for name, value in picture.scalars.items()}
-    found = evaluated(scripts, dict(picture.signals), times, scalars)
-    truth = played(picture, np.array(times))
-    for name in picture.signals:
-        size = np.max(np.abs(truth[name]))
-        assert np.array(found[name]) == pytest.approx(truth[name] + 0 * np.array(times), abs=1e-11 * size), name
-
-
 @pytest.mark.parametrize("kind", ["three", "signed", "short", "tidy"])
-def test_numbers_read_as_python_writes_them(scripts: Scripts, kind: str) -> None:
-    found = scripts.each(f"numbers.{kind}", ([case["value"]] for case in TEXTS))
+def test_numbers_read_as_python_writes_them(kind: str) -> None:
+    found = each(f"static/core/numbers.{kind}", ([case["value"]] for case in TEXTS))
     assert {case["value"]: text for case, text in zip(TEXTS, found, strict=True)} == {
         case["value"]: case[kind] for case in TEXTS
     }
-
-
-def test_what_is_no_number_says_so(scripts: Scripts) -> None:
-    texts = scripts.page.evaluate("[NaN, Infinity, -Infinity].map(value => numbers.three(value))")
-    assert texts == ["NaN", "∞", "−∞"]
 
 
 @pytest.mark.parametrize(
@@ -229,18 +194,32 @@ def test_what_is_no_number_says_so(scripts: Scripts) -> None:
         (-12.0, 0, True, "−12"),
     ],
 )
-def test_a_number_that_moves_keeps_its_places(
-    scripts: Scripts, value: float, decimals: int, signed: bool, text: str
-) -> None:
-    assert scripts.call("numbers.fixed", value, decimals, signed) == text
+def test_a_number_that_moves_keeps_its_places(value: float, decimals: int, signed: bool, text: str) -> None:
+    assert call("static/core/numbers.fixed", value, decimals, signed) == text
 
 
 @pytest.mark.parametrize(
     ("count", "text"),
     [(2.0, "2"), (12345.6, "12\u202f300"), (0.5, "0.5"), (999400.0, "999\u202f000"), (1.23e7, "1.23·10⁷")],
 )
-def test_how_many_times_in_words(scripts: Scripts, count: float, text: str) -> None:
-    assert scripts.call("numbers.grouped", count) == text
+def test_how_many_times_in_words(count: float, text: str) -> None:
+    assert call("static/core/numbers.grouped", count) == text
+
+
+def test_no_digit_is_shown_that_is_not_known() -> None:
+    step = 30 / COARSE  # 0.00046
+    cases = [
+        (12.3456, step, "12.3"),
+        (-0.123456, step, "−0.123"),
+        (0.0123456, step, "0.012"),
+        (-0.00234, step, "−0.002"),
+        (0.0003, step, "0"),
+        (0.0, step, "0"),
+        (2.3456, 0.03, "2.3"),
+        (2.3456, 0.0, "2.35"),
+        (0.000123456, 0.0, "1.23·10⁻⁴"),
+    ]
+    assert each("static/paper/reading.honest", (case[:2] for case in cases)) == [text for *_, text in cases]
 
 
 RULERS: list[dict[str, Any]] = [
@@ -251,16 +230,16 @@ RULERS: list[dict[str, Any]] = [
 
 
 @pytest.mark.parametrize("ruler", RULERS, ids=str)
-def test_a_place_on_an_axis_stands_for_a_quantity_and_back(scripts: Scripts, ruler: dict[str, Any]) -> None:
+def test_a_place_on_an_axis_stands_for_a_quantity_and_back(ruler: dict[str, Any]) -> None:
     for value in (0.25, 1.0, 3.7):
-        place = scripts.call("ruler.toPlace", ruler, value)
-        assert scripts.call("ruler.toSI", ruler, place) == pytest.approx(value, rel=1e-14)
+        place = call("static/core/ruler.toPlace", ruler, value)
+        assert call("static/core/ruler.toSI", ruler, place) == pytest.approx(value, rel=1e-14)
 
 
-def test_an_axis_counts_in_its_unit(scripts: Scripts) -> None:
+def test_an_axis_counts_in_its_unit() -> None:
     thousandths = {"log": False, "power": 1, "exponent": -3, "factor": 1.0}
-    assert scripts.call("ruler.toPlace", thousandths, 0.25) == pytest.approx(250)
+    assert call("static/core/ruler.toPlace", thousandths, 0.25) == pytest.approx(250)
     decades = {"log": True, "power": 1, "exponent": 0, "factor": 2.0}
-    assert scripts.call("ruler.toPlace", decades, 200.0) == pytest.approx(2)
+    assert call("static/core/ruler.toPlace", decades, 200.0) == pytest.approx(2)
     squares = {"log": False, "power": 2, "exponent": 0, "factor": 1.0}
-    assert scripts.call("ruler.toPlace", squares, 3.0) == pytest.approx(9)
+    assert call("static/core/ruler.toPlace", squares, 3.0) == pytest.approx(9)

@@ -1,0 +1,60 @@
+// The page's own stage, grips and hand in node: what a hand does to the grabbed shapes of a sheet, on a layout made up
+// here.
+
+import {Compare} from "../../static/compare/compare.js"
+import {Clock} from "../../static/core/clock.js"
+import {evaluate} from "../../static/core/signals.js"
+import {Hand} from "../../static/input/hand.js"
+import {geometry, Plot} from "../../static/paper/plots.js"
+import {Stage} from "../../static/paper/stage.js"
+
+const ROOM = {W: 640, H: 240, hall: 0, desk: 1, low: 0}
+const FRAME = {left: 40, top: 20, width: 430, height: 170}
+const ASIDE = 31 // from a plot to the next
+
+let page, stage, grip, plots, said
+
+/** A sheet is opened, on a wide page or a phone: its plots, a shape that is grabbed, a picture, an instant. */
+export function open(blocks, shape, wide, view, t) {
+  const line = {last: 0, rests: true}
+  const send = ({values}) => (line.last++, Object.assign(said, values))
+  page = {host: {line}, send, clock: new Clock(() => {}), left: true}
+  page.hand = new Hand(page)
+  page.compare = Object.assign(Object.create(Compare.prototype), {page})
+  stage = new Stage({shapes: [shape]}, document.createElement("div"), page)
+  stage.size = {...ROOM, wide, narrow: 1 - wide}
+  grip = stage.grips.grips.get(shape)
+  plots = blocks
+  show(view)
+  page.clock.seek(t)
+}
+
+/** The answer of the server. */
+export function show(view) {
+  page.shown = {view, answer: page.host.line.last, errors: {}}
+  page.clock.update(page.shown)
+  page.hand.update(page.shown)
+  const stand = plots.filter(([, x, y]) => view.axes[x] && view.axes[y])
+  const placed = ([name, x, y], i) => {
+    const plot = Object.assign(Object.create(Plot.prototype), {box: FRAME, x: view.axes[x], y: view.axes[y]})
+    return geometry(plot, name, ASIDE * i, ASIDE * i)
+  }
+  stage.plots = Object.assign({}, ...stand.map(placed))
+}
+
+/** Where the grip is, with what the hand has moved or as the picture has it; null where it is not drawn. */
+export function at(moved) {
+  const {signals, scalars} = page.shown.view
+  const {t} = page.clock
+  grip.x = null
+  stage.frame(moved ? page.compare.named(t) : evaluate(signals, scalars, t))
+  return grip.x === null ? null : [grip.x, grip.y]
+}
+
+/** A pointer takes the grip or moves it to a place: the values that the server hears of. */
+export function does(deed, x, y) {
+  said = {}
+  at(true)
+  grip.grip.dispatchEvent(Object.assign(new Event(deed), {button: 0, clientX: x, clientY: y}))
+  return said
+}
