@@ -17,7 +17,7 @@ from components.scenes.driven.polygon import LEFT, RIGHT, polygon
 from components.scenes.driven.words import SENTENCE
 from physics.driven import DrivenOscillator, highest, magnification
 from tests.grids import tries
-from tests.page.playing import number
+from tests.page.scripts import each
 from tests.page.told import Page, put
 from tests.scenes.presets import readout, taken
 from tests.scenes.said import read
@@ -103,7 +103,8 @@ def test_the_names_of_push_and_lag_lie_on_neither_arrow(r: float, zeta: float) -
     labels = [shape for shape in polygon().shapes if isinstance(shape, Label) and "unbalance" not in shape.show]
     for name in ("F", "φ") if at["lags"] else ("F",):
         label = next(label for label in labels if label.words[0].text == name)
-        middle = complex(number(label.x, named), number(label.y, named) - 5)
+        x, y = each("static/core/signals.polynomial", ((place, named) for place in (label.x, label.y)))
+        middle = complex(x, y - 5)
         for arrow in (-36j * at["up"], 36 * complex(at["across"], -at["end"])):
             share = min(max((middle * arrow.conjugate()).real / abs(arrow) ** 2, 0.0), 1.0)
             assert abs(middle - share * arrow) > 9, (name, middle, arrow)
