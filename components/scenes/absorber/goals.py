@@ -7,7 +7,7 @@ import math
 from components.language.blocks import Block
 from components.language.numbers import Number, var
 from components.layout.sheet import stage
-from components.layout.stage import Shape, circle, line, on_x, on_y, path, text
+from components.layout.stage import HALL, NARROW, WIDE, Shape, circle, line, on_x, on_y, path, text
 from components.layout.text import rich
 from components.quantities.axes import Axis
 from components.quantities.numbers import short, three
@@ -25,12 +25,14 @@ def frequencies() -> list[tuple[str, str, str]]:
 
 
 def goals() -> Block:
-    """Three goals: a dotted line runs from each limit in the plots to its mark and its sentence."""
+    """Three goals: a dotted line runs from each limit in a plot to its mark and its sentence, with a bend in a hall."""
     shapes = [*_bracket(), *_joints(), *_readings(), *_names()]
-    for i, desk in enumerate(_limits()):
-        y = var("wide") * desk + var("narrow") * (18 + 46 * i)
+    limits = _limits()
+    for i, limit in enumerate(limits):
+        y = WIDE * (limit + HALL * (limits[0] + 46 * i - limit)) + NARROW * (18 + 46 * i)
         begin = on_x("swing", var("away_high")) + 6 if i == 0 else var("swing.left")
-        shapes.append(line(begin, desk, -6, desk, style="dotted", show="wide"))
+        shapes.append(line(begin, limit, -16, limit, style="dotted", show="wide"))
+        shapes.append(line(-16, limit, -4, y, style="dotted", show="wide"))
         met, missed = f"met{i}", f"open{i}"
         shapes += [circle(9, y, 8, style="told", show=met), path(TICK, 9, y, style="counter told", show=met)]
         shapes += [circle(9, y, 8, style="hollow told", show=missed), path(CROSS, 9, y, style="told", show=missed)]
