@@ -92,9 +92,8 @@ def _not_reached(price: Price, last: Run) -> str:
 
 
 def _why(last: Run) -> str:
-    """Why a method has no result at all."""
-    reason = _in_words(last.failure or "")
-    reason = reason.partition(":")[0] if "cannot" in reason or "unstable" in reason else reason
+    """Why a method has no result at all, up to what follows a colon."""
+    reason = _in_words(last.failure or "").partition(":")[0]
     return re.sub(r"\d(\.\d+)?e[+-]\d+", lambda match: short(float(match[0])), reason)
 
 
