@@ -11,7 +11,6 @@ import pytest
 
 from components.scenes.absorber import Absorber
 from components.scenes.forced import Forced
-from components.scenes.forced.driven import growth_rate
 from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
 from tests.grids import WHOLE
@@ -101,7 +100,7 @@ def test_the_swing_grows_by_what_is_told_whatever_the_start() -> None:
         told = said(scene)
         assert "the swing of" in told and "envelope" not in str(scene.sheet())
         for i in (0, 1):
-            rate = growth_rate(scene._driven(), i)
+            rate = scene._case().growth[i]
             late, later = (2 * math.pi / scene.omega * n for n in (4e5, 8e5))
             swings = [largest(scene, i, t) for t in (late, later)]
             if rate * late > 0.5 * swings[0]:

@@ -26,7 +26,7 @@ DASHPOTS = [(0.4, 0.2), (0.2, 0.0), (0.0, 216.0), (1e-12, 0.0), (0.0, 1e12), (1e
 def test_what_is_played_is_the_motion(chain: dict[str, float], c1: float, c2: float) -> None:
     """The browser's signals against the physics' own numbers, to what a drawing shows: places, and Newton's law."""
     scene = Forced(**chain, c1=c1, c2=c2, view="forces")
-    shown, modes = scene.shown, scene._braked()
+    shown, modes = scene.shown, scene._case().modes
     axes, t = shown.axes, np.linspace(0.05, 0.97, 4) * shown.axes["t"].end
     motion = modes.motion(t)
     forces = on_masses(modes.chain, motion, scene.F_0, scene.omega, (c1, c2))
@@ -43,14 +43,14 @@ def test_what_is_played_is_the_motion(chain: dict[str, float], c1: float, c2: fl
 @pytest.mark.parametrize("chain", CHAINS[:2])
 @pytest.mark.parametrize(("c1", "c2"), [(0.8, 0.4), (0.6, 0.0), (0.0, 0.9)])
 def test_the_swing_at_resonance_is_finite_and_remains(chain: dict[str, float], c1: float, c2: float) -> None:
-    omega = float(Forced(**chain)._driven().free.omega[0])
+    omega = Forced(**chain)._case().natural[0]
     scene = Forced(**chain, c1=c1, c2=c2, omega=omega, window=120.0)
     data = scene.sources["time"].data
     late = data["t"] > 100
     assert scene.shown.forms["steady"] == "braked"
     for i in (1, 2):
         X = data[f"x{i}_p"].max()
-        assert pytest.approx(abs(scene._braked().particular[i - 1]), rel=0.01) == X
+        assert pytest.approx(abs(scene._case().modes.particular[i - 1]), rel=0.01) == X
         assert abs(data[f"x{i}_c"][late]).max() < 0.03 * X
         np.testing.assert_allclose(data[f"x{i}_c"] + data[f"x{i}_p"], data[f"x{i}"], atol=1e-12 * X)
         response = scene.sources["branch0"].data
@@ -63,7 +63,7 @@ def test_the_work_of_the_drive_becomes_energy_and_heat(chain: dict[str, float], 
     scene = Forced(**chain, c1=c1, c2=c2, view="work")
     data = scene.sources["energy"].data
     size = abs(data["work"]).max() + abs(data["gain"]).max()
-    heat = Dying(scene._braked(), float(data["t"][-1])).heat(data["t"])
+    heat = Dying(scene._case().modes, float(data["t"][-1])).heat(data["t"])
     np.testing.assert_allclose(data["work"] - data["gain"], heat, atol=1e-7 * size)
     assert np.all(np.diff(heat) >= 0)
 
@@ -78,8 +78,8 @@ def test_pushed_on_its_particular_solution_nothing_dies() -> None:
 def test_a_light_mass_hangs_still_where_only_spring_1_has_a_dashpot() -> None:
     """The zero of mass 1 at sqrt(k2/m2) is marked where it is one."""
     assert "mark_still" in Forced(c1=0.2).shown.scalars and "mark_still" not in Forced(c2=0.2).shown.scalars
-    assert abs(Forced(c1=0.2, omega=1.0)._braked().particular[0]) == 0.0
-    assert abs(Forced(c2=0.2, omega=1.0)._braked().particular[0]) > 0.1
+    assert Forced(c1=0.2, omega=1.0)._case().swings[0] == 0.0
+    assert Forced(c2=0.2, omega=1.0)._case().swings[0] > 0.1
 
 
 @pytest.mark.parametrize("curve", ["size", "signed", "log"])

@@ -217,7 +217,7 @@ def test_friction_passes_energy_from_the_fast_mode_to_the_slow_one() -> None:
     """d34-11: it starts in the fast mode alone, and most of what is left is in the slow one."""
     scene = such("d34-11", 2)
     chain = TwoMassChain(**{name: scene.values[name] for name in ("m1", "m2", "k1", "k2")})
-    motion = scene._braked().motion(scene.shown.sources["time"]["t"])
+    motion = scene._case().modes.motion(scene.shown.sources["time"]["t"])
     energies = [free_modes(chain, x, v).energy for x, v in zip(motion.x.T[::20], motion.v.T[::20], strict=True)]
     slow, fast = np.array(energies).T
     assert slow[0] < 1e-12 * fast[0] and slow.max() > 1e-3 * fast[0] and slow[-1] > 10 * fast[-1]

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from components.chain import components, free_signals, positions
+from components.chain.forces import Forces, forces
+from components.chain.parameters import Pair
 from components.language.numbers import var
-from components.language.signals import AnySignal, Sines
+from components.language.signals import AnySignal
 from components.quantities.axes import Axis
 from components.quantities.motion import derived, responses, sines, total
 from components.scene.traces import Columns, Floats, band_columns, trace
+from components.scenes.forced.case import ForcedCase, Growth
 from physics.energy import chain_energy
-from physics.forced import DrivenModes
+from physics.forced import DrivenModes, determinant
 from physics.sampling import Sinusoid, drawable
 
 APART = 0.98
@@ -23,137 +27,156 @@ STRAIGHT = 1e-8
 """rad; an envelope that turns no further in its window is the line to the last digit."""
 
 
-def motions(driven: DrivenModes, t: Floats) -> Columns:
-    """x1, x2 and their particular and complementary parts in doubles, at times that resolve them: what a frame is
-    fitted to. Where the parts are huge and opposite they are left out: see `limits`."""
-    if not driven.split_is_meaningful:
-        x = driven.motion(t).x
-        return {"x1": x[0], "x2": x[1]}
-    particular = np.outer(driven.particular, np.sin(driven.omega * t))
-    found: Columns = {}
-    for i, complementary in enumerate(positions(driven.complementary_modes, t).values()):
-        name = f"x{i + 1}"
-        found |= {name: particular[i] + complementary, f"{name}_p": particular[i], f"{name}_c": complementary}
-    return found
+@dataclass(frozen=True, eq=False)
+class Undamped(ForcedCase):
+    """A driven motion that nothing damps."""
 
+    modes: DrivenModes
 
-def motion_columns(driven: DrivenModes, t: Floats) -> tuple[Columns, Columns]:
-    """The motion and its parts to the last digits, as curves, or as bands where too fast to draw."""
-    split = driven.split_is_meaningful
-    motion, *parts = driven.apart(t) if split else (driven.motion(t),)
-    drawn = dict(zip(("", "_p", "_c"), (motion.x, *parts), strict=False))
-    if drawable(max(driven.free.omega[1], driven.omega), t):
-        return {f"x{i + 1}{part}": x[i] for i in (0, 1) for part, x in drawn.items()}, {}
-    curves, bands = Columns(), Columns()
-    for i in (0, 1):
-        for part, x in drawn.items():
-            curve, band = _trace(driven, i, t, part, x[i]) if split else ({}, _band(driven, i, t))
-            curves, bands = curves | curve, bands | band
-    return curves, bands
+    @property
+    def split(self) -> bool:
+        """Whether the parts are worth drawing."""
+        return self.modes.split_is_meaningful
 
+    @property
+    def resonant(self) -> bool:
+        """Whether the drive is so close to a natural frequency that the motion is not shown as two parts."""
+        return self.modes.omega > 0 and not self.split
 
-def _trace(driven: DrivenModes, i: int, t: Floats, part: str, x: Floats) -> tuple[Columns, Columns]:
-    """Of the displacement of mass i or one of its parts."""
-    rest = driven.complementary_modes
-    particular = [Sinusoid(driven.particular[i], driven.omega, 0.0)] if part != "_c" else []
-    complementary = components(rest, i) if part != "_p" else []
-    drift = rest.drift_a[i] + rest.drift_b[i] * t if part != "_p" else None
-    return trace(f"x{i + 1}{part}", [*particular, *complementary], t, drift, x)
+    @property
+    def kind(self) -> str:
+        """Which form the particular solution has."""
+        if self.modes.at_resonance:
+            return "resonance"
+        return "near" if self.resonant else "finite" if self.chain.k2 else "loose"
 
+    @property
+    def moves(self) -> bool:
+        """Whether the start alone brings a motion."""
+        return bool(np.any(self.modes.free.amplitude) or np.any(self.modes.free.drift_b))
 
-def resonant(driven: DrivenModes) -> bool:
-    """Whether the drive is so close to a natural frequency that the motion is not shown as two parts."""
-    return driven.omega > 0 and not driven.split_is_meaningful
+    @cached_property
+    def swings(self) -> Pair:
+        """Xp1 and Xp2; at resonance infinite, but for a mass 2 that no spring ties."""
+        if self.modes.at_resonance:
+            return math.inf, math.inf if self.chain.k2 else 0.0
+        one, two = self.modes.particular.tolist()
+        return one, two
 
+    @property
+    def D(self) -> float:
+        return 0.0 if self.modes.at_resonance else determinant(self.chain, self.modes.omega)
 
-def growth_rate(driven: DrivenModes, i: int) -> float:
-    """The growth of the swing of mass i (0, 1) in a second at the nearest natural frequency, from rest, in m/s."""
-    j = int(np.argmin(np.abs(driven.detuning)))
-    return float(driven.F_0 * abs(driven.coupling[j, i]) / (2 * driven.free.omega[j]))
+    @cached_property
+    def growth(self) -> Pair:
+        """The growth of both swings in a second at the nearest natural frequency, from rest, in m/s."""
+        one, two = self.modes.F_0 * abs(self.modes.coupling[self._nearest]) / (2 * self.natural[self._nearest])
+        return float(one), float(two)
 
+    @property
+    def _nearest(self) -> int:
+        return int(np.argmin(np.abs(self.modes.detuning)))
 
-class Growth(NamedTuple):
-    """size sin(rate t)/rate in m, at rate 0 size t: what a response next to resonance grows by."""
+    @property
+    def _halfway(self) -> float:
+        """Half the detuning from the nearest mode, in rad/s."""
+        return float(self.modes.detuning[self._nearest] / 2)
 
-    size: float
-    rate: float
+    @cached_property
+    def limits(self) -> dict[str, Growth]:
+        """Near resonance the envelope of the growing part, up and down; empty elsewhere.
 
-    def at(self, t: Floats) -> Floats:
-        swing: Floats = self.size * t * np.sinc(self.rate * t / np.pi)
-        return swing
+        With 2 d the detuning from the nearest mode it is growth |sin(d t)/d|, at d = 0 growth t; where the window is
+        long enough to tell them apart, the straight line is there too.
+        """
+        found: dict[str, Growth] = {}
+        if self.resonant:
+            d = self._halfway if abs(self._halfway) * self.end >= STRAIGHT else 0.0
+            share = np.sinc(d * self.end / np.pi)
+            bent = abs(d) * self.end > 1 or share < APART
+            for name, growth in zip(("x1", "x2"), self.growth, strict=True):
+                rate = math.copysign(growth, share)
+                found |= {f"{name}_beat": Growth(rate, d), f"{name}_fall": Growth(-rate, d)}
+                if bent:
+                    found[f"{name}_growth"] = Growth(growth, 0.0)
+        return found
 
-    def signal(self, size: Axis, time: Axis) -> Sines:
-        if self.rate:
-            return sines(size, time, (self.size / self.rate, self.rate, 0.0))
-        return sines(size, time, line=(0.0, self.size))
+    def columns(self, t: Floats) -> tuple[Columns, Columns]:
+        """What a frame is fitted to: the motion and its parts in doubles, or bands where they are too fast to draw."""
+        return (self._in_doubles(t), {}) if drawable(self.fastest, t) else self._traced(t)
 
+    def exact(self, t: Floats) -> Columns:
+        """The curves to the last digits."""
+        return self._traced(t)[0]
 
-def limits(driven: DrivenModes, end: float) -> dict[str, Growth]:
-    """Near resonance the envelope of the growing part, up and down; empty elsewhere.
+    def _in_doubles(self, t: Floats) -> Columns:
+        """At times that resolve it. Parts that are huge and opposite are left out: see `limits`."""
+        if not self.split:
+            x = self.modes.motion(t).x
+            return {"x1": x[0], "x2": x[1]}
+        particular = np.outer(self.modes.particular, np.sin(self.modes.omega * t))
+        found: Columns = {}
+        for i, complementary in enumerate(positions(self.modes.complementary_modes, t).values()):
+            name = f"x{i + 1}"
+            found |= {name: particular[i] + complementary, f"{name}_p": particular[i], f"{name}_c": complementary}
+        return found
 
-    With 2 d the detuning from the nearest mode it is growth_rate |sin(d t)/d|, at d = 0 growth_rate t; where the
-    window is long enough to tell them apart, the straight line is there too.
-    """
-    found: dict[str, Growth] = {}
-    if resonant(driven):
-        d = _halfway(driven)
-        if abs(d) * end < STRAIGHT:
-            d = 0.0
-        bent = abs(d) * end > 1 or np.sinc(d * end / np.pi) < APART
+    def _traced(self, t: Floats) -> tuple[Columns, Columns]:
+        """The motion and its parts to the last digits, as curves, or as bands where too fast to draw."""
+        motion, *parts = self.modes.apart(t) if self.split else (self.modes.motion(t),)
+        drawn = dict(zip(("", "_p", "_c"), (motion.x, *parts), strict=False))
+        if drawable(self.fastest, t):
+            return {f"x{i + 1}{part}": x[i] for i in (0, 1) for part, x in drawn.items()}, {}
+        curves, bands = Columns(), Columns()
         for i in (0, 1):
-            rate = math.copysign(growth_rate(driven, i), np.sinc(d * end / np.pi))
-            found |= {f"x{i + 1}_beat": Growth(rate, d), f"x{i + 1}_fall": Growth(-rate, d)}
-            if bent:
-                found[f"x{i + 1}_growth"] = Growth(abs(rate), 0.0)
-    return found
+            for part, x in drawn.items():
+                curve, band = self._trace(i, t, part, x[i]) if self.split else ({}, self._band(i, t))
+                curves, bands = curves | curve, bands | band
+        return curves, bands
 
+    def _trace(self, i: int, t: Floats, part: str, x: Floats) -> tuple[Columns, Columns]:
+        """Of the displacement of mass i or one of its parts."""
+        rest = self.modes.complementary_modes
+        particular = [Sinusoid(self.modes.particular[i], self.modes.omega, 0.0)] if part != "_c" else []
+        complementary = components(rest, i) if part != "_p" else []
+        drift = rest.drift_a[i] + rest.drift_b[i] * t if part != "_p" else None
+        return trace(f"x{i + 1}{part}", [*particular, *complementary], t, drift, x)
 
-def _halfway(driven: DrivenModes) -> float:
-    """Half the detuning from the nearest mode, in rad/s."""
-    return float(driven.detuning[np.argmin(np.abs(driven.detuning))] / 2)
+    def _band(self, i: int, t: Floats) -> Columns:
+        """The band that the displacement of mass i fills next to resonance."""
+        beat = np.abs(Growth(self.growth[i], self._halfway).at(t)) if self.resonant else 0.0
+        size = beat + self._others(i)
+        drift = self.modes.free.drift_a[i] + self.modes.free.drift_b[i] * t
+        return dict(zip(band_columns(f"x{i + 1}"), (drift - size, drift + size), strict=True))
 
+    def _others(self, i: int) -> float:
+        """The reach of all but the resonant response: the free motion of the start and the other mode's response."""
+        modes, other = self.modes, 1 - self._nearest
+        reach = float(np.abs(modes.free.amplitude[:, i]).sum())
+        if self.natural[other] > 0 and modes.coupling[other, i]:
+            reach += abs(modes.F_0 * modes.coupling[other, i] / modes.detuning[other]) / self.natural[other]
+        return reach
 
-def _beat(driven: DrivenModes, i: int, t: Floats) -> Floats:
-    return np.abs(Growth(growth_rate(driven, i), _halfway(driven)).at(t))
+    def energy(self, t: Floats) -> Columns:
+        """The gain of T + V since the start and the work of the drive."""
+        energy = chain_energy(self.chain, self.modes.motion(t)).total
+        return {"gain": energy - energy[0], "work": self.modes.work(t), "none": np.zeros_like(t)}
 
+    def signals(self, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
+        """The clock's: the free motion of the start plus each mode's response, regular at resonance."""
+        signals = free_signals(self.modes.free, size, time)
+        F_0, omega, coupling = self.modes.F_0, self.modes.omega, self.modes.coupling.tolist()
+        for i in (0, 1):
+            name = f"x{i + 1}"
+            terms = [(F_0, c[i], omega, omega_n) for c, omega_n in zip(coupling, self.natural, strict=True) if c[i]]
+            signals[f"{name}_driven"] = responses(size, time, *terms)
+            signals[name] = total(f"{name}_slow", f"{name}_fast", f"{name}_driven")
+            if self.split:
+                signals[f"{name}_p"] = sines(size, time, (self.swings[i], omega, 0.0))
+                signals[f"{name}_c"] = derived(var(name) - var(f"{name}_p"))
+        limits = {name: limit.signal(size, time) for name, limit in self.limits.items()}
+        return signals | self.drive(time, force) | limits
 
-def _band(driven: DrivenModes, i: int, t: Floats) -> Columns:
-    """The band that the displacement of mass i fills next to resonance."""
-    beat = _beat(driven, i, t) if resonant(driven) else 0.0
-    size = beat + _others(driven, i, int(np.argmin(np.abs(driven.detuning))))
-    drift = driven.free.drift_a[i] + driven.free.drift_b[i] * t
-    return dict(zip(band_columns(f"x{i + 1}"), (drift - size, drift + size), strict=True))
-
-
-def _others(driven: DrivenModes, i: int, j: int) -> float:
-    """The reach of all but the resonant response: the free motion of the start and the other mode's response."""
-    other = 1 - j
-    omega_n = driven.free.omega[other]
-    reach = float(np.abs(driven.free.amplitude[:, i]).sum())
-    if omega_n > 0 and driven.coupling[other, i]:
-        reach += abs(driven.F_0 * driven.coupling[other, i] / driven.detuning[other]) / omega_n
-    return reach
-
-
-def energy_columns(driven: DrivenModes, t: Floats) -> Columns:
-    """The gain of T + V since the start and the work of the drive."""
-    energy = chain_energy(driven.chain, driven.motion(t)).total
-    return {"gain": energy - energy[0], "work": driven.work(t), "none": np.zeros_like(t)}
-
-
-def motion_signals(driven: DrivenModes, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
-    """The signals of the clock: the free motion of the start plus each mode's response, regular at resonance."""
-    signals = free_signals(driven.free, size, time)
-    X, omega = driven.particular.tolist(), driven.omega
-    coupling, natural = driven.coupling.tolist(), driven.free.omega.tolist()
-    for i in (0, 1):
-        name = f"x{i + 1}"
-        terms = [(driven.F_0, c[i], omega, omega_n) for c, omega_n in zip(coupling, natural, strict=True) if c[i]]
-        signals[f"{name}_driven"] = responses(size, time, *terms)
-        signals[name] = total(f"{name}_slow", f"{name}_fast", f"{name}_driven")
-        if driven.split_is_meaningful:
-            signals[f"{name}_p"] = sines(size, time, (X[i], omega, 0.0))
-            signals[f"{name}_c"] = derived(var(name) - var(f"{name}_p"))
-    signals["drive"] = sines(Axis(0.0, 1.0), time, (1.0 if driven.F_0 else 0.0, omega, 0.0))
-    signals["force_now"] = sines(force, time, (driven.F_0, omega, 0.0))
-    return signals
+    def forces(self, t: Floats, size: Axis, time: Axis) -> Forces:
+        """The forces on the masses."""
+        return forces(self.chain, self.modes.motion(t), size, self.modes.F_0, self.modes.omega)

@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import ClassVar
 
 import numpy as np
 
@@ -17,7 +18,8 @@ from components.language.signals import AnySignal
 from components.quantities.axes import Axis, nice_axis
 from components.quantities.motion import QUARTER, decays, derived, sampled, sines, total
 from components.scene.traces import Columns, Floats, band_columns
-from physics.coupled import Motion, TwoMassChain
+from components.scenes.forced.case import ForcedCase
+from physics.coupled import Motion
 from physics.energy import chain_energy
 from physics.sampling import drawable
 from physics.transient import DampedModes, Decaying
@@ -33,34 +35,41 @@ TERMS = 2
 """Terms of a part that dies, 1 and t, that a signal has."""
 AT_FIRST = np.geomspace(1e-16, 0.8, 60)
 """Shares of the first step, in which what dies at any rate is seen to die."""
+Terms = tuple[Decaying, ...]
 _GAUSS = np.polynomial.legendre.leggauss(5)
 
 
 @dataclass(frozen=True, eq=False)
-class Dying:
-    """A driven motion with dashpots over a window that ends at `end`, in s."""
+class Dying(ForcedCase):
+    """A driven motion with dashpots."""
 
     modes: DampedModes
-    end: float
-
-    @property
-    def chain(self) -> TwoMassChain:
-        return self.modes.chain
+    kind: ClassVar[str] = "braked"
 
     @property
     def damping(self) -> Pair:
         return self.modes.c1, self.modes.c
 
     @cached_property
-    def fastest(self) -> float:
-        """The largest angular frequency of what moves."""
-        return max(self.modes.omega, float(self.chain.modes().omega[1]))
-
-    @cached_property
     def X(self) -> tuple[complex, complex]:
         """The steady swings: x_p = Im(X exp(i omega t))."""
         one, two, _ = self.modes.particular.tolist()
         return one, two
+
+    @property
+    def swings(self) -> Pair:
+        """The sizes of the steady swings."""
+        return abs(self.X[0]), abs(self.X[1])
+
+    @property
+    def lags(self) -> Pair:
+        """The phases by which they lag the drive, in rad."""
+        one, two = (-cmath.phase(X) % (2 * math.pi) for X in self.X)
+        return one, two
+
+    @property
+    def moves(self) -> bool:
+        return bool(np.any(self.motion(np.linspace(0.0, self.end, 9)).x))
 
     @cached_property
     def _reach(self) -> float:
@@ -146,17 +155,15 @@ class Dying:
     def signals(self, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
         """The clock's: x1, x2, their parts, the drive."""
         found: dict[str, AnySignal] = {}
-        for i in (0, 1):
-            found |= self._signal(i, size, time) if self.in_doubles else self._table(i, size, time)
-        found["drive"] = sines(Axis(0.0, 1.0), time, (1.0 if self.modes.F_0 else 0.0, self.modes.omega, 0.0))
-        found["force_now"] = sines(force, time, (self.modes.F_0, self.modes.omega, 0.0))
-        return found
+        for i, X in enumerate(self.X):
+            terms = self.modes.transient
+            found |= self._sum(f"x{i + 1}", i, X, terms, size, time) if self.in_doubles else self._table(i, size, time)
+        return found | self.drive(time, force)
 
-    def _signal(self, i: int, size: Axis, time: Axis) -> dict[str, AnySignal]:
-        """Steady, dying and resting part of mass i (0, 1), and their sum."""
-        name, terms = f"x{i + 1}", self.modes.transient
+    def _sum(self, name: str, i: int, X: complex, terms: Terms, size: Axis, time: Axis) -> dict[str, AnySignal]:
+        """Steady, dying and resting part of a motion of mass i (0, 1), and their sum."""
         return {
-            f"{name}_p": _steady(self.X[i], self.modes.omega, size, time),
+            f"{name}_p": _steady(X, self.modes.omega, size, time),
             f"{name}_dies": decays(size, time, *_waves(terms, i)),
             f"{name}_rests": sines(size, time, line=_line(terms, i)),
             f"{name}_c": total(f"{name}_dies", f"{name}_rests"),
@@ -192,13 +199,9 @@ class Dying:
                 f"v{i + 1}": sampled(time, last, speed.places(v), np.gradient(speed.places(v), step))
                 for i, v in enumerate(motion.v)
             }
-        rates, omega, found = [term.rate for term in self.modes.transient], self.modes.omega, {}
-        for i in (0, 1):
-            found[f"v{i + 1}_p"] = _steady(1j * omega * self.X[i], omega, speed, time)
-            found[f"v{i + 1}_dies"] = decays(speed, time, *_waves(rates, i))
-            found[f"v{i + 1}_rests"] = sines(speed, time, line=_line(rates, i))
-            found[f"v{i + 1}"] = total(f"v{i + 1}_p", f"v{i + 1}_dies", f"v{i + 1}_rests")
-        return found
+        rates, turned = tuple(term.rate for term in self.modes.transient), 1j * self.modes.omega
+        one, two = (self._sum(f"v{i + 1}", i, turned * X, rates, speed, time) for i, X in enumerate(self.X))
+        return one | two
 
     @cached_property
     def slowest(self) -> float:
@@ -211,7 +214,7 @@ def _steady(X: complex, omega: float, size: Axis, time: Axis) -> AnySignal:
     return sines(size, time, (abs(X), omega, cmath.phase(X)))
 
 
-def _waves(terms: tuple[Decaying, ...] | list[Decaying], i: int) -> Iterator[tuple[float, float, float, float, float]]:
+def _waves(terms: Terms, i: int) -> Iterator[tuple[float, float, float, float, float]]:
     """Each Re(A exp(s t)) and Re(B t exp(s t)) as a decaying sine."""
     for exponent, rows in terms:
         for j, A in enumerate(rows[:, i] if exponent else ()):
@@ -220,7 +223,7 @@ def _waves(terms: tuple[Decaying, ...] | list[Decaying], i: int) -> Iterator[tup
                 yield (*sizes, -exponent.real, exponent.imag, cmath.phase(A) + QUARTER)
 
 
-def _line(terms: tuple[Decaying, ...] | list[Decaying], i: int) -> Pair:
+def _line(terms: Terms, i: int) -> Pair:
     """A constant and a drift, of what nothing ties to its place."""
     for exponent, rows in terms:
         if not exponent:

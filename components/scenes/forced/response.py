@@ -19,13 +19,14 @@ from components.layout.sheet import phrase
 from components.layout.stage import Shape, arrow, circle, on_x, on_y, text
 from components.layout.text import rich
 from components.quantities.axes import Axis, log_axis, nice_axis
-from components.quantities.numbers import three
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns, Floats
+from components.scenes.forced.driven import Undamped
 from components.scenes.forced.dying import Dying
+from components.scenes.forced.numbers import AnyCase
+from components.scenes.forced.numbers import Numbers as N
 from physics.absorber import damped_amplitude
-from physics.coupled import TwoMassChain
-from physics.forced import DrivenModes, antiresonance, particular_solution
+from physics.forced import particular_solution
 
 BRANCHES = ("", "12", "2", "1")
 """The masses that swing against the push: below both poles, up to where mass 1 stands still, up to the upper pole, and
@@ -49,110 +50,76 @@ TALL = 5.0
 
 @dataclass(frozen=True)
 class DrawnResponse:
-    """The response plot: its sources, axes, marks and their texts."""
+    """The response plot: its sources, axes and marks."""
 
     columns: dict[str, Columns]
     axes: dict[str, Axis]
     scalars: dict[str, float]
-    values: dict[str, str]
 
 
-def response_curves(driven: DrivenModes, shown: str, lecture: bool, frame: Frame = FITTED) -> DrawnResponse:
-    """The curves `size`, `signed` or `log`, with the drive marked; in the lecture's units where asked for."""
-    system, F_0, omega = driven.chain, driven.F_0, driven.omega
-    frequencies = system.modes().omega
-    poles = _poles(system, frequencies)
-    unit, base = _units(system, F_0, frequencies, omega)
-    end = max(2.5 * unit, REACH * frequencies[1]) if lecture else max(REACH * (frequencies[1] or unit), 1.05 * omega)
-    start = min(w for w in (*poles, unit, omega or unit) if w > 0) / 30 if shown == "log" else 0.0
+def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) -> DrawnResponse:
+    """The curves `size`, `signed` or `log`, with the drive marked; in the lecture's units where asked for.
+
+    With dashpots a swing is neither with nor against the push: its size is drawn.
+    """
+    log, omega, fast = shown == "log", case.modes.omega, case.natural[1]
+    signed = shown == "signed" and isinstance(case, Undamped)
+    unit, base = _units(case)
+    end = max(2.5 * unit, REACH * fast) if lecture else max(REACH * (fast or unit), 1.05 * omega)
+    start = min(w for w in (*case.natural, unit, omega or unit) if w > 0) / 30 if log else 0.0
     across = _axis(start, end, "√(k₁/m₁)" if lecture else "rad/s", shown, unit if lecture else 1.0)
-    across = replace(across, drawn=(across.start, min(end, max(poles[-1] if poles else unit, omega))))
-    up = _height(base, shown, base if lecture else 1.0, lecture)
+    across = replace(across, drawn=(across.start, min(end, max(fast or unit, omega))))
+    up = _height(base, log, signed, base if lecture else 1.0, lecture)
     up = replace(up, drawn=(up.start / 2 if up.start < 0 else up.start, up.end / 2))
     axes = framed(frame, {"omega": across, "X": up})
     across, up = axes["omega"], axes["X"]
-    start, end = across.start, across.end
-    # Down to 0; on a log axis far below the frame, where a number is left to draw.
-    still = BESIDE if shown == "log" else 0.0
-    w, branches = _branches(_cuts(system, frequencies), still, start, end)
-    swings = particular_solution(system, F_0, w)
-    drawn = swings if shown == "signed" else np.abs(swings)
+    w, swings, branches = _curves(case, across, log) if isinstance(case, Undamped) else _curve(case, across, log)
+    drawn = swings if signed else np.abs(swings)
     columns: dict[str, Columns] = {f"branch{i}": {} for i in range(len(BRANCHES))}
     columns |= {f"branch{i}": _column(w[part], drawn[:, part]) for i, part in branches.items()}
     columns["response"] = _column(w, swings)
-    scalars, values = _marks(driven, frequencies, across, up, shown)
+    scalars = _marks(case, across, up, log, signed)
     scalars |= _names(w, drawn, list(branches.values()), across, up)
-    return DrawnResponse(columns, axes, scalars, values)
+    return DrawnResponse(columns, axes, scalars)
 
 
-def dying_response(dying: Dying, shown: str, lecture: bool, frame: Frame = FITTED) -> DrawnResponse:
-    """The curves with dashpots, finite everywhere, as `size` or `log`: neither with nor against the push."""
-    system, modes = dying.chain, dying.modes
-    frequencies = system.modes().omega
-    unit, base = _units(system, modes.F_0, frequencies, modes.omega)
-    end = max(2.5 * unit, REACH * frequencies[1]) if lecture else max(REACH * frequencies[1], 1.05 * modes.omega)
-    start = min(w for w in (*frequencies, unit, modes.omega or unit) if w > 0) / 30 if shown == "log" else 0.0
-    across = _axis(start, end, "√(k₁/m₁)" if lecture else "rad/s", shown, unit if lecture else 1.0)
-    up = _height(base, "log" if shown == "log" else "size", base if lecture else 1.0, lecture)
-    axes = framed(frame, {"omega": replace(across, drawn=(across.start, end)), "X": up})
-    across, up = axes["omega"], axes["X"]
-    w = _grid(dying, across, shown == "log")
-    swings = damped_amplitude(system, modes.c, modes.F_0, w, modes.c1)
-    inside = np.isfinite(swings).all(axis=0)
-    w, swings = w[inside], swings[:, inside]
-    columns: dict[str, Columns] = {f"branch{i}": {} for i in range(len(BRANCHES))}
-    columns |= {"branch0": _column(w, swings), "response": _column(w, swings)}
-    marks = {"minus": frequencies[0], "plus": frequencies[1]}
-    if not modes.c and system.k2:
-        marks["still"] = antiresonance(system)
-    scalars, values = _flags({name: w for name, w in marks.items() if w > 0}, across)
-    if modes.omega > 0 or shown != "log":
-        one, two = np.abs(dying.X).tolist()
-        scalars |= {"drive_at": across.place(modes.omega), "Xp1_at": up.place(one), "Xp2_at": up.place(two)}
-        scalars |= _outside(scalars, up)
-    return DrawnResponse(columns, axes, scalars | _names(w, swings, [slice(0, w.size)], across, up), values)
+def _curves(case: Undamped, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
+    """Frequencies, the amplitudes there, and which of them each branch has."""
+    # Down to 0; on a log axis far below the frame, where a number is left to draw.
+    w, branches = _branches(_cuts(case), BESIDE if log else 0.0, across.start, across.end)
+    return w, particular_solution(case.chain, case.modes.F_0, w), branches
 
 
-def _grid(dying: Dying, across: Axis, log: bool) -> Floats:
-    """Frequencies over the axis, and more about each peak, as it is wide."""
+def _curve(case: Dying, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
+    """As above, of one branch, finite everywhere: over the axis, and more about each peak, as it is wide."""
     low, high = across.start, across.end
     grid = np.geomspace(low, high, 4 * POINTS) if log else np.linspace(low, high, 4 * POINTS)
     peaks = [
         exponent.imag + side * max(-exponent.real, CLOSEST * exponent.imag) * WIDTHS
-        for exponent, _ in dying.modes.transient
+        for exponent, _ in case.modes.transient
         for side in (-1, 1)
         if exponent.imag
     ]
-    found = np.unique(np.concatenate([grid, *peaks, dying.chain.modes().omega]))
-    return found[(found >= low) & (found <= high)]
+    w = np.unique(np.concatenate([grid, *peaks, case.natural]))
+    w = w[(w >= low) & (w <= high)]
+    swings = damped_amplitude(case.chain, case.modes.c, case.modes.F_0, w, case.modes.c1)
+    inside = np.isfinite(swings).all(axis=0)
+    return w[inside], swings[:, inside], {0: slice(0, int(inside.sum()))}
 
 
-def _flags(marks: dict[str, float], across: Axis) -> tuple[dict[str, float], dict[str, str]]:
-    scalars: dict[str, float] = {}
-    for name, w in marks.items():
-        scalars |= {f"mark_{name}": across.place(w), f"mark_{name}_si": float(w)}
-    return scalars, {f"mark_{name}": three(w) for name, w in marks.items()}
-
-
-def _poles(system: TwoMassChain, frequencies: Floats) -> list[float]:
-    """Frequencies without a steady amplitude: the natural ones, but not the 0 of a mass 2 that is not coupled."""
-    return [w for w in dict.fromkeys(frequencies.tolist()) if w > 0 or (system.k1 == 0 and w == 0)]
-
-
-def _units(system: TwoMassChain, F_0: float, frequencies: Floats, omega: float) -> tuple[float, float]:
+def _units(case: AnyCase) -> tuple[float, float]:
     """sqrt(k1/m1) and F0/k1; without a spring to the wall, what stands in their place for the size of the frame."""
+    system, F_0 = case.chain, case.modes.F_0
     if system.k1:
         return math.sqrt(system.k1) / math.sqrt(system.m1), F_0 / system.k1
-    unit = float(frequencies[1]) or omega or 1.0
+    unit = case.natural[1] or case.modes.omega or 1.0
     return unit, F_0 / (system.m1 + system.m2) / unit / unit
 
 
-def _cuts(system: TwoMassChain, frequencies: Floats) -> list[tuple[float, int, bool]]:
+def _cuts(case: Undamped) -> list[tuple[float, int, bool]]:
     """Where a branch begins: the frequency, which branch, and whether it is a pole; a free mass 2 has no part in it."""
-    slow, fast = frequencies.tolist()
-    if not system.k2:
-        return [(fast, 3, True)]
-    return [(slow, 1, True), (antiresonance(system), 2, False), (fast, 3, True)]
+    branches = {"minus": 1, "still": 2, "plus": 3}
+    return [(case.marks[name], i, name != "still") for name, i in branches.items() if name in case.marks]
 
 
 def _branches(
@@ -193,31 +160,24 @@ def _axis(start: float, end: float, unit: str, shown: str, factor: float) -> Axi
     return nice_axis(start, end, unit, 3, exact=True, factor=factor)
 
 
-def _height(base: float, shown: str, factor: float, lecture: bool) -> Axis:
+def _height(base: float, log: bool, signed: bool, factor: float, lecture: bool) -> Axis:
     unit, base = ("F₀/k₁", base) if lecture else ("m", base or 1.0)
-    if shown == "log":
+    if log:
         return log_axis(base * 1e-3, base * 1e2, unit)
-    return nice_axis(-TALL * base if shown == "signed" else 0.0, TALL * base, unit, 3, exact=True, factor=factor or 1.0)
+    return nice_axis(-TALL * base if signed else 0.0, TALL * base, unit, 3, exact=True, factor=factor or 1.0)
 
 
-def _marks(
-    driven: DrivenModes,
-    frequencies: Floats,
-    across: Axis,
-    up: Axis,
-    shown: str,
-) -> tuple[dict[str, float], dict[str, str]]:
+def _marks(case: AnyCase, across: Axis, up: Axis, log: bool, signed: bool) -> dict[str, float]:
     """The flags at both natural frequencies and the antiresonance, and the dots at the drive frequency."""
-    marks = {"minus": frequencies[0], "plus": frequencies[1], "still": antiresonance(driven.chain)}
-    if not driven.chain.k2:
-        del marks["still"], marks["minus"]
-    scalars, _ = _flags({name: w for name, w in marks.items() if w > 0 or shown != "log"}, across)
-    values = {f"mark_{name}": three(w) for name, w in marks.items()}
-    if not driven.at_resonance and (driven.omega > 0 or shown != "log"):
-        X = driven.particular if shown == "signed" else np.abs(driven.particular)
-        scalars |= {"drive_at": across.place(driven.omega), "Xp1_at": up.place(X[0]), "Xp2_at": up.place(X[1])}
+    scalars: dict[str, float] = {}
+    for name, w in case.marks.items():
+        if w > 0 or not log:
+            scalars |= {f"mark_{name}": across.place(w), f"mark_{name}_si": w}
+    X = case.swings if signed else np.abs(case.swings).tolist()
+    if np.all(np.isfinite(X)) and (case.modes.omega > 0 or not log):
+        scalars |= {"drive_at": across.place(case.modes.omega), "Xp1_at": up.place(X[0]), "Xp2_at": up.place(X[1])}
         scalars |= _outside(scalars, up)
-    return scalars, values
+    return scalars
 
 
 def _outside(scalars: dict[str, float], up: Axis) -> dict[str, float]:
@@ -254,9 +214,9 @@ def _room(x: Floats, beside: Floats, y: Floats, other: Floats) -> Floats:
 
 
 FLAGS = (
-    ("mark_minus", "slow", r"$\omega_-$", "Drive at the slow natural frequency", ""),
-    ("mark_still", "m1", r"$X_{\mathrm{p}1} = 0$", "Drive where mass 1 stands still", "dashed"),
-    ("mark_plus", "fast", r"$\omega_+$", "Drive at the fast natural frequency", ""),
+    (N.mark_minus, "slow", r"$\omega_-$", "Drive at the slow natural frequency", ""),
+    (N.mark_still, "m1", r"$X_{\mathrm{p}1} = 0$", "Drive where mass 1 stands still", "dashed"),
+    (N.mark_plus, "fast", r"$\omega_+$", "Drive at the fast natural frequency", ""),
 )
 
 
@@ -264,15 +224,15 @@ def response_plot() -> PlotBlock:
     """The plot, its flags 'go there', and the pill that sets the drive frequency."""
     marks = tuple(
         Mark(
-            at=at,
+            at=one.name,
             tint=tint,
-            html=f"{rich(symbol)}<br>{rich('{' + at + '}')}",
+            html=f"{rich(symbol)}<br>{rich(str(one))}",
             label=label,
             style=style,
             set="omega",
-            exactly=f"{at}_si",
+            exactly=f"{one.name}_si",
         )
-        for at, tint, symbol, label, style in FLAGS
+        for one, tint, symbol, label, style in FLAGS
     )
     return plot(
         "response",

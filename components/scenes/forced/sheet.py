@@ -12,6 +12,7 @@ from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
 from components.layout.stage import H, Shape, W, arrow, circle, text
 from components.scene.traces import traced
+from components.scenes.forced.numbers import Numbers as N
 from components.scenes.forced.response import response_plot
 from components.scenes.forced.words import MOTION, SOLUTION, TASK
 
@@ -90,14 +91,15 @@ def _motion(i: int) -> Block:
 
 def _heading(i: int) -> tuple[Term, ...]:
     """x_i as the sum of its parts; near resonance what its swing does."""
+    X, lag, growth = ((N.X1, N.lag1, N.growth1), (N.X2, N.lag2, N.growth2))[i - 1]
     return (
         term(f"x{i}", "sum", f"m{i}", formula=f"x_{i} ="),
         term(
             f"x{i}_p",
             "line",
             "xp",
-            formula=rf"\text{{particular }}\val{{X{i}}}\,\sin(\val{{omega}}\,t)",
-            dies=rf"\text{{particular }}\val{{X{i}}}\,\sin(\val{{omega}}\,t\,\val{{lag{i}}})",
+            formula=rf"\text{{particular }}{X}\,\sin({N.omega}\,t)",
+            dies=rf"\text{{particular }}{X}\,\sin({N.omega}\,t\,{lag})",
         ),
         term(
             f"x{i}_c",
@@ -110,8 +112,8 @@ def _heading(i: int) -> tuple[Term, ...]:
             f"x{i}_limit",
             "line",
             "xp",
-            grows=f"resonant part, growing by {{growth{i}}} m/s",
-            beats=f"resonant part, a long beat, first growing by {{growth{i}}} m/s",
+            grows=f"resonant part, growing by {growth} m/s",
+            beats=f"resonant part, a long beat, first growing by {growth} m/s",
         ),
     )
 

@@ -1,0 +1,89 @@
+"""Two masses, the first of which is driven: what a motion with dashpots and one without have alike."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from components.chain.parameters import Pair
+from components.language.signals import AnySignal, Sines
+from components.quantities.axes import Axis
+from components.quantities.motion import sines
+from components.scene.traces import Columns, Floats
+from physics.coupled import TwoMassChain
+from physics.forced import DrivenModes, antiresonance
+from physics.transient import DampedModes
+
+
+class Growth(NamedTuple):
+    """size sin(rate t)/rate in m, at rate 0 size t: what a response next to resonance grows by."""
+
+    size: float
+    rate: float
+
+    def at(self, t: Floats) -> Floats:
+        swing: Floats = self.size * t * np.sinc(self.rate * t / np.pi)
+        return swing
+
+    def signal(self, size: Axis, time: Axis) -> Sines:
+        if self.rate:
+            return sines(size, time, (self.size / self.rate, self.rate, 0.0))
+        return sines(size, time, line=(0.0, self.size))
+
+
+@dataclass(frozen=True, eq=False)
+class ForcedCase:
+    """A driven motion over a window that ends at `end`, in s."""
+
+    modes: DrivenModes | DampedModes
+    end: float
+
+    @property
+    def chain(self) -> TwoMassChain:
+        return self.modes.chain
+
+    @property
+    def driven(self) -> bool:
+        return bool(self.modes.F_0 and self.modes.omega)
+
+    @property
+    def comparable(self) -> bool:
+        """Whether the lecture's units are there, sqrt(k1/m1) and F0/k1."""
+        return self.chain.k1 > 0 and self.modes.F_0 > 0
+
+    @cached_property
+    def natural(self) -> Pair:
+        """Both natural frequencies without dashpots."""
+        slow, fast = self.chain.modes().omega.tolist()
+        return slow, fast
+
+    @cached_property
+    def fastest(self) -> float:
+        """The largest angular frequency of what moves."""
+        return max(self.modes.omega, self.natural[1])
+
+    @cached_property
+    def marks(self) -> dict[str, float]:
+        """The natural frequencies at which mass 1 moves, and the one at which it stands still."""
+        slow, fast = self.natural
+        if not self.chain.k2:
+            return {"plus": fast}
+        braked = isinstance(self.modes, DampedModes) and self.modes.c
+        return {"minus": slow, "plus": fast} | ({} if braked else {"still": antiresonance(self.chain)})
+
+    @property
+    def limits(self) -> dict[str, Growth]:
+        """The growth of the swings, up and down, where they grow."""
+        return {}
+
+    def limiting(self, t: Floats) -> Columns:
+        return {name: limit.at(t) for name, limit in self.limits.items()}
+
+    def drive(self, time: Axis, force: Axis) -> dict[str, AnySignal]:
+        """The drive for the clock, as a sine of size 1 and as a force."""
+        F_0, omega = self.modes.F_0, self.modes.omega
+        size = sines(Axis(0.0, 1.0), time, (1.0 if F_0 else 0.0, omega, 0.0))
+        return {"drive": size, "force_now": sines(force, time, (F_0, omega, 0.0))}
