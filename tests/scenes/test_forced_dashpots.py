@@ -8,6 +8,9 @@ import pytest
 from components.chain.forces import LENGTH, on_masses
 from components.scenes.forced import Forced
 from components.scenes.forced.dying import Dying
+from components.scenes.forced.response import response_plot
+from components.scenes.forced.words import UNDRIVEN
+from components.state.csv_export import tables
 from tests.page.scripts import played
 
 CHAINS: list[dict[str, float]] = [
@@ -78,6 +81,7 @@ def test_pushed_on_its_particular_solution_nothing_dies() -> None:
 def test_a_light_mass_hangs_still_where_only_spring_1_has_a_dashpot() -> None:
     """The zero of mass 1 at sqrt(k2/m2) is marked where it is one."""
     assert "mark_still" in Forced(c1=0.2).shown.scalars and "mark_still" not in Forced(c2=0.2).shown.scalars
+    assert Forced(c1=0.2, k1=0.0).shown.scalars["mark_minus"] == Forced(k1=0.0).shown.scalars["mark_minus"] == 0.0
     assert Forced(c1=0.2, omega=1.0)._case().swings[0] == 0.0
     assert Forced(c2=0.2, omega=1.0)._case().swings[0] > 0.1
 
@@ -89,6 +93,30 @@ def test_the_response_is_drawn_of_sizes(curve: str, c1: float, c2: float) -> Non
     response = scene.sources["branch0"].data
     assert np.all(response["Xp1"] >= 0) and np.all(np.diff(response["omega"]) > 0)
     assert ("neither with the push" in " ".join(scene.shown.notes)) == (curve == "signed")
+
+
+@pytest.mark.parametrize("drive", [{}, {"omega": 0.0, "x1_0": 0.1}, {"F_0": 0.0, "x2_0": 0.1}])
+@pytest.mark.parametrize("chain", [CHAINS[0], CHAINS[1], CHAINS[5]])
+def test_a_weak_dashpot_leaves_the_words_and_marks_of_none(chain: dict[str, float], drive: dict[str, float]) -> None:
+    free, braked = (Forced(**{**chain, **drive}, c1=c1).shown for c1 in (0.0, 1e-6))
+    dots = ("drive_at", "Xp1_at", "Xp2_at") if drive.get("omega", 0.8) else ()
+    for name in ("mark_minus", "mark_still", "mark_plus", *dots):
+        assert braked.scalars[name] == pytest.approx(free.scalars[name], rel=1e-5), name
+    for name in ("Xp1", "Xp2") if dots else ():
+        assert braked.values[name] == free.values[name].lstrip("+−")
+    steady = free.forms["steady"]
+    assert braked.forms["steady"] == (steady if steady in UNDRIVEN else "braked")
+    assert set(free.notes) <= set(braked.notes)
+
+
+def test_each_curve_of_the_response_is_named_over_it() -> None:
+    named = {term.curve: term.tint for term in response_plot().heading if term.curve}
+    assert named == {curve.group: curve.tint for curve in response_plot().curves}
+
+
+@pytest.mark.parametrize("values", [{}, {"c1": 0.1}, {"omega": 0.6180339887498949}, {"view": "work"}])
+def test_no_table_is_of_times_alone(values: dict[str, float]) -> None:
+    assert all(len(table.head) > 1 for table in tables(Forced, Forced(**values).shown))
 
 
 def test_dashpots_are_carried_with_the_chain() -> None:

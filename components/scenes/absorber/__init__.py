@@ -270,7 +270,7 @@ class Absorber(Scene):
         axes = framed(frame, {"t": time_axis(own_window), "w": frequency, "X1": swing, "X2": stroke})
         swing = axes["X1"]
         push = nice_axis(0.0, self.F_0, "N")
-        columns, seen = data.columns(duty, axes)
+        columns = data.columns(duty, axes)
         motion = None if duty.plays else moved(duty, times(duty, end))
         rest, own = rest_columns(motion if duty.from_rest else None, duty, swing)
         names = tuple(name for name in rest if name != "t") if motion and motion.in_doubles else ()
@@ -282,7 +282,7 @@ class Absorber(Scene):
             axes=axes,
             signals=signals(duty, end, swing, axes["t"], push, parts="x1_p" in names),
             traces={"rest": Traces(end, len(rest["t"]), names, lambda t: rest_exact(moved(duty, t)))} if names else {},
-            scalars={**drawn.scalars, **data.marks(duty, axes), **seen},
+            scalars={**drawn.scalars, **data.marks(duty, axes)},
             pace=pace(self.omega, self.omega if duty.plays else duty.fastest),
             scale=drawn.scale,
             fits=drawn.fits,

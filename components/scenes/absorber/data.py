@@ -11,7 +11,7 @@ from components.layout.stage import wire
 from components.quantities.axes import Axis
 from components.quantities.motion import round_down
 from components.quantities.numbers import short
-from components.scene.traces import Columns, Floats
+from components.scene.traces import Columns
 from components.scenes.absorber.duty import AWAY, Duty
 from components.scenes.absorber.moved import FromStart, reach_alone
 from components.scenes.absorber.played import pull
@@ -30,8 +30,8 @@ ROOM = (0.22, 0.2, 0.28)
 """Free ways as fractions of the stage's width: mass 1 to the wall, mass 2 to mass 1, mass 2 to the right."""
 
 
-def columns(duty: Duty, axes: dict[str, Axis]) -> tuple[dict[str, Columns], dict[str, float]]:
-    """The curves at all frequencies that have an amplitude, and where the names in the plots stand."""
+def columns(duty: Duty, axes: dict[str, Axis]) -> dict[str, Columns]:
+    """The curves at all frequencies that have an amplitude."""
     w = duty.frequencies(axes["w"].start, axes["w"].end)
     curves = [*duty.curves(w), *(machine_curves(duty.chain, 0.0, duty.F_0, w)[:2] if duty.c else ())]
     known = np.isfinite(curves).all(axis=0)
@@ -41,21 +41,10 @@ def columns(duty: Duty, axes: dict[str, Axis]) -> tuple[dict[str, Columns], dict
         "helped": {},
         "compare": {"w": w, "free": free[0], "free2": free[1]} if free else {},
     }
-    labels = _labels(axes, duty.driven.free.omega.tolist(), w, swing, stroke)
     if duty.band is not None:
         inside = (w >= duty.band[0]) & (w <= duty.band[1])
         sources["helped"] = {"w": w[inside], "helped_lo": swing[inside], "helped_hi": alone[inside]}
-    return sources, labels
-
-
-def _labels(axes: dict[str, Axis], poles: list[float], w: Floats, swing: Floats, stroke: Floats) -> dict[str, float]:
-    """The places of the curves' names: over the curve, on the right if no pole is there."""
-    places = [axes["w"].start + share * (axes["w"].end - axes["w"].start) for share in (0.8, 0.92, 0.6)]
-    x = next((x for x in places if all(abs(x - pole) > 0.08 * axes["w"].end for pole in poles)), places[0])
-    over = {"aside1": (axes["X1"], swing), "aside2": (axes["X2"], stroke)}
-    at = np.argmin(np.abs(w - x))
-    heights = {name: axis.place(min(float(curve[at]), 0.75 * axis.end)) for name, (axis, curve) in over.items()}
-    return {"aside": axes["w"].place(x), **heights}
+    return sources
 
 
 def _reach(duty: Duty, moved: FromStart | None, end: float) -> tuple[float, float, float]:

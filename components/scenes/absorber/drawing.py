@@ -205,7 +205,7 @@ def swing_plot() -> Block:
             curve("swing", source="sweep", tint="m1", width="sum", read="with absorber"),
         ),
         heading=(
-            phrase("swing", "sum", "m1", words="machine, with the absorber"),
+            phrase("swing", "sum", "m1", words=r"$|X_{\mathrm{p}1}|$ with the absorber"),
             phrase("alone", "dash", "m1", words="alone"),
             phrase("free", "dots", "m1", undamped="undamped"),
             phrase("helped", "band", "k2fill", **HELPED),
@@ -233,7 +233,7 @@ def stroke_plot() -> Block:
             curve("stroke", source="sweep", tint="m2", width="sum", read="stroke"),
             curve("free2", source="compare", tint="m2", width="dots", group="free"),
         ),
-        heading=(phrase("stroke", "sum", "m2", words="stroke of the absorber"),),
+        heading=(phrase("stroke", "sum", "m2", words=r"stroke $|X_{\mathrm{p}2} - X_{\mathrm{p}1}|$"),),
         room=Room(52, 8),
         marks=tuple(Mark(at=at, tint=tint) for at, tint, _ in frequencies()),
         handles=(KNOB,),

@@ -26,7 +26,7 @@ def frequencies() -> list[tuple[str, str, str]]:
 
 def goals() -> Block:
     """Three goals: a dotted line runs from each limit in a plot to its mark and its sentence, with a bend in a hall."""
-    shapes = [*_bracket(), *_joints(), *_readings(), *_names()]
+    shapes = [*_bracket(), *_joints(), *_readings(), *_fixed()]
     limits = _limits()
     for i, limit in enumerate(limits):
         y = WIDE * (limit + HALL * (limits[0] + 46 * i - limit)) + NARROW * (18 + 46 * i)
@@ -68,13 +68,9 @@ def _readings() -> list[Shape]:
     ]
 
 
-def _names() -> list[Shape]:
-    """The names of the curves and of the helped band, and the fixed points."""
-    aside = on_x("swing", var("aside"))
-    shapes = [
-        text(aside, on_y("swing", var("aside1")) - 14, "|*X*_{p1}|", tint="m1", style="t2 b"),
-        text(aside, on_y("stroke", var("aside2")) - 14, "|*X*_{p2} − *X*_{p1}|", tint="m2", style="t2 b halo"),
-    ]
+def _fixed() -> list[Shape]:
+    """The fixed points, by their names."""
+    shapes = []
     for name in ("P", "Q"):
         x, y = on_x("swing", var(f"{name}_x")), on_y("swing", var(f"{name}_y"))
         shapes.append(circle(x, y, 4, show="fixed_seen"))

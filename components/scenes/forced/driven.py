@@ -102,7 +102,7 @@ class Undamped(ForcedCase):
         return found
 
     def columns(self, t: Floats) -> tuple[Columns, Columns]:
-        """What a frame is fitted to: the motion and its parts in doubles, or bands where they are too fast to draw."""
+        """The motion and its parts in doubles, as a frame is fitted to, or bands where they are too fast to draw."""
         return (self._in_doubles(t), {}) if drawable(self.fastest, t) else self._traced(t)
 
     def exact(self, t: Floats) -> Columns:

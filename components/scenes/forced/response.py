@@ -15,8 +15,8 @@ from components.language.plots import Curve, Handle, Mark
 from components.language.state import Frame
 from components.layout.grabs import grab, on_plot
 from components.layout.plots import Room, curve, plot
-from components.layout.sheet import phrase
-from components.layout.stage import Shape, arrow, circle, on_x, on_y, text
+from components.layout.sheet import phrase, term
+from components.layout.stage import Shape, arrow, circle, on_x, on_y
 from components.layout.text import rich
 from components.quantities.axes import Axis, log_axis, nice_axis
 from components.scene.frames import FITTED, framed
@@ -42,8 +42,6 @@ BESIDE = 1e-6
 """The relative distance that a log axis keeps from the frequency at which mass 1 stands still."""
 REACH = 1.55
 """The axis ends at this multiple of the larger natural frequency, unless the drive is beyond it."""
-ENOUGH, BROAD = 0.12, 0.04
-"""A name has room where the other curve is this share of the frame away, and the curve flat over twice that one."""
 TALL = 5.0
 """The frame is this many times as high as the swing under a steady force."""
 
@@ -78,9 +76,7 @@ def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) ->
     columns: dict[str, Columns] = {f"branch{i}": {} for i in range(len(BRANCHES))}
     columns |= {f"branch{i}": _column(w[part], drawn[:, part]) for i, part in branches.items()}
     columns["response"] = _column(w, swings)
-    scalars = _marks(case, across, up, log, signed)
-    scalars |= _names(w, drawn, list(branches.values()), across, up)
-    return DrawnResponse(columns, axes, scalars)
+    return DrawnResponse(columns, axes, _marks(case, across, up, log, signed))
 
 
 def _curves(case: Undamped, across: Axis, log: bool) -> tuple[Floats, Floats, dict[int, slice]]:
@@ -189,30 +185,6 @@ def _outside(scalars: dict[str, float], up: Axis) -> dict[str, float]:
     return over | under | {f"{name}_held": min(max(at, low), high) for name, at in dots.items()} | {"driven": 1.0}
 
 
-def _names(w: Floats, X: Floats, branches: list[slice], across: Axis, up: Axis) -> dict[str, float]:
-    """Where the curves' names stand: beside the curve, where it is flat and away from the other one."""
-    low, high, first, last = (axis.place(end) for axis in (up, across) for end in (axis.start, axis.end))
-    x = (across.places(w) - first) / (last - first)
-    y = np.clip((up.places(X) - low) / (high - low), -1.0, 2.0)
-    counts = [part.stop - part.start for part in branches]
-    starts, ends = [part.start for part in branches], [part.stop - 1 for part in branches]
-    left, right = (np.repeat(x[at], counts) for at in (starts, ends))
-    beside = np.array([np.maximum(x - BROAD, left), np.minimum(x + BROAD, right)])
-    scalars: dict[str, float] = {}
-    for i in (0, 1):
-        best = int(np.argmax(_room(x, beside, y[i], y[1 - i])))
-        at = first + x[best] * (last - first), low + y[i, best] * (high - low)
-        scalars |= dict(zip((f"Xp{i + 1}_name_x", f"Xp{i + 1}_name_y"), at, strict=True))
-    return scalars
-
-
-def _room(x: Floats, beside: Floats, y: Floats, other: Floats) -> Floats:
-    """The room for a name at each place of a curve, from the curves `beside` it, (2, n), in shares of the frame."""
-    inside = (x > 0.08) & (x < 0.9) & (y > 0.02) & (y < 0.8)
-    before, after = np.interp(beside, x, y)
-    return np.where(inside, np.minimum(np.abs(other - y), ENOUGH) - np.abs(after - before), -np.inf)
-
-
 FLAGS = (
     (N.mark_minus, "slow", r"$\omega_-$", "Drive at the slow natural frequency", ""),
     (N.mark_still, "m1", r"$X_{\mathrm{p}1} = 0$", "Drive where mass 1 stands still", "dashed"),
@@ -242,12 +214,12 @@ def response_plot() -> PlotBlock:
         curves=tuple(_branch(i, b) for i in (1, 2) for b in range(len(BRANCHES))),
         x_column="omega",
         heading=(
-            phrase("", "sum", "ink", form="rows", sign="with the push", braked=""),
-            phrase("", "dash", "ink", form="rows", sign="against it", braked=""),
+            *(term(f"Xp{i}", "sum", f"m{i}", formula=rf"X_{{\mathrm{{p}}{i}}}") for i in (1, 2)),
+            phrase("", "dash", "ink", form="rows", sign="against the push", braked=""),
         ),
         marks=marks,
         handles=(Handle(parameter="omega", symbol="ω", label="Drive frequency", tint="F", axis="x", covering="rad/s"),),
-        shapes=(*_named(), *_gone(), *_drive()),
+        shapes=(*_gone(), *_drive()),
         room=Room(40, 12, top=48),
         phone=10,
         height=300,
@@ -267,21 +239,6 @@ def _branch(i: int, b: int) -> Curve:
         signal=f"Xp{i}_at" if b == 0 else "",
         signal_x="drive_at" if b == 0 else "",
     )
-
-
-def _named() -> list[Shape]:
-    """The name of each curve beside it."""
-    return [
-        text(
-            on_x("response", var(f"Xp{i}_name_x")) + 10,
-            on_y("response", var(f"Xp{i}_name_y")) - 8,
-            f"*X*_{{p{i}}}",
-            "start",
-            tint=f"m{i}",
-            style="t2 b halo",
-        )
-        for i in (1, 2)
-    ]
 
 
 def _gone() -> list[Shape]:
