@@ -1,6 +1,6 @@
 """The two-mass chain: what the scenes about it share."""
 
-from components.chain.modes import MODES, direction_lines, directions, mode_readouts
+from components.chain.modes import MODES, direction_lines, directions
 from components.chain.parameters import (
     BRAKED,
     CHAIN,
@@ -77,7 +77,6 @@ __all__ = [
     "masses",
     "masses_and_springs",
     "measured_by",
-    "mode_readouts",
     "of_scene",
     "place",
     "positions",
