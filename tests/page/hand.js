@@ -3,27 +3,28 @@
 
 import {Compare} from "../../static/compare/compare.js"
 import {Clock} from "../../static/core/clock.js"
+import {PLAIN} from "../../static/core/ruler.js"
 import {evaluate} from "../../static/core/signals.js"
 import {Hand} from "../../static/input/hand.js"
 import {geometry, Plot} from "../../static/paper/plots.js"
 import {Stage} from "../../static/paper/stage.js"
 
-const ROOM = {W: 640, H: 240, hall: 0, desk: 1, low: 0}
+const ROOM = {W: 640, H: 240}
 const FRAME = {left: 40, top: 20, width: 430, height: 170}
 const ASIDE = 31 // from a plot to the next
 
 let page, stage, grip, plots, said
 
-/** A sheet is opened, on a wide page or a phone: its plots, a shape that is grabbed, a picture, an instant. */
-export function open(blocks, shape, wide, view, t) {
+/** A sheet is opened in a layout: its plots, shapes of which the first is grabbed, a picture, an instant. */
+export function open(blocks, shapes, layout, view, t) {
   const line = {last: 0, rests: true}
   const send = ({values}) => (line.last++, Object.assign(said, values))
   page = {host: {line}, send, clock: new Clock(() => {}), left: true}
   page.hand = new Hand(page)
   page.compare = Object.assign(Object.create(Compare.prototype), {page})
-  stage = new Stage({shapes: [shape]}, document.createElement("div"), page)
-  stage.size = {...ROOM, wide, narrow: 1 - wide}
-  grip = stage.grips.grips.get(shape)
+  stage = new Stage({shapes}, document.createElement("div"), page)
+  stage.size = {...ROOM, ...layout}
+  grip = stage.grips?.grips.get(shapes[0]) ?? {}
   plots = blocks
   show(view)
   page.clock.seek(t)
@@ -35,11 +36,23 @@ export function show(view) {
   page.clock.update(page.shown)
   page.hand.update(page.shown)
   const stand = plots.filter(([, x, y]) => view.axes[x] && view.axes[y])
-  const placed = ([name, x, y], i) => {
-    const plot = Object.assign(Object.create(Plot.prototype), {box: FRAME, x: view.axes[x], y: view.axes[y]})
-    return geometry(plot, name, ASIDE * i, ASIDE * i)
-  }
-  stage.plots = Object.assign({}, ...stand.map(placed))
+  stage.plots = framed(stand.map(([name, x, y]) => [name, view.axes[x], view.axes[y]]))
+}
+
+/** The places of plots by name and axes. */
+function framed(all) {
+  const placed = ([name, x, y], i) =>
+    geometry(Object.assign(Object.create(Plot.prototype), {box: FRAME, x, y}), name, ASIDE * i, ASIDE * i)
+  return Object.assign({}, ...all.map(placed))
+}
+
+/** Draws shapes once, whichever plots stand: an error where they speak of what neither these nor the picture have. */
+export function draw(blocks, shapes, layout, view) {
+  open(blocks, shapes, layout, view, 0)
+  stage.plots = framed(blocks.map(([name]) => [name, PLAIN, PLAIN]))
+  const strange = stage.shapes.flatMap(({places}) => places).find(name => !(name in stage.plots))
+  if (strange) throw new Error(`No plot has “${strange}”.`)
+  at(false)
 }
 
 /** Where the grip is, with what the hand has moved or as the picture has it; null where it is not drawn. */

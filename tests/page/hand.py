@@ -2,22 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from msgspec.structs import replace
 
-from components.language.blocks import PlotBlock, StageBlock
+from components.language.blocks import Block, Column, PlotBlock, Row, StageBlock
 from components.language.picture import View
 from components.language.shapes import AnyShape, Grab
 from components.layout.sheet import blocks
-from components.scene import Scene
+from components.scene import Picture, Scene
 from components.state.encoding import view_of
+from components.state.scene_sheet import plots
 from components.state.standing import Standing, with_values
-from tests.page.names import visible
 from tests.page.scripts import call
 
 Named = dict[str, float]
 Point = tuple[float, float]
+
+
+def visible(block: Block, forms: dict[str, str]) -> Iterator[Block]:
+    """The blocks that stand, with those in them."""
+    if block.form and not forms.get(block.form):
+        return
+    yield block
+    if isinstance(block, (Row, Column)):
+        for inner in block.blocks:
+            yield from visible(inner, forms)
 
 
 def grabs(scene: type[Scene], forms: dict[str, str] | None = None) -> Iterator[tuple[AnyShape, Grab]]:
@@ -32,25 +42,35 @@ def sets(grab: Grab) -> list[str]:
     return [way.parameter for way in grab.ways if way.parameter]
 
 
+def draw(scene: type[Scene], picture: Picture, shapes: Sequence[AnyShape]) -> None:
+    """Draws shapes in all layouts at once, as a picture starts; a name that it has not is a fault."""
+    layout = dict.fromkeys(("wide", "narrow", "hall", "desk", "low"), 1)
+    call("tests/page/hand.draw", _axes(scene), shapes, layout, _view(picture))
+
+
+def _axes(scene: type[Scene]) -> list[tuple[str, str, str]]:
+    return [(plot.name, plot.x, plot.y) for plot in plots(scene)]
+
+
+def _view(picture: Picture) -> View:
+    return replace(view_of(picture, {})[0], signals=picture.signals)
+
+
 class Hand:
     """Over a shape of a page, a wide one or a phone's, at an instant; the frame stands while it holds on."""
 
     def __init__(self, now: Standing, shape: AnyShape, *, wide: bool, t: float) -> None:
         self.now = now
-        plots = [(plot.name, plot.x, plot.y) for plot in blocks(now.kind.sheet()) if isinstance(plot, PlotBlock)]
-        call("tests/page/hand.open", plots, shape, wide, self._view, t)
+        layout = {"wide": wide, "narrow": not wide, "hall": 0, "desk": 1, "low": 0}
+        call("tests/page/hand.open", _axes(now.kind), [shape], layout, _view(now.shown), t)
 
     @property
     def scene(self) -> Scene:
         return self.now.scene
 
-    @property
-    def _view(self) -> View:
-        return replace(view_of(self.now.shown, {})[0], signals=self.now.shown.signals)
-
     def set(self, values: Named) -> None:
         self.now = with_values(self.now, values, holding=True)
-        call("tests/page/hand.show", self._view)
+        call("tests/page/hand.show", _view(self.now.shown))
 
     def at(self, *, moved: bool = True) -> Point | None:
         """Where the grip is, with what the hand has moved or as the picture has it; None where it is not drawn."""

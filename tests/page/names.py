@@ -10,19 +10,15 @@ import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 
-import msgspec
-
-from components.language.blocks import Block, ChoiceBlock, Column, PlotBlock, Row, StageBlock, TableBlock, WordsBlock
-from components.language.numbers import Expression, names_in
+from components.language.blocks import Block, ChoiceBlock, PlotBlock, StageBlock, TableBlock, WordsBlock
 from components.language.shapes import AnyShape, Box, Label
-from components.language.signals import CosineOf, Derived, SineOf
-from components.language.text import Forms, Runs
+from components.language.text import Forms
 from components.layout.sheet import blocks
 from components.scene import Scene
 from components.state.scene_sheet import scene_sheet
+from tests.page.hand import draw, visible
 
 LIVE = re.compile(r'data-value="(\w+)"')
-FRAME = ("left", "right", "top", "bottom", "x0", "x1", "y0", "y1")
 OF_THE_STAGE = {"W", "H", "wide", "narrow", "hall", "desk", "low", "t"}
 OF_THE_CLOCK = {"speed"}
 
@@ -35,36 +31,23 @@ class Names:
     given: set[tuple[str, str]] = field(default_factory=set)
 
 
-def visible(block: Block, forms: dict[str, str]) -> Iterator[Block]:
-    """The blocks that stand, with those in them."""
-    if block.form and not forms.get(block.form):
-        return
-    yield block
-    if isinstance(block, (Row, Column)):
-        for inner in block.blocks:
-            yield from visible(inner, forms)
-
-
 def missing(scene: Scene) -> list[str]:
-    """Every name that is needed for the picture in force and is not in it."""
+    """Every name that is needed for the picture in force and is not in it; of one in a number the scripts complain."""
     picture, sheet = scene.shown, scene_sheet(type(scene))
-    quantities = {*picture.signals, *picture.scalars, *OF_THE_STAGE}
-    plots = [block for block in blocks(sheet.paper) if isinstance(block, PlotBlock)]
-    quantities |= {f"{plot.name}.{part}" for plot in plots for part in FRAME}
     texts = {*picture.values, *picture.live, *OF_THE_CLOCK}
-    found = list(_signals(scene))
+    rows = [row for group in sheet.panel.groups for row in group.rows]
+    shapes = [shape for row in rows for part in getattr(row, "pictures", {}).values() for shape in part]
+    found = []
     for block in visible(sheet.paper, picture.forms):
         if isinstance(block, (StageBlock, PlotBlock)):
-            found += _shapes(block.shapes, quantities, scene, texts)
+            shapes += block.shapes
         if isinstance(block, PlotBlock):
             found += _plot(block, scene, texts)
         found += [f"value {name}" for name in _texts(block, picture.forms) if name not in texts]
         if isinstance(block, ChoiceBlock) and block.name not in scene.param:
             found.append(f"parameter {block.name}")
-    for group in sheet.panel.groups:
-        for row in group.rows:
-            for shapes in getattr(row, "pictures", {}).values():
-                found += _shapes(shapes, quantities, scene, texts)
+    draw(type(scene), picture, shapes)
+    found += _words(shapes, scene, texts)
     found += [f"live {name} without a signal" for name in picture.live if name not in picture.signals]
     return found
 
@@ -106,34 +89,12 @@ def _spoken_of(plot: PlotBlock) -> set[tuple[str, str]]:
     return spoken | {("form", term.form) for term in plot.heading if len(term.variants) > 1}
 
 
-def _signals(scene: Scene) -> Iterator[str]:
-    """Names that a signal speaks of and that do not come before it."""
-    known = {*scene.shown.scalars, "t"}
-    for name, signal in scene.shown.signals.items():
-        needed: Iterable[str] = ()
-        if isinstance(signal, Derived):
-            needed = names_in(signal.value)
-        elif isinstance(signal, (SineOf, CosineOf)):
-            needed = (signal.of,)
-        yield from (f"{one} before the signal {name}" for one in needed if one not in known)
-        known.add(name)
-
-
-def _shapes(shapes: Iterable[AnyShape], quantities: set[str], scene: Scene, texts: set[str]) -> Iterator[str]:
-    """Names that the numbers and words of those shapes need that stand."""
-    moving = {*scene.shown.signals, *OF_THE_STAGE}
+def _words(shapes: Iterable[AnyShape], scene: Scene, texts: set[str]) -> Iterator[str]:
+    """Live numbers that the words of those shapes need that stand."""
     for shape in shapes:
-        if not all(name in moving or scene.shown.scalars.get(name) for name in shape.show):
-            continue
-        numbers = [part for part in msgspec.structs.astuple(shape) if isinstance(part, Expression)]
-        needed = frozenset[str]().union(*map(names_in, numbers))
-        yield from (f"{name} of a {type(shape).__name__}" for name in needed if name not in quantities)
-        words = shape.words if isinstance(shape, Label) else shape.label if isinstance(shape, Box) else ()
-        yield from (f"value {name}" for name in _live(words) if name not in texts)
-
-
-def _live(runs: Runs) -> list[str]:
-    return [run.text for run in runs if run.kind == "value"]
+        if all(scene.shown.scalars.get(name, name in OF_THE_STAGE) for name in shape.show):
+            words = shape.words if isinstance(shape, Label) else shape.label if isinstance(shape, Box) else ()
+            yield from (f"value {run.text}" for run in words if run.kind == "value" and run.text not in texts)
 
 
 def _plot(plot: PlotBlock, scene: Scene, texts: set[str]) -> Iterator[str]:
