@@ -12,14 +12,10 @@ export function parameters({spec, panel, shown: {settings, view}}) {
     const {text, unit} = settings[row.name]
     return `${indexed(row.symbol)} = ${counted(brief(text).replace("-", "−"), unit ?? row.unit)}`
   })
-  const facts = [...panel.querySelectorAll("section:not([hidden]) .cells-4")].map(row => {
-    const [symbol, , number, unit] = [...row.children].map(cell => plain(cell).trim())
-    return `${symbol} = ${counted(number, unit)}`
-  })
   const lines = [...panel.querySelectorAll("section:not([hidden], :has(.control)) .cells-1")].map(row =>
     plain(row).replace(/,$/, ""),
   )
-  return [...facts, ...lines, ...set]
+  return [...lines, ...set]
 }
 
 /** @param {string} number @param {string} unit */

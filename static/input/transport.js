@@ -15,7 +15,7 @@ const ICONS = {
 
 /** @param {Icon} name */
 export const icon = name =>
-  `<svg viewBox="0 0 24 24" width="22" height="22" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`
+  `<svg viewBox="0 0 24 24" width="1.375rem" height="1.375rem" aria-hidden="true"><path d="${ICONS[name]}"/></svg>`
 
 /** @param {string} name @param {string} drawing @param {() => void} act @param {string} [style] */
 function key(name, drawing, act, style = "icon") {

@@ -67,14 +67,14 @@ export class Status {
 const ring = () =>
   svg(
     "svg",
-    {viewBox: "0 0 20 20", width: 20, height: 20, "aria-hidden": "true"},
+    {viewBox: "0 0 20 20", width: "1.25rem", height: "1.25rem", "aria-hidden": "true"},
     svg("circle", {class: "ring", cx: 10, cy: 10, r: 8}),
   )
 
 const tick = () =>
   svg(
     "svg",
-    {viewBox: "0 0 20 20", width: 18, height: 18, "aria-hidden": "true"},
+    {viewBox: "0 0 20 20", width: "1.125rem", height: "1.125rem", "aria-hidden": "true"},
     svg("circle", {class: "disc", cx: 10, cy: 10, r: 9}),
     svg("path", {class: "tick", d: "M5.500 10.500l3 3 6-7"}),
   )

@@ -95,7 +95,7 @@ export class Undo {
 
 /** A button with a drawing. @param {string} name @param {string} title @param {string} d @param {() => void} act */
 function drawn(name, title, d, act) {
-  const look = {viewBox: "0 0 24 24", width: 20, height: 20, "aria-hidden": "true"}
+  const look = {viewBox: "0 0 24 24", width: "1.25rem", height: "1.25rem", "aria-hidden": "true"}
   return button({"aria-label": name, title}, act, svg("svg", look, svg("path", {d})))
 }
 
