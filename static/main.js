@@ -1,6 +1,6 @@
 // The lecture in the browser: one conversation with the server, one page after the other, without loading anew.
 
-import {plainLink, written} from "./net/address.js"
+import {Address, plainLink, written} from "./net/address.js"
 import {unpacked} from "./net/columns.js"
 import {Classes} from "./live_class/classes.js"
 import {Busy} from "./core/busy.js"
@@ -16,8 +16,6 @@ import {Shell} from "./shell/shell.js"
 import {Undo} from "./shell/undo.js"
 import {showWaiting} from "./input/waiting.js"
 import {Walks} from "./walks/walks.js"
-
-const MOMENT = 200 // ms without a further change until the address is written: browsers ration that
 
 /** @typedef {import("./net/line.js").Asked} Asked */
 
@@ -39,11 +37,7 @@ export class Lecture {
 
   busy = new Busy()
 
-  /** @type {(() => void) | null} writes the address, a moment late */
-  late = null
-
-  /** @type {number | undefined} */
-  writing
+  address = new Address()
 
   /** @param {string} token of the session that the page was served with */
   constructor(token) {
@@ -69,7 +63,7 @@ export class Lecture {
     })
     this.host = /** @type {HTMLElement} */ (document.getElementById("app"))
     addEventListener("popstate", ({state: entry}) => {
-      this.late = null // it was for the entry that has been left
+      this.address.late = null // it was for the entry that has been left
       const {waiting: _, ...state} = entry ?? {}
       if (entry) this.#go({type: "open", state})
     })
@@ -131,7 +125,7 @@ export class Lecture {
 
   /** The server has another version of the page: it takes the place of this one, with all that stands and waits. */
   #reload() {
-    this.late = null
+    this.address.late = null
     const {address} = written(this.page.shown, this.hall.ending)
     history.replaceState({...this.line.state, waiting: this.line.left}, "", address)
     location.reload()
@@ -244,31 +238,20 @@ export class Lecture {
   }
 
   /**
-   * A turn is a new entry of the history; a value is written into the one that stands, a moment after the last change.
+   * A turn is a new entry of the history; a value is written into the one that stands.
    * @param {Drawn} shown @param {boolean} turn
    */
   #write(shown, turn) {
-    const {address, entry} = written(shown, this.hall.ending)
-    if (turn) this.#settle()
-    if (turn && address !== location.search) {
-      history.pushState(entry, "", address)
-    } else {
-      clearTimeout(this.writing)
-      this.late = () => history.replaceState(entry, "", address)
-      this.writing = setTimeout(() => this.#settle(), MOMENT)
-    }
+    const what = written(shown, this.hall.ending)
+    if (turn) this.address.settle()
+    if (turn && what.address !== location.search) history.pushState(what.entry, "", what.address)
+    else this.address.write(what, Boolean(this.line.asked))
   }
 
   /** The way in which the page is shown is another: the address says so. */
   readdress() {
     this.#write(this.page.shown, false)
-    this.#settle()
-  }
-
-  #settle() {
-    clearTimeout(this.writing)
-    this.late?.()
-    this.late = null
+    this.address.settle()
   }
 }
 

@@ -1,5 +1,6 @@
 // The address of a page: a link says all of its state, as long as a server takes a link of that length.
 
+const REST = 310 // ms from one writing of it to the next: Safari allows 100 in 30 s
 const LONGEST = 8000 // of a query, in characters: components/serving/pages.py
 
 /** @param {string} query */
@@ -18,3 +19,38 @@ export const written = ({query, state}, ending) =>
   isTooLong(query)
     ? {address: plainLink(state.scene) + ending, entry: {...state, waiting: []}}
     : {address: `?${query}${ending}`, entry: state}
+
+/** What the address bar shows, and what the entry of the browser's history keeps. */
+export class Address {
+  /** @type {(() => void) | null} writes what is not written yet */
+  late = null
+
+  #wrote = -Infinity
+
+  /** @type {number | undefined} */
+  #timer
+
+  constructor() {
+    addEventListener("pagehide", () => this.settle()) // for the way back; what loads anew has taken the address by then
+  }
+
+  /**
+   * Into the entry that stands: at once where nothing more is coming and nothing was written just before.
+   * @param {{address: string, entry: unknown}} what @param {boolean} more
+   */
+  write({address, entry}, more) {
+    clearTimeout(this.#timer)
+    this.late = () => history.replaceState(entry, "", address)
+    const wait = more ? REST : this.#wrote + REST - Date.now()
+    if (wait <= 0) this.settle()
+    else this.#timer = setTimeout(() => this.settle(), wait)
+  }
+
+  settle() {
+    clearTimeout(this.#timer)
+    if (!this.late) return
+    this.late()
+    this.late = null
+    this.#wrote = Date.now()
+  }
+}

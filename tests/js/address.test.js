@@ -1,0 +1,66 @@
+// The address bar: written at once where it can be, rationed while much changes, and before the page is left.
+
+import assert from "node:assert/strict"
+import {afterEach, beforeEach, mock, test} from "node:test"
+
+import {clock, happens} from "./browser.js"
+
+const {Address} = await import("../../static/net/address.js")
+
+/** @type {string[]} */
+let written = []
+let address = new Address()
+
+beforeEach(() => {
+  clock()
+  written = []
+  globalThis.history = /** @type {History} */ ({replaceState: (_entry, _title, to) => void written.push(String(to))})
+  address = new Address()
+})
+afterEach(() => {
+  address.late = null
+  mock.reset()
+})
+
+const say = (/** @type {string} */ to, more = false) => address.write({address: to, entry: {}}, more)
+
+test("a change alone is written at once", () => {
+  say("?m=2")
+  assert.deepEqual(written, ["?m=2"])
+  assert.equal(address.late, null)
+})
+
+test("of changes soon after one another the last is written, a moment later", () => {
+  for (const to of ["?m=2", "?m=3", "?m=4"]) say(to)
+  mock.timers.tick(309)
+  assert.deepEqual(written, ["?m=2"])
+  mock.timers.tick(1)
+  assert.deepEqual(written, ["?m=2", "?m=4"])
+})
+
+test("while more is coming nothing is written", () => {
+  say("?m=2", true)
+  assert.deepEqual(written, [])
+  say("?m=3")
+  assert.deepEqual(written, ["?m=3"])
+})
+
+test("however it changes it is written less than a hundred times in 30 s", () => {
+  for (const pause of [1, 10, 100, 201, 309, 311, 500]) {
+    written = []
+    for (let at = 0; at < 30_000; at += pause) {
+      say(`?m=${at}`)
+      mock.timers.tick(pause)
+    }
+    assert.ok(written.length > 40 && written.length < 100, `${pause} ms: ${written.length} times`)
+  }
+})
+
+test("what is not written yet is when the page is left", () => {
+  say("?m=2")
+  say("?m=3")
+  happens("pagehide")
+  assert.deepEqual(written, ["?m=2", "?m=3"])
+  happens("pagehide")
+  assert.equal(written.length, 2)
+})
