@@ -148,7 +148,7 @@ class ModesScene(Scene):
     def readouts(self) -> tuple[Readout, ...]:
         if self._brakes and self.task == "solve":
             return BrakedNumbers.readouts(BrakedChain(chain.of_scene(self), chain.damping_of(self)))
-        return ComparedNumbers.readouts(chain.of_scene(self))
+        return ComparedNumbers.readouts(chain.of_scene(self).modes())
 
     def about(self, shown: Picture) -> About:
         system = chain.of_scene(self)

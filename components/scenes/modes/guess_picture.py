@@ -38,7 +38,7 @@ LITTLE = Decimal("0.005")
 
 @dataclass(frozen=True, eq=False)
 class Guess:
-    """A chain, a trial frequency and shape, what the physics says of them, and the axes that they are drawn on.
+    """A chain, a trial frequency and shape, and the axes that they are drawn on, with what the physics says of them.
 
     `det` counts D in units of 10**exponent, since D leaves the range of doubles long before the rest does.
     """
@@ -46,9 +46,6 @@ class Guess:
     system: TwoMassChain
     omega: float
     ratio: float
-    modes: Modes
-    asked: Trial
-    push: TrialForces
     frequency: Axis
     shape: Axis
     det: Axis
@@ -58,6 +55,14 @@ class Guess:
         """A value of D on its axis, cut far outside the frame."""
         scaled = float(value.scaleb(-self.exponent))
         return self.det.place(scaled if abs(scaled) < 1e30 else 1e30)
+
+    @cached_property
+    def asked(self) -> Trial:
+        return said(self.system, self.omega)
+
+    @cached_property
+    def push(self) -> TrialForces:
+        return trial_forces(self.system, self.omega, self.ratio)
 
     @cached_property
     def at_rest(self) -> Decimal:
@@ -111,9 +116,11 @@ class GuessNumbers(LiveNumbers[Guess]):
     k1k2 = number(lambda g: g.at_rest)
     k2k2 = number(lambda g: -(Decimal(g.system.k2) ** 2))
     row = row1, row2 = number.both(lambda g: g.asked.rows, signed)
-    omega = omega_slow, omega_fast = number.both(lambda g: g.modes.omega)
-    r = r_slow, r_fast = number.both(lambda g: g.modes.ratio, signed)
-    slow_long, fast_long = number.both(lambda g: [f"{w:.5g}" if 0.1 <= w < 1e4 else three(w) for w in g.modes.omega])
+    omega = omega_slow, omega_fast = number.both(lambda g: g.system.modes().omega)
+    r = r_slow, r_fast = number.both(lambda g: g.system.modes().ratio, signed)
+    slow_long, fast_long = number.both(
+        lambda g: [f"{w:.5g}" if 0.1 <= w < 1e4 else three(w) for w in g.system.modes().omega]
+    )
     X = X1, X2 = number.both(lambda g: g.push.amplitude, signed)
     need = need1_N, need2_N = number.both(lambda g: g.push.needed, signed, unit="N", whole=True)
     give = give1_N, give2_N = number.both(lambda g: g.push.springs, signed, unit="N", whole=True)
@@ -128,7 +135,7 @@ def inside(axis: Axis, value: float | Decimal) -> float:
 
 def picture(system: TwoMassChain, omega: float, ratio: float, window: float | None, frame: Frame = FITTED) -> Picture:
     """All of the view for one chain and one guess; ValueError where a curve leaves the range of doubles."""
-    modes, push = system.modes(), trial_forces(system, omega, ratio)
+    modes = system.modes()
     if system.k2 and not np.all(np.isfinite(modes.ratio)):
         raise ValueError(f"a mode ratio X2/X1 leaves {DOUBLES}")
     end = _end(float(modes.omega[1]), omega)
@@ -139,23 +146,12 @@ def picture(system: TwoMassChain, omega: float, ratio: float, window: float | No
     axes = framed(frame, own | {"t": time})
     columns, det, exponent = _columns(system, axes["w"].end, reach)
     axes |= framed(frame, {"D": det})
-    guess = Guess(
-        system=system,
-        omega=omega,
-        ratio=ratio,
-        modes=modes,
-        asked=said(system, omega),
-        push=push,
-        frequency=axes["w"],
-        shape=axes["r"],
-        det=axes["D"],
-        exponent=exponent,
-    )
+    guess = Guess(system, omega, ratio, frequency=axes["w"], shape=axes["r"], det=axes["D"], exponent=exponent)
     return Picture(
         columns=columns,
         axes=axes,
-        signals=_signals(push, omega, axes["t"]),
-        scalars=_swing_scalars(push) | _force_scalars(push) | _known(guess) | _tried(guess),
+        signals=_signals(guess.push, omega, axes["t"]),
+        scalars=_swing_scalars(guess.push) | _force_scalars(guess.push) | _known(guess) | _tried(guess),
         pace=pace(omega, omega),
         values=GuessNumbers.texts(guess, axes),
         forms=_forms(guess),
@@ -242,7 +238,7 @@ def _force_scalars(push: TrialForces) -> dict[str, float]:
 
 def _known(guess: Guess) -> dict[str, float]:
     """Where the modes and the two known values of D stand, in the units of the axes, and which are inside the frame."""
-    system, modes, shape = guess.system, guess.modes, guess.shape
+    system, modes, shape = guess.system, guess.system.modes(), guess.shape
     least = -(Decimal(system.k2) ** 2)
     scalars = {
         "zero": 0.0,
@@ -298,7 +294,7 @@ def agreement(guess: Guess) -> str:
             return f"same_{mode}"
     if guess.asked.apart is None or one is None or two is None:
         return "pole"
-    for mode, w in zip(MODES, guess.modes.omega, strict=True):
+    for mode, w in zip(MODES, guess.system.modes().omega, strict=True):
         if abs(guess.omega - w) <= NEAR * w and abs(guess.asked.apart) <= ALIKE * max(abs(one), abs(two)):
             return f"near_{mode}"
     return "apart"

@@ -162,7 +162,7 @@ def picture(
         pace=pace(slow or fast, fast),
         scale=drawn.scale,
         fits=drawn.fits,
-        values=drawn.values | ShareNumbers.texts(parts, axes) | (N.texts(system, axes) if revealed else {}),
+        values=drawn.values | ShareNumbers.texts(parts, axes) | (N.texts(modes, axes) if revealed else {}),
         live={name: size.digits(signed=True) for name in ("x1", "x2")},
         forms={"verdict": found(system, parts), "answer": "shown" if revealed else ""},
         notes=drawn.notes,

@@ -12,7 +12,7 @@ from components.chain.parameters import Pair
 from components.quantities.live_numbers import LiveNumber, LiveNumbers
 from components.quantities.numbers import plus, signed, three
 from physics.braked_modes import BrakedMode, braked_modes
-from physics.coupled import TwoMassChain
+from physics.coupled import Modes, TwoMassChain
 from physics.laplace import Driven, transform
 from physics.modes import Mixture, Quadratic
 
@@ -36,32 +36,32 @@ class BrakedChain:
         return [0.0] * (5 - len(P)) + [float(a) for a in P]
 
 
-number = LiveNumber[TwoMassChain]
+number = LiveNumber[Modes]
+solved = LiveNumber[TwoMassChain]
 term = LiveNumber[Quadratic]
 braked = LiveNumber[BrakedChain]
 
 
-class ComparedNumbers(LiveNumbers[TwoMassChain]):
+class ComparedNumbers(LiveNumbers[Modes]):
     """The frequencies and the shapes, with all names by which a view tells them."""
 
-    omega_slow = number(
-        lambda c: c.modes().omega[0], "ω_{−}", "rad/s", "slow", also=("slow_omega", "slow_long", "now_slow")
-    )
+    omega_slow = number(lambda m: m.omega[0], "ω_{−}", "rad/s", "slow", also=("slow_omega", "slow_long", "now_slow"))
     ratio_slow = number(
-        lambda c: c.modes().ratio[0],
-        "X₂/X₁_{−}",
-        tint="slow",
-        also=("slow_ratio", "r_slow", "now_ratio_slow", "answer_slow"),
+        lambda m: m.ratio[0], "X₂/X₁_{−}", "", "slow", also=("slow_ratio", "r_slow", "now_ratio_slow", "answer_slow")
     )
-    omega_fast = number(
-        lambda c: c.modes().omega[1], "ω_{+}", "rad/s", "fast", also=("fast_omega", "fast_long", "now_fast")
-    )
+    omega_fast = number(lambda m: m.omega[1], "ω_{+}", "rad/s", "fast", also=("fast_omega", "fast_long", "now_fast"))
     ratio_fast = number(
-        lambda c: c.modes().ratio[1],
-        "X₂/X₁_{+}",
-        tint="fast",
-        also=("fast_ratio", "r_fast", "now_ratio_fast", "answer_fast"),
+        lambda m: m.ratio[1], "X₂/X₁_{+}", "", "fast", also=("fast_ratio", "r_fast", "now_ratio_fast", "answer_fast")
     )
+
+
+class SweptNumbers(LiveNumbers[Modes]):
+    now_slow, now_fast = number.both(lambda m: m.omega)
+    now_ratio_slow, now_ratio_fast = number.both(lambda m: m.ratio, signed)
+
+
+class AnswerNumbers(LiveNumbers[Modes]):
+    answer_slow, answer_fast = number.both(lambda m: m.ratio, signed)
 
 
 class EquationNumbers(LiveNumbers[Quadratic]):
@@ -79,21 +79,12 @@ class EquationNumbers(LiveNumbers[Quadratic]):
 
 
 class SolvedNumbers(LiveNumbers[TwoMassChain]):
-    gamma = number(lambda c: c.modes().gamma)
-    delta = number(lambda c: c.modes().delta)
-    product = number(lambda c: -Decimal(c.m1) / Decimal(c.m2))
-    omega = slow_omega, fast_omega = number.both(lambda c: c.modes().omega)
-    slow_square, fast_square = number.both(lambda c: [mode.omega**2 for mode in c.exact_modes])
-    ratio = slow_ratio, fast_ratio = number.both(lambda c: c.modes().ratio, signed)
-
-
-class SweptNumbers(LiveNumbers[TwoMassChain]):
-    now_slow, now_fast = number.both(lambda c: c.modes().omega)
-    now_ratio_slow, now_ratio_fast = number.both(lambda c: c.modes().ratio, signed)
-
-
-class AnswerNumbers(LiveNumbers[TwoMassChain]):
-    answer_slow, answer_fast = number.both(lambda c: c.modes().ratio, signed)
+    gamma = solved(lambda c: c.modes().gamma)
+    delta = solved(lambda c: c.modes().delta)
+    product = solved(lambda c: -Decimal(c.m1) / Decimal(c.m2))
+    omega = slow_omega, fast_omega = solved.both(lambda c: c.modes().omega)
+    slow_square, fast_square = solved.both(lambda c: [mode.omega**2 for mode in c.exact_modes])
+    ratio = slow_ratio, fast_ratio = solved.both(lambda c: c.modes().ratio, signed)
 
 
 class ShareNumbers(LiveNumbers[Mixture]):

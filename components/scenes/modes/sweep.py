@@ -210,7 +210,7 @@ def picture(system: TwoMassChain, swept: str, frame: Frame = FITTED) -> Picture:
         axes=axes,
         scalars=_crossing(run, axes["p"]),
         values={
-            **N.texts(system, axes),
+            **N.texts(modes, axes),
             "low_name": f"{SYMBOLS[swept]} → 0",
             "high_name": f"{SYMBOLS[swept]} → ∞",
         },
