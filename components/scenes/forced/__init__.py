@@ -116,7 +116,8 @@ class Forced(Scene):
         extremes = chain.extremes(curves, bands)
         work = case.energy(t) if self.view == "work" and drawable(2 * case.fastest, t) else {}
         swing = response(case, self.curve, self.axes == "lecture" and case.comparable, frame)
-        own = {"t": time_axis(self._window), "x": nice_axis(*_span(extremes, curves), "m", 2), "E": _energy_axis(work)}
+        window = time_axis(self.window or time_window(slow, fast))
+        own = {"t": window, "x": nice_axis(*_span(extremes, curves), "m", 2), "E": _energy_axis(work)}
         axes, push = framed(frame, own) | swing.axes, nice_axis(0.0, self.F_0 or 1.0, "N")
         size = axes["x"]
         drawn = chain.to_scale(case.chain, extremes, size, frame.scale)
@@ -151,13 +152,9 @@ class Forced(Scene):
             return dying_about(shown, case.modes)
         return forced_about(shown, case.modes, *chain.start_of(self))
 
-    @property
-    def _window(self) -> float:
-        return self.window or time_window(*chain.of_scene(self).modes().omega.tolist())
-
     def _case(self, frame: Frame = FITTED) -> AnyCase:
         system, (c1, c2), (x_0, v_0) = chain.of_scene(self), chain.damping_of(self), chain.start_of(self)
-        end = frame.window or self._window
+        end = frame.window or self.window or time_window(*system.modes().omega.tolist())
         if c1 or c2:
             drive = {"F_0": self.F_0, "omega": self.omega}
             return Dying(DampedModes(chain=system, c=c2, c1=c1, x_0=x_0, v_0=v_0, **drive), end)
