@@ -12,7 +12,7 @@ from typing import Any, TypedDict, Unpack
 
 import numpy as np
 from bokeh.embed import json_item
-from bokeh.models import ColumnDataSource, FixedTicker, Range1d, Span
+from bokeh.models import ColumnDataSource, FixedTicker, Line, Range1d, Scatter, Span, VArea
 from bokeh.models import Plot as BokehPlot
 from bokeh.plotting import figure
 from msgspec.structs import replace
@@ -159,14 +159,15 @@ def _glyphs(figure_: BokehPlot, curves: tuple[Curve, ...], regions: tuple[Region
     its colour, its width and its group."""
     sources = _sources(curves, regions)
     for n, one in enumerate(regions):
-        place = {"x": one.x, "y1": one.low, "y2": one.high, "source": sources[one.source]}
-        figure_.varea(**place, fill_alpha=one.alpha, name=f"regions.{n}")
+        area = VArea(x=one.x, y1=one.low, y2=one.high, fill_alpha=one.alpha)
+        figure_.add_glyph(sources[one.source], area, name=f"regions.{n}")
     for n, line in enumerate(curves):
-        place = {"x": line.x, "y": line.y, "source": sources[line.source], "name": f"curves.{n}"}
+        source, place, name = sources[line.source], {"x": line.x, "y": line.y}, f"curves.{n}"
         if line.width != "none":
-            figure_.line(**place, line_dash=DASHES.get(line.width, []), line_join="round")
+            dash = DASHES.get(line.width, [])
+            figure_.add_glyph(source, Line(**place, line_dash=dash, line_join="round"), name=name)
         if line.marker:
-            figure_.scatter(**place, size=9)
+            figure_.add_glyph(source, Scatter(**place, size=9), name=name)
 
 
 def _sources(curves: tuple[Curve, ...], regions: tuple[Region, ...]) -> dict[str, ColumnDataSource]:
