@@ -13,6 +13,7 @@ from playwright.sync_api import Page
 from tests.browser.fixtures import READY
 from tests.browser.views import LINKS, screens
 from tests.browser.waiting import seek
+from tests.grids import spread
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
@@ -66,7 +67,7 @@ def faults(page: Page) -> list[Any]:
     return [one for one in found if one not in open_] + pale
 
 
-@pytest.mark.parametrize("link", LINKS)
+@pytest.mark.parametrize("link", spread(LINKS))
 def test_no_violation_and_nothing_undecided(new_page: Callable[..., Page], server: Server, link: str) -> None:
     for theme, width, height in screens(link):
         page = new_page(width, height, color_scheme=theme, reduced_motion="reduce")

@@ -37,6 +37,7 @@ GO = "id => oscillations.walks.walk.go(oscillations.walks.walk.sheet.steps.findI
 PUT = f"id => {LED}.news.question?.step === id && !oscillations.walks.walk.lesson && {LAID}"
 
 
+@pytest.mark.slow
 def test_a_step_is_seen_whole_beside_the_corner_of_a_class(server: Server, window: Open) -> None:
     lecture, code = taught(window, "walk=d34&projector")
     lecture.set_viewport_size({"width": 1280, "height": HEIGHT})

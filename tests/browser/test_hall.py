@@ -13,6 +13,7 @@ from tests.browser.boxes import faults
 from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
 from tests.browser.waiting import passed, seek
+from tests.grids import spread
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
@@ -51,11 +52,13 @@ def looked_at(page: Page, width: int, height: int, least: tuple[int, int] = SCEN
     return [f"{width} x {height}: {fault}" for fault in found if HANDLE not in fault]
 
 
-def test_every_scene_has_the_halls_type_and_nothing_overlaps(server: Server, page: Page) -> None:
+@pytest.mark.parametrize("third", spread(range(3)))
+def test_every_scene_has_the_halls_type_and_nothing_overlaps(third: int, server: Server, page: Page) -> None:
     page.goto(f"{server.url}?scene=oscillator&projector")
     found = []
     views = [("modes", {"task": task}) for task in ("guess", "solve", "sweep")]
-    for slug, given in [*((slug, {}) for slug in SCENES), *views, ("coupled", {"view": "constants"})]:
+    every = [*((slug, {}) for slug in SCENES), *views, ("coupled", {"view": "constants"})]
+    for slug, given in every[third::3]:
         page.evaluate("([scene, parameters]) => oscillations.open({scene, parameters})", [slug, given])
         page.wait_for_function(f"slug => oscillations.page.spec.slug === slug && {READY}", arg=slug)
         page.wait_for_function(

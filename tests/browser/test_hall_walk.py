@@ -16,7 +16,7 @@ from components.walks.walk import Step
 from tests.browser.fixtures import READY
 from tests.browser.halls import LAID, TAUGHT, empty, seen
 from tests.browser.waiting import clicked
-from tests.grids import WHOLE
+from tests.grids import WHOLE, spread
 from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
@@ -55,7 +55,7 @@ def wordiest(step: Step) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize(("width", "height"), SIZES if WHOLE else SIZES[:1])
-@pytest.mark.parametrize("name", WALKS)
+@pytest.mark.parametrize("name", spread(["d34", "d31", "d32-33", "tour"], 4))
 def test_a_step_is_seen_whole(name: str, width: int, height: int, server: Server, page: Page) -> None:
     page.set_viewport_size({"width": width, "height": height})
     page.goto(f"{server.url}?walk={name}&projector")
@@ -80,6 +80,7 @@ def test_a_step_is_seen_whole(name: str, width: int, height: int, server: Server
     assert not found, "\n".join(found)
 
 
+@pytest.mark.slow
 def test_a_clicker_leads_through_a_whole_walk(server: Server, page: Page) -> None:
     """With Page Down, Page Up, a full stop and its start key, F5, alone."""
     walk = WALKS["d34" if WHOLE else "tour"]

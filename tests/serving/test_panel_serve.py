@@ -75,6 +75,7 @@ def test_what_of_a_link_cannot_be_is_said(panel_serve: str) -> None:
 
 
 @pytest.mark.browser
+@pytest.mark.slow
 def test_a_widget_drives_the_figures_and_a_refused_value_goes_back(panel_serve: str, browser: Browser) -> None:
     page = browser.new_page()
     faults: list[str] = []

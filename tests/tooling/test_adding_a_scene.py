@@ -15,7 +15,6 @@ import pytest
 from playwright.sync_api import Browser, expect
 
 from tests.browser.fixtures import SCREENSHOTS
-from tests.grids import spread
 from tests.serving.server import ROOT, serving
 
 TUTORIAL = ROOT / "docs" / "adding-a-scene.md"
@@ -95,7 +94,8 @@ def test_the_scenes_pass_their_own_tests_and_those_of_every_scene(project: Path)
 
 
 @pytest.mark.browser
-@pytest.mark.parametrize("slug", spread([*SCREENS]))
+@pytest.mark.slow
+@pytest.mark.parametrize("slug", SCREENS)
 def test_the_scene_is_served_and_drawn(slug: str, project: Path, browser: Browser, tmp_path: Path) -> None:
     headline, preset, sentence = SCREENS[slug]
     with serving(tmp_path / "log", folder=project) as server:
