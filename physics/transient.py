@@ -164,7 +164,8 @@ class DampedModes:
         return x1, x2, x2 - x1, v1, v2
 
     def _check_particular(self) -> None:
-        if self.F_0 and np.any(np.isinf(damped_solution(self.chain, self.c, self.F_0, self.omega, self.c1))):
+        driven = self.F_0 and self.omega  # at omega = 0 the force F_0 sin(omega t) is 0
+        if driven and np.any(np.isinf(damped_solution(self.chain, self.c, self.F_0, self.omega, self.c1))):
             raise at_natural_frequency(self.omega)
 
 

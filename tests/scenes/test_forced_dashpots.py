@@ -99,14 +99,28 @@ def test_the_response_is_drawn_of_sizes(curve: str, c1: float, c2: float) -> Non
 @pytest.mark.parametrize("chain", [CHAINS[0], CHAINS[1], CHAINS[5]])
 def test_a_weak_dashpot_leaves_the_words_and_marks_of_none(chain: dict[str, float], drive: dict[str, float]) -> None:
     free, braked = (Forced(**{**chain, **drive}, c1=c1).shown for c1 in (0.0, 1e-6))
-    dots = ("drive_at", "Xp1_at", "Xp2_at") if drive.get("omega", 0.8) else ()
+    driven = bool(drive.get("omega", 0.8))
+    dots = ("drive_at", "Xp1_at", "Xp2_at") if driven else ()
     for name in ("mark_minus", "mark_still", "mark_plus", *dots):
         assert braked.scalars[name] == pytest.approx(free.scalars[name], rel=1e-5), name
-    for name in ("Xp1", "Xp2") if dots else ():
+    for name in ("Xp1", "Xp2"):
         assert braked.values[name] == free.values[name].lstrip("+−")
     steady = free.forms["steady"]
     assert braked.forms["steady"] == (steady if steady in UNDRIVEN else "braked")
     assert set(free.notes) <= set(braked.notes)
+
+
+@pytest.mark.parametrize("chain", CHAINS)
+@pytest.mark.parametrize(("c1", "c2"), [(0.4, 0.0), (0.4, 0.2)])
+def test_a_drive_that_does_not_turn_pushes_nothing(chain: dict[str, float], c1: float, c2: float) -> None:
+    """F_0 sin(0 t) = 0 is no resonance, though nothing ties the masses to the wall: the swings are those of the curve
+    at its left end, as without dashpots."""
+    still, pushed = (Forced(**chain, c1=c1, c2=c2, omega=0.0, F_0=F_0) for F_0 in (0.0, 1.0))
+    times = np.linspace(0.0, 9.0, 5)
+    np.testing.assert_array_equal(pushed._case().motion(times).x, still._case().motion(times).x)
+    if chain.get("k2", 1.0):
+        np.testing.assert_allclose(pushed._case().swings, Forced(**chain, omega=0.0, F_0=1.0)._case().swings)
+    assert "At ω = 0 the force F₀ sin ωt is 0 at all times." in pushed.shown.notes
 
 
 def test_each_curve_of_the_response_is_named_over_it() -> None:

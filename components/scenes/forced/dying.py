@@ -19,6 +19,7 @@ from components.quantities.axes import Axis, nice_axis
 from components.quantities.motion import QUARTER, decays, derived, sampled, sines, total
 from components.scene.traces import Columns, Floats, band_columns
 from components.scenes.forced.case import ForcedCase
+from physics.absorber import damped_solution
 from physics.coupled import Motion
 from physics.energy import chain_energy
 from physics.sampling import drawable
@@ -58,8 +59,10 @@ class Dying(ForcedCase):
 
     @property
     def swings(self) -> Pair:
-        """The sizes of the steady swings."""
-        return abs(self.X[0]), abs(self.X[1])
+        """The sizes of the steady swings; at omega = 0 their limit, infinite where nothing holds the masses."""
+        modes = self.modes
+        one, two = np.abs(damped_solution(self.chain, modes.c, modes.F_0, modes.omega, modes.c1)).tolist()
+        return one, two
 
     @property
     def lags(self) -> Pair:
