@@ -13,7 +13,7 @@ from tests.browser.boxes import faults
 from tests.browser.fixtures import READY
 from tests.browser.targets import small_targets
 from tests.browser.views import GRID, LINKS, SAMPLE
-from tests.browser.waiting import passed, seek
+from tests.browser.waiting import passed, seek, turned
 from tests.grids import WHOLE, spread
 from tests.serving.server import Server
 
@@ -35,6 +35,20 @@ CASES = [(link, GRID if WHOLE else SAMPLE) for link in LINKS] + [
 ]
 """Links and the sizes that each is looked at in."""
 DESK = (1280, 590)
+NAMES_ON = """kinds => {
+  const seen = one => one.checkVisibility() && one.getBoundingClientRect().width > 0
+  const boxes = kind => [...document.querySelectorAll(`.block.stage:not(.still) svg.stage ${kind}`)].filter(seen)
+  const meet = (one, other) => one.left < other.right + 3 && other.left < one.right + 3 &&
+    one.top < other.bottom && other.top < one.bottom
+  return boxes("text").flatMap(text => kinds.flatMap(boxes)
+    .filter(part => part !== text && meet(text.getBoundingClientRect(), part.getBoundingClientRect()))
+    .map(part => `${text.textContent} on ${part.getAttribute("class")}`))
+}"""
+"""Names of a stage that lie on its parts of these kinds, or less than 3 px beside them."""
+LIFT = """(({host, frame}) => {
+  const name = [...document.querySelectorAll(".stage text")].find(({textContent}) => textContent === "L")
+  return name.getBoundingClientRect().left - host.getBoundingClientRect().left - frame.left
+})(oscillations.plots.find(({block}) => block.name === "path"))"""
 SIDEWAYS = (844, 390)
 PLAY_ENDS = "document.querySelector('.transport .play').getBoundingClientRect().bottom - innerHeight"
 
@@ -95,3 +109,22 @@ def test_in_a_low_window_the_bar_goes_under_the_stage(
       const [over] = document.elementsFromPoint(x + width / 2, y + height / 2)
       return Boolean(over.closest(".block.stage")) && scrollY > 0
     }""")
+
+
+@pytest.mark.parametrize(("width", "text"), [(320, "100%"), (390, "100%"), (390, "200%")])
+def test_on_a_phone_names_lie_on_no_other_part(
+    width: int, text: str, new_page: Callable[..., Page], open_scene: Callable[..., Page]
+) -> None:
+    page = open_scene(new_page(width, 568), scene="energy")
+    page.evaluate("size => { document.documentElement.style.fontSize = size }", text)
+    passed(page)
+    seek(page, 0.0)
+    assert page.evaluate(NAMES_ON, ["path.strip", "circle.strip", "line.strip"]) == []
+    if text == "100%":
+        assert page.evaluate(NAMES_ON, ["path.outline"]) == []  # the bar of the energy
+    turned(page, "driven", {})
+    seek(page, 0.0)
+    assert page.evaluate(NAMES_ON, ["text"]) == []
+    turned(page, "phugoid", {})
+    seek(page, 0.0)
+    assert page.evaluate(LIFT) > 0  # it is not cut off at the frame of the path

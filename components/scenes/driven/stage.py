@@ -56,7 +56,7 @@ def block() -> list[Shape]:
         arrow(arrow_at, LEVEL, arrow_at, y, tint="m1"),
         *_drives(y, lowest, lift),
         text(
-            WIDE * 2 + NARROW * 0.58 * W, WIDE * 16 + NARROW * 0.28 * H, f"*x* = {{x}} {N.x_unit}", "start", tint="m1",
+            WIDE * 2 + NARROW * 0.58 * W, 16, f"*x* = {{x}} {N.x_unit}", "start", tint="m1",
             style="t2 b halo",
         ),
     ]  # fmt: skip

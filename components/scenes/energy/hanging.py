@@ -27,9 +27,9 @@ from components.layout.stage import (
 )
 from components.scenes.energy.numbers import Numbers as N
 
-CENTRE = WIDE * (0.5 * W + 16 * HALL) + NARROW * (0.2 * W + 78)
+CENTRE = WIDE * (0.5 * W + 16 * HALL) + NARROW * (0.12 * W + 100)
 """Where it hangs: on a phone names have room left of it, and planets right of it."""
-HALF, ASIDE = WIDE * (62 - 8 * HALL) + NARROW * 44, WIDE * 45 + NARROW * 37
+HALF, ASIDE = WIDE * (62 - 8 * HALL) + NARROW * 40, WIDE * 45 + NARROW * 33
 """The reach of the levels to either side of it, and where arrows stand."""
 STRIP, STRIP_LENGTH = 0.79 * W, 0.2 * W
 """On a phone the stage has a small x(t) of its own."""
@@ -40,7 +40,7 @@ BESIDE = {
 }
 """Names of the equilibrium where it is the natural length, and where it is too close below for a name of its own."""
 DEFLECTION, SHIFT = f"*δ*_{{st}} {N.delta_st}", f"½ *k δ*_{{st}}² = {N.shift}"
-BAR = WIDE * 22 + NARROW * 12
+BAR = WIDE * 22 + NARROW * 8
 PLANETS = {"moon": ("Moon", 1.62), "mars": ("Mars", 3.71), "earth": ("Earth", 9.81), "jupiter": ("Jupiter", 24.8)}
 """Names and gravities in m/s^2."""
 
@@ -150,12 +150,12 @@ def strip() -> list[Shape]:
             size,
             var("swings"),
             var("phi"),
-            style="sum",
+            style="sum strip",
             tint="m1",
             show="narrow swings",
         ),
-        line(now, TOP, now, BOTTOM, style="now", show="narrow"),
-        circle(now, height(var("x")), 5, tint="m1", show="narrow"),
+        line(now, TOP, now, BOTTOM, style="now strip", show="narrow"),
+        circle(now, height(var("x")), 5, tint="m1", style="strip", show="narrow"),
     ]
 
 

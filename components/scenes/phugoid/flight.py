@@ -11,7 +11,23 @@ from msgspec.structs import replace
 from components.language.numbers import Number, var
 from components.language.shapes import Grab, Trade
 from components.layout.grabs import begin, grab, on_plot
-from components.layout.stage import Looks, Shape, W, arrow, box, circle, line, on_x, on_y, path, spring, text, wall
+from components.layout.stage import (
+    NARROW,
+    WIDE,
+    Looks,
+    Shape,
+    W,
+    arrow,
+    box,
+    circle,
+    line,
+    on_x,
+    on_y,
+    path,
+    spring,
+    text,
+    wall,
+)
 from components.quantities.axes import Axis, nice_axis, nice_ticks
 from components.quantities.numbers import short
 from components.scenes.phugoid.swing import Swing
@@ -132,12 +148,13 @@ def lift_shapes(plot: str, show: str) -> list[Shape]:
     x, y = on_x(plot, var("x")), on_y(plot, var("y"))
     unit: Number = 50 * SIZE
     tip = x + unit * var("lift_forward"), y - unit * var("lift_up")
+    aside = NARROW * 18 - WIDE * 8  # on a phone it starts at the left edge
     own: Looks = {"inside": plot, "show": show}
     return [
         arrow(x, y, x, y + unit, tint="k", style="thick", head=13, **own),
         arrow(x, y, *tip, tint="F", style="thick", head=13, **own),
         text(x + 8, y + unit - 4, "*m g*", anchor="start", tint="k", style="t2 b halo told", **own),
-        text(tip[0] - 8, tip[1] + 12, "*L*", anchor="end", tint="F", style="t2 b halo told", **own),
+        text(tip[0] + aside, tip[1] + 12, "*L*", anchor="end", tint="F", style="t2 b halo told", **own),
     ]
 
 
@@ -146,8 +163,8 @@ def _labels(plot: str, left: Number, level: Number) -> list[Shape]:
     top, top_lin = ((on_x(plot, var(f"{name}_x")), on_y(plot, var(f"{name}_y")) - above) for name in ("top", "top_lin"))
     return [
         text(left - 8, level + 5, "*h*_0", anchor="end", style="t2 b halo"),
-        text(top[0] - 4, top[1], "exact", anchor="end", tint="m1", style="halo", show="named"),
-        text(top_lin[0] + 4, top_lin[1], "linear", anchor="start", tint="m1", style="halo", show="named"),
+        text(top[0] - 4, top[1], "exact", anchor="end", tint="m1", style="halo which", show="named"),
+        text(top_lin[0] + 4, top_lin[1], "linear", anchor="start", tint="m1", style="halo which", show="named"),
     ]
 
 
