@@ -280,7 +280,8 @@ def _summed(modes: Expansion, t: float) -> list[Any] | None:
         reach, radians = taxicab(turned) * turns, max(radians, turns)
         total = [a + (b * turned).real for a, b in zip(total, row, strict=True)]
         doubt = [a + b * reach for a, b in zip(doubt, sizes, strict=True)]
-    sure = all(1e5 * ctx.eps * a <= _SURE * abs(b) for a, b in zip(doubt, total, strict=True))
+    nothing = ctx.ldexp(1, -1080)  # rounds to 0: a sum that is 0 has no digits to be sure of
+    sure = all(1e5 * ctx.eps * a <= _SURE * max(abs(b), nothing) for a, b in zip(doubt, total, strict=True))
     return total if sure and modes.mismatch * radians < _REPRODUCED else None
 
 

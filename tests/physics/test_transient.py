@@ -1,6 +1,7 @@
 """The damped chain from any start: against the matrix exponential in many digits, at double roots, in its limits."""
 
 import math
+from fractions import Fraction
 from types import SimpleNamespace
 
 import mpmath as mp
@@ -199,6 +200,15 @@ def test_nothing_moves_without_a_force():
     loose = TwoMassChain(m1=1.0, m2=2.0, k1=0.0, k2=0.0)
     motion = damped_motion(loose, 1.0, 0.0, 1.0, [0.0, 1.0], x_0=(0.0, 1.0))
     assert np.array_equal(rows(motion), np.repeat([[0.0], [1.0], [1.0], [0.0], [0.0]], 2, axis=1))
+
+
+def test_a_mass_that_nothing_ties_stays_while_the_other_moves():
+    loose = TwoMassChain(m1=1.0, m2=1.0, k1=0.0, k2=0.0)
+    modes = DampedModes(chain=loose, c1=0.5, c=0.0, F_0=0.0, omega=0.0, x_0=(0.1, 0.2), v_0=(0.0, 0.3))
+    x, t = [0.1, 0.2], [0.0, 1.0, 7.0]
+    moved = [[x[0]] * 3, [float(Fraction(x[1]) + Fraction(0.3) * Fraction(one)) for one in t]]
+    assert modes.motion(t).x.tolist() == moved
+    assert modes.motion(t).v.tolist() == [[0.0] * 3, [0.3] * 3]
 
 
 @pytest.mark.parametrize(
