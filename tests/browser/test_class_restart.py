@@ -111,7 +111,8 @@ def _taken_over(lecture: Page, other: Page) -> None:
     """Another computer leads the class, and has the walk from a file that it never opened."""
     lecture.wait_for_function(CONNECTED)
     drop(lecture, "mine.toml", MINE)
-    lecture.wait_for_function(f"{LED}.news.question?.step === 'pull'", timeout=AGAIN)
+    # The server has a new process to start that reads walks, which a busy machine does slowly.
+    lecture.wait_for_function(f"{LED}.news.question?.step === 'pull'", timeout=3 * AGAIN)
     other.set_viewport_size({"width": 1280, "height": 844})
     lecture.keyboard.press("j")
     with lecture.expect_response(re.compile("/word$")) as answer:
