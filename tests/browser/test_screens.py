@@ -45,6 +45,14 @@ NAMES_ON = """kinds => {
     .map(part => `${text.textContent} on ${part.getAttribute("class")}`))
 }"""
 """Names of a stage that lie on its parts of these kinds, or less than 3 px beside them."""
+CROSSED = """(({shapes, clear}) => {
+  const {parts: [shift]} = shapes.find(({group}) => group.textContent.includes("½"))
+  const {left, right, top, bottom} = clear.box(shift)
+  const crossed = clear.lines.filter(one =>
+    one.left < right && one.right > left && one.top < bottom && one.bottom > top)
+  return [clear.lines.length > 99, crossed]
+})(oscillations.page.stages.find(({under}) => under?.block.name === "well"))"""
+"""Whether the lines of the well are drawn, and what of them lies under the name of a shift."""
 LIFT = """(({host, frame}) => {
   const name = [...document.querySelectorAll(".stage text")].find(({textContent}) => textContent === "L")
   return name.getBoundingClientRect().left - host.getBoundingClientRect().left - frame.left
@@ -122,6 +130,10 @@ def test_on_a_phone_names_lie_on_no_other_part(
     assert page.evaluate(NAMES_ON, ["path.strip", "circle.strip", "line.strip"]) == []
     if text == "100%":
         assert page.evaluate(NAMES_ON, ["path.outline"]) == []  # the bar of the energy
+    if (width, text) == (390, "100%"):
+        turned(page, "energy", {"datum": "separate"})
+        seek(page, 0.0)
+        assert page.evaluate(CROSSED) == [True, []]  # the shift in its well
     turned(page, "driven", {})
     seek(page, 0.0)
     assert page.evaluate(NAMES_ON, ["text"]) == []

@@ -173,6 +173,6 @@ def well() -> tuple[Shape, ...]:
         line(x, V, WIDE * on_x("energy", T) + NARROW * x, V, style="level", tint="V", show="wide"),
         *[circle(on_x("well", side * var("C")), level, 4, tint="ink", show="swinging") for side in (-1, 1)],
         arrow(middle, floor, middle, shift, tint="ink", style="thin", head=9, show="shifted"),
-        text(middle - 8, (floor + shift) * 0.5 + 5, SHIFT, "end", style="b halo", show="shifted"),
+        text(middle, (floor + shift) * 0.5, SHIFT, "beside", style="b halo", show="shifted"),
         circle(x, V, 8, tint="m1", grab=begin("Ball, start", on_plot("well", "x", "x_0", **MOVES), start=START)),
     )
