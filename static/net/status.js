@@ -64,17 +64,19 @@ export class Status {
   }
 }
 
+const LINE = {fill: "none", stroke: "currentColor"}
+
 const ring = () =>
   svg(
     "svg",
     {viewBox: "0 0 20 20", width: "1.25rem", height: "1.25rem", "aria-hidden": "true"},
-    svg("circle", {class: "ring", cx: 10, cy: 10, r: 8}),
+    svg("circle", {cx: 10, cy: 10, r: 8, ...LINE, "stroke-width": 1.75, "stroke-dasharray": "4 2.3"}),
   )
 
 const tick = () =>
   svg(
     "svg",
     {viewBox: "0 0 20 20", width: "1.125rem", height: "1.125rem", "aria-hidden": "true"},
-    svg("circle", {class: "disc", cx: 10, cy: 10, r: 9}),
-    svg("path", {class: "tick", d: "M5.500 10.500l3 3 6-7"}),
+    svg("circle", {cx: 10, cy: 10, r: 9, fill: "currentColor"}),
+    svg("path", {d: "M5.500 10.500l3 3 6-7", ...LINE, stroke: "var(--paper)", "stroke-width": 2}),
   )

@@ -20,8 +20,9 @@ export const SUCH = "Show such a case"
 /** A disc with a tick, or a ring with a cross. @param {boolean} right */
 export function mark(right) {
   const sign = right ? "M5.5 10.200l3 3 6-6.400" : "M6.500 6.500l7 7m0-7l-7 7"
-  const parts = [svg("circle", {cx: 10, cy: 10, r: 8.5}), svg("path", {d: sign})]
-  return svg("svg", {viewBox: "0 0 20 20", class: right ? "judged right" : "judged", role: "img",
+  const [fill, stroke] = right ? ["var(--ink)", "var(--paper)"] : ["var(--paper)", "var(--ink)"]
+  const parts = [svg("circle", {cx: 10, cy: 10, r: 8.5, fill}), svg("path", {d: sign, stroke})]
+  return svg("svg", {viewBox: "0 0 20 20", class: "judged", role: "img",
     "aria-label": right ? "right" : "wrong"}, ...parts) // prettier-ignore
 }
 

@@ -7,7 +7,8 @@ import {using} from "../later.js"
 /** @typedef {import("../paper/plots.js").Plot | import("../paper/stage.js").Stage} Subject */
 
 const SAVE =
-  '<svg viewBox="0 0 16 16" width="1rem" height="1rem" aria-hidden="true"><path d="M8 2v8' +
+  '<svg viewBox="0 0 16 16" width="1rem" height="1rem" aria-hidden="true" fill="none" stroke="currentColor"' +
+  ' stroke-width="1.5"><path d="M8 2v8' +
   'M4.5 6.5 8 10l3.5-3.5M2.5 13.5h11"/></svg>'
 
 export class Tools {

@@ -96,7 +96,8 @@ export class Undo {
 /** A button with a drawing. @param {string} name @param {string} title @param {string} d @param {() => void} act */
 function drawn(name, title, d, act) {
   const look = {viewBox: "0 0 24 24", width: "1.25rem", height: "1.25rem", "aria-hidden": "true"}
-  return button({"aria-label": name, title}, act, svg("svg", look, svg("path", {d})))
+  const line = svg("path", {d, fill: "none", stroke: "currentColor", "stroke-width": 1.75})
+  return button({"aria-label": name, title}, act, svg("svg", look, line))
 }
 
 /**
