@@ -47,6 +47,7 @@ interface Canvas {
   readonly y: page.Ruler
   readonly hidden: Set<string>
   readonly ghost?: {name: SVGTextElement; end: number | null}
+  readonly handles?: {cuts(tick: number, axis: "x" | "y"): boolean}
   px(value: number): number
   py(value: number): number
 }

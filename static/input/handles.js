@@ -1,11 +1,12 @@
 // Pills at the axes of a plot that set a parameter, and the one that moves the instant shown.
 
-import {element, long, reword, textWidth} from "../core/dom.js"
+import {element, long, reword, textWidth, units} from "../core/dom.js"
 import {whileHeld} from "./held.js"
 import {MINUS, three, tidy} from "../core/numbers.js"
 import {toPlace, toSI} from "../core/ruler.js"
 
 const LONGEST = 7 // characters of a number that a handle shows as typed
+const HEIGHT = 24 // of a pill
 const STEPS = 200 // arrow keys that cross an axis
 /** @type {Record<string, number>} */
 const KEYS = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10}
@@ -132,7 +133,7 @@ export class Handles {
     const inside = clamp(value, axis)
     const {style, classList} = pill.element
     style.left = long(axis === this.plot.y ? left - 6 : this.plot.px(inside))
-    style.top = long(axis === this.plot.y ? this.plot.py(inside) - 12 : top + height + 3)
+    style.top = long(axis === this.plot.y ? this.plot.py(inside) - HEIGHT / 2 : top + height + 3)
     classList.toggle("outside", inside !== value)
     const shown = this.#text(pill, text, inside)
     reword(pill.element, shown)
@@ -168,19 +169,20 @@ export class Handles {
 
   /**
    * Whether but a part of a number of the axis could be read, because a handle stands on it.
-   * @param {number} i its place
+   * @param {number} i its place @param {"x" | "y"} name of the axis
    */
-  cuts(i) {
-    const {x} = this.plot
-    const isLast = i === x.ticks.length - 1
+  cuts(i, name = "x") {
+    const axis = this.plot[name]
+    const hasUnit = axis.labels[i].includes(" ")
     return this.setters
-      .filter(({element: pill, handle}) => handle.axis === "x" && !pill.hidden && (handle.covering || !isLast))
-      .some(pill => this.#touches(i, pill.element.textContent ?? "", clamp(this.#value(pill), x)))
+      .filter(({element: pill, handle}) => handle.axis === name && !pill.hidden && (handle.covering || !hasUnit))
+      .some(pill => this.#touches(i, pill.element.textContent ?? "", clamp(this.#value(pill), axis), name))
   }
 
-  /** @param {number} i @param {string} text of a handle @param {number} at */
-  #touches(i, text, at) {
-    const {ticks, labels} = this.plot.x
+  /** @param {number} i @param {string} text of a handle @param {number} at @param {"x" | "y"} name of its axis */
+  #touches(i, text, at, name = "x") {
+    const {ticks, labels} = this.plot[name]
+    if (name === "y") return Math.abs(this.plot.py(ticks[i]) - this.plot.py(at)) < (units("t0") + HEIGHT) / 2
     return Math.abs(this.plot.px(ticks[i]) - this.plot.px(at)) < (textWidth(labels[i]) + textWidth(text)) / 2 + 12
   }
 

@@ -48,17 +48,21 @@ export class Labels {
     // A number that is too wide has its unit under it.
     const lines = labels.map(label => (textWidth(label) > left + OVERHANG ? label.split(/ (.*)/, 2) : [label]))
     const [size, more] = [units("t0"), LINE * units("t0")]
-    const spans = ticks.map((tick, i) => {
+    const feet = ticks.map(tick => {
+      const y = this.plot.py(tick)
+      return Math.min(y + 4.5, Math.max(y - 1, top + height)) // those below the floor stay apart
+    })
+    const spans = feet.map((foot, i) => {
       const under = (lines[i].length - 1) * more
-      return {at: this.plot.py(tick) + under / 2, size: size + under}
+      return {at: foot + under / 2, size: size + under}
     })
     const step = everyWhich(spans)
     this.scale.replaceChildren(
       ...(this.plot.block.plain ? [] : ticks).flatMap((tick, i) => {
         const y = this.plot.py(tick)
-        if (y < top - 1 || y > top + height + 1 || (last - i) % step) return []
+        if (y < top - 1 || y > top + height + 1 || (last - i) % step || this.plot.handles?.cuts(i, "y")) return []
         const parts = lines[i].map((text, n) => svg("tspan", {x: left - 7, dy: n ? `${LINE}em` : "0"}, text))
-        return [svg("text", {"text-anchor": "end", x: left - 7, y: Math.min(y + 4.5, top + height)}, ...parts)]
+        return [svg("text", {"text-anchor": "end", x: left - 7, y: feet[i]}, ...parts)]
       }),
     )
   }

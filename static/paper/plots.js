@@ -43,6 +43,7 @@ export class Plot {
     this.cursor = block.cursor ? svg("line", {class: "now"}) : null
     this.flags = new Flags(this)
     this.cover = new Cover(this)
+    /** @type {Handles} */
     this.handles = new Handles(this)
     this.labels = new Labels(this)
     this.reading = new Reading(this)

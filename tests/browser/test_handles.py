@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from itertools import pairwise
 
 import pytest
 from playwright.sync_api import Locator, Page, expect
@@ -15,6 +16,11 @@ pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 UNANCHORED = ":root, body {overflow-anchor: none}"
 """A browser that does not keep in place by itself what it shows."""
+BOXES = """plot => [plot.querySelector(".pill"), ...plot.querySelectorAll(".scale text")].map(part => {
+  const {top, height} = part.getBoundingClientRect(), bare = part.matches("text") ? height / 6 : 0
+  return [top + bare, top + height - bare]
+})"""
+"""How high the pill of a plot and the numbers at its vertical axis reach, down to their feet."""
 
 
 def middle(handle: Locator) -> tuple[float, float]:
@@ -145,3 +151,26 @@ def test_a_drag_over_a_plot_moves_the_instant_and_letting_go_plays_on(page: Page
     assert not page.evaluate("oscillations.clock.playing")
     page.mouse.up()
     page.wait_for_function("oscillations.clock.playing")
+
+
+def test_a_handle_at_a_vertical_axis_cuts_no_number(page: Page, open_scene: Open) -> None:
+    """Over all its values, in the hall too, where type is large and the plot low; numbers keep off each other."""
+    open_scene(page, scene="modes", task="guess", ratio=1)
+    plot = page.locator(".block.plot").filter(has=page.locator(".pill"))
+    seen = set()
+    for key in ("", "p"):
+        if key:
+            page.keyboard.press(key)
+        for ratio in range(-3, 4):
+            page.evaluate("ratio => oscillations.page.send({type: 'set', values: {ratio}})", ratio)
+            page.wait_for_function("ratio => oscillations.shown.settings.ratio.value === ratio", arg=ratio)
+            passed(page)
+            pill, *numbers = plot.first.evaluate(BOXES)
+            seen.add(len(numbers))
+            assert all(not lap(pill, number) for number in numbers), (key, ratio, pill, numbers)
+            assert all(not lap(one, other) for one, other in pairwise(numbers)), (key, ratio, numbers)
+    assert len(seen) > 1
+
+
+def lap(one: list[float], other: list[float]) -> bool:
+    return one[0] < other[1] - 1 and other[0] < one[1] - 1
