@@ -31,7 +31,7 @@ CENTRE = WIDE * (0.5 * W + 16 * HALL) + NARROW * (0.12 * W + 100)
 """Where it hangs: on a phone names have room left of it, and planets right of it."""
 HALF, ASIDE = WIDE * (62 - 8 * HALL) + NARROW * 40, WIDE * 45 + NARROW * 33
 """The reach of the levels to either side of it, and where arrows stand."""
-STRIP, STRIP_LENGTH = 0.79 * W, 0.2 * W
+STRIP, STRIP_LENGTH = 0.83 * W, 0.16 * W
 """On a phone the stage has a small x(t) of its own."""
 SQUARE = "M0 0H1V1H0Z"
 BESIDE = {
