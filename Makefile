@@ -14,6 +14,8 @@ LOCK := $(BIN)/uv pip compile --quiet --universal --python-version 3.11 --fork-s
 	--no-emit-index-url --no-strip-extras --custom-compile-command "make lock"
 # Each core begins with half of the tests, in order; who is done takes over from the other.
 BOTH_CORES := -n 2 --dist worksteal
+# Pages wait for frames and timers: three at a time keep two cores busy.
+THREE_PAGES := -n 3 --dist worksteal
 BROWSER = CHROMIUM="$$($(BIN)/python -m tests.browser.chromium)"
 # A text browser must not take the terminal: a page is opened only where there is a screen.
 SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname))),--show)
@@ -27,7 +29,7 @@ run: $(VENV)/run.stamp
 # In two runs: Playwright leaves an event loop running in a process, which other tests must not meet.
 test: lint
 	$(BIN)/pytest $(BOTH_CORES) -m "not browser and not slow"
-	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) -m "browser and not slow"
+	$(BROWSER) $(BIN)/pytest $(THREE_PAGES) -m "browser and not slow"
 
 # What takes seconds to hold what a quicker test holds in part: every scene, deployment, timers waited for.
 rest: $(VENV)/test.stamp

@@ -37,7 +37,8 @@ SHARE = 0.001
 """Of the pixels, above which a picture is listed."""
 TRIES = 20
 """Pictures, of which the last two have to be the same."""
-GRABBED = "localStorage.setItem('grabbed', 'yes')"  # no hint comes, at whatever moment
+BEFORE = "localStorage.setItem('grabbed', 'yes'); localStorage.setItem('seed', '1')"
+"""No hint comes, at whatever moment, and answers stand in one order."""
 STOP = """share => {
   const {clock} = oscillations
   clock.playing = false
@@ -86,7 +87,7 @@ def _shoot_all(browser: Browser, url: str, folder: Path, wanted: list[Sight], sc
     context = browser.new_context(
         viewport={"width": width, "height": height}, bypass_csp=True, reduced_motion="reduce", color_scheme="light"
     )
-    context.add_init_script(GRABBED)
+    context.add_init_script(BEFORE)
     page, count = context.new_page(), 0
     for view in wanted:
         page.goto(f"{url}?{view.link}{'&projector' * (screen == 'hall')}")
