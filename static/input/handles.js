@@ -164,14 +164,14 @@ export class Handles {
    * @param {string} text @param {number} at
    */
   #hidesUnit(text, at) {
-    return this.#touches(this.plot.x.ticks.length - 1, text, at)
+    return this.#touches(this.plot.x.ticks.length - 1, text, at, "x")
   }
 
   /**
    * Whether but a part of a number of the axis could be read, because a handle stands on it.
    * @param {number} i its place @param {"x" | "y"} name of the axis
    */
-  cuts(i, name = "x") {
+  cuts(i, name) {
     const axis = this.plot[name]
     const hasUnit = axis.labels[i].includes(" ")
     return this.setters
@@ -180,7 +180,7 @@ export class Handles {
   }
 
   /** @param {number} i @param {string} text of a handle @param {number} at @param {"x" | "y"} name of its axis */
-  #touches(i, text, at, name = "x") {
+  #touches(i, text, at, name) {
     const {ticks, labels} = this.plot[name]
     if (name === "y") return Math.abs(this.plot.py(ticks[i]) - this.plot.py(at)) < (units("t0") + HEIGHT) / 2
     return Math.abs(this.plot.px(ticks[i]) - this.plot.px(at)) < (textWidth(labels[i]) + textWidth(text)) / 2 + 12

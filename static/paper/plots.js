@@ -176,7 +176,7 @@ export class Plot {
     const last = ticks.length - 1
     const spans = ticks.map((tick, i) => ({at: this.px(tick), size: textWidth(labels[i]) + 4}))
     const step = this.box ? everyWhich(spans) : 1
-    return new Map(ticks.map((tick, i) => [tick, (last - i) % step || this.handles.cuts(i) ? "" : labels[i]]))
+    return new Map(ticks.map((tick, i) => [tick, (last - i) % step || this.handles.cuts(i, "x") ? "" : labels[i]]))
   }
 
   #widen() {

@@ -19,7 +19,7 @@ from tests.serving.server import Server
 pytestmark = pytest.mark.browser
 SCENE, STEP = (28, 22), (22, 19)
 """The smallest type on 1080 lines, and an index: of a scene, and of a step of a walk, beside its card."""
-SIZES = ((1920, 1080), (853, 480), (1024, 768))
+SIZES = ((1920, 1080), (1280, 720), (853, 480), (1024, 768))
 LINES = """oscillations.plots.filter(({host}) => host.checkVisibility())
   .flatMap(({figure: {model}}) => (model?.renderers ?? []))
   .filter(({glyph}) => glyph.type === "Line").map(({glyph}) => glyph.line_width.value ?? glyph.line_width)"""

@@ -20,7 +20,7 @@ BOXES = """plot => [plot.querySelector(".pill"), ...plot.querySelectorAll(".scal
   const {top, height} = part.getBoundingClientRect(), bare = part.matches("text") ? height / 6 : 0
   return [top + bare, top + height - bare]
 })"""
-"""How high the pill of a plot and the numbers at its vertical axis reach, down to their feet."""
+"""Top and bottom, in pixels, of a plot's pill, then of each number at its vertical axis less the room under a digit."""
 
 
 def middle(handle: Locator) -> tuple[float, float]:

@@ -65,14 +65,18 @@ class ForcedCase:
         """The largest angular frequency of what moves."""
         return max(self.modes.omega, self.natural[1])
 
+    @property
+    def stills(self) -> bool:
+        """Whether mass 1 stands still at some drive frequency."""
+        return bool(self.chain.k2)
+
     @cached_property
     def marks(self) -> dict[str, float]:
         """The natural frequencies at which mass 1 moves, and the one at which it stands still."""
         slow, fast = self.natural
         if not self.chain.k2:
             return {"plus": fast}
-        braked = isinstance(self.modes, DampedModes) and self.modes.c
-        return {"minus": slow, "plus": fast} | ({} if braked else {"still": antiresonance(self.chain)})
+        return {"minus": slow, "plus": fast} | ({"still": antiresonance(self.chain)} if self.stills else {})
 
     @property
     def limits(self) -> dict[str, Growth]:

@@ -57,12 +57,16 @@ class Dying(ForcedCase):
         one, two, _ = self.modes.particular.tolist()
         return one, two
 
-    @property
+    @cached_property
     def swings(self) -> Pair:
         """The sizes of the steady swings; at omega = 0 their limit, infinite where nothing holds the masses."""
         modes = self.modes
         one, two = np.abs(damped_solution(self.chain, modes.c, modes.F_0, modes.omega, modes.c1)).tolist()
         return one, two
+
+    @property
+    def stills(self) -> bool:
+        return super().stills and not self.modes.c
 
     @property
     def lags(self) -> Pair:
