@@ -30,7 +30,9 @@ STAYING = """() => {
 
 SCROLLED = "(paper => paper.scrollHeight - paper.clientHeight)(document.querySelector('.paper'))"
 PRESETS = [fitted(scene(**values)).query for scene in SCENES.values() for values in scene.presets.values() if values]
-CASES = [(link, GRID if WHOLE else SAMPLE) for link in LINKS] + [
+BRAKED = fitted(SCENES["forced"](c1=0.4, c2=0.2)).query
+"""The longest equations."""
+CASES = [(link, GRID if WHOLE else SAMPLE) for link in (*LINKS, BRAKED)] + [
     (link, (*SAMPLE, (390, 844), (3840, 2160))) for link in PRESETS if WHOLE and link not in LINKS
 ]
 """Links and the sizes that each is looked at in."""

@@ -12,22 +12,23 @@ from components.scenes.forced.numbers import Numbers as N
 
 TASK = "Drag ω: where does mass 1 swing farthest, where not at all, and when against the push?"
 
-_ROWS = (
-    r"[small|$\begin{pmatrix} m_1 \omega^2 - k_1 - k_2 & k_2 \\ k_2 & m_2 \omega^2 - k_2 \end{pmatrix}"
-    r" \begin{pmatrix} X_{\mathrm{p}1} \\ X_{\mathrm{p}2} \end{pmatrix}"
-    r" = \begin{pmatrix} -F_0 \\ 0 \end{pmatrix}$]"
-)
-_BRAKED_ROWS = (
-    r"[small|$\begin{pmatrix} m_1 \omega^2 - i \omega c_1 - k_1 - \kappa & \kappa \\ \kappa & m_2 \omega^2 - \kappa"
-    r" \end{pmatrix} \begin{pmatrix} X_{\mathrm{p}1} \\ X_{\mathrm{p}2} \end{pmatrix}"
-    r" = \begin{pmatrix} -F_0 \\ 0 \end{pmatrix}$]"
-)
+
+def _rows(one: str, two: str) -> str:
+    """Both equations in matrix form, of springs alone or of springs and dashpots."""
+    return (
+        rf"[small|$\begin{{pmatrix}} m_1 \omega^2 - {one} - {two} & {two} \\ {two} & m_2 \omega^2 - {two}"
+        r" \end{pmatrix} \begin{pmatrix} X_{\mathrm{p}1} \\ X_{\mathrm{p}2} \end{pmatrix}"
+        r" = \begin{pmatrix} -F_0 \\ 0 \end{pmatrix}$]"
+    )
+
+
 _GROWS = f"from rest the swing of $x_1$ grows by {N.growth1} m a second, that of $x_2$ by {N.growth2} m."
 UNDRIVEN = ("none", "idle", "rest")
 """Where nothing is driven, in the words of the particular solution."""
 
 SOLUTION: list[Paragraph] = [
-    either("rows", sign=_ROWS, braked=_BRAKED_ROWS),
+    either("rows", sign=_rows("k_1", "k_2"), braked=_rows(r"\kappa_1", r"\kappa_2")),
+    either("rows", sign="", braked=r"[small|with $\kappa_j = k_j + i \omega c_j$ for spring and dashpot $j$]"),
     either(
         "steady",
         finite=r"$\tint{m1}{X_{\mathrm{p}1} = \dfrac{(k_2 - m_2 \omega^2) F_0}{D} = "
@@ -52,16 +53,14 @@ SOLUTION: list[Paragraph] = [
         finite=rf"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = {N.D}$]",
         resonance=r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = 0$]",
         near=rf"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = {N.D}$]",
-        braked=r"[small|with $\kappa = k_2 + i \omega c_2$ for spring and dashpot 2]",
-        **dict.fromkeys((*UNDRIVEN, "loose"), ""),
+        **dict.fromkeys((*UNDRIVEN, "loose", "braked"), ""),
     ),
     either(
         "dying",
-        dies=f"The complementary part dies: after {N.dies} each of its terms has at most 1 % left. The particular "
-        "solution remains.",
+        dies=f"The complementary part dies, each term to 1 % within {N.dies}; the particular solution remains.",
         alike="The complementary part dies, and the particular solution remains.",
         stays="Of the complementary part only what nothing ties to its place stays, a constant or a drift.",
-        free=f"The motion dies: after {N.dies} each of its terms has at most 1 % left.",
+        free=f"The motion dies, each of its terms to 1 % within {N.dies}.",
         alike_free="The motion dies.",
         stays_free="Of the motion only what nothing ties to its place stays, a constant or a drift.",
     ),
