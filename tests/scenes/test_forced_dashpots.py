@@ -99,8 +99,7 @@ def test_the_response_is_drawn_of_sizes(curve: str, c1: float, c2: float) -> Non
 @pytest.mark.parametrize("chain", [CHAINS[0], CHAINS[1], CHAINS[5]])
 def test_a_weak_dashpot_leaves_the_words_and_marks_of_none(chain: dict[str, float], drive: dict[str, float]) -> None:
     free, braked = (Forced(**{**chain, **drive}, c1=c1).shown for c1 in (0.0, 1e-6))
-    driven = bool(drive.get("omega", 0.8))
-    dots = ("drive_at", "Xp1_at", "Xp2_at") if driven else ()
+    dots = ("drive_at", "Xp1_at", "Xp2_at") if drive.get("omega", 0.8) else ()
     for name in ("mark_minus", "mark_still", "mark_plus", *dots):
         assert braked.scalars[name] == pytest.approx(free.scalars[name], rel=1e-5), name
     for name in ("Xp1", "Xp2"):
