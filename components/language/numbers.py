@@ -2,9 +2,21 @@
 
 from __future__ import annotations
 
-from typing import TypeAlias
+from typing import Protocol, TypeAlias
 
 from msgspec import Struct
+
+
+class Name(Protocol):
+    """Anything that is known by a name: a declaration of a scene."""
+
+    @property
+    def name(self) -> str: ...
+
+
+def called(one: Name | str) -> str:
+    """The name that is sent."""
+    return one if isinstance(one, str) else one.name
 
 
 class Product(Struct, frozen=True, array_like=True):
@@ -51,9 +63,9 @@ def as_expression(value: Number) -> Expression:
     return value if isinstance(value, Expression) else Expression((Product(float(value)),))
 
 
-def var(name: str) -> Expression:
+def var(one: Name | str) -> Expression:
     """A named quantity."""
-    return Expression((Product(1.0, (name,)),))
+    return Expression((Product(1.0, (called(one),)),))
 
 
 def names_in(value: Number) -> frozenset[str]:

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, Literal
 
-from components.language.numbers import Number, as_expression, var
+from components.language.numbers import Name, Number, as_expression, called
 from components.language.shapes import Along, AnyWay, Begin, Grab
+from components.layout.stage import PlotFrame
 
 
-def grab(label: str, *ways: AnyWay, inside: str = "") -> Grab:
+def grab(label: str, *ways: AnyWay, inside: Name | str = "") -> Grab:
     """A grab that sets values and leaves the clock alone, in the frame of the plot `inside` if there is one."""
-    return Grab(label=label, ways=ways, inside=inside)
+    return Grab(label=label, ways=ways, inside=called(inside))
 
 
 def begin(label: str, *ways: AnyWay, start: tuple[Begin, ...] = ()) -> Grab:
@@ -19,16 +20,36 @@ def begin(label: str, *ways: AnyWay, start: tuple[Begin, ...] = ()) -> Grab:
     return Grab(label=label, ways=ways, begins=True, start=start)
 
 
-def linear(place: Callable[[Number], Number], across: Literal["x", "y"], parameter: str, **more: Any) -> Along:
-    """A way along which `place` says where a value stands, in proportion."""
+def linear(
+    place: Callable[[Number], Number],
+    across: Literal["x", "y"],
+    parameter: str,
+    moves: Name | str = "",
+    axis: Name | str = "",
+    **more: Any,
+) -> Along:
+    """A way along which `place` says where a value stands, in proportion; it moves a signal or scalar, counted on an
+    axis."""
     zero = as_expression(place(0.0))
-    return Along(across=across, zero=zero, unit=place(1.0) - zero, parameter=parameter, **more)
+    unit, moved = place(1.0) - zero, called(moves)
+    return Along(across=across, zero=zero, unit=unit, parameter=parameter, moves=moved, axis=called(axis), **more)
 
 
-def on_plot(plot: str, across: Literal["x", "y"], parameter: str, moves: str, axis: str, **more: Any) -> Along:
+def on_plot(
+    plot: Name | str, across: Literal["x", "y"], parameter: str, moves: Name | str, axis: Name | str, **more: Any
+) -> Along:
     """A way along an axis of a plot, on the stage or over that plot: `across` is x or y."""
-    zero, unit = var(f"{plot}.{across}0"), var(f"{plot}.{across}1")
-    return Along(across=across, zero=zero, unit=unit, parameter=parameter, moves=moves, axis=axis, **more)
+    frame, moved = PlotFrame(called(plot)), called(moves)
+    zero, unit = frame.at(f"{across}0"), frame.at(f"{across}1")
+    return Along(across=across, zero=zero, unit=unit, parameter=parameter, moves=moved, axis=called(axis), **more)
+
+
+def begins(
+    parameter: str, of: Name | str, axis: Name | str = "", *, per: Name | str = "", size: float = 1.0,
+    exactly: bool = False, angle: bool = False,
+) -> Begin:  # fmt: skip
+    """The start of `parameter` from what is seen: components.language.shapes.Begin."""
+    return Begin(parameter, called(of), called(axis), size, called(per), exactly, angle)
 
 
 def at_rest(*velocities: str) -> tuple[Begin, ...]:

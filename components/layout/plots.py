@@ -18,11 +18,13 @@ from bokeh.plotting import figure
 from msgspec.structs import replace
 
 from components.language.blocks import PlotBlock
+from components.language.numbers import Name, called
 from components.language.plots import Curve, Handle, Mark, Region, Term
 from components.language.plots import Room as Room
 from components.language.shapes import AnyShape
 from components.layout.text import plain as plain_text
 from components.layout.text import runs
+from components.quantities.declared import Column, Named
 
 USUAL_ROOM = Room()
 NUMBERS = 30
@@ -32,21 +34,46 @@ HEADING = 24
 DASHES = {"dash": [7, 5], "dots": [1, 3]}
 
 
-def curve(y: str, *, source: str = "time", x: str = "", label: str = "", read: str = "", **look: Any) -> Curve:
-    """A line of a plot: column `y` of `source`, over the plot's own abscissae where no `x` is given.
+def curve(
+    y: Name | str, *, source: str = "", x: Name | str = "", label: str = "", read: str = "", **look: Any
+) -> Curve:
+    """A line of a plot: a column, or a signal over time, over the plot's own abscissae where no `x` is given.
 
     `label` stands at its right end and in the read-out at the pointer, `read` there alone; its `group` is `y` where
     not given. The rest is as in components.language.plots.
     """
-    named = {"group": y, "label": runs(label), "read": plain_text(read or label)}
-    return Curve(y=y, source=source, x=x, **(named | look))
+    named = {"group": called(y), "label": runs(label), "read": plain_text(read or label)}
+    return Curve(y=called(y), source=source or _source(y), x=called(x), **(named | _named(look)))
 
 
 def region(
-    low: str, high: str, *, source: str = "time", x: str = "", label: str = "", read: str = "", **look: Any
+    low: Name | str,
+    high: Name | str,
+    *,
+    source: str = "",
+    x: Name | str = "",
+    label: str = "",
+    read: str = "",
+    **look: Any,
 ) -> Region:
-    """A filled region between the columns `low` and `high`: an envelope, or a layer of a stack."""
-    return Region(low=low, high=high, source=source, x=x, label=runs(label), read=plain_text(read or label), **look)
+    """A filled region between two columns or signals over time: an envelope, or a layer of a stack."""
+    ends = {"low": called(low), "high": called(high), "source": source or _source(low), "x": called(x)}
+    return Region(label=runs(label), read=plain_text(read or label), **(ends | _named(look)))
+
+
+def _source(one: Name | str) -> str:
+    """The source of a column; that of a signal is its curve over time."""
+    return one.source if isinstance(one, Column) else "time"
+
+
+def _named(look: dict[str, Any]) -> dict[str, Any]:
+    """Names in place of declarations."""
+    return {key: called(value) if isinstance(value, Named) else value for key, value in look.items()}
+
+
+def mark(at: Name | str, **look: Any) -> Mark:
+    """A line with a flag at a scalar: components.language.plots.Mark."""
+    return Mark(at=called(at), **_named(look))
 
 
 class Details(TypedDict, total=False):
@@ -59,7 +86,7 @@ class Details(TypedDict, total=False):
     plain: bool
     x_labels: bool
     pick: str
-    form: str
+    form: Name | str
     style: str
     grow: float
     basis: int
@@ -83,36 +110,36 @@ USUAL: Details = {
 
 
 def plot(
-    name: str,
+    name: Name | str,
     *,
-    x: str,
-    y: str,
+    x: Name | str,
+    y: Name | str,
     title: str,
     curves: Iterable[Curve] = (),
     bands: Iterable[Region] = (),
     heading: Sequence[Term] = (),
-    x_column: str = "t",
+    x_column: Name | str = "t",
     room: Room = USUAL_ROOM,
     cursor: str = "",
     **details: Unpack[Details],
 ) -> PlotBlock:
     """A plot as a block of the sheet.
 
-    `x` and `y` name axes of the picture, `title` is its text alternative, `x_column` the column of abscissae.
-    `cursor="time"` draws the instant shown and lets it be dragged. `shapes` use `on_x`, `on_y` of this plot.
+    `x` and `y` are axes of the picture, `title` is its text alternative, `x_column` the column of abscissae.
+    `cursor="time"` draws the instant shown and lets it be dragged. `shapes` speak of this plot by its PlotFrame.
     """
     given: Details = {**USUAL, **details}
     given["x_labels"] = x_labels = given["x_labels"] and not given["plain"]
     room = replace(room, bottom=NUMBERS if x_labels else room.bottom)
     given["basis"] += (NUMBERS if room.bottom == NUMBERS else 0) + (HEADING if heading else 0)
-    drawn = tuple(replace(one, x=one.x or x_column) for one in curves)
-    filled = tuple(replace(one, x=one.x or x_column) for one in bands)
+    drawn = tuple(replace(one, x=one.x or called(x_column)) for one in curves)
+    filled = tuple(replace(one, x=one.x or called(x_column)) for one in bands)
     return PlotBlock(
-        name=name,
+        name=called(name),
         title=title,
         brief=re.split("[,:]", title)[0],
-        x=x,
-        y=y,
+        x=called(x),
+        y=called(y),
         curves=drawn,
         regions=filled,
         heading=tuple(heading),
@@ -120,7 +147,7 @@ def plot(
         cursor=bool(cursor),
         time=cursor == "time",
         figure=json_item(_figure(drawn, filled, room, x_labels, given["plain"])),
-        **given,
+        **_named(dict(given)),
     )
 
 

@@ -7,12 +7,13 @@ unit of the time axis; `wide` is 1 where plots stand beside the stage and 0 on a
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import log10
 from typing import Any, TypeAlias, cast
 
 from msgspec.structs import replace
 
-from components.language.numbers import Expression, Number, var
+from components.language.numbers import Expression, Name, Number, called, var
 from components.language.shapes import (
     Anchor,
     AnyShape,
@@ -32,6 +33,8 @@ from components.language.shapes import (
 from components.layout.text import runs
 
 Shape: TypeAlias = AnyShape
+Shown: TypeAlias = Name | str | tuple[Name, ...]
+"""The scalars that decide whether a shape is drawn."""
 Looks: TypeAlias = dict[str, Any]
 """Further attributes of a shape, as its builder takes them: each kind has its own."""
 
@@ -39,19 +42,81 @@ W, H = var("W"), var("H")
 WIDE, NARROW, LOW, HALL, T = var("wide"), var("narrow"), var("low"), var("hall"), var("t")
 
 
-def on_x(plot: str, value: Number) -> Expression:
+@dataclass(frozen=True)
+class OfTheStage:
+    """A scalar that the browser gives: on which screens a shape is drawn."""
+
+    name: str
+
+
+ON_WIDE, ON_NARROW, AT_DESK = OfTheStage("wide"), OfTheStage("narrow"), OfTheStage("desk")
+
+
+@dataclass(frozen=True)
+class PlotFrame:
+    """The frame of the plot of this name, in pixels of the stage: stage and plots share lines."""
+
+    name: str
+
+    @property
+    def left(self) -> Expression:
+        return self.at("left")
+
+    @property
+    def right(self) -> Expression:
+        return self.at("right")
+
+    @property
+    def top(self) -> Expression:
+        return self.at("top")
+
+    @property
+    def bottom(self) -> Expression:
+        return self.at("bottom")
+
+    @property
+    def per_x(self) -> Expression:
+        """The pixels that one of the horizontal axis takes."""
+        return self.at("x1")
+
+    @property
+    def per_y(self) -> Expression:
+        """The pixels that one of the vertical axis takes, downwards: it is negative."""
+        return self.at("y1")
+
+    def x(self, value: Number) -> Expression:
+        """The place of a value of the horizontal axis, in the unit of the axis, as signals are."""
+        return self.at("x0") + self.per_x * value
+
+    def y(self, value: Number) -> Expression:
+        """The place of a value of the vertical axis."""
+        return self.at("y0") + self.per_y * value
+
+    def at(self, what: str) -> Expression:
+        """A place of the frame: left, right, top, bottom, of an axis its zero (x0) and the pixels of one (x1)."""
+        return var(f"{self.name}.{what}")
+
+
+def on_x(plot: Name | str, value: Number) -> Expression:
     """The place of a value of a plot's horizontal axis, in pixels of the stage: stage and plots share lines."""
-    return var(f"{plot}.x0") + var(f"{plot}.x1") * value
+    return PlotFrame(called(plot)).x(value)
 
 
-def on_y(plot: str, value: Number) -> Expression:
+def on_y(plot: Name | str, value: Number) -> Expression:
     """The place of a value on the vertical axis of a plot; the value is in the unit of the axis, as signals are."""
-    return var(f"{plot}.y0") + var(f"{plot}.y1") * value
+    return PlotFrame(called(plot)).y(value)
 
 
-def shown_by(names: str, *shapes: Shape) -> list[Shape]:
-    """The shapes, drawn only while none of these further scalars (names with spaces between) is 0 either."""
-    return [replace(one, show=(*names.split(), *one.show)) for one in shapes]
+def shown_by(by: Shown, *shapes: Shape) -> list[Shape]:
+    """The shapes, drawn only while none of these further scalars is 0 either."""
+    return [replace(one, show=(*_shown(by), *one.show)) for one in shapes]
+
+
+def _shown(by: Shown) -> tuple[str, ...]:
+    """The names of scalars, given as one text with spaces, too."""
+    if isinstance(by, str):
+        return tuple(by.split())
+    return tuple(map(called, by if isinstance(by, tuple) else (by,)))
 
 
 def spring(x1: Number, y1: Number, x2: Number, y2: Number, wire: Number = 2.5, **more: Any) -> Shape:
@@ -121,6 +186,10 @@ def wall(x: Number, y: Number, length: Number, side: str = "left", **more: Any) 
 
 
 def _common(more: Looks) -> Looks:
-    """Attributes as a shape has them: those not given are left out, the scalars of `show` come as words of one text."""
+    """Attributes as a shape has them: those not given are left out, what has a name comes as its declaration."""
     given = {name: value for name, value in more.items() if value is not None}
-    return {**given, "show": tuple(given["show"].split())} if "show" in given else given
+    if "show" in given:
+        given["show"] = _shown(given["show"])
+    if "inside" in given:
+        given["inside"] = called(given["inside"])
+    return given

@@ -13,7 +13,7 @@ from decimal import Decimal
 import numpy as np
 from numpy.typing import NDArray
 
-from components.language.numbers import Expression, Number, Product, as_expression
+from components.language.numbers import Expression, Name, Number, Product, as_expression, called
 from components.language.picture import Pace
 from components.language.signals import (
     AnySignal,
@@ -136,18 +136,18 @@ def driven(size: Axis, time: Axis, push: Push) -> DrivenMass:
 
 
 def derived(expression: Number) -> Derived:
-    """A signal that is a polynomial in signals named before it and in scalars."""
+    """A signal that is a polynomial in signals that stand before it and in scalars."""
     return Derived(value=as_expression(expression))
 
 
-def sine_of(name: str) -> SineOf:
-    """The sine of a signal in rad named before it: for what turns."""
-    return SineOf(of=name)
+def sine_of(angle: Name | str) -> SineOf:
+    """The sine of a signal in rad that stands before it: for what turns."""
+    return SineOf(of=called(angle))
 
 
-def cosine_of(name: str) -> CosineOf:
-    """The cosine of a signal in rad named before it."""
-    return CosineOf(of=name)
+def cosine_of(angle: Name | str) -> CosineOf:
+    """The cosine of a signal in rad that stands before it."""
+    return CosineOf(of=called(angle))
 
 
 def starts(signals: Mapping[str, AnySignal], scalars: Mapping[str, float]) -> dict[str, float]:
@@ -170,9 +170,9 @@ def starts(signals: Mapping[str, AnySignal], scalars: Mapping[str, float]) -> di
     return named
 
 
-def total(*names: str) -> Derived:
-    """The sum of signals named before it."""
-    return Derived(value=Expression(tuple(Product(1.0, (name,)) for name in names)))
+def total(*signals: Name | str) -> Derived:
+    """The sum of signals that stand before it."""
+    return Derived(value=Expression(tuple(Product(1.0, (called(one),)) for one in signals)))
 
 
 def sampled(

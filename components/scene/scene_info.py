@@ -10,7 +10,7 @@ import param
 
 from components.language.messages import Onward
 from components.layout.controls import Group
-from components.quantities.live_numbers import LiveNumber
+from components.quantities.declared import LiveNumber
 from components.quantities.parameters import AnyParameter, Quantity, Values
 from components.scene.running import Running
 

@@ -10,8 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from components.language.numbers import Name, called
 from components.language.plots import Curve, Region
 from components.layout.plots import curve, region
+from components.quantities.declared import by_name
 from physics.sampling import Sinusoid, curve_or_band, drawable
 
 Floats = NDArray[np.float64]
@@ -66,25 +68,29 @@ class Traces:
 
 
 def over_time(
-    end: float, fastest: float, names: tuple[str, ...], exact: Callable[[Floats], Columns]
+    end: float, fastest: float, signals: Iterable[Name | str], exact: Callable[[Floats], Mapping[Any, Floats]]
 ) -> dict[str, Traces]:
-    """The curves of the source "time": these signals over [0, end], dense enough for the `fastest` motion (rad/s)."""
-    return {"time": Traces(end, samples(end, fastest), names, exact)}
+    """The curves of the source "time": these signals over [0, end], dense enough for the `fastest` motion (rad/s).
+
+    `exact` gives the physics' numbers of each signal.
+    """
+    names = tuple(map(called, signals))
+    return {"time": Traces(end, samples(end, fastest), names, lambda t: by_name(exact(t)))}
 
 
 def trace(
-    name: str, components: Sequence[Sinusoid], t: Floats, base: Floats | None = None, curve: Floats | None = None
+    one: Name | str, components: Sequence[Sinusoid], t: Floats, base: Floats | None = None, curve: Floats | None = None
 ) -> tuple[Columns, Columns]:
-    """Columns of the curve `name`, and of its band `name_lo`, `name_hi`: one of the two is empty.
+    """Columns of the curve of a signal, and of its band, as `band_columns` calls them: one of the two is empty.
 
     `curve` is the motion itself, where its owner has it to more digits than the sum of the components.
     """
     if curve is not None and drawable(max((component.omega for component in components), default=0.0), t):
-        return {name: curve}, {}
+        return {called(one): curve}, {}
     sum_, low, high = curve_or_band(components, t, base)
     if sum_ is not None:
-        return {name: sum_}, {}
-    return {}, dict(zip(band_columns(name), (low, high), strict=True))
+        return {called(one): sum_}, {}
+    return {}, dict(zip(band_columns(one), (low, high), strict=True))
 
 
 def bands_over_time(t: Floats, bands: Columns) -> dict[str, Columns]:
@@ -92,13 +98,13 @@ def bands_over_time(t: Floats, bands: Columns) -> dict[str, Columns]:
     return {BAND: bands and {"t": t, **bands}}
 
 
-def band_columns(name: str) -> tuple[str, str]:
-    """The columns of the band that stands for the curve `name`."""
-    return f"{name}_lo", f"{name}_hi"
+def band_columns(one: Name | str) -> tuple[str, str]:
+    """The columns of the band that stands for the curve of a signal."""
+    return f"{called(one)}_lo", f"{called(one)}_hi"
 
 
-def traced(name: str, **look: Any) -> tuple[Curve, Region]:
-    """The line of a trace and its band, for a plot."""
-    line = curve(name, **look)
-    low, high = band_columns(name)
-    return line, region(low, high, source=BAND, tint=line.tint, alpha=0.4, group=line.group, of=name)
+def traced(one: Name | str, **look: Any) -> tuple[Curve, Region]:
+    """The line of a signal over time and its band, for a plot."""
+    line = curve(one, **look)
+    low, high = band_columns(one)
+    return line, region(low, high, source=BAND, tint=line.tint, alpha=0.4, group=line.group, of=one)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from components.quantities.axes import Axis
-from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.numbers import three
 from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.played import pull
@@ -55,7 +55,7 @@ def over_height(duty: Duty) -> str:
     return f"{100 * (peak / best.height - 1):.2g} %"
 
 
-class Numbers(LiveNumbers[Duty]):
+class Numbers(Declared[Duty]):
     x_unit, F_unit = AxisUnit("X1", write=length), AxisUnit("F")
     m1 = number(lambda d: d.m1)
     k1 = number(lambda d: d.k1 / 1e3)

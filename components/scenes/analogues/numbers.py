@@ -7,7 +7,7 @@ import math
 from msgspec.structs import replace
 
 from components.quantities.axes import Axis
-from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.numbers import short
 from components.scenes.analogues.case import AnalogueCase
 
@@ -26,7 +26,7 @@ def degrees(angle: float) -> str:
 number = LiveNumber[AnalogueCase]
 
 
-class Numbers(LiveNumbers[AnalogueCase]):
+class Numbers(Declared[AnalogueCase]):
     omega = number(lambda c: c.omega, "ω_n", "rad/s")
     period = number(lambda c: c.period, "τ", "s")
     frequency = number(lambda c: 1 / c.period, unit="Hz")

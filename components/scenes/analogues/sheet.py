@@ -8,7 +8,7 @@ from components.language.blocks import Block
 from components.language.plots import Handle, Mark
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import Paragraph, column, desk, either, row, stage, table, term, when, words
-from components.quantities.live_numbers import Named
+from components.quantities.declared import Named
 from components.quantities.numbers import three
 from components.scene.traces import traced
 from components.scenes.analogues.case import LIMITS

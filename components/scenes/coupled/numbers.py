@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.numbers import plus, signed, three
 from physics.coupled import FreeModes
 
@@ -35,7 +35,7 @@ def shape(ratio: float) -> str:
     return "∞" if math.isinf(ratio) else signed(ratio)
 
 
-class Numbers(LiveNumbers[FreeModes]):
+class Numbers(Declared[FreeModes]):
     E_unit = AxisUnit("E")
     omega_minus = number(lambda c: float(c.omega[0]), "ω_{−}", "rad/s", "slow")
     ratio_minus = number(lambda c: float(c.chain.modes().ratio[0]), "X₂/X₁_{−}", tint="slow", form=shape)

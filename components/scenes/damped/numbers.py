@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.motion import scaled
 from components.quantities.numbers import plus, short, signed, three
 from components.scenes.damped.case import DampedCase
@@ -27,7 +27,7 @@ def home_thrice(case: DampedCase) -> float:
     return FreeDecay(oscillator=heavier, x_0=case.x_0, v_0=0.0).settled(HOME) or 0.0
 
 
-class Numbers(LiveNumbers[DampedCase]):
+class Numbers(Declared[DampedCase]):
     x_unit, E_unit, P_unit = AxisUnit("x"), AxisUnit("E"), AxisUnit("P")
     E_total = number(lambda c: c.E_0, axis=E_unit)
     omega = number(lambda c: c.omega if c.oscillator.k else three(0.0), "ω_n", "rad/s")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.numbers import plus
 from components.scenes.driven.case import DrivenCase
 from components.scenes.driven.power import power_columns
@@ -12,7 +12,7 @@ from components.scenes.driven.power import power_columns
 number = LiveNumber[DrivenCase]
 
 
-class Numbers(LiveNumbers[DrivenCase]):
+class Numbers(Declared[DrivenCase]):
     x_unit = AxisUnit("x")
     r = number(lambda c: c.r, "r", tint="F")
     zeta = number(lambda c: c.zeta, "ζ", tint="T")

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.motion import scaled
 from components.scenes.energy.case import HangingCase
 
 number = LiveNumber[HangingCase]
 
 
-class Numbers(LiveNumbers[HangingCase]):
+class Numbers(Declared[HangingCase]):
     x_unit, E_unit = AxisUnit("x"), AxisUnit("E")
     omega = number(lambda c: c.omega, "ω_n", "rad/s")
     tau = number(lambda c: c.system.oscillator.period, "τ", "s")

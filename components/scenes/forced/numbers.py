@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 
 from components.quantities.axes import Axis
-from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.numbers import MINUS, plus, three
 from components.scenes.forced.driven import Undamped
 from components.scenes.forced.dying import Dying
@@ -31,7 +31,7 @@ def way(case: AnyCase, i: int) -> str:
     return f"{'with' if case.swings[i] > 0 else 'against'} F"
 
 
-class Numbers(LiveNumbers[AnyCase]):
+class Numbers(Declared[AnyCase]):
     F_unit = AxisUnit("F")
     Xp1 = Amplitude(lambda c: c.swings[0], "X_{p1}", "m", "m1")
     Xp2 = Amplitude(lambda c: c.swings[1], "X_{p2}", "m", "m2")

@@ -12,7 +12,7 @@ from components.layout.plots import Room, curve, plot
 from components.layout.sheet import Paragraph, column, either, phrase, row, stage, term, words
 from components.layout.stage import H, Shape, W, arrow, box, circle, line, on_x, on_y, shown_by, text
 from components.layout.text import rich
-from components.quantities.live_numbers import LiveNumber
+from components.quantities.declared import LiveNumber
 from components.scenes.modes.guess_picture import REACH, Guess
 from components.scenes.modes.guess_picture import GuessNumbers as N
 

@@ -14,7 +14,7 @@ from components.chain import MODES
 from components.language.signals import AnySignal
 from components.language.state import Frame
 from components.quantities.axes import Axis, nice_axis, squared_axis, time_axis
-from components.quantities.live_numbers import LiveNumber, LiveNumbers
+from components.quantities.declared import Declared, LiveNumber
 from components.quantities.motion import pace, sines
 from components.quantities.numbers import signed, ten, three
 from components.scene import Picture
@@ -106,7 +106,7 @@ def added(guess: Guess) -> str:
 number = LiveNumber[Guess]
 
 
-class GuessNumbers(LiveNumbers[Guess]):
+class GuessNumbers(Declared[Guess]):
     a11, a12 = number.both(lambda g: g.asked.matrix[0])
     a22 = number(lambda g: g.asked.matrix[1][1])
     D = number(lambda g: g.asked.determinant)

@@ -9,7 +9,7 @@ from decimal import Decimal
 from functools import cached_property
 
 from components.chain.parameters import Pair
-from components.quantities.live_numbers import LiveNumber, LiveNumbers
+from components.quantities.declared import Declared, LiveNumber
 from components.quantities.numbers import plus, signed, three
 from physics.braked_modes import BrakedMode, braked_modes
 from physics.coupled import Modes, TwoMassChain
@@ -42,7 +42,7 @@ term = LiveNumber[Quadratic]
 braked = LiveNumber[BrakedChain]
 
 
-class ComparedNumbers(LiveNumbers[Modes]):
+class ComparedNumbers(Declared[Modes]):
     """The frequencies and the shapes, with all names by which a view tells them."""
 
     omega_slow = number(lambda m: m.omega[0], "ω_{−}", "rad/s", "slow", also=("slow_omega", "slow_long", "now_slow"))
@@ -55,16 +55,16 @@ class ComparedNumbers(LiveNumbers[Modes]):
     )
 
 
-class SweptNumbers(LiveNumbers[Modes]):
+class SweptNumbers(Declared[Modes]):
     now_slow, now_fast = number.both(lambda m: m.omega)
     now_ratio_slow, now_ratio_fast = number.both(lambda m: m.ratio, signed)
 
 
-class AnswerNumbers(LiveNumbers[Modes]):
+class AnswerNumbers(Declared[Modes]):
     answer_slow, answer_fast = number.both(lambda m: m.ratio, signed)
 
 
-class EquationNumbers(LiveNumbers[Quadratic]):
+class EquationNumbers(Declared[Quadratic]):
     """The terms of the quadratic for omega^2, and of its discriminant as a sum of squares."""
 
     m1m2 = term(lambda q: q.leading)
@@ -78,7 +78,7 @@ class EquationNumbers(LiveNumbers[Quadratic]):
     fourfold = term(lambda q: q.fourfold)
 
 
-class SolvedNumbers(LiveNumbers[TwoMassChain]):
+class SolvedNumbers(Declared[TwoMassChain]):
     gamma = solved(lambda c: c.modes().gamma)
     delta = solved(lambda c: c.modes().delta)
     product = solved(lambda c: -Decimal(c.m1) / Decimal(c.m2))
@@ -87,7 +87,7 @@ class SolvedNumbers(LiveNumbers[TwoMassChain]):
     ratio = slow_ratio, fast_ratio = solved.both(lambda c: c.modes().ratio, signed)
 
 
-class ShareNumbers(LiveNumbers[Mixture]):
+class ShareNumbers(Declared[Mixture]):
     share = share_slow, share_fast = LiveNumber[Mixture].both(lambda m: [f"{three(100 * part)} %" for part in m])
 
 
@@ -107,7 +107,7 @@ def shape(one: BrakedMode) -> str:
     return f"{three(abs(ratio))} at {three(math.degrees(cmath.phase(ratio)))}°" if off_line(one) else signed(ratio.real)
 
 
-class BrakedNumbers(LiveNumbers[BrakedChain]):
+class BrakedNumbers(Declared[BrakedChain]):
     slow_omega = braked(lambda c: c.modes[0].exponents[0].imag, "ω_{−}", "rad/s", "slow")
     slow_rate = braked(lambda c: c.modes[0].exponents[0].real, "Re s_{−}", "1/s", "slow")
     fast_omega = braked(lambda c: c.modes[1].exponents[0].imag, "ω_{+}", "rad/s", "fast")

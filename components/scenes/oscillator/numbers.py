@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from functools import cached_property
 
-from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.motion import QUARTER, scaled
 from components.quantities.numbers import plus, signed
 from components.scene.frames import Windowed
@@ -68,7 +68,7 @@ def amplitude(row: str) -> LiveNumber[Oscillation]:
     return number(lambda c: c.amplitudes[row])
 
 
-class Numbers(LiveNumbers[Oscillation]):
+class Numbers(Declared[Oscillation]):
     x_unit = AxisUnit("x")
     omega = number(lambda c: c.omega, "ω_n", "rad/s")
     tau = number(lambda c: c.oscillator.period if c.omega else None, "τ", "s")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from components.quantities.axes import Axis
-from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.numbers import MINUS, signed, three
 from components.scenes.phugoid.swing import AIRCRAFT, Swing, verdict
 from physics.phugoid import linear_phugoid
@@ -21,7 +21,7 @@ def example(name: str) -> LiveNumber[Swing]:
     return number(lambda s: linear_phugoid(AIRCRAFT[name][1], s.g).tau, unit="s", whole=True)
 
 
-class Numbers(LiveNumbers[Swing]):
+class Numbers(Declared[Swing]):
     h_unit, v_unit = AxisUnit("h", write=size), AxisUnit("v", write=size)
     h_size = number(lambda s: -s.climb, axis=h_unit)
     v_size = number(lambda s: s.gain, axis=v_unit)

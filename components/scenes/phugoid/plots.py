@@ -9,7 +9,7 @@ from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import term, words
 from components.layout.stage import Looks, Shape, circle, line, on_x, on_y
 from components.layout.text import rich
-from components.quantities.live_numbers import LiveNumber
+from components.quantities.declared import LiveNumber
 from components.scene.traces import traced
 from components.scenes.phugoid.numbers import Numbers as N
 from components.scenes.phugoid.swing import FAMILY, Swing

@@ -8,7 +8,7 @@ import pytest
 
 from components.layout.text import mathml, rich, runs
 from components.quantities.axes import Axis
-from components.quantities.live_numbers import AxisUnit, LiveNumber, LiveNumbers
+from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.numbers import plus
 from components.quantities.readouts import Readout
 from components.scenes.damped.numbers import Numbers as N
@@ -16,7 +16,7 @@ from components.scenes.damped.numbers import Numbers as N
 number = LiveNumber[complex]
 
 
-class Shared(LiveNumbers[complex]):
+class Shared(Declared[complex]):
     size = number(abs, "|z|", "m", "m1")
     unit = AxisUnit("x")
 

@@ -1,0 +1,232 @@
+r"""Declarations of what a picture has: axes, signals, scalars, columns, forms and live numbers, each declared once.
+
+A scene has a class of them, or some: `class Numbers(Declared[Case])`. What a case gives follows, `Numbers.texts(case,
+axes)`; a sheet speaks of `Numbers.zeta`, so that mypy finds a name that no picture has. In a text, `f"{Numbers.zeta} is
+small"`, a declaration stands as `\val{zeta}`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+from functools import cache
+from typing import Any, Generic, Self, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from components.language.numbers import called
+from components.language.picture import Digits
+from components.language.signals import AnySignal
+from components.quantities.axes import Axis
+from components.quantities.numbers import three
+from components.quantities.readouts import Readout
+
+Case = TypeVar("Case")
+Value = TypeVar("Value")
+One = TypeVar("One", bound="Named")
+Key = TypeVar("Key")
+Axes = Mapping[str, Axis]
+
+
+@dataclass(eq=False, kw_only=True)
+class Named:
+    """A declaration, known by the name under which its class has it."""
+
+    name: str = field(default="", init=False)
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = name
+
+    def __str__(self) -> str:
+        return rf"\val{{{self.name}}}"
+
+
+@dataclass(eq=False)
+class DrawnAxis(Named, Generic[Case]):
+    """An axis of a case; called with the axes in force it is the one of them."""
+
+    value: Callable[[Case], Axis]
+
+    def __call__(self, axes: Axes) -> Axis:
+        return axes[self.name]
+
+
+@dataclass(eq=False)
+class Signal(Named, Generic[Case]):
+    """A number that moves, None where there is none; in texts it has the digits of the axis `on`."""
+
+    value: Callable[[Case, Axes], AnySignal | None] = lambda case, axes: None
+    on: DrawnAxis[Any] | None = None
+    signed: bool = False
+
+
+@dataclass(eq=False)
+class Scalar(Named, Generic[Case]):
+    """A number that shapes and marks use, None where there is none; what it shows is drawn unless it is 0."""
+
+    value: Callable[[Case, Axes], float | None] = lambda case, axes: None
+
+
+@dataclass(eq=False)
+class Column(Named, Generic[Case]):
+    """A column of a source, in SI units, None where there is none; `called` is its name where another source has the
+    name too."""
+
+    source: str
+    value: Callable[[Case], NDArray[np.float64] | None] = lambda case: None
+    called: str = ""
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        self.name = self.called or name
+
+
+@dataclass(eq=False)
+class Form(Named, Generic[Case]):
+    """The variant of a formula or sentence that stands; "" hides it. Of what stands or not it is "shown"."""
+
+    value: Callable[[Case], str | bool]
+
+    def variant(self, case: Case) -> str:
+        value = self.value(case)
+        return value if isinstance(value, str) else "shown" if value else ""
+
+
+class Family(Generic[Key, One]):
+    """Declarations of one kind by key: `side[1]` of the family `side` is called side1, `at["slow"]` at_slow; `called`
+    is another pattern, "x{}_{}" for keys (1, "slow")."""
+
+    def __init__(self, keys: Iterable[Key], make: Callable[[Key], One], called: str = "") -> None:
+        self.members = {key: make(key) for key in keys}
+        self.called = called
+
+    def __set_name__(self, owner: type, name: str) -> None:
+        for key, one in self.members.items():
+            pattern = self.called or (f"{name}{{}}" if isinstance(key, int) else f"{name}_{{}}")
+            one.__set_name__(owner, pattern.format(*(key if isinstance(key, tuple) else (key,))))
+
+    def __getitem__(self, key: Key) -> One:
+        return self.members[key]
+
+
+@dataclass(eq=False)
+class AxisUnit(Named):
+    """The unit in which an axis is written; `write` writes a number that is counted on it."""
+
+    axis: DrawnAxis[Any] | str
+    form: Callable[[Axis], str] = lambda axis: axis.full_unit
+    write: Callable[[Axis, float], str] = Axis.number
+
+    def text(self, case: object, axes: Axes) -> str:
+        return self.form(self.of(axes))
+
+    def of(self, axes: Axes) -> Axis:
+        """The axis among those in force."""
+        return axes[called(self.axis)]
+
+
+@dataclass(eq=False)
+class LiveNumber(Named, Generic[Case]):
+    """A number of a case, in SI units: None where there is none, a text where it stands for itself.
+
+    With a symbol it is compared with that of another picture. `form` writes it, or the axis that it is counted on;
+    its text ends with its unit where it is `whole`; `angle` and `also` are those of its readout.
+    """
+
+    value: Callable[[Case], float | Decimal | str | None]
+    symbol: str = ""
+    unit: str = ""
+    tint: str = "ink"
+    form: Callable[[Any], str] = three
+    axis: AxisUnit | None = None
+    whole: bool = False
+    angle: bool = False
+    also: tuple[str, ...] = ()
+
+    @classmethod
+    def both(cls, values: Callable[[Case], Any], form: Callable[[Any], str] = three, **rest: Any) -> list[Self]:
+        """Numbers of the slow and the fast mode, or of mass 1 and mass 2."""
+        first, second = (lambda case: values(case)[0]), (lambda case: values(case)[1])
+        return [cls(first, form=form, **rest), cls(second, form=form, **rest)]
+
+    @property
+    def aloud(self) -> str:
+        """A text with its unit, as it is read aloud."""
+        unit = f"{{{self.axis.name}}}" if self.axis else self.unit
+        return f"{{{self.name}}}" if self.whole else f"{{{self.name}}} {unit}".rstrip()
+
+    def text(self, case: Case, axes: Axes) -> str:
+        value = self.value(case)
+        if value is None or isinstance(value, str):
+            return value or ""
+        text, unit = self.form(value), self.unit
+        if self.axis:
+            text, unit = self.axis.write(self.axis.of(axes), float(value)), self.axis.text(case, axes)
+        return f"{text} {unit}" if self.whole else text
+
+    def readout(self, case: Case) -> Iterator[Readout]:
+        value = self.value(case) if self.symbol else None
+        if value is not None and not isinstance(value, str):
+            yield Readout(self.name, self.symbol, float(value), self.unit, self.tint, self.angle, self.also)
+
+
+class Declared(Generic[Case]):
+    """The declarations of a scene, or some that scenes share: a class that is read and never made. Signals stand in the
+    order in which they build on each other."""
+
+    @classmethod
+    def axes(cls, case: Case) -> dict[str, Axis]:
+        return {one.name: one.value(case) for one in cls._all(DrawnAxis)}
+
+    @classmethod
+    def signals(cls, case: Case, axes: Axes) -> dict[str, AnySignal]:
+        return _present((one.name, one.value(case, axes)) for one in cls._all(Signal))
+
+    @classmethod
+    def live(cls, axes: Axes) -> dict[str, Digits]:
+        """The digits of the signals that stand in texts."""
+        return {one.name: one.on(axes).digits(one.signed) for one in cls._all(Signal) if one.on}
+
+    @classmethod
+    def scalars(cls, case: Case, axes: Axes) -> dict[str, float]:
+        found = _present((one.name, one.value(case, axes)) for one in cls._all(Scalar))
+        return {name: float(value) for name, value in found.items()}
+
+    @classmethod
+    def columns(cls, case: Case) -> dict[str, dict[str, NDArray[np.float64]]]:
+        """The columns by source."""
+        found: dict[str, dict[str, NDArray[np.float64]]] = {}
+        for one in cls._all(Column):
+            if (column := one.value(case)) is not None:
+                found.setdefault(one.source, {})[one.name] = column
+        return found
+
+    @classmethod
+    def forms(cls, case: Case) -> dict[str, str]:
+        return {one.name: one.variant(case) for one in cls._all(Form)}
+
+    @classmethod
+    def texts(cls, case: Case, axes: Axes) -> dict[str, str]:
+        return {one.name: one.text(case, axes) for one in cls._all(LiveNumber, AxisUnit)}
+
+    @classmethod
+    def readouts(cls, case: Case) -> tuple[Readout, ...]:
+        return tuple(readout for one in cls._all(LiveNumber) for readout in one.readout(case))
+
+    @classmethod
+    @cache
+    def _all(cls, *kinds: type[Named]) -> list[Any]:
+        """The declarations of these kinds, in their order: those of its bases first."""
+        known = {name: one for owner in reversed(cls.__mro__) for name, one in vars(owner).items()}
+        every = (one.members.values() if isinstance(one, Family) else (one,) for one in known.values())
+        return [one for members in every for one in members if isinstance(one, kinds)]
+
+
+def by_name(given: Mapping[Any, Value]) -> dict[str, Value]:
+    """Values by the names of their declarations."""
+    return {called(one): value for one, value in given.items()}
+
+
+def _present(values: Iterable[tuple[str, Value | None]]) -> dict[str, Value]:
+    return {name: value for name, value in values if value is not None}
