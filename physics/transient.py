@@ -169,19 +169,6 @@ class DampedModes:
             raise at_natural_frequency(self.omega)
 
 
-def damped_motion(
-    chain: TwoMassChain,
-    c: float,
-    F_0: float,
-    omega: float,
-    t: ArrayLike,
-    x_0: tuple[float, float] = REST,
-    v_0: tuple[float, float] = REST,
-) -> Motion:
-    """The motion under F_0 sin(omega t) on mass 1, at rest in equilibrium at t = 0 unless told otherwise."""
-    return DampedModes(chain=chain, c=c, F_0=F_0, omega=omega, x_0=x_0, v_0=v_0).motion(t)
-
-
 def summed(expand: Callable[[int], Expansion], t: Array, *, quick: bool = False) -> Array:
     """x1, x2, x2 - x1, v1, v2 (5, n) of a sum, `expand` gives it in so many digits: each within 0.51 ulp, but for those
     at t = 0; `quick` as in DampedModes.motion."""

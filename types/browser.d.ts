@@ -1,4 +1,4 @@
-// What the scripts share and find in the page.
+// Types that the scripts share, and names that they find in the page.
 
 /** BokehJS and its models, which are typed by none of its files. */
 type BokehModel = any

@@ -1,4 +1,4 @@
-// What a part knows of what it stands in: a few members, by which nothing needs the whole that is made of it.
+// Hosts: the few members that a part knows of what it stands in, so that nothing needs the whole that is made of it.
 
 /** A part of a page, or of a plot: it takes every picture, stands where there is room for it, and leaves at last. */
 interface Part {

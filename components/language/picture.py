@@ -1,4 +1,4 @@
-"""Everything that a change of parameters changes on the screen, but for the columns of numbers."""
+"""The picture of a scene as it is sent: all that a change of parameters changes, but for the columns of numbers."""
 
 from __future__ import annotations
 

@@ -68,12 +68,9 @@ def is_key(key: str, kept: bytes) -> bool:
     return bool(kept) and hmac.compare_digest(digest(key), kept)
 
 
-VOTER = r"^[0-9a-f]{11}[\w-]{8}$"
-"""The name in a token: the time in ms, so that the newest of some is the greatest, and chance."""
-
-
 def new_token(room: bytes) -> str:
-    """A follower's token, good for the room of whose key this digest is kept, and saying nothing of who has it."""
+    """A follower's token, good for the room of whose key this digest is kept, and saying nothing of who has it: its
+    name is the time in ms, so that the newest of some is the greatest, and chance."""
     return _signed(room, f"{int(1000 * time()):011x}{token_urlsafe(6)}")
 
 

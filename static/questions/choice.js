@@ -1,4 +1,4 @@
-// A choice: answers to press, each with its own sentence once it is taught; a class's votes are bars beside them.
+// The question with answers to press, each with its own sentence; a class's votes are bars beside them.
 
 import {button, element, marked} from "../core/dom.js"
 import {box, text} from "./fields.js"

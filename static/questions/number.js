@@ -1,4 +1,4 @@
-// A number to type; a class's answers are dots on a line of their own.
+// The question for a number to type; a class's answers are dots on a line of their own.
 
 import {button, element} from "../core/dom.js"
 import {Dots} from "./dots.js"

@@ -1,4 +1,4 @@
-// A place to mark on an axis of a plot; a class's answers are dots on that axis.
+// The question for a place to mark on an axis of a plot; a class's answers are dots on that axis.
 
 import {element} from "../core/dom.js"
 import {Dots} from "./dots.js"

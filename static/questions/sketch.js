@@ -1,4 +1,4 @@
-// A curve to draw on the empty axes of a plot; a class's sketches lie over each other.
+// The question for a curve to draw on the empty axes of a plot; a class's sketches lie over each other.
 
 import {chip, element, marked} from "../core/dom.js"
 import {features} from "./features.js"

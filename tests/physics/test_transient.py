@@ -15,7 +15,7 @@ from physics.absorber import damped_solution
 from physics.coupled import TwoMassChain
 from physics.forced import forced_motion
 from physics.laplace import _context
-from physics.transient import DIGITS, DampedModes, _decimal, damped_motion
+from physics.transient import DIGITS, DampedModes, _decimal
 from tests.grids import WHOLE, tries
 from tests.physics.chain_cases import chain_with
 from tests.physics.chain_families import FAMILIES, drawn
@@ -130,7 +130,7 @@ def test_units_do_not_matter(mass, rate):
 def test_little_damping_is_none(c, omega):
     """At resonance too, where x_p and the transient are 1/c large."""
     t, true = np.array([1e-4, 0.3, 5.0, 100.0]), Truth(2.0, 1.0, 4.0, 2.0)
-    damped = damped_motion(LECTURE, c, 1.0, omega, t)
+    damped = modes_of(LECTURE, c, 1.0, omega).motion(t)
     for n, time in enumerate(t):
         values, scales = true.driven(1.0, omega, time)
         assert worst(damped, n, values, scales) <= 1.0
@@ -191,14 +191,14 @@ def test_it_obeys_the_equations_of_motion():
 
     t = np.linspace(0.0, 20.0, 50)
     run = solve_ivp(law, (0, 20), [0.0] * 4, t_eval=t, rtol=1e-10, atol=1e-12)
-    motion = damped_motion(chain, c, 3.0, omega, t)
+    motion = modes_of(chain, c, 3.0, omega).motion(t)
     assert np.max(np.abs(run.y[:2] - motion.x)) < 1e-8
     assert np.max(np.abs(run.y[2:] - motion.v)) < 1e-8
 
 
 def test_nothing_moves_without_a_force():
     loose = TwoMassChain(m1=1.0, m2=2.0, k1=0.0, k2=0.0)
-    motion = damped_motion(loose, 1.0, 0.0, 1.0, [0.0, 1.0], x_0=(0.0, 1.0))
+    motion = modes_of(loose, 1.0, 0.0, 1.0, x_0=(0.0, 1.0)).motion([0.0, 1.0])
     assert np.array_equal(rows(motion), np.repeat([[0.0], [1.0], [1.0], [0.0], [0.0]], 2, axis=1))
 
 

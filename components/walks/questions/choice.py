@@ -1,4 +1,4 @@
-"""A choice: one of a few answers is right, each of the others has its own sentence."""
+"""The question with answers to choose from: one is right, each of the others has its own sentence."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A number to type, right within a tolerance; wrong ones that are often given have their own sentences."""
+"""The question for a typed number, right within a tolerance; wrong ones often given have their own sentences."""
 
 from __future__ import annotations
 

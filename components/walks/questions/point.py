@@ -1,4 +1,4 @@
-"""A place to mark on an axis of a plot, which the answer may play as the value of a parameter."""
+"""The question for a place on an axis of a plot, which the answer may play as the value of a parameter."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A curve to draw on the empty axes of a plot, judged by its features."""
+"""The question for a curve, which is drawn on the empty axes of a plot and judged by its features."""
 
 from __future__ import annotations
 
