@@ -92,7 +92,7 @@ MUTANTS = (
         "undo", "static/shell/undo.js", 'this.go(event.shiftKey ? "future" : "past")', 'this.go("past")',
         "tests/browser/test_undo.py",
     ),
-    Mutant("overlap", "static/paper/labels.js", "Math.min(y + 4.5,", "Math.min(99,", "tests/browser/test_screens.py"),
+    Mutant("overlap", "static/paper/labels.js", "everyWhich(spans)", "1", "tests/browser/test_screens.py"),
     Mutant("pale", "static/styles/tokens.css", "--mute: #59636e", "--mute: #a9b3be", "tests/browser/test_axe.py"),
 )  # fmt: skip
 

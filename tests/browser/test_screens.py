@@ -62,6 +62,13 @@ LIFT = """(({host, frame}) => {
 SQUEEZED = """[...document.querySelectorAll(".seg button")]
   .filter(one => one.checkVisibility() && one.scrollWidth > one.clientWidth + 1)
   .map(one => `cut in its button: ${one.textContent}`)"""
+MISPLACED = """oscillations.plots.filter(({host}) => host.checkVisibility()).flatMap(plot => {
+  const bare = text => text.replaceAll(" ", "")
+  return [...plot.labels.scale.children].filter(number => !plot.y.ticks.some((tick, i) =>
+    bare(plot.y.labels[i]) === bare(number.textContent) && Math.abs(number.getAttribute("y") - plot.py(tick)) < 5
+  )).map(number => `not at its tick: ${number.textContent} of ${plot.block.name}`)
+})"""
+"""Numbers at vertical axes that stand elsewhere."""
 SIDEWAYS = (844, 390)
 PLAY_ENDS = "document.querySelector('.transport .play').getBoundingClientRect().bottom - innerHeight"
 
@@ -85,7 +92,7 @@ def seen(page: Page, width: int, height: int) -> list[str]:
     page.set_viewport_size({"width": width, "height": height})
     passed(page)
     seek(page, 0.0)
-    found = [*faults(page), *page.evaluate(SQUEEZED)]
+    found = [*faults(page), *page.evaluate(SQUEEZED), *page.evaluate(MISPLACED)]
     if (covered := page.evaluate(STAYING)) > 0.45:
         found.append(f"what stays in sight covers {covered:.1%}")
     # On a desk the whole sheet is in sight, with its handles.
