@@ -63,7 +63,6 @@ export class Lecture {
     })
     this.host = /** @type {HTMLElement} */ (document.getElementById("app"))
     addEventListener("popstate", ({state: entry}) => {
-      this.address.late = null // it was for the entry that has been left
       const {waiting: _, ...state} = entry ?? {}
       if (entry) this.#go({type: "open", state})
     })
@@ -125,9 +124,9 @@ export class Lecture {
 
   /** The server has another version of the page: it takes the place of this one, with all that stands and waits. */
   #reload() {
-    this.address.late = null
     const {address} = written(this.page.shown, this.hall.ending)
-    history.replaceState({...this.line.state, waiting: this.line.left}, "", address)
+    this.address.write({address, entry: {...this.line.state, waiting: this.line.left}}, false)
+    this.address.settle()
     location.reload()
   }
 
@@ -243,8 +242,7 @@ export class Lecture {
    */
   #write(shown, turn) {
     const what = written(shown, this.hall.ending)
-    if (turn) this.address.settle()
-    if (turn && what.address !== location.search) history.pushState(what.entry, "", what.address)
+    if (turn) this.address.turn(what)
     else this.address.write(what, Boolean(this.line.asked))
   }
 

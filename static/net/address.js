@@ -20,10 +20,10 @@ export const written = ({query, state}, ending) =>
     ? {address: plainLink(state.scene) + ending, entry: {...state, waiting: []}}
     : {address: `?${query}${ending}`, entry: state}
 
-/** What the address bar shows, and what the entry of the browser's history keeps. */
+/** The address bar, and beside it the entries of the browser's history. */
 export class Address {
   /** @type {(() => void) | null} writes what is not written yet */
-  late = null
+  #late = null
 
   #wrote = -Infinity
 
@@ -32,6 +32,7 @@ export class Address {
 
   constructor() {
     addEventListener("pagehide", () => this.settle()) // for the way back; what loads anew has taken the address by then
+    addEventListener("popstate", () => (this.#late = null)) // it was for the entry that has been left
   }
 
   /**
@@ -40,17 +41,24 @@ export class Address {
    */
   write({address, entry}, more) {
     clearTimeout(this.#timer)
-    this.late = () => history.replaceState(entry, "", address)
+    this.#late = () => history.replaceState(entry, "", address)
     const wait = more ? REST : this.#wrote + REST - Date.now()
     if (wait <= 0) this.settle()
     else this.#timer = setTimeout(() => this.settle(), wait)
   }
 
+  /** A new entry, where the address is another. @param {{address: string, entry: unknown}} what */
+  turn(what) {
+    this.settle()
+    if (what.address === location.search) this.write(what, false)
+    else history.pushState(what.entry, "", what.address)
+  }
+
   settle() {
     clearTimeout(this.#timer)
-    if (!this.late) return
-    this.late()
-    this.late = null
+    if (!this.#late) return
+    this.#late()
+    this.#late = null
     this.#wrote = Date.now()
   }
 }

@@ -41,7 +41,7 @@ def test_what_is_held_stays_until_it_is_released(page: Page, open_scene: Open) -
     page.wait_for_function("oscillations.shown.settings.m.value === 1")
     assert page.evaluate(DRAWN, "x") == [], "the same picture again"
     page.keyboard.press("Control+Shift+z")
-    page.wait_for_function("oscillations.shown.settings.m.value === 4 && !oscillations.address.late")
+    page.wait_for_function("oscillations.shown.settings.m.value === 4 && location.search.includes('m=4')")
     page.reload()
     page.wait_for_function("document.documentElement.dataset.ready === 'true'")
     expect(ledger).to_be_visible()

@@ -14,11 +14,15 @@ let address = new Address()
 beforeEach(() => {
   clock()
   written = []
-  globalThis.history = /** @type {History} */ ({replaceState: (_entry, _title, to) => void written.push(String(to))})
+  globalThis.location = /** @type {Location} */ ({search: "?m=2"})
+  globalThis.history = /** @type {History} */ ({
+    replaceState: (_entry, _title, to) => void written.push(String(to)),
+    pushState: (_entry, _title, to) => void written.push(`new ${to}`),
+  })
   address = new Address()
 })
 afterEach(() => {
-  address.late = null
+  happens("popstate")
   mock.reset()
 })
 
@@ -27,7 +31,8 @@ const say = (/** @type {string} */ to, more = false) => address.write({address: 
 test("a change alone is written at once", () => {
   say("?m=2")
   assert.deepEqual(written, ["?m=2"])
-  assert.equal(address.late, null)
+  happens("pagehide")
+  assert.equal(written.length, 1)
 })
 
 test("of changes soon after one another the last is written, a moment later", () => {
@@ -63,4 +68,19 @@ test("what is not written yet is when the page is left", () => {
   assert.deepEqual(written, ["?m=2", "?m=3"])
   happens("pagehide")
   assert.equal(written.length, 2)
+})
+
+test("what was for an entry that has been left is not written into another", () => {
+  say("?m=2")
+  say("?m=3")
+  happens("popstate")
+  mock.timers.tick(1000)
+  assert.deepEqual(written, ["?m=2"])
+})
+
+test("a turn is an entry of its own, after what was not written yet", () => {
+  say("?m=2")
+  say("?m=3")
+  address.turn({address: "?scene=forced", entry: {}})
+  assert.deepEqual(written, ["?m=2", "?m=3", "new ?scene=forced"])
 })
