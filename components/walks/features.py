@@ -39,6 +39,17 @@ COARSE, FINE = 2, 3  # digits of what a hand has drawn, and of what is true
 ZERO = 1e-4  # of an axis: what is nearer to zero is zero
 
 
+class Numbers(NamedTuple):
+    """The numbers of a feature, once they are worked out; where a part has no end it goes on."""
+
+    at: float = 0.0
+    value: float = 0.0
+    tol: float = 0.0
+    tol_y: float = 0.0
+    start: float = -math.inf
+    end: float = math.inf
+
+
 class Seen(NamedTuple):
     """Whether a curve has a feature, the number that it has in its place, and where in the plot that is.
 
@@ -68,6 +79,11 @@ class BaseFeature(Entry, frozen=True, kw_only=True, tag_field="f"):
     @property
     def kind(self) -> str:
         return str(self.__struct_config__.tag)
+
+    @property
+    def numbers(self) -> Numbers:
+        told = {name: getattr(self, name) for name in (*self.across, *self.up)}
+        return Numbers(**{name: float(number) for name, number in told.items() if number is not None})
 
     def worked_out(self, numbers: Mapping[str, float], axes: PlotAxes) -> Self:
         """The feature with numbers for its expressions of a scene's; ValueError, in words, where there are none."""
@@ -116,7 +132,7 @@ class FeatureAt(BaseFeature, frozen=True, kw_only=True):
     at: Coordinate
 
     def called(self, axes: PlotAxes) -> str:
-        return f"{self.lead} {_written(float(self.at), axes.x, FINE)}"
+        return f"{self.lead} {_written(self.numbers.at, axes.x, FINE)}"
 
 
 class ValueAt(FeatureAt, frozen=True, kw_only=True, tag="value"):
@@ -127,8 +143,9 @@ class ValueAt(FeatureAt, frozen=True, kw_only=True, tag="value"):
     tol: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
-        y = drawn.at(float(self.at))
-        return NOTHING if y is None else Seen(abs(y - float(self.value)) <= float(self.tol), y, float(self.at), y)
+        at, value, tol = self.numbers[:3]
+        y = drawn.at(at)
+        return NOTHING if y is None else Seen(abs(y - value) <= tol, y, at, y)
 
 
 class Slope(FeatureAt, frozen=True, kw_only=True, tag="slope"):
@@ -138,11 +155,12 @@ class Slope(FeatureAt, frozen=True, kw_only=True, tag="slope"):
     way: Literal["up", "down"] = field(name="is")
 
     def seen(self, drawn: Sketch) -> Seen:
-        here, there = drawn.at(float(self.at)), drawn.at(float(self.at) + STRIDE * drawn.frame.width)
+        at = self.numbers.at
+        here, there = drawn.at(at), drawn.at(at + STRIDE * drawn.frame.width)
         if here is None or there is None:
             return NOTHING
         rise = (there - here) / drawn.frame.height
-        return Seen(rise > STEEP if self.way == "up" else rise < -STEEP, None, float(self.at), here)
+        return Seen(rise > STEEP if self.way == "up" else rise < -STEEP, None, at, here)
 
     def words(self, yours: Seen, true: Seen, axes: PlotAxes) -> str:
         return f"yours goes {self.way}wards" if yours.has else f"missed: it goes {self.way}wards"
@@ -158,8 +176,8 @@ class Zero(FeatureAt, frozen=True, kw_only=True, tag="zero"):
         found = crossings(drawn.x, drawn.y)
         if not len(found):
             return NOTHING
-        nearest = float(found[np.argmin(np.abs(found - float(self.at)))])
-        return Seen(abs(nearest - float(self.at)) <= float(self.tol), nearest, nearest, 0.0)
+        nearest = float(found[np.argmin(np.abs(found - self.numbers.at))])
+        return Seen(abs(nearest - self.numbers.at) <= self.numbers.tol, nearest, nearest, 0.0)
 
     def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
         return f"at {_written(found.number or 0.0, axes.x, digits)}"
@@ -175,14 +193,14 @@ class Extreme(FeatureAt, frozen=True, kw_only=True):
     tol_y: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
-        around = SURROUNDINGS * float(self.tol)
-        x, y = drawn.between(float(self.at) - around, float(self.at) + around)
+        at, value, tol, tol_y, _, _ = self.numbers
+        x, y = drawn.between(at - SURROUNDINGS * tol, at + SURROUNDINGS * tol)
         if len(x) < FEWEST:
             return NOTHING
         up = self.sign * y
         i = int(np.argmax(up))
         stands_out = up[i] - max(up[0], up[-1]) > STANDS_OUT * drawn.frame.height
-        near = abs(x[i] - float(self.at)) <= float(self.tol) and abs(y[i] - float(self.value)) <= float(self.tol_y)
+        near = abs(x[i] - at) <= tol and abs(y[i] - value) <= tol_y
         return Seen(bool(near and stands_out), float(y[i]), float(x[i]), float(y[i]))
 
     def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
@@ -208,15 +226,15 @@ class Pole(FeatureAt, frozen=True, kw_only=True, tag="pole"):
     tol: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
+        at, tol = self.numbers.at, self.numbers.tol
         top = drawn.frame.y[0] + NEAR_TOP * drawn.frame.height
         out = drawn.x[drawn.y >= top]
         if not len(out):
             return NOTHING
-        nearest = float(out[np.argmin(np.abs(out - float(self.at)))])
-        wide = 4 * float(self.tol)
-        _, around = drawn.between(float(self.at) - wide, float(self.at) + wide)
+        nearest = float(out[np.argmin(np.abs(out - at))])
+        _, around = drawn.between(at - 4 * tol, at + 4 * tol)
         returns = bool(len(around)) and float(around.min()) < top
-        return Seen(returns and abs(nearest - float(self.at)) <= float(self.tol), nearest, nearest, top)
+        return Seen(returns and abs(nearest - at) <= tol, nearest, nearest, top)
 
     def measured(self, found: Seen, axes: PlotAxes, digits: int) -> str:
         return f"at {_written(found.number or 0.0, axes.x, digits)}"
@@ -229,10 +247,6 @@ class Within(BaseFeature, frozen=True, kw_only=True):
     start: Coordinate | None = field(default=None, name="from")
     end: Coordinate | None = field(default=None, name="to")
 
-    @property
-    def ends(self) -> tuple[float, float]:
-        return -math.inf if self.start is None else float(self.start), math.inf if self.end is None else float(self.end)
-
 
 class Period(Within, frozen=True, kw_only=True, tag="period"):
     """A period as long as `is`, by the ways between crossings of the middle in one direction."""
@@ -242,7 +256,7 @@ class Period(Within, frozen=True, kw_only=True, tag="period"):
     tol: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
-        x, y = drawn.between(*self.ends)
+        x, y = drawn.between(self.numbers.start, self.numbers.end)
         if len(x) < FEWEST or np.ptp(y) <= STANDS_OUT * drawn.frame.height:
             return NOTHING
         middle = y - (y.max() + y.min()) / 2
@@ -250,11 +264,11 @@ class Period(Within, frozen=True, kw_only=True, tag="period"):
         if not gaps:
             return NOTHING
         mean = float(np.mean(gaps))
-        return Seen(abs(mean - float(self.value)) <= float(self.tol), mean)
+        return Seen(abs(mean - self.numbers.value) <= self.numbers.tol, mean)
 
     def exact(self, true: Sketch) -> Seen:
         """Of a motion that grows or beats, its crossings tell another one."""
-        return self.seen(true)._replace(number=float(self.value))
+        return self.seen(true)._replace(number=self.numbers.value)
 
     def called(self, axes: PlotAxes) -> str:
         return "The period"
@@ -271,19 +285,19 @@ class Farthest(Within, frozen=True, kw_only=True, tag="reach"):
     tol: Extent
 
     def seen(self, drawn: Sketch) -> Seen:
-        start, end = self.ends
+        _, value, tol, _, start, end = self.numbers
         low, high = max(start, drawn.frame.x[0]), min(end, drawn.frame.x[1])
         if not drawn.covers(low, high):
             return NOTHING
         x, y = drawn.between(low, high)
         i = int(np.argmax(np.abs(y)))
         far = float(abs(y[i]))
-        return Seen(abs(far - float(self.value)) <= float(self.tol), far, float(x[i]), float(y[i]))
+        return Seen(abs(far - value) <= tol, far, float(x[i]), float(y[i]))
 
     def called(self, axes: PlotAxes) -> str:
         if self.start is None or self.end is None:
             return "How far it goes"
-        start, end = (_written(one, axes.x, FINE) for one in self.ends)
+        start, end = (_written(one, axes.x, FINE) for one in self.numbers[-2:])
         return f"How far it goes from {start} to {end}"
 
 
@@ -299,7 +313,7 @@ class Least(BaseFeature, frozen=True, kw_only=True, tag="least"):
             return NOTHING
         i = int(np.argmin(drawn.y))
         x, y = float(drawn.x[i]), float(drawn.y[i])
-        return Seen(abs(y - float(self.value)) <= float(self.tol), y, x, y)
+        return Seen(abs(y - self.numbers.value) <= self.numbers.tol, y, x, y)
 
     def called(self, axes: PlotAxes) -> str:
         return "The lowest point"
@@ -319,9 +333,9 @@ class Sum(BaseFeature, frozen=True, kw_only=True, tag="sum"):
         inside = (drawn.x >= drawn.other.x[0]) & (drawn.x <= drawn.other.x[-1])
         x: Floats = drawn.x[inside]
         total = drawn.y[inside] + np.interp(x, drawn.other.x, drawn.other.y)
-        off = np.abs(total - float(self.value))
+        off = np.abs(total - self.numbers.value)
         i = int(np.argmax(off))
-        return Seen(bool(off[i] <= float(self.tol)), float(total[i]), float(x[i]), float(total[i]))
+        return Seen(bool(off[i] <= self.numbers.tol), float(total[i]), float(x[i]), float(total[i]))
 
     def called(self, axes: PlotAxes) -> str:
         return "The sum of both"
