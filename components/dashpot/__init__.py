@@ -1,6 +1,6 @@
 """A mass on a spring and a dashpot: what the scenes about it share."""
 
 from components.dashpot.parameters import KEPT, PARTS, SHARES, derived_one, followed, keeping, parts
-from components.dashpot.stage import NARROW_BELOW, apparatus
+from components.dashpot.stage import NARROW_BELOW, Has, apparatus
 
-__all__ = ["KEPT", "NARROW_BELOW", "PARTS", "SHARES", "apparatus", "derived_one", "followed", "keeping", "parts"]
+__all__ = ["KEPT", "NARROW_BELOW", "PARTS", "SHARES", "Has", "apparatus", "derived_one", "followed", "keeping", "parts"]

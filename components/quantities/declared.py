@@ -44,10 +44,12 @@ class Named:
 
 
 @dataclass(eq=False)
-class DrawnAxis(Named, Generic[Case]):
-    """An axis of a case; called with the axes in force it is the one of them."""
+class DrawnAxis(Named):
+    """An axis of a picture; called with the axes in force it is the one of them."""
 
-    value: Callable[[Case], Axis]
+    @classmethod
+    def some(cls, count: int) -> list[Self]:
+        return [cls() for _ in range(count)]
 
     def __call__(self, axes: Axes) -> Axis:
         return axes[self.name]
@@ -58,7 +60,7 @@ class Signal(Named, Generic[Case]):
     """A number that moves, None where there is none; in texts it has the digits of the axis `on`."""
 
     value: Callable[[Case, Axes], AnySignal | None] = lambda case, axes: None
-    on: DrawnAxis[Any] | None = None
+    on: DrawnAxis | None = None
     signed: bool = False
 
 
@@ -114,7 +116,7 @@ class Family(Generic[Key, One]):
 class AxisUnit(Named):
     """The unit in which an axis is written; `write` writes a number that is counted on it."""
 
-    axis: DrawnAxis[Any] | str
+    axis: DrawnAxis | str
     form: Callable[[Axis], str] = lambda axis: axis.full_unit
     write: Callable[[Axis, float], str] = Axis.number
 
@@ -174,10 +176,6 @@ class LiveNumber(Named, Generic[Case]):
 class Declared(Generic[Case]):
     """The declarations of a scene, or some that scenes share: a class that is read and never made. Signals stand in the
     order in which they build on each other."""
-
-    @classmethod
-    def axes(cls, case: Case) -> dict[str, Axis]:
-        return {one.name: one.value(case) for one in cls._all(DrawnAxis)}
 
     @classmethod
     def signals(cls, case: Case, axes: Axes) -> dict[str, AnySignal]:

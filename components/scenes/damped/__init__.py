@@ -15,15 +15,15 @@ from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED, framed
-from components.scene.traces import Traces
+from components.scene.traces import over_time
 from components.scenes.damped.about import damped_about
 from components.scenes.damped.case import DampedCase
-from components.scenes.damped.curves import axes_of, columns_of, drawn_names, instants, signals_of
+from components.scenes.damped.curves import Signals, axes_of, columns_of, drawn, exact, instants
 from components.scenes.damped.numbers import Numbers as N
-from components.scenes.damped.places import scalars_of
+from components.scenes.damped.places import Arrows, Places
 from components.scenes.damped.sheet import damped_sheet
 from components.scenes.damped.watch import WATCH
-from components.scenes.damped.words import forms, notes
+from components.scenes.damped.words import Forms, notes
 from physics.damped import DampedOscillator
 
 USUAL = {"m": 1.0, "k": 39.48, "x_0": 0.1, "v_0": 0.0, "keep": "c"}
@@ -78,20 +78,17 @@ class Damped(Scene):
         case = self._case(frame)
         axes = framed(frame, axes_of(case))
         t = instants(case)
+        forces = Arrows.scalars(case, axes) if self.view == "forces" else {}
         return Picture(
             columns=columns_of(case, t),
             axes=axes,
-            signals=signals_of(case, axes),
-            traces={"time": Traces(case.end, t.size, drawn_names(case, t), case.exact)},
-            scalars=scalars_of(case, axes, self.view == "forces"),
+            signals=Signals.signals(case, axes),
+            traces=over_time(case.end, case.fastest, drawn(case, t), lambda t: exact(case, t)),
+            scalars=Places.scalars(case, axes) | forces,
             pace=pace(case.omega, case.omega),
             values=N.texts(case, axes),
-            live={
-                "x": axes["x"].digits(signed=True),
-                **dict.fromkeys(("T", "V", "heat"), axes["E"].digits()),
-                "P": axes["P"].digits(),
-            },
-            forms=forms(case),
+            live=Signals.live(axes),
+            forms=Forms.forms(case),
             notes=notes(case, t),
         )
 

@@ -6,6 +6,7 @@ from components.scene import Picture
 from components.scene.about import About, bounded, drawn_as_bands, drift, few, reason_of, rows
 from components.scene.traces import Columns
 from components.scenes.damped.case import DampedCase
+from components.scenes.damped.curves import Signals, exact
 from physics.reference_damped import damped_points
 
 
@@ -25,6 +26,6 @@ def _balance(case: DampedCase, columns: Columns) -> str:
     """The sentence on how far T + V and the heat, each from its own formula, stray from what there was at the start."""
     try:
         lost = case.motion.lost(columns["t"])
-        return drift(case.exact(columns["t"])["E"] + lost, case.E_0, "$T + V$ + heat")
+        return drift(exact(case, columns["t"])[Signals.E] + lost, case.E_0, "$T + V$ + heat")
     except ValueError as reason:
         return f"The balance of the energies cannot be computed over the window: {reason_of(reason)}."

@@ -7,13 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal, NamedTuple
 
-import numpy as np
-
 from components.quantities.motion import scaled
 from components.scene.frames import Windowed
-from components.scene.traces import Columns, Floats
 from physics.damped import DampedOscillator, Fading, FreeDecay
-from physics.energy import half_square
 from physics.exact import exact, precise, rounded
 from physics.sampling import NOTHING_OSCILLATES, periods
 
@@ -47,10 +43,15 @@ class DampedCase(Windowed):
     def motion(self) -> FreeDecay:
         return FreeDecay(oscillator=self.oscillator, x_0=self.x_0, v_0=self.v_0)
 
+    @cached_property
+    def fadings(self) -> tuple[Fading, ...]:
+        """x, then v, in their late parts."""
+        return self.oscillator.fading(self.x_0, self.v_0)
+
     @property
     def fading(self) -> Fading:
         """x in its late parts."""
-        return self.oscillator.fading(self.x_0, self.v_0)[0]
+        return self.fadings[0]
 
     @cached_property
     def omega(self) -> float:
@@ -155,14 +156,7 @@ class DampedCase(Windowed):
         """The speed inward in m/s beyond which it passes 0, where it does not swing."""
         return scaled(0, self.oscillator.rates[1], abs(self.x_0))
 
-    def exact(self, t: Floats) -> Columns:
-        """All that is drawn over time, in SI units."""
-        one, motion = self.oscillator, self.oscillator.motion(self.x_0, self.v_0, t)
-        V, T = half_square("V", one.k, motion.x), half_square("T", one.m, motion.v)
-        late = one.fading(self.x_0, self.v_0)[0].late
-        slow, fast = (size * np.exp(-rate * t) for size, rate in zip(late, one.rates, strict=True))
-        upper = self.envelope * np.exp(-one.rates[0] * t)
-        return {
-            "x": motion.x, "upper": upper, "lower": -upper, "slow": slow, "fast": fast, "none": np.zeros_like(t),
-            "V": V, "E": V + T, "E_0": np.full_like(t, self.E_0), "P": 2 * half_square("P", one.c, motion.v),
-        }  # fmt: skip
+    @property
+    def roots(self) -> Literal["bare", "pair", "real"]:
+        """The kind of the roots in their plane: without a spring, a pair that swings, or both real."""
+        return "bare" if not self.oscillator.k else "pair" if self.oscillator.zeta < 1 else "real"

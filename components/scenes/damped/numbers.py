@@ -8,6 +8,7 @@ from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.motion import scaled
 from components.quantities.numbers import plus, short, signed, three
 from components.scenes.damped.case import DampedCase
+from components.scenes.damped.curves import Axes
 from physics.damped import DampedOscillator, FreeDecay
 
 HOME = 0.01
@@ -28,7 +29,7 @@ def home_thrice(case: DampedCase) -> float:
 
 
 class Numbers(Declared[DampedCase]):
-    x_unit, E_unit, P_unit = AxisUnit("x"), AxisUnit("E"), AxisUnit("P")
+    x_unit, E_unit, P_unit = AxisUnit(Axes.x), AxisUnit(Axes.E), AxisUnit(Axes.P)
     E_total = number(lambda c: c.E_0, axis=E_unit)
     omega = number(lambda c: c.omega if c.oscillator.k else three(0.0), "ω_n", "rad/s")
     zeta = number(lambda c: c.oscillator.zeta if c.oscillator.k else "none", "ζ", tint="T")

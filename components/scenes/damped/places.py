@@ -3,91 +3,102 @@
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 
+from components import dashpot
 from components.layout.stage import wire
+from components.quantities import declared
 from components.quantities.axes import Axis
+from components.quantities.declared import Declared, DrawnAxis, Family, Scalar
 from components.quantities.motion import scaled
-from components.scenes.damped.case import MOST_PEAKS, DampedCase
+from components.scenes.damped.case import MOST_PEAKS, DampedCase, Moment
+from components.scenes.damped.curves import Axes as A
 
 LEAST_DROP = 0.04
 """A stair is drawn where its drop is this share of the frame."""
 TICKS, NAMED = (0.2, 0.4, 0.6, 0.8), (0.4, 0.8)
+PEAKS, STAIRS = range(MOST_PEAKS), range(MOST_PEAKS - 1)
+
+scalar = Scalar[DampedCase]
 
 
-def scalars_of(case: DampedCase, axes: dict[str, Axis], forces: bool) -> dict[str, float]:
+def _peak(case: DampedCase, axes: declared.Axes, i: int) -> Moment | None:
+    """A peak in the window."""
+    x = A.x(axes)
+    peaks = case.peaks if case.kind == "under" else ()
+    seen = [peak for peak in peaks if peak.t <= case.end and x.start <= peak.x <= x.end]
+    return seen[i] if i < len(seen) else None
+
+
+def _drop(case: DampedCase, axes: declared.Axes, i: int) -> bool:
+    """Whether the drop from a peak to the next one is seen."""
+    one, two, x = _peak(case, axes, i), _peak(case, axes, i + 1), A.x(axes)
+    return bool(one and two and abs(one.x - two.x) >= LEAST_DROP * (x.end - x.start))
+
+
+def _place(case: DampedCase, axes: declared.Axes, i: int, on: DrawnAxis) -> float | None:
+    peak = _peak(case, axes, i)
+    return peak and on(axes).place(peak.t if on is A.t else peak.x)
+
+
+def _top(case: DampedCase) -> bool:
+    """Whether the dashpot takes most, and not at once."""
+    return bool(case.P_max) and 0 < case.top.t < case.end
+
+
+def _held(case: DampedCase, axes: declared.Axes) -> bool:
+    """Whether the faster root, or the upper one of a pair, is seen."""
+    return case.roots == "pair" or (case.roots == "real" and -case.oscillator.rates[1] >= A.re(axes).start)
+
+
+class Places(dashpot.Has):
+    side = scalar(lambda c, a: min(max(c.oscillator.m**0.15, 0.75), 1.25))
+    wire = scalar(lambda c, a: wire(c.oscillator.k))
+    per_reach = scalar(lambda c, a: 1.25 / A.x(a).place(A.x(a).end))
+    # The stairs: each peak in the window, and where the drop to the next one is seen.
+    peak = Family(PEAKS, lambda i: scalar(lambda c, a: _peak(c, a, i) is not None))
+    peak_t = Family(PEAKS, lambda i: scalar(lambda c, a: _place(c, a, i, A.t)))
+    peak_x = Family(PEAKS, lambda i: scalar(lambda c, a: _place(c, a, i, A.x)))
+    stair = Family(STAIRS, lambda i: scalar(lambda c, a: _drop(c, a, i)))
+    over = scalar(lambda c, a: math.copysign(1.0, c.peaks[0].x) if c.peaks else None)
+    # Where the dashpot takes most.
+    top = scalar(lambda c, a: _top(c))
+    top_t = scalar(lambda c, a: A.t(a).place(c.top.t) if _top(c) else None)
+    top_x = scalar(lambda c, a: A.x(a).place(c.top.x) if _top(c) else None)
+    top_P = scalar(lambda c, a: A.P(a).place(c.P_max) if _top(c) else None)
+    # The roots in their plane, of which a hand takes the one in `root` or in `slow_root`, in natural frequencies.
+    unit = scalar(lambda c, a: A.re(a).place(c.oscillator.omega_n))
+    circle = scalar(lambda c, a: c.roots != "bare")
+    pair = scalar(lambda c, a: c.roots == "pair")
+    real = scalar(lambda c, a: c.roots == "real")
+    bare = scalar(lambda c, a: c.roots == "bare")
+    legs = scalar(lambda c, a: c.roots == "pair" and 0.04 < c.oscillator.zeta < 0.98)
+    apart = scalar(lambda c, a: c.roots == "real" and c.oscillator.zeta > 1.02)
+    out = scalar(lambda c, a: c.roots == "real" and not _held(c, a))
+    held_root = scalar(_held)
+    fast_at = scalar(lambda c, a: -A.re(a).place(c.oscillator.rates[1]))
+    root = scalar(
+        lambda c, a: (
+            c.oscillator.rates[1] / c.oscillator.omega_n if c.roots == "real" and _held(c, a)
+            else c.oscillator.zeta if c.oscillator.k else 1.0
+        )
+    )  # fmt: skip
+    root_y = scalar(lambda c, a: A.im(a).place(c.oscillator.omega_d) if _held(c, a) else None)
+    slow_root = scalar(
+        lambda c, a: scaled(0, c.oscillator.rates[0], 1 / c.oscillator.omega_n) if c.roots == "real" else 1.0
+    )
+
+
+def _per(case: DampedCase, of: Axis, factor: float) -> float | None:
+    """The force of one of an axis, over the greatest force of spring or dashpot."""
     one = case.oscillator
-    scalars = {
-        "side": min(max(one.m**0.15, 0.75), 1.25),
-        "wire": wire(one.k),
-        "has_spring": float(one.k > 0),
-        "has_dashpot": float(one.c > 0),
-    }
-    scalars["per_reach"] = 1.25 / axes["x"].place(axes["x"].end)
-    scalars |= _stairs(case, axes) | _top(case, axes) | _roots(case, axes)
-    return scalars | _forces(case, axes) if forces else scalars
-
-
-def _stairs(case: DampedCase, axes: dict[str, Axis]) -> dict[str, float]:
-    """Each peak in the window, and where the drop to the next one is seen."""
-    if case.kind != "under":
-        return {}
-    t, x = axes["t"], axes["x"]
-    peaks = [peak for peak in case.peaks if peak.t <= case.end and x.start <= peak.x <= x.end]
-    scalars = {f"peak_{i}_{name}": axis.place(value) for i, peak in enumerate(peaks) for name, axis, value in (
-        ("t", t, peak.t), ("x", x, peak.x),
-    )}  # fmt: skip
-    scalars |= {f"peak_{i}": 1.0 for i in range(len(peaks))}
-    for i, (one, two) in enumerate(pairwise(peaks)):
-        if abs(one.x - two.x) >= LEAST_DROP * (x.end - x.start):
-            scalars[f"stair_{i}"] = 1.0
-    if "stair_0" in scalars:
-        scalars["over"] = math.copysign(1.0, peaks[0].x)
-    return scalars
-
-
-def _top(case: DampedCase, axes: dict[str, Axis]) -> dict[str, float]:
-    """Where the dashpot takes most, unless that is at once."""
-    top = case.top
-    if not case.P_max or not 0 < top.t < case.end:
-        return {}
-    places = {"top_t": axes["t"].place(top.t), "top_x": axes["x"].place(top.x), "top_P": axes["P"].place(case.P_max)}
-    return {**places, "top": 1.0}
-
-
-def _roots(case: DampedCase, axes: dict[str, Axis]) -> dict[str, float]:
-    """Both roots in the plane, the circle of the natural frequency, and which of the roots can be held."""
-    one, re, im = case.oscillator, axes["re"], axes["im"]
-    slow, fast = one.rates
-    scalars = {"fast_at": -re.place(fast), "unit": re.place(one.omega_n), "root": one.zeta if one.k else 1.0}
-    scalars["slow_root"] = 1.0
-    if not one.k:
-        return scalars | {"bare": 1.0}
-    scalars["circle"] = 1.0
-    swing = im.place(one.omega_d)
-    if one.zeta < 1:
-        found = {"root_y": swing, "pair": 1.0, "held_root": 1.0}
-        return scalars | found | {"legs": float(0.04 < one.zeta < 0.98)}
-    inside = -fast >= re.start
-    found = {"slow_root": scaled(0, slow, 1 / one.omega_n), "real": 1.0}
-    if inside:
-        found |= {"root": fast / one.omega_n, "root_y": 0.0, "held_root": 1.0}
-    return scalars | found | {"apart": float(one.zeta > 1.02), "out": float(not inside)}
-
-
-def _forces(case: DampedCase, axes: dict[str, Axis]) -> dict[str, float]:
-    """The forces of spring and dashpot for one of x and of v, over the greater of their largest values."""
-    one, x, v = case.oscillator, axes["x"], axes["v"]
     most = max(scaled(0, one.k, case.reach), scaled(0, one.c, abs(case.top.v)))
-    if not most:
-        return {}
-    return {
-        "forced": 1.0,
-        "per_x": scaled(-x.exponent, one.k, 1 / most),
-        "per_v": scaled(-v.exponent, one.c, 1 / most),
-        "pulls": float(one.k > 0),
-        "brakes": float(one.c > 0),
-    }
+    return scaled(-of.exponent, factor, 1 / most) if most else None
 
 
-STAIRS = range(MOST_PEAKS - 1)
+class Arrows(Declared[DampedCase]):
+    """The forces of spring and dashpot for one of x and of v."""
+
+    per_x = scalar(lambda c, a: _per(c, A.x(a), c.oscillator.k))
+    per_v = scalar(lambda c, a: _per(c, A.v(a), c.oscillator.c))
+    pulls = scalar(lambda c, a: c.oscillator.k > 0 and _per(c, A.x(a), c.oscillator.k) is not None)
+    brakes = scalar(lambda c, a: c.oscillator.c > 0 and _per(c, A.v(a), c.oscillator.c) is not None)

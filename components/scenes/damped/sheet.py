@@ -6,9 +6,12 @@ from components.language.blocks import Block
 from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import column, desk, phrase, row, stage, term, when, words
 from components.scene.traces import traced
+from components.scenes.damped.curves import Axes, Locus
+from components.scenes.damped.curves import Signals as S
 from components.scenes.damped.numbers import Numbers as N
-from components.scenes.damped.stage import block, over_energy, over_power, roots, stairs
-from components.scenes.damped.words import FACTS, NATURAL, ROOTS, SENTENCE, TASK
+from components.scenes.damped.stage import ENERGY, POWER, ROOTS, X, block, over_energy, over_power, roots, stairs
+from components.scenes.damped.words import FACTS, FORMULAS, NATURAL, SENTENCE, TASK
+from components.scenes.damped.words import Forms as F
 
 SIDES = Room(56, 30)
 
@@ -17,7 +20,7 @@ def damped_sheet() -> Block:
     label = "Mass on a spring and a dashpot, which stand on a wall"
     paper = row(
         stage(*block(), label=label, grow=150, height=232),
-        column(_displacement(), desk(when("power", _power())), _energy(), grow=470),
+        column(_displacement(), desk(when(F.power, _power())), _energy(), grow=470),
         column(
             _plane(),
             words(FACTS[0], style="facts", phone=31),
@@ -32,24 +35,24 @@ def damped_sheet() -> Block:
 
 
 def _displacement() -> Block:
-    line, band = traced("x", tint="m1", width="sum", label="*x*", signal="x")
+    line, band = traced(S.x, tint="m1", width="sum", label="*x*", signal=S.x)
     envelope = {"tint": "m1", "width": "thin", "group": "upper"}
     return plot(
-        "x",
-        x="t",
-        y="x",
+        X,
+        x=Axes.t,
+        y=Axes.x,
         title="Displacement against time, with its envelope and its peaks",
         curves=(
-            curve("upper", read="envelope", **envelope),
-            curve("lower", **envelope),
-            curve("slow", tint="m1", width="thin", read="slow part"),
-            curve("fast", tint="m1", width="dash", read="fast part"),
+            curve(S.upper, read="envelope", **envelope),
+            curve(S.lower, **envelope),
+            curve(S.slow, tint="m1", width="thin", read="slow part"),
+            curve(S.fast, tint="m1", width="dash", read="fast part"),
             line,
         ),
         bands=(band,),
         heading=(
             term(
-                "x", "sum", "m1", form="x",
+                S.x, "sum", "m1", form=F.x,
                 under=rf"x = {N.C}\, e^{{-{N.a}\,t}} \sin({N.omega_d}\,t\, {N.phi})",
                 plain=rf"x = {N.C}\, \sin({N.omega}\,t\, {N.phi})",
                 critical=rf"x = ({N.A}\, {N.B}\,t)\, e^{{-{N.a}\,t}}",
@@ -59,9 +62,9 @@ def _displacement() -> Block:
                 glide=rf"x = {N.x_0}\, {N.v_0}\, \frac{{1 - e^{{-{N.rate}\,t}}}}{{{N.rate}}}",
                 drift=rf"x = {N.x_0}\, {N.v_0}\,t",
             ),
-            term("upper", "line", "m1", formula=rf"\pm {N.C}\, e^{{-{N.a}\,t}}"),
-            term("slow", "line", "m1", formula=rf"{N.A}\, e^{{{N.slow}\,t}}"),
-            term("fast", "dash", "m1", formula=rf"{N.B}\, e^{{{N.fast}\,t}}"),
+            term(S.upper, "line", "m1", form=F.upper, formula=rf"\pm {N.C}\, e^{{-{N.a}\,t}}"),
+            term(S.slow, "line", "m1", form=F.slow, formula=rf"{N.A}\, e^{{{N.slow}\,t}}"),
+            term(S.fast, "dash", "m1", form=F.fast, formula=rf"{N.B}\, e^{{{N.fast}\,t}}"),
         ),
         x_labels=False,
         room=SIDES,
@@ -75,22 +78,22 @@ def _displacement() -> Block:
 
 def _energy() -> Block:
     return plot(
-        "energy",
-        x="t",
-        y="E",
+        ENERGY,
+        x=Axes.t,
+        y=Axes.E,
         title="Energy against time: potential, kinetic, and what has become heat in the dashpot; the sum is constant",
-        curves=(curve("E_0", tint="total", width="sum", group="total"),),
+        curves=(curve(S.E_0, tint="total", width="sum", group="total"),),
         bands=(
-            region("none", "V", tint="V", group="V", read="*V*"),
-            region("V", "E", tint="T", group="T", read="*T*"),
-            region("E", "E_0", tint="k2fill", group="heat", read="heat"),
+            region(S.none, S.V, tint="V", group=S.V, read="*V*"),
+            region(S.V, S.E, tint="T", group=S.T, read="*T*"),
+            region(S.E, S.E_0, tint="k2fill", group=S.heat, read="heat"),
         ),
         heading=(
             term("total", "sum", "total", formula=rf"E_0 = {N.E_total}"),
             phrase("", "none", "total", formula=f"{N.E_unit} ="),
-            term("V", "band", "V", formula=r"V\, \val{V}"),
-            term("T", "band", "T", formula=r"+\; T\, \val{T}"),
-            phrase("heat", "band", "k2fill", formula="+ heat {heat}"),
+            term(S.V, "band", "V", formula=rf"V\, {S.V}"),
+            term(S.T, "band", "T", formula=rf"+\; T\, {S.T}"),
+            phrase(S.heat, "band", "k2fill", form=F.heat, formula=f"+ heat {S.heat}"),
         ),
         room=SIDES,
         cursor="time",
@@ -103,17 +106,17 @@ def _energy() -> Block:
 
 def _power() -> Block:
     return plot(
-        "P",
-        x="t",
-        y="P",
+        POWER,
+        x=Axes.t,
+        y=Axes.P,
         title="Power that the dashpot takes, against time",
-        curves=(curve("P", tint="T", width="line", signal="P"),),
-        bands=(region("none", "P", tint="T", alpha=0.25, group="P"),),
+        curves=(curve(S.P, tint="T", width="line", signal=S.P),),
+        bands=(region(S.none, S.P, tint="T", alpha=0.25, group=S.P),),
         heading=(
-            term("P", "line", "T", formula=r"P = c v^2 = \val{P}"),
+            term(S.P, "line", "T", formula=rf"P = c v^2 = {S.P}"),
             phrase("", "none", "T", formula=f"{N.P_unit}"),
             phrase(
-                "", "none", "mute", form="fastest",
+                "", "none", "mute", form=F.fastest,
                 before="greatest just before *x* = 0", fastest="greatest where the mass is fastest",
                 at_start="greatest at the start",
             ),
@@ -130,13 +133,13 @@ def _power() -> Block:
 
 def _plane() -> Block:
     return plot(
-        "roots",
-        x="re",
-        y="im",
+        ROOTS,
+        x=Axes.re,
+        y=Axes.im,
         title="Plane of the roots: to the left a motion dies faster, upwards it swings faster",
-        curves=(curve("im", source="locus", x="re", tint="ink", width="thin", group="locus", read="other *ζ*"),),
-        heading=(term("", "none", "ink", form="roots", **ROOTS),),
-        x_column="re",
+        curves=(curve(Locus.im, x=Locus.re, tint="ink", width="thin", group="locus", read="other *ζ*"),),
+        heading=(term("", "none", "ink", form=F.roots, **FORMULAS),),
+        x_column=Locus.re,
         room=Room(2, 2),
         square=True,
         plain=True,

@@ -6,7 +6,7 @@ import math
 from functools import cache
 from typing import Self
 
-from components.dashpot import KEPT, PARTS, SHARES, derived_one, followed, keeping, parts
+from components.dashpot import KEPT, PARTS, SHARES, Has, derived_one, followed, keeping, parts
 from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
@@ -116,9 +116,8 @@ class DrivenScene(Scene):
                 **polygon.scalars_of(case, axes),
                 "side": min(max(self.m**0.15, 0.75), 1.25),
                 "wire": wire(self.k),
-                "has_spring": 1.0,
+                **Has.scalars(case, axes),
                 "shaken": float(self.kind == "base"),
-                "has_dashpot": float(self.c > 0),
                 "per_reach": ROOM / axes["x"].place(axes["x"].end),
                 "per_drive": 1 / axes["drive"].place(axes["drive"].end),
                 "F_0_at": axes["drive"].place(self.F_0) if self.kind == "force" else 0.0,
