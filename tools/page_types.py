@@ -120,7 +120,9 @@ def _chapter(module: ModuleType) -> Chapter:
     types: list[Alias | Record] = []
     for statement, following in zip(body, [*body[1:], None], strict=True):
         if isinstance(statement, ast.ClassDef):
-            types.append(_record(getattr(module, statement.name)))
+            # What is only asked of a name is not sent.
+            if issubclass(made := getattr(module, statement.name), msgspec.Struct):
+                types.append(_record(made))
         elif isinstance(statement, ast.AnnAssign) and ast.unparse(statement.annotation) == "TypeAlias":
             assert isinstance(statement.target, ast.Name) and statement.value
             types.append(Alias(name=statement.target.id, doc=_text(following), type=statement.value))

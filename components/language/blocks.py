@@ -107,7 +107,7 @@ class PlotBlock(Part, frozen=True, kw_only=True, tag="plot"):
     plain: bool
     pick: str
     figure: dict[str, Any]  # Bokeh's own JSON
-    """The Bokeh figure, as bokeh.embed.json_item writes it: Bokeh's own language."""
+    """A document of the Bokeh figure alone, in Bokeh's own language."""
 
 
 Block: TypeAlias = Row | Column | StageBlock | WordsBlock | TableBlock | ChoiceBlock | PlotBlock

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Sequence
 from typing import Any, TypedDict, Unpack
 
 import numpy as np
-from bokeh.embed import json_item
+from bokeh.document import Document
 from bokeh.models import ColumnDataSource, FixedTicker, Line, Range1d, Scatter, Span, VArea
 from bokeh.models import Plot as BokehPlot
 from bokeh.plotting import figure
@@ -146,7 +146,7 @@ def plot(
         room=room,
         cursor=bool(cursor),
         time=cursor == "time",
-        figure=json_item(_figure(drawn, filled, room, x_labels, given["plain"])),
+        figure=_written(_figure(drawn, filled, room, x_labels, given["plain"])),
         **_named(dict(given)),
     )
 
@@ -179,6 +179,13 @@ def _figure(
     _glyphs(figure_, curves, regions)
     _lines(figure_, x_labels, plain)
     return figure_
+
+
+def _written(figure_: BokehPlot) -> dict[str, Any]:
+    """A document of this figure alone, as Bokeh writes it."""
+    document = Document()
+    document.add_root(figure_)
+    return dict(document.to_json(deferred=False))
 
 
 def _glyphs(figure_: BokehPlot, curves: tuple[Curve, ...], regions: tuple[Region, ...]) -> None:

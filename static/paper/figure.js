@@ -27,7 +27,7 @@ export class Figure {
   /** The models, without a view yet: what is set on them now is drawn once, when they are mounted. */
   make() {
     const {Document} = Bokeh.require("document")
-    this.document = Document.from_json(this.block.figure.doc)
+    this.document = Document.from_json(this.block.figure)
     this.model = this.document.roots()[0]
     const names = new Set([...this.block.curves, ...this.block.regions].map(part => part.source))
     this.sources = [...names].map(name => ({name, source: this.document.get_model_by_name(name)}))

@@ -74,7 +74,7 @@ def sliders() -> Iterator[str]:
 def figures() -> Iterator[str]:
     """The time to build the figures of `coupled`, and the time of a session that shares them."""
     scene, taken = SCENES["coupled"], list[float]()
-    build = plots.json_item, plots._figure
+    build = plots._written, plots._figure
 
     def timed(act: Callable[..., object]) -> Callable[..., object]:
         def acted(*given: object) -> object:
@@ -85,9 +85,9 @@ def figures() -> Iterator[str]:
 
         return acted
 
-    plots.json_item, plots._figure = map(timed, build)  # type: ignore[assignment]
+    plots._written, plots._figure = map(timed, build)  # type: ignore[assignment]
     scene.sheet.__func__.__wrapped__(scene)  # type: ignore[attr-defined]
-    plots.json_item, plots._figure = build
+    plots._written, plots._figure = build
     yield f"{len(taken) // 2} figures: {sum(taken):.0f} ms to build and to write, once a process"
     yield f"a scene that shares them, its first picture included: {milliseconds(scene):.1f} ms"
 
