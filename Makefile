@@ -26,6 +26,9 @@ SHOW := $(if $(or $(DISPLAY),$(WAYLAND_DISPLAY),$(filter Darwin,$(shell uname)))
 run: $(VENV)/run.stamp
 	$(BIN)/python -m components.serving --address $(HOST) --port $(PORT) $(SHOW)
 
+# What one worker or server has compiled, the others read.
+test rest test-all scene fast: export PYTHONDONTWRITEBYTECODE =
+
 # In two runs: Playwright leaves an event loop running in a process, which other tests must not meet.
 test: lint
 	$(BIN)/pytest $(BOTH_CORES) -m "not browser and not slow"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -22,6 +23,16 @@ SCREENSHOTS = ROOT / "build" / "screenshots"
 READY = "document.documentElement.dataset.ready === 'true'"
 # A busy machine has its time; what the page does by a timer of 10 s alone is too late.
 expect.set_options(timeout=9_000)
+
+
+def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
+    """Where the browser tests alone are asked for, or all others, a module without any is not even read."""
+    asked = re.match(r"(not )?browser($| and )", config.option.markexpr)
+    if not asked or collection_path.suffix != ".py":
+        return None
+    text = collection_path.read_text(encoding="utf-8")
+    has_none = re.search(r"^pytestmark = .*mark\.browser", text, re.M) if asked[1] else "mark.browser" not in text
+    return bool(has_none) or None
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

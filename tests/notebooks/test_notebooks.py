@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
-import nbformat
 import pytest
-from nbclient import NotebookClient
 
 from tests.grids import spread
 from tests.serving.server import ROOT
@@ -24,7 +23,7 @@ scene"""
 """Ends the notebook that has a scene: it displays itself."""
 
 
-def shown(notebook: nbformat.NotebookNode) -> str:
+def shown(notebook: Any) -> str:
     """All texts as one: a kernel cuts what is printed where it likes."""
     found = (output for cell in notebook.cells for output in cell.get("outputs", ()))
     return "".join(output.get("text", "") or output.get("data", {}).get("text/plain", "") for output in found)
@@ -36,6 +35,10 @@ def test_there_are_three() -> None:
 
 @pytest.mark.parametrize("path", spread(NOTEBOOKS), ids=lambda path: path.stem)
 def test_a_notebook_shows_what_it_gives(path: Path) -> None:
+    # Reading them compiles grammars for two seconds: not where tests are merely listed.
+    import nbformat
+    from nbclient import NotebookClient
+
     notebook = nbformat.read(path, as_version=4)
     stored, count = shown(notebook), len(notebook.cells)
     assert stored

@@ -15,6 +15,7 @@ from contextlib import contextmanager, suppress
 from http.client import HTTPConnection
 from importlib.metadata import distributions
 from pathlib import Path
+from types import SimpleNamespace
 from urllib.request import urlopen
 
 import pytest
@@ -22,6 +23,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 from components.serving.assets import BOKEH
+from tests.browser.fixtures import pytest_ignore_collect
 from tests.serving.server import ROOT, START, Server, free_port, serving
 from tools.audit import findings
 from tools.cut import CUTS, KEPT, cut
@@ -67,6 +69,18 @@ def test_no_test_imports_from_a_test() -> None:
     modules = list((ROOT / "tests").rglob("*.py"))
     assert len(modules) > 50
     assert [path.name for path in modules if imports.search(path.read_text(encoding="utf-8"))] == []
+
+
+def test_a_run_reads_no_module_that_has_no_test_for_it() -> None:
+    def read(asked: str) -> set[str]:
+        config = SimpleNamespace(option=SimpleNamespace(markexpr=asked))
+        return {path.name for path in modules if not pytest_ignore_collect(path, config)}
+
+    modules = list((ROOT / "tests").rglob("test_*.py"))
+    with_browser, without, both = map(read, ("browser and slow", "not browser", "browser or slow"))
+    assert with_browser | without == both == read("") == {path.name for path in modules}
+    assert "test_page.py" in with_browser - without and "test_axes.py" in without - with_browser
+    assert "test_headers.py" in with_browser & without  # which has tests of both kinds
 
 
 # Requirements
