@@ -1,4 +1,4 @@
-r"""Declarations of what a picture has: axes, signals, scalars, columns, forms and live numbers, each declared once.
+r"""Declarations of what a picture has: axes, signals, scalars, columns, forms, texts and live numbers, each once.
 
 A scene has a class of them, or some: `class Numbers(Declared[Case])`. What a case gives follows, `Numbers.texts(case,
 axes)`; a sheet speaks of `Numbers.zeta`, so that mypy finds a name that no picture has. In a text, `f"{Numbers.zeta} is
@@ -42,14 +42,15 @@ class Named:
     def __str__(self) -> str:
         return rf"\val{{{self.name}}}"
 
+    @classmethod
+    def some(cls, count: int, *each: Any, **rest: Any) -> list[Self]:
+        """Declarations that differ in their names alone."""
+        return [cls(*each, **rest) for _ in range(count)]
+
 
 @dataclass(eq=False)
 class DrawnAxis(Named):
     """An axis of a picture; called with the axes in force it is the one of them."""
-
-    @classmethod
-    def some(cls, count: int) -> list[Self]:
-        return [cls() for _ in range(count)]
 
     def __call__(self, axes: Axes) -> Axis:
         return axes[self.name]
@@ -93,6 +94,16 @@ class Form(Named, Generic[Case]):
     def variant(self, case: Case) -> str:
         value = self.value(case)
         return value if isinstance(value, str) else "shown" if value else ""
+
+
+@dataclass(eq=False)
+class Text(Named, Generic[Case]):
+    """A text that stands in other texts; None where there is none, or it is made elsewhere."""
+
+    value: Callable[[Case, Axes], str | None] = lambda case, axes: None
+
+    def text(self, case: Case, axes: Axes) -> str | None:
+        return self.value(case, axes)
 
 
 class Family(Generic[Key, One]):
@@ -206,7 +217,7 @@ class Declared(Generic[Case]):
 
     @classmethod
     def texts(cls, case: Case, axes: Axes) -> dict[str, str]:
-        return {one.name: one.text(case, axes) for one in cls._all(LiveNumber, AxisUnit)}
+        return _present((one.name, one.text(case, axes)) for one in cls._all(LiveNumber, AxisUnit, Text))
 
     @classmethod
     def readouts(cls, case: Case) -> tuple[Readout, ...]:

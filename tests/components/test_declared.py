@@ -8,7 +8,7 @@ import pytest
 
 from components.layout.text import mathml, rich, runs
 from components.quantities.axes import Axis
-from components.quantities.declared import AxisUnit, Declared, LiveNumber
+from components.quantities.declared import AxisUnit, Declared, LiveNumber, Text, by_name
 from components.quantities.numbers import plus
 from components.quantities.readouts import Readout
 from components.scenes.damped.numbers import Numbers as N
@@ -40,6 +40,14 @@ def test_texts_follow_in_the_order_of_declaration() -> None:
     assert texts["imaginary"] == AXES["x"].number(4e-3)
     assert (texts["first"], texts["second"]) == ("+ 0.00300 m", "+ 0.00400 m")
     assert (texts["length"], texts["height"]) == ("0.00500 m", f"{texts['imaginary']} {texts['unit']}")
+
+
+def test_a_text_is_made_of_the_case_or_elsewhere() -> None:
+    class Texts(Declared[complex]):
+        here = Text[complex](lambda z, axes: f"{z.real} {axes['x'].unit}")
+        one, two = Text[complex].some(2)
+
+    assert Texts.texts(2j, AXES) | by_name({Texts.two: "elsewhere"}) == {"here": "0.0 m", "two": "elsewhere"}
 
 
 def test_an_axis_has_its_own_way_to_write_what_is_counted_on_it() -> None:
