@@ -1,14 +1,32 @@
-"""A live number is declared once: its text and readout follow, and mypy, which reads this file, finds a wrong name."""
+"""What a picture has is declared once: its values follow, and mypy, which reads this file, finds a wrong name."""
 
 from __future__ import annotations
 
 from decimal import Decimal
 
+import numpy as np
 import pytest
 
+from components.language.numbers import var
+from components.layout.plots import curve, region
+from components.layout.sheet import either, term
+from components.layout.stage import ON_WIDE, PlotFrame, circle, shown_by
 from components.layout.text import mathml, rich, runs
 from components.quantities.axes import Axis
-from components.quantities.declared import AxisUnit, Declared, LiveNumber, Text, by_name
+from components.quantities.declared import (
+    AxisUnit,
+    Column,
+    Declared,
+    DrawnAxis,
+    Family,
+    Form,
+    LiveNumber,
+    Scalar,
+    Signal,
+    Text,
+    by_name,
+)
+from components.quantities.motion import derived, total
 from components.quantities.numbers import plus
 from components.quantities.readouts import Readout
 from components.scenes.damped.numbers import Numbers as N
@@ -16,9 +34,13 @@ from components.scenes.damped.numbers import Numbers as N
 number = LiveNumber[complex]
 
 
+class On(Declared[complex]):
+    t, x = DrawnAxis.some(2)
+
+
 class Shared(Declared[complex]):
     size = number(abs, "|z|", "m", "m1")
-    unit = AxisUnit("x")
+    unit = AxisUnit(On.x)
 
 
 class Own(Shared):
@@ -28,6 +50,23 @@ class Own(Shared):
     height = number(lambda z: z.imag, axis=Shared.unit, whole=True)
     sign = number(lambda z: "none" if not z.real else z.real / abs(z), "s")
     first, second = number.both(lambda z: (Decimal(z.real), z.imag), plus, unit="m", whole=True)
+
+
+class Drawn(Declared[complex]):
+    """Declarations of the other kinds; a case without an imaginary part lacks some."""
+
+    x = Signal[complex](lambda z, a: derived(On.x(a).place(z.real)), On.x, signed=True)
+    y = Signal[complex](lambda z, a: total(Drawn.x, Drawn.x) if z.imag else None)
+    at = Scalar[complex](lambda z, a: On.x(a).place(z.imag) if z.imag else None)
+    seen = Scalar[complex](lambda z, a: z.imag > 0)
+    side = Family((1, 2), lambda i: Scalar[complex](lambda z, a: i * z.real))
+    part = Family(("slow", "fast"), lambda one: Scalar[complex](lambda z, a: float(len(one))))
+    shape = Family([(1, "slow"), (2, "fast")], lambda one: Scalar[complex](lambda z, a: float(one[0])), "x{}_{}")
+    re = Column[complex]("plane", lambda z: np.array([z.real]))
+    im = Column[complex]("plane", lambda z: np.array([z.imag]) if z.imag else None)
+    again = Column[complex]("other", lambda z: np.array([0.0]), called="re")
+    kind = Form[complex](lambda z: "turned" if z.imag else "")
+    stands = Form[complex](lambda z: z.real > 0)
 
 
 AXES = {"x": Axis(0.0, 5e-3, "m")}
@@ -51,7 +90,7 @@ def test_a_text_is_made_of_the_case_or_elsewhere() -> None:
 
 
 def test_an_axis_has_its_own_way_to_write_what_is_counted_on_it() -> None:
-    whole = AxisUnit("x", write=lambda axis, value: f"{axis.place(value):.0f}")
+    whole = AxisUnit(On.x, write=lambda axis, value: f"{axis.place(value):.0f}")
     assert number(abs, axis=whole).text(3e-3 + 4e-3j, AXES) == f"{AXES['x'].place(5e-3):.0f}"
 
 
@@ -61,6 +100,37 @@ def test_what_has_a_symbol_and_a_value_is_compared() -> None:
     )  # fmt: skip
     assert [one.name for one in Own.readouts(2j)] == ["size", "imaginary"]
     assert Own.texts(2 + 0j, AXES)["imaginary"] == "" and Own.texts(2j, AXES)["sign"] == "none"
+
+
+def test_a_picture_has_what_is_declared_and_lacks_what_a_case_has_not() -> None:
+    one, other = 2e-3 + 1e-3j, -2e-3 + 0j
+    assert Drawn.signals(one, AXES) == {"x": derived(AXES["x"].place(2e-3)), "y": total("x", "x")}
+    assert Drawn.signals(other, AXES).keys() == {"x"}
+    assert Drawn.live(AXES) == {"x": AXES["x"].digits(signed=True)}
+    assert Drawn.scalars(one, AXES) == {
+        "at": AXES["x"].place(1e-3), "seen": 1.0, "side1": 2e-3, "side2": 4e-3, "part_slow": 4.0, "part_fast": 4.0,
+        "x1_slow": 1.0, "x2_fast": 2.0,
+    }  # fmt: skip
+    assert "at" not in Drawn.scalars(other, AXES) and Drawn.scalars(other, AXES)["seen"] == 0.0
+    assert {source: list(found) for source, found in Drawn.columns(one).items()} == {
+        "plane": ["re", "im"], "other": ["re"],
+    }  # fmt: skip
+    assert list(Drawn.columns(other)["plane"]) == ["re"]
+    assert Drawn.forms(one) == {"kind": "turned", "stands": "shown"} and Drawn.forms(other) == {
+        "kind": "",
+        "stands": "",
+    }
+
+
+def test_a_declaration_stands_for_its_name_in_all_that_is_built() -> None:
+    assert var(Drawn.side[2]) == var("side2") and by_name({On.t: 1, Drawn.x: 2}) == {"t": 1, "x": 2}
+    line = curve(Drawn.im, x=Drawn.re, signal=Drawn.y)
+    assert (line.y, line.x, line.source, line.signal, line.group) == ("im", "re", "plane", "y", "im")
+    assert (curve(Drawn.x).source, curve(Drawn.again).y, region(Drawn.x, Drawn.y, of=Drawn.x).of) == ("time", "re", "x")
+    assert either(Drawn.kind, turned="").name == "kind" and term(Drawn.x, form=Drawn.kind, turned="x").form == "kind"
+    inside = circle(0, 0, 1, show=(ON_WIDE, Drawn.seen), inside=PlotFrame("plane"))
+    assert (inside.show, inside.inside) == (("wide", "seen"), "plane")
+    assert shown_by(Drawn.part["slow"], inside)[0].show == ("part_slow", "wide", "seen")
 
 
 def test_a_name_stands_alike_in_words_formulas_and_drawings() -> None:
@@ -84,3 +154,7 @@ def test_a_misspelt_name_is_an_error_of_types() -> None:
             one.text(1j, AXES)
     with pytest.raises(TypeError):
         number(symbol="x")  # type: ignore[call-arg]  # a number without a value
+    with pytest.raises(AttributeError):
+        Drawn.axis  # type: ignore[attr-defined]  # noqa: B018
+    with pytest.raises(KeyError):
+        Drawn.side[3]

@@ -19,6 +19,8 @@ from tests.serving.server import ROOT, serving
 
 TUTORIAL = ROOT / "docs" / "adding-a-scene.md"
 COPIED = ("app.py", "components", "physics", "static", "tests", "pyproject.toml", "README.md", "docs")
+TYPES = ".mypy_cache"
+"""Left by the linters: with it mypy reads what is new alone."""
 REGISTRY = "components/scenes/__init__.py"
 WALLS = {
     "components/scenes/walls/__init__.py": "scene.py",
@@ -49,7 +51,7 @@ def code() -> dict[str, str]:
 def project(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A copy of the project with what the page adds to it."""
     folder = tmp_path_factory.mktemp("project")
-    for name in COPIED:
+    for name in (*COPIED, *(name for name in (TYPES,) if (ROOT / name).exists())):
         here, there = ROOT / name, folder / name
         if here.is_dir():
             shutil.copytree(here, there, ignore=shutil.ignore_patterns("__pycache__", "bench"))
@@ -79,8 +81,10 @@ def run(project: Path, *command: str) -> str:
     return done.stdout
 
 
-def test_the_code_is_clean(project: Path) -> None:
-    run(project, "ruff", "check", "components/scenes/friction", "components/scenes/walls")
+def test_the_code_is_clean_and_typed(project: Path) -> None:
+    added = ("components/scenes/friction", "components/scenes/walls")
+    run(project, "ruff", "check", *added)
+    run(project, "mypy", *added)
 
 
 def test_the_scenes_pass_their_own_tests_and_those_of_every_scene(project: Path) -> None:

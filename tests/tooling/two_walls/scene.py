@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from functools import cache
+from dataclasses import dataclass
+from functools import cache, cached_property
 
 from components.language.blocks import Block
 from components.language.numbers import var
@@ -10,18 +11,48 @@ from components.language.state import Frame
 from components.layout.controls import Group
 from components.layout.plots import curve, plot
 from components.layout.sheet import column, stage, term, words
-from components.layout.stage import H, Shape, W, box, line, spring, text, wall, wire
+from components.layout.stage import H, PlotFrame, Shape, W, box, line, spring, text, wall, wire
 from components.quantities.axes import nice_axis, time_axis
+from components.quantities.declared import AxisUnit, Declared, DrawnAxis, LiveNumber, Scalar, Signal, by_name
 from components.quantities.motion import pace, sines
-from components.quantities.numbers import three
 from components.quantities.parameters import displacement, mass, positive
 from components.scene import Picture, Scene
 from components.scene.frames import FITTED, framed
 from components.scene.traces import over_time
-from physics.oscillator import Oscillator
+from physics.oscillator import Oscillator, OscillatorConstants
 
 TASK = "Exchange the two springs: what does the mass feel of it?"
 LEFT, REST, FOOT = 0.03 * W, 0.5 * W, 0.8 * H
+X = PlotFrame("x")
+
+
+@dataclass(frozen=True)
+class Swing:
+    """A mass between its walls, and where it is let go."""
+
+    system: Oscillator
+    springs: tuple[float, float]
+    x_0: float
+
+    @cached_property
+    def swing(self) -> OscillatorConstants:
+        return self.system.constants(self.x_0, 0.0)
+
+
+class Axes(Declared[Swing]):
+    t, x = DrawnAxis.some(2)
+
+
+class Numbers(Declared[Swing]):
+    x = Signal[Swing](
+        lambda c, a: sines(Axes.x(a), Axes.t(a), (c.swing.C, c.system.omega_n, c.swing.phi)), Axes.x, signed=True
+    )
+    reach = Scalar[Swing](lambda c, a: 0.2 / max(abs(Axes.x(a).ruler.start), abs(Axes.x(a).ruler.end)))
+    wire1 = Scalar[Swing](lambda c, a: wire(c.springs[0]))
+    wire2 = Scalar[Swing](lambda c, a: wire(c.springs[1]))
+    k = LiveNumber[Swing](lambda c: c.system.k)
+    omega_n = LiveNumber[Swing](lambda c: c.system.omega_n)
+    x_unit = AxisUnit(Axes.x)
 
 
 class Walls(Scene):
@@ -57,23 +88,20 @@ class Walls(Scene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         system = Oscillator(m=self.m, k=self.k1 + self.k2)
-        swing = system.constants(self.x_0, 0.0)
-        end = frame.window or self.window or float(f"{4 * system.period:.2g}")
-        axes = framed(frame, {"t": time_axis(end), "x": nice_axis(-swing.C, swing.C, "m", 3)})
-        size = axes["x"]
+        case = Swing(system, (self.k1, self.k2), self.x_0)
+        end, reach = frame.window or self.window or float(f"{4 * system.period:.2g}"), case.swing.C
+        axes = framed(frame, by_name({Axes.t: time_axis(end), Axes.x: nice_axis(-reach, reach, "m", 3)}))
         return Picture(
             columns={},
             axes=axes,
-            signals={"x": sines(size, axes["t"], (swing.C, system.omega_n, swing.phi))},
-            traces=over_time(end, system.omega_n, ("x",), lambda t: {"x": system.motion(self.x_0, 0.0, t).x}),
-            scalars={
-                "reach": 0.2 / max(abs(size.place(size.start)), abs(size.place(size.end))),
-                "wire1": wire(self.k1),
-                "wire2": wire(self.k2),
-            },
+            signals=Numbers.signals(case, axes),
+            traces=over_time(
+                end, system.omega_n, (Numbers.x,), lambda t: {Numbers.x: system.motion(self.x_0, 0.0, t).x}
+            ),
+            scalars=Numbers.scalars(case, axes),
             pace=pace(system.omega_n, system.omega_n),
-            values={"k": three(system.k), "omega_n": three(system.omega_n), "x_unit": size.full_unit},
-            live={"x": size.digits(signed=True)},
+            values=Numbers.texts(case, axes),
+            live=Numbers.live(axes),
         )
 
 
@@ -82,17 +110,17 @@ def walls_sheet() -> Block:
         words(TASK, style="task", phone=0),
         stage(*_shapes(), label="A mass between two springs, each on a wall of its own", grow=200, height=190),
         words(
-            r"Moved by $x$, it feels $-k_1 x$ and $-k_2 x$: $k = k_1 + k_2 = \val{k}$ N/m, "
-            r"$\omega_n = \sqrt{k / m} = \val{omega_n}$ rad/s.",
+            rf"Moved by $x$, it feels $-k_1 x$ and $-k_2 x$: $k = k_1 + k_2 = {Numbers.k}$ N/m, "
+            rf"$\omega_n = \sqrt{{k / m}} = {Numbers.omega_n}$ rad/s.",
             phone=5,
         ),
         plot(
-            "x",
-            x="t",
-            y="x",
+            X,
+            x=Axes.t,
+            y=Axes.x,
             title="Displacement against time",
-            curves=(curve("x", tint="m1", width="sum", label="*x*", signal="x"),),
-            heading=(term("x", "sum", "m1", formula="x(t)"),),
+            curves=(curve(Numbers.x, tint="m1", width="sum", label="*x*", signal=Numbers.x),),
+            heading=(term(Numbers.x, "sum", "m1", formula="x(t)"),),
             cursor="time",
             grow=300,
             phone=10,
@@ -103,15 +131,15 @@ def walls_sheet() -> Block:
 
 def _shapes() -> list[Shape]:
     """The mass between its springs; the largest displacement takes 0.2 of the width."""
-    x, side = REST + var("reach") * W * var("x"), 0.1 * W
+    x, side = REST + var(Numbers.reach) * W * var(Numbers.x), 0.1 * W
     middle = FOOT - 0.5 * side
     return [
         wall(LEFT, 0.2 * H, 0.6 * H, side="left"),
         wall(W - LEFT, 0.2 * H, 0.6 * H, side="right"),
         line(LEFT, FOOT, W - LEFT, FOOT, style="floor"),
         line(REST, 0.15 * H, REST, FOOT, tint="mute", style="eq"),
-        spring(LEFT, middle, x - 0.5 * side, middle, var("wire1")),
-        spring(x + 0.5 * side, middle, W - LEFT, middle, var("wire2")),
+        spring(LEFT, middle, x - 0.5 * side, middle, var(Numbers.wire1)),
+        spring(x + 0.5 * side, middle, W - LEFT, middle, var(Numbers.wire2)),
         box(x, FOOT, side, "*m*", tint="m1"),
-        text(REST, 0.1 * H, "*x* = {x} {x_unit}", tint="m1", style="t2 b"),
+        text(REST, 0.1 * H, f"*x* = {Numbers.x} {Numbers.x_unit}", tint="m1", style="t2 b"),
     ]
