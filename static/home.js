@@ -103,7 +103,7 @@ function far({link}) {
   return Math.abs(top + bottom - innerHeight)
 }
 
-/** What the scene needs is fetched before it is pressed. @param {HTMLAnchorElement} link */
+/** Fetches all that a scene needs before it is pressed. @param {HTMLAnchorElement} link */
 function ahead({dataset}) {
   const {version} = document.documentElement.dataset
   for (const [rel, href] of [

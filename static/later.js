@@ -61,7 +61,7 @@ export async function using(name, act) {
   if (last[name] === act) act(part)
 }
 
-/** What is fetched, when it is there: tried until it is. @template Part @param {() => Promise<Part>} fetching */
+/** The outcome of fetching, which is tried until it comes. @template Part @param {() => Promise<Part>} fetching */
 export async function insisting(fetching) {
   try {
     return await fetching()

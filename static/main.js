@@ -68,7 +68,7 @@ export class Lecture {
     })
   }
 
-  /** What the page stands for, as it was told last. */
+  /** The state of the page, as it was told last. */
   get kept() {
     return this.line.state
   }
@@ -104,7 +104,7 @@ export class Lecture {
     this.#wait()
   }
 
-  /** What waits for the server is shown as it was set. */
+  /** Shows what waits for the server as it was set. */
   #wait() {
     if (this.page) showWaiting(this.page, this.line.waiting)
   }
@@ -168,7 +168,7 @@ export class Lecture {
     return unpacked(data, sheet ? (await this.sheets.fetch(sheet)).usual : "")
   }
 
-  /** What cannot be read, or not be fetched: the connection is taken up anew, or this page by a new one. */
+  /** After something that cannot be read or fetched: the connection is taken up anew, or this page by a new one. */
   #fail(/** @type {unknown} */ error) {
     console.warn(error)
     if (!this.page) throw error

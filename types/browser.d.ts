@@ -15,10 +15,10 @@ type Drawn = Omit<page.Shown, "view" | "held"> & {
   held: Kept | null
 }
 
-/** What is held, whose columns have come out as those of a view. */
+/** The picture held, whose columns have come out as those of a view. */
 type Kept = Omit<page.Held, "columns"> & {columns: Columns}
 
-/** What has been set and waits for the server, by parameter. */
+/** Values that have been set and wait for the server, by parameter. */
 type Waits = Map<string, page.Value>
 
 /** Numbers by name: signals at an instant, scalars, places of plots. */
@@ -34,7 +34,7 @@ interface Kind<Shape = page.AnyShape> {
   hold?(shape: AtInstant<Shape>): [x: number, y: number, size: number]
 }
 
-/** What a file of TOML has under a name. */
+/** A value in a file of TOML. */
 type Toml = string | number | boolean | Toml[] | {[name: string]: Toml}
 
 /** Takes a message to the server. */
@@ -64,5 +64,5 @@ interface Packet {
   data: ArrayBuffer
 }
 
-/** What is told, unpacked. */
+/** A message of the server, unpacked. */
 type Told = Drawn | page.File | page.AboutNumbers | page.Taught | page.Walking

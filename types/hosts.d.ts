@@ -60,7 +60,7 @@ interface PlotHost extends Canvas {
   update(shown: Drawn): void
 }
 
-/** What shows a page: the lecture, or a follower of one, who sets nothing. */
+/** A host of pages: the lecture, or a follower of one, who sets nothing. */
 interface PageHost {
   readonly hall: {readonly on: boolean; readonly ending: string}
   readonly line: Pick<import("../static/net/line.js").Line, "send" | "last" | "rests">
@@ -71,7 +71,7 @@ interface PageHost {
   fit(): void
 }
 
-/** What puts a step to somebody: a walk, or a phone that follows one. */
+/** A host of cards, which puts a step to somebody: a walk, or a phone that follows one. */
 interface WalkHost {
   readonly seed: string
   readonly sheet: {readonly steps: page.StepCard[]}

@@ -50,7 +50,7 @@ export class Compare {
       addEventListener(name, event => this.#released(event), how)
   }
 
-  /** What is drawn now is kept under what follows, or no longer. */
+  /** Holds the picture that is drawn now, or releases the one held. */
   toggle() {
     this.page.host.change(({held, before, parameters}) => ({held: held ? null : (before ?? parameters)}))
   }
@@ -67,7 +67,7 @@ export class Compare {
     this.page.host.change(({covered}) => ({covered: [...covered, cover]}))
   }
 
-  /** What is covered comes back, and the stage, which moves as it tells. @param {string} cover */
+  /** Uncovers a part, and the stage, which moves as it tells. @param {string} cover */
   reveal(cover) {
     const open = new Set([cover, "next", "stage"])
     this.page.host.change(({covered}) => ({covered: covered.filter(name => !open.has(name))}))
@@ -104,7 +104,7 @@ export class Compare {
     Object.assign(this, {deed: "", press: ""})
   }
 
-  /** What is shown next is another picture to be compared with this one, in whose frame it is drawn. */
+  /** Keeps this picture under the next one, which is drawn in its frame. */
   keep() {
     this.before = this.page.shown
     this.press = ""
@@ -159,7 +159,7 @@ export class Compare {
     this.#draw()
   }
 
-  /** What is covered by the visitor, and how it comes back. @param {page.State} state */
+  /** A sentence on what the visitor has covered, and how it comes back. @param {page.State} state */
   says({covered, before, step}) {
     if (step || !covered.length) return ""
     if (before) return "Covered: what do you expect? Press Reveal to see it and to play."
@@ -173,7 +173,7 @@ export class Compare {
     this.#draw()
   }
 
-  /** What is held goes before what was there before a drag. */
+  /** Draws the picture held, or else the one from before a drag. */
   #draw() {
     const {shown} = this.page
     const {held, view} = shown

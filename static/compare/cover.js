@@ -13,7 +13,7 @@ export function coverNumber(number) {
   number.textContent = `${side}?${side}`
 }
 
-/** What of a drawing speaks while the stage is covered: sketch.css hides it on the page. */
+/** The parts of a drawing that tell while the stage is covered: sketch.css hides them on the page. */
 export const SPOKEN = ".told, .shaft, .shaft + .fill, text:has([data-value])"
 
 const NAMED = new Set(["text", "circle", "wave"])

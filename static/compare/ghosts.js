@@ -243,7 +243,7 @@ function path(points) {
   return d
 }
 
-/** What moves on a stage: what a hand can take to begin a motion, and what else says so. */
+/** The shapes that move on a stage: those that a hand can take to begin a motion, and others that say so. */
 export class StageGhost {
   /** @param {import("../paper/stage.js").Stage} stage */
   constructor(stage) {

@@ -3,7 +3,7 @@
 const SVG = "http://www.w3.org/2000/svg"
 
 /**
- * Those without a value are left out.
+ * Attributes of an element; those without a value are left out.
  * @typedef {Record<string, string | number | boolean | null | undefined>} Attributes
  */
 

@@ -2,7 +2,7 @@
 
 import {button, element} from "./dom.js"
 
-/** What went wrong, as it says itself. @param {unknown} reason */
+/** A fault in words. @param {unknown} reason */
 export const inWords = reason => (reason instanceof Error ? reason.message : String(reason))
 
 /**

@@ -55,7 +55,7 @@ export function fixed(value, decimals, always = false) {
   return always ? `+${shown}` : shown
 }
 
-/** How many times, in three digits: 123 000 with thin spaces, from a million on 1.23·10⁶. @param {number} count */
+/** A count, in three digits: 123 000 with thin spaces, from a million on 1.23·10⁶. @param {number} count */
 export function grouped(count) {
   return count < 1e6 ? Number(count.toPrecision(3)).toLocaleString("en").replaceAll(",", "\u202f") : short(count)
 }

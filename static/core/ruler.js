@@ -1,6 +1,6 @@
 // Places on an axis and what they stand for.
 
-/** What an axis is to a quantity that is drawn on none. @type {page.Ruler} */
+/** The axis of a quantity that is drawn on none. @type {page.Ruler} */
 export const PLAIN = {start: 0, end: 1, ticks: [], labels: [], unit: "", exponent: 0, factor: 1, power: 1, log: false}
 
 /** The quantity in SI at a place of the axis. @param {page.Ruler} ruler @param {number} place */

@@ -27,7 +27,7 @@ function response(w, n, t) {
 }
 
 /**
- * The same by powers of t: w t³ times the sum of (-1)^k h_k / (2k + 3)!, where h_k is the sum of all products of k
+ * From rest, by powers of t: w t³ times the sum of (-1)^k h_k / (2k + 3)!, where h_k is the sum of all products of k
  * factors that are each (w t)² or (n t)².
  * @param {number} w @param {number} n @param {number} t
  */

@@ -18,7 +18,7 @@ export function copyButton(link) {
   return button
 }
 
-/** What came of it, in a word or two. @param {string} link */
+/** Copies a link; the result, in a word or two. @param {string} link */
 async function taken(link) {
   if (isTooLong(link)) return "Too long"
   const address = new URL(link, location.href).href

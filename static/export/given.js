@@ -4,7 +4,7 @@ import {marked} from "../core/dom.js"
 import {brief} from "../input/handles.js"
 import {indexed, plain} from "../core/plain.js"
 
-/** Those that stand, as "m₁ = 2.00 kg"; then those that only stand in a table. @param {PartHost} page */
+/** The parameters in the panel, as "m₁ = 2.00 kg"; then those that only stand in a table. @param {PartHost} page */
 export function parameters({spec, panel, shown: {settings, view}}) {
   const groups = spec.panel.groups.filter(({form}) => !form || view.forms[form])
   const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")
@@ -27,7 +27,7 @@ export const link = page => new URL(page.link, location.href).href
 /** @param {PartHost} page */
 export const instant = page => (page.shown.view.time ? `t = ${page.clock.t.toFixed(page.clock.places)} s` : "")
 
-/** What of the picture held is another number, after how that is drawn. @param {PartHost} page @param {string} drawn */
+/** The other numbers of the picture held, after how that is drawn. @param {PartHost} page @param {string} drawn */
 export function held({shown}, drawn) {
   const rows = shown.held?.ledger.filter(({same}) => !same) ?? []
   const told = rows.map(({symbol, held: number, unit}) => {

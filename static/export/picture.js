@@ -11,7 +11,7 @@ const HIGH = 300 // of the frame of a plot
 const EDGE = 14
 const LINE = 20
 const UNIT = 4 // signs at the end of a formula, no more than this, are the unit of what they follow
-/** What of a style an element is drawn with, and its value where nothing is said. @type {Record<string, string>} */
+/** Properties that an element is drawn with, and their values where none is said. @type {Record<string, string>} */
 const LOOK = {
   fill: "rgb(0, 0, 0)",
   "fill-opacity": "1",
@@ -107,7 +107,7 @@ class Easel {
     return picture
   }
 
-  /** What is drawn, without the empty paper around it. @param {string} title @returns {Picture} */
+  /** The drawing, without the empty paper around it. @param {string} title @returns {Picture} */
   trimmed(title) {
     const drawn = this.svg.getBBox()
     const picture = this.done(title)
@@ -159,7 +159,7 @@ function frameFor(plot, wide) {
   return {left, top: frame.top + 8, width: block.square ? (height * frame.width) / frame.height : most, height}
 }
 
-/** What is seen over a plot, but for what the title begins with. @param {Plot} plot */
+/** The terms over a plot, but for those that the title begins with. @param {Plot} plot */
 function legend({block, host}) {
   const parts = [...(host.parentElement?.querySelectorAll(".head .part") ?? [])]
   const seen = parts.map(part => getComputedStyle(part).visibility === "visible")
@@ -207,7 +207,7 @@ export function stagePicture(stage, page, captioned = true) {
 export const plotsUnder = (stage, page) =>
   page.plots.filter(plot => plot.box && isSeen(plot) && (beside(plot, stage) || writesInto(stage, plot)))
 
-/** What a question hides is not in its picture. @param {SVGElement} drawn */
+/** A copy of a drawing, without all that a question hides. @param {SVGElement} drawn */
 function seenOf(drawn) {
   const copy = /** @type {SVGElement} */ (drawn.cloneNode(true))
   const copies = [...copy.querySelectorAll("*")]

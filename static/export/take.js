@@ -12,7 +12,7 @@ import {things} from "./things.js"
  */
 
 /**
- * What can be taken: its name in a file and on a button, how it is drawn and described.
+ * A thing that can be taken away: its name in a file and on a button, how it is drawn and described.
  * @typedef {{subject: Plot | Stage, file: string, name: string, draw: () => import("./picture.js").Picture,
  *   says: () => string, table: (() => HTMLElement) | null}} Thing
  */
@@ -27,7 +27,7 @@ export function take(page, subject) {
   if (first) new Taking(page, all).open(first)
 }
 
-/** What is seen of the page: the stages, then the plots. @param {PartHost} page @returns {Thing[]} */
+/** The parts of the page that are seen: the stages, then the plots. @param {PartHost} page @returns {Thing[]} */
 function choices(page) {
   const {stages, plots} = things(page)
   return [

@@ -7,7 +7,7 @@ import {Slider, problemElement, symbol} from "./slider.js"
 const TYPING = "A digit begins a number in its field; Enter sets it, Escape takes it back."
 
 /**
- * What draws the small pictures of a choice; only some scenes have one, and fetch it.
+ * The function that draws the small pictures of a choice; only some scenes have one, and fetch it.
  * @typedef {typeof import("../paper/picker.js").pictured} Pictured
  * @typedef {(sets: Record<string, page.Value>) => void} Take a preset
  * @typedef {Pick<Drawn, "settings" | "errors" | "preset" | "here"> & {view: Pick<page.View, "forms">}} State
@@ -38,7 +38,7 @@ class Presets {
     this.element = element("section", {class: "group"}, ...parts)
   }
 
-  /** What to watch in the preset in force, where a press has brought it. @param {string | null} preset */
+  /** The sentence on what to watch in a preset, where a press has brought it. @param {string | null} preset */
   watch(preset) {
     return (this.taken?.name === preset && this.taken.watch) || ""
   }

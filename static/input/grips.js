@@ -112,7 +112,7 @@ export class Grips {
     return `${spec?.label ?? name}: ${brief(text)} ${unit ?? spec?.unit ?? ""}`.trim()
   }
 
-  /** What the slider of a parameter spans. @param {string} name @returns {[number, number]} */
+  /** The ends of the slider of a parameter. @param {string} name @returns {[number, number]} */
   #ends(name) {
     return this.page.shown.settings[name].soft ?? this.page.controls.sliders.get(name)?.spec.soft ?? [0, 1]
   }
@@ -199,7 +199,7 @@ export class Grips {
   }
 }
 
-/** What a start is made of: without it, as while it is covered, nothing can be begun. @param {page.Grab} grab */
+/** The names that a start is made of: while they are covered, none can be begun. @param {page.Grab} grab */
 const needed = grab =>
   [...grab.start.map(({of}) => of), ...grab.ways.map(way => ("rest" in way ? way.rest : ""))].filter(Boolean)
 

@@ -159,7 +159,7 @@ class Grab {
     this.#send(this.#flick(all), false)
   }
 
-  /** What a flick gives; without one nothing, but the frame may grow again. @param {Named} all */
+  /** The values that a flick gives; without one none, but the frame may grow again. @param {Named} all */
   #flick(all) {
     const {spec, trail, page} = this
     const last = trail[trail.length - 1]
@@ -211,7 +211,7 @@ class Grab {
     return this.leaving && this.page.host.line.rests
   }
 
-  /** What has been begun plays. */
+  /** Plays the motion that has been begun. */
   end() {
     const {clock, compare} = this.page
     if (this.spec.begins && !compare.still)
@@ -220,7 +220,7 @@ class Grab {
 }
 
 /**
- * What the place of a hand stands for: in SI as it is drawn; as a value, and how much of that a pixel is, or null where
+ * The value at the place of a hand: in SI as it is drawn; as it is set, and how much of that a pixel is, or null where
  * every digit counts; and what a flick gives a velocity, where that is not the value.
  * @typedef {{si: number, value: number, pixel: number | null, goes?: number}} Placed
  */

@@ -143,7 +143,7 @@ export class Handles {
     pill.element.setAttribute("aria-valuemax", String(axis.end))
   }
 
-  /** What is said after a handle's number: of its parameter, or of the axis where it shows a number of the scene's. */
+  /** The unit after a handle's number: of its parameter, or of the axis where it shows a number of the scene's. */
   #unit(/** @type {Pill} */ pill) {
     const {handle} = pill
     if (!handle) return ""
@@ -246,7 +246,7 @@ export class Handles {
 const isSetter = pill => pill.handle !== null
 
 /**
- * What the place of a handle stands for: four digits of the unit of the axis, two where it spans many decades.
+ * The value at the place of a handle: four digits of the unit of the axis, two where it spans many decades.
  * @param {page.Ruler} ruler @param {number} place @param {number | null} least
  */
 function settable(ruler, place, least) {

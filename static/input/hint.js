@@ -78,7 +78,7 @@ export class Hint {
     return place !== null
   }
 
-  /** What is drawn or written at any instant, seen from a stage. @param {DOMRect} own */
+  /** The boxes of all that is drawn or written at any instant, seen from a stage. @param {DOMRect} own */
   #taken(own) {
     const {page} = this
     const {view} = page.shown

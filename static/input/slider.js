@@ -202,7 +202,7 @@ export class Slider {
     this.asked = TYPED
   }
 
-  /** What was set here or elsewhere waits for the server, or no longer does. @param {page.Value | undefined} value */
+  /** A value that was set here or elsewhere waits for the server, or none. @param {page.Value | undefined} value */
   wait(value) {
     this.waits = value !== undefined
     this.element.classList.toggle("waits", this.waits)
@@ -307,5 +307,5 @@ export class Slider {
   }
 }
 
-/** What a slider is called with its unit. @param {string} label @param {string} unit */
+/** The name of a slider with its unit. @param {string} label @param {string} unit */
 const called = (label, unit) => [label, unit].filter(Boolean).join(", ")

@@ -108,7 +108,7 @@ export class AskedPut {
     return {walk, step, vote, ...given}
   }
 
-  /** What is sent, one after the other: an answer never takes the place of a newer one. @type {Promise<unknown>} */
+  /** The answers on their way, one after the other: none takes the place of a newer one. @type {Promise<unknown>} */
   sending = Promise.resolve()
 
   #send() {
@@ -143,7 +143,7 @@ export class AskedPut {
     if (card === this.card && given === this.given && !this.following.stream.over) this.#send()
   }
 
-  /** What was answered before the page was loaded anew. */
+  /** The answer from before the page was loaded anew. */
   #restore() {
     this.given = mine(this.following.code)?.answers[this.#name] ?? null
     if (!this.given) return

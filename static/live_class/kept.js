@@ -112,7 +112,7 @@ export class Kept {
     this.save({isLost: false})
   }
 
-  /** What is refused for good holds up nothing else. @param {page.Order} order @returns {Promise<void>} */
+  /** Gives an order; one refused for good holds up nothing. @param {page.Order} order @returns {Promise<void>} */
   async #order(order) {
     const {code, key} = this.room
     try {
@@ -153,7 +153,7 @@ export class Kept {
 }
 
 /**
- * This computer leads a class from now on, with a word from the one that has led it.
+ * Takes the lead of a class, with a word from the computer that has led it.
  * @param {string} code @param {string} word
  */
 export async function takeOver(code, word) {
@@ -172,7 +172,7 @@ const copies = () => browserStorage.names().filter(name => name.startsWith(GIVEN
 const copyOf = (kind, code, of) => `${kind} ${code} ${of}`
 
 /**
- * What is kept of a class, by what it is of.
+ * The copies kept of a class, by what they are of.
  * @template Value @param {string} kind @param {string} code @param {(name: string) => Value} read
  */
 function copied(kind, code, read) {

@@ -95,7 +95,7 @@ export class Large {
     this.said.textContent = sentence
   }
 
-  /** What cannot be done is said. @param {() => Promise<void>} act */
+  /** Does something, or says why not. @param {() => Promise<void>} act */
   async #try(act) {
     try {
       this.#say("done", "")

@@ -36,7 +36,7 @@ async function pairedWith(code, ticket, say) {
 }
 
 /**
- * What is refused for a moment only is asked once more.
+ * Asks until there is an answer: what is refused for a moment only is asked once more.
  * @template Answer @param {() => Promise<Answer>} question @param {(why: string) => void} say
  * @returns {Promise<Answer>}
  */

@@ -18,7 +18,7 @@ const DOUBT = 30000 // ms for which a class is not there until that is believed:
 const NOW = "at once" // why an attempt ends that is followed by another without a pause
 
 /**
- * How the room is asked in a state: by a stream of events or by a question for what is new now; how long nothing may
+ * A state, by how the room is asked: by a stream of events or by a question for what is new now; how long nothing may
  * come; whether dead connections are used up meanwhile; which state follows where nothing came, and whether at once.
  * @typedef {{by: "events" | "now", patience: number, probes?: boolean, late: string, rests?: boolean}} State
  * @type {Record<string, State>}

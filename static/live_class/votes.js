@@ -43,7 +43,7 @@ export class Votes {
     else this.element.remove()
   }
 
-  /** What the filled button does in a class, before it shows the answer. */
+  /** Whether the filled button shows the votes of a class, before it shows the answer. */
   get waits() {
     return Boolean(this.card) && !this.isOpen && !this.teach.lecture.walks.walk?.lesson
   }

@@ -18,7 +18,7 @@ export async function unpacked(data, usual) {
 }
 
 /**
- * What the message refers to comes first, in a block that is stored as it is: so any inflate knows it.
+ * A message inflated after the text that it refers to, which is a block stored as it is: so any inflate knows it.
  * @param {Uint8Array<ArrayBuffer>} data @param {Uint8Array} before
  */
 async function inflated(data, before) {

@@ -5,7 +5,7 @@ const PATIENCE = 5000 // ms without an answer until a message is sent once more,
 const AGAIN = 1000 // ms until what a new session had no time for is sent again
 
 /**
- * What is known of a message beside it: whether it is a turn, which the back button returns from, whether the clock
+ * All that is known of a message beside it: whether it is a turn, which the back button returns from, whether the clock
  * starts anew with its answer, whether it is there for a new session alone, who waits for its answer, and what undo
  * makes of it.
  * @typedef {{turn?: boolean, start?: boolean, anew?: boolean, answered?: (told: Told) => void,
@@ -29,7 +29,7 @@ export class Line {
 
   behind = true // until what waited for a wire has been answered
 
-  /** What a new session is told first. @returns {page.Said[]} */
+  /** The messages that a new session hears first. @returns {page.Said[]} */
   before = () => []
 
   /** Called when a message has been sent twice without an answer. */
@@ -125,12 +125,12 @@ export class Line {
     return !this.#queue.length
   }
 
-  /** What waits for a wire, by parameter: the newest value, or what was typed. @returns {Waits} */
+  /** The values that wait for a wire, by parameter: the newest, or the text that was typed. @returns {Waits} */
   get waiting() {
     return new Map(this.behind ? this.#queue.flatMap(({message}) => Object.entries(givenIn(message))) : [])
   }
 
-  /** What waits, as plain messages: for a page that takes the place of this one. @returns {page.Said[]} */
+  /** The messages that wait, made plain: for a page that takes the place of this one. @returns {page.Said[]} */
   get left() {
     let {state} = this
     const plain = this.#queue.flatMap(({message: made, anew}) => {
@@ -208,7 +208,7 @@ export class Line {
   }
 }
 
-/** What a message gives to parameters. @param {Waiting["message"]} message @returns {Record<string, page.Value>} */
+/** The values that a message sets. @param {Waiting["message"]} message @returns {Record<string, page.Value>} */
 function givenIn(message) {
   if (typeof message === "function") return {}
   if (message.type === "set") return message.values
@@ -219,5 +219,5 @@ function givenIn(message) {
 /** @param {Waiting["message"]} message */
 const namesIn = message => Object.keys(givenIn(message))
 
-/** What a slider or handle sets. @param {Waiting["message"]} message */
+/** The values that a slider or handle sets; null for other messages. @param {Waiting["message"]} message */
 const valuesOf = message => (typeof message !== "function" && message.type === "set" ? message.values : null)

@@ -57,7 +57,7 @@ export class Clear {
     )
   }
 
-  /** What is drawn as a dot, as far as it is shown. @returns {Box[]} */
+  /** The dots, as far as they are shown. @returns {Box[]} */
   #dots() {
     const shown = this.dots.filter(({group}) => group.style.display === "")
     return shown.map(({parts: [dot]}) => {
@@ -136,8 +136,8 @@ export class Clear {
   }
 
   /**
-   * What stands in the picture is not moved out of it: a heading is above, the transport below. What is drawn over
-   * plots below it may be, and what is wider than the paper stays.
+   * The room of a text. One in the picture is not moved out of it: a heading is above, the transport below. One drawn
+   * over plots below it may be, and one wider than the paper stays.
    * @param {Box} box
    */
   #roomOf(box) {

@@ -12,7 +12,7 @@ const ROWS = 25 // of a table: enough to follow a curve by ear
 
 /** @typedef {import("./plots.js").Plot} Plot */
 /**
- * What is drawn of a curve within the window, from one piece or several; `lines` counts those that lie side by side.
+ * A curve as it is drawn within the window, in one piece or several; `lines` counts those that lie side by side.
  * @typedef {{name: string, xs: number[], ys: number[], lines: number, motion: ((t: number) => number) | null}} Trace
  */
 
@@ -83,7 +83,7 @@ export function traces(plot) {
 }
 
 /**
- * What a curve over time is drawn of: its signal at an instant, where it has one.
+ * The motion of a curve over time: its signal at an instant, where it has one.
  * @param {page.Curve} curve @param {Plot} plot
  */
 export function motionOf({signal, signal_x: across}, {block, view}) {

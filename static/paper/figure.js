@@ -159,7 +159,7 @@ export class Figure {
     }
   }
 
-  /** What a renderer draws: its name is the place in the block, "curves.0". @param {BokehModel} renderer */
+  /** The part of the block that a renderer draws, by its name, "curves.0". @param {BokehModel} renderer */
   #drawn(renderer) {
     const [list, index] = renderer.name.split(".")
     return list === "curves" ? this.block.curves[Number(index)] : this.block.regions[Number(index)]
@@ -175,7 +175,7 @@ function fill(source, given) {
   source.data = Object.fromEntries(Object.keys(source.data).map(key => [key, given[key] ?? nothing]))
 }
 
-/** What Bokeh keeps of a length, without its wrapping. @param {BokehModel} length */
+/** A length as Bokeh keeps it, without its wrapping. @param {BokehModel} length */
 const bare = length => (length?.value !== undefined ? length.value : length)
 
 /** @param {number | number[]} length */

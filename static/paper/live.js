@@ -10,7 +10,7 @@ export class Live {
   /** @type {Drawn["view"] | undefined} */
   view
 
-  /** Those of a part that has come to the page. @param {Element} part */
+  /** Finds the numbers of a part that has come to the page. @param {Element} part */
   find(part) {
     for (const one of part.querySelectorAll("[data-value]")) {
       const name = one.getAttribute("data-value") ?? ""

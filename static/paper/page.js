@@ -15,7 +15,7 @@ import {Tools} from "../shell/tools.js"
 import {Transport} from "../input/transport.js"
 
 /**
- * What only some sheets need.
+ * Modules that only some sheets need.
  * @typedef {{RunBar?: typeof import("./runbar.js").RunBar,
  *   pictured?: typeof import("./picker.js").pictured}} Extras
  */
@@ -145,7 +145,7 @@ export class Page {
     this.draw(this.clock.t)
   }
 
-  /** What is drawn in pixels takes the place that there is. */
+  /** Gives all that is drawn in pixels the place that there is. */
   place() {
     this.stages.forEach(stage => stage.place())
     const rooms = this.plots.map(plot => plot.room) // all are read before anything is written
@@ -193,7 +193,7 @@ export class Page {
   }
 }
 
-/** What only some scenes need, asked for by them alone. @param {page.SceneSheet} sheet @returns {Promise<Extras>} */
+/** Modules that only some scenes need, asked for by them. @param {page.SceneSheet} sheet @returns {Promise<Extras>} */
 export async function extrasFor({runs, panel}) {
   const picks = panel.groups.some(group => group.rows.some(isPicker))
   const [bar, picker] = await Promise.all([runs && later("paper/runbar"), picks && later("paper/picker")])

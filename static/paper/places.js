@@ -109,7 +109,7 @@ export const moved = (box, across, down) =>
 const inward = (low, high, least, most) => Math.max(Math.min(0, most - high), least - low)
 
 /**
- * How far something may go back and on in its room.
+ * The ways that something may go back and on in its room.
  * @param {number} low @param {number} high @param {number} least @param {number} most @param {number} far
  * @returns {[number, number]}
  */

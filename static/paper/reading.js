@@ -119,7 +119,7 @@ export function honest(value, step) {
 }
 
 /**
- * What a place on an axis stands for, in words.
+ * The number that a place on an axis stands for, in words.
  * @param {number} place @param {page.Ruler} ruler @param {number} step
  */
 function measured(place, {unit, log}, step) {

@@ -266,7 +266,7 @@ export class Stage {
     this.grips?.update()
   }
 
-  /** What would tell of what is covered is not drawn. @param {string[]} leftOut @param {string[]} covered plots */
+  /** Leaves out shapes that would tell of what is covered. @param {string[]} leftOut @param {string[]} covered plots */
   cover(leftOut, covered) {
     for (const shape of this.shapes) shape.covered = tells(shape, leftOut, covered)
   }

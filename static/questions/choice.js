@@ -55,7 +55,7 @@ export class Choice extends Question {
     this.changed()
   }
 
-  /** What is said of an answer, and a case of which that speaks. @param {number} i */
+  /** Shows the reply to an answer, and the case of which it speaks. @param {number} i */
   #taught(i) {
     const {row, where} = this.rows[i]
     const {host} = this.page

@@ -72,8 +72,8 @@ export class Dots {
   }
 
   /**
-   * What lies far off the others is counted at an end of the line, but never the truth; values that were given most
-   * often stand under it with their counts.
+   * Puts the numbers on the line. Those far off the others are counted at its end, but never the truth; values that
+   * were given most often stand under it with their counts.
    * @param {readonly number[]} now @param {readonly number[]} before
    */
   #onLine(now, before) {

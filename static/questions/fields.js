@@ -23,7 +23,7 @@ export function box(name, value, label, isSet = false) {
   return element("label", {class: "ask-box"}, input, ` ${label}`)
 }
 
-/** What is right, as a number or told by the scene's. @param {string} label */
+/** The fields of a right answer, as a number or told by those of the scene. @param {string} label */
 export const answerFields = label => [labelled(label, "is"), labelled("or an expression, such as 2 * tau", "of")]
 
 /**

@@ -161,7 +161,7 @@ export class Pad {
     return points
   }
 
-  /** What is sent: heights in thousandths of the frame that all share, evenly from its left to its right. */
+  /** The curves as they are sent: heights in thousandths of the frame that all share, evenly from left to right. */
   get sent() {
     const {start, end} = this.up
     const {y} = this.plot
@@ -183,7 +183,7 @@ export class Pad {
     return ((place - this.span.start) / (this.span.end - this.span.start)) * COLUMNS
   }
 
-  /** What was sent is drawn again. @param {Record<string, (number | null)[]>} sent */
+  /** Draws curves that were sent. @param {Record<string, (number | null)[]>} sent */
   restore(sent) {
     for (const [name, shares] of Object.entries(sent))
       if (this.heights.has(name)) this.heights.set(name, this.#heights(shares))

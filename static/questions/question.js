@@ -33,7 +33,7 @@ export class Question {
   /** Its kind, where a question is written. */
   static label = ""
 
-  /** What it then asks the instructor for. @type {(plots: Plot[]) => HTMLElement[]} */
+  /** The fields that it then asks the instructor to fill in. @type {(plots: Plot[]) => HTMLElement[]} */
   static fields
 
   /** Its fields in a walk's file. @type {(form: HTMLFormElement, plots: Plot[]) => Fields & {cover?: string[]}} */
@@ -54,7 +54,7 @@ export class Question {
     this.plot = plotOf(page.plots, step.plot) // that is marked or drawn on, if one is
   }
 
-  /** What was answered, in words. @returns {string} */
+  /** The answer, in words. @returns {string} */
   said() {
     return ""
   }
@@ -62,12 +62,12 @@ export class Question {
   /** An option by its place on the screen. @param {number} _place */
   choose(_place) {}
 
-  /** What is sent; null without an answer. @returns {Answer | null} */
+  /** The answer as it is sent; null where there is none. @returns {Answer | null} */
   given() {
     return null
   }
 
-  /** What was sent before is answered again. @param {Answer} _given */
+  /** Takes up an answer that was sent before. @param {Answer} _given */
   restore(_given) {}
 
   /** @param {page.Lesson} _lesson */

@@ -53,7 +53,7 @@ export class Sketches {
     this.#draw()
   }
 
-  /** What the class drew, in numbers. @param {page.Tally} tally */
+  /** The sketches of a class, in numbers. @param {page.Tally} tally */
   headline({features, now}) {
     const counts = features.map((name, i) => ({name, count: now.having[i] ?? 0}))
     const sorted = counts.toSorted((a, b) => b.count - a.count)

@@ -27,7 +27,7 @@ export function framed(lecture) {
   watch()
 }
 
-/** What a page would take if nothing of it scrolled. @param {PartHost | undefined} page */
+/** The height of a page if nothing of it scrolled. @param {PartHost | undefined} page */
 function wanted(page) {
   if (!page) return 0
   return Math.max(page.root.scrollHeight, page.paper.scrollHeight, page.panel.scrollHeight)

@@ -28,7 +28,7 @@ export class Hall {
     return root.dataset.mode === "projector"
   }
 
-  /** What the address says of it. */
+  /** Its part of the address. */
   get ending() {
     return this.on ? "&projector" : ""
   }
@@ -57,7 +57,7 @@ export class Hall {
     values(page)
   }
 
-  /** What stands for the panel while it is folded away. */
+  /** The tab that stands for the panel while it is folded away. */
   tab() {
     return button({class: "tab"}, () => this.fold(), "Controls, key C")
   }

@@ -84,7 +84,7 @@ export class Shell {
 }
 
 /**
- * What the page is served with.
+ * An element that the page is served with.
  * @template {Element} Kind
  * @param {string} selector @param {{new (): Kind}} kind @returns {Kind}
  */

@@ -54,7 +54,7 @@ export class Undo {
     this.go(event.shiftKey ? "future" : "past")
   }
 
-  /** What one press of a pointer or a key changes, however many messages that takes, is one entry. */
+  /** The name of a deed: all that one press changes is one entry, however many messages that takes. */
   deed(/** @type {page.Said} */ {type}) {
     return type === "set" || type === "typed" ? `${type} ${this.gesture}` : ""
   }
@@ -73,7 +73,7 @@ export class Undo {
   }
 
   /**
-   * What was told, and of what it is the answer.
+   * Takes down a state that was told, and of what it is the answer.
    * @param {page.State} state @param {{way?: Way, deed?: string}} asked
    */
   record(state, {way, deed = ""}) {

@@ -48,7 +48,7 @@ export class Card {
     this.question.plot?.host.scrollIntoView({block: "nearest"}) // now that all has its place
   }
 
-  /** What the filled button does once nothing else is to be seen before it: of a poll nothing is right. */
+  /** The words of the filled button once nothing else is to be seen before it: of a poll nothing is right. */
   get last() {
     return this.walk.step.poll ? "Go on" : "Show the answer"
   }
@@ -86,7 +86,7 @@ export class Card {
     this.refusal.textContent = why
   }
 
-  /** What the step teaches takes its place under the question. @param {page.Lesson} lesson */
+  /** Puts the lesson of the step under the question. @param {page.Lesson} lesson */
   teach(lesson) {
     const {page} = this
     this.#release()

@@ -107,7 +107,7 @@ export class Menu {
     if (isWalked && this.tour) this.tour.hidden = true
   }
 
-  /** What a window was opened for, once its first picture stands. */
+  /** Begins what a window was opened for, once its first picture stands. */
   begin() {
     const {purpose} = this
     this.purpose = ""

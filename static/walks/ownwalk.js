@@ -3,7 +3,7 @@
 const LARGEST = 48_000 // bytes of a file: components/walks/loading.py
 const SENT = 60_000 // bytes of a message that carries it
 
-/** What cannot be run is refused in a sentence. @param {LectureHost["walks"]} walks @param {File} file */
+/** Runs a walk from a file, or refuses it in a sentence. @param {LectureHost["walks"]} walks @param {File} file */
 export async function run(walks, file) {
   walks.lecture.page.notice.hide() // it was of the file before
   const refusal = await read(file).then(

@@ -5,7 +5,7 @@ import {browserStorage} from "../core/storage.js"
 const KEY = "seed"
 let own = ""
 
-/** This browser's own seed. */
+/** The seed of this browser. */
 export function ownSeed() {
   own ||= browserStorage.text(KEY) ?? String(crypto.getRandomValues(new Uint32Array(1))[0])
   browserStorage.keep(KEY, own)

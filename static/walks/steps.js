@@ -20,7 +20,7 @@ export function follow(lecture) {
   return channel
 }
 
-/** This window has the contents, and sends the other. @param {LectureHost["walks"]} walks */
+/** Makes this window the one with the contents, which sends the other. @param {LectureHost["walks"]} walks */
 export function lead(walks) {
   const channel = new BroadcastChannel(NAME)
   channel.addEventListener("message", async ({data}) => {

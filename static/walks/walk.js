@@ -46,7 +46,7 @@ export class Walk {
     this.answers = new Answers()
   }
 
-  /** What is in the same order for a class, and in another for each visitor alone. */
+  /** The seed of an order that is one for a class, and another for each visitor alone. */
   get seed() {
     return this.lecture.classes.led?.room.code ?? ownSeed()
   }
@@ -103,7 +103,7 @@ export class Walk {
     this.lecture.open(this.numbered(step).opens)
   }
 
-  /** The same question once more; what was drawn stays, dotted. */
+  /** Asks the question once more; what was drawn stays, dotted. */
   again() {
     const before = this.card?.question.given() ?? null
     this.go(this.place)
@@ -156,7 +156,7 @@ export class Walk {
   }
 
   /**
-   * What was answered before the page was loaded anew is shown again.
+   * Shows an answer from before the page was loaded anew.
    * @param {import("./answered.js").Answered} known
    */
   #restore({step, given}) {
@@ -176,7 +176,7 @@ export class Walk {
     clock.seek(0)
   }
 
-  /** What the filled button does, and Page Down. @param {boolean} [always] without an answer, too */
+  /** Does what the filled button says; Page Down, too. @param {boolean} [always] without an answer, too */
   forward(always = false) {
     const teach = this.lecture.classes.led
     if (this.lesson) this.next()

@@ -138,14 +138,14 @@ export class Walks {
     else walk.forward(true)
   }
 
-  /** What is covered: by the question of a step, or by a choice of one's own. */
+  /** Shows all that is covered: by the question of a step, or by a choice of one's own. */
   reveal() {
     if (this.walk && !this.walk.lesson) this.walk.show(false)
     if (!this.walk && this.lecture.kept.covered.length) this.lecture.change(() => ({covered: []}))
   }
 
   /**
-   * What the session says, asked again while others come first.
+   * The answer of the session, asked again while others come first.
    * @param {page.RunWalk | page.GiveAnswer} message @returns {Promise<Told>}
    */
   async ask(message) {
@@ -176,7 +176,7 @@ export class Walks {
     return this.own.has(name) || this.menu.sheets.has(name)
   }
 
-  /** The same, and its first step. @param {string} name @param {string} text @param {number} [place] */
+  /** Checks a walk from a file, and enters it. @param {string} name @param {string} text @param {number} [place] */
   async run(name, text, place = 0) {
     const refused = await this.check(name, text)
     if (!refused) await this.enter(name, place)
