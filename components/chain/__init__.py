@@ -1,6 +1,6 @@
 """The two-mass chain: what the scenes about it share."""
 
-from components.chain.modes import MODES, direction_lines, directions
+from components.chain.modes import BOTH, MODES, PARTS, direction_lines, directions
 from components.chain.parameters import (
     BRAKED,
     CHAIN,
@@ -16,13 +16,15 @@ from components.chain.parameters import (
     start_positions,
     start_velocities,
 )
-from components.chain.signals import components, free_rates, free_signals, positions
+from components.chain.signals import Axes, Signals, components, free_rates, free_signals, positions
 from components.chain.stage import (
     BODY,
     EQUILIBRIUM,
     WALL,
     DrawnChain,
     Extremes,
+    Has,
+    Places,
     cups,
     displacement_arrow,
     extremes,
@@ -50,6 +52,7 @@ BRAKED_DRIVEN = (
 
 __all__ = [
     "BODY",
+    "BOTH",
     "BRAKED",
     "BRAKED_DRIVEN",
     "CHAIN",
@@ -58,11 +61,16 @@ __all__ = [
     "EQUILIBRIUM",
     "FREE",
     "MODES",
+    "PARTS",
     "SHARES",
     "START",
     "WALL",
+    "Axes",
     "DrawnChain",
     "Extremes",
+    "Has",
+    "Places",
+    "Signals",
     "components",
     "cups",
     "damping_of",

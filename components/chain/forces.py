@@ -11,13 +11,16 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from components.chain.modes import BOTH
 from components.chain.parameters import Pair
+from components.chain.signals import Signals as S
 from components.chain.stage import place, side
 from components.language.numbers import Number, var
 from components.language.picture import Digits
 from components.language.signals import AnySignal
 from components.layout.stage import Shape, W, arrow, text
 from components.quantities.axes import Axis, nice_axis
+from components.quantities.declared import Declared, Scalar, Text, by_name
 from components.quantities.motion import derived, scaled
 from components.scene.traces import Floats
 from physics.coupled import Motion, TwoMassChain
@@ -27,14 +30,20 @@ LENGTH = 0.13
 """The length of the arrow of the largest force, over the width of the stage."""
 
 
+class Arrows(Declared[Axis]):
+    """Lengths of a newton and of the drive on the stage, and the unit of the axis that forces are counted on."""
+
+    forces, newton, push = Scalar[Axis].some(3)
+    force_unit = Text[Axis](lambda axis, a: axis.full_unit)
+
+
 @dataclass(frozen=True, kw_only=True)
 class Forces:
-    """The forces on the masses in a picture: signals F1, F2, lengths of a newton and of the drive on the stage,
-    texts."""
+    """The forces on the masses in a picture, none where not asked for."""
 
     signals: dict[str, AnySignal] = field(default_factory=dict)
-    scalars: dict[str, float] = field(default_factory=lambda: {"forces": 0.0, "push": LENGTH})
-    values: dict[str, str] = field(default_factory=lambda: dict.fromkeys(("F1", "F2", "force_unit"), ""))
+    scalars: dict[str, float] = field(default_factory=lambda: by_name({Arrows.forces: 0.0, Arrows.push: LENGTH}))
+    values: dict[str, str] = field(default_factory=lambda: by_name({S.F[1]: "", S.F[2]: "", Arrows.force_unit: ""}))
     live: dict[str, Digits] = field(default_factory=dict)
 
 
@@ -61,31 +70,31 @@ def forces(
     c: Pair = (0.0, 0.0),
     speed: Axis | None = None,
 ) -> Forces:
-    """The forces while the signals x1 and x2 (of the axis `size`) move, and `drive`, the sine of the drive; with
-    dashpots c1, c2 the signals v1 and v2, of the axis `speed`, too."""
+    """The forces while displacements (of the axis `size`) and the drive move; with dashpots c1, c2 the velocities, of
+    the axis `speed`, too."""
     largest = max(float(np.abs(on_masses(system, motion, F_0, omega, c)).max()), F_0)
     axis = nice_axis(0.0, largest or 1.0, "N", exact=True)
     k1, k2 = (scaled(axis.exponent - size.exponent, k) for k in (system.k1, system.k2))
-    hold, pull = k1 * var("x1"), k2 * (var("x2") - var("x1"))
+    hold, pull = k1 * var(S.x[1]), k2 * (var(S.x[2]) - var(S.x[1]))
     if speed is not None:
         c1, c2 = (scaled(axis.exponent - speed.exponent, one) for one in c)
-        hold, pull = hold + c1 * var("v1"), pull + c2 * (var("v2") - var("v1"))
-    push = scaled(axis.exponent, F_0) * var("drive") if F_0 else 0.0
+        hold, pull = hold + c1 * var(S.v[1]), pull + c2 * (var(S.v[2]) - var(S.v[1]))
+    push = scaled(axis.exponent, F_0) * var(S.drive) if F_0 else 0.0
     newton = LENGTH / axis.place(axis.end)
     return Forces(
-        signals={"F1": derived(pull - hold + push), "F2": derived(-pull)},
-        scalars={"forces": 1.0, "newton": newton, "push": newton * axis.place(F_0)},
-        values={"force_unit": axis.full_unit},
-        live=dict.fromkeys(("F1", "F2"), axis.digits(signed=True)),
+        signals=by_name({S.F[1]: derived(pull - hold + push), S.F[2]: derived(-pull)}),
+        scalars=by_name({Arrows.forces: 1.0, Arrows.newton: newton, Arrows.push: newton * axis.place(F_0)}),
+        values=Arrows.texts(axis, {}),
+        live=by_name(dict.fromkeys((S.F[1], S.F[2]), axis.digits(signed=True))),
     )
 
 
 def arrows(foot: Number) -> list[Shape]:
     """F_1 and F_2 in ink, from the upper part of each mass."""
     shapes = []
-    for i in (1, 2):
-        x, y = place(i, f"x{i}"), foot - 0.78 * side(i)
-        tip = x + var("newton") * W * var(f"F{i}")
-        shapes.append(arrow(x, y, tip, y, style="thick", head=18, show="forces"))
-        shapes.append(text(tip, y - 20, f"*F*_{i}", style="t3 b halo", show="forces"))
+    for i in BOTH:
+        x, y = place(i), foot - 0.78 * side(i)
+        tip = x + var(Arrows.newton) * W * var(S.F[i])
+        shapes.append(arrow(x, y, tip, y, style="thick", head=18, show=Arrows.forces))
+        shapes.append(text(tip, y - 20, f"*F*_{i}", style="t3 b halo", show=Arrows.forces))
     return shapes

@@ -1,4 +1,4 @@
-"""The two modes of the two-mass chain by name, and how the masses move in each."""
+"""The two modes of the two-mass chain by name, its masses, and how they move in each mode."""
 
 from __future__ import annotations
 
@@ -10,6 +10,10 @@ from components.scene.traces import Columns
 from physics.coupled import TwoMassChain
 
 MODES = ("slow", "fast")
+BOTH = (1, 2)
+"""The masses, from the wall."""
+PARTS = tuple((i, mode) for i in BOTH for mode in MODES)
+"""Each mass in each mode."""
 
 
 def directions(system: TwoMassChain) -> list[tuple[float, float]]:

@@ -3,14 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
-from components.language.numbers import Number, var
+from components.chain.modes import BOTH
+from components.chain.parameters import Pair
+from components.chain.signals import Axes
+from components.chain.signals import Signals as S
+from components.language.numbers import Name, Number, var
 from components.language.shapes import Grab
 from components.layout.stage import LOW, Looks, Shape, W, arrow, box, line, shown_by, spring, text, wall, wire
 from components.quantities.axes import Axis
+from components.quantities.declared import AxisUnit, Declared, Family, Scalar, Text, by_name
 from components.quantities.motion import round_down, scaled
 from components.quantities.numbers import short
-from components.scene.traces import Columns
+from components.scene.traces import Columns, band_columns
 from physics.coupled import TwoMassChain
 
 Extremes = dict[str, tuple[float, float]]
@@ -31,6 +37,24 @@ BODY = W * (1 - 0.3 * LOW)
 """The width of which sides of blocks are fractions: less on a low stage, where arrows stand close over the blocks."""
 
 
+class Places(Declared[float]):
+    """The sizes of the chain, the length of a metre, and the place and the text of the floor's tick, so many metres."""
+
+    side, wire = Scalar[Any].each(BOTH), Scalar[Any].each(BOTH)
+    hook, metre, tick_at = Scalar[Any].some(3)
+    tick = Text[float](lambda metres, a: f"{short(metres)} m")
+    x_unit = AxisUnit(Axes.x)
+
+
+P = Places
+
+
+class Has(Declared[Pair]):
+    """The scalars of the dashpots, which may be missing."""
+
+    dashpot = Family(BOTH, lambda i: Scalar[Pair](lambda c, a: c[i - 1] > 0))
+
+
 def sides(m1: float, m2: float) -> tuple[float, float]:
     """Sides of the blocks as fractions of the width: area goes with mass, unless one would be too small to see."""
     largest = max(m1, m2)
@@ -42,15 +66,15 @@ def sides(m1: float, m2: float) -> tuple[float, float]:
 def sizes(system: TwoMassChain, factor: float = 1.0) -> dict[str, float]:
     """Sides of the blocks on the stage, the height of the springs, half the smaller block at most, and their wires."""
     side1, side2 = (factor * side for side in sides(system.m1, system.m2))
-    hook = min(HOOK, side1 / 2, side2 / 2)
-    return {"side1": side1, "side2": side2, "hook": hook, "wire1": wire(system.k1), "wire2": wire(system.k2)}
+    found = {P.side[1]: side1, P.side[2]: side2, P.hook: min(HOOK, side1 / 2, side2 / 2)}
+    return by_name(found | {P.wire[1]: wire(system.k1), P.wire[2]: wire(system.k2)})
 
 
 def extremes(curves: Columns, bands: Columns) -> Extremes:
     """Least and largest x1 and x2 of what is drawn, and of the elongation of spring 2 (for a band: bounds)."""
 
     def ends(name: str) -> tuple[float, float]:
-        low, high = (curves[name],) * 2 if name in curves else (bands[f"{name}_lo"], bands[f"{name}_hi"])
+        low, high = (curves[name],) * 2 if name in curves else (bands[end] for end in band_columns(name))
         return without_roundings(low.min()), without_roundings(high.max())
 
     one, two = ends("x1"), ends("x2")
@@ -104,9 +128,10 @@ def to_scale(system: TwoMassChain, extremes: Extremes, size: Axis, wanted: float
     fits = scale(extremes, sides(system.m1, system.m2))
     factor = wanted or fits
     tick = round_down(min(1 / factor, MAGNIFIED))
-    scalars = sizes(system) | {"metre": scaled(-size.exponent, UNIT, factor), "tick": UNIT * factor * tick}
+    scaling = {P.metre: scaled(-size.exponent, UNIT, factor), P.tick_at: UNIT * factor * tick}
     notes = () if factor == 1 else (f"Displacements are drawn {short(factor)} times as large.",)
-    return DrawnChain(scalars, {"tick": f"{short(tick)} m", "x_unit": size.full_unit}, notes, factor, fits)
+    values = P.texts(tick, by_name({Axes.x: size}))
+    return DrawnChain(sizes(system) | by_name(scaling), values, notes, factor, fits)
 
 
 def masses(
@@ -122,15 +147,14 @@ def masses(
     `corner` puts the symbols aside, for what stands on the mass; `grabs` say what a hand does with the masses."""
     size = 0.42 if small else 1.0
     side1, side2 = side(1) * size, side(2) * size
-    height = foot - var("hook") * BODY * (0.65 if small else 1)
-    teeth: Looks = {"height": (1 if small else 2) + var("hook") * (125 if small else 275)}
+    height = foot - var(P.hook) * BODY * (0.65 if small else 1)
+    teeth: Looks = {"height": (1 if small else 2) + var(P.hook) * (125 if small else 275)}
     teeth["style"] = "faint" if small else None
     faces: Looks = {"style": "ghost"} if small else {"corner": True} if corner else {}
+    wire1, wire2 = (var(P.wire[i]) * (0.5 if small else 1) for i in BOTH)
     return [
-        spring(WALL * W, height, x1 - side1 / 2, height, var("wire1") * (0.5 if small else 1), show="wire1", **teeth),
-        spring(
-            x1 + side1 / 2, height, x2 - side2 / 2, height, var("wire2") * (0.5 if small else 1), show="wire2", **teeth
-        ),
+        spring(WALL * W, height, x1 - side1 / 2, height, wire1, show=P.wire[1], **teeth),
+        spring(x1 + side1 / 2, height, x2 - side2 / 2, height, wire2, show=P.wire[2], **teeth),
         box(x1, foot, side1, "" if small else "*m*_1", tint="m1", grab=grabs[0], **faces),
         box(x2, foot, side2, "" if small else "*m*_2", tint="m2", grab=grabs[1], **faces),
     ]
@@ -138,18 +162,10 @@ def masses(
 
 def cups(foot: Number, x1: Number, x2: Number) -> list[Shape]:
     """The dashpots under the springs, where there are any: the piston stays in its cup however far the masses go."""
-    height = foot - var("hook") * BODY * CUP_AT
+    height, half1, half2 = foot - var(P.hook) * BODY * CUP_AT, side(1) / 2, side(2) / 2
     return [
-        *shown_by("dashpot1", *_cup(WALL * W, x1 - side(1) / 2, rest(1) - side(1) / 2 - WALL * W, height)),
-        *shown_by(
-            "dashpot2",
-            *_cup(
-                x1 + side(1) / 2,
-                x2 - side(2) / 2,
-                rest(2) - rest(1) - side(1) / 2 - side(2) / 2,
-                height,
-            ),
-        ),
+        *shown_by(Has.dashpot[1], *_cup(WALL * W, x1 - half1, rest(1) - half1 - WALL * W, height)),
+        *shown_by(Has.dashpot[2], *_cup(x1 + half1, x2 - half2, rest(2) - rest(1) - half1 - half2, height)),
     ]
 
 
@@ -169,7 +185,7 @@ def _cup(left: Number, right: Number, long: Number, y: Number) -> list[Shape]:
 
 def side(mass: int) -> Number:
     """The side of the block of mass 1 or 2, in pixels."""
-    return var(f"side{mass}") * BODY
+    return var(P.side[mass]) * BODY
 
 
 def rest(mass: int) -> Number:
@@ -177,34 +193,34 @@ def rest(mass: int) -> Number:
     return EQUILIBRIUM[mass - 1] * W
 
 
-def place(mass: int, signal: str) -> Number:
-    """The place of a mass that is displaced by `signal`, in pixels."""
-    return rest(mass) + var("metre") * W * var(signal)
+def place(mass: int, signal: Name | str = "") -> Number:
+    """The place of a mass, or of one that is displaced by `signal`, in pixels."""
+    return rest(mass) + var(P.metre) * W * var(signal or S.x[mass])
 
 
 def ground(foot: Number) -> list[Shape]:
     """Floor, a tick at each mass's own zero, and the scale from the first."""
     shapes = [line(WALL * W, foot, W, foot, tint="ink", style="floor")]
-    for mass in (1, 2):
+    for mass in BOTH:
         tint = f"m{mass}"
         shapes.append(text(rest(mass), foot + 17, "0", tint=tint, style="t0 halo"))
         shapes.append(line(rest(mass), foot, rest(mass), foot + 5, style="floor"))
-    tick = rest(1) + var("tick") * W
+    tick = rest(1) + var(P.tick_at) * W
     return [
         *shapes,
-        text(tick, foot + 17, "{tick}", tint="m1", style="t0 halo"),
+        text(tick, foot + 17, f"{P.tick}", tint="m1", style="t0 halo"),
         line(tick, foot, tick, foot + 5, style="floor"),
     ]
 
 
 def displacement_arrow(mass: int, foot: Number, top: int = 27) -> list[Shape]:
     """The arrow from equilibrium to the mass, and the number over the equilibrium line, where nothing moves."""
-    x, tint = place(mass, f"x{mass}"), f"m{mass}"
+    x, tint = place(mass), f"m{mass}"
     return [
         line(rest(mass), top - 6, rest(mass), foot, tint="mute", style="eq"),
         line(x, top, x, foot - side(mass), tint="mute", style="eq told"),
         arrow(rest(mass), top, x, top, tint=tint),
-        text(rest(mass), top - 12, f"*x*_{mass} = {{x{mass}}} {{x_unit}}", tint=tint, style="t2 b"),
+        text(rest(mass), top - 12, f"*x*_{mass} = {S.x[mass]} {P.x_unit}", tint=tint, style="t2 b"),
     ]
 
 

@@ -47,6 +47,11 @@ class Named:
         """Declarations that differ in their names alone."""
         return [cls(*each, **rest) for _ in range(count)]
 
+    @classmethod
+    def each(cls, keys: Iterable[Key], called: str = "", **rest: Any) -> Family[Key, Self]:
+        """A family of such declarations."""
+        return Family(keys, lambda key: cls(**rest), called)
+
 
 @dataclass(eq=False)
 class DrawnAxis(Named):

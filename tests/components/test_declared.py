@@ -89,6 +89,15 @@ def test_a_text_is_made_of_the_case_or_elsewhere() -> None:
     assert Texts.texts(2j, AXES) | by_name({Texts.two: "elsewhere"}) == {"here": "0.0 m", "two": "elsewhere"}
 
 
+def test_names_alone_come_some_at_a_time_or_by_key() -> None:
+    class Names(Declared[complex]):
+        one, two = Scalar[complex].some(2)
+        x = Signal[complex].each((1, 2), "x_{}", on=On.x)
+
+    assert (Names.one.name, Names.two.name, Names.x[2].name) == ("one", "two", "x_2")
+    assert Names.scalars(1j, AXES) == {} and Names.live(AXES).keys() == {"x_1", "x_2"}
+
+
 def test_an_axis_has_its_own_way_to_write_what_is_counted_on_it() -> None:
     whole = AxisUnit(On.x, write=lambda axis, value: f"{axis.place(value):.0f}")
     assert number(abs, axis=whole).text(3e-3 + 4e-3j, AXES) == f"{AXES['x'].place(5e-3):.0f}"

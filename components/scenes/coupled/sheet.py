@@ -9,13 +9,14 @@ from components.language.blocks import Block
 from components.language.numbers import var
 from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import choice, column, desk, either, row, stage, table, term, when, words
-from components.layout.stage import H, Shape, W, arrow, circle, line, on_x, on_y, shown_by, text
+from components.layout.stage import H, PlotFrame, Shape, W, arrow, circle, line, on_x, on_y, shown_by, text
 from components.scene.traces import traced
 from components.scenes.coupled.numbers import Numbers as N
 from components.scenes.coupled.words import CONSTANTS, CONSTANTS_TABLE, FORCES, TASK, captions
 
 FEET = (0.56, 0.815, 0.99)
 """Where the motion, its slow part and its fast part stand, as fractions of the stage's height."""
+PLANE = PlotFrame("plane")
 BEAT = either(
     "beat",
     both=f"Beat period {N.beat_period}",
@@ -199,7 +200,7 @@ def _plane() -> Block:
         shapes=(
             arrow(*zero, *slow, tint="slow"),
             arrow(*slow, *here, tint="fast"),
-            circle(*here, 5, grab=plane_grab("plane")),
+            circle(*here, 5, grab=plane_grab(PLANE)),
             *(_direction(mode) for mode in chain.MODES),
             text(var("plane.right") - 4, zero[1] - 8, "*x*_1", anchor="end", tint="m1", style="t2 b"),
             text(zero[0] - 8, var("plane.top") + 12, "*x*_2", anchor="end", tint="m2", style="t2 b"),
