@@ -8,11 +8,11 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.browser.boxes import BROKEN
+
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 
-BROKEN = """() => [...document.querySelectorAll('svg.stage *')].filter(one =>
-  [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value))).length"""
 CUT_OFF = "(p => p.scrollHeight - p.clientHeight)(document.querySelector('.panel'))"
 
 

@@ -10,14 +10,11 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from physics.analogues import ANALOGUES
+from tests.browser.boxes import BROKEN
 from tests.browser.waiting import seek
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
-
-# Everything of the shown pictures that has a size, as numbers.
-BROKEN = """() => [...document.querySelectorAll('svg.stage *')].filter(one =>
-  [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value))).length"""
 
 
 def test_each_picture_chooses_its_system(page: Page, open_scene: Open, screenshot: Callable[[Page, str], Path]) -> None:

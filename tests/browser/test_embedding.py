@@ -8,9 +8,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from threading import Thread
 from urllib.error import HTTPError
 from urllib.request import Request, urlopen
 
@@ -18,8 +16,8 @@ import panel
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.fixtures import READY
-from tests.serving.server import ROOT, Server, free_port, serving
+from tests.browser.fixtures import READY, elsewhere
+from tests.serving.server import ROOT, Server, free_port
 
 pytestmark = [pytest.mark.browser, pytest.mark.timeout(300)]
 
@@ -30,32 +28,6 @@ REVEAL = (Path(panel.__file__).parent / "dist" / "bundled" / "reveal.js@4.5.0" /
 PATIENCE = 240.0
 """Seconds in which a busy machine starts Jupyter, and this the lecture."""
 CONNECTED = "document.documentElement.dataset.connected === 'true'"
-
-
-@pytest.fixture(scope="module")
-def framed(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    with serving(tmp_path_factory.mktemp("framed") / "log", environment={"FRAME_ANCESTORS": "*"}) as running:
-        yield running
-
-
-@contextmanager
-def course(html: str) -> Iterator[str]:
-    """A page of another origin; its address."""
-
-    class Course(BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            self.send_response(200)
-            self.send_header("Content-Type", "text/html; charset=utf-8")
-            self.end_headers()
-            self.wfile.write(html.encode())
-
-        def log_message(self, *_: object) -> None:
-            """Nothing."""
-
-    with ThreadingHTTPServer(("127.0.0.1", 0), Course) as served:
-        Thread(target=served.serve_forever, daemon=True).start()
-        yield f"http://127.0.0.1:{served.server_port}/"
-        served.shutdown()
 
 
 @pytest.fixture
@@ -73,7 +45,7 @@ def opened(browser: Browser) -> Iterator[Callable[[str], Page]]:
 
 def test_a_frame_has_the_height_that_its_page_tells(framed: Server, opened: Callable[[str], Page]) -> None:
     html = f"<!DOCTYPE html><title>A course</title>{FRAME}{LISTENER}".replace("https://lecture.example/", framed.url)
-    with course(html) as address:
+    with elsewhere(html) as address:
         page = opened(address)
         frame = page.frames[1]
         frame.wait_for_function(READY)
@@ -89,7 +61,7 @@ def test_a_slide_shows_a_scene_for_the_last_row(framed: Server, opened: Callable
     start = f"<style>.backgrounds, .slide-background, iframe {look}</style>"
     scripts = f"<script>{REVEAL}</script><script>Reveal.initialize()</script>"
     html = f"<!DOCTYPE html><title>Slides</title>{start}{slides}{scripts}"
-    with course(html.replace("https://lecture.example/", framed.url)) as address:
+    with elsewhere(html.replace("https://lecture.example/", framed.url)) as address:
         page = opened(address)
         page.wait_for_function("Reveal.isReady()")
         page.evaluate("Reveal.next()")

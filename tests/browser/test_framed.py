@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
-from threading import Thread
-from urllib.parse import urlsplit
+from contextlib import ExitStack
 
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
-from tests.browser.fixtures import READY
+from tests.browser.fixtures import READY, elsewhere
 from tests.browser.waiting import UNFOLD
-from tests.serving.server import Server, serving
+from tests.serving.server import Server
 
 pytestmark = pytest.mark.browser
 
@@ -26,42 +24,21 @@ COURSE = """<!DOCTYPE html><title>A course</title><link rel="icon" href="data:,"
 }})</script>"""
 
 
-@pytest.fixture(scope="module")
-def framed(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Server]:
-    """A server whose pages anybody's frames may show."""
-    with serving(tmp_path_factory.mktemp("framed") / "log", environment={"FRAME_ANCESTORS": "*"}) as running:
-        yield running
-
-
 @pytest.fixture
 def course(browser: Browser, framed: Server) -> Iterator[Callable[[int], Page]]:
     """A page of another origin with the lecture in a frame of that width."""
-
-    class Course(BaseHTTPRequestHandler):
-        def do_GET(self) -> None:
-            self.send_response(200)
-            self.send_header("Content-Type", "text/html")
-            self.end_headers()
-            width = urlsplit(self.path).query
-            self.wfile.write(COURSE.format(f"{framed.url}?scene=coupled", width).encode())
-
-        def log_message(self, *_: object) -> None:
-            """Nothing."""
-
     context = browser.new_context(viewport={"width": 1280, "height": 900}, bypass_csp=True, reduced_motion="reduce")
-    with ThreadingHTTPServer(("127.0.0.1", 0), Course) as served:
-        Thread(target=served.serve_forever, daemon=True).start()
+    with ExitStack() as pages:
 
         def make(width: int) -> Page:
             page = context.new_page()
-            page.goto(f"http://127.0.0.1:{served.server_port}/?{width}")
+            page.goto(pages.enter_context(elsewhere(COURSE.format(f"{framed.url}?scene=coupled", width))))
             page.get_by_label("Name").focus()
             page.frames[1].wait_for_function(READY)
             return page
 
         yield make
         context.close()
-        served.shutdown()
 
 
 @pytest.mark.parametrize("width", [1200, 420])

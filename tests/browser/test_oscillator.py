@@ -9,14 +9,13 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.browser.boxes import BROKEN
 from tests.browser.waiting import seek
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 Keep = Callable[[Page, str], Path]
 
-BROKEN = """() => [...document.querySelectorAll('svg.stage *')].filter(one =>
-  [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value))).length"""
 FITS = "document.documentElement.scrollWidth <= innerWidth && document.documentElement.scrollHeight <= innerHeight"
 
 

@@ -10,13 +10,12 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.browser.boxes import BROKEN
 from tests.browser.waiting import redrawn, seek
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 
-BROKEN = """() => [...document.querySelectorAll('svg *')].filter(one =>
-  [...one.attributes].some(attribute => /NaN|undefined|Infinity/.test(attribute.value))).length"""
 HEIGHTS = "[...oscillations.shown.view.columns.time.h]"
 OUTLINES = """[...document.querySelectorAll('svg.stage > g')].filter(g => !g.querySelector('text'))
   .map(g => g.innerHTML.replaceAll(' style=""', '').replace(/-?\\d+(\\.\\d+)?/g, number => Math.round(number)))"""

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
 
 import msgspec
 
 from components.language.room import News
 from components.live_class.question_bank import QuestionBank
+from components.live_class.registry import Registry
+from components.live_class.store import Store
+from components.live_class.upkeep import Upkeep
 from components.scenes import SCENES
 from components.walks.registry import all_walks
 
@@ -37,3 +41,18 @@ async def until(happens: Callable[[], object], seconds: float = 10.0) -> None:
     async with asyncio.timeout(seconds):
         while not happens():
             await asyncio.sleep(0.01)
+
+
+@asynccontextmanager
+async def replicas(*stores: Store) -> AsyncIterator[list[Registry]]:
+    """The rooms of as many replicas as there are stores, each of which listens to its own."""
+    registries = [Registry(store, BANK) for store in stores]
+    upkeeps = [Upkeep(registry) for registry in registries]
+    for upkeep in upkeeps:
+        upkeep.start()
+    try:
+        await until(lambda: all(upkeep.listening for upkeep in upkeeps))
+        yield registries
+    finally:
+        for upkeep in upkeeps:
+            await upkeep.end()

@@ -29,12 +29,11 @@ from components.live_class import room as room_of
 from components.live_class.codes import SIGNS, Keys, as_code, code_of, digest, new_key, new_token, voter_of
 from components.live_class.registry import ClosedError, Registry
 from components.live_class.room import ClassRoom
-from components.live_class.upkeep import Upkeep
 from components.live_class.votes_csv import cell, votes_csv
 from components.walks.loading import read_walk
 from components.walks.questions import sketch
 from components.walks.questions.sketch import SketchStep
-from tests.live_class.listening import BANK, CHOICE, Listener, until
+from tests.live_class.listening import CHOICE, Listener, replicas, until
 from tests.live_class.stores import KINDS, Valkey, made, valkey_running
 
 NUMBER, POINT, SKETCH = ("d31", "d31-02"), ("d34", "d34-08"), ("d34", "d34-14")
@@ -49,17 +48,8 @@ def in_class(request: pytest.FixtureRequest) -> Callable[[Test], None]:
 
     def run(test: Test) -> None:
         async def whole() -> None:
-            async with made(kind, url) as store:
-                registry = Registry(store, BANK)
-                upkeep = Upkeep(registry)
-                upkeep.start()
-                try:
-                    code, key = await registry.open()
-                    room = await registry.led(code, key)
-                    await until(lambda: upkeep.listening)
-                    await test(registry, room)
-                finally:
-                    await upkeep.end()
+            async with made(kind, url) as store, replicas(store) as (registry,):
+                await test(registry, await registry.led(*await registry.open()))
 
         asyncio.run(whole())
 
@@ -362,17 +352,9 @@ def test_without_the_store_a_class_goes_on_and_is_written_back() -> None:
         assert await second.led(code, key) is there
 
     async def whole(valkey: Valkey) -> None:
-        async with made("valkey", valkey.url) as store, made("valkey", valkey.url) as other:
-            registries = Registry(store, BANK), Registry(other, BANK)
-            upkeeps = [Upkeep(registry) for registry in registries]
-            for upkeep in upkeeps:
-                upkeep.start()
-            try:
-                await until(lambda: all(upkeep.listening for upkeep in upkeeps))
-                await test(valkey, *registries)
-            finally:
-                for upkeep in upkeeps:
-                    await upkeep.end()
+        one, other = made("valkey", valkey.url), made("valkey", valkey.url)
+        async with one as store, other as another, replicas(store, another) as registries:
+            await test(valkey, *registries)
 
     with valkey_running() as valkey:
         asyncio.run(whole(valkey))

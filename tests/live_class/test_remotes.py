@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from contextlib import AsyncExitStack
 
 import pytest
 
@@ -10,8 +11,7 @@ from components.live_class import remotes
 from components.live_class.registry import Registry
 from components.live_class.remotes import begun, decided, is_in, new_digits, waits
 from components.live_class.room import ClassRoom
-from components.live_class.upkeep import Upkeep
-from tests.live_class.listening import BANK, Listener, until
+from tests.live_class.listening import Listener, replicas, until
 from tests.live_class.stores import KINDS, made, valkey_running
 
 
@@ -69,17 +69,9 @@ def test_a_phone_that_waits_is_known_to_a_replica_that_comes_later(kind: str) ->
         await until(lambda: is_in(first.parts, "one"))
 
     async def whole(url: str) -> None:
-        async with made(kind, url) as store, made("valkey", url) as other:
-            registries = [Registry(store, BANK)] + ([Registry(other, BANK)] if kind == "valkey" else [])
-            upkeeps = [Upkeep(registry) for registry in registries]
-            for upkeep in upkeeps:
-                upkeep.start()
-            try:
-                await until(lambda: all(upkeep.listening for upkeep in upkeeps))
-                await test(registries)
-            finally:
-                for upkeep in upkeeps:
-                    await upkeep.end()
+        async with AsyncExitStack() as opened:
+            stores = [await opened.enter_async_context(made(kind, url)) for _ in range(1 + (kind == "valkey"))]
+            await test(await opened.enter_async_context(replicas(*stores)))
 
     with valkey_running() as valkey:
         asyncio.run(whole(valkey.url))

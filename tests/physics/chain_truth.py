@@ -5,6 +5,9 @@ of the rearranged ones.
 6000 bits outlast every cancellation that positive doubles can cause; motions need far fewer.
 """
 
+import math
+import sys
+from contextlib import contextmanager
 from functools import cached_property
 
 import mpmath as mp
@@ -16,6 +19,21 @@ U = 2.0**-53
 SETUP_BITS = 6000
 WORKING_BITS = 1500  # around a test; what needs more sets it itself
 MOTION_BITS = 400
+LARGEST = sys.float_info.max
+
+
+@contextmanager
+def exactly():
+    """Bits enough for sums and products of any few doubles."""
+    with mp.workprec(20000):
+        yield
+
+
+def close(value, true, ulps):
+    """Whether a double is within so many ulp of a number, or infinite like one past all doubles."""
+    if math.isinf(value):
+        return bool(abs(true) > LARGEST)
+    return bool(abs(mp.mpf(value) - true) <= ulps * math.ulp(value))
 
 
 class Truth:

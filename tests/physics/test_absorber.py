@@ -1,9 +1,6 @@
 """Damped amplitudes against arbitrary precision, the undamped limit, Den Hartog's book values."""
 
 import math
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 
 import mpmath as mp
 import numpy as np
@@ -26,11 +23,11 @@ from physics.coupled import TwoMassChain
 from physics.forced import antiresonance, particular_solution
 from physics.reference_single import steady
 from tests.grids import tries
+from tests.physics.chain_truth import LARGEST, close, exactly
 
 MACHINE = {"m1": 100.0, "k1": 250e3}
 F_0 = 500.0
 TUNED = TwoMassChain(**MACHINE, m2=16.0, k2=36864.0)
-LARGEST = sys.float_info.max
 
 
 def log_uniform(low: int, high: int) -> st.SearchStrategy[float]:
@@ -45,28 +42,9 @@ FAMILIES = {
 families = pytest.mark.parametrize("numbers", FAMILIES.values(), ids=FAMILIES)
 
 
-@pytest.fixture(autouse=True)
-def strict() -> Iterator[None]:
-    with np.errstate(all="raise", under="ignore"):
-        yield
-
-
-@contextmanager
-def exactly() -> Iterator[None]:
-    """Bits enough for sums and products of any few doubles."""
-    with mp.workprec(20000):
-        yield
-
-
 def truth(chain: TwoMassChain, c: float, F: float, omega: float) -> tuple[mp.mpc, mp.mpc]:
     """The steady amplitudes from Newton's laws as two linear equations."""
     return steady(mp, chain, c, F, omega)
-
-
-def close(value: float, true: mp.mpf, ulps: float) -> bool:
-    if math.isinf(value):
-        return bool(abs(true) > LARGEST)
-    return bool(abs(mp.mpf(value) - true) <= ulps * math.ulp(value))
 
 
 @families

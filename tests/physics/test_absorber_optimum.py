@@ -1,9 +1,6 @@
 """The band that an absorber helps in, and Den Hartog's optimum."""
 
 import math
-import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 
 import mpmath as mp
 import numpy as np
@@ -22,31 +19,12 @@ from physics.absorber import (
 from physics.coupled import TwoMassChain
 from physics.forced import particular_solution
 from tests.grids import tries
+from tests.physics.chain_truth import close, exactly
 
 MACHINE = {"m1": 100.0, "k1": 250e3}
-
-
 TUNED = TwoMassChain(**MACHINE, m2=16.0, k2=36864.0)
-
-
 F_0 = 500.0
-LARGEST = sys.float_info.max
-
-
 any_double = st.builds(math.ldexp, st.floats(0.5, 1.0, exclude_max=True), st.integers(-1073, 1024))
-
-
-@contextmanager
-def exactly() -> Iterator[None]:
-    """Bits enough for sums and products of any few doubles."""
-    with mp.workprec(20000):
-        yield
-
-
-def close(value: float, true: mp.mpf, ulps: float) -> bool:
-    if math.isinf(value):
-        return bool(abs(true) > LARGEST)
-    return bool(abs(mp.mpf(value) - true) <= ulps * math.ulp(value))
 
 
 def test_helped_band_of_the_book_example():
