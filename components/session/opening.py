@@ -33,7 +33,7 @@ def opened(scenes: Mapping[str, type[Scene]], link: Link, walks: Walks | None = 
 
 def standing_of(kind: type[Scene], link: Link, step: str = "") -> tuple[Standing, list[str]]:
     """The standing that a link asks for; and what of that cannot be, in words."""
-    state, problems = replace(state_in(link, kind), step=step), []
+    state, problems = replace(state_in(link), step=step), []
     known = replace(state, covered=tuple(cover for cover in state.covered if cover == NEXT))
     try:
         now = standing_in(kind, known)

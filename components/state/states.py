@@ -14,8 +14,8 @@ from components.state.link import Link
 from components.state.scene_sheet import plots
 
 
-def state_in(link: Link, scene: type[Scene]) -> State:
-    """The state that a link to the scene stands for: of an address as of a step of a walk."""
+def state_in(link: Link) -> State:
+    """The state that a link stands for: of an address as of a step of a walk."""
     values = {**link.values}
     hidden = values.pop(HIDDEN, None)
     held, before = (None if other is None else stated_all(other) for other in (link.held, link.before))

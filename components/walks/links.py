@@ -49,8 +49,7 @@ def standing_at(link: str, scenes: Scenes) -> Standing:
 
 def state_of_link(link: str, scenes: Scenes) -> State:
     """The state of a link, as a message carries it."""
-    found = read_link(link, scenes)
-    return state_in(found, scenes[found.slug])
+    return state_in(read_link(link, scenes))
 
 
 def name_in_state(walk: str, step: BaseStep, seed: int = 0) -> str:

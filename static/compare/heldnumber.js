@@ -17,7 +17,7 @@ export class HeldNumber {
     this.label = label
     this.name = name
     this.rest = rest
-    this.text = svg("text", {class: "t0 halo held-number"})
+    this.text = svg("text", {class: "halo"})
     this.group = svg("g", {class: tint}, this.text)
     this.group.style.display = "none"
     stage.svg.append(this.group)
