@@ -11,9 +11,10 @@ from scipy.integrate import solve_ivp
 
 from components.language.signals import AnySignal, Responses
 from components.quantities.axes import nice_axis
+from components.quantities.declared import by_name
 from components.scenes.absorber import Absorber
+from components.scenes.absorber.curves import _tables
 from components.scenes.absorber.duty import Duty
-from components.scenes.absorber.played import _tables
 from physics.coupled import TwoMassChain
 from tests.page.scripts import played, values_of
 from tests.page.told import Page, change, put
@@ -229,7 +230,7 @@ def test_a_transient_of_equal_exponents_is_played_from_a_table() -> None:
     """m1 = m2 = 1, k1 = 1, c at its critical value: two of the exponents are one."""
     duty = Duty(m1=1.0, k1=1.0, F_0=1.0, omega=0.7, m2=1.0, k2=0.0, c=1.0, from_rest=True)
     size, time, push = (nice_axis(-2.0, 2.0, unit) for unit in ("m", "s", "N"))
-    found = _tables(duty, 20.0, size, time, push)
+    found = by_name(_tables(duty, 20.0, size, time, push))
     t = np.linspace(0.0, 20.0, 333)
     motion = duty.damped.motion(t)
     for i in (0, 1):

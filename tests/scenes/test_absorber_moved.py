@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from components.scenes.absorber.curves import DRAWN, moved, reach_alone, times
 from components.scenes.absorber.duty import Duty
-from components.scenes.absorber.moved import DRAWN, moved, reach_alone, times
 
 MACHINE = {"m1": 100.0, "k1": 250e3, "F_0": 500.0, "omega": 48.0, "m2": 16.0, "k2": 36864.0, "from_rest": True}
 CASES: list[dict[str, Any]] = [

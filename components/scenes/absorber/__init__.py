@@ -7,14 +7,13 @@ from functools import cache, lru_cache
 from typing import Any, Self
 
 import param
-from msgspec.structs import replace
 
 from components import chain
 from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
-from components.layout.sheet import choice, column, desk, row, when, words
-from components.quantities.axes import nice_axis, time_axis
+from components.quantities.axes import nice_axis
+from components.quantities.declared import Declared, Form, by_name
 from components.quantities.motion import pace
 from components.quantities.parameters import Values, angular_frequency, mass, not_negative, one_of, positive, stiffness
 from components.quantities.readouts import Readout
@@ -22,26 +21,21 @@ from components.quantities.units import Unit
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED, framed
-from components.scene.traces import Traces
-from components.scenes.absorber import data, drawing
 from components.scenes.absorber.about import absorber_about
+from components.scenes.absorber.curves import Axes, Signals, axes_of, columns_of, moved, rest_of, signals_of, times
 from components.scenes.absorber.duty import Duty
-from components.scenes.absorber.goals import goal_texts, goals
-from components.scenes.absorber.moved import moved, times
 from components.scenes.absorber.numbers import Numbers as N
-from components.scenes.absorber.played import signals
-from components.scenes.absorber.rest import rest_block, rest_columns, rest_exact
-from components.scenes.absorber.wording import TASK, WATCH, sentences
+from components.scenes.absorber.numbers import goal_texts
+from components.scenes.absorber.places import Places, drawn
+from components.scenes.absorber.sheet import absorber_sheet
+from components.scenes.absorber.words import PLAYED, WATCH, Forms
 from physics.absorber import den_hartog, tuned_stiffness
 from physics.forced import antiresonance
 from physics.sampling import periods
 
 MACHINE = ("m1", "k1", "F_0", "omega")
-TOP = (15.0, 20.0)
-"""The reach of the axes of swing and stroke, over the static deflection."""
 TURNS = 8
 """Periods of the drive that the clock plays."""
-PLAYED = {"particular": "Particular solution", "rest": "From rest"}
 RECORD: dict[str, Any] = {"allow_None": True, "says": "is of the lightest absorber that has met all goals."}
 MOST_START = 20.0
 """The reach of the sliders of the start, over the static deflection."""
@@ -53,6 +47,14 @@ def _asked_again(duty: Duty) -> Duty:
     return duty
 
 
+class Panels(Declared[Any]):
+    """The groups of controls that stand."""
+
+    own = Form[Any](lambda scene: scene.own)
+    fixed = Form[Any](lambda scene: not scene.own)
+    damped = Form[Any](lambda scene: scene.damping == "added")
+
+
 class Absorber(Scene):
     slug = "absorber"
     title = "Absorber"
@@ -60,7 +62,7 @@ class Absorber(Scene):
     points = "point 9"
     headline = "A tuned mass holds the machine still; the price is two resonances"
     pictured = ("swing", {})
-    spoken = {"machine": N.swing, "resonances": f"{{slow}} and {N.fast.aloud}"}
+    spoken = {"machine": N.swing, "resonances": f"{{{N.slow.name}}} and {N.fast.aloud}"}
     equations = (
         "m1 x1'' = -k1 x1 - k2 (x1 - x2) - c (x1' - x2') + F_0 sin(omega t)",
         "m2 x2'' = k2 (x1 - x2) + c (x1' - x2'); c = 0 with damping = none",
@@ -79,53 +81,37 @@ class Absorber(Scene):
         Group(
             "The machine",
             (),
-            form="fixed",
+            form=Panels.fixed.name,
             facts=(
                 (f"[m1|$m_1 = {N.m1}$ kg] on [k|$k_1 = {N.k1}$ kN/m],",),
                 (rf"shaken by [F|$F_0 = {N.F_0}$ N] at [F|$\omega = {N.omega}$ rad/s]",),
             ),
         ),
-        Group("Your own machine", MACHINE, form="own", dense=True),
+        Group("Your own machine", MACHINE, form=Panels.own.name, dense=True),
         Group(
             "Your absorber",
             ("m2", "k2", "tuning"),
-            facts=((rf"Mass ratio $\mu = m_2/m_1 = {N.mu}$",), ("Your lightest solution: {lightest}",)),
+            facts=((rf"Mass ratio $\mu = m_2/m_1 = {N.mu}$",), (f"Your lightest solution: {N.lightest}",)),
         ),
         Group("", ("damping",), "Beyond the lecture: damping", folded=True),
-        Group("", ("c",), actions=(("optimum", "Den Hartog's optimum"),), form="damped"),
-        Group("", chain.START.names, "Start", folded=True, form="rest"),
+        Group("", ("c",), actions=(("optimum", "Den Hartog's optimum"),), form=Panels.damped.name),
+        Group("", chain.START.names, "Start", folded=True, form=Forms.rest.name),
     )
 
     m1 = mass(100.0, symbol="m_1", tint="m1", softbounds=(10, 1000), says="is the machine. Type any value above 0.")
     k1 = positive(
-        250e3,
-        label="mounting",
-        symbol="k_1",
-        unit="N/m",
-        tint="k",
-        softbounds=(1e4, 1e7),
-        scale="log",
+        250e3, label="mounting", symbol="k_1", unit="N/m", tint="k", softbounds=(1e4, 1e7), scale="log",
         says="is the spring under the machine. Type any value above 0.",
-    )
+    )  # fmt: skip
     F_0 = positive(
-        500.0,
-        label="shaking force",
-        symbol="F_0",
-        unit="N",
-        tint="F",
-        softbounds=(10, 1e4),
-        scale="log",
+        500.0, label="shaking force", symbol="F_0", unit="N", tint="F", softbounds=(10, 1e4), scale="log",
         says="shakes the machine. Type any value above 0.",
-    )
+    )  # fmt: skip
     omega = angular_frequency(
-        48.0,
-        symbol="ω",
-        softbounds=(10.0, 100.0),
-        bounds=(0.0, None),
-        inclusive_bounds=(False, True),
+        48.0, symbol="ω", softbounds=(10.0, 100.0), bounds=(0.0, None), inclusive_bounds=(False, True),
         says="is the machine's running speed. Type any value above 0.",
         allowed="a running speed is a finite number above 0",
-    )
+    )  # fmt: skip
     own = param.Boolean(default=False, label="Own machine")
     m2 = mass(
         16.0,
@@ -147,15 +133,9 @@ class Absorber(Scene):
     )
     damping = one_of(default="none", objects={"No damping": "none", "Add damping": "added"}, label="Damping")
     c = not_negative(
-        100.0,
-        label="damping",
-        symbol="c",
-        unit="N s/m",
-        tint="ink",
-        softbounds=(0, 2000),
-        scale="near0",
+        100.0, label="damping", symbol="c", unit="N s/m", tint="ink", softbounds=(0, 2000), scale="near0",
         says="damps the motion of the masses against each other. Type any value from 0 up.",
-    )
+    )  # fmt: skip
     x1_0, x2_0 = chain.start_positions()
     v1_0, v2_0 = chain.start_velocities()
     played = one_of(default="particular", objects=list(PLAYED), label="What is played")
@@ -166,22 +146,7 @@ class Absorber(Scene):
     @classmethod
     @cache
     def sheet(cls) -> Block:
-        return column(
-            desk(words(TASK, style="task", phone=0)),
-            row(
-                drawing.picture(),
-                column(
-                    choice("played", PLAYED, "What is played", phone=4),
-                    when("formulas", words(*sentences(), style="facts", grow=1, phone=5)),
-                    when("rest", rest_block()),
-                    basis=286,
-                    grow=0,
-                ),
-                grow=228,
-                gap=26,
-            ),
-            row(column(drawing.swing_plot(), drawing.stroke_plot()), goals(), grow=346, gap=26),
-        )
+        return absorber_sheet()
 
     def units(self) -> dict[str, Unit]:
         kilo, milli = Unit("kN/m", 1e3), Unit("mm", 1e-3)
@@ -261,37 +226,27 @@ class Absorber(Scene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         duty = self._shown_duty
-        own_window = self.window or periods(self.omega, TURNS)
-        end = frame.window or own_window
-        low, high = min(0.4 * duty.own, 0.7 * self.omega), max(1.6 * duty.own, 1.3 * self.omega)
-        swing, stroke = drawing.size_axes(*map(duty.deflections, TOP))
-        marked = min(duty.own, self.omega), max(duty.own, self.omega)
-        frequency = replace(nice_axis(low, high, "rad/s", 3, exact=True), drawn=marked)
-        axes = framed(frame, {"t": time_axis(own_window), "w": frequency, "X1": swing, "X2": stroke})
-        swing = axes["X1"]
-        push = nice_axis(0.0, self.F_0, "N")
-        columns = data.columns(duty, axes)
+        window = self.window or periods(self.omega, TURNS)
+        end = frame.window or window
+        axes = framed(frame, axes_of(duty, window))
+        swing = Axes.X1(axes)
         motion = None if duty.plays else moved(duty, times(duty, end))
-        rest, own = rest_columns(motion if duty.from_rest else None, duty, swing)
-        names = tuple(name for name in rest if name != "t") if motion and motion.in_doubles else ()
-        axes |= framed(frame, {"rest": own})
-        counted = axes | {"F": push}
-        drawn = data.drawn(duty, motion, end, swing, frame.scale)
+        own, rest, traces = rest_of(duty, motion, end, swing)
+        axes |= framed(frame, by_name({Axes.rest: own}))
+        counted = axes | by_name({Axes.F: nice_axis(0.0, self.F_0, "N")})
+        stage = drawn(duty, motion, end, swing, frame.scale)
         return Picture(
-            columns=columns | {"rest": {} if names else rest},
+            columns=columns_of(duty, axes) | rest,
             axes=axes,
-            signals=signals(duty, end, swing, axes["t"], push, parts="x1_p" in names),
-            traces={"rest": Traces(end, len(rest["t"]), names, lambda t: rest_exact(moved(duty, t)))} if names else {},
-            scalars={**drawn.scalars, **data.marks(duty, axes)},
+            signals=signals_of(duty, motion, end, counted),
+            traces=traces,
+            scalars=Places.scalars(duty, axes) | stage.scalars,
             pace=pace(self.omega, self.omega if duty.plays else duty.fastest),
-            scale=drawn.scale,
-            fits=drawn.fits,
-            values=N.texts(duty, counted) | goal_texts(duty, counted, self.lightest) | {"tick": drawn.tick},
-            live={
-                **{name: swing.digits(signed=True) for name in ("x_alone", "x1", "x2")},
-                **{name: push.digits(signed=True) for name in ("drive_now", "pull_now")},
-            },
-            forms=data.forms(duty, own=self.own, damped=self.damping == "added"),
+            scale=stage.scale,
+            fits=stage.fits,
+            values=N.texts(duty, counted) | goal_texts(duty, counted, self.lightest) | by_name({N.tick: stage.tick}),
+            live=Signals.live(counted),
+            forms=Forms.forms(duty) | Panels.forms(self),
             spans=self._spans(duty),
         )
 

@@ -13,7 +13,15 @@ from numpy.typing import NDArray
 from components.chain.parameters import Pair
 from components.quantities.numbers import three
 from components.scene.traces import Floats
-from physics.absorber import Band, alone, damped_solution, helped_band, swing_and_stroke
+from physics.absorber import (
+    Band,
+    alone,
+    damped_amplitude,
+    damped_solution,
+    fixed_points,
+    helped_band,
+    swing_and_stroke,
+)
 from physics.absorber_curves import machine_curves
 from physics.coupled import Motion, TwoMassChain
 from physics.exact import exact, precise, rounded
@@ -77,6 +85,12 @@ class Duty:
         """The natural frequency of the machine alone."""
         return Oscillator(m=self.m1, k=self.k1).omega_n
 
+    @cached_property
+    def natural(self) -> Pair:
+        """Both natural frequencies with the absorber."""
+        slow, fast = self.driven.free.omega.tolist()
+        return slow, fast
+
     def deflections(self, count: float) -> float:
         """A multiple of the static deflection F_0/k1, in m."""
         with precise():
@@ -105,6 +119,13 @@ class Duty:
         return np.where(X != 0, np.inf, X) if self.resonates else X
 
     @cached_property
+    def pull(self) -> float:
+        """The amplitude of the force of spring and damper, which is what mass 2 needs: m2 omega^2 |X2|."""
+        X2 = exact(abs(complex(self.X[1])))
+        with precise():
+            return rounded("the pull of spring 2", exact(self.m2) * exact(self.omega) ** 2 * X2)
+
+    @cached_property
     def swings(self) -> tuple[float, float, float]:
         """The machine's swing, the absorber's stroke, the machine's swing alone, in x_p, in m; inf at a resonance."""
         grows = self.resonates and not self.c
@@ -119,9 +140,7 @@ class Duty:
 
     @cached_property
     def damped(self) -> DampedModes:
-        return DampedModes(
-            chain=self.chain, c=self.c, F_0=self.F_0, omega=self.omega, x_0=self.x_0, v_0=self.v_0
-        )  # fmt: skip
+        return DampedModes(chain=self.chain, c=self.c, F_0=self.F_0, omega=self.omega, x_0=self.x_0, v_0=self.v_0)
 
     @property
     def alike(self) -> bool:
@@ -131,7 +150,7 @@ class Duty:
     @property
     def fastest(self) -> float:
         """The largest angular frequency of what moves."""
-        return max(self.omega, float(self.driven.free.omega[1]))
+        return max(self.omega, self.natural[1])
 
     def from_rest_at(self, t: Floats) -> Motion:
         """The motion from its start; ValueError where it takes more time than a picture has."""
@@ -173,6 +192,15 @@ class Duty:
             shares = [abs(exact(d)) / exact(self.omega) for d in self.driven.detuning.tolist()]
         j = int(shares[1] < shares[0])
         return j, float(min(shares[j], exact(LARGEST)))
+
+    @cached_property
+    def fixed(self) -> dict[str, Pair]:
+        """Frequency and swing of the points P and Q, which damping leaves where they are, while there is any."""
+        if not self.c:
+            return {}
+        points = fixed_points(self.chain)
+        swings = damped_amplitude(self.chain, self.c, self.F_0, points)[0]
+        return dict(zip("PQ", zip(points.tolist(), swings.tolist(), strict=True), strict=True))
 
     @cached_property
     def limits(self) -> tuple[float, float]:

@@ -1,4 +1,4 @@
-"""The live numbers of the machine and its absorber."""
+"""The live numbers of the machine and its absorber, and the goals in words."""
 
 from __future__ import annotations
 
@@ -6,11 +6,12 @@ import math
 
 import numpy as np
 
+from components.quantities import declared
 from components.quantities.axes import Axis
-from components.quantities.declared import AxisUnit, Declared, LiveNumber
-from components.quantities.numbers import three
-from components.scenes.absorber.duty import Duty
-from components.scenes.absorber.played import pull
+from components.quantities.declared import AxisUnit, Declared, LiveNumber, Text, by_name
+from components.quantities.numbers import short, three
+from components.scenes.absorber.curves import Axes as A
+from components.scenes.absorber.duty import AWAY, Duty
 from physics.absorber import den_hartog, highest_peak
 from physics.exact import exact, precise
 
@@ -56,7 +57,7 @@ def over_height(duty: Duty) -> str:
 
 
 class Numbers(Declared[Duty]):
-    x_unit, F_unit = AxisUnit("X1", write=length), AxisUnit("F")
+    x_unit, F_unit = AxisUnit(A.X1, write=length), AxisUnit(A.F)
     m1 = number(lambda d: d.m1)
     k1 = number(lambda d: d.k1 / 1e3)
     F_0 = number(lambda d: d.F_0)
@@ -65,12 +66,12 @@ class Numbers(Declared[Duty]):
     swing = number(lambda d: d.swings[0], "X_1", "m", "m1", axis=x_unit)
     stroke = number(lambda d: d.swings[1], "X_2 − X_1", "m", "m2", axis=x_unit)
     alone = number(lambda d: d.swings[2], axis=x_unit)
-    slow = number(lambda d: float(d.driven.free.omega[0]), "ω_{−}", "rad/s", "slow")
-    fast = number(lambda d: float(d.driven.free.omega[1]), "ω_{+}", "rad/s", "fast")
+    slow = number(lambda d: d.natural[0], "ω_{−}", "rad/s", "slow")
+    fast = number(lambda d: d.natural[1], "ω_{+}", "rad/s", "fast")
     Xp1 = number(lambda d: float(d.X[0].real), axis=x_unit)
     Xp2 = number(lambda d: float(d.X[1].real), axis=x_unit)
     push = number(lambda d: d.F_0, axis=F_unit, whole=True)
-    pull = number(lambda d: pull(d) if d.solved else None, axis=F_unit)
+    pull = number(lambda d: d.pull if d.solved else None, axis=F_unit)
     link = number(lambda d: "pull" if d.c else "spring 2")
     height = number(lambda d: den_hartog(d.m1, d.k1, d.m2).height * d.deflections(1.0), axis=x_unit)
     over_height = number(lambda d: over_height(d) if d.c else None)
@@ -84,3 +85,36 @@ class Numbers(Declared[Duty]):
     dies = number(dies)
     judged = number(lambda d: "particular solution" if d.plays else d.whence)
     judged_alone = number(lambda d: "particular solution" if d.plays_alone else d.whence)
+    tick, lightest = Text[Duty].some(2)
+    goal, found = Text[Duty].each(range(3)), Text[Duty].each(range(3))
+
+
+def goal_texts(duty: Duty, axes: declared.Axes, lightest: float | None) -> dict[str, str]:
+    """Goals, what is found in the particular solution, by which they are judged, and from the start; the score."""
+    j, share = duty.nearest
+    near = f"{('ω₋', 'ω₊')[j]} {(Numbers.slow, Numbers.fast)[j].text(duty, axes)} rad/s"
+    texts = {
+        Numbers.lightest: f"{_score(lightest)} kg" if lightest else "none yet",
+        Numbers.goal[0]: f"Resonances {short(100 * AWAY)} % away",
+        Numbers.found[0]: f"nearest is {_percent(share)} % away: {near}",
+    }
+    for i, (on, what) in enumerate(((A.X1, "Machine's"), (A.X2, "Stroke in"))):
+        axis, way, within = on(axes), duty.swings[i], bound(duty, i)
+        told = "" if within is None else f"; {duty.whence} within {length(axis, within)} {axis.full_unit}"
+        found = f"xₚ: {length(axis, way)} {axis.full_unit}{told}"
+        texts[Numbers.goal[i + 1]] = f"{what} xₚ within {short(axis.place(duty.limits[i]))} {axis.full_unit}"
+        texts[Numbers.found[i + 1]] = found if math.isfinite(way) else "no xₚ here: it grows without limit"
+    return by_name(texts)
+
+
+def _score(mass: float) -> str:
+    """A digit more than is usual, for those who go for the last one."""
+    return f"{mass:.4g}" if 0.1 <= mass < 1e4 else three(mass)
+
+
+def _percent(share: float) -> str:
+    """A share in percent, never rounded up to the limit where it does not reach it."""
+    if share >= 10:
+        return short(100 * share)
+    short_of_it = share < AWAY <= round(share, 3)
+    return f"{math.floor(1000 * share) / 10 if short_of_it else 100 * share:.1f}"

@@ -1,8 +1,14 @@
-"""The words of the absorber's scene: formulas, explanations, verdicts."""
+"""The words of the absorber's scene: formulas, explanations, verdicts, and which of them stand."""
 
 from __future__ import annotations
 
-from components.layout.sheet import Paragraph, either
+import math
+
+import numpy as np
+
+from components.layout.sheet import either
+from components.quantities.declared import Declared, Form
+from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.numbers import Numbers as N
 
 TASK = "Meet all three goals, then meet them with less mass."
@@ -14,6 +20,7 @@ WATCH = {
 }
 """A sentence for each preset on what to watch."""
 
+PLAYED = {"particular": "Particular solution", "rest": "From rest"}
 HELPED = {
     "band": f"less vibration from {N.help_low} to {N.help_high} rad/s",
     "above": f"less vibration above {N.help_low} rad/s",
@@ -33,23 +40,43 @@ VERDICTS = {
     "rest": f"With it, within {N.rest1} {N.x_unit}",
 }
 
+form = Form[Duty]
+
+
+def _kind(duty: Duty) -> str:
+    """The form of the amplitudes: of a particular solution where there is one."""
+    return "damped" if duty.c else "undamped" if np.all(np.isfinite(duty.X)) else "none"
+
+
+class Forms(Declared[Duty]):
+    first = form(_kind)
+    second = form(lambda d: "still" if d.verdict == "still" else _kind(d).replace("none", ""))
+    why = form(lambda d: "damped" if d.c else d.verdict)
+    why_rest = form(lambda d: "damped" if d.c else d.unsolved if not d.solved else "parts" if d.k2 else "alone")
+    rest = form(lambda d: d.from_rest)
+    formulas = form(lambda d: not d.from_rest)
+    helped = form(lambda d: "never" if d.band is None else "above" if math.isinf(d.band[1]) else "band")
+    free = form(lambda d: "undamped" if d.c else "")
+    optimum = form(lambda d: d.c > 0)
+
+
 _X1 = r"X_{\mathrm{p}1} = \dfrac{(k_2 - m_2 \omega^2) F_0}{D}"
 _X2 = r"X_{\mathrm{p}2} = \dfrac{k_2 F_0}{D}"
 _FIRST = either(
-    "first",
+    Forms.first,
     undamped=rf"$\tint{{m1}}{{{_X1} = {N.Xp1}}}$ [m1|{N.x_unit}]",
     damped=rf"$\tint{{m1}}{{|X_1| = \dfrac{{|\kappa - m_2 \omega^2| F_0}}{{|D|}} = {N.swing}}}$ [m1|{N.x_unit}]",
     none=r"$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = 0$",
 )
 _SECOND = either(
-    "second",
+    Forms.second,
     still=rf"$\tint{{m2}}{{{_X2} = -\dfrac{{F_0}}{{k_2}} = {N.Xp2}}}$ [m2|{N.x_unit}]",
     undamped=rf"$\tint{{m2}}{{{_X2} = {N.Xp2}}}$ [m2|{N.x_unit}]",
     damped="",
 )
 _BOTH = f"alone the machine swings {N.alone} {N.x_unit}, with it {N.swing} {N.x_unit}."
 _WHY = either(
-    "why",
+    Forms.why,
     still=(
         r"$k_2 = m_2 \omega^2$: spring 2 pulls exactly as hard as the drive pushes, and nothing is left to move the "
         f"machine. From rest it still swings up to {N.rest1} {N.x_unit}: nothing damps that part."
@@ -82,7 +109,7 @@ _WHY = either(
     damped=(r"$\kappa = k_2 + i c \omega$ takes the place of $k_2$. $P$ and $Q$ do not depend on $c$."),
 )
 _OPTIMUM = either(
-    "optimum",
+    Forms.optimum,
     shown=(
         f"Den Hartog makes them equal, {N.height} {N.x_unit}, and nearly the peaks, which are {N.over_height} higher: "
         r"$\omega_2 = \dfrac{\omega_1}{1 + \mu}$, "
@@ -90,7 +117,21 @@ _OPTIMUM = either(
     ),
 )
 
+FORMULAS = (_FIRST, _SECOND, _WHY, _OPTIMUM)
+"""Both amplitudes and why they are what they are; beyond the lecture, the best damping."""
 
-def sentences() -> list[Paragraph]:
-    """Both amplitudes and why they are what they are; beyond the lecture, the best damping."""
-    return [_FIRST, _SECOND, _WHY, _OPTIMUM]
+_NEVER = "does not die out: nothing damps it."
+FROM_REST = either(
+    Forms.why_rest,
+    parts=f"The particular solution is {N.swing} {N.x_unit}. The complementary part, {N.part1} {N.x_unit} at "
+    f"$\\omega_-$ and {N.part2} {N.x_unit} at $\\omega_+$, {_NEVER}",
+    alone=f"The particular solution is {N.swing} {N.x_unit}. The complementary part, {N.part2} {N.x_unit} at its "
+    f"own frequency, {_NEVER}",
+    grow="The drive meets a natural frequency: no particular solution exists, the swing grows in proportion to time.",
+    beat="Next to a natural frequency the machine's swing grows for long in proportion to time, then it beats.",
+    aside="Next to a natural frequency at which almost mass 2 alone swings its swing grows for long, the machine's "
+    f"stays within {N.rest1} {N.x_unit}.",
+    damped=f"The particular solution, {N.swing} {N.x_unit}, is what remains. The complementary part dies out: "
+    f"after {N.dies} at most 1 % of it is left.",
+)
+"""The sentence on the motion from its start."""

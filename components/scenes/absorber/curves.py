@@ -1,0 +1,264 @@
+"""The curves of the machine and its absorber: over drive frequency, and over time as the clock plays them."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import NamedTuple
+
+import numpy as np
+from msgspec.structs import replace
+
+from components.language.numbers import var
+from components.language.signals import AnySignal
+from components.quantities import declared
+from components.quantities.axes import Axis, nice_axis, nice_ticks, time_axis, widest
+from components.quantities.declared import Column, Declared, DrawnAxis, Signal, by_name
+from components.quantities.motion import derived, responses, sampled, sines, total
+from components.scene.traces import Columns, Floats, Traces, samples
+from components.scenes.absorber.duty import Duty
+from physics.absorber_curves import machine_curves
+from physics.coupled import Motion
+from physics.exact import exact, precise, rounded
+from physics.forced import DrivenModes
+
+TOP = (15.0, 20.0)
+"""The reach of the axes of swing and stroke, over the static deflection."""
+NODES = 401
+"""Points of a window that the browser joins by Hermite pieces."""
+DRAWN = 1e-11
+"""The share of a motion that no drawing shows, nor a table that is taken away."""
+TALLEST = 1e30
+"""The largest motion drawn from a start, over the static deflection: a number in its unit is a float32."""
+ALONE = "_alone"
+WHO: tuple[int | str, ...] = (ALONE, 1, 2)
+"""What moves: the machine alone, and mass 1 and 2 with each other."""
+
+signal, column = Signal[Duty], Column[Duty]
+Found = dict[Signal[Duty], AnySignal]
+
+
+class Axes(Declared[Duty]):
+    """Of time, drive frequency, swing, stroke and the motion from its start; F counts forces and is not drawn."""
+
+    t, w, X1, X2, rest, F = DrawnAxis.some(6)
+
+
+def axes_of(duty: Duty, window: float) -> dict[str, Axis]:
+    """All but the axis of the motion from its start."""
+    own, omega = duty.own, duty.omega
+    low, high = min(0.4 * own, 0.7 * omega), max(1.6 * own, 1.3 * omega)
+    frequency = replace(nice_axis(low, high, "rad/s", 3, exact=True), drawn=(min(own, omega), max(own, omega)))
+    swing, stroke = _size_axes(*map(duty.deflections, TOP))
+    return by_name({Axes.t: time_axis(window), Axes.w: frequency, Axes.X1: swing, Axes.X2: stroke})
+
+
+def _size_axes(swing: float, stroke: float) -> tuple[Axis, Axis]:
+    """Axes of amplitudes from 0 to so many metres, both in one unit: millimetres where that is what people say."""
+    if 1e-4 <= swing < 1:
+        one = Axis(0.0, swing, "mm", -3, ticks=nice_ticks(0.0, 1e3 * swing, 2))
+    else:
+        one = nice_axis(0.0, swing, "m", exact=True)
+    two = replace(one, end=stroke, ticks=nice_ticks(0.0, one.place(stroke), 2))
+    return replace(one, drawn=(0.0, swing / 2)), replace(two, drawn=(0.0, stroke / 2))
+
+
+class Sweep(Declared[Duty]):
+    """Over the drive frequency w: swing, stroke, swing alone; the former without damping; the swing that is saved."""
+
+    w, swing, stroke, alone = column.some(4, "sweep")
+    free, free2 = column.some(2, "compare")
+    helped_lo, helped_hi = column.some(2, "helped")
+
+
+def columns_of(duty: Duty, axes: declared.Axes) -> dict[str, Columns]:
+    """The curves at all frequencies that have an amplitude."""
+    w = duty.frequencies(Axes.w(axes).start, Axes.w(axes).end)
+    curves = [*duty.curves(w), *(machine_curves(duty.chain, 0.0, duty.F_0, w)[:2] if duty.c else ())]
+    known = np.isfinite(curves).all(axis=0)
+    w, (swing, stroke, alone, *free) = w[known], np.asarray(curves)[:, known]
+    low, high = duty.band or (math.inf, 0.0)
+    helps = (w >= low) & (w <= high)
+    helped = {Sweep.w: w[helps], Sweep.helped_lo: swing[helps], Sweep.helped_hi: alone[helps]} if duty.band else {}
+    return {
+        "sweep": by_name({Sweep.w: w, Sweep.swing: swing, Sweep.stroke: stroke, Sweep.alone: alone}),
+        "helped": by_name(helped),
+        "compare": by_name({Sweep.w: w, Sweep.free: free[0], Sweep.free2: free[1]} if free else {}),
+    }
+
+
+class FromStart(NamedTuple):
+    """x1, x2 and x2 - x1 (3, n) from the start at times t (n,), and of both parts; `in_doubles` where the terms of x1,
+    summed in doubles, are right to all digits that are drawn."""
+
+    t: Floats
+    x: Floats
+    particular: Floats | None = None
+    complementary: Floats | None = None
+    in_doubles: bool = True
+
+
+def moved(duty: Duty, t: Floats) -> FromStart:
+    """The motion at times t; its parts too where they are drawn. ValueError as Duty.from_rest_at."""
+    if not (duty.from_rest and duty.solved):
+        return FromStart(t, _displacements(duty.from_rest_at(t)))
+    if duty.c:
+        particular, complementary = duty.damped.particular_motion(t), duty.damped.complementary(t)
+    else:
+        particular, complementary = _parts(duty.driven, t)
+    x = particular + complementary
+    x[:, 0] = duty.x_0[0], duty.x_0[1], duty.x_0[1] - duty.x_0[0]
+    one, stretch = duty.bounds
+    doubt = 2.0**-52 * (1 + duty.fastest * t[-1]) * np.array([one, one + stretch, stretch])
+    doubtful = doubt > DRAWN * np.abs(x).max(axis=1)
+    if duty.alike or np.any(doubtful):
+        x = _displacements(duty.from_rest_at(t))
+    return FromStart(t, x, particular, complementary, not (duty.alike or doubtful[0]))
+
+
+def reach_alone(duty: Duty, end: float) -> float:
+    """The largest displacement of the machine alone over [0, end], from the same start."""
+    t, bare = times(duty, end), duty.bare
+    x = np.add(*_parts(bare, t))[0] if bare.split_is_meaningful else bare.motion(t).x[0]
+    return float(np.abs(x).max())
+
+
+def times(duty: Duty, end: float) -> Floats:
+    """So many times as the fastest motion needs to be drawn."""
+    return np.linspace(0.0, end, samples(end, duty.fastest))
+
+
+def _parts(driven: DrivenModes, t: Floats) -> tuple[Floats, Floats]:
+    """x_p and x_c, (3, n) each, from amplitudes and phases."""
+    free = driven.complementary_modes
+    X, a, b = (_rows(masses) for masses in (driven.particular, free.drift_a, free.drift_b))
+    modes = zip(free.amplitude, free.omega.tolist(), free.phase.tolist(), strict=True)
+    swings = [_rows(amplitude) * np.sin(omega * t + phase) for amplitude, omega, phase in modes]
+    return X * np.sin(driven.omega * t), a + b * t + sum(swings)
+
+
+def _rows(masses: Floats) -> Floats:
+    """Of x1 and x2 (2,) those and x2 - x1, as a column (3, 1)."""
+    one, two = masses.tolist()
+    return np.array([[one], [two], [two - one]])
+
+
+def _displacements(motion: Motion) -> Floats:
+    return np.array([*motion.x, motion.e[1]])
+
+
+class Signals(Declared[Duty]):
+    """The drive; the displacements, with the response to the drive and the free motion of which they are made, and the
+    parts of x1; the pull of spring and damper, which is drawn over the drive."""
+
+    drive = signal()
+    drive_now = signal(on=Axes.F, signed=True)
+    driven = signal.each(WHO, "x{}_driven")
+    free = signal.each(WHO, "x{}_free")
+    x = signal.each(WHO, "x{}", on=Axes.X1, signed=True)
+    pull_now = signal(on=Axes.F, signed=True)
+    x1_p, x1_c, pull = signal.some(3)
+
+
+S = Signals
+
+
+def rest_of(
+    duty: Duty, motion: FromStart | None, end: float, unit: Axis
+) -> tuple[Axis, dict[str, Columns], dict[str, Traces]]:
+    """x1 from its start and its parts, where they are shown, on an axis in the unit of `unit`: columns, or traces of
+    signals. Next to a natural frequency, where the parts are huge and opposite, x1 alone."""
+    if motion is None or not duty.from_rest:
+        return replace(unit, start=-unit.end), {"rest": {}}, {}
+    columns = _exact(motion)
+    low, high = widest(*((float(c.min()), float(c.max())) for c in columns.values()))
+    if duty.over_deflection(max(-low, high)) > TALLEST:
+        raise ValueError(
+            f"the motion is too large to be drawn: at most {TALLEST:g} static deflections F_0/k1 are allowed"
+        )
+    room = 0.08 * (high - low)
+    ticks = nice_ticks(unit.place(low), unit.place(high), 3) if high > low else (0.0,)
+    axis = replace(unit, start=low - room, end=high + room or unit.end, ticks=ticks)
+    if not motion.in_doubles:
+        return axis, {"rest": {"t": motion.t, **columns}}, {}
+    traces = Traces(end, motion.t.size, tuple(columns), lambda t: _exact(moved(duty, t)))
+    return axis, {"rest": {}}, {"rest": traces}
+
+
+def _exact(motion: FromStart) -> Columns:
+    """x1, and its parts where they are drawn."""
+    if motion.particular is None or motion.complementary is None:
+        return by_name({S.x[1]: motion.x[0]})
+    return by_name({S.x[1]: motion.x[0], S.x1_p: motion.particular[0], S.x1_c: motion.complementary[0]})
+
+
+def signals_of(duty: Duty, motion: FromStart | None, end: float, axes: declared.Axes) -> dict[str, AnySignal]:
+    """The machine alone and with the absorber: the particular solution, or the motion from its start, and its parts."""
+    size, time, push = Axes.X1(axes), Axes.t(axes), Axes.F(axes)
+    found: Found = {
+        S.drive: sines(Axis(0.0, 1.0), time, (1.0, duty.omega, 0.0)),
+        S.drive_now: sines(push, time, (duty.F_0, duty.omega, 0.0)),
+    }
+    if duty.plays_alone:
+        found[S.x[ALONE]] = sines(size, time, (float(duty.bare.particular[0]), duty.omega, 0.0))
+    else:
+        found |= _from_start(duty.bare, 0, ALONE, size, time)
+    if duty.plays:
+        for i, X in enumerate(duty.X):
+            found[S.x[i + 1]] = sines(size, time, (abs(X), duty.omega, float(np.angle(X))))
+        found[S.pull_now] = sines(push, time, (duty.pull, duty.omega, float(np.angle(complex(duty.X[1])))))
+    elif duty.c:
+        found |= _damped(duty, end, size, time, push)
+    else:
+        found |= _from_start(duty.driven, 0, 1, size, time) | _from_start(duty.driven, 1, 2, size, time)
+        with precise():
+            k2 = rounded("the pull of spring 2", exact(duty.k2).scaleb(size.exponent - push.exponent))
+        found[S.pull_now] = derived(k2 * (var(S.x[2]) - var(S.x[1])))
+    if motion and motion.in_doubles and motion.particular is not None:
+        X = complex(duty.damped.particular[0]) if duty.c else complex(duty.driven.particular[0])
+        found[S.x1_p] = sines(size, time, (abs(X), duty.omega, cmath.phase(X)))
+        found[S.x1_c] = derived(var(S.x[1]) - var(S.x1_p))
+    found[S.pull] = derived(var(S.pull_now) / push.place(duty.F_0))
+    return by_name(found)
+
+
+def _from_start(driven: DrivenModes, i: int, who: int | str, size: Axis, time: Axis) -> Found:
+    """The motion of mass i (0, 1): the response to the drive, and the free motion of a start."""
+    terms = zip(driven.coupling[:, i].tolist(), driven.free.omega.tolist(), strict=True)
+    response = responses(size, time, *((driven.F_0, c, driven.omega, omega_n) for c, omega_n in terms if c))
+    if not any((*driven.x_0, *driven.v_0)):
+        return {S.x[who]: response}
+    free = driven.free
+    swings = [(free.amplitude[j, i], free.omega[j], free.phase[j]) for j in (0, 1) if free.amplitude[j, i]]
+    moving = sines(size, time, *swings, line=(float(free.drift_a[i]), float(free.drift_b[i])))
+    return {S.driven[who]: response, S.free[who]: moving, S.x[who]: total(S.driven[who], S.free[who])}
+
+
+def _damped(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> Found:
+    """x1, x2 and the pull of spring and damper from rest, as decaying sines; where two decay alike, from a table."""
+    if duty.alike:
+        return _tables(duty, end, size, time, push)
+    transient = duty.damped.transient
+    found: Found = {}
+    for i, X in enumerate(duty.damped.particular[:2].tolist()):
+        terms = [_wave(amplitudes[0, i], exponent) for exponent, amplitudes in transient]
+        found[S.x[i + 1]] = sines(size, time, (abs(X), duty.omega, cmath.phase(X)), *terms)
+    # m2 x2'' is what spring and damper pull at mass 2 with; at mass 1 they pull the other way.
+    X2 = duty.m2 * duty.omega**2 * complex(duty.damped.particular[1])
+    pulls = [_wave(-duty.m2 * exponent**2 * amplitudes[0, 1], exponent) for exponent, amplitudes in transient]
+    return found | {S.pull_now: sines(push, time, (abs(X2), duty.omega, cmath.phase(X2)), *pulls)}
+
+
+def _wave(amplitude: complex, exponent: complex) -> tuple[float, float, float, float]:
+    """Re(A exp(s t)) as a decaying sine."""
+    return abs(amplitude), exponent.imag, cmath.phase(amplitude) + math.pi / 2, -exponent.real
+
+
+def _tables(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> Found:
+    last = 1.02 * end  # a table is periodic: it must not begin anew within the window
+    t = np.linspace(0.0, last, NODES)
+    motion = duty.from_rest_at(t)
+    link = push.places(duty.k2 * motion.e[1] + duty.c * (motion.v[1] - motion.v[0]))
+    columns = {S.x[i + 1]: (size.places(motion.x[i]), size.places(motion.v[i])) for i in (0, 1)}
+    columns[S.pull_now] = link, np.gradient(link, t)
+    return {one: sampled(time, last, *pair) for one, pair in columns.items()}

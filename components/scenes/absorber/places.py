@@ -1,0 +1,150 @@
+"""The places of the absorber's scene: sizes on its stage, places in its plots, and what of them is drawn."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from components.layout.stage import wire
+from components.quantities import declared
+from components.quantities.axes import Axis
+from components.quantities.declared import Declared, DrawnAxis, Family, Scalar, by_name
+from components.quantities.motion import round_down
+from components.quantities.numbers import short
+from components.scenes.absorber.curves import ALONE, FromStart, reach_alone
+from components.scenes.absorber.curves import Axes as A
+from components.scenes.absorber.duty import AWAY, Duty
+from components.scenes.absorber.words import VERDICTS
+
+LARGEST, SMALLEST, HOOK = 0.265, 0.045, 0.058
+"""Sides of the masses, and the height of the springs, as fractions of the stage's height."""
+DEFLECTION = 0.00767
+"""The width that the static deflection takes where all fits."""
+TINY, LEAD = 1e-200, 0.145
+PUSH = 0.1125
+"""The width that the largest drive takes where the pull of spring 2 is not more than twice as large."""
+ROOM = (0.22, 0.2, 0.28)
+"""Free ways as fractions of the stage's width: mass 1 to the wall, mass 2 to mass 1, mass 2 to the right."""
+
+scalar = Scalar[Duty]
+Pair = tuple[Scalar[Duty], Scalar[Duty]]
+
+
+def _sides(duty: Duty) -> list[float]:
+    whole = max(duty.m1, duty.m2)
+    return [max(LARGEST * math.sqrt(m / whole), SMALLEST) for m in (duty.m1, duty.m2)]
+
+
+def _across(axes: declared.Axes, w: float) -> float:
+    """The place of a drive frequency."""
+    return A.w(axes).place(min(w, 4 * A.w(axes).end))
+
+
+def _up(axis: Axis, size: float) -> float:
+    """The place of a swing or stroke, in the frame."""
+    return axis.place(min(size, axis.end))
+
+
+def _frequency(of: Callable[[Duty], float]) -> Pair:
+    """The place of a drive frequency, and whether it is in the frame."""
+    seen = scalar(lambda d, a: A.w(a).start <= of(d) <= A.w(a).end)
+    return scalar(lambda d, a: _across(a, of(d))), seen
+
+
+def _reading(on: DrawnAxis, i: int, unless: str = "") -> Pair:
+    """The place of a reading at the running speed, and whether it is in the frame, with another verdict."""
+    seen = scalar(lambda d, a: d.swings[i] <= on(a).end and d.verdict != unless)
+    return scalar(lambda d, a: _up(on(a), d.swings[i])), seen
+
+
+class Places(Declared[Duty]):
+    # On the stage, as `drawn` gives them: the names of x1 stand beside the tips of the arrows.
+    metre, tick, push, tag_left, tag_right = scalar.some(5)
+    lead = scalar.each((ALONE, 1), "lead_x{}")
+    side = Family((1, 2), lambda i: scalar(lambda d, a: _sides(d)[i - 1]))
+    hook = scalar(lambda d, a: min(HOOK, min(_sides(d)) / 2))
+    wire1 = scalar(lambda d, a: wire(d.k1 / 1e4))
+    wire2 = scalar(lambda d, a: wire(d.k2 / 1e4))
+    # The motion of the machine alone, the verdict with the absorber, the limits that are met.
+    differ = scalar(lambda d, a: d.plays != d.plays_alone)
+    alone_shakes = scalar(lambda d, a: d.plays_alone)
+    alone_grows = scalar(lambda d, a: d.bare.at_resonance)
+    alone_beats = scalar(lambda d, a: not d.bare.split_is_meaningful and not d.bare.at_resonance)
+    alone_within = scalar(lambda d, a: d.from_rest and d.bare.split_is_meaningful)
+    verdict = Family(
+        VERDICTS, lambda name: scalar(lambda d, a: name == ("rest" if d.from_rest and d.solved else d.verdict)), "is_{}"
+    )
+    met = Family(range(3), lambda i: scalar(lambda d, a: d.met[i]))
+    missed = Family(range(3), lambda i: scalar(lambda d, a: not d.met[i]))
+    # In the plots: frequencies, limits, readings, and the fixed points.
+    slow, slow_seen = _frequency(lambda d: d.natural[0])
+    omega, omega_seen = _frequency(lambda d: d.omega)
+    fast, fast_seen = _frequency(lambda d: d.natural[1])
+    away_low = scalar(lambda d, a: _across(a, (1 - AWAY) * d.omega))
+    away_high = scalar(lambda d, a: _across(a, (1 + AWAY) * d.omega))
+    limit1 = scalar(lambda d, a: A.X1(a).place(d.limits[0]))
+    limit2 = scalar(lambda d, a: A.X2(a).place(d.limits[1]))
+    swing, swing_seen = _reading(A.X1, 0)
+    stroke, stroke_seen = _reading(A.X2, 1)
+    alone, alone_seen = _reading(A.X1, 2, unless="detached")
+    swing_aside = scalar(lambda d, a: 20.0 if d.c else -9.0)  # makes room for the names of the fixed points
+    fixed_seen = scalar(lambda d, a: d.c > 0)
+    fixed_x = Family("PQ", lambda name: scalar(lambda d, a: _across(a, d.fixed[name][0]) if d.c else None), "{}_x")
+    fixed_y = Family("PQ", lambda name: scalar(lambda d, a: _up(A.X1(a), d.fixed[name][1]) if d.c else None), "{}_y")
+
+
+def _reach(duty: Duty, moved: FromStart | None, end: float) -> tuple[float, float, float]:
+    """The largest ways of mass 1 (alone too), of mass 2 against it, of mass 2, over the static deflection."""
+    swing, stroke, alone = duty.swings
+    if not duty.plays_alone:
+        alone = reach_alone(duty, end)
+    if moved is None:
+        ways = max(swing, alone), stroke, abs(complex(duty.X[1]))
+    else:
+        one, two, stretch = np.abs(moved.x).max(axis=1).tolist()
+        ways = max(one, alone), stretch, two
+    return duty.over_deflection(ways[0]), duty.over_deflection(ways[1]), duty.over_deflection(ways[2])
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """Sizes on the stage, what the ruler's tick stands for, the scale that it is drawn to and the one that fits."""
+
+    scalars: dict[str, float]
+    tick: str
+    scale: float
+    fits: float
+
+
+def drawn(duty: Duty, moved: FromStart | None, end: float, size: Axis, wanted: float | None) -> Drawing:
+    """Displacements are drawn at the scale `wanted`, in static deflections a metre, as long as they fit; the ruler
+    tells which. It is chosen by the static deflection, and then stands: twice the force is seen as twice the swing.
+    What is played has `moved`, or is the particular solution."""
+    reach = _reach(duty, moved, end)
+    fits, stands = _scales(duty, reach, wanted)
+    scale = DEFLECTION * (duty.deflections(wanted) if wanted else stands)
+    metre = scale / size.place(duty.deflections(1.0))
+    tick = round_down(DEFLECTION * 10 / metre)
+    way = scale * (duty.over_deflection(duty.swings[0]) if duty.plays else reach[0])
+    strength = duty.pull if duty.plays else duty.k2 * reach[1] / duty.k1 * duty.F_0
+    scalars = by_name({
+        Places.metre: metre,
+        Places.tick: tick * metre,
+        Places.push: PUSH * min(1.0, 2 * duty.F_0 / strength) if strength else PUSH,
+        Places.lead[ALONE]: min(scale * reach[0], LEAD),
+        Places.lead[1]: min(way, LEAD),
+        Places.tag_left: max(0.234 - way, 0.19),
+        Places.tag_right: min(0.486 + way, 0.535),
+    })  # fmt: skip
+    return Drawing(scalars, f"{short(tick)} {size.full_unit}", wanted or fits, fits)
+
+
+def _scales(duty: Duty, reach: tuple[float, float, float], wanted: float | None) -> tuple[float, float]:
+    """The scale that fits, a wanted one where that does, and the one that would be chosen, over the deflection."""
+    most = min(room / (DEFLECTION * way) if way > TINY else math.inf for room, way in zip(ROOM, reach, strict=True))
+    chosen = 1.0 if most >= 1 else round_down(most)
+    fits = chosen * duty.over_deflection(1.0)
+    return max(fits, wanted) if wanted and duty.deflections(wanted) <= most else fits, chosen

@@ -1,0 +1,123 @@
+"""The sheet of the machine and its absorber: the stage, two response curves, and the motion from its start."""
+
+from __future__ import annotations
+
+from msgspec.structs import replace
+
+from components.language.blocks import Block
+from components.language.plots import Handle
+from components.layout.plots import Room, curve, mark, plot, region
+from components.layout.sheet import choice, column, desk, phrase, row, term, when, words
+from components.layout.text import rich
+from components.scenes.absorber.curves import Axes, Sweep
+from components.scenes.absorber.curves import Signals as S
+from components.scenes.absorber.places import Places as P
+from components.scenes.absorber.stage import FREQUENCIES, STROKE, SWING, driven, goals, picture
+from components.scenes.absorber.words import FORMULAS, FROM_REST, HELPED, PLAYED, TASK
+from components.scenes.absorber.words import Forms as F
+
+
+def absorber_sheet() -> Block:
+    return column(
+        desk(words(TASK, style="task", phone=0)),
+        row(
+            picture(),
+            column(
+                choice("played", PLAYED, "What is played", phone=4),
+                when(F.formulas, words(*FORMULAS, style="facts", grow=1, phone=5)),
+                when(F.rest, column(_rest_plot(), words(FROM_REST, style="facts", phone=6))),
+                basis=286,
+                grow=0,
+            ),
+            grow=228,
+            gap=26,
+        ),
+        row(column(_swing_plot(), _stroke_plot()), goals(), grow=346, gap=26),
+    )
+
+
+def _rest_plot() -> Block:
+    """x1 from its start and its two parts, on the clock that moves the stage."""
+    return plot(
+        "rest",
+        x=Axes.t,
+        y=Axes.rest,
+        title="Displacement of the machine against time, from its start, with its two parts",
+        curves=(
+            curve(S.x1_c, source="rest", tint="xc", width="dash", label="*x*_c"),
+            curve(S.x1_p, source="rest", tint="xp", label="*x*_p"),
+            curve(S.x[1], source="rest", tint="m1", width="sum", label="*x*_1", signal=S.x[1]),
+        ),
+        heading=(
+            term(S.x[1], "sum", "m1", formula=r"x_1 ="),
+            term(S.x1_p, "line", "xp", formula=r"x_{\mathrm{p}}"),
+            term(S.x1_c, "dash", "xc", formula=r"+\; x_{\mathrm{c}}"),
+        ),
+        cursor="time",
+        room=Room(44, 26),
+        phone=5,
+        height=150,
+    )
+
+
+KNOB = Handle(
+    parameter="_valley",
+    symbol="√(k₂/m₂)",
+    label="Frequency to which the absorber is tuned",
+    tint="m2",
+    covering="rad/s",
+)
+
+
+def _swing_plot() -> Block:
+    """The machine's swing with the absorber and alone; grey is the swing saved where it helps."""
+    return plot(
+        SWING,
+        x=Axes.w,
+        y=Axes.X1,
+        title="Swing of the machine against drive frequency, with the absorber and alone",
+        x_column=Sweep.w,
+        bands=(region(Sweep.helped_lo, Sweep.helped_hi, tint="k2fill", group=F.helped),),
+        curves=(
+            curve(Sweep.alone, tint="m1", width="dash", read="alone"),
+            curve(Sweep.free, tint="m1", width="dots"),
+            curve(Sweep.swing, tint="m1", width="sum", read="with absorber"),
+        ),
+        heading=(
+            phrase(Sweep.swing, "sum", "m1", words=r"$|X_{\mathrm{p}1}|$ with the absorber"),
+            phrase(Sweep.alone, "dash", "m1", words="alone"),
+            phrase(Sweep.free, "dots", "m1", undamped="undamped"),
+            phrase(F.helped, "band", "k2fill", **HELPED),
+        ),
+        x_labels=False,
+        room=Room(52, 8, top=42),
+        handles=(replace(KNOB, bare=True),),
+        marks=tuple(mark(at, tint=tint, html=rich(flag), lift=35, flag="one") for at, _, tint, flag in FREQUENCIES),
+        shapes=driven(SWING, {P.swing: "with the absorber", P.alone: "alone"}),
+        grow=160,
+        phone=10,
+        height=200,
+    )
+
+
+def _stroke_plot() -> Block:
+    """The absorber's stroke |X2 - X1|, and the knob that drags the valley under the machine's speed."""
+    return plot(
+        STROKE,
+        x=Axes.w,
+        y=Axes.X2,
+        title="Stroke of the absorber against drive frequency",
+        x_column=Sweep.w,
+        curves=(
+            curve(Sweep.stroke, tint="m2", width="sum", read="stroke"),
+            curve(Sweep.free2, tint="m2", width="dots", group=Sweep.free),
+        ),
+        heading=(phrase(Sweep.stroke, "sum", "m2", words=r"stroke $|X_{\mathrm{p}2} - X_{\mathrm{p}1}|$"),),
+        room=Room(52, 8),
+        marks=tuple(mark(at, tint=tint) for at, _, tint, _ in FREQUENCIES),
+        handles=(KNOB,),
+        shapes=driven(STROKE, {P.stroke: "by the stroke"}),
+        grow=92,
+        phone=11,
+        height=150,
+    )

@@ -1,0 +1,238 @@
+"""The absorber's stage, one instant drawn twice, and what is drawn over its plots and beside them: readings and goals,
+each at the end of its limit."""
+
+from __future__ import annotations
+
+from components.chain.grabs import VELOCITIES
+from components.language.blocks import Block
+from components.language.numbers import Number, var
+from components.language.shapes import Grab
+from components.layout.grabs import begin, begins, grab, linear, on_plot
+from components.layout.sheet import stage
+from components.layout.stage import (
+    HALL,
+    NARROW,
+    ON_NARROW,
+    ON_WIDE,
+    WIDE,
+    H,
+    PlotFrame,
+    Shape,
+    W,
+    arrow,
+    box,
+    circle,
+    line,
+    path,
+    spring,
+    text,
+    wall,
+)
+from components.quantities.declared import Scalar
+from components.scenes.absorber.curves import ALONE, Axes
+from components.scenes.absorber.curves import Signals as S
+from components.scenes.absorber.duty import Duty
+from components.scenes.absorber.numbers import Numbers as N
+from components.scenes.absorber.places import Places as P
+from components.scenes.absorber.words import VERDICTS
+
+SWING, STROKE = PlotFrame("swing"), PlotFrame("stroke")
+WALL, REST = 0.024, (0.36, 0.687)
+"""Where the wall and the masses at rest stand, as fractions of the stage's width."""
+FLOORS = (0.377 * H, 0.86 * H)
+TEETH = 190 * var(P.hook)
+"""The height of a spring's teeth in pixels: they stay above the floor."""
+TICK, CROSS = "M-3.5 .5l2.6 2.6 5-5.600", "M-2.800 -2.800l5.600 5.600M2.800 -2.800l-5.600 5.600"
+FREQUENCIES = (
+    (P.slow, P.slow_seen, "slow", rf"$\omega_-$ {N.slow}"),
+    (P.omega, P.omega_seen, "F", rf"$\omega$ {N.omega}"),
+    (P.fast, P.fast_seen, "fast", rf"$\omega_+$ {N.fast}"),
+)
+"""The lines that cross both plots: their places, whether they are seen, colours, flags."""
+
+
+def side(mass: int) -> Number:
+    return var(P.side[mass]) * H
+
+
+def picture() -> Block:
+    """The stage, one instant drawn twice: above, as an outline, the machine alone; below, with the absorber."""
+    ground = wall(WALL * W, 0.02 * H, FLOORS[1] - 0.02 * H + 1)
+    label = "The machine alone and with the absorber at the same instant, with the forces on it"
+    return stage(ground, *_rests(), *_alone(), *_both(), *_forces(), *_verdicts(), label=label, height=275)
+
+
+def _rests() -> list[Shape]:
+    """Floors, equilibrium lines and a ruler from each mass's own zero."""
+    foot = FLOORS[1]
+    shapes = [
+        line(WALL * W, FLOORS[0], 0.56 * W, FLOORS[0], tint="rule", style="hair"),
+        line(WALL * W, foot, W, foot, style="floor"),
+    ]
+    for i, top in ((1, FLOORS[0] - side(1) - 20), (2, foot - side(1) - 20)):
+        zero, tint = REST[i - 1] * W, f"m{i}"
+        shapes.append(line(zero, top, zero, foot, tint="mute", style="eq"))
+        # The number of a tick close to 0 is long: its first digit stands under the tick.
+        tick = zero + var(P.tick) * W
+        shapes += [line(x, foot, x, foot + 5, style="floor") for x in (zero, tick)]
+        shapes += [
+            text(zero, foot + 18, "0", tint=tint, style="t0"),
+            text(tick - 4, foot + 18, f"{N.tick}", "start", tint=tint, style="t0"),
+        ]
+    return shapes
+
+
+def _place(i: int, x: Number) -> Number:
+    return REST[i - 1] * W + var(P.metre) * W * x
+
+
+def _hook(floor: Number) -> Number:
+    """The height at which the springs are fastened: half the smaller mass at most."""
+    return floor - var(P.hook) * H
+
+
+def _alone() -> list[Shape]:
+    x, floor = _place(1, var(S.x[ALONE])), FLOORS[0]
+    top, middle = floor - side(1), floor - 0.5 * side(1)
+    return [
+        spring(WALL * W, _hook(floor), x - 0.5 * side(1), _hook(floor), 1.75, height=TEETH, style="faint"),
+        box(x, floor, side(1), tint="m1", style="ghost"),
+        arrow(x, middle, x + var(P.push) * W * var(S.drive), middle, tint="F", style="thick", head=16),
+        circle(x, middle, 5, tint="F"),
+        *_displacement(1, ALONE, top - 13, top),
+    ]
+
+
+def _displacement(i: int, who: int | str, lift: Number, top: Number) -> list[Shape]:
+    """The arrow from equilibrium to the mass; its number stands where nothing moves."""
+    zero, x, tint = REST[i - 1] * W, _place(i, var(S.x[who])), f"m{i}"
+    look = {"words": f"*x*_{i} = {S.x[who]} {N.x_unit}", "tint": tint, "style": "t2 b halo"}
+    if i == 1:
+        names = [text(zero - WIDE * var(P.lead[who]) * W - 8, lift + 5, anchor="end", **look)]
+    else:  # the verdict stands on its right where there is room for it
+        names = [
+            text(zero - 8, lift - 10, anchor="end", show=ON_WIDE, **look),
+            text(zero + 8, lift - 10, anchor="start", show=ON_NARROW, **look),
+        ]
+    return [line(x, top, x, lift, tint="mute", style="eq told"), arrow(zero, lift, x, lift, tint=tint), *names]
+
+
+def _both() -> list[Shape]:
+    foot, x1, x2 = FLOORS[1], _place(1, var(S.x[1])), _place(2, var(S.x[2]))
+    hook, right, left, lift = _hook(foot), x1 + 0.5 * side(1), x2 - 0.5 * side(2), foot - side(1) - 13
+    return [
+        spring(WALL * W, hook, x1 - 0.5 * side(1), hook, var(P.wire1), height=TEETH),
+        spring(right, hook, left, hook, var(P.wire2), height=TEETH, show=P.wire2),
+        box(x1, foot, side(1), "*m*_1", tint="m1", corner=True, grab=_held(1, "Machine")),
+        box(x2, foot, side(2), "*m*_2", tint="m2", grab=_held(2, "Absorber")),
+        *_displacement(1, 1, lift, foot - side(1)),
+        *_displacement(2, 2, lift, foot - side(2)),
+    ]
+
+
+def _held(i: int, name: str) -> Grab:
+    """A mass in the hand: from there the motion starts, with its complementary part."""
+    return begin(
+        f"{name}, start",
+        linear(lambda x: _place(i, x), "x", f"x{i}_0", S.x[i], Axes.X1, rate=f"v{i}_0"),
+        start=(*(begins(f"x{j}_0", S.x[j], Axes.X1) for j in (1, 2)), *VELOCITIES),
+    )
+
+
+def _forces() -> list[Shape]:
+    """The drive and the pull of spring 2 start at one point: equally long, they are the explanation."""
+    x, y = _place(1, var(S.x[1])), FLOORS[1] - 0.5 * side(1) - 4
+    pulls, look = f"{N.link}: {S.pull_now} {N.F_unit}", "t1 b halo"
+    drives = f"*F* = {S.drive_now} {N.F_unit}"
+    return [
+        arrow(x, y, x + var(P.push) * W * var(S.drive), y, tint="F", style="thick", head=16),
+        arrow(x, y, x + var(P.push) * W * var(S.pull), y, tint="k", style="thick", head=16),
+        circle(x, y, 5),
+        text(var(P.tag_left) * W, y + 5, pulls, "end", tint="k", style=look, show=ON_WIDE),
+        text(var(P.tag_right) * W, y + 5, drives, "start", tint="F", style=look, show=ON_WIDE),
+    ]
+
+
+def _verdicts() -> list[Shape]:
+    # Over whatever mass 2 does; on a phone there is no room: over the upper machine, and beside its floor.
+    above, below = FLOORS[0] - 0.5 * side(1) + 6, FLOORS[1] - side(1) - 23
+    above = above - NARROW * (0.5 * side(1) + 13)
+    below = WIDE * below + NARROW * (FLOORS[0] + 4)
+    told = "verdict b halo told"
+    return [
+        text(W, above, "Alone, the machine shakes", "end", style=told, show=P.alone_shakes),
+        text(W, above, "Alone, it grows without limit", "end", style=told, show=P.alone_grows),
+        text(W, above, "Alone, it beats, slowly", "end", style=told, show=P.alone_beats),
+        text(W, above, f"Alone, within {N.rest_alone} {N.x_unit}", "end", style=told, show=P.alone_within),
+        text(W, above - 19, f"{N.judged_alone}", "end", tint="mute", style="t0 halo", show=ON_WIDE),
+        text(W, below - 19, f"{N.judged}", "end", tint="mute", style="t0 halo", show=(ON_WIDE, P.differ)),
+        *(text(W, below, words, "end", style=told, show=P.verdict[name]) for name, words in VERDICTS.items()),
+    ]
+
+
+def driven(plot: PlotFrame, readings: dict[Scalar[Duty], str]) -> tuple[Shape, ...]:
+    """The machine's speed, taken by its points on the curves of a plot."""
+    way, x = on_plot(plot, "x", "omega", P.omega, Axes.w), plot.x(var(P.omega))
+    return tuple(
+        circle(x, plot.y(var(at)), 0, show=P.omega_seen, grab=grab(f"Running speed, {of}", way, inside=plot))
+        for at, of in readings.items()
+    )
+
+
+def goals() -> Block:
+    """Three goals: a dotted line runs from each limit in a plot to its mark and its sentence, with a bend in a hall."""
+    shapes = [*_bracket(), *_joints(), *_readings(), *_fixed()]
+    limits = _limits()
+    for i, limit in enumerate(limits):
+        y = WIDE * (limit + HALL * (limits[0] + 46 * i - limit)) + NARROW * (18 + 46 * i)
+        begin = SWING.x(var(P.away_high)) + 6 if i == 0 else SWING.left
+        shapes.append(line(begin, limit, -16, limit, style="dotted", show=ON_WIDE))
+        shapes.append(line(-16, limit, -4, y, style="dotted", show=ON_WIDE))
+        met, missed = P.met[i], P.missed[i]
+        shapes += [circle(9, y, 8, style="told", show=met), path(TICK, 9, y, style="counter told", show=met)]
+        shapes += [circle(9, y, 8, style="hollow told", show=missed), path(CROSS, 9, y, style="told", show=missed)]
+        shapes.append(text(26, y + 5, f"{N.goal[i]}", "start", style="t2 b"))
+        shapes.append(text(26, y + 23, f"{N.found[i]}", "start", tint="mute", style="t0"))
+    return stage(*shapes, label="The goals, met or not", grow=0, basis=286, phone=12, height=150, style="still")
+
+
+def _limits() -> tuple[Number, Number, Number]:
+    return SWING.top - 6, SWING.y(var(P.limit1)), STROKE.y(var(P.limit2))
+
+
+def _bracket() -> list[Shape]:
+    """Where no resonance should be: around the machine's speed."""
+    y = _limits()[0]
+    low, high = SWING.x(var(P.away_low)), SWING.x(var(P.away_high))
+    return [line(low, y, high, y), *(line(x, y - 5, x, y + 5) for x in (low, high))]
+
+
+def _readings() -> list[Shape]:
+    """Dots and numbers at the machine's speed: hollow alone, filled with the absorber."""
+    here = SWING.x(var(P.omega))
+    alone, swing, stroke = SWING.y(var(P.alone)), SWING.y(var(P.swing)), STROKE.y(var(P.stroke))
+    over, bold = swing + var(P.swing_aside), "t1 b halo"
+    return [
+        circle(here, alone, 6, tint="m1", style="hollow", show=P.alone_seen),
+        circle(here, swing, 7, tint="m1", show=P.swing_seen),
+        circle(here, stroke, 7, tint="m2", show=P.stroke_seen),
+        text(here - 11, alone + 5, f"{N.alone}", "end", tint="m1", style=bold, show=P.alone_seen),
+        text(here + 11, over, f"{N.swing}", "start", tint="m1", style=bold, show=P.swing_seen),
+        text(here + 11, stroke - 8, f"{N.stroke}", "start", tint="m2", style=bold, show=P.stroke_seen),
+    ]
+
+
+def _fixed() -> list[Shape]:
+    """The fixed points, by their names."""
+    shapes = []
+    for name in "PQ":
+        x, y = SWING.x(var(P.fixed_x[name])), SWING.y(var(P.fixed_y[name]))
+        shapes.append(circle(x, y, 4, show=P.fixed_seen))
+        shapes.append(text(x, y - 11, f"*{name}*", style="t1 b halo", show=P.fixed_seen))
+    return shapes
+
+
+def _joints() -> list[Shape]:
+    """The lines of the frequencies go on between the two plots."""
+    ways = ((SWING.x(var(at)), seen, tint) for at, seen, tint, _ in FREQUENCIES)
+    return [line(x, SWING.bottom, x, STROKE.top, tint=tint, show=seen) for x, seen, tint in ways]
