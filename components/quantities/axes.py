@@ -130,7 +130,7 @@ def ordered(span: Range) -> Range:
 def scale_by_ten(values: Scaled, exponent: int) -> Scaled:
     """values * 10**exponent, in two steps so that no power of ten leaves the range of doubles."""
     half = exponent // 2
-    return values * 10.0**half * 10.0 ** (exponent - half)
+    return values * 10.0**half * 10.0 ** (exponent - half) if exponent else values
 
 
 def nice_axis(

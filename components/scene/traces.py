@@ -68,14 +68,15 @@ class Traces:
 
 
 def over_time(
-    end: float, fastest: float, signals: Iterable[Name | str], exact: Callable[[Floats], Mapping[Any, Floats]]
-) -> dict[str, Traces]:
-    """The curves of the source "time": these signals over [0, end], dense enough for the `fastest` motion (rad/s).
+    end: float, fastest: float, signals: Iterable[Name | str], exact: Callable[[Floats], Mapping[Any, Floats]],
+    source: str = "time",
+) -> dict[str, Traces]:  # fmt: skip
+    """The curves of a source: these signals over [0, end], dense enough for the `fastest` motion (rad/s).
 
     `exact` gives the physics' numbers of each signal.
     """
     names = tuple(map(called, signals))
-    return {"time": Traces(end, samples(end, fastest), names, lambda t: by_name(exact(t)))}
+    return {source: Traces(end, samples(end, fastest), names, lambda t: by_name(exact(t)))}
 
 
 def trace(

@@ -42,7 +42,7 @@ def test_presets_are_pictures_and_change_the_flight(
     assert page.evaluate(HEIGHTS) != before
     for view in ("Period", "Exchange", "Limits"):
         page.get_by_role("button", name=view, exact=True).click()
-        page.wait_for_function(f"'{view.lower()}' in oscillations.shown.view.forms")
+        page.wait_for_function(f"oscillations.shown.view.forms.{view.lower()}")
         assert page.evaluate(BROKEN) == 0
     screenshot(page, "phugoid-loop")
     page.wait_for_url(re.compile("excess=1.*show=limits"))

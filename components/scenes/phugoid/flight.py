@@ -1,38 +1,42 @@
-"""The picture of a flight: its path with the aircraft on it, beside the spring it mimics."""
+"""The picture of a flight: its path with the aircraft on it, beside the spring it mimics, and what is drawn over the
+plots of periods and of velocities."""
 
 from __future__ import annotations
 
-import math
 from functools import cache
 
 import numpy as np
-from msgspec.structs import replace
 
 from components.language.numbers import Number, var
-from components.language.shapes import Grab, Trade
+from components.language.shapes import Trade
 from components.layout.grabs import begin, grab, on_plot
 from components.layout.stage import (
     NARROW,
+    ON_WIDE,
     WIDE,
     Looks,
+    PlotFrame,
     Shape,
     W,
     arrow,
     box,
     circle,
     line,
-    on_x,
-    on_y,
     path,
+    shown_by,
     spring,
     text,
     wall,
 )
-from components.quantities.axes import Axis, nice_axis, nice_ticks
-from components.quantities.numbers import short
-from components.scenes.phugoid.swing import Swing
-from physics.phugoid import flight
+from components.quantities.declared import Declared, Family, Scalar
+from components.scenes.phugoid.axes import Axes as A
+from components.scenes.phugoid.curves import Lift
+from components.scenes.phugoid.curves import Signals as S
+from components.scenes.phugoid.numbers import Numbers as N
+from components.scenes.phugoid.swing import AIRCRAFT, Swing
+from physics.phugoid import flight, linear_phugoid
 
+PATH, PERIOD, VELOCITY = PlotFrame("path"), PlotFrame("period"), PlotFrame("velocity")
 HULL = (
     "M27 0C26-3.6 18-4.8 10-5.2C7-9.4-1-9.8-5-5.8L-18-3.6L-24-12.5L-29-12.5"
     "L-26.5-1C-16 4.4 6 6 18 5C23 4.4 27 2.8 27 0Z"
@@ -40,131 +44,109 @@ HULL = (
 WING = "M11 1.6C7-.6-5-.4-10 1.9C-5 3.6 7 3.6 11 1.6Z"
 PROPELLER = "M28-9V9"
 
-ASPECT = 4.4
-"""Width over height of the frame of the path on a desk."""
-BEFORE = 0.3
-"""Room before the start, in v_0^2/g: the length of the aircraft's tail."""
 SIZE = 0.45 + W * 0.0006
 """The size of the aircraft beside that of its drawing."""
-BOX = (128, 46)
 SIDE, APART = 32, 104
 """The mass of the spring, and how far the spring stands before the frame, in pixels."""
+BESIDE = WIDE * 225 + NARROW * 165
+"""Where v' stands: beside h', with room for the one that is held."""
+X, Y = PATH.x(var(S.x)), PATH.y(var(S.y))
+"""The aircraft of the exact flight."""
+FLOWN: Looks = {"inside": PATH}
+
+scalar = Scalar[Swing]
 
 
-def ground_axes(swing: Swing, window: float, unit: str, factor: float) -> tuple[Axis, Axis]:
-    """Axes along and up, of one scale: as far as the flight comes in the window, or as wide as the swing asks for.
-
-    Labels are in `unit`, which is `factor` metres.
-    """
-    length, size = swing.length, abs(swing.excess)
-    low, high = min(float(swing.lap.h.min()), -size), max(float(swing.lap.h.max()), size)
-    room = 0.16 * (high - low)
-    end = max(swing.distance(window), ASPECT * (high - low + 2 * room), 0.5)
-    along = _along(-BEFORE * length, end * length, unit, factor)
-    half, middle = (end + BEFORE) / ASPECT / 2, (low + high) / 2
-    up = _up(along, (middle - half) * length, (middle + half) * length)
-    far = min(swing.distance(window), end)
-    return (
-        replace(along, drawn=(-BEFORE * length, far * length)),
-        replace(up, drawn=(low * length, high * length)),
+class Places(Declared[Swing]):
+    is_period = scalar(lambda s, a: s.show == "period")
+    is_limits = scalar(lambda s, a: s.show == "limits")
+    is_lift = scalar(lambda s, a: s.show == "lift")
+    excess = scalar(lambda s, a: s.excess)
+    head = scalar(lambda s, a: A.up(a).place(s.length))
+    # The first tops of both paths. Where many swings share the frame their names have no room.
+    top_x = scalar(lambda s, a: A.along(a).place(s.top[0]))
+    top_y = scalar(lambda s, a: A.up(a).place(s.top[1]))
+    top_lin_x = scalar(lambda s, a: A.along(a).place(s.top_linear[0]))
+    top_lin_y = scalar(lambda s, a: A.up(a).place(s.top_linear[1]))
+    named = scalar(lambda s, a: s.top[0] > 0.07 * A.along(a).end)
+    # Beside a wide loop the others are too small to be named.
+    family_named = scalar(lambda s, a: A.upward(a).end < 2)
+    # The speed and the period of this aircraft, and of the examples.
+    v_here = scalar(lambda s, a: A.v_0(a).place(s.v_0))
+    tau_here = scalar(lambda s, a: A.tau(a).place(s.linear.tau))
+    at = Family(AIRCRAFT, lambda name: scalar(lambda s, a: A.v_0(a).place(AIRCRAFT[name][1])))
+    tau_at = Family(
+        AIRCRAFT, lambda name: scalar(lambda s, a: A.tau(a).place(linear_phugoid(AIRCRAFT[name][1], s.g).tau))
     )
 
 
-def _along(low: float, high: float, unit: str, factor: float) -> Axis:
-    """The horizontal axis; distances of five digits do without a power of ten."""
-    axis = nice_axis(low, high, unit, 3, exact=True, factor=factor)
-    if not 1e4 <= high / factor < 1e5:
-        return axis
-    return replace(axis, exponent=0, suffix="", ticks=nice_ticks(low / factor, high / factor, 3))
-
-
-def _up(along: Axis, low: float, high: float) -> Axis:
-    """The vertical axis in the unit of the horizontal one; its zero is named by the stage."""
-    axis = replace(along, start=low, end=high, ticks=())
-    ticks = nice_ticks(0.9 * axis.place(low), 0.9 * axis.place(high), 3)
-    return replace(axis, ticks=tuple(tick for tick in ticks if tick))
-
-
-def velocity_axes(swing: Swing) -> dict[str, Axis]:
-    """Axes forward (of u - v_0, so that standstill is at -1) and up, in v_0; one frame for all but wide loops."""
-    far = max(1.0, float(swing.lap.w.max()) / 1.05, (1 + swing.excess) / 3.05)
-    low = min(-0.85, 1.15 * float(swing.lap.u.min()))
-    ticks = tuple(float(i - 1) for i in range(-math.ceil(far), math.ceil(3.1 * far) + 1, math.ceil(far / 1.5)))
-    labels = tuple(_times_v_0(tick + 1) for tick in ticks)
-    return {
-        "forward": Axis(low - 1, low + 3.9 * far - 1, ticks=ticks, labels=labels),
-        "upward": Axis(-1.155 * far, 1.155 * far),
-    }
-
-
-def _times_v_0(number: float) -> str:
-    return {0.0: "0", 1.0: "v₀", -1.0: "−v₀"}.get(number, f"{short(number)} v₀")
-
-
-def flight_shapes(plot: str) -> list[Shape]:
-    """Spring, level line, both aircraft and the arrows of h' and v over the plot of the path.
-
-    Signals: x, y of the exact flight and x_lin, y_lin of the linear one in the unit of the axes; u, w and
-    u_lin, w_lin forward and up in v_0.
-    """
-    level, foot, left, right = on_y(plot, 0), var(f"{plot}.bottom"), var(f"{plot}.left"), var(f"{plot}.right")
-    x, y = on_x(plot, var("x")), on_y(plot, var("y"))
-    x_lin, y_lin = on_x(plot, var("x_lin")), on_y(plot, var("y_lin"))
-    own: Looks = {"inside": plot}
+def flight_shapes() -> list[Shape]:
+    """Spring, level line, both aircraft and the arrows of h' and v over the plot of the path."""
+    level, left = PATH.y(0), PATH.left
+    x_lin, y_lin = PATH.x(var(S.x_lin)), PATH.y(var(S.y_lin))
+    u, w = var(S.u), var(S.w)
     return [
-        *_labels(plot, left, level),
-        line(left, level, right, level, tint="mute", style="eq"),
-        line(left, foot, right, foot, style="floor"),
-        *_spring(left - APART, y_lin, level, foot),
-        line(left - APART + SIDE / 2, y_lin, x_lin, y_lin, tint="V", style="dots", **own),
+        *_labels(left, level),
+        line(left, level, PATH.right, level, tint="mute", style="eq"),
+        line(left, PATH.bottom, PATH.right, PATH.bottom, style="floor"),
+        *_spring(left - APART, y_lin, level, PATH.bottom),
+        line(left - APART + SIDE / 2, y_lin, x_lin, y_lin, tint="V", style="dots", **FLOWN),
         line(left - APART + SIDE / 2, y_lin, left, y_lin, tint="V", style="dots"),
-        _aircraft(HULL, "fine", (x_lin, y_lin), (var("u_lin"), -var("w_lin")), SIZE, own),
-        arrow(x, level, x, y, tint="V", **own),
-        arrow(x, y, x + 50 * SIZE * var("u"), y - 50 * SIZE * var("w"), gap=34 * SIZE, head=12, tint="T", **own),
+        _aircraft(HULL, "fine", x_lin, y_lin, var(S.u_lin), var(S.w_lin), SIZE),
+        arrow(X, level, X, Y, tint="V", **FLOWN),
+        arrow(X, Y, X + 50 * SIZE * u, Y - 50 * SIZE * w, gap=34 * SIZE, head=12, tint="T", **FLOWN),
         *(
-            _aircraft(part, style, (x, y), (var("u"), -var("w")), 1.15 * SIZE, {**own, "held": part == HULL})
+            _aircraft(part, style, X, Y, u, w, 1.15 * SIZE, held=part == HULL)
             for part, style in ((HULL, "fill"), (WING, "ghost fine"), (PROPELLER, "fine"))
         ),
-        circle(x, y, 0, grab=_held(plot), **own),
+        circle(X, Y, 0, grab=HELD, **FLOWN),
     ]
 
 
-def _held(plot: str) -> Grab:
-    """The aircraft in the hand: its height sets the excess of speed, as far as the energy allows."""
-    height = Trade(parameter="excess", moves="y", axis="up", zero=on_y(plot, 0), unit=var(f"{plot}.y1"), head="head")
-    return begin("Aircraft, height at the start", height, on_plot(plot, "x", "", "x", "along"))
+HELD = begin(
+    "Aircraft, height at the start",
+    Trade(
+        parameter="excess", moves=S.y.name, axis=A.up.name, zero=PATH.y(0), unit=PATH.per_y, head=Places.head.name
+    ),
+    on_plot(PATH, "x", "", S.x, A.along),
+)  # fmt: skip
+"""The aircraft in the hand: its height sets the excess of speed, as far as the energy allows."""
 
 
-def _aircraft(
-    part: str, style: str, at: tuple[Number, Number], velocity: tuple[Number, Number], size: Number, look: Looks
-) -> Shape:
+def _aircraft(part: str, style: str, x: Number, y: Number, u: Number, w: Number, size: Number, **look: bool) -> Shape:
     """A part of an aircraft, turned the way it flies."""
-    dx, dy = velocity
-    return path(part, *at, dx=dx, dy=dy, sx=size, sy=size, tint="m1", style=style, **look)
+    return path(part, x, y, dx=u, dy=-w, sx=size, sy=size, tint="m1", style=style, inside=PATH, **look)
 
 
-def lift_shapes(plot: str, show: str) -> list[Shape]:
+def lift_shapes() -> list[Shape]:
     """Lift, upright to the velocity, and weight, which is as long as the velocity of level flight."""
-    x, y = on_x(plot, var("x")), on_y(plot, var("y"))
     unit: Number = 50 * SIZE
-    tip = x + unit * var("lift_forward"), y - unit * var("lift_up")
+    tip = X + unit * var(Lift.lift_forward), Y - unit * var(Lift.lift_up)
     aside = NARROW * 18 - WIDE * 8  # on a phone it starts at the left edge
-    own: Looks = {"inside": plot, "show": show}
-    return [
-        arrow(x, y, x, y + unit, tint="k", style="thick", head=13, **own),
-        arrow(x, y, *tip, tint="F", style="thick", head=13, **own),
-        text(x + 8, y + unit - 4, "*m g*", anchor="start", tint="k", style="t2 b halo told", **own),
-        text(tip[0] + aside, tip[1] + 12, "*L*", anchor="end", tint="F", style="t2 b halo told", **own),
-    ]
+    named: Looks = {"style": "t2 b halo told", **FLOWN}
+    return shown_by(
+        Places.is_lift,
+        arrow(X, Y, X, Y + unit, tint="k", style="thick", head=13, **FLOWN),
+        arrow(X, Y, *tip, tint="F", style="thick", head=13, **FLOWN),
+        text(X + 8, Y + unit - 4, "*m g*", anchor="start", tint="k", **named),
+        text(tip[0] + aside, tip[1] + 12, "*L*", anchor="end", tint="F", **named),
+    )
 
 
-def _labels(plot: str, left: Number, level: Number) -> list[Shape]:
+def _labels(left: Number, level: Number) -> list[Shape]:
     above = 6 + 15 * SIZE  # the aircraft comes by under them
-    top, top_lin = ((on_x(plot, var(f"{name}_x")), on_y(plot, var(f"{name}_y")) - above) for name in ("top", "top_lin"))
+    top, top_lin = (
+        (PATH.x(var(x)), PATH.y(var(y)) - above)
+        for x, y in ((Places.top_x, Places.top_y), (Places.top_lin_x, Places.top_lin_y))
+    )
+    named: Looks = {"tint": "m1", "style": "halo which", "show": Places.named}
     return [
+        text(0, 17, f"*h*′ = {S.h} {N.h_unit}", anchor="start", tint="V", style="t2 b"),
+        text(BESIDE, 17, f"*v*′ = {S.v} {N.v_unit}", anchor="start", tint="T", style="t2 b"),
+        text(W, 17, f"{N.verdict}", anchor="end", tint="ink", show=ON_WIDE),
         text(left - 8, level + 5, "*h*_0", anchor="end", style="t2 b halo"),
-        text(top[0] - 4, top[1], "exact", anchor="end", tint="m1", style="halo which", show="named"),
-        text(top_lin[0] + 4, top_lin[1], "linear", anchor="start", tint="m1", style="halo which", show="named"),
+        text(top[0] - 4, top[1], "exact", anchor="end", **named),
+        text(top_lin[0] + 4, top_lin[1], "linear", anchor="start", **named),
     ]
 
 
@@ -178,42 +160,44 @@ def _spring(x: Number, y: Number, level: Number, foot: Number) -> list[Shape]:
     ]
 
 
-def velocity_shapes(plot: str, show: str) -> list[Shape]:
-    """The velocity from standstill to its tip, over a plot of u - v_0 and w in v_0; the start is `excess`."""
-    still = on_x(plot, -1)
-    tip, level = (on_x(plot, var("u") - 1), on_y(plot, var("w"))), on_y(plot, 0)
-    start = on_x(plot, var("excess"))
-    own: Looks = {"inside": plot, "show": show}
-    named = {**own, "show": f"{show} family_named"}
-    return [
-        line(still, var(f"{plot}.top"), still, var(f"{plot}.bottom"), tint="rule", style="hair", **own),
-        line(start, level, start, var(f"{plot}.bottom"), tint="T", **own),
+def period_shapes() -> list[Shape]:
+    """Poles of the examples, and the lines from the point of this aircraft to both axes."""
+    x, y = PERIOD.x(var(Places.v_here)), PERIOD.y(var(Places.tau_here))
+    shapes = [
+        line(PERIOD.left, y, x, y, tint="mute", style="eq"),
+        line(x, y, x, PERIOD.bottom, tint="T"),
+    ]
+    for name in AIRCRAFT:
+        at, tau = PERIOD.x(var(Places.at[name])), PERIOD.y(var(Places.tau_at[name]))
+        shapes += [line(at, tau, at, PERIOD.top, tint="rule", style="hair"), circle(at, tau, 5)]
+    return shown_by(Places.is_period, *shapes, circle(x, y, 6, tint="T"))
+
+
+def velocity_shapes() -> list[Shape]:
+    """The velocity from standstill to its tip, over a plot of u - v_0 and w in v_0."""
+    plot = VELOCITY
+    still, level, start = plot.x(-1), plot.y(0), plot.x(var(Places.excess))
+    tip = plot.x(var(S.u) - 1), plot.y(var(S.w))
+    held = grab("Speed at the start", on_plot(plot, "x", "excess", Places.excess, A.forward))
+    own: Looks = {"inside": plot}
+    return shown_by(
+        Places.is_limits,
+        line(still, plot.top, still, plot.bottom, tint="rule", style="hair", **own),
+        line(start, level, start, plot.bottom, tint="T", **own),
         arrow(still, level, *tip, head=13, tint="T", **own),
         circle(still, level, 5, **own),
-        circle(on_x(plot, 0), level, 4, **own),
-        circle(
-            start,
-            level,
-            5,
-            tint="T",
-            grab=grab("Speed at the start", on_plot(plot, "x", "excess", "excess", "forward")),
-            **own,
-        ),
+        circle(plot.x(0), level, 4, **own),
+        circle(start, level, 5, tint="T", grab=held, **own),
         circle(*tip, 6, tint="m1", **own),
-        text(on_x(plot, 0), level - 10, "*C* = 2/3", style="halo", **named),
-        text(on_x(plot, 0.68), on_y(plot, 0.68), "cusp, *C* = 0", anchor="start", style="b halo", **named),
-        text(
-            on_x(plot, 1.06),
-            on_y(plot, 0.3),
-            "loop, *C* = −0.667",
-            anchor="start",
-            tint="mute",
-            style="halo",
-            **named,
+        *shown_by(
+            Places.family_named,
+            text(plot.x(0), level - 10, "*C* = 2/3", style="halo", **own),
+            text(plot.x(0.68), plot.y(0.68), "cusp, *C* = 0", anchor="start", style="b halo", **own),
+            text(plot.x(1.06), plot.y(0.3), "loop, *C* = −0.667", anchor="start", tint="mute", style="halo", **own),
         ),
-        text(still - 6, var(f"{plot}.top") + 12, "up", anchor="end", tint="mute", style="halo", **own),
-        text(var(f"{plot}.right"), level - 7, "forward", anchor="end", tint="mute", style="halo", **own),
-    ]
+        text(still - 6, plot.top + 12, "up", anchor="end", tint="mute", style="halo", **own),
+        text(plot.right, level - 7, "forward", anchor="end", tint="mute", style="halo", **own),
+    )
 
 
 @cache
@@ -221,7 +205,7 @@ def outline(excess: float) -> str:
     """The path of a little more than two swings, as SVG path data in a box of 128 by 46."""
     motion = flight(1.0, 1.0, excess, np.linspace(0.0, 9.6, 120))
     width, height = float(np.ptp(motion.x)), float(np.ptp(motion.h))
-    scale = min((BOX[0] - 8) / width, (BOX[1] - 10) / max(height, 0.2))
-    x = BOX[0] / 2 + scale * (motion.x - motion.x.min() - width / 2)
-    y = BOX[1] / 2 - scale * (motion.h - motion.h.min() - height / 2)
+    scale = min(120 / width, 36 / max(height, 0.2))
+    x = 64 + scale * (motion.x - motion.x.min() - width / 2)
+    y = 23 - scale * (motion.h - motion.h.min() - height / 2)
     return "M" + "L".join(f"{a:.1f} {b:.1f}" for a, b in zip(x, y, strict=True))

@@ -1,14 +1,15 @@
-"""The live numbers of the flight."""
+"""The live numbers of the flight, and which view of it stands."""
 
 from __future__ import annotations
 
 from components.quantities.axes import Axis
-from components.quantities.declared import AxisUnit, Declared, LiveNumber
+from components.quantities.declared import AxisUnit, Declared, Form, LiveNumber
 from components.quantities.numbers import MINUS, signed, three
+from components.scenes.phugoid.axes import Axes
 from components.scenes.phugoid.swing import AIRCRAFT, Swing, verdict
 from physics.phugoid import linear_phugoid
 
-number = LiveNumber[Swing]
+number, form = LiveNumber[Swing], Form[Swing]
 
 
 def size(axis: Axis, value: float) -> str:
@@ -22,10 +23,10 @@ def example(name: str) -> LiveNumber[Swing]:
 
 
 class Numbers(Declared[Swing]):
-    h_unit, v_unit = AxisUnit("h", write=size), AxisUnit("v", write=size)
+    h_unit, v_unit = AxisUnit(Axes.h, write=size), AxisUnit(Axes.v, write=size)
     h_size = number(lambda s: -s.climb, axis=h_unit)
     v_size = number(lambda s: s.gain, axis=v_unit)
-    gain = number(lambda s: s.gain, axis=AxisUnit("v", write=lambda axis, gain: signed(axis.place(gain))))
+    gain = number(lambda s: s.gain, axis=AxisUnit(Axes.v, write=lambda axis, gain: signed(axis.place(gain))))
     omega = number(lambda s: s.linear.omega)
     tau = number(lambda s: s.linear.tau, "τ", "s")
     tau_exact = number(lambda s: s.period, "τ_{exact}", "s", also=("late",))
@@ -33,3 +34,10 @@ class Numbers(Declared[Swing]):
     C = number(lambda s: f"{s.lap.C:.3f}".replace("-0.000", "0.000").replace("-", MINUS))
     verdict = number(verdict)
     examples = tau_model, tau_glider, tau_light, tau_airliner = [example(name) for name in AIRCRAFT]
+
+
+class Forms(Declared[Swing]):
+    period = form(lambda s: s.show == "period")
+    lift = form(lambda s: s.show == "lift")
+    exchange = form(lambda s: s.show == "exchange")
+    limits = form(lambda s: s.show == "limits")
