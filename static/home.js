@@ -2,7 +2,7 @@
 
 import {inWords} from "./core/notes.js"
 import {svg} from "./core/dom.js"
-import {ask} from "./live_class/room.js"
+import {ask} from "./live_class/requests.js"
 import {turnTheme} from "./shell/theme.js"
 
 const LASTS = 2000 // ms that a picture plays

@@ -2,7 +2,7 @@
 // where the sliders stood, and the ledger of numbers.
 
 import {element, long, marked, set, svg} from "../core/dom.js"
-import {heldNumbers} from "./heldnumber.js"
+import {heldNumbers} from "./held_number.js"
 import {toPlace, toSI} from "../core/ruler.js"
 import {sliderPlace} from "../input/scales.js"
 import {evaluate} from "../core/signals.js"

@@ -3,7 +3,7 @@
 import {element, long, set, svg, textWidth, unitSize} from "../core/dom.js"
 import {evaluate} from "../core/signals.js"
 import {Drawing, numbered} from "./drawing.js"
-import {held, instant, link, parameters} from "./given.js"
+import {held, instant, link, parameters} from "./caption.js"
 import {plain} from "../core/plain.js"
 
 const WIDE = 560 // of a picture; its type is that of the page, so large beside it

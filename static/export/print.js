@@ -1,7 +1,7 @@
 // The page on paper: made of its pictures when it is printed, one sheet a scene, in ink.
 
 import {element} from "../core/dom.js"
-import {instant, link, parameters} from "./given.js"
+import {instant, link, parameters} from "./caption.js"
 import {plotPicture, plotsUnder, stagePicture} from "./picture.js"
 import {things} from "./things.js"
 

@@ -70,7 +70,12 @@ export const KEYS = [
     does: "Vote A to D on a question asked aloud, in a live class",
     act: l => l.classes.poll(),
   },
-  {keys: ["j", "J"], shown: "J", does: "Show the code of the class, large", act: l => l.classes.led?.large.toggle()},
+  {
+    keys: ["j", "J"],
+    shown: "J",
+    does: "Show the code of the class, large",
+    act: l => l.classes.led?.joinScreen.toggle(),
+  },
   {keys: [".", "b", "B"], shown: "B or .", does: "Blank the screen; any key brings it back", act: () => blank()},
   {keys: ["Escape"], shown: "Esc", does: "Close what is open", act: close, shared: true},
   {keys: ["?"], shown: "?", does: "Show this list", act: list},
@@ -164,5 +169,5 @@ function close() {
 
 /** @param {LectureHost} lecture */
 function list(lecture) {
-  using("input/keylist", ({toggleList}) => toggleList(KEYS, singles, ({act}) => act(lecture)))
+  using("input/key_list", ({toggleList}) => toggleList(KEYS, singles, ({act}) => act(lecture)))
 }

@@ -27,7 +27,7 @@ export class Classes {
 
   /** Opens a class, or comes back to the one that this browser leads; shows its code where there is one. */
   async begin() {
-    if (this.led) return this.led.large.toggle()
+    if (this.led) return this.led.joinScreen.toggle()
     if (this.opening) return
     this.opening = true
     try {
@@ -68,6 +68,6 @@ export class Classes {
     const sought = /** @type {page.State | null} */ (tabStorage.value(SOUGHT))
     tabStorage.forget(SOUGHT)
     if (left && sought) this.lecture.open(sought)
-    if (left) (await later("live_class/own")).ownWay(left, step => (this.put = step))
+    if (left) (await later("live_class/excursion")).ownWay(left, step => (this.put = step))
   }
 }

@@ -7,10 +7,10 @@ import {Page, extrasFor} from "../paper/page.js"
 import {Sheets} from "../net/sheets.js"
 import {tabStorage} from "../core/storage.js"
 import {turnTheme} from "../shell/theme.js"
-import {AskedPut} from "./answering.js"
-import {Bar} from "./followbar.js"
-import {enter, forget, mine} from "./mine.js"
-import {Refusal, ask} from "./room.js"
+import {ClassQuestion} from "./class_question.js"
+import {FollowBar} from "./follow_bar.js"
+import {enter, forget, mine} from "./attendance.js"
+import {Refusal, ask} from "./requests.js"
 import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
 
@@ -50,8 +50,8 @@ export class Following {
     this.token = token
     this.host = /** @type {HTMLElement} */ (document.getElementById("app"))
     this.timing = new Timing(() => this.bar?.update())
-    this.bar = new Bar(this)
-    this.asked = new AskedPut(this)
+    this.bar = new FollowBar(this)
+    this.asked = new ClassQuestion(this)
     this.stream = new Stream(code, token, {
       news: news => this.#hear(news),
       refused: refusal => this.#over(this.news.number ? OVER : refusal.message),
@@ -186,7 +186,7 @@ async function begin() {
     return control(typed, query.get("remote") ?? "")
   }
   if (query.has("lead")) {
-    const {takeOver} = await import("./kept.js")
+    const {takeOver} = await import("./copies.js")
     return takeOver(typed, query.get("lead") ?? "").catch(reason => wait(inWords(reason)))
   }
   try {

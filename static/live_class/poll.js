@@ -1,6 +1,6 @@
 // A vote on a question asked aloud: a step with four answers of which none is right, on what is shown.
 
-import {shownBy, stepText, walkText} from "../walks/asked.js"
+import {shownBy, stepText, walkText} from "../walks/draft.js"
 
 const VOTES = "votes" // the name of their walk
 const LETTERS = ["A", "B", "C", "D"]

@@ -3,7 +3,7 @@
 import {button, element} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
 import {tabStorage} from "../core/storage.js"
-import {Refusal, ask, pause} from "./room.js"
+import {Refusal, ask, pause} from "./requests.js"
 
 const DOUBTS = 30 // looks at a class that is not there until that is believed: its server may begin anew
 const ASKING = 1000 // ms between looks whether it is in, and at which step the lecture is

@@ -1,6 +1,6 @@
 // The stream of what is new in a live class: taken up anew where it breaks, and replaced by questions where none comes.
 
-import {Refusal, ask, asked, pause} from "./room.js"
+import {Refusal, ask, asked, pause} from "./requests.js"
 
 const PATIENCE = 3000 // ms until an attempt that brings nothing is given up
 const HASTE = 150 // ms, in its place, for the first try of a page that wakes: its old connections may be dead

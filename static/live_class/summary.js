@@ -1,7 +1,7 @@
 // The summary of a class on one screen, or on one sheet of paper: each question, and how many were right.
 
 import {button, chip, element, marked} from "../core/dom.js"
-import {ask} from "./room.js"
+import {ask} from "./requests.js"
 
 /** @param {page.Opened} room */
 export async function summary({code, key}) {

@@ -4,11 +4,11 @@ import {button, chip, element} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
 import {blank} from "../shell/blank.js"
 import {tabStorage} from "../core/storage.js"
-import {Corner} from "./corner.js"
-import {Kept} from "./kept.js"
-import {Large} from "./large.js"
+import {JoinBadge} from "./join_badge.js"
+import {Copies} from "./copies.js"
+import {JoinScreen} from "./join_screen.js"
 import {poll} from "./poll.js"
-import {Refusal, ask, pause} from "./room.js"
+import {Refusal, ask, pause} from "./requests.js"
 import {Stream} from "./stream.js"
 import {Timing} from "./timing.js"
 import {Votes} from "./votes.js"
@@ -41,22 +41,22 @@ export class Teach {
   /** Orders to the room, one after the other. @type {Promise<unknown>} */
   orders = Promise.resolve()
 
-  /** @param {LectureHost} lecture @param {Kept} kept */
-  constructor(lecture, kept) {
-    const {room} = kept
+  /** @param {LectureHost} lecture @param {Copies} copies */
+  constructor(lecture, copies) {
+    const {room} = copies
     this.lecture = lecture
-    this.kept = kept
+    this.copies = copies
     this.room = room
     this.timing = new Timing()
     this.votes = new Votes(this)
-    this.large = new Large(this)
-    this.corner = new Corner(room, () => this.large.toggle())
-    this.sign = button({class: "class-code", title: "Join code, large (J)"}, () => this.large.toggle())
+    this.joinScreen = new JoinScreen(this)
+    this.badge = new JoinBadge(room, () => this.joinScreen.toggle())
+    this.sign = button({class: "class-code", title: "Join code, large (J)"}, () => this.joinScreen.toggle())
     document.querySelector("#keys")?.before(this.sign)
     document.documentElement.dataset.class = room.code
     this.stream = this.#listen()
     this.looking = setInterval(() => this.#look(), LOOK)
-    this.saving = setInterval(() => kept.save(), SAVING)
+    this.saving = setInterval(() => copies.save(), SAVING)
     this.lead()
     this.say()
   }
@@ -83,7 +83,7 @@ export class Teach {
   /** @returns {Promise<void>} */
   async #restore() {
     try {
-      await this.kept.restore()
+      await this.copies.restore()
     } catch (reason) {
       if (!(reason instanceof Refusal && reason.passes)) return this.#over(inWords(reason))
       await pause(AGAIN)
@@ -112,8 +112,8 @@ export class Teach {
     const {here = 0, lost} = this.news
     const state = this.away || lost ? "not connected" : `${here} here`
     this.sign.replaceChildren(element("b", {}, this.room.code), element("span", {role: "status"}, state))
-    this.corner.say(state)
-    this.large.say(here ?? 0)
+    this.badge.say(state)
+    this.joinScreen.say(here ?? 0)
   }
 
   /** @param {Partial<page.News>} news */
@@ -122,18 +122,18 @@ export class Teach {
     const isFirst = !this.news.number
     const wasShown = this.news.question?.lesson
     Object.assign(this.news, news)
-    this.kept.hear(news)
+    this.copies.hear(news)
     this.say()
     const {walks} = this.lecture
     const {walk} = walks
     if (isFirst && walk) this.walked(walk)
-    if (isFirst) walks.lead(this.kept.walks, this.news.question)
+    if (isFirst) walks.lead(this.copies.walks, this.news.question)
     // By another window of the instructor's.
     if (news.question?.lesson && !wasShown && !isFirst && walk?.card && !walk.lesson && this.#isAsked(walk))
       walk.show(true)
     if (news.answers || news.question || news.lost === false) this.votes.count()
     else if (news.here !== undefined) this.votes.update()
-    if (news.remotes) this.large.wait(news.remotes)
+    if (news.remotes) this.joinScreen.wait(news.remotes)
     if (news.deed) this.#obey(news.deed)
   }
 
@@ -141,7 +141,7 @@ export class Teach {
   #obey(deed) {
     const {walks} = this.lecture
     const {walk} = walks
-    if (deed === "close") this.large.close()
+    if (deed === "close") this.joinScreen.close()
     else if (deed === "taken") this.#over("Another computer leads this class now.")
     else if (deed === "blank") blank()
     else if (deed === "again") this.again()
@@ -187,7 +187,7 @@ export class Teach {
 
   /** Where followers would see another instant than this page, they are told. */
   #look() {
-    this.corner.stand(this.lecture.page.root)
+    this.badge.stand(this.lecture.page.root)
     if (this.timing.bound === Infinity) return
     const {clock} = this.lecture
     const now = this.timing.now
@@ -245,7 +245,7 @@ export class Teach {
     if (own.has(name)) {
       const text = texts[name]
       if (!(await this.order({type: "walk", name, text}))) return
-      this.kept.take(name, text)
+      this.copies.take(name, text)
     }
     if (put === this.put) this.order({type: "put", walk: name, step: step.id, vote: this.#last(name, step.id)})
   }
@@ -255,7 +255,7 @@ export class Teach {
    * @param {string} walk @param {string} step
    */
   #last(walk, step) {
-    return this.kept.room.last?.[`${walk}/${step}`] ?? 0
+    return this.copies.room.last?.[`${walk}/${step}`] ?? 0
   }
 
   /** Asks for a vote on what is asked aloud. */
@@ -289,12 +289,12 @@ export class Teach {
     this.stream.close()
     clearInterval(this.looking)
     clearInterval(this.saving)
-    this.large.close()
+    this.joinScreen.close()
     this.votes.leave()
     this.sign.remove()
-    this.corner.leave()
+    this.badge.leave()
     delete document.documentElement.dataset.class
-    this.kept.forget()
+    this.copies.forget()
     tabStorage.forget(LED)
     this.lecture.classes.led = null
     this.lecture.line.send({type: "lead", code: "", key: ""})
@@ -307,9 +307,9 @@ const nameOf = walk => (walk?.step ? `${walk.sheet.name}/${walk.step.id}` : "")
 
 /** The room that this browser has the key of, or a new one. @param {LectureHost} lecture */
 export async function teach(lecture) {
-  const kept = (await Kept.find()) ?? new Kept(await opened())
+  const copies = (await Copies.find()) ?? new Copies(await opened())
   tabStorage.keep(LED, "open") // this tab comes back to it by itself
-  return new Teach(lecture, kept)
+  return new Teach(lecture, copies)
 }
 
 /** A new room, with the instructors' passphrase where the server asks for one. @returns {Promise<page.Opened>} */

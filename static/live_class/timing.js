@@ -1,6 +1,6 @@
 // The server's clock as this browser can know it: from the fastest of several requests, with the bound of its error.
 
-import {ask} from "./room.js"
+import {ask} from "./requests.js"
 
 const FIRST = [3, 12] // requests, at least and at most
 const THEN = [1, 3]

@@ -2,7 +2,7 @@
 
 import {chip, element} from "../core/dom.js"
 import {claim} from "../walks/claim.js"
-import {ask} from "./room.js"
+import {ask} from "./requests.js"
 
 const MOMENT = 250 // ms between counts; one that fails is taken anew
 

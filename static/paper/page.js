@@ -16,7 +16,7 @@ import {Transport} from "../input/transport.js"
 
 /**
  * Modules that only some sheets need.
- * @typedef {{RunBar?: typeof import("./runbar.js").RunBar,
+ * @typedef {{RunBar?: typeof import("./run_bar.js").RunBar,
  *   pictured?: typeof import("./picker.js").pictured}} Extras
  */
 
@@ -41,7 +41,7 @@ export class Page {
 
   /** @type {Hand} */ hand
   /** @type {Sheet} */ sheet
-  /** @type {Transport | import("./runbar.js").RunBar} */ transport
+  /** @type {Transport | import("./run_bar.js").RunBar} */ transport
   /** @type {Compare} */ compare
 
   left = false
@@ -196,6 +196,6 @@ export class Page {
 /** Modules that only some scenes need, asked for by them. @param {page.SceneSheet} sheet @returns {Promise<Extras>} */
 export async function extrasFor({runs, panel}) {
   const picks = panel.groups.some(group => group.rows.some(isPicker))
-  const [bar, picker] = await Promise.all([runs && later("paper/runbar"), picks && later("paper/picker")])
+  const [bar, picker] = await Promise.all([runs && later("paper/run_bar"), picks && later("paper/picker")])
   return {...bar, ...picker}
 }

@@ -1,7 +1,7 @@
 // The shell around a scene: the navigation, the title of the document, light and dark.
 
 import {element} from "../core/dom.js"
-import {Group} from "./scenegroup.js"
+import {Group} from "./scene_group.js"
 import {turnTheme} from "./theme.js"
 import {using} from "../later.js"
 

@@ -1,11 +1,24 @@
-// The visitor's answers: kept by this browser alone, for as long as it keeps anything.
+// The visitor's answers: kept by this browser alone, for as long as it keeps anything. The answer to the step that
+// stands is kept by this tab too: a page that is loaded anew shows what it has shown.
 
-import {browserStorage} from "../core/storage.js"
+import {browserStorage, tabStorage} from "../core/storage.js"
 import {bare} from "../core/plain.js"
 
-/** @typedef {{said: string, right: boolean, title: page.Html}} Kept of a step: the answer in words */
+/**
+ * @typedef {{said: string, right: boolean, title: page.Html}} Kept of a step: the answer in words
+ * @typedef {{step: string, given: Partial<page.Given>}} Answered to a step of a walk, "d34/d34-07"
+ */
 
 const KEY = "walk-answers"
+const HERE = "answered-step"
+
+/** @returns {Answered | null} */
+export const answered = () => tabStorage.value(HERE)
+
+/** @param {Answered} known */
+export const keepAnswered = known => tabStorage.keep(HERE, known)
+
+export const forgetAnswered = () => tabStorage.forget(HERE)
 
 export class Answers {
   constructor() {
@@ -36,8 +49,8 @@ export class Answers {
   /** A page of text to keep. @param {page.WalkSheet[]} sheets */
   text(sheets) {
     const lines = sheets.flatMap(({title, steps}) => {
-      const answered = steps.filter(step => this.of(step.id))
-      return answered.length ? [title, "", ...answered.flatMap(step => this.#lines(step)), ""] : []
+      const known = steps.filter(step => this.of(step.id))
+      return known.length ? [title, "", ...known.flatMap(step => this.#lines(step)), ""] : []
     })
     return lines.length ? lines.join("\n") : "No question has been answered yet.\n"
   }

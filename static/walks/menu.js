@@ -67,7 +67,7 @@ export class Menu {
     const {walk, lecture} = this.walks
     if (walk) lecture.page.notice.tell("Leave the walk first: a question is written on a scene.")
     else if (lecture.hall.on) open(`./?${lecture.page.shown.query}${ASK}`, "_blank", "noopener")
-    else (await later("walks/ask")).ask(this.walks)
+    else (await later("walks/editor")).ask(this.walks)
   }
 
   /** @param {HTMLElement} link */
@@ -92,7 +92,7 @@ export class Menu {
   /** One's own walk, from a file. @param {File} [file] */
   async #run(file) {
     if (!file) return
-    const {run} = await later("walks/ownwalk")
+    const {run} = await later("walks/own_walk")
     await run(this.walks, file)
     this.file.value = "" // the same one, mended, can be chosen again
   }

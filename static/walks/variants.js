@@ -1,7 +1,18 @@
-// Variants of a step: its question with other numbers. A visitor alone has one, in a class all have those of the file.
+// Variants of a step: its question with other numbers, by a seed. A visitor alone has one that the browser keeps,
+// for the order of answers too; in a class all have the numbers of the file.
 
 import {hash} from "../questions/order.js"
-import {ownSeed} from "./seed.js"
+import {browserStorage} from "../core/storage.js"
+
+const KEY = "seed"
+let own = ""
+
+/** The seed of this browser, kept, so that a page loaded anew is as it was. */
+export function ownSeed() {
+  own ||= browserStorage.text(KEY) ?? String(crypto.getRandomValues(new Uint32Array(1))[0])
+  browserStorage.keep(KEY, own)
+  return own
+}
 
 /** The card with the numbers of a seed; 0 are those of the file. @param {page.StepCard} step @param {number} seed */
 export const variant = (step, seed) => step.variants[seed - 1] ?? step

@@ -1,12 +1,10 @@
 // A guided walk: from step to step, from the question to what it means.
 
-import {answered, forgetAnswered, keepAnswered} from "./answered.js"
-import {Answers} from "./answers.js"
+import {Answers, answered, forgetAnswered, keepAnswered} from "./answers.js"
 import {ANSWER_FIRST, Card} from "./card.js"
 import {Contents} from "./contents.js"
 import {tabStorage} from "../core/storage.js"
-import {ownSeed} from "./seed.js"
-import {seedOf, variant} from "./variants.js"
+import {ownSeed, seedOf, variant} from "./variants.js"
 
 const SHORT = "core-steps"
 
@@ -157,7 +155,7 @@ export class Walk {
 
   /**
    * Shows an answer from before the page was loaded anew.
-   * @param {import("./answered.js").Answered} known
+   * @param {import("./answers.js").Answered} known
    */
   #restore({step, given}) {
     if (step !== this.#name) return

@@ -16,7 +16,7 @@ export class Walks {
 
   /**
    * The step that was left for a scene, as it was left.
-   * @type {{walk: string, place: number, state: page.State, known: import("./answered.js").Answered | null} | null}
+   * @type {{walk: string, place: number, state: page.State, known: import("./answers.js").Answered | null} | null}
    */
   left = null
 

@@ -50,4 +50,4 @@ def test_scripts_and_styles_are_asked_for_once_and_by_names_that_change_with_the
     assert [url for url in scripts if not re.search(r"/assets/[0-9a-f]{12}/", url)] == []
     assert len(asked) < MOST
     # What is there for those who hear or print the page comes when all is drawn; the rest when it is asked for.
-    assert not any(f"/{name}.js" in url for name in ("about", "picker", "runbar", "take") for url in scripts)
+    assert not any(f"/{name}.js" in url for name in ("about", "picker", "run_bar", "take") for url in scripts)

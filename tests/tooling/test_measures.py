@@ -112,23 +112,27 @@ def glossary() -> set[str]:
 
 
 def names(name: str) -> Iterator[str]:
-    """A module and its public classes."""
+    """A module and its public classes, of a script those that it exports."""
     module = Path(name).with_suffix("").parts
     yield module[-2] if module[-1].startswith("__") else module[-1]
-    yield from (one.name for one in parsed(name).body if isinstance(one, ast.ClassDef) and one.name[0] != "_")
+    if name in PYTHON:
+        yield from (one.name for one in parsed(name).body if isinstance(one, ast.ClassDef) and one.name[0] != "_")
+    elif name.endswith(".js"):
+        yield from re.findall(r"^export class (\w+)", "\n".join(lines(name)), re.M)
 
 
 def test_the_glossary_has_the_word_of_every_name() -> None:
     """The last word of a name, or the whole of it; words of a single scene stand in its own package."""
     known = glossary()
-    rooms = [name for name in PYTHON if name.startswith("components/") and not name.startswith("components/scenes/")]
+    rooms = [name for name in CODE if re.match(r"components/(?!scenes/).*py$|static/.*js$", name)]
     found = {one for name in rooms for one in names(name)}
     assert len(found) > 300
     words = {one: {one.lower(), re.findall("[A-Z]?[a-z]+|[A-Z]+", one)[-1].lower()} for one in found}
     assert {one for one in found if not {word.removesuffix("s") for word in words[one]} & known} == set()
 
 
-def test_what_is_in_components_stands_in_a_room() -> None:
+def test_modules_stand_in_a_room() -> None:
     """A folder is a subject, and hardly a file stands beside them."""
     flat = [path.stem for path in (ROOT / "components").glob("*.py") if path.stem != "__init__"]
     assert flat == ["processes"]
+    assert {path.stem for path in (ROOT / "static").glob("*.*")} == {"home", "later", "main", "start"}

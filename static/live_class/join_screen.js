@@ -1,15 +1,15 @@
-// The code and its QR over the whole page, for the last row; and what else an instructor may want of the class.
+// The join screen: the code and its QR over the whole page, for the last row, and all else that leads a class.
 
 import {button, chip, element, marked} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
 import {save} from "../export/save.js"
-import {place} from "./corner.js"
-import {ask, asked} from "./room.js"
+import {place} from "./join_badge.js"
+import {ask, asked} from "./requests.js"
 import {summary} from "./summary.js"
 
 const PATIENCE = 60000 // ms for the answers of a whole lecture
 
-export class Large {
+export class JoinScreen {
   /** @type {HTMLDialogElement | null} */
   dialog = null
 
@@ -155,7 +155,7 @@ export class Large {
     const decide = (/** @type {string} */ method, /** @type {string} */ done) =>
       this.#try(async () => {
         const control = await ask(`${code}/tickets`, {method, body: {digits}, word: key})
-        if (control) this.teach.kept.save(control)
+        if (control) this.teach.copies.save(control)
         this.#say("done", done)
       })
     const yes = button(

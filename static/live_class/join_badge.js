@@ -1,8 +1,8 @@
-// The corner of the hall's screen: where the class is joined, its code, a QR code for the first rows, who is here.
+// The join badge in a corner of the hall's screen: the address, the code, a QR code for the first rows, who is here.
 
 import {button, element, marked} from "../core/dom.js"
 
-export class Corner {
+export class JoinBadge {
   /** @param {page.Opened} room @param {() => void} press */
   constructor({address, code, square}, press) {
     this.state = element("span", {})

@@ -1,4 +1,4 @@
-// Questions to a live class over HTTP, and its refusals.
+// Requests to a live class over HTTP, and its refusals.
 
 import {inWords} from "../core/notes.js"
 

@@ -1,8 +1,8 @@
-// Ask: a question about what is shown becomes a step of a walk, and several steps a file to keep. Each is checked by
+// The editor of questions: one about what is shown becomes a step of a walk, several a file to keep. Each is checked by
 // the session as any walk's file is, so that what is made here runs.
 
 import {chip, element} from "../core/dom.js"
-import {Asked, shownBy} from "./asked.js"
+import {Draft, shownBy} from "./draft.js"
 import {parts, sentences} from "../compare/coverable.js"
 import {box, chooser, labelled, text} from "../questions/fields.js"
 import {KINDS} from "../questions/kinds.js"
@@ -13,13 +13,13 @@ const NAME = "asked"
 /** @typedef {import("../questions/question.js").Fields} Fields */
 
 /** @param {LectureHost["walks"]} walks */
-export const ask = walks => new Ask(walks).open()
+export const ask = walks => new Editor(walks).open()
 
-class Ask {
+class Editor {
   /** @type {string[]} what is covered already and is not offered here */
   covered = []
 
-  asked = new Asked()
+  draft = new Draft()
 
   /** @param {LectureHost["walks"]} walks */
   constructor(walks) {
@@ -35,13 +35,13 @@ class Ask {
     this.answers = element("div", {class: "ask-answers"})
     this.problem = element("p", {class: "problem", role: "alert"})
     this.list = element("ol", {})
-    const title = labelled("Title of the walk", "walk", this.asked.title)
+    const title = labelled("Title of the walk", "walk", this.draft.title)
     const add = element("button", {class: "act filled"}, "Add this question")
     this.form = element("form", {class: "ask-form"}, ...this.#parts(), this.problem, add)
     this.form.addEventListener("submit", event => this.#add(event))
     title.addEventListener("input", () => {
-      this.asked.title = field(title).value || "My walk"
-      this.asked.keep()
+      this.draft.title = field(title).value || "My walk"
+      this.draft.keep()
       this.#show()
     })
     this.tools = element("div", {class: "tools"}, ...this.#tools())
@@ -74,7 +74,7 @@ class Ask {
 
   #tools() {
     const entries = /** @type {[string, string, () => void][]} */ ([
-      ["Save the walk as a file", "of-steps", () => save("my-walk.toml", this.asked.file(), "application/toml")],
+      ["Save the walk as a file", "of-steps", () => save("my-walk.toml", this.draft.file(), "application/toml")],
       ["Try it", "of-steps", () => this.#try()],
       ["Remove all questions", "of-steps", () => this.#remove()],
       ["Close", "", () => this.element.close()],
@@ -88,9 +88,9 @@ class Ask {
 
   /** The steps that there are. */
   #show() {
-    this.list.replaceChildren(...this.asked.steps.map((step, i) => this.#row(step, i)))
+    this.list.replaceChildren(...this.draft.steps.map((step, i) => this.#row(step, i)))
     for (const tool of this.tools.querySelectorAll(".of-steps"))
-      tool.toggleAttribute("disabled", !this.asked.steps.length)
+      tool.toggleAttribute("disabled", !this.draft.steps.length)
   }
 
   /** @param {Fields} step @param {number} i */
@@ -101,9 +101,9 @@ class Ask {
 
   /** @param {number} [i] one of them, or all */
   #remove(i) {
-    if (i === undefined) this.asked.steps = []
-    else this.asked.steps.splice(i, 1)
-    this.asked.keep()
+    if (i === undefined) this.draft.steps = []
+    else this.draft.steps.splice(i, 1)
+    this.draft.keep()
     this.#show()
   }
 
@@ -111,11 +111,11 @@ class Ask {
   async #add(event) {
     event.preventDefault()
     const step = this.#read()
-    const refused = await this.walks.check(NAME, this.asked.file([step]))
+    const refused = await this.walks.check(NAME, this.draft.file([step]))
     this.problem.textContent = refused.replaceAll(`${NAME}, step 1 (${step.id}), `, "")
     if (refused) return
-    this.asked.steps.push(step)
-    this.asked.keep()
+    this.draft.steps.push(step)
+    this.draft.keep()
     this.form.reset()
     this.#fields()
     this.#show()
@@ -128,7 +128,7 @@ class Ask {
     const kind = text(form, "kind")
     const {cover = [], ...asks} = KINDS[kind].read(form, this.plots)
     return {
-      id: this.asked.nextId,
+      id: this.draft.nextId,
       kind,
       title: text(form, "title"),
       state: shownBy(this.page.shown.query),
@@ -140,7 +140,7 @@ class Ask {
   }
 
   async #try() {
-    const refused = await this.walks.run(NAME, this.asked.file())
+    const refused = await this.walks.run(NAME, this.draft.file())
     this.problem.textContent = refused
     if (!refused) this.element.close()
   }

@@ -1,4 +1,4 @@
-// The origin of a picture: the parameters as the panel shows them, the instant, and the link.
+// The caption of a picture: the parameters as the panel shows them, the instant, and the link.
 
 import {marked} from "../core/dom.js"
 import {brief} from "../input/handles.js"

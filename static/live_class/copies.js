@@ -1,7 +1,7 @@
 // Copies of a class in its instructor's browser, so that a server that has lost the class has it again.
 
 import {browserStorage, tabStorage} from "../core/storage.js"
-import {Refusal, ask, pause} from "./room.js"
+import {Refusal, ask, pause} from "./requests.js"
 
 const ROOM = "class-room"
 const GIVEN = "class-given"
@@ -19,7 +19,7 @@ const AGAIN = 1000 // ms until it is sent again
  * @typedef {Record<string, page.Voted>} Answers by the names of those who gave them
  */
 
-export class Kept {
+export class Copies {
   /** Votes of which not all answers are copied. @type {Set<string>} */
   stale = new Set()
 
@@ -136,17 +136,17 @@ export class Kept {
     const room = /** @type {Room | null} */ (browserStorage.value(ROOM))
     if (!room) return null
     try {
-      const kept = new Kept({...room, ...(await ask(`${room.code}/lead`, {word: room.key}))})
-      if (!room.seen) kept.#copyAll()
-      if (room.isLost) await kept.restore()
-      return kept
+      const found = new Copies({...room, ...(await ask(`${room.code}/lead`, {word: room.key}))})
+      if (!room.seen) found.#copyAll()
+      if (room.isLost) await found.restore()
+      return found
     } catch (reason) {
       if (!(reason instanceof Refusal) || reason.passes) throw reason
     }
     if (Date.now() - (room.seen ?? 0) > BREAK) return null
-    const kept = new Kept(room)
-    return kept.restore().then(
-      () => kept,
+    const found = new Copies(room)
+    return found.restore().then(
+      () => found,
       () => null,
     )
   }

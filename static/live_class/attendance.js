@@ -1,4 +1,4 @@
-// A phone's own part of a class, kept until it is over: its token, and its answers by question.
+// The attendance of a phone, kept until the class is over: its token, and its answers by question.
 
 import {browserStorage} from "../core/storage.js"
 

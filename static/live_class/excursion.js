@@ -1,8 +1,8 @@
-// A follower who looks around on their own: the bar that leads back to the lecture, and says when it asks.
+// The excursion of a follower, who looks around alone: the bar that leads back to the lecture, and says when it asks.
 
 import {element} from "../core/dom.js"
 import {tabStorage} from "../core/storage.js"
-import {forget, mine} from "./mine.js"
+import {forget, mine} from "./attendance.js"
 import {Stream} from "./stream.js"
 
 /** @param {string} code @param {(step: string) => void} asks told which step the lecture asks now, if any */

@@ -3,7 +3,7 @@
 import {element} from "../core/dom.js"
 import {tabStorage} from "../core/storage.js"
 
-export class Bar {
+export class FollowBar {
   away = false
   why = ""
 

@@ -1,16 +1,16 @@
-// The lecture's question on a phone: answered by a touch, changed until the answer is shown.
+// The question of a class on a phone: answered by a touch, changed until the answer is shown.
 
 import {element} from "../core/dom.js"
 import {Card} from "../walks/card.js"
-import {answer, mine} from "./mine.js"
-import {Refusal, ask, pause} from "./room.js"
+import {answer, mine} from "./attendance.js"
+import {Refusal, ask, pause} from "./requests.js"
 
 const SENT = "Sent. You can change it until the answer is shown."
 const VOTED = "Sent. You can change it until the vote is closed."
 const MOMENT = 400 // ms without a change until an answer is sent
 const SPREAD = 1500 // ms over which all phones ask what is said of their answers
 
-export class AskedPut {
+export class ClassQuestion {
   /** @type {page.PutTo | null} */
   question = null
 

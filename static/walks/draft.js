@@ -1,4 +1,4 @@
-// The steps that have been asked on the page, and the walk file that they make: TOML, as docs/writing-a-walk.md says.
+// The draft of a walk: the steps written on the page, and their file: TOML, as docs/writing-a-walk.md says.
 
 import {browserStorage} from "../core/storage.js"
 
@@ -6,7 +6,7 @@ const KEY = "asked-steps"
 
 /** @typedef {import("../questions/question.js").Fields} Fields */
 
-export class Asked {
+export class Draft {
   /** @type {Fields[]} in the order in which they were asked */
   steps = []
 
