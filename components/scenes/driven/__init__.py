@@ -6,11 +6,10 @@ import math
 from functools import cache
 from typing import Self
 
-from components.dashpot import KEPT, PARTS, SHARES, Has, derived_one, followed, keeping, parts
+from components.dashpot import KEPT, PARTS, SHARES, derived_one, followed, keeping, parts
 from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
-from components.layout.stage import wire
 from components.quantities.motion import pace
 from components.quantities.parameters import (
     Values,
@@ -25,20 +24,19 @@ from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED, framed
-from components.scene.traces import Traces
-from components.scenes.driven import polygon, response
+from components.scene.traces import over_time
 from components.scenes.driven.about import driven_about
 from components.scenes.driven.case import DrivenCase
-from components.scenes.driven.curves import ROOM, axes_of, bands_of, drawn_names, signals_of
+from components.scenes.driven.curves import END, Places, Resonance, Signals, axes_of, columns_of, drawn, exact
 from components.scenes.driven.numbers import Numbers as N
-from components.scenes.driven.power import power_columns
+from components.scenes.driven.polygon import corners_of
 from components.scenes.driven.sheet import KINDS, driven_sheet
 from components.scenes.driven.watch import WATCH
-from components.scenes.driven.words import forms, notes
-from physics.driven import DrivenOscillator
+from components.scenes.driven.words import Forms, notes
+from physics.driven import Drive, DrivenOscillator
 from physics.sampling import drawable
 
-SIZES = {"force": "F_0", "base": "Y", "unbalance": "moment"}
+SIZES: dict[Drive, str] = {"force": "F_0", "base": "Y", "unbalance": "moment"}
 NATURAL = math.sqrt(39.48)
 """The natural frequency of the presets, in rad/s: a period of one second."""
 
@@ -60,7 +58,7 @@ class DrivenScene(Scene):
     )
     groups = (
         Group("Drive", ("omega",)),
-        *(Group("", (name,), form=kind) for kind, name in SIZES.items()),
+        *(Group("", (name,), form=Forms.driven[kind].name) for kind, name in SIZES.items()),
         PARTS,
         Group("", ("x_0", "v_0"), "Start: at rest", folded=True),
         KEPT,
@@ -104,32 +102,19 @@ class DrivenScene(Scene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         case = self._case(frame)
-        axes = framed(frame, axes_of(case) | response.axes_of(case))
-        live = axes["x"].digits(signed=True)
+        axes = framed(frame, axes_of(case))
         return Picture(
-            columns={**response.columns_of(case, axes), "power": power_columns(case), **bands_of(case)},
+            columns=columns_of(case, axes),
             axes=axes,
-            signals=signals_of(case, axes),
-            traces={"time": Traces(case.end, case.t.size, drawn_names(case), case.exact)},
-            scalars={
-                **response.scalars_of(case, axes),
-                **polygon.scalars_of(case, axes),
-                "side": min(max(self.m**0.15, 0.75), 1.25),
-                "wire": wire(self.k),
-                **Has.scalars(case, axes),
-                "shaken": float(self.kind == "base"),
-                "per_reach": ROOM / axes["x"].place(axes["x"].end),
-                "per_drive": 1 / axes["drive"].place(axes["drive"].end),
-                "F_0_at": axes["drive"].place(self.F_0) if self.kind == "force" else 0.0,
-                "moment_at": axes["drive"].place(self.moment) if self.kind == "unbalance" else 0.0,
-                "Y_at": axes["x"].place(self.Y) if self.kind == "base" else 0.0,
-            },
+            signals=Signals.signals(case, axes),
+            traces=over_time(case.end, case.fastest, drawn(case), lambda t: exact(case, t)),
+            scalars=Places.scalars(case, axes) | Resonance.scalars(case, axes) | corners_of(case, axes),
             pace=pace(min(case.omega_n, case.omega or case.omega_n), max(case.omega_n, case.omega)),
             values=N.texts(case, axes),
-            live={"x": live},
-            forms=forms(case),
+            live=Signals.live(axes),
+            forms=Forms.forms(case),
             notes=notes(case, not drawable(case.fastest, case.t)),
-            spans={"omega": (0.0, response.END * case.omega_n)},
+            spans={"omega": (0.0, END * case.omega_n)},
         )
 
     def readouts(self) -> tuple[Readout, ...]:

@@ -10,11 +10,12 @@ import numpy as np
 
 from components.quantities.motion import scaled
 from components.scene.frames import Windowed
-from components.scene.traces import Columns, Floats, samples
+from components.scene.traces import Floats, samples
 from physics.damped import Fading
-from physics.driven import Drive, DrivenOscillator, Push, drawn, lag, magnification
+from physics.driven import Drive, DrivenOscillator, Push, drawn, half_power, lag, magnification
 from physics.sampling import periods
 
+KINDS: tuple[Drive, ...] = ("force", "base", "unbalance")
 SWINGS, LONG = 6, 12
 """Natural periods in a window; those of a motion that hardly dies."""
 HARDLY = 0.02
@@ -67,11 +68,21 @@ class DrivenCase(Windowed):
     def t(self) -> Floats:
         return np.linspace(0.0, self.end, samples(self.end, self.fastest))
 
+    @property
+    def shaken(self) -> bool:
+        """Whether the base moves."""
+        return self.kind == "base" and self.pushed
+
     @cached_property
     def grows(self) -> bool:
         """Whether, without a dashpot, the drive is at resonance as far as the window tells."""
         detuning = abs(self.push.detuning) * self.end
         return not self.oscillator.c and (self.oscillator.at_resonance(self.omega) or detuning < ALIKE)
+
+    @property
+    def swells(self) -> bool:
+        """Whether the swing grows, under a push."""
+        return self.grows and self.pushed
 
     @cached_property
     def X(self) -> complex:
@@ -140,19 +151,22 @@ class DrivenCase(Windowed):
         """The growth from swing to swing of an undamped resonance, in m."""
         return scaled(0, math.pi, math.hypot(self.push.re, self.push.im), 1 / self.omega, 1 / self.omega)
 
+    @property
+    def rate(self) -> float:
+        """The growth in m/s."""
+        return self.growth * self.omega / (2 * math.pi)
+
+    @cached_property
+    def half_power(self) -> tuple[tuple[float, float], tuple[float, float]] | None:
+        """omega and M below and above the peak where the dashpot takes half of its most, where that is drawn."""
+        if self.kind != "force" or not 0.02 < self.zeta < 0.6:
+            return None
+        r = half_power(self.zeta)
+        low, high = np.abs(magnification(r, self.zeta)).tolist()
+        return (r[0] * self.omega_n, low), (r[1] * self.omega_n, high)
+
     @cached_property
     def work(self) -> float:
         """The work of a cycle of the steady part in J, all of it the dashpot's."""
         stroke = self.X - self.size if self.kind == "base" else self.X
         return scaled(0, math.pi, self.oscillator.c, self.omega, abs(stroke), abs(stroke))
-
-    def exact(self, t: Floats) -> Columns:
-        """All that is drawn over time, in SI units."""
-        x = self.oscillator.motion(self.omega, self.size, self.x_0, self.v_0, t, self.kind).x
-        turned = np.exp(1j * self.omega * t)
-        found = {"x": x, "y": self.size * turned.imag}
-        if self.split:
-            beside = self.oscillator.free.motion(*self.start, t).x
-            return found | {"x_p": (self.X * turned).imag, "x_c": beside}
-        envelope = self.growth * self.omega / (2 * math.pi) * t if self.grows and self.pushed else np.zeros_like(t)
-        return found | {"upper": envelope, "lower": -envelope}

@@ -1,76 +1,156 @@
-"""The curves of the driven mass over time: their axes, their signals, and the bands of what is too fast for a line."""
+"""The curves of the driven mass: over time, with bands for what is too fast for a line, and its response over r."""
 
 from __future__ import annotations
 
 import math
+from cmath import phase
 
 import numpy as np
 from msgspec.structs import replace
 
+from components import dashpot
 from components.language.signals import AnySignal
+from components.layout.stage import PlotFrame, wire
+from components.quantities import declared
 from components.quantities.axes import ONE, Axis, nice_axis, time_axis
-from components.quantities.motion import QUARTER, damped, driven, scaled, sines, total
-from components.scene.traces import Columns, band_columns, bands_over_time
-from components.scenes.driven.case import DrivenCase
-from components.scenes.driven.power import power_columns
+from components.quantities.declared import Column, Declared, DrawnAxis, Family, Scalar, Signal, by_name
+from components.quantities.motion import QUARTER, damped, driven, sines, total
+from components.scene.traces import Columns, Floats, band_columns, bands_over_time
+from components.scenes.driven.case import KINDS, DrivenCase
+from components.scenes.driven.power import Power, powers_of
+from physics.driven import highest, lag, magnification
 from physics.sampling import drawable
 
 ROOM = 1.2
 """The reach of x(t), in its largest value."""
+END = 2.5
+"""The axis of r ends here, or a little beyond the drive."""
+LEAST, USUAL, TALLEST = 1.4, 2.75, 8.8
+"""The height of the response: at least; without a peak to show; at most."""
+EVEN = np.linspace(0.0, 1.0, 91)
+NEAR = np.geomspace(1e-4, 0.6, 24)
+ENDS = range(2)
+X, POWER, RESPONSE, PHASE = map(PlotFrame, ("x", "power", "response", "phase"))
+
+signal, scalar = Signal[DrivenCase], Scalar[DrivenCase]
+
+
+class Axes(Declared[DrivenCase]):
+    t, x, P, drive, r, M, lag = DrawnAxis.some(7)
 
 
 def axes_of(case: DrivenCase) -> dict[str, Axis]:
     reach = max(case.reach, case.size if case.kind == "base" else 0.0) or 1.0
-    x = replace(nice_axis(-ROOM * reach, ROOM * reach, "m", 2, exact=True), drawn=(-reach, reach))
-    power = power_columns(case)
-    ends = [float(column.max(initial=0.0)) for name, column in power.items() if name != "t"]
-    least = min((float(column.min(initial=0.0)) for column in power.values()), default=0.0)
-    most = max(ends, default=0.0) or 1.0
-    P = replace(nice_axis(1.1 * least, 1.15 * most, "W", 1, exact=True), drawn=(least, most))
+    powers = [column for one, column in powers_of(case).items() if one is not Power.t]
+    least = min((float(column.min(initial=0.0)) for column in powers), default=0.0)
+    most = max((float(column.max(initial=0.0)) for column in powers), default=0.0) or 1.0
     unit = {"force": "N", "base": "m", "unbalance": "kg m"}[case.kind]
-    return {
-        "t": time_axis(case.own_end),
-        "x": x,
-        "P": P,
-        "drive": nice_axis(0.0, 1.25 * (case.size or 1.0), unit, exact=True),
-    }
+    end = max(END, float(f"{1.1 * case.r:.2g}"))
+    r = nice_axis(0.0, end * case.omega_n, "", 5, exact=True, factor=case.omega_n)
+    peak = highest(case.zeta, case.kind)
+    top = USUAL if peak and math.isinf(peak[1]) else min(max(1.1 * (peak[1] if peak else 1.0), LEAST), TALLEST)
+    ticks = (0.0, math.pi / 2, math.pi)
+    return by_name({
+        Axes.t: time_axis(case.own_end),
+        Axes.x: replace(nice_axis(-ROOM * reach, ROOM * reach, "m", 2, exact=True), drawn=(-reach, reach)),
+        Axes.P: replace(nice_axis(1.1 * least, 1.15 * most, "W", 1, exact=True), drawn=(least, most)),
+        Axes.drive: nice_axis(0.0, 1.25 * (case.size or 1.0), unit, exact=True),
+        Axes.r: replace(r, drawn=(0.0, max(1.2, case.r) * case.omega_n)),
+        Axes.M: replace(nice_axis(0.0, top, "", 3, exact=True), drawn=(0.0, top / 1.1)),
+        Axes.lag: Axis(0.0, 1.08 * math.pi, "rad", ticks=ticks, labels=("0", "π/2", "π"), drawn=(0.0, math.pi)),
+    })  # fmt: skip
 
 
-def signals_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, AnySignal]:
+def _edge(axes: declared.Axes, rate: float) -> AnySignal:
+    """One of the straight lines between which a swing grows."""
+    return sines(Axes.x(axes), Axes.t(axes), line=(0.0, rate))
+
+
+class Signals(Declared[DrivenCase]):
     """x from rest and from the start, its parts, the drive, and where the unbalance is."""
-    size, time, drive = axes["x"], axes["t"], axes["drive"]
-    signals: dict[str, AnySignal] = {
-        "x_driven": driven(size, time, case.push),
-        "x_free": damped(size, time, case.free[0]),
-        "x": total("x_driven", "x_free"),
-        "F": sines(drive, time, (case.size, case.omega, 0.0)),
-        "sine": sines(ONE, time, (1.0, case.omega, 0.0)),
-        "cosine": sines(ONE, time, (1.0, case.omega, QUARTER)),
-        "y": sines(size, time, (case.size if case.kind == "base" else 0.0, case.omega, 0.0)),
-    }
+
+    x_driven = signal(lambda c, a: driven(Axes.x(a), Axes.t(a), c.push))
+    x_free = signal(lambda c, a: damped(Axes.x(a), Axes.t(a), c.free[0]))
+    x = signal(lambda c, a: total(Signals.x_driven, Signals.x_free), Axes.x, signed=True)
+    F = signal(lambda c, a: sines(Axes.drive(a), Axes.t(a), (c.size, c.omega, 0.0)))
+    sine = signal(lambda c, a: sines(ONE, Axes.t(a), (1.0, c.omega, 0.0)))
+    cosine = signal(lambda c, a: sines(ONE, Axes.t(a), (1.0, c.omega, QUARTER)))
+    y = signal(lambda c, a: sines(Axes.x(a), Axes.t(a), (c.size if c.kind == "base" else 0.0, c.omega, 0.0)))
+    x_p = signal(lambda c, a: sines(Axes.x(a), Axes.t(a), (abs(c.X), c.omega, phase(c.X))) if c.split else None)
+    x_c = signal(lambda c, a: damped(Axes.x(a), Axes.t(a), c.complementary) if c.split else None)
+    upper = signal(lambda c, a: _edge(a, c.rate) if c.swells else None)
+    lower = signal(lambda c, a: _edge(a, -c.rate) if c.swells else None)
+
+
+def exact(case: DrivenCase, t: Floats) -> dict[Signal[DrivenCase], Floats]:
+    """The numbers of all that is drawn over time, in SI units."""
+    one, turned, S = case.oscillator, np.exp(1j * case.omega * t), Signals
+    x = one.motion(case.omega, case.size, case.x_0, case.v_0, t, case.kind).x
+    found = {S.x: x, S.y: case.size * turned.imag}
     if case.split:
-        phase = math.atan2(case.X.imag, case.X.real)
-        signals["x_p"] = sines(size, time, (abs(case.X), case.omega, phase))
-        signals["x_c"] = damped(size, time, case.complementary)
-    elif case.grows and case.pushed:
-        rate = scaled(0, case.growth, case.omega) / (2 * math.pi)
-        signals |= {"upper": sines(size, time, line=(0.0, rate)), "lower": sines(size, time, line=(0.0, -rate))}
-    return signals
+        found |= {S.x_p: (case.X * turned).imag, S.x_c: one.free.motion(*case.start, t).x}
+    return found | ({S.upper: case.rate * t, S.lower: -case.rate * t} if case.swells else {})
 
 
-def drawn_names(case: DrivenCase) -> tuple[str, ...]:
+def drawn(case: DrivenCase) -> list[Signal[DrivenCase]]:
     """The signals that are drawn as curves over time."""
     if not drawable(case.fastest, case.t):
-        return ()
-    base = ("y",) if case.kind == "base" and case.pushed else ()
+        return []
+    base = [Signals.y] if case.shaken else []
     if case.split:
-        return ("x", "x_c", *(base or ("x_p",)))
-    return ("x", *base, *(("upper", "lower") if case.grows and case.pushed else ()))
+        return [Signals.x, Signals.x_c, *(base or [Signals.x_p])]
+    return [Signals.x, *base, *([Signals.upper, Signals.lower] if case.swells else [])]
 
 
-def bands_of(case: DrivenCase) -> dict[str, Columns]:
+class Resonance(Declared[DrivenCase]):
+    """The response and the lag over r, what drives, the steady swing in force, and the width at half the power."""
+
+    omega, M, lag = Column[DrivenCase].some(3, "below")
+    driven = Family(KINDS, lambda kind: scalar(lambda c, a: c.kind == kind), "{}")
+    r_at = scalar(lambda c, a: Axes.r(a).place(c.omega))
+    per_top = scalar(lambda c, a: 1 / Axes.M(a).place(Axes.M(a).end))
+    root2 = scalar(lambda c, a: Axes.r(a).place(math.sqrt(2.0) * c.omega_n))
+    steady = scalar(lambda c, a: c.steady)
+    M_at = scalar(lambda c, a: Axes.M(a).place(c.M) if c.steady else None)
+    M_held = scalar(lambda c, a: Axes.M(a).place(min(c.M, Axes.M(a).end)) if c.steady else None)
+    lag_at = scalar(lambda c, a: Axes.lag(a).place(c.lag) if c.steady else None)
+    half = scalar(lambda c, a: 0.5)
+    width = scalar(lambda c, a: bool(c.half_power))
+    Q = scalar(lambda c, a: Axes.M(a).place(0.5 / c.zeta) if c.half_power else 0.0)
+    one_at = scalar(lambda c, a: Axes.r(a).place(c.omega_n))
+    half_r = Family(ENDS, lambda i: scalar(lambda c, a: c.half_power and Axes.r(a).place(c.half_power[i][0])))
+    half_M = Family(ENDS, lambda i: scalar(lambda c, a: c.half_power and Axes.M(a).place(c.half_power[i][1])))
+
+
+class Places(dashpot.Has):
+    side = scalar(lambda c, a: min(max(c.oscillator.m**0.15, 0.75), 1.25))
+    wire = scalar(lambda c, a: wire(c.oscillator.k))
+    per_reach = scalar(lambda c, a: ROOM / Axes.x(a).place(Axes.x(a).end))
+    per_drive = scalar(lambda c, a: 1 / Axes.drive(a).place(Axes.drive(a).end))
+    size = scalar(lambda c, a: (Axes.x if c.kind == "base" else Axes.drive)(a).place(c.size))
+
+
+def _grid(case: DrivenCase, end: float) -> Floats:
+    """Values of r, closer together about 1, where a light damping has its peak."""
+    sharp = [1 - case.zeta * NEAR * 10, 1 + case.zeta * NEAR * 10] if 0 < case.zeta < 0.1 else []
+    r = np.unique(np.concatenate([end * EVEN, 1 - NEAR, 1 + NEAR, *sharp, [1.0]]))
+    return r[(r >= 0) & (r <= end)]
+
+
+def columns_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, Columns]:
+    """The response and the lag below and above an undamped resonance, the powers, and the band."""
+    r = _grid(case, Axes.r(axes).end / case.omega_n)
+    X = magnification(r, case.zeta, case.kind)
+    lags = np.array([lag(complex(one)) if np.isfinite(one) else math.pi / 2 for one in X])
+    found = by_name({Resonance.omega: r * case.omega_n, Resonance.M: np.abs(X), Resonance.lag: lags})
+    below, above = ({name: column[at] for name, column in found.items()} for at in (r < 1, r > 1))
+    sides = {"below": found, "above": {}} if case.zeta else {"below": below, "above": above}
+    return {**sides, "power": by_name(powers_of(case)), **_bands(case)}
+
+
+def _bands(case: DrivenCase) -> dict[str, Columns]:
     """The band that x stays within, where it is too fast for a line: the steady part and what is left of the start."""
-    low, high = band_columns("x")
+    low, high = band_columns(Signals.x)
     if drawable(case.fastest, case.t):
         return bands_over_time(case.t, {})
     reach = np.full_like(case.t, case.reach)

@@ -7,24 +7,12 @@ import math
 from components.language.blocks import Block
 from components.language.numbers import Number, var
 from components.layout.sheet import stage
-from components.layout.stage import (
-    NARROW,
-    WIDE,
-    H,
-    Looks,
-    Shape,
-    W,
-    arc,
-    arrow,
-    circle,
-    line,
-    on_x,
-    on_y,
-    shown_by,
-    text,
-)
+from components.layout.stage import NARROW, ON_WIDE, WIDE, H, Looks, Shape, W, arc, arrow, circle, line, shown_by, text
 from components.quantities.axes import Axis
-from components.scenes.driven.case import DrivenCase
+from components.quantities.declared import Declared, Scalar, by_name
+from components.scenes.driven.case import KINDS, DrivenCase
+from components.scenes.driven.curves import RESPONSE, Axes
+from components.scenes.driven.curves import Resonance as R
 
 ASIDE = 0.09
 """Arrows that would lie on one another are drawn this far apart, in pushes."""
@@ -36,15 +24,23 @@ GROWN = 0.8
 """The height, in heights of the response, of forces that grow."""
 
 
-def scalars_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, float]:
+class Polygon(Declared[DrivenCase]):
+    """The parts of it that are drawn, its corners, and where the names stand."""
+
+    closed, growing, idle, level, braked, y_braked, lags = Scalar[DrivenCase].some(7)
+    up, across, aside, end, scale, y_side, y_up, phi_side, phi_up, from_X, to_F = Scalar[DrivenCase].some(11)
+
+
+P = Polygon
+
+
+def corners_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, float]:
     """The corners: from the tail the first arrow up, the dashpot's across, the third down, where the push ends too."""
-    top = axes["M"].place(axes["M"].end)
-    if not case.pushed:
-        return {"idle": 1.0}
-    if case.grows:
-        return {"growing": 1.0, "up": GROWN * top, "scale": 1.0}
-    if not case.steady:
-        return {"idle": 1.0}
+    top = Axes.M(axes).place(Axes.M(axes).end)
+    if case.swells:
+        return by_name({P.growing: 1.0, P.up: GROWN * top, P.scale: 1.0})
+    if not (case.pushed and case.steady):
+        return by_name({P.idle: 1.0})
     r, M, across = case.r, case.M, 2 * case.zeta * case.r
     spring, inertia = M, r * r * M
     if case.kind == "unbalance":
@@ -54,46 +50,42 @@ def scalars_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, float]:
     reach = max(first, third - first, side / RIGHT, -side / LEFT, 1.0)
     scale = min(1.0, 0.92 * top / reach)
     apart = math.copysign(max(abs(side), ASIDE / scale), side)
-    found = {"closed": 1.0, "up": first, "across": side, "aside": apart, "end": first - third, "scale": scale}
-    found |= {"level": float(scale == 1.0), "braked": float(abs(side) > ASIDE)}
+    found = {P.closed: 1.0, P.up: first, P.across: side, P.aside: apart, P.end: first - third, P.scale: scale}
+    found |= {P.level: float(scale == 1.0), P.braked: float(abs(side) > ASIDE)}
     if case.kind == "base":
         turned = math.sin(case.lag), math.cos(case.lag)
-        found |= {"y_side": -turned[0], "y_up": turned[1], "y_braked": float(across > ASIDE)}
+        found |= {P.y_side: -turned[0], P.y_up: turned[1], P.y_braked: float(across > ASIDE)}
     middle, way = case.lag / 2 if case.lag > NARROWEST else -ASIDE_OF_X, 1.0 if case.kind == "unbalance" else -1.0
-    found |= {"phi_side": way * math.sin(middle), "phi_up": -way * math.cos(middle), "lags": float(case.lag > 0.15)}
+    found |= {P.phi_side: way * math.sin(middle), P.phi_up: -way * math.cos(middle), P.lags: float(case.lag > 0.15)}
     start = 0.0 if case.kind == "unbalance" else math.pi
-    return found | {"from_X": start, "to_F": start + case.lag}
+    return by_name(found | {P.from_X: start, P.to_F: start + case.lag})
 
 
-PX = WIDE * -1 * var("response.y1") + NARROW * 0.8 * H * var("per_top")
+FORCE, BASED, UNBALANCE = ((P.closed, R.driven[kind]) for kind in KINDS)
+PX = WIDE * -1 * RESPONSE.per_y + NARROW * 0.8 * H * var(R.per_top)
 """Pixels of one push."""
-BASE = WIDE * on_y("response", 0) + NARROW * 0.86 * H
+BASE = WIDE * RESPONSE.y(0) + NARROW * 0.86 * H
 MIDDLE = 0.56 * W
 
 
 def polygon() -> Block:
-    unit = PX * var("scale")
+    unit = PX * var(P.scale)
     tail = MIDDLE, BASE
-    up = BASE - unit * var("up")
-    across, aside = MIDDLE + unit * var("across"), MIDDLE + unit * var("aside")
-    end = BASE - unit * var("end")
+    up = BASE - unit * var(P.up)
+    across, aside = MIDDLE + unit * var(P.across), MIDDLE + unit * var(P.aside)
+    end = BASE - unit * var(P.end)
     shapes = [
-        *shown_by("closed", circle(MIDDLE, BASE, unit, style="hair dotted", tint="mute")),
-        *shown_by("closed", *_level(up)),
-        *shown_by("closed force", *_arrows(tail, up, across, aside, end, ("k", "*kX*"), ("m1", "*mω*²*X*"), -1)),
-        *shown_by("closed base", *_arrows(tail, up, across, aside, end, ("k", "*kX*"), ("m1", "*mω*²*X*"), -1)),
-        *shown_by("closed unbalance", *_arrows(tail, up, across, aside, end, ("m1", "*mω*²*X*"), ("k", "*kX*"), 1)),
+        circle(MIDDLE, BASE, unit, style="hair dotted", tint="mute", show=P.closed),
+        line(RESPONSE.x(var(R.r_at)), up, MIDDLE, up, style="level", tint="m1", show=(P.closed, P.level, ON_WIDE)),
+        *shown_by(FORCE, *_arrows(tail, up, across, aside, end, ("k", "*kX*"), ("m1", "*mω*²*X*"), -1)),
+        *shown_by(BASED, *_arrows(tail, up, across, aside, end, ("k", "*kX*"), ("m1", "*mω*²*X*"), -1)),
+        *shown_by(UNBALANCE, *_arrows(tail, up, across, aside, end, ("m1", "*mω*²*X*"), ("k", "*kX*"), 1)),
         *_pushes(tail, unit, across, end),
-        *shown_by("growing", *_growing(tail, PX, up)),
-        text(MIDDLE, BASE - 40, "no push", tint="mute", style="t2", show="idle"),
+        *shown_by(P.growing, *_growing(tail, PX, up)),
+        text(MIDDLE, BASE - 40, "no push", tint="mute", style="t2", show=P.idle),
     ]
     label = "The forces of spring, dashpot and inertia, tail to tip: they close on the push"
     return stage(*shapes, label=label, grow=236, phone=12, height=260, style="still")
-
-
-def _level(up: Number) -> list[Shape]:
-    dot = on_x("response", var("r_at"))
-    return [line(dot, up, MIDDLE, up, style="level", tint="m1", show="level wide")]
 
 
 def _arrows(
@@ -111,43 +103,43 @@ def _arrows(
     near, far = ("start", "end") if way < 0 else ("end", "start")
     return [
         arrow(x, y, x, up, tint=first[0], head=13),
-        arrow(x, up, across, up, tint="T", head=11, show="braked"),
+        arrow(x, up, across, up, tint="T", head=11, show=P.braked),
         arrow(aside, up, aside, end, tint=third[0], head=13),
         text(x - 10 * way, (y + up) * 0.5, first[1], near, tint=first[0], style="t2 b halo"),
         text(aside + 10 * way, (up + end) * 0.5, third[1], far, tint=third[0], style="t2 b halo"),
-        text((x + across) * 0.5, up - 9, "*cωX*", tint="T", style="t2 b halo", show="braked"),
+        text((x + across) * 0.5, up - 9, "*cωX*", tint="T", style="t2 b halo", show=P.braked),
     ]
 
 
 def _pushes(tail: tuple[Number, Number], unit: Number, across: Number, end: Number) -> list[Shape]:
     """The push, from the tail to where the others end, and the angle by which x lags it."""
     x, y = tail
-    spring = x + unit * var("y_side"), y - unit * var("y_up")
+    spring = x + unit * var(P.y_side), y - unit * var(P.y_up)
     look: Looks = {"tint": "F", "style": "thick", "head": 15}
     name = (x + across) * 0.5, (y + end) * 0.5
-    away = name[0] - 16 * var("end"), name[1] - 16 * var("across") + 5  # from the others, at right angles to it
+    away = name[0] - 16 * var(P.end), name[1] - 16 * var(P.across) + 5  # from the others, at right angles to it
     return [
-        *shown_by("closed force", arrow(x, y, across, end, **look)),
-        *shown_by("closed unbalance", arrow(x, y, across, end, **look)),
-        *shown_by("closed force", text(*away, "*F*_0", tint="F", style="t2 b halo")),
-        *shown_by("closed unbalance", text(name[0] + 12, name[1] + 16, "*F*_0", "start", tint="F", style="t2 b halo")),
+        *shown_by(FORCE, arrow(x, y, across, end, **look)),
+        *shown_by(UNBALANCE, arrow(x, y, across, end, **look)),
+        *shown_by(FORCE, text(*away, "*F*_0", tint="F", style="t2 b halo")),
+        *shown_by(UNBALANCE, text(name[0] + 12, name[1] + 16, "*F*_0", "start", tint="F", style="t2 b halo")),
         *shown_by(
-            "closed base",
+            BASED,
             arrow(x, y, *spring, **look),
             text((x + spring[0]) * 0.5 - 8, (y + spring[1]) * 0.5 + 16, "*kY*", "end", tint="F", style="t2 b halo"),
             *shown_by(
-                "y_braked",
+                P.y_braked,
                 arrow(*spring, across, end, tint="F", head=12),
                 text((across + spring[0]) * 0.5 - 8, (end + spring[1]) * 0.5 + 18, "*cωY*", "end", tint="F",
                      style="t2 b halo"),
             ),
         ),
         *shown_by(
-            "closed lags",
-            arc(x, y, 24, var("from_X"), var("to_F"), style="floor", tint="ink"),
-            text(x + 38 * var("phi_side"), y - 38 * var("phi_up") + 5, "*φ*", style="t2 b halo"),
+            (P.closed, P.lags),
+            arc(x, y, 24, var(P.from_X), var(P.to_F), style="floor", tint="ink"),
+            text(x + 38 * var(P.phi_side), y - 38 * var(P.phi_up) + 5, "*φ*", style="t2 b halo"),
         ),
-        circle(x, y, 4, tint="ink", show="closed"),
+        circle(x, y, 4, tint="ink", show=P.closed),
     ]  # fmt: skip
 
 

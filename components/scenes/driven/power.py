@@ -8,7 +8,8 @@ from functools import lru_cache
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
-from components.scene.traces import Columns, Floats
+from components.quantities.declared import Column, Declared
+from components.scene.traces import Floats
 from components.scenes.driven.case import DrivenCase
 from physics.valid import in_range
 
@@ -16,9 +17,15 @@ FEWEST, MOST, PER_SWING = 60, 240, 16
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(4)
 
 
+class Power(Declared[DrivenCase]):
+    """The power put in and the power lost over t."""
+
+    t, P_in, P_lost = Column[DrivenCase].some(3, "power")
+
+
 @lru_cache(maxsize=1)
-def power_columns(case: DrivenCase) -> Columns:
-    """t, the power put in and the power lost; empty where nothing pushes, or too fast for a line."""
+def powers_of(case: DrivenCase) -> dict[Column[DrivenCase], Floats]:
+    """The columns of Power; none where nothing pushes, or too fast for a line."""
     if not case.pushed:
         return {}
     swing = 2 * math.pi / case.omega
@@ -31,14 +38,14 @@ def power_columns(case: DrivenCase) -> Columns:
     inner = (t[:-1, None] + step * (1 + _NODES) / 2).ravel()
     with np.errstate(over="ignore", invalid="ignore"):
         rates, ends = powers(case, inner), powers(case, t)
-        columns = {"t": t}
-        for name, inside, at in zip(("P_in", "P_lost"), rates, ends, strict=True):
+        columns = {Power.t: t}
+        for one, inside, at in zip((Power.P_in, Power.P_lost), rates, ends, strict=True):
             pieces = inside.reshape(count, -1) @ _WEIGHTS * step / 2
             done = np.concatenate([[0.0], np.cumsum(pieces)])
             before = CubicHermiteSpline(t, in_range("the work", done), in_range("the power", at))(
                 np.maximum(t - swing, 0)
             )
-            columns[name] = (done - before) / swing
+            columns[one] = (done - before) / swing
     return columns
 
 

@@ -6,11 +6,15 @@ from components.language.blocks import Block
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
 from components.scene.traces import traced
+from components.scenes.driven.curves import POWER, Axes, X
+from components.scenes.driven.curves import Signals as S
 from components.scenes.driven.numbers import Numbers as N
 from components.scenes.driven.polygon import polygon
+from components.scenes.driven.power import Power
 from components.scenes.driven.response import phase_plot, response_plot
 from components.scenes.driven.stage import block
 from components.scenes.driven.words import FACTS, SENTENCE, TASK, WORK
+from components.scenes.driven.words import Forms as F
 
 KINDS = {"force": "Force", "base": "Shaken base", "unbalance": "Unbalance"}
 SIDES = Room(48, 26)
@@ -22,7 +26,7 @@ def driven_sheet() -> Block:
         desk(words(TASK, style="task", phone=0)),
         row(
             stage(*block(), label=label, grow=150, height=210),
-            column(_displacement(), desk(when("power", _power())), grow=460),
+            column(_displacement(), desk(when(F.power, _power())), grow=460),
             column(
                 choice("kind", KINDS, "The drive", basis=36, phone=2),
                 words(*FACTS, style="facts", phone=13),
@@ -38,35 +42,34 @@ def driven_sheet() -> Block:
 
 
 def _displacement() -> Block:
-    line, band = traced("x", tint="m1", width="sum", label="*x*", signal="x")
-    limit = {"tint": "m1", "width": "thin", "group": "upper"}
+    line, band = traced(S.x, tint="m1", width="sum", label="*x*", signal=S.x)
     return plot(
-        "x",
-        x="t",
-        y="x",
+        X,
+        x=Axes.t,
+        y=Axes.x,
         title="Displacement against time, with its steady and its complementary part",
         curves=(
-            curve("x_c", tint="xc", width="dash", read="complementary", signal="x_c"),
-            curve("x_p", tint="xp", read="steady", signal="x_p"),
-            curve("y", tint="xp", read="base", signal="y"),
-            curve("upper", read="envelope", **limit),
-            curve("lower", **limit),
+            curve(S.x_c, tint="xc", width="dash", read="complementary", signal=S.x_c),
+            curve(S.x_p, tint="xp", read="steady", signal=S.x_p),
+            curve(S.y, tint="xp", read="base", signal=S.y),
+            curve(S.upper, tint="m1", width="thin", read="envelope"),
+            curve(S.lower, tint="m1", width="thin", group=S.upper),
             line,
         ),
         bands=(band,),
         heading=(
-            term("x", "sum", "m1", formula="x(t)"),
+            term(S.x, "sum", "m1", formula="x(t)"),
             phrase(
-                "x_p", "line", "xp",
+                S.x_p, "line", "xp", form=F.x_p,
                 dies=rf"steady ${N.X} \sin({N.omega}\,t\, {N.phi_minus})$",
                 stays=rf"particular ${N.X} \sin({N.omega}\,t\, {N.phi_minus})$",
             ),
-            term("y", "line", "xp", formula=rf"y = {N.Y} \sin({N.omega}\,t)"),
+            term(S.y, "line", "xp", form=F.y, formula=rf"y = {N.Y} \sin({N.omega}\,t)"),
             phrase(
-                "x_c", "dash", "xc",
+                S.x_c, "dash", "xc", form=F.x_c,
                 dies=rf"dying part $e^{{-{N.decay}\,t}}$", stays="other part, which stays",
             ),
-            phrase("upper", "line", "m1", formula=rf"growth $\pm {N.rate}\, t$"),
+            phrase(S.upper, "line", "m1", form=F.upper, formula=rf"growth $\pm {N.rate}\, t$"),
         ),
         room=SIDES,
         cursor="time",
@@ -78,17 +81,17 @@ def _displacement() -> Block:
 
 def _power() -> Block:
     return plot(
-        "power",
-        x="t",
-        y="P",
+        POWER,
+        x=Axes.t,
+        y=Axes.P,
         title="Power put in by the drive and power lost in the dashpot, each the mean of the last swing of the drive",
         curves=(
-            curve("P_lost", source="power", tint="T", width="sum", group="P_lost", read="lost"),
-            curve("P_in", source="power", tint="F", group="P_in", read="put in"),
+            curve(Power.P_lost, tint="T", width="sum", read="lost"),
+            curve(Power.P_in, tint="F", read="put in"),
         ),
         heading=(
-            phrase("P_in", "line", "F", formula=f"power in {N.P_in} W"),
-            phrase("P_lost", "sum", "T", formula=f"lost {N.P_lost} W"),
+            phrase(Power.P_in, "line", "F", formula=f"power in {N.P_in} W"),
+            phrase(Power.P_lost, "sum", "T", formula=f"lost {N.P_lost} W"),
             phrase("", "none", "mute", formula="mean of a swing, at the end"),
         ),
         x_labels=False,

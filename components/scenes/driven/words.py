@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 
 from components.layout.sheet import Paragraph, either
-from components.scenes.driven.case import DrivenCase
+from components.quantities.declared import Declared, Family, Form
+from components.scenes.driven.case import KINDS, DrivenCase
 from components.scenes.driven.numbers import Numbers as N
-from components.scenes.driven.power import power_columns
+from components.scenes.driven.power import powers_of
 
 TASK = "Drag ω through the peak: which arrow holds the push below it, at it, and above it?"
 ALONE = 0.02
@@ -21,47 +22,10 @@ SIZES = (
 )
 GROWTH = rf"$c = 0,\ \omega = \omega_n$: no steady size, $\tint{{m1}}{{X = {N.rate}\, t}}$ grows"
 
-FACTS: tuple[Paragraph, ...] = (
-    either(
-        "kind",
-        force=r"$m \ddot{x} + c \dot{x} + k x = F_0 \sin \omega t$",
-        base=r"$m \ddot{x} + c (\dot{x} - \dot{y}) + k (x - y) = 0$",
-        unbalance=r"$m \ddot{x} + c \dot{x} + k x = m_0 e\, \omega^2 \sin \omega t$",
-    ),
-    either(
-        "size",
-        force=rf"$\tint{{m1}}{{\dfrac{{k X}}{{F_0}} = {SIZES[0]} = {N.M}}}$",
-        base=rf"$\tint{{m1}}{{\dfrac{{X}}{{Y}} = {SIZES[1]} = {N.M}}}$",
-        unbalance=rf"$\tint{{m1}}{{\dfrac{{m X}}{{m_0 e}} = {SIZES[2]} = {N.M}}}$",
-        grows=GROWTH,
-    ),
-    either("steady", shown=rf"[m1|$X = {N.X}$ m, $\phi = {N.phi}$ rad]"),
-    either("quality", shown=rf"$Q = 1 / (2 \zeta) = {N.Q},\ \Delta \omega = {N.width}$ rad/s"),
-)
-WORK: Paragraph = either(
-    "work",
-    push=rf"Steady: $\pi c\, \omega X^2 = {N.W}$ J a cycle",
-    base=rf"Steady: $\pi c\, \omega |X - Y|^2 = {N.W}$ J a cycle",
-)
-SENTENCE = either(
-    "holds",
-    spring="**Below resonance the spring holds most of the push.**",
-    inertia="**Above resonance inertia holds most of the push.**",
-    dashpot="**Here the dashpot holds most of the push.**",
-    alone="**At resonance the dashpot alone holds the push.**",
-    grows=f"**Nothing holds the push: each swing grows by the same {N.growth} m.**",
-    grows_on=f"**Nothing holds the push: in the end each swing grows by {N.growth} m.**",
-    near="**Next to resonance and without a dashpot the swing grows for very long.**",
-    more="**Below √2 the mass swings more than its base; a stronger dashpot helps.**",
-    alike="**At √2 every dashpot is alike: the mass swings as far as its base.**",
-    less="**Beyond √2 a weaker dashpot would let the mass swing less.**",
-    isolated="**Beyond √2 the mass swings less than its base, and least without a dashpot.**",
-    still="**At ω = 0 nothing pushes: the curve there is the limit of a very slow push.**",
-    idle="**No push: the motion is that of the start alone.**",
-)
+form = Form[DrivenCase]
 
 
-def holds(case: DrivenCase) -> str:
+def _holds(case: DrivenCase) -> str:
     """The form of SENTENCE that is true."""
     if not case.omega:
         return "still"
@@ -82,23 +46,64 @@ def holds(case: DrivenCase) -> str:
     return "alone" if left < ALONE * min(dashpot, 1.0) else "dashpot"
 
 
-def forms(case: DrivenCase) -> dict[str, str]:
-    steady = case.pushed and case.steady
-    based = case.kind == "base" and case.pushed
-    return {
-        "kind": case.kind,
-        case.kind: "shown",
-        "size": "grows" if case.grows and case.pushed else case.kind,
-        "steady": "shown" if steady else "",
-        "quality": "shown" if case.kind != "base" and case.zeta else "",
-        "work": ("base" if case.kind == "base" else "push") if steady and case.oscillator.c else "",
-        "holds": holds(case),
-        "x_p": ("dies" if case.oscillator.c else "stays") if case.split and not based else "",
-        "y": "formula" if based else "",
-        "x_c": ("dies" if case.oscillator.c else "stays") if case.split else "",
-        "upper": "formula" if case.grows and case.pushed else "",
-        "power": "shown" if power_columns(case) else "",
-    }
+def _part(case: DrivenCase) -> str:
+    """The fate of the complementary part, where it is drawn."""
+    return "" if not case.split else "dies" if case.oscillator.c else "stays"
+
+
+class Forms(Declared[DrivenCase]):
+    kind = form(lambda c: c.kind)
+    driven = Family(KINDS, lambda kind: form(lambda c: c.kind == kind), "{}")
+    size = form(lambda c: "grows" if c.swells else c.kind)
+    steady = form(lambda c: c.pushed and c.steady)
+    quality = form(lambda c: c.kind != "base" and c.zeta > 0)
+    work = form(lambda c: ("base" if c.shaken else "push") if c.pushed and c.steady and c.oscillator.c else "")
+    holds = form(_holds)
+    x_p = form(lambda c: "" if c.shaken else _part(c))
+    y = form(lambda c: "formula" if c.shaken else "")
+    x_c = form(_part)
+    upper = form(lambda c: "formula" if c.swells else "")
+    power = form(lambda c: bool(powers_of(c)))
+
+
+FACTS: tuple[Paragraph, ...] = (
+    either(
+        Forms.kind,
+        force=r"$m \ddot{x} + c \dot{x} + k x = F_0 \sin \omega t$",
+        base=r"$m \ddot{x} + c (\dot{x} - \dot{y}) + k (x - y) = 0$",
+        unbalance=r"$m \ddot{x} + c \dot{x} + k x = m_0 e\, \omega^2 \sin \omega t$",
+    ),
+    either(
+        Forms.size,
+        force=rf"$\tint{{m1}}{{\dfrac{{k X}}{{F_0}} = {SIZES[0]} = {N.M}}}$",
+        base=rf"$\tint{{m1}}{{\dfrac{{X}}{{Y}} = {SIZES[1]} = {N.M}}}$",
+        unbalance=rf"$\tint{{m1}}{{\dfrac{{m X}}{{m_0 e}} = {SIZES[2]} = {N.M}}}$",
+        grows=GROWTH,
+    ),
+    either(Forms.steady, shown=rf"[m1|$X = {N.X}$ m, $\phi = {N.phi}$ rad]"),
+    either(Forms.quality, shown=rf"$Q = 1 / (2 \zeta) = {N.Q},\ \Delta \omega = {N.width}$ rad/s"),
+)
+WORK: Paragraph = either(
+    Forms.work,
+    push=rf"Steady: $\pi c\, \omega X^2 = {N.W}$ J a cycle",
+    base=rf"Steady: $\pi c\, \omega |X - Y|^2 = {N.W}$ J a cycle",
+)
+SENTENCE = either(
+    Forms.holds,
+    spring="**Below resonance the spring holds most of the push.**",
+    inertia="**Above resonance inertia holds most of the push.**",
+    dashpot="**Here the dashpot holds most of the push.**",
+    alone="**At resonance the dashpot alone holds the push.**",
+    grows=f"**Nothing holds the push: each swing grows by the same {N.growth} m.**",
+    grows_on=f"**Nothing holds the push: in the end each swing grows by {N.growth} m.**",
+    near="**Next to resonance and without a dashpot the swing grows for very long.**",
+    more="**Below √2 the mass swings more than its base; a stronger dashpot helps.**",
+    alike="**At √2 every dashpot is alike: the mass swings as far as its base.**",
+    less="**Beyond √2 a weaker dashpot would let the mass swing less.**",
+    isolated="**Beyond √2 the mass swings less than its base, and least without a dashpot.**",
+    still="**At ω = 0 nothing pushes: the curve there is the limit of a very slow push.**",
+    idle="**No push: the motion is that of the start alone.**",
+)
 
 
 def notes(case: DrivenCase, too_fast: bool) -> tuple[str, ...]:
