@@ -19,6 +19,7 @@ import {Walks} from "./walks/walks.js"
 
 /** @typedef {import("./net/line.js").Asked} Asked */
 
+/** @implements {LectureHost} */
 export class Lecture {
   /** @type {Page} the one that is seen */
   page

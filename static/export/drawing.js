@@ -19,6 +19,7 @@ const WIDTHS = {sum: 3, line: 1.75, dash: 1.75, dots: 1, thin: 1, none: 0}
 const DASHES = {dash: "7 5", dots: "1 3"}
 let clips = 0
 
+/** @implements {Canvas} */
 export class Drawing {
   /**
    * `host` is an element of the page as large as the plot with its margins; `frame` lies in it. `alone`, it has the

@@ -20,6 +20,7 @@ import {Transport} from "../input/transport.js"
  *   pictured?: typeof import("./picker.js").pictured}} Extras
  */
 
+/** @implements {PartHost} */
 export class Page {
   /** @type {Drawn} what is shown, from the first picture on */
   shown

@@ -13,6 +13,7 @@ import {PLAIN, toOneScale} from "../core/ruler.js"
 const REACH = 16 // units from a press to the point that it picks
 const NOWHERE = {left: 0, top: 0, width: 1, height: 1}
 
+/** @implements {PlotHost} */
 export class Plot {
   /** @type {Drawn} what is shown, from the first answer on */
   shown

@@ -11,6 +11,7 @@ const SHORT = "core-steps"
 const ASKED_NOW =
   "The lecture asks this step now. Back to the lecture leads there; its answer is shown when it is shown to all."
 
+/** @implements {WalkHost} */
 export class Walk {
   /** @type {number} of the step */
   place = -1
