@@ -136,3 +136,20 @@ def test_modules_stand_in_a_room() -> None:
     flat = [path.stem for path in (ROOT / "components").glob("*.py") if path.stem != "__init__"]
     assert flat == ["processes"]
     assert {path.stem for path in (ROOT / "static").glob("*.*")} == {"home", "later", "main", "start"}
+
+
+def test_files_that_code_and_pages_name_are_there() -> None:
+    texts = [
+        *(ROOT / "docs").rglob("*.md"),
+        *(ROOT / "types").glob("*.ts"),
+        ROOT / "CONTRIBUTING.md",
+        ROOT / "README.md",
+    ]
+    texts += [path for name, path in CODE.items() if not name.startswith("tests/")]
+    named = re.compile(
+        r"\b(?:components|docs|physics|static|tests|tools|types)/[\w/-]+\.(?:css|d\.ts|html|js|md|py|toml)\b"
+    )
+    found = [(path.name, one) for path in texts for one in named.findall(path.read_text(encoding="utf-8"))]
+    assert len(found) > 100
+    written = ("components/scenes/friction/", "tests/scenes/test_friction.py")  # by who follows docs/adding-a-scene.md
+    assert [pair for pair in found if not ((ROOT / pair[1]).exists() or pair[1].startswith(written))] == []
