@@ -1,6 +1,6 @@
 """The two-mass chain: what the scenes about it share."""
 
-from components.chain.modes import BOTH, MODES, PARTS, direction_lines, directions
+from components.chain.modes import BOTH, MODES, PARTS, direction_lines, directions, lines_of
 from components.chain.parameters import (
     BRAKED,
     CHAIN,
@@ -16,7 +16,7 @@ from components.chain.parameters import (
     start_positions,
     start_velocities,
 )
-from components.chain.signals import Axes, Signals, components, free_rates, free_signals, positions
+from components.chain.signals import Axes, FreeSignals, Signals, both, components, free_rates, free_signals, positions
 from components.chain.stage import (
     BODY,
     EQUILIBRIUM,
@@ -45,10 +45,7 @@ FREE = ("m1 x1'' = -k1 x1 - k2 (x1 - x2)", "m2 x2'' = k2 (x1 - x2)")
 
 DRIVEN = (FREE[0] + " + F_0 sin(omega t)", FREE[1])
 
-BRAKED_DRIVEN = (
-    FREE[0] + " - c1 x1' - c2 (x1' - x2') + F_0 sin(omega t)",
-    FREE[1] + " + c2 (x1' - x2')",
-)
+BRAKED_DRIVEN = (FREE[0] + " - c1 x1' - c2 (x1' - x2') + F_0 sin(omega t)", FREE[1] + " + c2 (x1' - x2')")
 
 __all__ = [
     "BODY",
@@ -68,9 +65,11 @@ __all__ = [
     "Axes",
     "DrawnChain",
     "Extremes",
+    "FreeSignals",
     "Has",
     "Places",
     "Signals",
+    "both",
     "components",
     "cups",
     "damping_of",
@@ -82,6 +81,7 @@ __all__ = [
     "free_rates",
     "free_signals",
     "ground",
+    "lines_of",
     "masses",
     "masses_and_springs",
     "measured_by",

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from math import fsum
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from components.chain.modes import MODES
+from components.chain.modes import BOTH, MODES
 from components.chain.parameters import Pair
+from components.chain.signals import Signals as S
+from components.quantities.declared import Signal, by_name
 from components.scene.about import CheckedPoint, Place, Table, drift, few, rows
 from components.scene.traces import Columns
 from physics.coupled import FreeModes, TwoMassChain
@@ -18,7 +21,7 @@ from physics.exact import precise
 from physics.problem import Problem
 from physics.reference import Point, modal_points, modes_of
 
-MASSES = {"x1": "$x_1$", "x2": "$x_2$"}
+MASSES = by_name({S.x[i]: f"$x_{i}$" for i in BOTH})
 DRIVE, FREQUENCY = (Place(column, r"$\omega$", "rad/s") for column in ("omega", "w"))
 ROUNDED_ONCE = 0.51
 
@@ -41,11 +44,11 @@ def motion_rows(
 def modal_rows(names: dict[str, str], columns: Columns, modal: list[list[list[Point]]]) -> list[CheckedPoint]:
     """The checked points of a motion that is given by its modes at a few times."""
     at = few(columns["t"])
-    true: dict[str, Sequence[Point]] = {}
-    for i in (0, 1):
-        true[f"x{i + 1}"] = [_sum(parts) for parts in zip(modal[0][i], modal[1][i], strict=True)]
-        true |= {f"x{i + 1}_{mode}": modal[j][i] for j, mode in enumerate(MODES)}
-    return rows(names, columns, true, at)
+    true: dict[Signal[Any], Sequence[Point]] = {}
+    for i, both in zip(BOTH, zip(*modal, strict=True), strict=True):
+        true[S.x[i]] = [_sum(parts) for parts in zip(*both, strict=True)]
+        true |= {S.x_part[i, mode]: points for mode, points in zip(MODES, both, strict=True)}
+    return rows(names, columns, by_name(true), at)
 
 
 def _sum(parts: Iterable[Point]) -> Point:

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 
+from components.quantities.declared import Column, Family, by_name
 from components.scene.traces import Columns
 from physics.coupled import TwoMassChain
 
@@ -22,8 +24,16 @@ def directions(system: TwoMassChain) -> list[tuple[float, float]]:
     return [(0.0, 1.0) if math.isinf(r) else (1 / max(1.0, abs(r)), r / max(1.0, abs(r))) for r in ratios]
 
 
-def direction_lines(system: TwoMassChain, far: float) -> Columns:
-    """Both directions in the plane of x1 and x2, out to `far` both ways: slow1, slow2, fast1, fast2."""
+Lines = Family[tuple[str, int], Column[Any]]
+
+
+def lines_of(source: str) -> Lines:
+    """The columns of both directions in the plane of x1 and x2."""
+    return Column[Any].each(((mode, i) for i, mode in PARTS), "{}{}", source=source)
+
+
+def direction_lines(lines: Lines, system: TwoMassChain, far: float) -> Columns:
+    """Both directions out to `far` both ways."""
     ends = far * np.array([-1.0, 1.0])
     pairs = zip(MODES, directions(system), strict=True)
-    return {f"{mode}{i}": part * ends for mode, parts in pairs for i, part in enumerate(parts, start=1)}
+    return by_name({lines[mode, i]: part * ends for mode, parts in pairs for i, part in zip(BOTH, parts, strict=True)})

@@ -11,8 +11,8 @@ from components.chain.modes import BOTH, MODES, PARTS
 from components.chain.parameters import Pair
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis
-from components.quantities.declared import Declared, DrawnAxis, Signal, by_name
-from components.quantities.motion import rates, sines
+from components.quantities.declared import Declared, DrawnAxis, Family, Signal, by_name
+from components.quantities.motion import rates, sines, total
 from components.scene.traces import Columns, Floats
 from physics.coupled import FreeModes
 from physics.sampling import Sinusoid
@@ -36,17 +36,28 @@ class Signals(Declared[Any]):
     drive = signal()
 
 
+class FreeSignals(Signals):
+    """The displacements of a free motion, sums of what the modes have of them."""
+
+    x = Family(BOTH, lambda i: signal(lambda c, a: both(Signals.x_part, i), Axes.x, signed=True))
+
+
+def both(parts: Family[tuple[int, str], Signal[Any]], i: int) -> AnySignal:
+    """The sum of what the modes have of mass i."""
+    return total(*(parts[i, mode] for mode in MODES))
+
+
 def free_signals(free: FreeModes, size: Axis, time: Axis) -> dict[str, AnySignal]:
     """The slow and the fast part of each displacement: the clock's signals.
 
     A mode of frequency zero is a drift, counted with the slow part.
     """
-    return by_name({Signals.x_part[part]: sines(size, time, term, line=line) for part, term, line in _parts(free)})
+    return {Signals.x_part[part].name: sines(size, time, term, line=line) for part, term, line in _parts(free)}
 
 
 def free_rates(free: FreeModes, size: Axis, time: Axis) -> dict[str, AnySignal]:
     """The slow and the fast part of each velocity, in the unit of `size` per unit of time."""
-    return by_name({Signals.v_part[part]: rates(size, time, term, drift=line[1]) for part, term, line in _parts(free)})
+    return {Signals.v_part[part].name: rates(size, time, term, drift=line[1]) for part, term, line in _parts(free)}
 
 
 def _parts(free: FreeModes) -> Iterator[tuple[tuple[int, str], tuple[float, float, float], Pair]]:

@@ -73,13 +73,15 @@ def sizes(system: TwoMassChain, factor: float = 1.0) -> dict[str, float]:
 def extremes(curves: Columns, bands: Columns) -> Extremes:
     """Least and largest x1 and x2 of what is drawn, and of the elongation of spring 2 (for a band: bounds)."""
 
+    x1, x2 = (S.x[i].name for i in BOTH)
+
     def ends(name: str) -> tuple[float, float]:
         low, high = (curves[name],) * 2 if name in curves else (bands[end] for end in band_columns(name))
         return without_roundings(low.min()), without_roundings(high.max())
 
-    one, two = ends("x1"), ends("x2")
-    if "x1" in curves and "x2" in curves:
-        stretch = curves["x2"] - curves["x1"]
+    one, two = ends(x1), ends(x2)
+    if x1 in curves and x2 in curves:
+        stretch = curves[x2] - curves[x1]
         return {"x1": one, "x2": two, "e2": (without_roundings(stretch.min()), without_roundings(stretch.max()))}
     return {"x1": one, "x2": two, "e2": (two[0] - one[1], two[1] - one[0])}
 

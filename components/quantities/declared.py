@@ -111,21 +111,18 @@ class Text(Named, Generic[Case]):
         return self.value(case, axes)
 
 
-class Family(Generic[Key, One]):
+class Family(dict[Key, One]):
     """Declarations of one kind by key: `side[1]` of the family `side` is called side1, `at["slow"]` at_slow; `called`
     is another pattern, "x{}_{}" for keys (1, "slow")."""
 
     def __init__(self, keys: Iterable[Key], make: Callable[[Key], One], called: str = "") -> None:
-        self.members = {key: make(key) for key in keys}
+        super().__init__({key: make(key) for key in keys})
         self.called = called
 
     def __set_name__(self, owner: type, name: str) -> None:
-        for key, one in self.members.items():
+        for key, one in self.items():
             pattern = self.called or (f"{name}{{}}" if isinstance(key, int) else f"{name}_{{}}")
             one.__set_name__(owner, pattern.format(*(key if isinstance(key, tuple) else (key,))))
-
-    def __getitem__(self, key: Key) -> One:
-        return self.members[key]
 
 
 @dataclass(eq=False)
@@ -195,7 +192,7 @@ class Declared(Generic[Case]):
 
     @classmethod
     def signals(cls, case: Case, axes: Axes) -> dict[str, AnySignal]:
-        return _present((one.name, one.value(case, axes)) for one in cls._all(Signal))
+        return {one.name: value for one in cls._all(Signal) if (value := one.value(case, axes)) is not None}
 
     @classmethod
     def live(cls, axes: Axes) -> dict[str, Digits]:
@@ -204,8 +201,7 @@ class Declared(Generic[Case]):
 
     @classmethod
     def scalars(cls, case: Case, axes: Axes) -> dict[str, float]:
-        found = _present((one.name, one.value(case, axes)) for one in cls._all(Scalar))
-        return {name: float(value) for name, value in found.items()}
+        return {one.name: float(value) for one in cls._all(Scalar) if (value := one.value(case, axes)) is not None}
 
     @classmethod
     def columns(cls, case: Case) -> dict[str, dict[str, NDArray[np.float64]]]:
@@ -222,7 +218,8 @@ class Declared(Generic[Case]):
 
     @classmethod
     def texts(cls, case: Case, axes: Axes) -> dict[str, str]:
-        return _present((one.name, one.text(case, axes)) for one in cls._all(LiveNumber, AxisUnit, Text))
+        every = cls._all(LiveNumber, AxisUnit, Text)
+        return {one.name: text for one in every if (text := one.text(case, axes)) is not None}
 
     @classmethod
     def readouts(cls, case: Case) -> tuple[Readout, ...]:
@@ -233,14 +230,10 @@ class Declared(Generic[Case]):
     def _all(cls, *kinds: type[Named]) -> list[Any]:
         """The declarations of these kinds, in their order: those of its bases first."""
         known = {name: one for owner in reversed(cls.__mro__) for name, one in vars(owner).items()}
-        every = (one.members.values() if isinstance(one, Family) else (one,) for one in known.values())
+        every = (one.values() if isinstance(one, Family) else (one,) for one in known.values())
         return [one for members in every for one in members if isinstance(one, kinds)]
 
 
 def by_name(given: Mapping[Any, Value]) -> dict[str, Value]:
     """Values by the names of their declarations."""
-    return {called(one): value for one, value in given.items()}
-
-
-def _present(values: Iterable[tuple[str, Value | None]]) -> dict[str, Value]:
-    return {name: value for name, value in values if value is not None}
+    return {one if isinstance(one, str) else one.name: value for one, value in given.items()}

@@ -2,25 +2,26 @@
 
 from __future__ import annotations
 
-from components.chain import MODES
+from components.chain import PARTS
 from components.chain.about import MASSES, free_drift, modal_rows, motion_rows
 from components.chain.parameters import Pair
+from components.chain.signals import Signals as S
+from components.quantities.declared import by_name
 from components.scene import Picture
 from components.scene.about import About, bounded, drawn_as_bands, few
 from physics.coupled import FreeModes
 from physics.reference import points_of_modes
 
 ByModes = tuple[Pair, Pair]
-PARTS = {f"x{i}_{mode}": f"$x_{i}$, {mode}" for i in (1, 2) for mode in MODES}
-BANDS = MASSES | {f"x{i}_{mode}": f"the {mode} mode" for i in (1, 2) for mode in MODES}
+BANDS = MASSES | by_name({S.x_part[part]: f"the {part[1]} mode" for part in PARTS})
 
 
 def coupled_about(picture: Picture, free: FreeModes, x_0: Pair, v_0: Pair, by_modes: ByModes | None = None) -> About:
     """Displacements, or where these are bands the modes that are not; `by_modes` are amplitudes and phases of a motion
     that is given by them."""
     columns = picture.sources["time"]
-    names = {key: name for key, name in PARTS.items() if key[:2] not in columns}
-    shown = MASSES | names
+    names = {S.x_part[i, mode]: f"$x_{i}$, {mode}" for i, mode in PARTS if S.x[i].name not in columns}
+    shown = MASSES | by_name(names)
     if by_modes:
         at = columns["t"][few(columns["t"])]
         motion = modal_rows(shown, columns, points_of_modes(free.chain, *by_modes, at))

@@ -8,6 +8,7 @@ import numpy as np
 
 from components.quantities.declared import AxisUnit, Declared, LiveNumber
 from components.quantities.numbers import plus, signed, three
+from components.scenes.coupled.curves import Axes
 from physics.coupled import FreeModes
 
 BEATS = 1e-3
@@ -36,7 +37,7 @@ def shape(ratio: float) -> str:
 
 
 class Numbers(Declared[FreeModes]):
-    E_unit = AxisUnit("E")
+    E_unit = AxisUnit(Axes.E)
     omega_minus = number(lambda c: float(c.omega[0]), "ω_{−}", "rad/s", "slow")
     ratio_minus = number(lambda c: float(c.chain.modes().ratio[0]), "X₂/X₁_{−}", tint="slow", form=shape)
     omega_plus = number(lambda c: float(c.omega[1]), "ω_{+}", "rad/s", "fast")

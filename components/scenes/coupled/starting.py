@@ -7,8 +7,10 @@ from typing import Protocol
 
 from components import chain
 from components.chain.parameters import Pair
+from components.chain.signals import Signals as S
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis
+from components.quantities.declared import by_name
 from components.quantities.motion import sines
 from components.quantities.parameters import Quantity, Values, finite, not_negative
 from physics.coupled import FreeModes, free_modes
@@ -20,6 +22,10 @@ MOST = 100.0
 """rad; a phase is no further from 0."""
 SAME = 16 * 2.0**-53
 """Starting values as near as this to those of the modes, over the amplitudes, are theirs but for roundings."""
+
+
+GIVEN = ("values", "modes")
+"""What gives the motion."""
 
 
 class Begun(Protocol):
@@ -64,7 +70,7 @@ def turns(scene: Begun, omega: Pair, time: Axis) -> dict[str, AnySignal]:
     if scene.given_by == "values":
         return {}
     lines = zip(chain.MODES, by_modes(scene)[1], omega, strict=True)
-    return {f"turn_{mode}": sines(Axis(0.0, 1.0), time, line=(phase, rate)) for mode, phase, rate in lines}
+    return by_name({S.turn[mode]: sines(Axis(0.0, 1.0), time, line=(phase, rate)) for mode, phase, rate in lines})
 
 
 def followed(scene: Begun, changed: frozenset[str], before: str, *, in_hand: bool) -> Values:

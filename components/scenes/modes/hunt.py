@@ -18,6 +18,7 @@ from components.layout.plots import Room, curve, plot
 from components.layout.sheet import Paragraph, choice, column, either, row, stage, when, words
 from components.layout.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
 from components.quantities.axes import Axis, nice_axis, time_axis
+from components.quantities.declared import Declared
 from components.quantities.motion import pace, round_down, total
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
@@ -43,6 +44,12 @@ START_GRAB = grab(
     on_plot("plane", "y", "x2_0", "start2", "x"),
     inside="plane",
 )
+
+
+class Answer(Declared[TwoMassChain]):
+    """Both mode directions, where they are asked for."""
+
+    line = chain.lines_of("answer")
 
 
 def sheet() -> Block:
@@ -149,7 +156,7 @@ def picture(
     signals = chain.free_signals(free, size, time)
     signals |= {f"x{i}": total(f"x{i}_slow", f"x{i}_fast") for i in (1, 2)}
     return Picture(
-        columns={"answer": chain.direction_lines(system, 2 * size.end) if revealed else {}},
+        columns={"answer": chain.direction_lines(Answer.line, system, 2 * size.end) if revealed else {}},
         axes=axes,
         signals=signals,
         traces={"path": _path(free, end, fast)},

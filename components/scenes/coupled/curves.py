@@ -1,0 +1,127 @@
+"""The curves of the coupled masses: sums of the modes, the stack of the energies, and the plane of x1 and x2."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import accumulate
+
+import numpy as np
+
+from components import chain
+from components.chain.grabs import shares
+from components.language.numbers import var
+from components.language.signals import AnySignal
+from components.quantities import declared
+from components.quantities.declared import Declared, DrawnAxis, Family, Scalar, Signal, by_name
+from components.quantities.motion import derived, scaled, total
+from components.scene.traces import Columns, Floats, trace
+from components.scenes.coupled.starting import GIVEN
+from physics.coupled import FreeModes
+from physics.energy import ChainEnergy, chain_energy
+
+NAMED = 0.8
+"""The names in the plane stand at this share of the way to its edge."""
+
+
+@dataclass(frozen=True, eq=False)
+class CoupledCase:
+    """A free motion, what gives it, and what is shown of it."""
+
+    free: FreeModes
+    given_by: str
+    energy: str
+    view: str
+
+    @cached_property
+    def levels(self) -> dict[str, float]:
+        """The energies of the modes and their sum, which stay as they are."""
+        slow, fast = self.free.energy.tolist()
+        return {"slow": slow, "fast": fast, "total": float(self.free.energy.sum())}
+
+
+signal = Signal[CoupledCase]
+
+
+class Axes(chain.Axes):
+    E = DrawnAxis()
+
+
+def _square(axes: declared.Axes, size: float, of: Signal[CoupledCase], per: int = 0) -> AnySignal:
+    """Half the square of a displacement, or of a velocity (`per` 1), times the size of what has that energy."""
+    exponent = Axes.E(axes).exponent - 2 * Axes.x(axes).exponent + 2 * per * Axes.t(axes).exponent
+    return derived(scaled(exponent, 0.5, size) * var(of) * var(of))
+
+
+def _level(case: CoupledCase, axes: declared.Axes, one: str) -> AnySignal | None:
+    return derived(Axes.E(axes).place(case.levels[one])) if case.energy == "modes" else None
+
+
+class Signals(chain.FreeSignals):
+    """The energies of masses and springs and the edges of their stack, or the levels of the modes."""
+
+    v = Family(chain.BOTH, lambda i: signal(lambda c, a: chain.both(Signals.v_part, i)))
+    stretch = signal(lambda c, a: derived(var(Signals.x[2]) - var(Signals.x[1])))
+    T1 = signal(lambda c, a: _square(a, c.free.chain.m1, Signals.v[1], 1), Axes.E)
+    T2 = signal(lambda c, a: _square(a, c.free.chain.m2, Signals.v[2], 1), Axes.E)
+    V1 = signal(lambda c, a: _square(a, c.free.chain.k1, Signals.x[1]), Axes.E)
+    V2 = signal(lambda c, a: _square(a, c.free.chain.k2, Signals.stretch), Axes.E)
+    e = Family(range(5), lambda i: signal(lambda c, a: total(*LAYERS[:i]) if c.energy == "parts" else None))
+    E = Family((*chain.MODES, "total"), lambda one: signal(lambda c, a: _level(c, a, one)))
+
+
+S = Signals
+LAYERS: tuple[Signal[CoupledCase], ...] = (S.T1, S.V1, S.V2, S.T2)
+EDGES, LEVELS = (tuple(family.values()) for family in (S.e, S.E))
+
+
+def exact(case: CoupledCase, t: Floats) -> Columns:
+    """All that may be drawn over time."""
+    energies = edges(chain_energy(case.free.chain, case.free.motion(t)))
+    levels = by_name({S.E[one]: np.full_like(t, level) for one, level in case.levels.items()})
+    return {**traced_motion(case.free, t)[0], **energies, **levels}
+
+
+def edges(energy: ChainEnergy) -> Columns:
+    layers = [energy.T[0], energy.V[0], energy.V[1], energy.T[1]]
+    return by_name(dict(zip(EDGES, accumulate([np.zeros_like(layers[0]), *layers]), strict=True)))
+
+
+def motions(free: FreeModes) -> Iterator[tuple[Signal[CoupledCase], int, tuple[int, ...]]]:
+    """The displacements and their parts, of which mass and of which modes each is; of two drifts the slow part has
+    both, as on the stage."""
+    for i in chain.BOTH:
+        yield S.x[i], i - 1, (0, 1)
+        yield S.x_part[i, "slow"], i - 1, (0,) if free.omega[1] else (0, 1)
+        if free.omega[1]:
+            yield S.x_part[i, "fast"], i - 1, (1,)
+
+
+def traced_motion(free: FreeModes, t: Floats) -> tuple[Columns, Columns]:
+    """Columns of the displacements and their parts: curves, and bands where too fast."""
+    parts, curves, bands = free.parts(t), Columns(), Columns()
+    exact = {(0, 1): parts[0] + parts[1], (0,): parts[0], (1,): parts[1]}
+    for one, i, modes in motions(free):
+        drifts = any(free.omega[j] == 0 for j in modes)
+        base = free.drift_a[i] + free.drift_b[i] * t if drifts else None
+        curve, band = trace(one, chain.components(free, i, modes), t, base, exact[modes].x[i])
+        curves, bands = curves | curve, bands | band
+    return curves, bands
+
+
+class Places(Declared[CoupledCase]):
+    """In the plane of x1 and x2 both mode directions and the places of their names; what gives the motion to a hand."""
+
+    line = chain.lines_of("modes")
+    name = Scalar[CoupledCase].each(((mode, i) for i, mode in chain.PARTS), "{}_name{}")
+    by = Family(GIVEN, lambda one: Scalar[CoupledCase](lambda c, a: c.given_by == one))
+
+
+def places(case: CoupledCase, axes: declared.Axes) -> dict[str, float]:
+    """The name of the slow direction stands at its upper end, that of the fast one at its lower end; a mode is taken in
+    hand where there is a fast one."""
+    x, system = Axes.x(axes), case.free.chain
+    end, ways = NAMED * x.place(min(-x.start, x.end)), chain.directions(system)
+    names = {Places.name[mode, i].name: end * ways[j][i - 1] for j, mode in enumerate(chain.MODES) for i in chain.BOTH}
+    return names | Places.scalars(case, axes) | (shares(system) if case.free.omega[1] else {})
