@@ -10,7 +10,7 @@ const still = matchMedia("(prefers-reduced-motion: reduce)")
 const touched = matchMedia("(hover: none)")
 
 /** A small picture: a dot moves along each of its curves. */
-class Thumb {
+class Thumbnail {
   /** @type {number | undefined} */
   begun
 
@@ -57,12 +57,12 @@ class Thumb {
 
 /** The pictures: in order once, then the one that is looked at. */
 class Thumbs {
-  /** @type {Thumb | null} */
+  /** @type {Thumbnail | null} */
   playing = null
 
   /** @param {HTMLAnchorElement[]} links */
   constructor(links) {
-    this.all = links.map(link => new Thumb(link))
+    this.all = links.map(link => new Thumbnail(link))
     for (const thumb of this.all) {
       for (const event of ["pointerenter", "focus"]) thumb.link.addEventListener(event, () => this.#look(thumb))
       for (const event of ["pointerleave", "blur"]) thumb.link.addEventListener(event, () => this.#look(null))
@@ -81,7 +81,7 @@ class Thumbs {
     thumb.play(() => this.#inOrder(i + 1))
   }
 
-  /** One is looked at, and plays until it is not. @param {Thumb | null} thumb */
+  /** One is looked at, and plays until it is not. @param {Thumbnail | null} thumb */
   #look(thumb) {
     if (thumb === this.playing) return
     for (const other of this.all) other.rest()
@@ -97,7 +97,7 @@ class Thumbs {
   }
 }
 
-/** From the middle of the screen. @param {Thumb} thumb */
+/** From the middle of the screen. @param {Thumbnail} thumb */
 function far({link}) {
   const {top, bottom} = link.getBoundingClientRect()
   return Math.abs(top + bottom - innerHeight)

@@ -6,10 +6,10 @@ const LONGEST = 48 // signs of a sentence that stands for itself
 
 /**
  * A part that waits for an answer, as covers name it and as it is called in a list.
- * @typedef {{cover: string, text: string}} Part
+ * @typedef {{cover: string, text: string}} Coverable
  */
 
-/** Plots, numbers and the stage. @param {PartHost} page @returns {Part[]} */
+/** Plots, numbers and the stage. @param {PartHost} page @returns {Coverable[]} */
 export function parts({plots, spec, stages}) {
   const seen = plots.filter(({absent, host}) => !absent && host.offsetParent)
   const numbers = Object.entries(spec.spoken).flatMap(([name, text]) => {
@@ -26,7 +26,7 @@ export function parts({plots, spec, stages}) {
 
 /**
  * The sentences and formulas that come and go, each by how it begins.
- * @param {PartHost} page @returns {Part[]}
+ * @param {PartHost} page @returns {Coverable[]}
  */
 export const sentences = ({sheet}) =>
   sheet.items.flatMap(({name, holder}) => {

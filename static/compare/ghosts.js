@@ -15,7 +15,8 @@ const RING = 5.5 // radius around what is the same
 /**
  * Columns that are drawn under the live ones, on axes that may have been others, and what they are called.
  * @typedef {{columns: Columns, axes: Record<string, page.Ruler>, name: string}} Under
- * @typedef {{look: string, d: string, end: number, start: Point, same: boolean, named: boolean, above: boolean}} Line
+ * @typedef {{look: string, d: string, end: number, start: Point, same: boolean, named: boolean,
+ *   above: boolean}} GhostLine
  * a path, its ends, and whether it starts where the live one does
  */
 
@@ -105,7 +106,7 @@ export class HeldName {
     over.append(this.name, this.same)
   }
 
-  /** @param {Line[]} lines @param {string} name of what they are of, if it has one @param {boolean} isTime */
+  /** @param {GhostLine[]} lines @param {string} name of what they are of, if it has one @param {boolean} isTime */
   tell(lines, name, isTime) {
     const named = lines.find(line => line.named)
     this.same.replaceChildren(...(name && isTime ? starts(lines) : []))
@@ -158,18 +159,18 @@ export class PlotGhost extends HeldName {
 
 /**
  * The paths of all curves of a plot that columns hold, and of the edges of its bands.
- * @param {Canvas} plot @param {Under} under @returns {Line[]}
+ * @param {Canvas} plot @param {Under} under @returns {GhostLine[]}
  */
 export function linesOf(plot, {columns, axes}) {
   const {block, hidden} = plot
   const right = translated(axes[block.x], plot.x)
   const up = translated(axes[block.y], plot.y)
-  /** @type {Map<string, Line>} */
+  /** @type {Map<string, GhostLine>} */
   const lines = new Map()
   const live = plot.view?.columns ?? {}
   /**
    * @param {page.Curve | page.Region} part @param {string} name
-   * @param {Pick<Line, "look" | "named" | "above">} line
+   * @param {Pick<GhostLine, "look" | "named" | "above">} line
    */
   const add = ({source, x, group}, name, line) => {
     const {[x]: xs, [name]: ys} = columns[source] ?? {}
@@ -200,7 +201,7 @@ const isOne = far => Math.abs(far) < NEAR
 
 /**
  * A ring where a curve and the one held start alike: what is the same is as visible as what is not.
- * @param {Line[]} lines
+ * @param {GhostLine[]} lines
  */
 function starts(lines) {
   const places = lines.filter(({same, above}) => same && !above).map(({start}) => start)

@@ -4,7 +4,7 @@ import {button, element} from "../core/dom.js"
 import {parts} from "./coverable.js"
 
 /** The list, beside its button; a second press, Escape or a press elsewhere closes it. */
-class Menu {
+class CoverMenu {
   /** @param {PartHost} page @param {HTMLElement} opener */
   constructor(page, opener) {
     this.page = page
@@ -64,11 +64,11 @@ class Menu {
   }
 }
 
-/** @type {Menu | null} */
+/** @type {CoverMenu | null} */
 let open = null
 
 /** @param {PartHost} page @param {HTMLElement} opener */
 export function choose(page, opener) {
   if (open) open.close(true)
-  else open = new Menu(page, opener)
+  else open = new CoverMenu(page, opener)
 }

@@ -89,7 +89,7 @@ export class Drawing {
     this.over.append(...flags.marks.flatMap(({flag}) => this.#flag(flag)))
   }
 
-  /** @param {import("../compare/ghosts.js").Line[]} lines @param {string} name */
+  /** @param {import("../compare/ghosts.js").GhostLine[]} lines @param {string} name */
   #name(lines, name) {
     this.ghost = new HeldName(this.over)
     this.ghost.tell(lines, name, this.block.time)

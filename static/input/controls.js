@@ -10,7 +10,7 @@ const TYPING = "A digit begins a number in its field; Enter sets it, Escape take
  * The function that draws the small pictures of a choice; only some scenes have one, and fetch it.
  * @typedef {typeof import("../paper/picker.js").pictured} Pictured
  * @typedef {(sets: Record<string, page.Value>) => void} Take a preset
- * @typedef {Pick<Drawn, "settings" | "errors" | "preset" | "here"> & {view: Pick<page.View, "forms">}} State
+ * @typedef {Pick<Drawn, "settings" | "errors" | "preset" | "here"> & {view: Pick<page.View, "forms">}} PanelState
  */
 
 /** A small drawing, if there is one. @param {string} d */
@@ -217,7 +217,7 @@ export class Controls {
     return element("div", {class: "chips"}, ...buttons, problem)
   }
 
-  /** @param {State} told */
+  /** @param {PanelState} told */
   update({settings, errors, preset, here, view: {forms}}) {
     for (const [i, {form}] of this.spec.groups.entries()) this.sections[i].hidden = Boolean(form) && !forms[form]
     for (const [name, slider] of this.sliders) slider.update(settings[name], errors[name])

@@ -3,11 +3,11 @@
 import {button, chip, element} from "../core/dom.js"
 
 /**
- * @typedef {{shown: string, does: string}} Key
+ * @typedef {{shown: string, does: string}} Listed
  * @typedef {{off: boolean, set: (off: boolean) => void}} Singles whether keys of a single letter act
  */
 
-/** @template {Key} Known @param {Known[]} keys @param {Singles} singles @param {(key: Known) => void} press */
+/** @template {Listed} Known @param {Known[]} keys @param {Singles} singles @param {(key: Known) => void} press */
 export function toggleList(keys, singles, press) {
   const open = document.querySelector("dialog.keys[open]")
   if (open) return open.remove()
@@ -22,7 +22,7 @@ export function toggleList(keys, singles, press) {
   close.focus()
 }
 
-/** @param {Key} key @param {() => void} press */
+/** @param {Listed} key @param {() => void} press */
 function row({shown, does}, press) {
   return element("li", {}, button({}, press, element("kbd", {}, shown), element("span", {}, does)))
 }

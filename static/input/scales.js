@@ -4,8 +4,8 @@ import {MINUS} from "../core/numbers.js"
 
 /**
  * Where a value stands on its slider, from 0 to 1, and back; `finest` is the finest step, 0 for three digits.
- * @typedef {(number: number, low: number, high: number) => number} Way
- * @typedef {{value: Way, place: Way, finest: (low: number, high: number) => number}} Scale
+ * @typedef {(number: number, low: number, high: number) => number} Mapping
+ * @typedef {{value: Mapping, place: Mapping, finest: (low: number, high: number) => number}} Scale
  */
 
 /** @type {Scale} */

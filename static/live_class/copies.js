@@ -16,7 +16,7 @@ const AGAIN = 1000 // ms until it is sent again
  * @typedef {{walk: string, step: string, vote: number, isShown: boolean, isClosed: boolean}} Put
  * @typedef {page.Opened & {control?: string, put?: Put | null, last?: Record<string, number>,
  *   seen?: number, isLost?: boolean}} Room one that is lost is not wholly restored
- * @typedef {Record<string, page.Voted>} Answers by the names of those who gave them
+ * @typedef {Record<string, page.Voted>} Ballot by the names of those who gave them
  */
 
 export class Copies {
@@ -30,7 +30,7 @@ export class Copies {
   constructor(room) {
     this.room = room
     browserStorage.forget(...copies().filter(name => name.split(" ")[1] !== room.code))
-    /** @type {Map<string, Answers>} by vote, as step and number */
+    /** @type {Map<string, Ballot>} by vote, as step and number */
     this.answers = copied(GIVEN, room.code, name => browserStorage.value(name) ?? {})
     /** @type {Map<string, string>} texts of walks from files that were asked, by name */
     this.walks = copied(WALK, room.code, name => browserStorage.text(name) ?? "")
@@ -184,9 +184,9 @@ function copied(kind, code, read) {
 /** @param {{walk: string, step: string, vote: number}} put */
 const voteOf = ({walk, step, vote}) => `${walk}/${step}/${vote}`
 
-/** Answers in parcels that an order can carry. @param {Answers} answers @returns {Answers[]} */
+/** Answers in parcels that an order can carry. @param {Ballot} answers @returns {Ballot[]} */
 function parcels(answers) {
-  /** @type {Answers[]} */
+  /** @type {Ballot[]} */
   const all = []
   let size = LONGEST
   for (const [name, one] of Object.entries(answers)) {

@@ -20,8 +20,8 @@ const NOW = "at once" // why an attempt ends that is followed by another without
 /**
  * A state, by how the room is asked: by a stream of events or by a question for what is new now; how long nothing may
  * come; whether dead connections are used up meanwhile; which state follows where nothing came, and whether at once.
- * @typedef {{by: "events" | "now", patience: number, probes?: boolean, late: string, rests?: boolean}} State
- * @type {Record<string, State>}
+ * @typedef {{by: "events" | "now", patience: number, probes?: boolean, late: string, rests?: boolean}} StreamState
+ * @type {Record<string, StreamState>}
  */
 export const STATES = {
   events: {by: "events", patience: PATIENCE, late: "now"}, // a proxy may hold back even the head of a stream
@@ -30,7 +30,7 @@ export const STATES = {
   ...woken("now"),
 }
 
-/** The states of a page that has just woken. @param {"events" | "now"} by @returns {Record<string, State>} */
+/** The states of a page that has just woken. @param {"events" | "now"} by @returns {Record<string, StreamState>} */
 function woken(by) {
   const states = Array.from({length: HASTY}, (_, i) => {
     const late = i + 1 < HASTY ? `${by} woken ${i + 1}` : by

@@ -13,7 +13,7 @@ export class Votes {
   /** @type {import("../walks/card.js").Card | null} the card that they stand on */
   card = null
 
-  /** @type {import("../questions/question.js").Votes | null} */
+  /** @type {import("../questions/question.js").Tallied | null} */
   layer = null
 
   isOpen = false

@@ -9,9 +9,9 @@ const AGAIN = 1000 // ms until what a new session had no time for is sent again
  * starts anew with its answer, whether it is there for a new session alone, who waits for its answer, and what undo
  * makes of it.
  * @typedef {{turn?: boolean, start?: boolean, anew?: boolean, answered?: (told: Told) => void,
- *   way?: import("../shell/undo.js").Way, deed?: string}} About
- * @typedef {About & {message: page.Said}} Asked
- * @typedef {About & {message: page.Said | ((state: page.State) => page.Said | null)}} Waiting
+ *   way?: import("../shell/undo.js").Direction, deed?: string}} Envelope
+ * @typedef {Envelope & {message: page.Said}} Asked
+ * @typedef {Envelope & {message: page.Said | ((state: page.State) => page.Said | null)}} Waiting
  */
 
 export class Line {
@@ -86,7 +86,7 @@ export class Line {
 
   /**
    * A message that depends on the state is made when all before it has been answered, and need not be sent then.
-   * @param {Waiting["message"]} message @param {About} [about]
+   * @param {Waiting["message"]} message @param {Envelope} [about]
    */
   send(message, about = {}) {
     const names = namesIn(message)

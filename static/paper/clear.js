@@ -6,7 +6,7 @@ import {EVERYWHERE, meet, moved, places} from "./places.js"
 
 /**
  * @typedef {import("./places.js").Box} Box in units
- * @typedef {{spec: page.AnyShape, group: SVGElement, parts: SVGElement[]}} Drawn
+ * @typedef {{spec: page.AnyShape, group: SVGElement, parts: SVGElement[]}} DrawnShape
  * @typedef {{text: SVGTextElement, group: SVGElement, fixed: boolean, beside?: boolean, wishes?: () => Box[]}} Label
  * a text; whether it belongs beside the place where it is; and the boxes in which it would stand, if not there
  */
@@ -41,7 +41,7 @@ export class Clear {
 
   frame = EVERYWHERE // of that plot, with the room over it and on its right
 
-  /** @param {Drawn[]} shapes in the order of what matters most */
+  /** @param {DrawnShape[]} shapes in the order of what matters most */
   constructor(shapes) {
     this.dots = shapes.filter(({spec}) => spec.kind === "circle")
     /** @type {Label[]} */

@@ -2,7 +2,7 @@
 
 /**
  * @typedef {{left: number, right: number, top: number, bottom: number}} Box
- * @typedef {{at: number, size: number}} Span the middle of something on a line, and how long it is
+ * @typedef {{at: number, size: number}} Extent the middle of something on a line, and how long it is
  */
 /**
  * A text: the boxes in which it would stand, the better ones first; how far it may move from there, sideways and up or
@@ -121,7 +121,7 @@ const reach = (low, high, least, most, far) => [
 /**
  * The middles of spans, in their order along the line, moved as little as can be (by least squares) until none touches
  * the next; as far as there is room none leaves it, else at its start.
- * @param {Span[]} spans @param {number} [least] @param {number} [most]
+ * @param {Extent[]} spans @param {number} [least] @param {number} [most]
  */
 export function inLine(spans, least = -Infinity, most = Infinity) {
   const order = spans.map((_, i) => i).toSorted((i, j) => spans[i].at - spans[j].at)
@@ -146,10 +146,10 @@ export function inLine(spans, least = -Infinity, most = Infinity) {
   return middles
 }
 
-/** @param {Span} one @param {Span} next */
+/** @param {Extent} one @param {Extent} next */
 const touch = (one, next) => Math.abs(next.at - one.at) < (one.size + next.size) / 2
 
-/** Every which of some spans stands, counted from the last, so that none touches the next. @param {Span[]} spans */
+/** Every which of some spans stands, counted from the last, so that none touches the next. @param {Extent[]} spans */
 export function everyWhich(spans) {
   const last = spans.length - 1
   let which = 1

@@ -2,8 +2,8 @@
 
 import {Choice} from "./choice.js"
 import {Numeric} from "./number.js"
-import {Point} from "./point.js"
+import {AxisPlace} from "./point.js"
 import {Sketch} from "./sketch.js"
 
 /** @type {Record<string, typeof import("./question.js").Question>} */
-export const KINDS = {choice: Choice, number: Numeric, point: Point, sketch: Sketch}
+export const KINDS = {choice: Choice, number: Numeric, point: AxisPlace, sketch: Sketch}

@@ -8,7 +8,7 @@ import {Question, mark, plotOf} from "./question.js"
 
 /** @typedef {import("./question.js").Plot} Plot */
 
-export class Point extends Question {
+export class AxisPlace extends Question {
   static label = "Point on an axis"
 
   /** @param {Plot[]} plots */

@@ -11,7 +11,7 @@ import {element, svg} from "../core/dom.js"
 /**
  * The answers of a class, over or beside the question until they are hidden; a headline says them in words.
  * @typedef {{update: (tally: page.Tally, lesson: page.Lesson | null) => void,
- *   headline: (tally: page.Tally) => string, leave: () => void}} Votes
+ *   headline: (tally: page.Tally) => string, leave: () => void}} Tallied
  */
 
 /** Leads to a case of which a reply speaks. */
@@ -78,7 +78,7 @@ export class Question {
 
   leave() {}
 
-  /** The answers of a class. @param {HTMLElement} _chips that stand under them @returns {Votes} */
+  /** The answers of a class. @param {HTMLElement} _chips that stand under them @returns {Tallied} */
   tally(_chips) {
     throw new Error(`No answers to a ${this.step.kind} can be shown.`)
   }

@@ -7,9 +7,9 @@ const RESET = "M5 5v14M19 6l-9 6 9 6z"
 const MOST = 200 // states kept of a scene
 
 /**
- * @typedef {"past" | "future"} Way
+ * @typedef {"past" | "future"} Direction
  * @typedef {{past: page.State[], future: page.State[], now: page.State, deed: string}} Story
- * @typedef {(open: () => page.Open | null, about: {way: Way}) => void} SendBack
+ * @typedef {(open: () => page.Open | null, about: {way: Direction}) => void} SendBack
  */
 
 export class Undo {
@@ -37,7 +37,7 @@ export class Undo {
     this.press = `${kind} ${this.gesture}`
   }
 
-  /** @param {string} name @param {Way} way */
+  /** @param {string} name @param {Direction} way */
   #button(name, way) {
     const keys = way === "past" ? "Control+Z" : "Control+Shift+Z"
     const made = drawn(name, `${name} (${keys.replace("Control", "Ctrl")})`, ARROWS[way], () => this.go(way))
@@ -59,7 +59,7 @@ export class Undo {
     return type === "set" || type === "typed" ? `${type} ${this.gesture}` : ""
   }
 
-  /** Covers, and what is held, stay as they are. @param {Way} way */
+  /** Covers, and what is held, stay as they are. @param {Direction} way */
   go(way) {
     this.send(
       () => {
@@ -74,7 +74,7 @@ export class Undo {
 
   /**
    * Takes down a state that was told, and of what it is the answer.
-   * @param {page.State} state @param {{way?: Way, deed?: string}} asked
+   * @param {page.State} state @param {{way?: Direction, deed?: string}} asked
    */
   record(state, {way, deed = ""}) {
     const story = this.stories.get(state.scene) ?? {past: [], future: [], now: state, deed: ""}
@@ -89,7 +89,7 @@ export class Undo {
     } else advance(story, state, deed)
     story.now = state
     this.reset.disabled = Boolean(state.step) || isSame(state, {...state, parameters: {}, frame: null, hidden: null})
-    for (const one of /** @type {Way[]} */ (["past", "future"])) this.buttons[one].disabled = !story[one].length
+    for (const one of /** @type {Direction[]} */ (["past", "future"])) this.buttons[one].disabled = !story[one].length
   }
 }
 

@@ -5,7 +5,7 @@ import {browserStorage, tabStorage} from "../core/storage.js"
 import {bare} from "../core/plain.js"
 
 /**
- * @typedef {{said: string, right: boolean, title: page.Html}} Kept of a step: the answer in words
+ * @typedef {{said: string, right: boolean, title: page.Html}} KeptAnswer of a step: the answer in words
  * @typedef {{step: string, given: Partial<page.Given>}} Answered to a step of a walk, "d34/d34-07"
  */
 
@@ -22,16 +22,16 @@ export const forgetAnswered = () => tabStorage.forget(HERE)
 
 export class Answers {
   constructor() {
-    /** @type {Record<string, Kept>} by the id of the step */
+    /** @type {Record<string, KeptAnswer>} by the id of the step */
     this.kept = browserStorage.value(KEY) ?? {}
   }
 
   /** @param {string} step */
   of(step) {
-    return /** @type {Kept | undefined} */ (this.kept[step])
+    return /** @type {KeptAnswer | undefined} */ (this.kept[step])
   }
 
-  /** @param {string} step @param {Kept} answer */
+  /** @param {string} step @param {KeptAnswer} answer */
   keep(step, answer) {
     this.kept[step] = answer
     this.#store()
@@ -57,7 +57,7 @@ export class Answers {
 
   /** @param {page.StepCard} step */
   #lines(step) {
-    const {said, right, title} = /** @type {Kept} */ (this.of(step.id))
+    const {said, right, title} = /** @type {KeptAnswer} */ (this.of(step.id))
     return [
       `${step.place} (${step.id})`,
       `  ${bare(step.given)} ${bare(step.question)}`.trimEnd(),

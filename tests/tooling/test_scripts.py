@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -43,6 +44,16 @@ def test_no_circle_of_imports_is_large() -> None:
     reach = {path: reached(path, imports) for path in SCRIPTS}
     circles = {frozenset(one.name for one in reach[path] if path in reach[one]) for path in SCRIPTS}
     assert {circle for circle in circles if len(circle) > LARGEST_CIRCLE} == set()
+
+
+def test_no_two_types_share_a_name() -> None:
+    """Classes of scripts, types of their comments, and those of `types/`, but for those of the page language."""
+    texts = [path.read_text(encoding="utf-8") for path in [*SCRIPTS, *(ROOT / "types").glob("[!p]*.d.ts")]]
+    named = re.compile(r"^(?:export )?(?:class|interface|type) (\w+)|@typedef \{(?:[^@]*)\} (\w+)", re.M)
+    again = re.compile(r"@typedef \{import\([^@]*\)\.(\w+)\} \1$|@typedef \{import\([^@]*\)\.(\w+)\} \2 ", re.M)
+    counted = Counter(name for text in texts for name in map("".join, named.findall(again.sub("", text))))
+    assert len(counted) > 140
+    assert {name for name, count in counted.items() if count > 1} == set()
 
 
 def test_typescript_is_pinned_by_hash_and_no_host_is_named() -> None:
