@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from decimal import Decimal
 
 import numpy as np
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from components.language.numbers import Expression, Name, Number, Product, as_expression, called
@@ -71,9 +72,11 @@ def sines(
     return Sines(sines=tuple(found), line=(a, b))
 
 
-def decays(size: Axis, time: Axis, *terms: tuple[float, float, float, float, float]) -> Sines:
-    """A sum of (A + B t) exp(-r t) sin(omega t + phi), from (A, B, r, omega, phi) in SI units, as
-    physics.damped.Decay has them."""
+def decays(
+    size: Axis, time: Axis, *terms: tuple[float, float, float, float, float], line: tuple[float, float] = (0, 0)
+) -> Sines:
+    """a + b t + sum of (A + B t) exp(-r t) sin(omega t + phi), from (A, B, r, omega, phi), as physics.damped.Decay has
+    them, in SI units and line = (a, b)."""
     found = [
         Sine(
             scaled(size.exponent, amplitude, 1 / size.factor),
@@ -84,7 +87,7 @@ def decays(size: Axis, time: Axis, *terms: tuple[float, float, float, float, flo
         )
         for amplitude, slope, rate, omega, phase in terms
     ]
-    return Sines(sines=tuple(found))
+    return replace(sines(size, time, line=line), sines=tuple(found))
 
 
 def rates(size: Axis, time: Axis, *terms: tuple[float, float, float], drift: float = 0.0) -> Sines:

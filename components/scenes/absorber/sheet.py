@@ -8,6 +8,7 @@ from components.language.blocks import Block
 from components.language.plots import Handle
 from components.layout.plots import Room, curve, mark, plot, region
 from components.layout.sheet import choice, column, desk, phrase, row, term, when, words
+from components.layout.stage import PlotFrame
 from components.layout.text import rich
 from components.scenes.absorber.curves import Axes, Sweep
 from components.scenes.absorber.curves import Signals as S
@@ -39,7 +40,7 @@ def absorber_sheet() -> Block:
 def _rest_plot() -> Block:
     """x1 from its start and its two parts, on the clock that moves the stage."""
     return plot(
-        "rest",
+        PlotFrame("rest"),
         x=Axes.t,
         y=Axes.rest,
         title="Displacement of the machine against time, from its start, with its two parts",

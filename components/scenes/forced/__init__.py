@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
+from typing import Any
 
 import numpy as np
 
@@ -12,14 +14,16 @@ from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.quantities.axes import Axis, nice_axis, time_axis, widest
+from components.quantities.declared import by_name
 from components.quantities.motion import pace, scaled
 from components.quantities.parameters import Values, angular_frequency, force, one_of
 from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED, framed
-from components.scene.traces import Columns, Traces, bands_over_time, samples
+from components.scene.traces import Columns, Floats, Traces, bands_over_time, samples
 from components.scenes.forced.about import dying_about, forced_about
+from components.scenes.forced.case import Axes, Signals
 from components.scenes.forced.driven import Undamped
 from components.scenes.forced.dying import Dying
 from components.scenes.forced.numbers import AnyCase
@@ -27,7 +31,7 @@ from components.scenes.forced.numbers import Numbers as N
 from components.scenes.forced.response import response
 from components.scenes.forced.sheet import forced_sheet
 from components.scenes.forced.watch import WATCH
-from components.scenes.forced.words import forms, notes
+from components.scenes.forced.words import VIEWS, Forms, Views, notes
 from physics.forced import driven_modes, steady_start
 from physics.particular import at_natural_frequency
 from physics.sampling import drawable, time_window
@@ -46,19 +50,13 @@ class Forced(Scene):
     lecture = "D34"
     points = "points 6 to 8"
     headline = "How far the masses swing depends on how fast you push"
-    spoken = {"particular amplitude of mass 1": N.Xp1, "of mass 2": N.Xp2}
+    spoken = {"particular amplitude of mass 1": N.Xp[1], "of mass 2": N.Xp[2]}
     equations = chain.BRAKED_DRIVEN
     groups = (
         Group("Drive", ("F_0", "omega")),
         chain.CHAIN,
         chain.DASHPOTS,
-        Group(
-            "",
-            chain.START.names,
-            "Start",
-            actions=(("rest", "From rest"), ("steady", "On the particular solution")),
-            folded=True,
-        ),
+        Group("", chain.START.names, "Start", (("rest", "From rest"), ("steady", "On the particular solution")), True),
         Group("Shown", ("view",)),
     )
     onward = (chain.measured_by("F_0", "omega"),)
@@ -83,11 +81,7 @@ class Forced(Scene):
     v1_0, v2_0 = chain.start_velocities()
     curve = one_of(default="size", objects=["size", "signed", "log"], label="Response shown as")
     axes = one_of(default="si", objects=["si", "lecture"], label="Units of the response")
-    view = one_of(
-        default="amplitudes",
-        objects={"Amplitudes": "amplitudes", "Forces": "forces", "Work": "work"},
-        label="What is shown beside the motion",
-    )
+    view = one_of(default="amplitudes", objects=VIEWS, label="What is shown beside the motion")
 
     @classmethod
     @cache
@@ -112,33 +106,30 @@ class Forced(Scene):
         slow, fast = case.natural
         t = np.linspace(0.0, case.end, samples(case.end, case.fastest))
         curves, bands = case.columns(t)
-        limit = {"limit": Traces(case.end, t.size, tuple(case.limits), case.limiting)} if case.limits else {}
+        limit = {"limit": Traces(case.end, t.size, tuple(by_name(case.limits)), case.limiting)} if case.limits else {}
         extremes = chain.extremes(curves, bands)
         work = case.energy(t) if self.view == "work" and drawable(2 * case.fastest, t) else {}
         swing = response(case, self.curve, self.axes == "lecture" and case.comparable, frame)
         window = time_axis(self.window or time_window(slow, fast))
-        own = {"t": window, "x": nice_axis(*_span(extremes, curves), "m", 2), "E": _energy_axis(work)}
+        x = nice_axis(*_span(extremes, curves), "m", 2)
+        own = by_name({Axes.t: window, Axes.x: x, Axes.E: _energy_axis(work)})
         axes, push = framed(frame, own) | swing.axes, nice_axis(0.0, self.F_0 or 1.0, "N")
-        size = axes["x"]
+        size, time, counted = Axes.x(axes), Axes.t(axes), axes | by_name({Axes.F: push})
         drawn = chain.to_scale(case.chain, extremes, size, frame.scale)
-        pushed = case.forces(t, size, axes["t"]) if self.view == "forces" else Forces()
-        dashpots = {f"dashpot{i}": 1.0 for i, c in enumerate(chain.damping_of(self), start=1) if c}
+        pushed = case.forces(t, size, time) if self.view == "forces" else Forces()
+        dashpots = chain.Has.scalars(chain.damping_of(self), axes)
         return Picture(
-            columns={**bands_over_time(t, bands), "energy": work and {"t": t, **work}, **swing.columns},
+            columns={**bands_over_time(t, bands), "energy": {"t": t, **by_name(work)} if work else {}, **swing.columns},
             axes=axes,
-            signals=case.signals(size, axes["t"], push) | pushed.signals,
+            signals=case.signals(size, time, push) | pushed.signals,
             traces={"time": Traces(case.end, t.size, tuple(curves), case.exact), **limit},
             scalars={**drawn.scalars, **swing.scalars, **pushed.scalars, **dashpots},
             pace=pace(slow or fast or self.omega, case.fastest),
             scale=drawn.scale,
             fits=drawn.fits,
-            values=N.texts(case, axes | {"F": push}) | drawn.values | pushed.values,
-            live={
-                **dict.fromkeys(("x1", "x2"), size.digits(signed=True)),
-                "force_now": push.digits(signed=True),
-                **pushed.live,
-            },
-            forms=forms(case, self.view),
+            values=N.texts(case, counted) | drawn.values | pushed.values,
+            live=Signals.live(counted) | pushed.live,
+            forms=Forms.forms(case) | Views.forms(self.view),
             notes=(*drawn.notes, *notes(case, self.axes, self.curve, self.view == "work" and not work)),
             spans={"omega": (0.0, 2.5 * fast if fast else 5.0)},
         )
@@ -164,12 +155,12 @@ class Forced(Scene):
 def _span(extremes: chain.Extremes, curves: Columns) -> tuple[float, float]:
     """The range of x(t): the motion, and its parts as long as it does not vanish beside them."""
     motion = widest(extremes["x1"], extremes["x2"])
-    parts = [(float(c.min()), float(c.max())) for name, c in curves.items() if "_" in name]
+    parts = [(float(c.min()), float(c.max())) for name, c in curves.items() if name not in extremes]
     whole = widest(motion, *parts)
     return whole if whole[1] - whole[0] < PARTS * (motion[1] - motion[0]) or motion[0] == motion[1] else motion
 
 
-def _energy_axis(work: Columns) -> Axis:
+def _energy_axis(work: Mapping[Any, Floats]) -> Axis:
     if not work:
         return Axis(0, 1, "J")
     return nice_axis(*widest(*((float(c.min()), float(c.max())) for c in work.values())), "J", 2)

@@ -5,12 +5,17 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from components.chain import BOTH
 from components.chain.about import DRIVE, MASSES, motion_rows
 from components.chain.parameters import Pair
+from components.quantities.declared import by_name
 from components.quantities.numbers import short
 from components.scene import Picture
 from components.scene.about import About, bounded, drawn_as_bands, few, rows
+from components.scenes.forced.case import Signals as S
+from components.scenes.forced.case import Work
 from components.scenes.forced.dying import Dying
+from components.scenes.forced.response import Swings
 from physics.energy import chain_energy
 from physics.forced import DrivenModes
 from physics.reference_braked import braked_points, braked_swings
@@ -18,9 +23,9 @@ from physics.reference_single import steady_points
 from physics.sampling import drawable
 from physics.transient import DampedModes
 
-BANDS = MASSES | {
-    f"x{i}_{part}": f"the {name} part" for i in (1, 2) for part, name in (("p", "particular"), ("c", "complementary"))
-}
+BANDS = MASSES | by_name({
+    part[i]: f"the {name} part" for i in BOTH for part, name in ((S.x_p, "particular"), (S.x_c, "complementary"))
+})  # fmt: skip
 
 
 def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) -> About:
@@ -29,7 +34,7 @@ def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) ->
     motion = motion_rows(MASSES, columns, driven.chain, x_0, v_0, driven.F_0, driven.omega)
     at = few(sweep["omega"])
     points = steady_points(driven.chain, 0.0, driven.F_0, sweep["omega"][at].tolist())
-    swings = {"Xp1": r"$X_{\mathrm{p}1}$", "Xp2": r"$X_{\mathrm{p}2}$"}
+    swings = by_name({Swings.Xp[i]: rf"$X_{{\mathrm{{p}}{i}}}$" for i in BOTH})
     true = dict(zip(swings, points, strict=True))
     tables = (
         bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement possible by then", motion),
@@ -44,7 +49,7 @@ def dying_about(picture: Picture, modes: DampedModes) -> About:
     at = few(columns["t"])
     true = braked_points(modes, columns["t"][at].tolist())
     inside = few(sweep["omega"])
-    swings = {"Xp1": r"$|X_{\mathrm{p}1}|$", "Xp2": r"$|X_{\mathrm{p}2}|$"}
+    swings = by_name({Swings.Xp[i]: rf"$|X_{{\mathrm{{p}}{i}}}|$" for i in BOTH})
     steady = braked_swings(modes, sweep["omega"][inside].tolist())
     tables = (
         bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement by then", rows(MASSES, columns, true, at)),
@@ -58,8 +63,8 @@ def _heat_gap(modes: DampedModes, t: NDArray[np.float64]) -> str:
     if not drawable(2 * dying.fastest, t):
         return "The energies change too fast in this window to be added up."
     energy = dying.energy(t)
-    largest = float(np.max(np.abs([energy["gain"], energy["work"]]))) or 1.0
-    gap = float(np.max(np.abs((energy["work"] - energy["gain"] - dying.heat(t)) / largest)))
+    largest = float(np.max(np.abs([energy[Work.gain], energy[Work.work]]))) or 1.0
+    gap = float(np.max(np.abs((energy[Work.work] - energy[Work.gain] - dying.heat(t)) / largest)))
     return f"The work of the drive is the gain of $T + V$ and the heat of the dashpots to {short(gap)} of the largest."
 
 

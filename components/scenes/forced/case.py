@@ -4,18 +4,58 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from components import chain
+from components.chain import BOTH
 from components.chain.parameters import Pair
 from components.language.signals import AnySignal, Sines
 from components.quantities.axes import Axis
+from components.quantities.declared import Column, Declared, DrawnAxis, Family, Signal, by_name
 from components.quantities.motion import sines
 from components.scene.traces import Columns, Floats
 from physics.coupled import TwoMassChain
 from physics.forced import DrivenModes, antiresonance
 from physics.transient import DampedModes
+
+signal = Signal[Any]
+
+
+class Axes(chain.Axes):
+    """Of energies and of the response; F counts the drive and is not drawn."""
+
+    E, omega, X, F = DrawnAxis.some(4)
+
+
+class Signals(chain.Signals):
+    """Besides: the parts of the displacements, or what both modes answer to the drive; what their swings grow by near
+    resonance, up and down, and the straight line; and the drive."""
+
+    x_p, x_c = signal.each(BOTH, "x{}_p"), signal.each(BOTH, "x{}_c")
+    x_driven = signal.each(BOTH, "x{}_driven")
+    beat, fall = signal.each(BOTH, "x{}_beat"), signal.each(BOTH, "x{}_fall")
+    growth = signal.each(BOTH, "x{}_growth")
+    force_now = signal(on=Axes.F, signed=True)
+
+
+class Work(Declared[Any]):
+    """The gain of T + V since the start, the work of the drive, and what both begin at."""
+
+    gain, work, none = Column[Any].some(3, "energy")
+
+
+S = Signals
+MARKS = ("minus", "still", "plus")
+"""The natural frequencies, between them the one at which mass 1 stands still."""
+Both = Family[int, Signal[Any]]
+Found = dict[Signal[Any], AnySignal]
+
+
+def of_both(*parts: tuple[Both, Floats]) -> Columns:
+    """Columns by name, of one row for each mass."""
+    return by_name({of[i]: rows[i - 1] for i in BOTH for of, rows in parts})
 
 
 class Growth(NamedTuple):
@@ -79,15 +119,15 @@ class ForcedCase:
         return {"minus": slow, "plus": fast} | ({"still": antiresonance(self.chain)} if self.stills else {})
 
     @property
-    def limits(self) -> dict[str, Growth]:
+    def limits(self) -> dict[Signal[Any], Growth]:
         """The growth of the swings, up and down, where they grow."""
         return {}
 
     def limiting(self, t: Floats) -> Columns:
-        return {name: limit.at(t) for name, limit in self.limits.items()}
+        return by_name({one: limit.at(t) for one, limit in self.limits.items()})
 
-    def drive(self, time: Axis, force: Axis) -> dict[str, AnySignal]:
+    def drive(self, time: Axis, force: Axis) -> Found:
         """The drive for the clock, as a sine of size 1 and as a force."""
         F_0, omega = self.modes.F_0, self.modes.omega
         size = sines(Axis(0.0, 1.0), time, (1.0 if F_0 else 0.0, omega, 0.0))
-        return {"drive": size, "force_now": sines(force, time, (F_0, omega, 0.0))}
+        return {S.drive: size, S.force_now: sines(force, time, (F_0, omega, 0.0))}

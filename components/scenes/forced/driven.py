@@ -5,18 +5,21 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
-from components.chain import components, free_signals, positions
+from components.chain import BOTH, MODES, components, free_signals, positions
 from components.chain.forces import Forces, forces
 from components.chain.parameters import Pair
 from components.language.numbers import var
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis
+from components.quantities.declared import Column, Signal, by_name
 from components.quantities.motion import derived, responses, sines, total
 from components.scene.traces import Columns, Floats, band_columns, trace
-from components.scenes.forced.case import ForcedCase, Growth
+from components.scenes.forced.case import Both, ForcedCase, Found, Growth, Work, of_both
+from components.scenes.forced.case import Signals as S
 from physics.energy import chain_energy
 from physics.forced import DrivenModes, determinant
 from physics.sampling import Sinusoid, drawable
@@ -83,22 +86,22 @@ class Undamped(ForcedCase):
         return float(self.modes.detuning[self._nearest] / 2)
 
     @cached_property
-    def limits(self) -> dict[str, Growth]:
+    def limits(self) -> dict[Signal[Any], Growth]:
         """Near resonance the envelope of the growing part, up and down; empty elsewhere.
 
         With 2 d the detuning from the nearest mode it is growth |sin(d t)/d|, at d = 0 growth t; where the window is
         long enough to tell them apart, the straight line is there too.
         """
-        found: dict[str, Growth] = {}
+        found = dict[Signal[Any], Growth]()
         if self.resonant:
             d = self._halfway if abs(self._halfway) * self.end >= STRAIGHT else 0.0
             share = np.sinc(d * self.end / np.pi)
             bent = abs(d) * self.end > 1 or share < APART
-            for name, growth in zip(("x1", "x2"), self.growth, strict=True):
+            for i, growth in zip(BOTH, self.growth, strict=True):
                 rate = math.copysign(growth, share)
-                found |= {f"{name}_beat": Growth(rate, d), f"{name}_fall": Growth(-rate, d)}
+                found |= {S.beat[i]: Growth(rate, d), S.fall[i]: Growth(-rate, d)}
                 if bent:
-                    found[f"{name}_growth"] = Growth(growth, 0.0)
+                    found[S.growth[i]] = Growth(growth, 0.0)
         return found
 
     def columns(self, t: Floats) -> tuple[Columns, Columns]:
@@ -112,42 +115,38 @@ class Undamped(ForcedCase):
     def _in_doubles(self, t: Floats) -> Columns:
         """At times that resolve it. Parts that are huge and opposite are left out: see `limits`."""
         if not self.split:
-            x = self.modes.motion(t).x
-            return {"x1": x[0], "x2": x[1]}
+            return of_both((S.x, self.modes.motion(t).x))
         particular = np.outer(self.modes.particular, np.sin(self.modes.omega * t))
-        found: Columns = {}
-        for i, complementary in enumerate(positions(self.modes.complementary_modes, t).values()):
-            name = f"x{i + 1}"
-            found |= {name: particular[i] + complementary, f"{name}_p": particular[i], f"{name}_c": complementary}
-        return found
+        complementary = np.array([*positions(self.modes.complementary_modes, t).values()])
+        return of_both((S.x, particular + complementary), (S.x_p, particular), (S.x_c, complementary))
 
     def _traced(self, t: Floats) -> tuple[Columns, Columns]:
         """The motion and its parts to the last digits, as curves, or as bands where too fast to draw."""
         motion, *parts = self.modes.apart(t) if self.split else (self.modes.motion(t),)
-        drawn = dict(zip(("", "_p", "_c"), (motion.x, *parts), strict=False))
+        drawn = list(zip((S.x, S.x_p, S.x_c), (motion.x, *parts), strict=False))
         if drawable(self.fastest, t):
-            return {f"x{i + 1}{part}": x[i] for i in (0, 1) for part, x in drawn.items()}, {}
+            return of_both(*drawn), {}
         curves, bands = Columns(), Columns()
-        for i in (0, 1):
-            for part, x in drawn.items():
-                curve, band = self._trace(i, t, part, x[i]) if self.split else ({}, self._band(i, t))
+        for i in BOTH:
+            for part, x in drawn:
+                curve, band = self._trace(part, i, t, x[i - 1]) if self.split else ({}, self._band(i, t))
                 curves, bands = curves | curve, bands | band
         return curves, bands
 
-    def _trace(self, i: int, t: Floats, part: str, x: Floats) -> tuple[Columns, Columns]:
-        """Of the displacement of mass i or one of its parts."""
-        rest = self.modes.complementary_modes
-        particular = [Sinusoid(self.modes.particular[i], self.modes.omega, 0.0)] if part != "_c" else []
-        complementary = components(rest, i) if part != "_p" else []
-        drift = rest.drift_a[i] + rest.drift_b[i] * t if part != "_p" else None
-        return trace(f"x{i + 1}{part}", [*particular, *complementary], t, drift, x)
+    def _trace(self, part: Both, i: int, t: Floats, x: Floats) -> tuple[Columns, Columns]:
+        """Of the displacement of mass i (1, 2) or one of its parts."""
+        rest, at = self.modes.complementary_modes, i - 1
+        particular = [Sinusoid(self.modes.particular[at], self.modes.omega, 0.0)] if part is not S.x_c else []
+        complementary = components(rest, at) if part is not S.x_p else []
+        drift = rest.drift_a[at] + rest.drift_b[at] * t if part is not S.x_p else None
+        return trace(part[i], [*particular, *complementary], t, drift, x)
 
     def _band(self, i: int, t: Floats) -> Columns:
-        """The band that the displacement of mass i fills next to resonance."""
-        beat = np.abs(Growth(self.growth[i], self._halfway).at(t)) if self.resonant else 0.0
-        size = beat + self._others(i)
-        drift = self.modes.free.drift_a[i] + self.modes.free.drift_b[i] * t
-        return dict(zip(band_columns(f"x{i + 1}"), (drift - size, drift + size), strict=True))
+        """The band that the displacement of mass i (1, 2) fills next to resonance."""
+        beat = np.abs(Growth(self.growth[i - 1], self._halfway).at(t)) if self.resonant else 0.0
+        size = beat + self._others(i - 1)
+        drift = self.modes.free.drift_a[i - 1] + self.modes.free.drift_b[i - 1] * t
+        return dict(zip(band_columns(S.x[i]), (drift - size, drift + size), strict=True))
 
     def _others(self, i: int) -> float:
         """The reach of all but the resonant response: the free motion of the start and the other mode's response."""
@@ -157,25 +156,24 @@ class Undamped(ForcedCase):
             reach += abs(modes.F_0 * modes.coupling[other, i] / modes.detuning[other]) / self.natural[other]
         return reach
 
-    def energy(self, t: Floats) -> Columns:
+    def energy(self, t: Floats) -> dict[Column[Any], Floats]:
         """The gain of T + V since the start and the work of the drive."""
         energy = chain_energy(self.chain, self.modes.motion(t)).total
-        return {"gain": energy - energy[0], "work": self.modes.work(t), "none": np.zeros_like(t)}
+        return {Work.gain: energy - energy[0], Work.work: self.modes.work(t), Work.none: np.zeros_like(t)}
 
     def signals(self, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
         """The clock's: the free motion of the start plus each mode's response, regular at resonance."""
-        signals = free_signals(self.modes.free, size, time)
-        F_0, omega, coupling = self.modes.F_0, self.modes.omega, self.modes.coupling.tolist()
-        for i in (0, 1):
-            name = f"x{i + 1}"
-            terms = [(F_0, c[i], omega, omega_n) for c, omega_n in zip(coupling, self.natural, strict=True) if c[i]]
-            signals[f"{name}_driven"] = responses(size, time, *terms)
-            signals[name] = total(f"{name}_slow", f"{name}_fast", f"{name}_driven")
+        found = Found()
+        F_0, omega, coupling = self.modes.F_0, self.modes.omega, self.modes.coupling.T.tolist()
+        for i, shares, swing in zip(BOTH, coupling, self.swings, strict=True):
+            terms = [(F_0, c, omega, omega_n) for c, omega_n in zip(shares, self.natural, strict=True) if c]
+            found[S.x_driven[i]] = responses(size, time, *terms)
+            found[S.x[i]] = total(*(S.x_part[i, mode] for mode in MODES), S.x_driven[i])
             if self.split:
-                signals[f"{name}_p"] = sines(size, time, (self.swings[i], omega, 0.0))
-                signals[f"{name}_c"] = derived(var(name) - var(f"{name}_p"))
-        limits = {name: limit.signal(size, time) for name, limit in self.limits.items()}
-        return signals | self.drive(time, force) | limits
+                found[S.x_p[i]] = sines(size, time, (swing, omega, 0.0))
+                found[S.x_c[i]] = derived(var(S.x[i]) - var(S.x_p[i]))
+        limits = {one: limit.signal(size, time) for one, limit in self.limits.items()}
+        return free_signals(self.modes.free, size, time) | by_name(found | self.drive(time, force) | limits)
 
     def forces(self, t: Floats, size: Axis, time: Axis) -> Forces:
         """The forces on the masses."""

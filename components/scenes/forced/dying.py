@@ -7,18 +7,21 @@ import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
+from components.chain import BOTH
 from components.chain.forces import Forces, forces
 from components.chain.parameters import Pair
 from components.language.numbers import var
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis, nice_axis
+from components.quantities.declared import Column, by_name
 from components.quantities.motion import QUARTER, decays, derived, sampled, sines, total
 from components.scene.traces import Columns, Floats, band_columns
-from components.scenes.forced.case import ForcedCase
+from components.scenes.forced.case import ForcedCase, Found, Work, of_both
+from components.scenes.forced.case import Signals as S
 from physics.absorber import damped_solution
 from physics.coupled import Motion
 from physics.energy import chain_energy
@@ -117,30 +120,26 @@ class Dying(ForcedCase):
         return self._curves(t, self.modes.motion(t).x)
 
     def _curves(self, t: Floats, x: Floats) -> Columns:
-        found = {"x1": x[0], "x2": x[1]}
-        if self.split:
-            steady, dying = self.modes.particular_motion(t), self.modes.complementary(t)
-            found |= {f"x{i + 1}_{part}": rows[i] for i in (0, 1) for part, rows in (("p", steady), ("c", dying))}
-        return found
+        if not self.split:
+            return of_both((S.x, x))
+        return of_both((S.x, x), (S.x_p, self.modes.particular_motion(t)), (S.x_c, self.modes.complementary(t)))
 
     def _bands(self, t: Floats) -> Columns:
         """Not further than all parts together go."""
         found: Columns = {}
-        for i, X in enumerate(self.X):
+        for i, X in zip(BOTH, self.X, strict=True):
             size = np.full_like(t, abs(X))
             for exponent, rows in self.modes.transient:
-                powers = sum(abs(row[i]) * t**j for j, row in enumerate(rows))
+                powers = sum(abs(row[i - 1]) * t**j for j, row in enumerate(rows))
                 size += powers * np.exp(np.maximum(exponent.real * t, -700.0))
-            found |= dict(zip(band_columns(f"x{i + 1}"), (-size, size), strict=True))
+            found |= dict(zip(band_columns(S.x[i]), (-size, size), strict=True))
         return found
 
-    def energy(self, t: Floats) -> Columns:
+    def energy(self, t: Floats) -> dict[Column[Any], Floats]:
         """The gain of T + V since the start, and the work of the drive: what is between them is heat."""
         energy = chain_energy(self.chain, self.motion(t)).total
-        found = {"gain": energy - energy[0], "none": np.zeros_like(t)}
-        return found | {
-            "work": self._integrated(t, lambda s: self.modes.F_0 * np.sin(self.modes.omega * s) * self._v(s)[0])
-        }
+        work = self._integrated(t, lambda s: self.modes.F_0 * np.sin(self.modes.omega * s) * self._v(s)[0])
+        return {Work.gain: energy - energy[0], Work.none: np.zeros_like(t), Work.work: work}
 
     def heat(self, t: Floats) -> Floats:
         """The heat of the dashpots since the start, from the velocities."""
@@ -161,30 +160,19 @@ class Dying(ForcedCase):
 
     def signals(self, size: Axis, time: Axis, force: Axis) -> dict[str, AnySignal]:
         """The clock's: x1, x2, their parts, the drive."""
-        found: dict[str, AnySignal] = {}
-        for i, X in enumerate(self.X):
-            terms = self.modes.transient
-            found |= self._sum(f"x{i + 1}", i, X, terms, size, time) if self.in_doubles else self._table(i, size, time)
-        return found | self.drive(time, force)
-
-    def _sum(self, name: str, i: int, X: complex, terms: Terms, size: Axis, time: Axis) -> dict[str, AnySignal]:
-        """Steady, dying and resting part of a motion of mass i (0, 1), and their sum."""
-        return {
-            f"{name}_p": _steady(X, self.modes.omega, size, time),
-            f"{name}_dies": decays(size, time, *_waves(terms, i)),
-            f"{name}_rests": sines(size, time, line=_line(terms, i)),
-            f"{name}_c": total(f"{name}_dies", f"{name}_rests"),
-            name: total(f"{name}_p", f"{name}_c"),
-        }
-
-    def _table(self, i: int, size: Axis, time: Axis) -> dict[str, AnySignal]:
-        motion, last = self._tabled
-        name = f"x{i + 1}"
-        found: dict[str, AnySignal] = {name: sampled(time, last, size.places(motion.x[i]), size.places(motion.v[i]))}
-        if self.split:
-            found[f"{name}_p"] = _steady(self.X[i], self.modes.omega, size, time)
-            found[f"{name}_c"] = derived(var(name) - var(f"{name}_p"))
-        return found
+        found, omega, terms = self.drive(time, force), self.modes.omega, self.modes.transient
+        for i, X in zip(BOTH, self.X, strict=True):
+            x, x_p, x_c = S.x[i], S.x_p[i], S.x_c[i]
+            steady = sines(size, time, (abs(X), omega, cmath.phase(X)))
+            if self.in_doubles:
+                dying = decays(size, time, *_waves(terms, i), line=_line(terms, i))
+                found |= {x_p: steady, x_c: dying, x: total(x_p, x_c)}
+                continue
+            motion, last = self._tabled
+            found[x] = sampled(time, last, size.places(motion.x[i - 1]), size.places(motion.v[i - 1]))
+            if self.split:
+                found |= {x_p: steady, x_c: derived(var(x) - var(x_p))}
+        return by_name(found)
 
     @cached_property
     def _tabled(self) -> tuple[Motion, float]:
@@ -199,16 +187,18 @@ class Dying(ForcedCase):
         return replace(found, signals=self._rates(speed, time) | found.signals)
 
     def _rates(self, speed: Axis, time: Axis) -> dict[str, AnySignal]:
+        found = Found()
         if not self.in_doubles:
             motion, last = self._tabled
             step = last / (NODES - 1)
-            return {
-                f"v{i + 1}": sampled(time, last, speed.places(v), np.gradient(speed.places(v), step))
-                for i, v in enumerate(motion.v)
-            }
-        rates, turned = tuple(term.rate for term in self.modes.transient), 1j * self.modes.omega
-        one, two = (self._sum(f"v{i + 1}", i, turned * X, rates, speed, time) for i, X in enumerate(self.X))
-        return one | two
+            for i, v in zip(BOTH, map(speed.places, motion.v), strict=True):
+                found[S.v[i]] = sampled(time, last, v, np.gradient(v, step))
+            return by_name(found)
+        omega, terms = self.modes.omega, tuple(term.rate for term in self.modes.transient)
+        for i, X in zip(BOTH, self.X, strict=True):
+            steady = (abs(omega * X), 0.0, 0.0, omega, cmath.phase(1j * omega * X))
+            found[S.v[i]] = decays(speed, time, steady, *_waves(terms, i), line=_line(terms, i))
+        return by_name(found)
 
     @cached_property
     def slowest(self) -> float:
@@ -217,22 +207,18 @@ class Dying(ForcedCase):
         return min(left, default=math.inf)
 
 
-def _steady(X: complex, omega: float, size: Axis, time: Axis) -> AnySignal:
-    return sines(size, time, (abs(X), omega, cmath.phase(X)))
-
-
 def _waves(terms: Terms, i: int) -> Iterator[tuple[float, float, float, float, float]]:
-    """Each Re(A exp(s t)) and Re(B t exp(s t)) as a decaying sine."""
+    """Each Re(A exp(s t)) and Re(B t exp(s t)) of mass i (1, 2) as a decaying sine."""
     for exponent, rows in terms:
-        for j, A in enumerate(rows[:, i] if exponent else ()):
+        for j, A in enumerate(rows[:, i - 1] if exponent else ()):
             if A:
                 sizes = (abs(A), 0.0) if j == 0 else (0.0, abs(A))
                 yield (*sizes, -exponent.real, exponent.imag, cmath.phase(A) + QUARTER)
 
 
 def _line(terms: Terms, i: int) -> Pair:
-    """A constant and a drift, of what nothing ties to its place."""
+    """A constant and a drift of mass i (1, 2), of what nothing ties to its place."""
     for exponent, rows in terms:
         if not exponent:
-            return float(rows[0, i].real), float(rows[1, i].real) if len(rows) > 1 else 0.0
+            return float(rows[0, i - 1].real), float(rows[1, i - 1].real) if len(rows) > 1 else 0.0
     return 0.0, 0.0

@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from components.chain import BOTH
 from components.quantities.axes import Axis
-from components.quantities.declared import AxisUnit, Declared, LiveNumber
+from components.quantities.declared import AxisUnit, Declared, Family, LiveNumber
 from components.quantities.numbers import MINUS, plus, three
+from components.scenes.forced.case import MARKS, Axes
 from components.scenes.forced.driven import Undamped
 from components.scenes.forced.dying import Dying
 
@@ -23,7 +25,7 @@ class Amplitude(LiveNumber[AnyCase]):
         return size if isinstance(case, Dying) or size.startswith(MINUS) else f"+{size}"
 
 
-def way(case: AnyCase, i: int) -> str:
+def _way(case: AnyCase, i: int) -> str:
     if not case.swings[i]:
         return "at rest"
     if isinstance(case, Dying):
@@ -32,22 +34,19 @@ def way(case: AnyCase, i: int) -> str:
 
 
 class Numbers(Declared[AnyCase]):
-    F_unit = AxisUnit("F")
-    Xp1 = Amplitude(lambda c: c.swings[0], "X_{p1}", "m", "m1")
-    Xp2 = Amplitude(lambda c: c.swings[1], "X_{p2}", "m", "m2")
+    F_unit = AxisUnit(Axes.F)
+    Xp = Family(BOTH, lambda i: Amplitude(lambda c: c.swings[i - 1], f"X_{{p{i}}}", "m", f"m{i}"))
     omega_minus = number(lambda c: c.natural[0], "ω_{−}", "rad/s", "slow", also=("mark_minus",))
     ratio_minus = number(lambda c: c.chain.modes().ratio[0], "X₂/X₁_{−}", tint="slow")
     omega_plus = number(lambda c: c.natural[1], "ω_{+}", "rad/s", "fast", also=("mark_plus",))
     ratio_plus = number(lambda c: c.chain.modes().ratio[1], "X₂/X₁_{+}", tint="fast")
-    mark_minus = number(lambda c: c.marks.get("minus"))
-    mark_still = number(lambda c: c.marks.get("still"))
-    mark_plus = number(lambda c: c.marks.get("plus"))
+    mark = Family(MARKS, lambda name: number(lambda c: c.marks.get(name)))
     omega = number(lambda c: c.modes.omega)
-    X1, X2 = Amplitude.both(lambda c: c.swings)
+    X = Family(BOTH, lambda i: Amplitude(lambda c: c.swings[i - 1]))
     D = number(lambda c: c.D if isinstance(c, Undamped) else None)
-    way1, way2 = number.both(lambda c: (way(c, 0), way(c, 1)))
-    growth1, growth2 = number.both(lambda c: c.growth if isinstance(c, Undamped) and c.resonant else ("", ""))
-    lag1, lag2 = number.both(lambda c: [plus(-lag) for lag in c.lags] if isinstance(c, Dying) else ("", ""))
+    way = Family(BOTH, lambda i: number(lambda c: _way(c, i - 1)))
+    growth = Family(BOTH, lambda i: number(lambda c: c.growth[i - 1] if isinstance(c, Undamped) and c.resonant else ""))
+    lag = Family(BOTH, lambda i: number(lambda c: plus(-c.lags[i - 1]) if isinstance(c, Dying) else ""))
     dies = number(
         lambda c: math.log(100) / c.slowest if isinstance(c, Dying) and 0 < c.slowest < math.inf else None,
         unit="s",

@@ -5,26 +5,31 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
+from typing import Any
 
 import numpy as np
 from msgspec.structs import replace
 
+from components.chain import BOTH
 from components.language.blocks import PlotBlock
 from components.language.numbers import var
-from components.language.plots import Curve, Handle, Mark
+from components.language.plots import Curve, Handle
 from components.language.state import Frame
 from components.layout.grabs import grab, on_plot
-from components.layout.plots import Room, curve, plot
+from components.layout.plots import Room, curve, mark, plot
 from components.layout.sheet import phrase, term
-from components.layout.stage import Shape, arrow, circle, on_x, on_y
+from components.layout.stage import PlotFrame, Shape, arrow, circle
 from components.layout.text import rich
 from components.quantities.axes import Axis, log_axis, nice_axis
+from components.quantities.declared import Column, Declared, Scalar, by_name
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns, Floats
+from components.scenes.forced.case import MARKS, Axes
 from components.scenes.forced.driven import Undamped
 from components.scenes.forced.dying import Dying
 from components.scenes.forced.numbers import AnyCase
 from components.scenes.forced.numbers import Numbers as N
+from components.scenes.forced.words import Forms as F
 from physics.absorber import damped_amplitude
 from physics.forced import particular_solution
 
@@ -44,6 +49,29 @@ REACH = 1.55
 """The axis ends at this multiple of the larger natural frequency, unless the drive is beyond it."""
 TALL = 5.0
 """The frame is this many times as high as the swing under a steady force."""
+
+
+RESPONSE = PlotFrame("response")
+scalar, column = Scalar[AnyCase], Column[AnyCase]
+
+
+class Swings(Declared[AnyCase]):
+    """The amplitudes at drive frequencies; each branch has a source of its own."""
+
+    omega = column("response")
+    Xp = column.each(BOTH, source="response")
+
+
+class Places(Declared[AnyCase]):
+    """Places of flags and the frequencies they set; where the drive is, the dots: how high, whether they have left the
+    frame, at the top or at the bottom, and where they are held."""
+
+    mark, exactly = scalar.each(MARKS, "mark_{}"), scalar.each(MARKS, "mark_{}_si")
+    drive_at, driven = scalar.some(2)
+    at, over, under, held = (scalar.each(BOTH, f"Xp{{}}_{name}") for name in ("at", "over", "under", "held"))
+
+
+P = Places
 
 
 @dataclass(frozen=True)
@@ -69,8 +97,8 @@ def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) ->
     across = replace(across, drawn=(across.start, min(end, max(fast or unit, omega))))
     up = _height(base, log, signed, base if lecture else 1.0, lecture)
     up = replace(up, drawn=(up.start / 2 if up.start < 0 else up.start, up.end / 2))
-    axes = framed(frame, {"omega": across, "X": up})
-    across, up = axes["omega"], axes["X"]
+    axes = framed(frame, by_name({Axes.omega: across, Axes.X: up}))
+    across, up = Axes.omega(axes), Axes.X(axes)
     w, swings, branches = _curves(case, across, log) if isinstance(case, Undamped) else _curve(case, across, log)
     drawn = swings if signed else np.abs(swings)
     columns: dict[str, Columns] = {f"branch{i}": {} for i in range(len(BRANCHES))}
@@ -147,7 +175,7 @@ def _branches(
 
 
 def _column(w: Floats, X: Floats) -> Columns:
-    return {"omega": w, "Xp1": X[0], "Xp2": X[1]}
+    return by_name({Swings.omega: w, Swings.Xp[1]: X[0], Swings.Xp[2]: X[1]})
 
 
 def _axis(start: float, end: float, unit: str, shown: str, factor: float) -> Axis:
@@ -165,57 +193,46 @@ def _height(base: float, log: bool, signed: bool, factor: float, lecture: bool) 
 
 def _marks(case: AnyCase, across: Axis, up: Axis, log: bool, signed: bool) -> dict[str, float]:
     """The flags at both natural frequencies and the antiresonance, and the dots at the drive frequency."""
-    scalars: dict[str, float] = {}
+    found, omega = dict[Scalar[AnyCase], float](), case.modes.omega
     for name, w in case.marks.items():
         if w > 0 or not log:
-            scalars |= {f"mark_{name}": across.place(w), f"mark_{name}_si": w}
+            found |= {P.mark[name]: across.place(w), P.exactly[name]: w}
     X = case.swings if signed else np.abs(case.swings).tolist()
-    if np.all(np.isfinite(X)) and (case.modes.omega > 0 or not log):
-        scalars |= {"drive_at": across.place(case.modes.omega), "Xp1_at": up.place(X[0]), "Xp2_at": up.place(X[1])}
-        scalars |= _outside(scalars, up)
-    return scalars
-
-
-def _outside(scalars: dict[str, float], up: Axis) -> dict[str, float]:
-    """Whether a dot has left the frame, at the top or at the bottom, and how far it goes to be held."""
-    low, high = up.place(up.start), up.place(up.end)
-    dots = {name: scalars[f"{name}_at"] for name in ("Xp1", "Xp2")}
-    over = {f"{name}_over": float(at > high) for name, at in dots.items()}
-    under = {f"{name}_under": float(at < low) for name, at in dots.items()}
-    return over | under | {f"{name}_held": min(max(at, low), high) for name, at in dots.items()} | {"driven": 1.0}
+    if np.all(np.isfinite(X)) and (omega > 0 or not log):
+        found |= {P.drive_at: across.place(omega), P.driven: 1.0}
+        low, high = up.place(up.start), up.place(up.end)
+        for i, at in zip(BOTH, map(up.place, X), strict=True):
+            found |= {P.at[i]: at, P.over[i]: float(at > high), P.under[i]: float(at < low)}
+            found[P.held[i]] = min(max(at, low), high)
+    return by_name(found)
 
 
 FLAGS = (
-    (N.mark_minus, "slow", r"$\omega_-$", "Drive at the slow natural frequency", ""),
-    (N.mark_still, "m1", r"$X_{\mathrm{p}1} = 0$", "Drive where mass 1 stands still", "dashed"),
-    (N.mark_plus, "fast", r"$\omega_+$", "Drive at the fast natural frequency", ""),
+    ("minus", "slow", r"$\omega_-$", "Drive at the slow natural frequency", ""),
+    ("still", "m1", r"$X_{\mathrm{p}1} = 0$", "Drive where mass 1 stands still", "dashed"),
+    ("plus", "fast", r"$\omega_+$", "Drive at the fast natural frequency", ""),
 )
 
 
 def response_plot() -> PlotBlock:
     """The plot, its flags 'go there', and the pill that sets the drive frequency."""
     marks = tuple(
-        Mark(
-            at=one.name,
-            tint=tint,
-            html=f"{rich(symbol)}<br>{rich(str(one))}",
-            label=label,
-            style=style,
-            set="omega",
-            exactly=f"{one.name}_si",
+        mark(
+            P.mark[name], tint=tint, html=f"{rich(symbol)}<br>{rich(str(N.mark[name]))}", label=label, style=style,
+            set="omega", exactly=P.exactly[name],
         )
-        for one, tint, symbol, label, style in FLAGS
-    )
+        for name, tint, symbol, label, style in FLAGS
+    )  # fmt: skip
     return plot(
-        "response",
-        x="omega",
-        y="X",
+        RESPONSE,
+        x=Axes.omega,
+        y=Axes.X,
         title="Amplitude of each mass against the drive frequency, with its two resonances and the antiresonance",
-        curves=tuple(_branch(i, b) for i in (1, 2) for b in range(len(BRANCHES))),
-        x_column="omega",
+        curves=tuple(_branch(i, b) for i in BOTH for b in range(len(BRANCHES))),
+        x_column=Swings.omega,
         heading=(
-            *(term(f"Xp{i}", "sum", f"m{i}", formula=rf"X_{{\mathrm{{p}}{i}}}") for i in (1, 2)),
-            phrase("", "dash", "ink", form="rows", sign="against the push", braked=""),
+            *(term(Swings.Xp[i], "sum", f"m{i}", formula=rf"X_{{\mathrm{{p}}{i}}}") for i in BOTH),
+            phrase("", "dash", "ink", form=F.rows, sign="against the push", braked=""),
         ),
         marks=marks,
         handles=(Handle(parameter="omega", symbol="ω", label="Drive frequency", tint="F", axis="x", covering="rad/s"),),
@@ -228,33 +245,25 @@ def response_plot() -> PlotBlock:
 
 def _branch(i: int, b: int) -> Curve:
     """One branch of the curve of mass i; the first of them carries the dot at the drive frequency."""
-    return curve(
-        f"Xp{i}",
-        source=f"branch{b}",
-        x="omega",
-        tint=f"m{i}",
-        width="dash" if str(i) in BRANCHES[b] else "sum",
-        group=f"Xp{i}",
-        read=f"*X*_{{p{i}}}",
-        signal=f"Xp{i}_at" if b == 0 else "",
-        signal_x="drive_at" if b == 0 else "",
-    )
+    dot: dict[str, Any] = {"signal": P.at[i], "signal_x": P.drive_at} if b == 0 else {}
+    width = "dash" if str(i) in BRANCHES[b] else "sum"
+    read = f"*X*_{{p{i}}}"
+    return curve(Swings.Xp[i], source=f"branch{b}", x=Swings.omega, tint=f"m{i}", width=width, read=read, **dot)
 
 
 def _gone() -> list[Shape]:
     """Arrows at the edge of the frame where a dot has left it."""
     shapes = []
-    for i, aside in ((1, -5), (2, 5)):
-        x, look = on_x("response", var("drive_at")) + aside, {"tint": f"m{i}", "head": 12}
-        top, floor = var("response.top"), var("response.bottom")
-        shapes.append(arrow(x, top + 20, x, top + 1, show=f"Xp{i}_over", **look))
-        shapes.append(arrow(x, floor - 20, x, floor - 1, show=f"Xp{i}_under", **look))
+    for i, aside in zip(BOTH, (-5, 5), strict=True):
+        x, look = RESPONSE.x(var(P.drive_at)) + aside, {"tint": f"m{i}", "head": 12}
+        top, floor = RESPONSE.top, RESPONSE.bottom
+        shapes.append(arrow(x, top + 20, x, top + 1, show=P.over[i], **look))
+        shapes.append(arrow(x, floor - 20, x, floor - 1, show=P.under[i], **look))
     return shapes
 
 
 def _drive() -> list[Shape]:
     """Where the drive stands on each curve: unseen, over the dots; it is taken along the axis, past a pole too."""
-    x = on_x("response", var("drive_at"))
-    way = on_plot("response", "x", "omega", "drive_at", "omega", least=0.0)
-    held = [grab(f"Drive frequency, on the curve of mass {i}", way, inside="response") for i in (1, 2)]
-    return [circle(x, on_y("response", var(f"Xp{i}_held")), 0, show="driven", grab=held[i - 1]) for i in (1, 2)]
+    x, way = RESPONSE.x(var(P.drive_at)), on_plot(RESPONSE, "x", "omega", P.drive_at, Axes.omega, least=0.0)
+    held = {i: grab(f"Drive frequency, on the curve of mass {i}", way, inside=RESPONSE) for i in BOTH}
+    return [circle(x, RESPONSE.y(var(P.held[i])), 0, show=P.driven, grab=held[i]) for i in BOTH]

@@ -2,26 +2,32 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from components import chain
-from components.chain.forces import arrows
+from components.chain import BOTH
+from components.chain.forces import Arrows, arrows
 from components.chain.grabs import mass_grab
 from components.language.blocks import Block
 from components.language.numbers import var
 from components.language.plots import Term
 from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
-from components.layout.stage import H, Shape, W, arrow, circle, text
+from components.layout.stage import H, PlotFrame, Shape, W, arrow, circle, text
 from components.scene.traces import traced
+from components.scenes.forced.case import Axes, Work
+from components.scenes.forced.case import Signals as S
 from components.scenes.forced.numbers import Numbers as N
 from components.scenes.forced.response import response_plot
-from components.scenes.forced.words import MOTION, SOLUTION, TASK
+from components.scenes.forced.words import MOTION, SOLUTION, TASK, Views
+from components.scenes.forced.words import Forms as F
 
 
 def forced_sheet() -> Block:
     options = row(
         words("**Particular solution**", phone=9),
         choice("curve", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as", basis=0, phone=9),
-        when("lecture", choice("axes", {"si": "SI", "lecture": "Relative"}, "Units of the response", basis=0, phone=9)),
+        when(F.lecture, choice("axes", {"si": "SI", "lecture": "Relative"}, "Units of the response", basis=0, phone=9)),
         grow=0,
         basis=34,
         gap=10,
@@ -30,8 +36,8 @@ def forced_sheet() -> Block:
         desk(words(TASK, style="task", phone=0)),
         row(
             stage(*_shapes(), label="Two masses and two springs, the first one driven by a force", height=150),
-            when("solution", words(*SOLUTION, style="facts", basis=318, phone=4)),
-            when("forces", words(*MOTION, style="facts", basis=318, phone=4)),
+            when(Views.solution, words(*SOLUTION, style="facts", basis=318, phone=4)),
+            when(Views.view["forces"], words(*MOTION, style="facts", basis=318, phone=4)),
             grow=220,
         ),
         row(
@@ -45,14 +51,14 @@ def forced_sheet() -> Block:
 
 def _shapes() -> list[Shape]:
     foot = 0.8 * H
-    push, middle = chain.place(1, "x1"), foot - 0.5 * chain.side(1)
-    tip = push + var("push") * W * var("drive")
+    push, middle = chain.place(1), foot - 0.5 * chain.side(1)
+    tip = push + var(Arrows.push) * W * var(S.drive)
     return [
         chain.standing_wall(0.2 * H, 0.62 * H),
         *chain.ground(foot),
-        *(s for i in (1, 2) for s in chain.displacement_arrow(i, foot)),
-        *chain.cups(foot, push, chain.place(2, "x2")),
-        *chain.masses(foot, push, chain.place(2, "x2"), corner=True, grabs=(mass_grab(1), mass_grab(2))),
+        *(s for i in BOTH for s in chain.displacement_arrow(i, foot)),
+        *chain.cups(foot, push, chain.place(2)),
+        *chain.masses(foot, push, chain.place(2), corner=True, grabs=(mass_grab(1), mass_grab(2))),
         arrow(push, middle, tip, middle, tint="F", style="thick", head=18),
         circle(push, middle, 5, tint="F"),
         text(tip, middle - 14, "*F*", tint="F", style="t3 b halo"),
@@ -62,21 +68,22 @@ def _shapes() -> list[Shape]:
 
 def _motion(i: int) -> Block:
     """x_i(t) with its particular and complementary parts; near resonance the swing of the resonant part instead."""
+    x, x_p, x_c = S.x[i], S.x_p[i], S.x_c[i]
     traces = (
-        traced(f"x{i}_c", tint="xc", width="dash", read="complementary", signal=f"x{i}_c"),
-        traced(f"x{i}_p", tint="xp", read="particular", signal=f"x{i}_p"),
-        traced(f"x{i}", tint=f"m{i}", width="sum", label=f"*x*_{i}", signal=f"x{i}"),
+        traced(x_c, tint="xc", width="dash", read="complementary", signal=x_c),
+        traced(x_p, tint="xp", read="particular", signal=x_p),
+        traced(x, tint=f"m{i}", width="sum", label=f"*x*_{i}", signal=x),
     )
-    limit = {"source": "limit", "group": f"x{i}_limit"}
+    limit: dict[str, Any] = {"source": "limit", "group": F.limit[i]}
     envelope = (
-        curve(f"x{i}_beat", tint="xp", label="resonant", **limit),
-        curve(f"x{i}_fall", tint="xp", **limit),
-        curve(f"x{i}_growth", tint="mute", width="dots", label="line", **limit),
+        curve(S.beat[i], tint="xp", label="resonant", **limit),
+        curve(S.fall[i], tint="xp", **limit),
+        curve(S.growth[i], tint="mute", width="dots", label="line", **limit),
     )
     return plot(
-        f"x{i}",
-        x="t",
-        y="x",
+        PlotFrame(f"x{i}"),
+        x=Axes.t,
+        y=Axes.x,
         title=f"Displacement of mass {i} against time, with its particular and its complementary part",
         curves=(*(curve for curve, _ in traces), *envelope),
         bands=tuple(band for _, band in traces),
@@ -91,53 +98,37 @@ def _motion(i: int) -> Block:
 
 def _heading(i: int) -> tuple[Term, ...]:
     """x_i as the sum of its parts; near resonance what its swing does."""
-    X, lag, growth = ((N.X1, N.lag1, N.growth1), (N.X2, N.lag2, N.growth2))[i - 1]
+    particular = rf"\text{{particular }}{N.X[i]}\,\sin({N.omega}\,t"
+    grows = f"growing by {N.growth[i]} m/s"
+    first = f"first {grows}"
     return (
-        term(f"x{i}", "sum", f"m{i}", formula=f"x_{i} ="),
-        term(
-            f"x{i}_p",
-            "line",
-            "xp",
-            formula=rf"\text{{particular }}{X}\,\sin({N.omega}\,t)",
-            dies=rf"\text{{particular }}{X}\,\sin({N.omega}\,t\,{lag})",
-        ),
-        term(
-            f"x{i}_c",
-            "dash",
-            "xc",
-            formula=r"+\; \text{complementary}",
-            dies=r"+\; \text{dying part}",
-        ),
-        phrase(
-            f"x{i}_limit",
-            "line",
-            "xp",
-            grows=f"resonant part, growing by {growth} m/s",
-            beats=f"resonant part, a long beat, first growing by {growth} m/s",
-        ),
+        term(S.x[i], "sum", f"m{i}", formula=f"x_{i} ="),
+        term(S.x_p[i], "line", "xp", form=F.x_p[i], formula=f"{particular})", dies=rf"{particular}\,{N.lag[i]})"),
+        term(S.x_c[i], "dash", "xc", form=F.x_c[i], formula=r"+\; \text{complementary}", dies=r"+\; \text{dying part}"),
+        phrase(F.limit[i], "line", "xp", grows=f"resonant part, {grows}", beats=f"resonant part, a long beat, {first}"),
     )
 
 
 def _energy() -> Block:
     return plot(
-        "energy",
-        x="t",
-        y="E",
+        PlotFrame("energy"),
+        x=Axes.t,
+        y=Axes.E,
         title="Gain of kinetic and potential energy since the start, with the heat of dashpots where there are any, "
         "and the work of the drive: they are equal",
         bands=(
-            region(low="none", high="gain", source="energy", tint="k2fill"),
-            region(low="gain", high="work", source="energy", tint="T", alpha=0.25, group="heat", read="heat"),
+            region(Work.none, Work.gain, tint="k2fill"),
+            region(Work.gain, Work.work, tint="T", alpha=0.25, group="heat", read="heat"),
         ),
-        curves=(curve("work", source="energy", tint="F", width="dash", label="work"),),
+        curves=(curve(Work.work, tint="F", width="dash", label="work"),),
         heading=(
             term("", "band", "k2fill", formula=r"\text{gain of } T + V"),
-            phrase("", "band", "T", form="rows", sign="", braked="+ heat"),
+            phrase("", "band", "T", form=F.rows, sign="", braked="+ heat"),
             term("", "dash", "F", formula=r"=\; \text{work of the drive}"),
         ),
         cursor="time",
         room=Room(40, 58),
         phone=13,
         height=120,
-        form="work",
+        form=Views.view["work"],
     )

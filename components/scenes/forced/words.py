@@ -4,13 +4,61 @@ from __future__ import annotations
 
 import math
 
+from components.chain import BOTH
+from components.chain.forces import Arrows
 from components.layout.sheet import Paragraph, either
+from components.quantities.declared import Declared, Family, Form
+from components.scenes.forced.case import Signals as S
 from components.scenes.forced.driven import Undamped
 from components.scenes.forced.dying import Dying
 from components.scenes.forced.numbers import AnyCase
 from components.scenes.forced.numbers import Numbers as N
 
+form = Form[AnyCase]
 TASK = "Drag ω: where does mass 1 swing farthest, where not at all, and when against the push?"
+
+
+def _steady(case: AnyCase) -> str:
+    """The form of the particular solution: its formulas, or why they do not stand."""
+    return case.kind if case.driven else "rest" if not case.moves else "none" if case.modes.F_0 else "idle"
+
+
+def _part(case: AnyCase) -> str:
+    """The form of the parts of a displacement; where they are huge and opposite the envelope stands in their place."""
+    if not case.split:
+        return ""
+    return "formula" if isinstance(case, Undamped) else "dies" if case.driven else ""
+
+
+def _dying(case: AnyCase) -> str:
+    """The fate of the complementary part, or of the motion where nothing is driven."""
+    if isinstance(case, Undamped) or case.slowest == math.inf or _steady(case) == "rest":
+        return ""
+    if not case.slowest:
+        return "stays" if case.driven else "stays_free"
+    if any(len(term.amplitudes) > 1 for term in case.modes.transient):
+        return "alike" if case.driven else "alike_free"
+    return "dies" if case.driven else "free"
+
+
+class Forms(Declared[AnyCase]):
+    steady, dying = form(_steady), form(_dying)
+    rows = form(lambda c: "braked" if isinstance(c, Dying) else "sign")
+    x_p, x_c = form.each(BOTH, "x{}_p", value=_part), form.each(BOTH, "x{}_c", value=_part)
+    limit = form.each(
+        BOTH, "x{}_limit", value=lambda c: "beats" if S.growth[1] in c.limits else "grows" if c.limits else ""
+    )
+    lecture = form(lambda c: "offered" if c.comparable else "")
+
+
+VIEWS = {"Amplitudes": "amplitudes", "Forces": "forces", "Work": "work"}
+
+
+class Views(Declared[str]):
+    """The view that is shown, and what stands in all but that of the forces."""
+
+    view = Family(VIEWS.values(), lambda name: Form[str](lambda view: view == name), "{}")
+    solution = Form[str](lambda view: view != "forces")
 
 
 def _rows(one: str, two: str) -> str:
@@ -22,19 +70,20 @@ def _rows(one: str, two: str) -> str:
     )
 
 
-_GROWS = f"from rest the swing of $x_1$ grows by {N.growth1} m a second, that of $x_2$ by {N.growth2} m."
+_GROWS = f"from rest the swing of $x_1$ grows by {N.growth[1]} m a second, that of $x_2$ by {N.growth[2]} m."
 UNDRIVEN = ("none", "idle", "rest")
 """Where nothing is driven, in the words of the particular solution."""
 
 SOLUTION: list[Paragraph] = [
-    either("rows", sign=_rows("k_1", "k_2"), braked=_rows(r"\kappa_1", r"\kappa_2")),
-    either("rows", sign="", braked=r"[small|with $\kappa_j = k_j + i \omega c_j$ for spring and dashpot $j$]"),
+    either(Forms.rows, sign=_rows("k_1", "k_2"), braked=_rows(r"\kappa_1", r"\kappa_2")),
+    either(Forms.rows, sign="", braked=r"[small|with $\kappa_j = k_j + i \omega c_j$ for spring and dashpot $j$]"),
     either(
-        "steady",
+        Forms.steady,
         finite=r"$\tint{m1}{X_{\mathrm{p}1} = \dfrac{(k_2 - m_2 \omega^2) F_0}{D} = "
-        rf"{N.Xp1}}}$ [m1|m, {N.way1}]",
-        loose=rf"$\tint{{m1}}{{X_{{\mathrm{{p}}1}} = \dfrac{{F_0}}{{k_1 - m_1 \omega^2}} = {N.Xp1}}}$ [m1|m, {N.way1}]",
-        braked=rf"$\tint{{m1}}{{|X_{{\mathrm{{p}}1}}| = {N.Xp1}}}$ [m1|m, {N.way1}]",
+        rf"{N.Xp[1]}}}$ [m1|m, {N.way[1]}]",
+        loose=r"$\tint{m1}{X_{\mathrm{p}1} = \dfrac{F_0}{k_1 - m_1 \omega^2} = "
+        rf"{N.Xp[1]}}}$ [m1|m, {N.way[1]}]",
+        braked=rf"$\tint{{m1}}{{|X_{{\mathrm{{p}}1}}| = {N.Xp[1]}}}$ [m1|m, {N.way[1]}]",
         none=r"**No drive:** at $\omega = 0$ the force is 0 at all times, and the motion is that of the start alone.",
         idle=r"**No drive:** $F_0 = 0$, so the particular solution is 0, and the motion is that of the start alone.",
         rest="**Nothing moves:** no force at any time, and a start at rest with no spring stretched.",
@@ -42,21 +91,21 @@ SOLUTION: list[Paragraph] = [
         near=rf"**Next to a natural frequency,** where $D = 0$: at first, {_GROWS}",
     ),
     either(
-        "steady",
-        finite=rf"$\tint{{m2}}{{X_{{\mathrm{{p}}2}} = \dfrac{{k_2 F_0}}{{D}} = {N.Xp2}}}$ [m2|m, {N.way2}]",
+        Forms.steady,
+        finite=rf"$\tint{{m2}}{{X_{{\mathrm{{p}}2}} = \dfrac{{k_2 F_0}}{{D}} = {N.Xp[2]}}}$ [m2|m, {N.way[2]}]",
         loose=r"[m2|$X_{\mathrm{p}2} = 0$:] without spring 2 nothing moves mass 2.",
-        braked=rf"$\tint{{m2}}{{|X_{{\mathrm{{p}}2}}| = {N.Xp2}}}$ [m2|m, {N.way2}]",
+        braked=rf"$\tint{{m2}}{{|X_{{\mathrm{{p}}2}}| = {N.Xp[2]}}}$ [m2|m, {N.way[2]}]",
         **dict.fromkeys((*UNDRIVEN, "resonance", "near"), ""),
     ),
     either(
-        "steady",
+        Forms.steady,
         finite=rf"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = {N.D}$]",
         resonance=r"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = 0$]",
         near=rf"[small|$D = m_1 m_2 (\omega^2 - \omega_-^2)(\omega^2 - \omega_+^2) = {N.D}$]",
         **dict.fromkeys((*UNDRIVEN, "loose", "braked"), ""),
     ),
     either(
-        "dying",
+        Forms.dying,
         dies=f"The complementary part dies, each term to 1 % within {N.dies}; the particular solution remains.",
         alike="The complementary part dies, and the particular solution remains.",
         stays="Of the complementary part only what nothing ties to its place stays, a constant or a drift.",
@@ -65,8 +114,8 @@ SOLUTION: list[Paragraph] = [
         stays_free="Of the motion only what nothing ties to its place stays, a constant or a drift.",
     ),
     either(
-        "steady",
-        finite=rf"[small|$X_{{\mathrm{{p}}1}} = 0$ at $\sqrt{{k_2/m_2}} = {N.mark_still}$ rad/s: $m_1$ is a "
+        Forms.steady,
+        finite=rf"[small|$X_{{\mathrm{{p}}1}} = 0$ at $\sqrt{{k_2/m_2}} = {N.mark['still']}$ rad/s: $m_1$ is a "
         "wall for $m_2$.]",
         **dict.fromkeys((*UNDRIVEN, "loose", "resonance", "near", "braked"), ""),
     ),
@@ -75,55 +124,22 @@ SOLUTION: list[Paragraph] = [
 
 MOTION: list[Paragraph] = [
     either(
-        "rows",
+        Forms.rows,
         sign=r"$\tint{m1}{m_1 \ddot{x}_1} = \tint{k}{-k_1 x_1 - k_2 (x_1 - x_2)} + \tint{F}{F_0 \sin \omega t}$",
         braked=r"[small|$\tint{m1}{m_1 \ddot{x}_1} = \tint{k}{-k_1 x_1 - k_2 (x_1 - x_2)} "
         r"\tint{T}{{} - c_1 \dot{x}_1 - c_2 (\dot{x}_1 - \dot{x}_2)} + \tint{F}{F}$]",
     ),
-    r"$F_1 =$ {F1} {force_unit}",
+    rf"$F_1 =$ {S.F[1]} {Arrows.force_unit}",
     either(
-        "rows",
+        Forms.rows,
         sign=r"$\tint{m2}{m_2 \ddot{x}_2} = \tint{k}{k_2 (x_1 - x_2)}$",
         braked=r"[small|$\tint{m2}{m_2 \ddot{x}_2} = \tint{k}{k_2 (x_1 - x_2)} "
         r"\tint{T}{{} + c_2 (\dot{x}_1 - \dot{x}_2)}$]",
     ),
-    r"$F_2 =$ {F2} {force_unit}",
-    rf"$\tint{{F}}{{F = F_0 \sin \omega t =}}$ [F|{{force_now}} {N.F_unit}]",
+    rf"$F_2 =$ {S.F[2]} {Arrows.force_unit}",
+    rf"$\tint{{F}}{{F = F_0 \sin \omega t =}}$ [F|{S.force_now} {N.F_unit}]",
 ]
 """Newton's law for each mass, the force on it now, and the drive."""
-
-
-def steady(case: AnyCase) -> str:
-    """The form of the particular solution: its formulas, or why they do not stand."""
-    return case.kind if case.driven else "rest" if not case.moves else "none" if case.modes.F_0 else "idle"
-
-
-def dying(case: AnyCase) -> str:
-    """The fate of the complementary part, or of the motion where nothing is driven."""
-    if isinstance(case, Undamped) or case.slowest == math.inf or steady(case) == "rest":
-        return ""
-    if not case.slowest:
-        return "stays" if case.driven else "stays_free"
-    if any(len(term.amplitudes) > 1 for term in case.modes.transient):
-        return "alike" if case.driven else "alike_free"
-    return "dies" if case.driven else "free"
-
-
-def forms(case: AnyCase, view: str) -> dict[str, str]:
-    """Close to a natural frequency the two parts are huge and opposite: there the envelope stands in their place."""
-    braked = isinstance(case, Dying)
-    part = "" if not case.split else "formula" if not braked else "dies" if case.driven else ""
-    limit = ("beats" if "x1_growth" in case.limits else "grows") if case.limits else ""
-    return {
-        "steady": steady(case),
-        "rows": "braked" if braked else "sign",
-        "dying": dying(case),
-        **{f"x{i}_{name}": part for i in (1, 2) for name in "pc"},
-        **{f"x{i}_limit": limit for i in (1, 2)},
-        view: "shown",
-        "solution": "" if view == "forces" else "shown",
-        "lecture": "offered" if case.comparable else "",
-    }
 
 
 def notes(case: AnyCase, units: str, shown: str, too_fast: bool) -> list[str]:
