@@ -8,7 +8,7 @@ import {Connection} from "./net/connection.js"
 import {Hall} from "./shell/hall.js"
 import {frame} from "./core/dom.js"
 import {listen} from "./input/keys.js"
-import {Line} from "./net/line.js"
+import {Messages} from "./net/messages.js"
 import {Page, extrasFor} from "./paper/page.js"
 import {download} from "./export/save.js"
 import {Sheets} from "./net/sheets.js"
@@ -17,7 +17,7 @@ import {Undo} from "./shell/undo.js"
 import {showWaiting} from "./input/waiting.js"
 import {Walks} from "./walks/walks.js"
 
-/** @typedef {import("./net/line.js").Asked} Asked */
+/** @typedef {import("./net/messages.js").Asked} Asked */
 
 /** @implements {LectureHost} */
 export class Lecture {
@@ -43,7 +43,7 @@ export class Lecture {
   /** @param {string} token of the session that the page was served with */
   constructor(token) {
     this.token = token
-    this.line = new Line(
+    this.messages = new Messages(
       packet => this.#unpacked(packet),
       (told, asked) => this.#hear(told, asked),
       error => this.#fail(error),
@@ -57,7 +57,7 @@ export class Lecture {
     listen(this)
     this.walks = new Walks(this)
     this.classes = new Classes(this)
-    this.connection = new Connection(this.line, {
+    this.connection = new Connection(this.messages, {
       link: () => plainLink(this.page.spec.slug),
       changed: () => this.#connected(),
       outdated: () => this.busy.whenFree(() => this.#reload()),
@@ -71,7 +71,7 @@ export class Lecture {
 
   /** The state of the page, as it was told last. */
   get kept() {
-    return this.line.state
+    return this.messages.state
   }
 
   // What tests and the console look at.
@@ -94,20 +94,20 @@ export class Lecture {
   /** @param {page.Said} message */
   send(message) {
     this.page.compare.set(this.undo.press, this.undo.deed(message), message)
-    this.line.send(message, {deed: this.undo.deed(message)})
+    this.messages.send(message, {deed: this.undo.deed(message)})
     this.#wait()
   }
 
-  /** Into another state, which speaks for every control. @type {Line["send"]} */
+  /** Into another state, which speaks for every control. @type {Messages["send"]} */
   #go(message, about) {
     this.page?.controls.release() // a link may be chosen before the first page stands
-    this.line.send(message, about)
+    this.messages.send(message, about)
     this.#wait()
   }
 
   /** Shows what waits for the server as it was set. */
   #wait() {
-    if (this.page) showWaiting(this.page, this.line.waiting)
+    if (this.page) showWaiting(this.page, this.messages.waiting)
   }
 
   #connected() {
@@ -126,7 +126,7 @@ export class Lecture {
   /** The server has another version of the page: it takes the place of this one, with all that stands and waits. */
   #reload() {
     const {address} = written(this.page.shown, this.hall.ending)
-    this.address.write({address, entry: {...this.line.state, waiting: this.line.left}}, false)
+    this.address.write({address, entry: {...this.messages.state, waiting: this.messages.left}}, false)
     this.address.settle()
     location.reload()
   }
@@ -156,7 +156,7 @@ export class Lecture {
 
   /** Another state, of the same values. @param {(state: page.State) => Partial<page.State>} to */
   change(to) {
-    this.line.send(this.#changed(to))
+    this.messages.send(this.#changed(to))
   }
 
   /** The frame that suits what is drawn now. */
@@ -215,7 +215,7 @@ export class Lecture {
       this.host.append(page.root)
       page.start(shown)
       this.hall.shown(page)
-      showWaiting(page, this.line.waiting)
+      showWaiting(page, this.messages.waiting)
       this.page = page
       this.shell.turned(sheet, Boolean(before))
       this.#whole(page, before)
@@ -244,7 +244,7 @@ export class Lecture {
   #write(shown, turn) {
     const what = written(shown, this.hall.ending)
     if (turn) this.address.turn(what)
-    else this.address.write(what, Boolean(this.line.asked))
+    else this.address.write(what, Boolean(this.messages.asked))
   }
 
   /** The way in which the page is shown is another: the address says so. */
@@ -258,8 +258,8 @@ export class Lecture {
 export function begin() {
   const {token, sheet, data} = JSON.parse(document.getElementById("opening")?.textContent ?? "")
   const {waiting, ...state} = history.state ?? {}
-  const {line} = (globalThis.oscillations = new Lecture(token))
-  line.receive({sheet, data: Uint8Array.from(atob(data), sign => sign.charCodeAt(0)).buffer})
+  const {messages} = (globalThis.oscillations = new Lecture(token))
+  messages.receive({sheet, data: Uint8Array.from(atob(data), sign => sign.charCodeAt(0)).buffer})
   // What a page older than the server has left to this one.
-  if (waiting) for (const message of [{type: "open", state}, ...waiting]) line.send(message)
+  if (waiting) for (const message of [{type: "open", state}, ...waiting]) messages.send(message)
 }

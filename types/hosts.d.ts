@@ -2,7 +2,7 @@
 
 /** A part of a page, or of a plot: it takes every picture, stands where there is room for it, and leaves at last. */
 interface Part {
-  update?(shown: Drawn, asked: import("../static/net/line.js").Asked | null): void
+  update?(shown: Drawn, asked: import("../static/net/messages.js").Asked | null): void
   place?(): void
   leave?(): void
 }
@@ -63,7 +63,7 @@ interface PlotHost extends Canvas {
 /** A host of pages: the lecture, or a follower of one, who sets nothing. */
 interface PageHost {
   readonly hall: {readonly on: boolean; readonly ending: string}
-  readonly line: Pick<import("../static/net/line.js").Line, "send" | "last" | "rests">
+  readonly messages: Pick<import("../static/net/messages.js").Messages, "send" | "last" | "rests">
   send(message: page.Said): void
   take(sets: page.State["parameters"]): void
   open(state: Pick<page.State, "scene"> & Partial<page.State>): void
@@ -93,7 +93,7 @@ interface WalkHost {
 interface LectureHost extends PageHost {
   readonly page: import("../static/paper/page.js").Page
   readonly clock: import("../static/core/clock.js").Clock
-  readonly line: import("../static/net/line.js").Line
+  readonly messages: import("../static/net/messages.js").Messages
   readonly sheets: import("../static/net/sheets.js").Sheets
   readonly walks: import("../static/walks/walks.js").Walks
   readonly classes: import("../static/live_class/classes.js").Classes

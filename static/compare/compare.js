@@ -100,7 +100,7 @@ export class Compare {
   /** A slider or a key has been let go; what the frame then does is one change with what has been set. */
   #letGo() {
     const {deed} = this
-    if (deed) this.page.host.line.send({type: "set", values: {}, holding: false}, {deed})
+    if (deed) this.page.host.messages.send({type: "set", values: {}, holding: false}, {deed})
     Object.assign(this, {deed: "", press: ""})
   }
 
@@ -141,7 +141,7 @@ export class Compare {
     return named
   }
 
-  /** @param {Drawn} shown @param {import("../net/line.js").Asked | null} asked */
+  /** @param {Drawn} shown @param {import("../net/messages.js").Asked | null} asked */
   update(shown, asked) {
     const {held, state} = shown
     if (asked && !asked.deed) this.before = null

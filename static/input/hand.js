@@ -198,7 +198,7 @@ class Grab {
   /** @param {Record<string, number>} values @param {boolean} [holding] */
   #send(values, holding = true) {
     this.page.send({type: "set", values, holding})
-    this.first ||= this.page.host.line.last
+    this.first ||= this.page.host.messages.last
   }
 
   /** An answer has come: true where it is the last. @param {Drawn} shown */
@@ -208,7 +208,7 @@ class Grab {
     if (this.refusal) Object.assign(this.moved, this.good)
     else this.good = {...this.moved}
     this.frozen = {}
-    return this.leaving && this.page.host.line.rests
+    return this.leaving && this.page.host.messages.rests
   }
 
   /** Plays the motion that has been begun. */

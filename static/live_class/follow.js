@@ -38,7 +38,7 @@ export class Following {
 
   // Here nothing is set.
   hall = {on: false, ending: ""}
-  line = {send() {}, last: 0, rests: true}
+  messages = {send() {}, last: 0, rests: true}
   send() {}
   take() {}
   change() {}

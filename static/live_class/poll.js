@@ -9,9 +9,9 @@ const LETTERS = ["A", "B", "C", "D"]
  * Leaves the step of a walk that stands, as it stands, and puts the vote; why it cannot be, or "".
  * @param {LectureHost} lecture @returns {Promise<string>}
  */
-export async function poll({walks, line, kept}) {
+export async function poll({walks, messages, kept}) {
   const covered = walks.walk?.lesson ? [] : kept.covered
-  const told = await line.ask({type: "open", state: {...kept, covered, step: ""}})
+  const told = await messages.ask({type: "open", state: {...kept, covered, step: ""}})
   if (told.type !== "shown") return "This picture cannot be voted on."
   const before = walks.texts[VOTES] ?? walkText("Votes", [])
   const place = before.split("\n[[step]]\n").length - 1

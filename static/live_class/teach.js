@@ -99,7 +99,7 @@ export class Teach {
   /** The session that is there now shows what it shows to all. */
   lead() {
     if (this.away) this.stream.hurry()
-    this.lecture.line.send({type: "lead", code: this.room.code, key: this.room.key})
+    this.lecture.messages.send({type: "lead", code: this.room.code, key: this.room.key})
   }
 
   /** @param {boolean} is */
@@ -297,7 +297,7 @@ export class Teach {
     this.copies.forget()
     tabStorage.forget(LED)
     this.lecture.classes.led = null
-    this.lecture.line.send({type: "lead", code: "", key: ""})
+    this.lecture.messages.send({type: "lead", code: "", key: ""})
     this.lecture.page.notice.tell(sentence)
   }
 }

@@ -30,12 +30,12 @@ export class Connection {
   /** @type {number | undefined} */
   timer
 
-  /** @param {import("./line.js").Line} line @param {Options} options */
-  constructor(line, options) {
-    this.line = line
+  /** @param {import("./messages.js").Messages} messages @param {Options} options */
+  constructor(messages, options) {
+    this.messages = messages
     this.options = options
     this.status = new Status(() => this.#again())
-    line.overdue = () => this.lose()
+    messages.overdue = () => this.lose()
     addEventListener("offline", () => this.lose())
     addEventListener("online", () => this.#again())
     document.addEventListener("visibilitychange", () => document.hidden || this.#again())
@@ -53,7 +53,7 @@ export class Connection {
     await bokeh()
     const opened = connect(
       token,
-      packet => this.line.receive(packet),
+      packet => this.messages.receive(packet),
       () => this.lose(),
     )
     try {
@@ -68,7 +68,7 @@ export class Connection {
     }
     this.since = performance.now()
     this.refused = 0
-    this.line.attach(this.wire, anew)
+    this.messages.attach(this.wire, anew)
     this.status.found()
     this.#tell()
     document.dispatchEvent(new CustomEvent("oscillations:connected"))
@@ -79,7 +79,7 @@ export class Connection {
     if (performance.now() - this.since > STEADY) this.tries = 0
     this.wire.close()
     this.wire = null
-    this.line.detach()
+    this.messages.detach()
     this.#say()
     this.#pause()
   }

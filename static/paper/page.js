@@ -98,7 +98,7 @@ export class Page {
     this.host.send(message)
   }
 
-  /** @param {Drawn} shown @param {import("../net/line.js").Asked | null} [asked] what it is the answer to */
+  /** @param {Drawn} shown @param {import("../net/messages.js").Asked | null} [asked] what it is the answer to */
   apply(shown, asked = null) {
     this.shown = shown
     unitSize() // and with it all that the style sheet is asked for, before anything is written

@@ -242,7 +242,7 @@ export class Walk {
     this.lecture.classes.led?.walked(this)
     this.lecture.page.compare.keep()
     const state = lesson.shows ?? this.step.reveals
-    this.lecture.line.send({type: "open", state, keeps: true}, {start: true, deed: `reveal ${step}`})
+    this.lecture.messages.send({type: "open", state, keeps: true}, {start: true, deed: `reveal ${step}`})
   }
 
   /** The contents of all walks; after the last step with what this one has shown. @param {boolean} [isOver] */

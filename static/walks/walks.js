@@ -33,7 +33,7 @@ export class Walks {
     this.texts = tabStorage.value(OWN) ?? {}
     this.menu = new Menu(this)
     // A new session takes the place of one that knew these: it is told of them before anything is asked of it.
-    lecture.line.before = () => Object.entries(this.texts).map(([name, text]) => ({type: "walk", name, text}))
+    lecture.messages.before = () => Object.entries(this.texts).map(([name, text]) => ({type: "walk", name, text}))
     const {walk, step} = Object.fromEntries(new URLSearchParams(location.search))
     if (walk in this.texts) this.coming = this.#rejoin(walk, step)
   }
@@ -149,7 +149,7 @@ export class Walks {
    * @param {page.RunWalk | page.GiveAnswer} message @returns {Promise<Told>}
    */
   async ask(message) {
-    const told = await this.lecture.line.ask(message)
+    const told = await this.lecture.messages.ask(message)
     if (!("is_busy" in told && told.is_busy)) return told
     await new Promise(done => setTimeout(done, AGAIN))
     return this.ask(message)

@@ -20,8 +20,8 @@ from tests.browser.chromium import find
 READY = "document.documentElement.dataset.ready === 'true'"
 SHOW = r"""async data => {
   const [sheet] = oscillations.sheets.known.keys()  // as this server has it: Bokeh counts its models
-  oscillations.line.receive({sheet, data: Uint8Array.from(data).buffer})
-  await oscillations.line.heard
+  oscillations.messages.receive({sheet, data: Uint8Array.from(data).buffer})
+  await oscillations.messages.heard
   await oscillations.turning
   const {page} = oscillations, fault = /NaN|Infinity|undefined/
   for (const share of [0, 0.37, 1]) {

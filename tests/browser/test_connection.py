@@ -127,7 +127,7 @@ def test_a_page_older_than_the_server_takes_the_new_one_but_not_under_a_hand(pag
     page.evaluate("globalThis.old = true")
     lost(page)
     page.locator("input[name=k2-slider]").fill("0.5")
-    k2 = page.evaluate("oscillations.line.left[0].values.k2")
+    k2 = page.evaluate("oscillations.messages.left[0].values.k2")
     page.locator("input[name=m1]").press_sequentially("5")
     page.route(server.url + "?*", another_version)
     with page.expect_response(lambda answer: urlsplit(answer.url).path == "/"):
@@ -139,7 +139,7 @@ def test_a_page_older_than_the_server_takes_the_new_one_but_not_under_a_hand(pag
     page.locator("input[name=m1]").press("Enter")
     page.wait_for_function("!globalThis.old && globalThis.oscillations?.page")
     page.wait_for_function(SETTLED)
-    state = page.evaluate("oscillations.line.state")
+    state = page.evaluate("oscillations.messages.state")
     assert state["parameters"] == {"k2": k2, "m1": 5}
     assert (state["hidden"], state["covered"]) == (["x1_slow"], ["plot:x2"])
 
@@ -157,15 +157,15 @@ def test_a_message_is_numbered_once_and_the_newest_value_wins(page: Page, server
     lost(page)
     page.evaluate(
         """() => {
-          const {line} = oscillations
-          line.send({type: "set", values: {k1: 1, k2: 2}})
-          line.send({type: "typed", name: "k1", text: "3"})
-          line.send({type: "set", values: {k2: 4, m1: 5}})
-          line.send({type: "act", name: "any"})
-          line.send({type: "set", values: {k2: 6}})
+          const {messages} = oscillations
+          messages.send({type: "set", values: {k1: 1, k2: 2}})
+          messages.send({type: "typed", name: "k1", text: "3"})
+          messages.send({type: "set", values: {k2: 4, m1: 5}})
+          messages.send({type: "act", name: "any"})
+          messages.send({type: "set", values: {k2: 6}})
         }"""
     )
-    assert page.evaluate("oscillations.line.left") == [
+    assert page.evaluate("oscillations.messages.left") == [
         {"type": "typed", "name": "k1", "text": "3"},
         {"type": "set", "values": {"k2": 4, "m1": 5}},
         {"type": "act", "name": "any"},
@@ -227,8 +227,8 @@ def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) 
     opened(page, server)
     page.evaluate(
         """() => {
-          const {line} = oscillations, {hear} = line
-          line.hear = (told, asked) => hear({...told, query: `${told.query}&hidden=${"x".repeat(8000)}`}, asked)
+          const {messages} = oscillations, {hear} = messages
+          messages.hear = (told, asked) => hear({...told, query: `${told.query}&hidden=${"x".repeat(8000)}`}, asked)
         }"""
     )
     page.evaluate("oscillations.send({type: 'set', values: {k2: 3}})")
@@ -240,4 +240,4 @@ def test_a_link_too_long_for_a_server_loses_nothing(page: Page, server: Server) 
     page.wait_for_function(SETTLED)
     page.reload()
     page.wait_for_function("globalThis.oscillations?.shown?.settings.k2.value === 3")
-    assert page.evaluate("oscillations.line.state.hidden") == ["x1_slow"]
+    assert page.evaluate("oscillations.messages.state.hidden") == ["x1_slow"]

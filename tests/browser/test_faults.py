@@ -19,23 +19,23 @@ from tests.serving.server import Server
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 
-PATIENCE = "oscillations.line.patience = 1000"
+PATIENCE = "oscillations.messages.patience = 1000"
 LOSE_A_MESSAGE = """
-const {wire} = oscillations.line, {send} = wire
+const {wire} = oscillations.messages, {send} = wire
 globalThis.said = []
 wire.send = message => { if (said.push(message.number) > 1) send(message) }
 """
 LOSE_AN_ANSWER = """
-const {line} = oscillations, {wire} = line, {send} = wire
+const {messages} = oscillations, {wire} = messages, {send} = wire
 globalThis.said = []
 wire.send = message => { said.push(message.number); send(message) }
-line.receive = () => { delete line.receive }
+messages.receive = () => { delete messages.receive }
 """
 HEAR_TWICE = """
-const {line} = oscillations, {receive, hear} = line
+const {messages} = oscillations, {receive, hear} = messages
 globalThis.heard = []
-line.receive = function (message) { receive.call(this, message); receive.call(this, message) }
-line.hear = (told, asked) => { heard.push(told.answer); hear(told, asked) }
+messages.receive = function (message) { receive.call(this, message); receive.call(this, message) }
+messages.hear = (told, asked) => { heard.push(told.answer); hear(told, asked) }
 """
 
 

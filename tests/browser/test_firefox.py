@@ -50,7 +50,7 @@ def test_a_scene_is_drawn_moves_and_answers(firefox: Firefox, server: Server, sl
     firefox.wait_for_function(DRAWN)
     assert firefox.evaluate(FRAMES) is True
     name = next(name for name in MOST_LIKELY if name in SCENES[slug].linked())
-    firefox.wait_for_function("oscillations.line.wire")
+    firefox.wait_for_function("oscillations.messages.wire")
     firefox.evaluate(SET, {"name": name, "value": MOST_LIKELY[name]})
     firefox.wait_for_function(f"oscillations.shown.settings.{name}.value === {MOST_LIKELY[name]}")
     firefox.screenshot(SCREENSHOTS / f"firefox-{slug}.png")

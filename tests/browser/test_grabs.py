@@ -20,8 +20,8 @@ from tests.grids import WHOLE
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
 LATE = """() => {
-  const {line} = oscillations, receive = line.receive.bind(line)
-  line.receive = (...packet) => setTimeout(() => receive(...packet), 500)
+  const {messages} = oscillations, receive = messages.receive.bind(messages)
+  messages.receive = (...packet) => setTimeout(() => receive(...packet), 500)
 }"""
 FLICKED = """async name => {
   const {hand, stages} = oscillations.page, {grips, all} = stages[0].grips
@@ -226,8 +226,8 @@ def test_a_finger_takes_the_drive_over_a_resonance_and_a_mass_along(
     assert page.evaluate("[scrollY, oscillations.clock.playing]") == [before, True]
 
 
-HELD = """({page, clock, line, busy}) => [Boolean(page.hand.grab), page.compare.pressed, busy.held,
-  clock.playing, line.asked || line.outbox.length > 0]"""
+HELD = """({page, clock, messages, busy}) => [Boolean(page.hand.grab), page.compare.pressed, busy.held,
+  clock.playing, messages.asked || messages.outbox.length > 0]"""
 
 
 @pytest.mark.parametrize(

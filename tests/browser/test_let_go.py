@@ -24,18 +24,18 @@ PRESS = """([key, count]) => {
 }"""
 """A key, pressed so often that no pause lies between."""
 NOTE_REST = """() => {
-  const {line} = oscillations, {send} = line
+  const {messages} = oscillations, {send} = messages
   addEventListener("keyup", () => { globalThis.released = performance.now() })
-  line.send = (message, about) => {
+  messages.send = (message, about) => {
     if (message.holding === false) globalThis.rest = performance.now() - released
-    send.call(line, message, about)
+    send.call(messages, message, about)
   }
 }"""
 """A script that notes how long no key was pressed when they have let go."""
 KEEP_BACK = """() => {
-  const {line} = oscillations, {send} = line.wire
-  line.patience = 60000
-  line.wire.send = message => {
+  const {messages} = oscillations, {send} = messages.wire
+  messages.patience = 60000
+  messages.wire.send = message => {
     if (message.holding === false) globalThis.sent = () => send(message)
     else send(message)
   }

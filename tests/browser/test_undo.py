@@ -58,9 +58,9 @@ def test_a_whole_drag_is_one_entry_and_a_refused_change_none(page: Page, open_sc
     page.mouse.down()
     for part in (0.4, 0.6, 0.8):
         page.mouse.move(box["x"] + part * box["width"], y)
-        page.wait_for_function("!oscillations.line.asked")
+        page.wait_for_function("!oscillations.messages.asked")
     page.mouse.up()
-    dragged = page.evaluate("oscillations.line.state.parameters.k1")
+    dragged = page.evaluate("oscillations.messages.state.parameters.k1")
     assert dragged > 4
     type_in(page, "k2", "-3")
     expect(page.get_by_role("alert").filter(has_text="−3 N/m is not possible")).to_be_visible()
@@ -79,7 +79,7 @@ def test_a_field_that_is_typed_in_undoes_its_own_text(page: Page, open_scene: Op
     field.focus()
     page.keyboard.type("5")
     page.keyboard.press("Control+z")
-    page.wait_for_function("!oscillations.line.asked && !oscillations.page.compare.deed")
+    page.wait_for_function("!oscillations.messages.asked && !oscillations.page.compare.deed")
     assert page.evaluate("(({past, future}) => [past.length, future.length])(oscillations.undo.story)") == [1, 0]
     expect(field).to_have_value("2.00")
 
@@ -105,8 +105,8 @@ def test_a_preset_plays_from_the_start_and_keeps_what_it_does_not_name(page: Pag
     page.get_by_role("button", name="Beats").click()
     page.wait_for_function("oscillations.shown.preset === 'beats'")
     assert page.evaluate("oscillations.clock.playing && oscillations.clock.t < 20")
-    assert page.evaluate("oscillations.line.state.hidden") == ["x1_slow"]
-    assert page.evaluate("oscillations.line.state.parameters.window") == 40
+    assert page.evaluate("oscillations.messages.state.hidden") == ["x1_slow"]
+    assert page.evaluate("oscillations.messages.state.parameters.window") == 40
 
 
 def test_a_preset_goes_into_what_was_set_just_before(page: Page, open_scene: Open) -> None:

@@ -16,7 +16,7 @@ PASSED = """count => new Promise(passed => {
   const wait = left => (left ? requestAnimationFrame(() => wait(left - 1)) : passed())
   wait(count)
 })"""
-QUIET = "!oscillations.line.asked && !oscillations.line.outbox.length"
+QUIET = "!oscillations.messages.asked && !oscillations.messages.outbox.length"
 """All that was said is answered."""
 TURNED = """([slug, given]) => document.documentElement.dataset.ready === "true"
   && oscillations.page.spec.slug === slug

@@ -17,9 +17,9 @@ let page, stage, grip, plots, said
 
 /** A sheet is opened in a layout: its plots, shapes of which the first is grabbed, a picture, an instant. */
 export function open(blocks, shapes, layout, view, t) {
-  const line = {last: 0, rests: true}
-  const send = ({values}) => (line.last++, Object.assign(said, values))
-  page = {host: {line}, send, clock: new Clock(() => {}), left: true}
+  const messages = {last: 0, rests: true}
+  const send = ({values}) => (messages.last++, Object.assign(said, values))
+  page = {host: {messages}, send, clock: new Clock(() => {}), left: true}
   page.hand = new Hand(page)
   page.compare = Object.assign(Object.create(Compare.prototype), {page})
   stage = new Stage({shapes}, document.createElement("div"), page)
@@ -32,7 +32,7 @@ export function open(blocks, shapes, layout, view, t) {
 
 /** The answer of the server. */
 export function show(view) {
-  page.shown = {view, answer: page.host.line.last, errors: {}}
+  page.shown = {view, answer: page.host.messages.last, errors: {}}
   page.clock.update(page.shown)
   page.hand.update(page.shown)
   const stand = plots.filter(([, x, y]) => view.axes[x] && view.axes[y])

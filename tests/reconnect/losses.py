@@ -26,7 +26,7 @@ FIRST_WITH_EXPIRED = """globalThis.WebSocket = class extends WebSocket {
   }
 }"""
 CONNECTED = "document.documentElement.dataset.connected === '{}'"
-SETTLED = "oscillations.line.wire && !oscillations.line.behind && !oscillations.line.left.length"
+SETTLED = "oscillations.messages.wire && !oscillations.messages.behind && !oscillations.messages.left.length"
 
 
 @dataclass
@@ -60,7 +60,7 @@ class Visit:
         """Every value stands in state, control and picture, and what was covered and hidden is so still."""
         self.is_connected(True)
         self.page.wait_for_function(SETTLED, timeout=90_000)
-        state = self.page.evaluate("oscillations.line.state")
+        state = self.page.evaluate("oscillations.messages.state")
         assert {name: state["parameters"].get(name) for name in self.values} == self.values
         assert (state["hidden"], state["covered"]) == (["x1_slow"], ["plot:x2"])
         for name, value in self.values.items():
@@ -96,7 +96,7 @@ def offline(visit: Visit) -> None:
 
 def silent(visit: Visit) -> None:
     """Nothing comes through any more, and nobody says so."""
-    visit.page.evaluate("oscillations.line.patience = 300")
+    visit.page.evaluate("oscillations.messages.patience = 300")
     visit.site.gate.held = True
     visit.change()
     visit.is_connected(False)

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict"
 import {afterEach, beforeEach, mock, test} from "node:test"
 
-import {Line} from "../../static/net/line.js"
+import {Messages} from "../../static/net/messages.js"
 
 const OWN = {type: "walk", name: "own", text: ""}
 const STATE = {step: "own/first"}
@@ -11,47 +11,47 @@ const STATE = {step: "own/first"}
 beforeEach(() => mock.timers.enable({apis: ["setTimeout"]}))
 afterEach(() => mock.timers.reset())
 
-/** A line whose session has just been lost, with all that is sent over its new wire. */
+/** The messages of a page whose session has just been lost, with all that is sent over its new wire. */
 function anew() {
   const sent = []
-  const line = new Line(
+  const messages = new Messages(
     async told => told,
     () => {},
     error => assert.fail(error),
   )
-  line.state = STATE
-  line.before = () => [OWN]
-  line.attach({send: message => sent.push(message)}, true)
-  return {line, sent}
+  messages.state = STATE
+  messages.before = () => [OWN]
+  messages.attach({send: message => sent.push(message)}, true)
+  return {messages, sent}
 }
 
 const kinds = sent => sent.map(({type}) => type)
 
-async function answer(line, told) {
-  line.receive({type: "walking", answer: line.asked.message.number, ...told})
-  await line.heard
+async function answer(messages, told) {
+  messages.receive({type: "walking", answer: messages.asked.message.number, ...told})
+  await messages.heard
 }
 
 test("a walk that a new session had no time for is told again, and the state after it", async () => {
-  const {line, sent} = anew()
+  const {messages, sent} = anew()
   for (const tries of [1, 2, 3]) {
     assert.deepEqual(kinds(sent), Array(tries).fill("walk"))
-    await answer(line, {is_busy: true})
-    assert.ok(line.behind)
+    await answer(messages, {is_busy: true})
+    assert.ok(messages.behind)
     mock.timers.tick(1000)
   }
-  await answer(line, {is_busy: false})
+  await answer(messages, {is_busy: false})
   assert.deepEqual(kinds(sent), ["walk", "walk", "walk", "walk", "open"])
   assert.deepEqual(sent.at(-1).state, STATE)
 })
 
 test("a wire that is lost meanwhile takes nothing with it", async () => {
-  const {line, sent} = anew()
-  await answer(line, {is_busy: true})
-  line.detach()
+  const {messages, sent} = anew()
+  await answer(messages, {is_busy: true})
+  messages.detach()
   mock.timers.tick(1000)
   assert.deepEqual(kinds(sent), ["walk"])
-  line.attach({send: message => sent.push(message)}, true)
-  await answer(line, {is_busy: false})
+  messages.attach({send: message => sent.push(message)}, true)
+  await answer(messages, {is_busy: false})
   assert.deepEqual(kinds(sent), ["walk", "walk", "open"])
 })

@@ -1,5 +1,4 @@
-// The conversation with the server: one message in flight, numbered, sent again where its answer is lost; without a
-// wire all waits.
+// The messages of a page, one in flight, numbered, sent again where its answer is lost; without a wire all wait.
 
 const PATIENCE = 5000 // ms without an answer until a message is sent once more, and until the wire is given up
 const AGAIN = 1000 // ms until what a new session had no time for is sent again
@@ -14,7 +13,7 @@ const AGAIN = 1000 // ms until what a new session had no time for is sent again
  * @typedef {Envelope & {message: page.Said | ((state: page.State) => page.Said | null)}} Waiting
  */
 
-export class Line {
+export class Messages {
   /** @type {Waiting[]} what waits */
   outbox = []
 
