@@ -1,7 +1,7 @@
 // Written by `make protocol` from components/language; a change there is a change here.
 
 declare namespace page {
-  type Name = string
+  type SaidName = string
 
   type Text = string
 
@@ -17,14 +17,14 @@ declare namespace page {
    * `seed` is that of the step's numbers, 0 for those of its file; `vote` counts how often the question has been put to
    * a class, from 1 on. */
   interface Given {
-    walk: Name
-    step: Name
+    walk: SaidName
+    step: SaidName
     seed?: number
     vote?: number
     option?: number | null
     text?: string
     value?: number | null
-    curves?: Record<Name, Sketched>
+    curves?: Record<SaidName, Sketched>
   }
 
   /** Anything that the browser says. */
@@ -38,28 +38,28 @@ declare namespace page {
    * key has been let go, an axis that is hardly used is fitted anew. Where nothing is said of it a value is on its way. */
   interface SetValues extends FromBrowser {
     type: "set"
-    values: Record<Name, number | null>
+    values: Record<SaidName, number | null>
     holding?: boolean | null
   }
 
   /** Sets a quantity by the text of its field, in the unit that it shows. */
   interface Typed extends FromBrowser {
     type: "typed"
-    name: Name
+    name: SaidName
     text: Text
   }
 
   /** Presses a button, which does its action. */
   interface Act extends FromBrowser {
     type: "act"
-    name: Name
+    name: SaidName
   }
 
   /** Sets a choice by its word, or a list by its words. */
   interface Choose extends FromBrowser {
     type: "choose"
-    name: Name
-    value: Text | Name[]
+    name: SaidName
+    value: Text | SaidName[]
   }
 
   /** Starts or ends the measurement of a scene that measures. */
@@ -87,7 +87,7 @@ declare namespace page {
   /** Has this session alone run a walk from the text of its file. */
   interface RunWalk extends FromBrowser {
     type: "walk"
-    name: Name
+    name: SaidName
     text: string
   }
 
@@ -95,7 +95,7 @@ declare namespace page {
   interface Lead extends FromBrowser {
     type: "lead"
     code: string
-    key: Name
+    key: SaidName
   }
 
   /** Asks for the numbers of all plots as CSV; `page` is the address that their link begins with. */
@@ -338,15 +338,15 @@ declare namespace page {
    * a question that comes back. */
   interface PutQuestion extends Ordered {
     type: "put"
-    walk: Name
-    step: Name
+    walk: SaidName
+    step: SaidName
     vote: number
   }
 
   /** Hands in a walk from the instructor's own file, whose questions can be put from now on. */
   interface HandWalk extends Ordered {
     type: "walk"
-    name: Name
+    name: SaidName
     text: string
   }
 

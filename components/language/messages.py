@@ -13,7 +13,7 @@ from components.language.state import State
 from components.language.text import Html
 from components.language.walk import Lesson, WalkSheet
 
-Name: TypeAlias = Annotated[str, Meta(max_length=100)]
+SaidName: TypeAlias = Annotated[str, Meta(max_length=100)]
 Text: TypeAlias = Annotated[str, Meta(max_length=1000)]
 HEIGHTS = 101
 """Of a sketch, evenly from the left end of its frame to the right."""
@@ -32,14 +32,14 @@ class Given(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
     a class, from 1 on.
     """
 
-    walk: Name
-    step: Name
+    walk: SaidName
+    step: SaidName
     seed: Annotated[int, Meta(ge=0, le=1000)] = 0
     vote: Annotated[int, Meta(ge=1, le=9)] = 1
     option: Annotated[int, Meta(ge=0, le=9)] | None = None
     text: Annotated[str, Meta(max_length=60)] = ""
     value: float | None = None
-    curves: Annotated[dict[Name, Sketched], Meta(max_length=2)] = {}
+    curves: Annotated[dict[SaidName, Sketched], Meta(max_length=2)] = {}
 
 
 class FromBrowser(Struct, frozen=True, kw_only=True, tag_field="type", forbid_unknown_fields=True):
@@ -55,28 +55,28 @@ class SetValues(FromBrowser, frozen=True, kw_only=True, tag="set"):
     key has been let go, an axis that is hardly used is fitted anew. Where nothing is said of it a value is on its way.
     """
 
-    values: Annotated[dict[Name, float | None], Meta(max_length=50)]
+    values: Annotated[dict[SaidName, float | None], Meta(max_length=50)]
     holding: bool | None = None
 
 
 class Typed(FromBrowser, frozen=True, kw_only=True, tag="typed"):
     """Sets a quantity by the text of its field, in the unit that it shows."""
 
-    name: Name
+    name: SaidName
     text: Text
 
 
 class Act(FromBrowser, frozen=True, kw_only=True, tag="act"):
     """Presses a button, which does its action."""
 
-    name: Name
+    name: SaidName
 
 
 class Choose(FromBrowser, frozen=True, kw_only=True, tag="choose"):
     """Sets a choice by its word, or a list by its words."""
 
-    name: Name
-    value: Text | Annotated[list[Name], Meta(max_length=50)]
+    name: SaidName
+    value: Text | Annotated[list[SaidName], Meta(max_length=50)]
 
 
 class RunOrder(FromBrowser, frozen=True, kw_only=True, tag="run"):
@@ -104,7 +104,7 @@ class GiveAnswer(FromBrowser, frozen=True, kw_only=True, tag="given"):
 class RunWalk(FromBrowser, frozen=True, kw_only=True, tag="walk"):
     """Has this session alone run a walk from the text of its file."""
 
-    name: Name
+    name: SaidName
     text: Annotated[str, Meta(max_length=48_000)]
 
 
@@ -112,7 +112,7 @@ class Lead(FromBrowser, frozen=True, kw_only=True, tag="lead"):
     """Sends all that is shown from now on to those who follow the class of this code; the room knows the key."""
 
     code: Annotated[str, Meta(max_length=8)]
-    key: Name
+    key: SaidName
 
 
 class AskCsv(FromBrowser, frozen=True, kw_only=True, tag="csv"):

@@ -6,7 +6,7 @@ from typing import Annotated, Literal, TypeAlias
 
 from msgspec import Meta, Struct
 
-from components.language.messages import Given, Name, Sketched
+from components.language.messages import Given, SaidName, Sketched
 from components.language.text import Html
 from components.language.walk import Lesson, StepCard
 
@@ -29,15 +29,15 @@ class PutQuestion(Ordered, frozen=True, kw_only=True, tag="put"):
     """Puts the question of a step to all; where `vote` is given, as that vote: one more than before, or the last one of
     a question that comes back."""
 
-    walk: Name
-    step: Name
+    walk: SaidName
+    step: SaidName
     vote: Annotated[int, Meta(ge=0, le=9)] = 0
 
 
 class HandWalk(Ordered, frozen=True, kw_only=True, tag="walk"):
     """Hands in a walk from the instructor's own file, whose questions can be put from now on."""
 
-    name: Name
+    name: SaidName
     text: Annotated[str, Meta(max_length=48_000)]
 
 

@@ -1,4 +1,4 @@
-"""What a picture has is declared once: its values follow, and mypy, which reads this file, finds a wrong name."""
+"""Declarations of what a picture has: values follow from them, and mypy, which reads this file, finds a wrong name."""
 
 from __future__ import annotations
 
