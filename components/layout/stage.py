@@ -33,7 +33,7 @@ from components.language.shapes import (
 from components.layout.text import runs
 
 Shape: TypeAlias = AnyShape
-Shown: TypeAlias = Name | str | tuple[Name, ...]
+ShownBy: TypeAlias = Name | str | tuple[Name, ...]
 """The scalars that decide whether a shape is drawn."""
 Looks: TypeAlias = dict[str, Any]
 """Further attributes of a shape, as its builder takes them: each kind has its own."""
@@ -107,12 +107,12 @@ def on_y(plot: Name | str, value: Number) -> Expression:
     return PlotFrame(called(plot)).y(value)
 
 
-def shown_by(by: Shown, *shapes: Shape) -> list[Shape]:
+def shown_by(by: ShownBy, *shapes: Shape) -> list[Shape]:
     """The shapes, drawn only while none of these further scalars is 0 either."""
     return [replace(one, show=(*_shown(by), *one.show)) for one in shapes]
 
 
-def _shown(by: Shown) -> tuple[str, ...]:
+def _shown(by: ShownBy) -> tuple[str, ...]:
     """The names of scalars, given as one text with spaces, too."""
     if isinstance(by, str):
         return tuple(by.split())

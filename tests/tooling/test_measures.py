@@ -63,7 +63,7 @@ def test_functions_are_short() -> None:
     assert {place: length for place, length in lengths.items() if length > LONGEST_FUNCTION} == {}
 
 
-DECLARES = re.compile(r"(chain\.)?(Declared|Named|dict|\w*(Axes|Places|Signals))\b")
+DECLARES = re.compile(r"(\w+\.)?(Declared|Named|dict|Has|\w*(Axes|Places|Signals))\b")
 
 
 def types_of(name: str) -> Iterator[tuple[str, str]]:

@@ -35,7 +35,7 @@ WHO: tuple[int | str, ...] = (ALONE, 1, 2)
 """What moves: the machine alone, and mass 1 and 2 with each other."""
 
 signal, column = Signal[Duty], Column[Duty]
-Found = dict[Signal[Duty], AnySignal]
+SignalsFound = dict[Signal[Duty], AnySignal]
 
 
 class Axes(Declared[Duty]):
@@ -195,7 +195,7 @@ def _exact(motion: FromStart) -> Columns:
 def signals_of(duty: Duty, motion: FromStart | None, end: float, axes: declared.Axes) -> dict[str, AnySignal]:
     """The machine alone and with the absorber: the particular solution, or the motion from its start, and its parts."""
     size, time, push = Axes.X1(axes), Axes.t(axes), Axes.F(axes)
-    found: Found = {
+    found: SignalsFound = {
         S.drive: sines(Axis(0.0, 1.0), time, (1.0, duty.omega, 0.0)),
         S.drive_now: sines(push, time, (duty.F_0, duty.omega, 0.0)),
     }
@@ -222,7 +222,7 @@ def signals_of(duty: Duty, motion: FromStart | None, end: float, axes: declared.
     return by_name(found)
 
 
-def _from_start(driven: DrivenModes, i: int, who: int | str, size: Axis, time: Axis) -> Found:
+def _from_start(driven: DrivenModes, i: int, who: int | str, size: Axis, time: Axis) -> SignalsFound:
     """The motion of mass i (0, 1): the response to the drive, and the free motion of a start."""
     terms = zip(driven.coupling[:, i].tolist(), driven.free.omega.tolist(), strict=True)
     response = responses(size, time, *((driven.F_0, c, driven.omega, omega_n) for c, omega_n in terms if c))
@@ -234,12 +234,12 @@ def _from_start(driven: DrivenModes, i: int, who: int | str, size: Axis, time: A
     return {S.driven[who]: response, S.free[who]: moving, S.x[who]: total(S.driven[who], S.free[who])}
 
 
-def _damped(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> Found:
+def _damped(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> SignalsFound:
     """x1, x2 and the pull of spring and damper from rest, as decaying sines; where two decay alike, from a table."""
     if duty.alike:
         return _tables(duty, end, size, time, push)
     transient = duty.damped.transient
-    found: Found = {}
+    found: SignalsFound = {}
     for i, X in enumerate(duty.damped.particular[:2].tolist()):
         terms = [_wave(amplitudes[0, i], exponent) for exponent, amplitudes in transient]
         found[S.x[i + 1]] = sines(size, time, (abs(X), duty.omega, cmath.phase(X)), *terms)
@@ -254,7 +254,7 @@ def _wave(amplitude: complex, exponent: complex) -> tuple[float, float, float, f
     return abs(amplitude), exponent.imag, cmath.phase(amplitude) + math.pi / 2, -exponent.real
 
 
-def _tables(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> Found:
+def _tables(duty: Duty, end: float, size: Axis, time: Axis, push: Axis) -> SignalsFound:
     last = 1.02 * end  # a table is periodic: it must not begin anew within the window
     t = np.linspace(0.0, last, NODES)
     motion = duty.from_rest_at(t)

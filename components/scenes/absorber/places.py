@@ -30,7 +30,7 @@ ROOM = (0.22, 0.2, 0.28)
 """Free ways as fractions of the stage's width: mass 1 to the wall, mass 2 to mass 1, mass 2 to the right."""
 
 scalar = Scalar[Duty]
-Pair = tuple[Scalar[Duty], Scalar[Duty]]
+ScalarPair = tuple[Scalar[Duty], Scalar[Duty]]
 
 
 def _sides(duty: Duty) -> list[float]:
@@ -48,13 +48,13 @@ def _up(axis: Axis, size: float) -> float:
     return axis.place(min(size, axis.end))
 
 
-def _frequency(of: Callable[[Duty], float]) -> Pair:
+def _frequency(of: Callable[[Duty], float]) -> ScalarPair:
     """The place of a drive frequency, and whether it is in the frame."""
     seen = scalar(lambda d, a: A.w(a).start <= of(d) <= A.w(a).end)
     return scalar(lambda d, a: _across(a, of(d))), seen
 
 
-def _reading(on: DrawnAxis, i: int, unless: str = "") -> Pair:
+def _reading(on: DrawnAxis, i: int, unless: str = "") -> ScalarPair:
     """The place of a reading at the running speed, and whether it is in the frame, with another verdict."""
     seen = scalar(lambda d, a: d.swings[i] <= on(a).end and d.verdict != unless)
     return scalar(lambda d, a: _up(on(a), d.swings[i])), seen
