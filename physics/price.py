@@ -61,7 +61,12 @@ def grouped(runs: Iterable[Run]) -> dict[str, list[Run]]:
 def prices(methods: Iterable[Sequence[Run]], wanted: float) -> list[Price]:
     """The price of the error `wanted` with each method that has a result, from the runs of each, cheapest first."""
     found = [price(many, wanted) for many in methods if any(run.error is not None for run in many)]
-    return sorted(found, key=lambda each: (each.time is None, each.time or 0.0, each.best))
+    return sorted(found, key=dearness)
+
+
+def dearness(price: Price) -> tuple[bool, float, float]:
+    """The key by which prices are sorted: what does not get there is last."""
+    return price.time is None, price.time or 0.0, price.best
 
 
 def price(runs: Sequence[Run], wanted: float) -> Price:

@@ -12,7 +12,6 @@ from components.scenes.accuracy import Accuracy
 from components.scenes.accuracy.data import Known, Series, picked_run, reached_text, setting_text
 from components.scenes.accuracy.measurement import Measurement, known
 from components.scenes.accuracy.measuring import LIVE, Job, queue
-from components.scenes.accuracy.plots import line_ends
 from components.scenes.accuracy.prices import price_list, time_text
 from components.scenes.accuracy.recorded import recorded
 from components.scenes.accuracy.studies import LASTING, step_explosion
@@ -210,8 +209,8 @@ def test_own_system_from_a_link() -> None:
     scene = Accuracy(system="own", m1=2.0, k2=7.0, F_0=1.5)
     system = scene.shown_system()
     assert (system.chain.m1, system.chain.k2, system.F_0) == (2.0, 7.0, 1.5)
-    assert scene.shown.scalars["empty"] == 1.0 and "kept" not in scene.shown.forms
-    assert scene.shown.forms["origin"] == "none" and "costs" not in scene.shown.forms
+    assert scene.shown.scalars["empty"] == 1.0 and not scene.shown.forms["kept"]
+    assert scene.shown.forms["origin"] == "none" and not scene.shown.forms["costs"]
     assert len(scene.sources["old_verlet"].data["time"]), "another motion for scale"
     assert not scene.sources["rec_verlet"].data
     with pytest.raises(ValueError, match="no period"):
@@ -251,12 +250,10 @@ def test_doubles_do_up_to_the_named_place() -> None:
 
 def test_names_belong_to_the_ends_of_their_lines() -> None:
     shown = Accuracy().shown
-    columns = {slug: line for slug in LIVE if (line := shown.columns[f"rec_{slug}"])}
-    ends = line_ends(columns, shown.axes["time"], shown.axes["error"])
-    assert columns
-    assert ends.items() <= shown.scalars.items()
+    columns, ends = {slug: line for slug in LIVE if (line := shown.columns[f"rec_{slug}"])}, shown.scalars
+    assert {"closed"} < set(columns) == {slug for slug in METHODS if ends[f"{slug}_named"]}
     for slug, line in columns.items():
-        assert (ends[f"{slug}_named"], ends[f"{slug}_at"]) == (1.0, pytest.approx(math.log10(line["time"][-1])))
+        assert ends[f"{slug}_at"] == pytest.approx(math.log10(line["time"][-1]))
         assert ends[f"{slug}_error"] == pytest.approx(math.log10(line["error"][-1]))
 
 

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import product
 
 import numpy as np
 
+from components.quantities.declared import Column, Declared, DrawnAxis, by_name
 from components.quantities.numbers import short, ten
 from components.scene.traces import Columns
-from components.scenes.accuracy.measuring import LIVE
+from components.scenes.accuracy.axes import Axes
 from physics.accuracy import MARKS, Run
-from physics.price import LEAST, at_cost, at_error, grouped
+from physics.price import LEAST, grouped
 from physics.solvers import METHODS
 
 MORE = "more"
@@ -37,9 +38,15 @@ class Series:
         return grouped(self.every)
 
     @cached_property
+    def good(self) -> Mapping[str, Sequence[Run]]:
+        """The runs of each method that can be drawn."""
+        found = {slug: [run for run in runs if _is_good(run)] for slug, runs in self.by_method.items()}
+        return {slug: runs for slug, runs in found.items() if runs}
+
+    @cached_property
     def points(self) -> Mapping[str, Columns]:
-        """The runs of each method that can be drawn: the columns time (s) and error (of the largest displacement)."""
-        return {slug: _points(good) for slug, runs in self.by_method.items() if (good := done(runs))}
+        """Their columns time (s) and error (of the largest displacement)."""
+        return {slug: _points(runs) for slug, runs in self.good.items()}
 
 
 @dataclass(frozen=True)
@@ -57,18 +64,16 @@ class Known:
         """The runs of a method, made here if there are any."""
         return self.here.by_method.get(method) or self.before.by_method.get(method, ())
 
+    def good(self, method: str) -> Sequence[Run]:
+        """Those of them that can be drawn."""
+        return (self.here if self.is_here(method) else self.before).good.get(method, ())
+
     def is_here(self, method: str) -> bool:
         return method in self.here.by_method
 
 
-def shown_methods(hidden: Sequence[str]) -> tuple[str, ...]:
-    """The methods that are to be seen."""
-    return LIVE if MORE in hidden else tuple(METHODS)
-
-
-def done(runs: Iterable[Run]) -> list[Run]:
-    """The runs that can be drawn."""
-    return [run for run in runs if run.error is not None and run.time is not None and run.error <= WRONG]
+def _is_good(run: Run) -> bool:
+    return run.error is not None and run.time is not None and run.error <= WRONG
 
 
 def compiled_only(measured: Known) -> Known:
@@ -93,28 +98,19 @@ def work(measured: Known) -> dict[str, Columns]:
 
 
 def _points(runs: Sequence[Run]) -> Columns:
-    return {
-        "time": np.array([run.time for run in runs], dtype=float),
-        "error": np.array([max(run.error or 0.0, LEAST) for run in runs], dtype=float),
-    }
-
-
-def chosen(measured: Known, methods: Iterable[str], equal: str, wanted: float, cost: float) -> dict[str, Run]:
-    """The run of each method that is compared: the first that is good enough, or the finest that is cheap enough."""
-    found = {slug: measured.of(slug) for slug in methods}
-    runs = {slug: at_error(many, wanted) if equal == "error" else at_cost(many, cost) for slug, many in found.items()}
-    return {slug: run for slug, run in runs.items() if run is not None}
+    times, errors = [run.time for run in runs], [max(run.error or 0.0, LEAST) for run in runs]
+    return by_name({Axes.time: np.array(times, dtype=float), Axes.error: np.array(errors, dtype=float)})
 
 
 def growth(runs: Mapping[str, Run]) -> dict[str, Columns]:
     """Per method the worst error, and the worst energy error, so far against simulated time."""
-    both = product(("error_growth", "energy_growth"), METHODS)
-    return {f"{of}_{slug}": _growth(runs[slug], of) if slug in runs else {} for of, slug in both}
+    both = product((Axes.error_growth, Axes.energy_growth), METHODS)
+    return {f"{of.name}_{slug}": _growth(runs[slug], of) for of, slug in both if slug in runs}
 
 
-def _growth(run: Run, of: str) -> Columns:
-    levels = [max(error, LEAST) for error in getattr(run, of)[1:]]
-    return {"period": np.array(MARKS[1:][: len(levels)], dtype=float), of: np.array(levels, dtype=float)}
+def _growth(run: Run, of: DrawnAxis) -> Columns:
+    levels = [max(error, LEAST) for error in getattr(run, of.name)[1:]]
+    return by_name({Axes.period: np.array(MARKS[1:][: len(levels)], dtype=float), of: np.array(levels, dtype=float)})
 
 
 def reached_text(run: Run) -> str:
@@ -147,13 +143,13 @@ def picked_run(measured: Known, picked: Sequence[str]) -> Run | None:
         return None
     source, place = picked[0], int(picked[1])
     runs = measured.before if source.startswith((ALONE, BEHIND)) else measured.here
-    good = done(runs.by_method.get(source.removeprefix(ALONE).removeprefix(BEHIND), ()))
+    good = runs.good.get(source.removeprefix(ALONE).removeprefix(BEHIND), ())
     return good[place] if place < len(good) else None
 
 
-def kept(run: Run | None) -> Columns:
-    """The picked run: errors of its motion and of its energy in percent, the worst so far."""
-    if run is None or not run.error_growth:
-        return {}
-    motion, energy = (100 * np.array(levels) for levels in (run.error_growth, run.energy_growth))
-    return {"period": np.array(MARKS, dtype=float), "motion": motion, "energy": energy}
+class Kept(Declared[Run]):
+    """Errors of the motion and of the energy of a run in percent, the worst so far."""
+
+    period = Column[Run]("kept", lambda run: np.array(MARKS, dtype=float))
+    motion = Column[Run]("kept", lambda run: 100 * np.array(run.error_growth))
+    energy = Column[Run]("kept", lambda run: 100 * np.array(run.energy_growth))

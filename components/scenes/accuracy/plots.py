@@ -10,17 +10,24 @@ from typing import Any
 
 from components.language.blocks import Block
 from components.language.numbers import var
-from components.language.plots import Curve, Handle, Mark
+from components.language.plots import Curve, Handle
 from components.language.shapes import AnyShape
-from components.layout.plots import Room, curve, plot
+from components.layout.plots import Room, curve, mark, plot
 from components.layout.sheet import phrase
-from components.layout.stage import circle, on_x, on_y, text
-from components.quantities.axes import Axis
-from components.scene.traces import Columns
-from components.scenes.accuracy.data import ALONE, BEHIND, MORE
+from components.layout.stage import ON_NARROW, ON_WIDE, PlotFrame, circle, shown_by, text
+from components.quantities import declared
+from components.quantities.declared import Declared, DrawnAxis, Family, Scalar
+from components.scenes.accuracy.axes import Axes
+from components.scenes.accuracy.case import AccuracyCase
+from components.scenes.accuracy.data import ALONE, BEHIND, MORE, Kept
 from components.scenes.accuracy.measuring import LIVE
+from components.scenes.accuracy.words import Forms
+from components.scenes.accuracy.words import Numbers as N
+from physics.accuracy import Run
+from physics.price import LEAST
 from physics.solvers import METHODS
 
+WORK = PlotFrame("work")
 LOOK: dict[str, dict[str, str]] = {
     "closed": {"tint": "ink", "width": "none", "marker": "disc"},
     "exact": {"tint": "mute", "width": "none", "marker": "ring"},
@@ -34,22 +41,58 @@ KEYS = (
     phrase(MORE, "line", "mute", formula=f"{len(METHODS) - len(LIVE)} more"),
 )
 
+scalar = Scalar[AccuracyCase]
+
+
+def _time(run: Run | None, axes: declared.Axes) -> float | None:
+    return None if run is None else Axes.time(axes).place(run.time or 0.0)
+
+
+def _error(run: Run | None, axes: declared.Axes) -> float | None:
+    return None if run is None else Axes.error(axes).place(max(run.error or 0.0, LEAST))
+
+
+def _step(case: AccuracyCase) -> float | None:
+    """The step of the picked run times the fast angular frequency, where it has fixed steps."""
+    if case.run is None or case.run.family != "fixed":
+        return None
+    problem = case.system.problem()
+    return min(problem.spacing * problem.rates[1] / case.run.setting, 1e30)
+
+
+class Places(Declared[AccuracyCase]):
+    wanted_at = scalar(lambda c, a: Axes.error(a).place(c.wanted))
+    rounding_at = scalar(lambda c, a: Axes.error(a).place(2.0**-53))
+    limit_at = scalar(lambda c, a: Axes.time(a).place(c.limit))
+    empty = scalar(lambda c, a: not c.known.here.every and not c.known.before.every)
+    # The ends of the lines, beside which the names of the methods stand.
+    named = Family(METHODS, lambda slug: scalar(lambda c, a: slug in c.ends), "{}_named")
+    at = Family(METHODS, lambda slug: scalar(lambda c, a: _time(c.ends.get(slug), a)), "{}_at")
+    error = Family(METHODS, lambda slug: scalar(lambda c, a: _error(c.ends.get(slug), a)), "{}_error")
+    stiff = scalar(lambda c, a: c.stiff is not None)
+    stiff_at = scalar(lambda c, a: _time(c.stiff, a))
+    stiff_error = scalar(lambda c, a: _error(c.stiff, a))
+    picked = scalar(lambda c, a: c.run is not None)
+    picked_at = scalar(lambda c, a: _time(c.run, a))
+    picked_error = scalar(lambda c, a: _error(c.run, a))
+    step_at = scalar(lambda c, a: _step(c))
+
 
 def work_plot() -> Block:
     """Error against run time; the pill on the error axis is the error that is good enough."""
     return plot(
-        "work",
-        x="time",
-        y="error",
+        WORK,
+        x=Axes.time,
+        y=Axes.error,
         title="Error of the motion against run time, one line a method",
         curves=(*_recorded(), *_front()),
-        x_column="time",
+        x_column=Axes.time,
         heading=(phrase("", "none", "ink", formula="**Error against run time**, steps"), *KEYS),
         handles=(Handle(parameter="wanted", label="Accepted error", tint="mute", axis="y"),),
         marks=(
-            Mark(at="wanted_at", label="accepted error", axis="y"),
-            Mark(at="rounding_at", tint="mute", label="one rounding", axis="y", style="dashed"),
-            Mark(at="limit_at", tint="mute", label="time limit", style="dashed"),
+            mark(Places.wanted_at, label="accepted error", axis="y"),
+            mark(Places.rounding_at, tint="mute", label="one rounding", axis="y", style="dashed"),
+            mark(Places.limit_at, tint="mute", label="time limit", style="dashed"),
         ),
         shapes=(*_meanings(), *_names(), _ring()),
         pick="picked",
@@ -60,9 +103,7 @@ def work_plot() -> Block:
 
 
 def _front() -> Iterable[Curve]:
-    return (
-        curve("error", source=slug, x="time", group=METHODS[slug].family, **LOOK[METHODS[slug].family]) for slug in LIVE
-    )
+    return (curve(Axes.error, source=slug, group=METHODS[slug].family, **LOOK[METHODS[slug].family]) for slug in LIVE)
 
 
 def _recorded() -> Iterable[Curve]:
@@ -73,62 +114,47 @@ def _recorded() -> Iterable[Curve]:
         strong = look["width"] if slug in LIVE else thin
         for source, width, tint in ((BEHIND + slug, thin, "mute"), (ALONE + slug, strong, look["tint"])):
             marker = "ring" if width == "none" else ""
-            yield curve("error", source=source, x="time", group=group, tint=tint, width=width, marker=marker)
+            yield curve(Axes.error, source=source, group=group, tint=tint, width=width, marker=marker)
 
 
 def _names() -> Iterable[AnyShape]:
-    return (
-        text(
-            on_x("work", var(f"{slug}_at")),
-            on_y("work", var(f"{slug}_error")),
-            method.mark,
-            anchor="beside",
-            tint=LOOK[method.family]["tint"],
-            style="halo",
-            show=f"{slug}_named",
-        )
-        for slug, method in METHODS.items()
-    )
-
-
-def line_ends(curves: dict[str, Columns], time: Axis, error: Axis) -> dict[str, float]:
-    """The last point of the line of each method, beside which its name stands."""
-    scalars: dict[str, float] = {}
-    for slug, line in curves.items():
-        at, reached = time.place(float(line["time"][-1])), error.place(float(line["error"][-1]))
-        scalars |= {f"{slug}_named": 1.0, f"{slug}_at": at, f"{slug}_error": reached}
-    return scalars
+    for slug, method in METHODS.items():
+        x, y = WORK.x(var(Places.at[slug])), WORK.y(var(Places.error[slug]))
+        look = {"anchor": "beside", "tint": LOOK[method.family]["tint"], "style": "halo"}
+        yield text(x, y, method.mark, show=Places.named[slug], **look)
 
 
 def _meanings() -> Iterable[AnyShape]:
     """Texts at the two dashed lines, and on what to do where nothing has been measured."""
-    limit, rounding = on_x("work", var("limit_at")), on_y("work", var("rounding_at"))
+    limit, rounding = WORK.x(var(Places.limit_at)), WORK.y(var(Places.rounding_at))
     told: dict[str, Any] = {"tint": "mute", "style": "t1 halo"}
     methods = f"{len(LIVE)} methods"
-    x, y = (var("work.left") + var("work.right")) / 2, (var("work.top") + var("work.bottom")) / 2
-    stiff = on_x("work", var("stiff_at")), on_y("work", var("stiff_error"))
+    x, y = (WORK.left + WORK.right) / 2, (WORK.top + WORK.bottom) / 2
+    stiff = WORK.x(var(Places.stiff_at)), WORK.y(var(Places.stiff_error))
     return (
         text(limit - 6, rounding - 6, "one rounding of a double, 1.1·10⁻¹⁶", anchor="end", **told),
-        text(limit, var("work.top"), "runs here stop at {limit}", anchor="beside", **told),
-        text(*stiff, "most steps by BDF", anchor="beside", show="stiff", **told),
-        text(x, y, f"Press Run: {methods} on this motion, within a minute.", style="halo", show="empty wide"),
-        text(x, y - 9, f"Press Run: {methods}", style="halo", show="empty narrow"),
-        text(x, y + 9, "on this motion, within a minute.", style="halo", show="empty narrow"),
+        text(limit, WORK.top, f"runs here stop at {N.limit}", anchor="beside", **told),
+        text(*stiff, "most steps by BDF", anchor="beside", show=Places.stiff, **told),
+        *shown_by(
+            Places.empty,
+            text(x, y, f"Press Run: {methods} on this motion, within a minute.", style="halo", show=ON_WIDE),
+            text(x, y - 9, f"Press Run: {methods}", style="halo", show=ON_NARROW),
+            text(x, y + 9, "on this motion, within a minute.", style="halo", show=ON_NARROW),
+        ),
     )
 
 
 def _ring() -> AnyShape:
-    x, y = on_x("work", var("picked_at")), on_y("work", var("picked_error"))
-    return circle(x, y, 9, tint="ink", style="pick", show="picked")
+    x, y = WORK.x(var(Places.picked_at)), WORK.y(var(Places.picked_error))
+    return circle(x, y, 9, tint="ink", style="pick", show=Places.picked)
 
 
-def growth_plot(of: str, title: str, form: str) -> Block:
+def growth_plot(of: DrawnAxis, title: str) -> Block:
     """The worst error so far against simulated time, one run of each method."""
     curves = tuple(
         curve(
             of,
-            source=f"{of}_{slug}",
-            x="period",
+            source=f"{of.name}_{slug}",
             group=method.family if slug in LIVE else MORE,
             label=method.mark,
             tint=LOOK[method.family]["tint"],
@@ -136,37 +162,36 @@ def growth_plot(of: str, title: str, form: str) -> Block:
         )
         for slug, method in METHODS.items()
     )
+    keys = KEYS if of is Axes.error_growth else ()
     return plot(
-        of,
-        x="period",
+        PlotFrame(of.name),
+        x=Axes.period,
         y=of,
         title=title,
         curves=curves,
-        x_column="period",
-        heading=(phrase("", "none", "ink", formula=f"**{title}**, steps"), *KEYS)
-        if of == "error_growth"
-        else (phrase("", "none", "ink", formula=f"**{title}**"),),
+        x_column=Axes.period,
+        heading=(phrase("", "none", "ink", formula=f"**{title}**{', steps' if keys else ''}"), *keys),
         room=Room(54, 140),
         phone=10,
         height=300,
-        form=form,
+        form=Forms.growth,
     )
 
 
 def picked_plot() -> Block:
     """Energy kept, phase lost: both errors of the picked run on one axis."""
     return plot(
-        "kept",
-        x="period",
-        y="percent",
+        PlotFrame("kept"),
+        x=Axes.period,
+        y=Axes.percent,
         title="Error of the motion and of the energy of the picked run, in percent, against simulated time",
         curves=(
-            curve("motion", source="kept", x="period", tint="m1", width="sum", label="motion"),
-            curve("energy", source="kept", x="period", tint="ink", width="dash", label="energy"),
+            curve(Kept.motion, tint="m1", width="sum", label="motion"),
+            curve(Kept.energy, tint="ink", width="dash", label="energy"),
         ),
-        x_column="period",
+        x_column=Kept.period,
         room=Room(44, 60),
         phone=13,
         height=150,
-        form="kept",
+        form=Forms.kept,
     )

@@ -5,22 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 
-from components.language.blocks import Block
-from components.language.text import Forms
-from components.layout.sheet import either, table
 from components.quantities.numbers import short, three
 from components.scenes.accuracy.data import Known
 from physics.accuracy import Run
-from physics.price import Price, in_doubles, prices
+from physics.price import Price, dearness, in_doubles, prices
 from physics.solvers import METHODS
 
-ROWS = len(METHODS)
 PriceRow = tuple[str, tuple[str, ...]]
 """A method and its cells."""
-CELLS = ("name", "evaluations", "time", "ratio", "compiled", "compiled_ratio")
 NEVER = ("floor", "finest", "spacing")
 """Why a method is refined no further although time is left: then it does not get there."""
-Quoted = Mapping[str, Price]
 
 
 def price_list(measured: Known, methods: Sequence[str], wanted: float, unit: str = "app") -> list[PriceRow]:
@@ -34,8 +28,9 @@ def price_list(measured: Known, methods: Sequence[str], wanted: float, unit: str
         for series in (measured.here, measured.before, measured.compiled)
     )
     units = {True: _unit(here, unit), False: _unit(before, unit)}
+    quoted = ((here if measured.is_here(slug) else before).get(slug) for slug in found)
     rows = []
-    for price in prices(found.values(), wanted):
+    for price in sorted(filter(None, quoted), key=dearness):
         slug = price.method
         own = price_cells(price, units[measured.is_here(slug)], found[slug][-1])
         other = compiled.get(slug)
@@ -54,7 +49,7 @@ def _evaluations(*prices: Price | None) -> float | None:
     return next((price.evaluations for price in prices if price and price.evaluations is not None), None)
 
 
-def _unit(quoted: Quoted, unit: str) -> float | None:
+def _unit(quoted: Mapping[str, Price], unit: str) -> float | None:
     """The run time of the closed form."""
     price = in_doubles(quoted) if unit == "doubles" else quoted.get("closed")
     return price.time if price else None
@@ -104,31 +99,6 @@ def _in_words(failure: str) -> str:
 def time_text(seconds: float) -> str:
     """A run time as a person says it."""
     return f"{three(seconds * 1e3)} ms" if seconds < 1 else f"{three(seconds)} s"
-
-
-def price_texts(rows: Sequence[PriceRow]) -> dict[str, str]:
-    return {
-        f"price{i}_{cell}": text for i, (_, cells) in enumerate(rows) for cell, text in zip(CELLS, cells, strict=True)
-    }
-
-
-def price_forms(rows: Sequence[PriceRow], measured: Known) -> dict[str, str]:
-    """Rows read from records are quiet where others were measured here."""
-    return {
-        f"price{i}": "before" if measured.here.every and not measured.is_here(method) else "here"
-        for i, (method, _) in enumerate(rows)
-    }
-
-
-def price_rows(phone: int) -> Block:
-    """The methods in the order of what the wanted error costs with each."""
-    head = [either("costs", shown=f"[mute|{name}]") for name in ("method", "eval.", "Python", "×", "compiled", "×")]
-    rows = ([_cell(f"price{i}", cell) for cell in CELLS] for i in range(ROWS))
-    return table(head, *rows, style="tight", phone=phone)
-
-
-def _cell(form: str, cell: str) -> Forms:
-    return either(form, here=f"{{{form}_{cell}}}", before=f"[mute|{{{form}_{cell}}}]")
 
 
 def power(value: float) -> str:

@@ -3,31 +3,31 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import cache, lru_cache
 
 import numpy as np
 
 from components.language.blocks import Block
-from components.language.numbers import var
-from components.language.plots import Mark
-from components.layout.plots import Room, curve, plot
+from components.layout.plots import Room, curve, mark, plot
 from components.layout.sheet import column, phrase, row, when, words
-from components.layout.stage import on_x, text
-from components.quantities.axes import Axis, log_axis, nice_axis
+from components.layout.stage import PlotFrame, text
+from components.quantities.declared import Column, Declared, DrawnAxis, by_name
 from components.scene.traces import Columns
-from components.scenes.accuracy.data import done
-from components.scenes.accuracy.plots import LOOK
+from components.scenes.accuracy.axes import REACH, TOP, Axes
+from components.scenes.accuracy.case import AccuracyCase
+from components.scenes.accuracy.data import growth
+from components.scenes.accuracy.plots import LOOK, Places
 from components.scenes.accuracy.prices import power, time_text
 from components.scenes.accuracy.recorded import digits, recorded
-from physics.accuracy import MARKS
+from components.scenes.accuracy.words import Forms, number
+from components.scenes.accuracy.words import Numbers as N
 from physics.coupled import TwoMassChain
 from physics.integrators import FIXED_STEP
 from physics.price import LEAST
 from physics.solvers import METHODS
 from physics.stability import amplification, stability_limit, stable_steps
 
-REACH, LOW, TOP = 3.2, 0.4, 3.0
-"""The reach of the plot of the amplification in h omega, and its ends downward and upward."""
 ALIKE = {
     "euler": "Explicit Euler",
     "verlet": "Verlet, semi-implicit Euler",
@@ -42,39 +42,45 @@ ALIKE = {
 LASTING = (
     "closed", "eigh", "expm", "verlet", "newmark", "rk4", "gauss4", "nystrom6", "yoshida6", "rk45", "dop853", "lsoda",
 )  # fmt: skip
-WITHOUT = ("closed", "eigh", "naive", "slides")
+WITHOUT = {"closed": "sum", "eigh": "line", "naive": "dash", "slides": "thin"}
+"""The widths of the lines of what takes no steps."""
 SWEEPS = {
-    "ratio": "Springs far apart, $k_2/k_1$",
-    "detuning": "Near resonance, $\\omega/\\omega_- - 1$",
-    "periods": "Long runs, slow periods",
+    "ratio": ("Springs far apart, $k_2/k_1$", "k2/k1"),
+    "detuning": ("Near resonance, $\\omega/\\omega_- - 1$", "omega/omega_minus - 1"),
+    "periods": ("Long runs, slow periods", "the length of the run in slow periods"),
 }
-AGAINST = {
-    "ratio": "k2/k1",
-    "detuning": "omega/omega_minus - 1",
-    "periods": "the length of the run in slow periods",
-}
-"""The axes of SWEEPS in words."""
+"""Titles of the sweeps, and their axes in words."""
+BOUNDED = tuple(slug for slug in FIXED_STEP if 0 < stability_limit(slug) < math.inf)
+STABILITY = PlotFrame("stability")
+
+
+class Studied(Declared[object]):
+    """Columns: of the growth in a step, of the steps that stability requires, and of the errors of doubles."""
+
+    growth = Column[object].each(ALIKE, "{}", source="stability")
+    steps = Column[object].each(BOUNDED, source="explosion")
+    place = Column[object]("digits")
+    error = Column[object].each(WITHOUT, "{}", source="digits")
 
 
 def length_view() -> Block:
     """Run time and error against the length of the run."""
     told = words(
         "Benign, 100 outputs, in Python; with fixed steps 2,800 evaluations a slow period for each, else rtol 10⁻⁶. "
-        "Recorded {length_origin}. "
+        f"Recorded {N.length_origin}. "
         "The formula is flat, stepping grows with the length, and so does the error of its phase.",
         style="plain",
         phone=9,
     )
-    plots = [_length_plot("span_time", "Run time"), _length_plot("span_error", "Largest error of the motion")]
-    return when("length", column(told, *plots))
+    plots = [_length_plot(Axes.span_time, "Run time"), _length_plot(Axes.span_error, "Largest error of the motion")]
+    return when(Forms.length, column(told, *plots))
 
 
-def _length_plot(of: str, title: str) -> Block:
+def _length_plot(of: DrawnAxis, title: str) -> Block:
     curves = tuple(
         curve(
             of,
             source=f"length_{slug}",
-            x="span",
             label=METHODS[slug].mark,
             tint=LOOK[METHODS[slug].family]["tint"],
             width="dash" if METHODS[slug].family == "fixed" else "line",
@@ -82,12 +88,12 @@ def _length_plot(of: str, title: str) -> Block:
         for slug in LASTING
     )
     return plot(
-        of,
-        x="span",
+        PlotFrame(of.name),
+        x=Axes.span,
         y=of,
         title=f"{title} against the length of the run in slow periods",
         curves=curves,
-        x_column="span",
+        x_column=Axes.span,
         heading=(phrase("", "none", "ink", formula=f"**{title}**, against the length of the run"),),
         room=Room(60, 140),
         phone=10,
@@ -99,13 +105,9 @@ def _length_plot(of: str, title: str) -> Block:
 def length_columns() -> dict[str, Columns]:
     known, columns = recorded("length").runs, {}
     for slug in LASTING:
-        spans = [run.setting for run in done(known.by_method[slug])]
-        points = known.points[slug]
-        columns[f"length_{slug}"] = {
-            "span": np.array(spans, dtype=float),
-            "span_time": points["time"],
-            "span_error": points["error"],
-        }
+        spans, points = [run.setting for run in known.good[slug]], known.points[slug]
+        given = (np.array(spans, dtype=float), points[Axes.time.name], points[Axes.error.name])
+        columns[f"length_{slug}"] = by_name(dict(zip((Axes.span, Axes.span_time, Axes.span_error), given, strict=True)))
     return columns
 
 
@@ -113,43 +115,38 @@ def digits_view() -> Block:
     """The view of where doubles begin to fail."""
     told = words(
         "Thick: the closed form. Line: modes by eigh, dashed: the same, naive, thin: the slides' formulas. Doubles do "
-        "for an error of {wanted} up to {digits_ratio} and {digits_periods}; near resonance always, if no difference "
-        "cancels. 80 digits take {digits_cost}.",
+        f"for an error of {N.wanted} up to {Digits.digits_ratio} and {Digits.digits_periods}; near resonance always, "
+        f"if no difference cancels. 80 digits take {Digits.digits_cost}.",
         style="plain",
         phone=9,
     )
-    return when("digits", column(told, row(*(_digits_plot(sweep, title) for sweep, title in SWEEPS.items()))))
+    return when(Forms.digits, column(told, row(*map(_digits_plot, SWEEPS))))
 
 
-def _digits_plot(sweep: str, title: str) -> Block:
+def _digits_plot(sweep: str) -> Block:
+    title, against = SWEEPS[sweep]
     curves = tuple(
         curve(
-            slug,
+            Studied.error[slug],
             source=f"digits_{sweep}_{slug}",
-            x="place",
-            tint=_ink(slug),
-            width={"closed": "sum", "eigh": "line", "naive": "dash", "slides": "thin"}[slug],
-            group=slug,
+            tint="mute" if slug == "slides" else "ink",
+            width=width,
         )
-        for slug in WITHOUT
+        for slug, width in WITHOUT.items()
     )
     return plot(
-        f"digits_{sweep}",
-        x=f"place_{sweep}",
-        y="span_error",
-        title=f"Largest error against {AGAINST[sweep]}",
+        PlotFrame(f"digits_{sweep}"),
+        x=Axes.place[sweep],
+        y=Axes.span_error,
+        title=f"Largest error against {against}",
         curves=curves,
-        x_column="place",
+        x_column=Studied.place,
         heading=(phrase("", "none", "ink", formula=f"**{title}**"),),
-        marks=(Mark(at="wanted_at", tint="mute", label="accepted error", axis="y", style="dashed"),),
+        marks=(mark(Places.wanted_at, tint="mute", label="accepted error", axis="y", style="dashed"),),
         room=Room(54, 12),
         phone=10,
         height=300,
     )
-
-
-def _ink(slug: str) -> str:
-    return "mute" if slug == "slides" else "ink"
 
 
 @cache
@@ -160,86 +157,72 @@ def digits_columns() -> dict[str, Columns]:
         for slug in WITHOUT:
             pairs = [(x, max(e, LEAST)) for x, e in zip(found["x"], found[slug], strict=True) if e is not None]
             places, errors = np.array(sorted(pairs), dtype=float).T
-            columns[f"digits_{sweep}_{slug}"] = {"place": places, slug: errors}
+            columns[f"digits_{sweep}_{slug}"] = by_name({Studied.place: places, Studied.error[slug]: errors})
     return columns
 
 
-def digits_texts(wanted: float) -> dict[str, str]:
-    """Texts on the reach of doubles and the cost of more digits."""
-    costs = {each["motion"]: each for each in digits()["costs"]}
-    free = costs["free"]
+def _cost() -> str:
+    """The cost of more digits."""
+    (free,) = (each for each in digits()["costs"] if each["motion"] == "free")
     alone, whole, eigh = (time_text(free[name] / 1e3) for name in ("digits", "closed", "eigh"))
-    ratio, periods = _last_good("ratio", wanted), _last_good("periods", wanted)
-    return {
-        "digits_cost": f"{alone} of its {whole}, where eigh takes {eigh}",
-        "digits_ratio": f"k₂/k₁ = {power(ratio)}" if ratio else "no k₂/k₁",
-        "digits_periods": f"{power(periods)} periods" if periods else "no period",
-    }
+    return f"{alone} of its {whole}, where eigh takes {eigh}"
 
 
-def _last_good(sweep: str, wanted: float) -> float | None:
+def _last_good(sweep: str, wanted: float) -> str:
     """The last place before eigh's error is too large."""
-    found, last = digits()[sweep], None
+    found, last = digits()[sweep], ""
     for place, error in zip(found["x"], found["eigh"], strict=True):
         if error is None or error > wanted:
             break
-        last = float(place)
+        last = power(float(place))
     return last
+
+
+class Digits(Declared[AccuracyCase]):
+    digits_cost = number(lambda c: _cost())
+    digits_ratio = number(lambda c: f"k₂/k₁ = {last}" if (last := _last_good("ratio", c.wanted)) else "no k₂/k₁")
+    digits_periods = number(lambda c: f"{last} periods" if (last := _last_good("periods", c.wanted)) else "no period")
 
 
 def stability_view() -> Block:
     """Amplification a step, and how many steps stability asks for."""
-    return when("stability", column(_stability_plot(), _steps_plot()))
+    return when(Forms.stability, column(_stability_plot(), _steps_plot()))
 
 
 @cache
 def stability() -> Columns:
     """Amplification a step against h omega, for each kind of method with fixed steps."""
     z = np.linspace(0.005, REACH, 240)
-    return {"h_omega": z, **{slug: amplification(slug, z) for slug in ALIKE}}
-
-
-def leaves(columns: Columns, slug: str) -> float:
-    """Where the amplification of a method leaves the frame for good; the end of the frame where it stays."""
-    inside = columns["h_omega"][columns[slug] <= TOP]
-    return float(inside.max())
+    return by_name({Axes.h_omega: z, **{Studied.growth[slug]: amplification(slug, z) for slug in ALIKE}})
 
 
 def _stability_plot() -> Block:
     columns = stability()
+    z = columns[Axes.h_omega.name]
     # A line that leaves the frame at its top has its name where it leaves.
+    leaves = {slug: last for slug in ALIKE if (last := float(z[columns[slug] <= TOP].max())) < REACH}
     names = tuple(
-        text(
-            on_x("stability", leaves(columns, slug)),
-            var("stability.top"),
-            name,
-            anchor="beside",
-            tint=_tint(slug),
-            style="t1 halo",
-        )
-        for slug, name in ALIKE.items()
-        if leaves(columns, slug) < REACH
+        text(STABILITY.x(last), STABILITY.top, ALIKE[slug], anchor="beside", tint=_tint(slug), style="t1 halo")
+        for slug, last in leaves.items()
     )
     curves = tuple(
         curve(
-            slug,
-            source="stability",
-            x="h_omega",
+            Studied.growth[slug],
             tint=_tint(slug),
             width="sum" if slug == "verlet" else "dash" if slug == "midpoint" else "line",
-            label="" if leaves(columns, slug) < REACH else name,
+            label="" if slug in leaves else name,
         )
         for slug, name in ALIKE.items()
     )
     return plot(
-        "stability",
-        x="h_omega",
-        y="growth",
+        STABILITY,
+        x=Axes.h_omega,
+        y=Axes.growth,
         title="Growth of an oscillation in one step, against step times angular frequency",
         curves=curves,
-        x_column="h_omega",
+        x_column=Axes.h_omega,
         heading=(phrase("", "none", "ink", formula="**Growth a step**, against $h\\,\\omega_+$: above 1 it explodes"),),
-        marks=(Mark(at="step_at", html="picked", label="Step of the picked run", lift=32),),
+        marks=(mark(Places.step_at, html="picked", label="Step of the picked run", lift=32),),
         shapes=names,
         room=Room(44, 190, top=36),
         phone=10,
@@ -251,33 +234,24 @@ def _tint(slug: str) -> str:
     return "ink" if slug == "verlet" else "mute"
 
 
-BOUNDED = tuple(slug for slug in FIXED_STEP if 0 < stability_limit(slug) < math.inf)
-
-
 @lru_cache(maxsize=16)
 def step_explosion(chain: TwoMassChain) -> Columns:
     """Steps in a slow period that a method with a limit needs to stay stable, as k2/k1 grows with all else kept."""
     ratios = np.geomspace(1.0, 1e12, 25)
     k1 = chain.k1 or 1.0
     chains = [TwoMassChain(m1=chain.m1, m2=chain.m2, k1=k1, k2=k1 * ratio) for ratio in ratios]
-    return {
-        "ratio": ratios,
-        **{f"steps_{slug}": np.array([stable_steps(slug, each) for each in chains]) for slug in BOUNDED},
-    }
+    steps = {Studied.steps[slug]: np.array([stable_steps(slug, each) for each in chains]) for slug in BOUNDED}
+    return by_name({Axes.ratio: ratios, **steps})
 
 
 def _steps_plot() -> Block:
     return plot(
-        "explosion",
-        x="ratio",
-        y="steps",
+        PlotFrame("explosion"),
+        x=Axes.ratio,
+        y=Axes.steps,
         title="Steps in a slow period that stability requires, against k2/k1",
-        curves=tuple(
-            curve(f"steps_{slug}", source="explosion", x="ratio", width="line", label=ALIKE[slug])
-            for slug in BOUNDED
-            if slug in ALIKE
-        ),
-        x_column="ratio",
+        curves=tuple(curve(Studied.steps[slug], width="line", label=ALIKE[slug]) for slug in BOUNDED if slug in ALIKE),
+        x_column=Axes.ratio,
         heading=(
             phrase("", "none", "ink", formula="**Steps in a slow period** that stability requires, against $k_2/k_1$"),
         ),
@@ -287,19 +261,11 @@ def _steps_plot() -> Block:
     )
 
 
-@cache
-def study_axes(unit: str) -> dict[str, Axis]:
-    """The axes of all that is not the work plot; `unit` is what periods are counted in."""
-    return {
-        "period": nice_axis(0.0, float(MARKS[-1]), unit, 5, exact=True),
-        "span": log_axis(5.0, 500.0, "slow periods"),
-        "span_time": log_axis(3e-5, 30.0, "s"),
-        "span_error": log_axis(1e-17, 10.0, ""),
-        "place_ratio": log_axis(1.0, 1e16, ""),
-        "place_detuning": log_axis(1e-15, 0.1, ""),
-        "place_periods": log_axis(1.0, 1e12, ""),
-        "h_omega": nice_axis(0.0, REACH, "", 6, exact=True),
-        "growth": nice_axis(LOW, TOP, "", 4, exact=True),
-        "ratio": log_axis(1.0, 1e12, ""),
-        "steps": log_axis(1.0, 1e8, ""),
-    }
+STUDIES: dict[str, Callable[[AccuracyCase], dict[str, Columns]]] = {
+    "time": lambda case: {},
+    "growth": lambda case: growth(case.compared),
+    "length": lambda case: length_columns(),
+    "digits": lambda case: digits_columns(),
+    "stability": lambda case: {"stability": stability(), "explosion": step_explosion(case.system.chain)},
+}
+"""The columns of each view, while it is seen."""

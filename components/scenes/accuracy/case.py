@@ -1,0 +1,72 @@
+"""A comparison as the scene sees it: the runs that are known, and what is chosen to be seen of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from components.scenes.accuracy.data import MORE, Known, compiled_only, picked_run
+from components.scenes.accuracy.measuring import LIVE
+from components.scenes.accuracy.prices import PriceRow, price_list
+from physics.accuracy import Run, System, entered
+from physics.price import at_cost, at_error
+from physics.solvers import METHODS
+
+
+@dataclass(frozen=True, kw_only=True)
+class AccuracyCase:
+    """A system, its runs, and the values of the scene's parameters."""
+
+    system: System
+    known: Known
+    wanted: float
+    limit: float
+    cost: float
+    equal: str
+    clock: str
+    unit: str
+    view: str
+    picked: Sequence[str]
+    hidden: Sequence[str]
+
+    @cached_property
+    def drawn(self) -> Known:
+        return compiled_only(self.known) if self.clock == "compiled" else self.known
+
+    @cached_property
+    def methods(self) -> tuple[str, ...]:
+        """The methods that are to be seen."""
+        return LIVE if MORE in self.hidden else tuple(METHODS)
+
+    @cached_property
+    def run(self) -> Run | None:
+        """The run that is picked."""
+        return picked_run(self.drawn, self.picked)
+
+    @cached_property
+    def stiff(self) -> Run | None:
+        """The first run of LSODA that takes most of its steps by the formulas for stiff equations."""
+        runs = self.drawn.good("lsoda") if "lsoda" in self.methods else ()
+        return next((run for run in runs if run.stiff_share > 0.5), None)
+
+    @cached_property
+    def ends(self) -> dict[str, Run]:
+        """The run at the end of the line of each method, beside which its name stands."""
+        return {slug: good[-1] for slug in self.methods if (good := self.drawn.good(slug))}
+
+    @cached_property
+    def rows(self) -> list[PriceRow]:
+        return price_list(self.known, self.methods, self.wanted, self.unit)
+
+    @cached_property
+    def racing(self) -> tuple[str, ...]:
+        return entered(self.system, self.methods)
+
+    @cached_property
+    def compared(self) -> dict[str, Run]:
+        """The run of each method that is compared: the first good enough, or the finest that is cheap enough."""
+        first = self.equal == "error"
+        runs = ((slug, self.known.of(slug)) for slug in self.racing)
+        best = {slug: at_error(many, self.wanted) if first else at_cost(many, self.cost) for slug, many in runs}
+        return {slug: run for slug, run in best.items() if run is not None}

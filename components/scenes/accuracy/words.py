@@ -1,0 +1,108 @@
+"""The words of the accuracy scene: live numbers, and which sentences and views stand."""
+
+from __future__ import annotations
+
+from itertools import product
+
+from components.quantities.declared import Declared, Family, Form, LiveNumber, by_name
+from components.quantities.numbers import short, three
+from components.scenes.accuracy.case import AccuracyCase
+from components.scenes.accuracy.data import reached_text
+from components.scenes.accuracy.measurement import SCALE
+from components.scenes.accuracy.prices import power, time_text
+from components.scenes.accuracy.recorded import Recorded, recorded, records
+from physics.accuracy import System
+from physics.solvers import METHODS
+
+ROWS = len(METHODS)
+CELLS = ("name", "evaluations", "time", "ratio", "compiled", "compiled_ratio")
+
+number, form = LiveNumber[AccuracyCase], Form[AccuracyCase]
+
+
+def _system_text(system: System) -> str:
+    """The motion in a line."""
+    chain, (slow, fast) = system.chain, system.rates
+    if system.c:
+        text = f"m = {power(chain.m1)}, k = {power(chain.k1)}, c = {power(system.c)}{_drive_text(system)}"
+        text += f". Rates of decay 1 to {power(fast / slow)}"
+    else:
+        names = ("m1", "m2", "k1", "k2")
+        text = ", ".join(f"{name} = {short(getattr(chain, name))}" for name in names)
+        text += f"{_drive_text(system)}. Fast over slow frequency {three(fast / slow) if slow else '∞'}"
+    return f"{text}. 50 {system.unit}, 1000 outputs."
+
+
+def _drive_text(system: System) -> str:
+    """The drive: force and frequency, near the slow one by how far it is from it."""
+    if not system.F_0:
+        return ""
+    slow = system.rates[0]
+    off = system.omega / slow - 1 if slow and not system.c else 1.0
+    at = f"{short(system.omega)} rad/s" if abs(off) > 1e-3 else f"ω₋ · (1 + {power(off)})" if off else "ω₋"
+    return f", driven by {power(system.F_0)} N at {at}"
+
+
+def _compared_text(case: AccuracyCase) -> str:
+    """Which runs the growth compares."""
+    if case.equal == "error":
+        return f"At equal error: of each method the first run with an error of {power(case.wanted)} at the most."
+    return f"At equal cost: of each method the finest run within {time_text(case.cost)}."
+
+
+def _missing(case: AccuracyCase) -> str:
+    missing = [METHODS[slug].mark for slug in case.racing if slug not in case.compared]
+    return f"Not so far: {', '.join(missing)}." if missing else ""
+
+
+def _record(case: AccuracyCase) -> Recorded:
+    return records(case.system.slug) or recorded(SCALE)
+
+
+class Numbers(Declared[AccuracyCase]):
+    wanted = number(lambda c: power(c.wanted))
+    limit = number(lambda c: time_text(c.limit))
+    system = number(lambda c: _system_text(c.system))
+    origin = number(lambda c: _record(c).origin)
+    recorded_limit = number(lambda c: time_text(_record(c).seconds))
+    length_origin = number(lambda c: recorded("length").origin)
+    compared = number(_compared_text)
+    missing = number(_missing)
+    picked = number(lambda c: reached_text(c.run) if c.run else "")
+
+
+class Cells(Declared[AccuracyCase]):
+    """The cells of the list of prices, by row and name."""
+
+    price = Family(product(range(ROWS), CELLS), lambda cell: number(lambda c: None), "price{}_{}")
+
+
+def cell_texts(case: AccuracyCase) -> dict[str, str]:
+    """The cells of the rows that there are."""
+    cells = enumerate(cells for _, cells in case.rows)
+    return by_name({Cells.price[i, cell]: text for i, row in cells for cell, text in zip(CELLS, row, strict=True)})
+
+
+def _read(case: AccuracyCase, row: int) -> str:
+    """Where a row of the prices is from: read from records it is quiet where others were measured here."""
+    if row >= len(case.rows):
+        return ""
+    return "before" if case.known.here.every and not case.known.is_here(case.rows[row][0]) else "here"
+
+
+_ORIGINS = {(True, True): "both", (True, False): "here", (False, True): "before", (False, False): "none"}
+
+
+class Forms(Declared[AccuracyCase]):
+    time = form(lambda c: c.view == "time")
+    growth = form(lambda c: c.view == "growth")
+    length = form(lambda c: c.view == "length")
+    digits = form(lambda c: c.view == "digits")
+    stability = form(lambda c: c.view == "stability")
+    cost = form(lambda c: (c.view, c.equal) == ("growth", "cost"))
+    compiled = form(lambda c: c.clock == "compiled")
+    costs = form(lambda c: bool(c.rows))
+    unsteady = form(lambda c: any("±" in cell for _, cells in c.rows for cell in cells))
+    kept = form(lambda c: c.run is not None and bool(c.run.error_growth))
+    origin = form(lambda c: _ORIGINS[bool(c.known.here.every), bool(c.known.before.every)])
+    price = Family(range(ROWS), lambda row: form(lambda c: _read(c, row)))
