@@ -3,23 +3,28 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from msgspec.structs import replace
 
 from components import chain
 from components.chain.grabs import mass_grab
+from components.chain.parameters import Pair
+from components.chain.signals import Axes
+from components.chain.signals import Signals as S
 from components.language.blocks import Block
 from components.language.numbers import var
 from components.language.plots import Handle
 from components.language.state import Frame
 from components.layout.grabs import grab, on_plot
 from components.layout.plots import Room, curve, plot
-from components.layout.sheet import Paragraph, choice, column, either, row, stage, when, words
-from components.layout.stage import H, Shape, W, arrow, circle, line, on_x, on_y, text
+from components.layout.sheet import Paragraph, choice, column, either, row, stage, words
+from components.layout.stage import H, PlotFrame, Shape, W, arrow, circle, line, text
 from components.quantities.axes import Axis, nice_axis, time_axis
-from components.quantities.declared import Declared
-from components.quantities.motion import pace, round_down, total
+from components.quantities.declared import Declared, Family, Form, Scalar, by_name
+from components.quantities.motion import pace, round_down
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Traces
@@ -37,19 +42,41 @@ SWINGS, PER_SWING, MOST = 40, 96, 1281
 
 
 TASK = "Drag the start, the ring, until the path is a straight line. There are two such directions."
-START = on_x("plane", var("start1")), on_y("plane", var("start2"))
+
+
+@dataclass(frozen=True, eq=False)
+class HuntCase:
+    """A chain that starts from rest, and whether the answer is shown."""
+
+    system: TwoMassChain
+    x_0: Pair
+    revealed: bool
+
+    @cached_property
+    def shares(self) -> Mixture:
+        """The swing of each mode."""
+        return mixture(self.system, self.x_0)
+
+
+class Hunt(Declared[HuntCase]):
+    """The start in the plane, what each mode has of it, the verdict, and both directions where they are asked for."""
+
+    start = Family(chain.BOTH, lambda i: Scalar[HuntCase](lambda c, a: Axes.x(a).place(c.x_0[i - 1])))
+    share_slow = Scalar[HuntCase](lambda c, a: c.shares[0])
+    share_fast = Scalar[HuntCase](lambda c, a: c.shares[1])
+    verdict = Form[HuntCase](lambda c: found(c.system, c.shares))
+    answer = Form[HuntCase](lambda c: c.revealed)
+    line = chain.lines_of("answer")
+
+
+PLANE = PlotFrame("plane")
+START = PLANE.x(var(Hunt.start[1])), PLANE.y(var(Hunt.start[2]))
 START_GRAB = grab(
     "Start of both masses",
-    on_plot("plane", "x", "x1_0", "start1", "x"),
-    on_plot("plane", "y", "x2_0", "start2", "x"),
-    inside="plane",
+    on_plot(PLANE, "x", "x1_0", Hunt.start[1], Axes.x),
+    on_plot(PLANE, "y", "x2_0", Hunt.start[2], Axes.x),
+    inside=PLANE,
 )
-
-
-class Answer(Declared[TwoMassChain]):
-    """Both mode directions, where they are asked for."""
-
-    line = chain.lines_of("answer")
 
 
 def sheet() -> Block:
@@ -57,7 +84,7 @@ def sheet() -> Block:
         _plane(),
         column(
             words("**Mass 2 against mass 1, let go from rest.**", phone=6),
-            when("hunt", words(TASK, style="task", phone=6)),
+            words(TASK, style="task", phone=6),
             stage(*_shapes(), label="The chain in motion, and how far each mode swings", grow=1, height=210),
             words(_verdict(), _answer(), style="verdict", phone=7),
             choice("answer", {"hidden": "Answer hidden", "shown": "Reveal"}, "The answer", phone=8),
@@ -69,7 +96,7 @@ def sheet() -> Block:
 
 def _verdict() -> Paragraph:
     return either(
-        "verdict",
+        Hunt.verdict,
         thin="**Nearly a line, but not one mode:** both modes are in it, so mass 1 and mass 2 do not keep step.",
         mixed="**Not yet:** both modes are in it, so mass 1 and mass 2 do not keep step.",
         slow="[slow|**✓ Found: a straight line, the slow mode.**] Both masses pass 0 together, in phase. "
@@ -84,22 +111,22 @@ def _verdict() -> Paragraph:
 
 def _answer() -> Paragraph:
     return either(
-        "answer",
+        Hunt.answer,
         shown=rf"The lines: [slow|$X_2/X_1 = {N.answer_slow}$] and [fast|$X_2/X_1 = {N.answer_fast}$].",
     )
 
 
 def _plane() -> Block:
     return plot(
-        "plane",
-        x="x",
-        y="x",
+        PLANE,
+        x=Axes.x,
+        y=Axes.x,
         title="Displacement of mass 2 against that of mass 1, from a start that can be dragged",
-        x_column="x1",
+        x_column=S.x[1],
         curves=(
-            curve("slow2", source="answer", x="slow1", tint="slow", width="sum"),
-            curve("fast2", source="answer", x="fast1", tint="fast", width="dash"),
-            curve("x2", source="path", x="x1", tint="ink", signal_x="x1", signal="x2"),
+            curve(Hunt.line["slow", 2], x=Hunt.line["slow", 1], tint="slow", width="sum"),
+            curve(Hunt.line["fast", 2], x=Hunt.line["fast", 1], tint="fast", width="dash"),
+            curve(S.x[2], source="path", x=S.x[1], tint="ink", signal_x=S.x[1], signal=S.x[2]),
         ),
         room=Room(64, 10, top=10),
         square=True,
@@ -117,61 +144,51 @@ def _plane() -> Block:
 def _shapes() -> list[Shape]:
     foot = 0.5 * H
     shapes = [chain.standing_wall(0.17 * H, 0.33 * H), *chain.ground(foot)]
-    for i in (1, 2):
-        place = chain.place(i, f"x{i}")
+    for i in chain.BOTH:
+        place = chain.place(i)
         shapes += [
             line(chain.rest(i), 0.14 * H, chain.rest(i), foot, tint="mute", style="eq"),
             arrow(chain.rest(i), 0.15 * H, place, 0.15 * H, tint=f"m{i}"),
-            text(chain.rest(i), 0.1 * H, f"*x*_{i} = {{x{i}}} {{x_unit}}", tint=f"m{i}", style="t2 b"),
+            text(chain.rest(i), 0.1 * H, f"*x*_{i} = {S.x[i]} {chain.Places.x_unit}", tint=f"m{i}", style="t2 b"),
         ]
-    shapes += chain.masses(
-        foot,
-        chain.place(1, "x1"),
-        chain.place(2, "x2"),
-        grabs=(mass_grab(1, flicked=False), mass_grab(2, flicked=False)),
-    )
-    for n, (mode, share) in enumerate(zip(chain.MODES, ShareNumbers.share, strict=True)):
-        y = (0.76 + 0.18 * n) * H
+    grabs = mass_grab(1, flicked=False), mass_grab(2, flicked=False)
+    shapes += chain.masses(foot, chain.place(1), chain.place(2), grabs=grabs)
+    shares = (Hunt.share_slow, ShareNumbers.share_slow, 0.76), (Hunt.share_fast, ShareNumbers.share_fast, 0.94)
+    for mode, (share, told, at) in zip(chain.MODES, shares, strict=True):
+        y = at * H
         shapes += [
-            text(0, y - 12, f"{mode} mode {share} of the swing", "start", tint=mode, style="t1 b"),
+            text(0, y - 12, f"{mode} mode {told} of the swing", "start", tint=mode, style="t1 b"),
             line(0, y, W, y, tint="rule", style="thick faint told"),
-            line(0, y, var(share.name) * W, y, tint=mode, style="thick", show=share.name),
+            line(0, y, var(share) * W, y, tint=mode, style="thick", show=share),
         ]
     return shapes
 
 
-def picture(
-    system: TwoMassChain, x_0: tuple[float, float], revealed: bool, window: float | None, frame: Frame = FITTED
-) -> Picture:
+def picture(system: TwoMassChain, x_0: Pair, revealed: bool, window: float | None, frame: Frame = FITTED) -> Picture:
     """All of the view for one chain and one start; the answer is in it only where it was asked for."""
-    modes, free, parts = system.modes(), free_modes(system, x_0, (0.0, 0.0)), mixture(system, x_0)
-    slow, fast = (float(w) for w in modes.omega)
+    case, free = HuntCase(system, x_0, revealed), free_modes(system, x_0, (0.0, 0.0))
+    slow, fast = system.modes().omega.tolist()
     own_window = window or time_window(slow, fast)
     end = frame.window or own_window
     bound = _bound(free)
-    axes = framed(frame, {"t": time_axis(own_window), "x": _size(bound)})
-    size, time = axes["x"], axes["t"]
+    axes = framed(frame, by_name({Axes.t: time_axis(own_window), Axes.x: _size(bound)}))
+    size = Axes.x(axes)
     extremes = {f"x{i}": (-bound[i - 1], bound[i - 1]) for i in (1, 2)} | {"e2": (-bound[2], bound[2])}
     drawn = chain.to_scale(system, extremes, size, frame.scale)
-    signals = chain.free_signals(free, size, time)
-    signals |= {f"x{i}": total(f"x{i}_slow", f"x{i}_fast") for i in (1, 2)}
     return Picture(
-        columns={"answer": chain.direction_lines(Answer.line, system, 2 * size.end) if revealed else {}},
+        columns={"answer": chain.direction_lines(Hunt.line, system, 2 * size.end) if revealed else {}},
         axes=axes,
-        signals=signals,
+        signals=chain.free_signals(free, size, Axes.t(axes)) | chain.FreeSignals.signals(free, axes),
         traces={"path": _path(free, end, fast)},
-        scalars={
-            **drawn.scalars,
-            "start1": size.place(x_0[0]),
-            "start2": size.place(x_0[1]),
-            **{f"share_{mode}": part for mode, part in zip(chain.MODES, parts, strict=False)},
-        },
+        scalars=drawn.scalars | Hunt.scalars(case, axes),
         pace=pace(slow or fast, fast),
         scale=drawn.scale,
         fits=drawn.fits,
-        values=drawn.values | ShareNumbers.texts(parts, axes) | (N.texts(modes, axes) if revealed else {}),
-        live={name: size.digits(signed=True) for name in ("x1", "x2")},
-        forms={"verdict": found(system, parts), "answer": "shown" if revealed else ""},
+        values=drawn.values
+        | ShareNumbers.texts(case.shares, axes)
+        | (N.texts(system.modes(), axes) if revealed else {}),
+        live=chain.FreeSignals.live(axes),
+        forms=Hunt.forms(case),
         notes=drawn.notes,
     )
 
@@ -179,7 +196,8 @@ def picture(
 def _path(free: FreeModes, end: float, fast: float) -> Traces:
     shown = min(end, SWINGS * 2 * math.pi / fast) if fast else end
     count = int(min(max(PER_SWING * shown * fast / (2 * math.pi), 300), MOST))
-    return Traces(shown, count, ("x1", "x2"), lambda t: dict(zip(("x1", "x2"), free.motion(t).x, strict=True)))
+    names = tuple(S.x[i].name for i in chain.BOTH)
+    return Traces(shown, count, names, lambda t: dict(zip(names, free.motion(t).x, strict=True)))
 
 
 def _bound(free: FreeModes) -> tuple[float, float, float]:

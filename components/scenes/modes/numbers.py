@@ -8,10 +8,11 @@ from dataclasses import dataclass
 from decimal import Decimal
 from functools import cached_property
 
+from components.chain.modes import MODES, PARTS, directions
 from components.chain.parameters import Pair
 from components.quantities.declared import Declared, LiveNumber
 from components.quantities.numbers import plus, signed, three
-from physics.braked_modes import BrakedMode, braked_modes
+from physics.braked_modes import BrakedMode, braked_modes, in_line
 from physics.coupled import Modes, TwoMassChain
 from physics.laplace import Driven, transform
 from physics.modes import Mixture, Quadratic
@@ -27,6 +28,38 @@ class BrakedChain:
     @cached_property
     def modes(self) -> tuple[BrakedMode, BrakedMode]:
         return braked_modes(self.system, *self.damping)
+
+    @cached_property
+    def brakes(self) -> bool:
+        return any(self.damping)
+
+    @cached_property
+    def amplitudes(self) -> dict[tuple[int, str], complex]:
+        """The complex amplitude of each mass in each mode, the larger one of a mode of size 1."""
+        shapes = [one.shape for one in self.modes] if self.brakes else directions(self.system)
+        return {(i, mode): complex(shapes[MODES.index(mode)][i - 1]) for i, mode in PARTS}
+
+    @cached_property
+    def exponents(self) -> dict[str, complex]:
+        """The first exponent of each mode."""
+        if self.brakes:
+            return {mode: one.exponents[0] for mode, one in zip(MODES, self.modes, strict=True)}
+        return {mode: omega * 1j for mode, omega in zip(MODES, self.system.modes().omega.tolist(), strict=True)}
+
+    def plainly(self, coupled: str, loose: str) -> str:
+        """The variant of what stands without dashpots alone, with spring 2 or without it."""
+        return "" if self.brakes else coupled if self.system.k2 else loose
+
+    def root(self, mode: str) -> str:
+        """The form of the roots of a mode."""
+        return "" if not self.brakes else "pair" if self.modes[MODES.index(mode)].swings else "real"
+
+    @property
+    def arrows(self) -> str:
+        """The form of the sentence on how the arrows stand to each other."""
+        if not all(one.swings for one in self.modes):
+            return "creeps"
+        return "line" if in_line(self.system, *self.damping) else "apart"
 
     @cached_property
     def powers(self) -> list[float]:

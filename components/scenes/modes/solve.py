@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-import math
+import cmath
 
 from components import chain
 from components.chain.parameters import Pair
+from components.chain.signals import Axes
 from components.language.blocks import Block
 from components.language.numbers import var
 from components.language.signals import AnySignal
 from components.language.state import Frame
 from components.layout.sheet import Paragraph, either, row, stage, words
-from components.layout.stage import H, Shape, W, arrow, box, circle, line, text
+from components.layout.stage import ON_NARROW, ON_WIDE, H, Shape, W, arrow, box, circle, line, text
+from components.quantities import declared
 from components.quantities.axes import Axis, time_axis
-from components.quantities.motion import pace, sines
+from components.quantities.declared import Declared, Family, Form, Scalar, Signal, by_name
+from components.quantities.motion import QUARTER, decays, pace, sines
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
-from components.scenes.modes.braked import ARROWS, BRAKED, braked_picture
 from components.scenes.modes.numbers import BrakedChain
+from components.scenes.modes.numbers import BrakedNumbers as B
 from components.scenes.modes.numbers import EquationNumbers as E
 from components.scenes.modes.numbers import SolvedNumbers as N
 from physics.coupled import TwoMassChain
@@ -28,6 +31,62 @@ METRE = 0.105
 """The share of the stage's width that an amplitude of 1 m takes."""
 LOOKS = (("−", 0.0), ("+", 0.5))
 """The sign of each mode, and where its part of the stage begins, as a fraction of the height."""
+METRES = Axis(-1.0, 1.0, "m")
+
+signal, form = Signal[BrakedChain], Form[BrakedChain]
+
+
+def _turned(case: BrakedChain, axes: declared.Axes, i: int, mode: str, ahead: float) -> AnySignal:
+    """A complex amplitude as it turns: its real part, or the imaginary one, a quarter turn behind."""
+    X, time = case.amplitudes[i, mode], Axes.t(axes)
+    s = case.exponents[mode]
+    if case.brakes:
+        return decays(METRES, time, (abs(X), 0.0, -s.real, s.imag, cmath.phase(X) + ahead))
+    return sines(METRES, time, (X.real, s.imag, ahead))
+
+
+class Solve(Declared[BrakedChain]):
+    """Both modes in motion: places and heights of the arrows' tips, full swings, circles; what stands of the words."""
+
+    x = Family(chain.PARTS, lambda part: signal(lambda c, a: _turned(c, a, *part, QUARTER)), "x{}_{}")
+    y = Family(chain.PARTS, lambda part: signal(lambda c, a: _turned(c, a, *part, 0.0)), "y{}_{}")
+    X = Family(chain.PARTS, lambda part: Scalar[BrakedChain](lambda c, a: c.amplitudes[part].real), "X{}_{}")
+    R = Family(chain.PARTS, lambda part: Scalar[BrakedChain](lambda c, a: abs(c.amplitudes[part])), "R{}_{}")
+    positive = form(lambda c: c.plainly("sum", "loose" if c.system.k1 else "free"))
+    below = form(lambda c: c.plainly("wall" if c.system.k1 else "zero", "zero"))
+    ratios = form(lambda c: c.plainly("both", "loose"))
+    gamma, product = form.some(2, lambda c: c.plainly("shown", ""))
+    slow_shape, fast_shape = form.some(2, lambda c: c.plainly("ratio", "loose"))
+    arrows = form(lambda c: c.arrows if c.brakes else "shown")
+    braked = form(lambda c: c.brakes)
+    root = Family(chain.MODES, lambda mode: form(lambda c: c.root(mode)), "{}_root")
+
+
+BRAKED: list[Paragraph] = [
+    either(
+        Solve.braked,
+        shown=r"**With dashpots** $D$ has odd powers. With $s = i \omega$ it is zero where "
+        rf"${B.p4}\, s^4\, {B.p3}\, s^3\, {B.p2}\, s^2\, {B.p1}\, s\, {B.p0} = 0$:",
+    ),
+    *(
+        either(
+            Solve.root[mode],
+            pair=rf"[{mode}|$s = {rate} \pm {turn}\, i$ 1/s: it swings and dies]",
+            real=rf"[{mode}|$s = {rate},\ {other}$ 1/s: it does not swing]",
+        )
+        for mode, rate, turn, other in zip(chain.MODES, B.rate, B.turn, B.other, strict=True)
+    ),
+]
+"""The equation for the exponents, and its roots."""
+
+ARROWS = {
+    "line": rf"**The arrows** stay in line, as $c_1 k_2 = c_2 k_1$ $= {B.cross}$: the shapes are those without "
+    "dashpots, and each mode dies by itself.",
+    "apart": rf"**The arrows** leave the line, by {B.slow_angle}° and {B.fast_angle}°, as $c_1 k_2 = {B.cross}$ is not "
+    rf"$c_2 k_1 = {B.other_cross}$: in neither mode are both masses at 0 together.",
+    "creeps": "**The arrows** of a mode that does not swing do not turn: it creeps home, or stays where it is.",
+}
+"""The sentences on how the arrows stand to each other."""
 
 
 def sheet() -> Block:
@@ -48,7 +107,7 @@ def sheet() -> Block:
 
 def _always(text_: str) -> Paragraph:
     """A text that stands without dashpots."""
-    return either("ratios", both=text_, loose=text_)
+    return either(Solve.ratios, both=text_, loose=text_)
 
 
 def _formulas() -> list[Paragraph]:
@@ -60,7 +119,7 @@ def _formulas() -> list[Paragraph]:
             f"$= {E.Delta}$"
         ),
         either(
-            "positive",
+            Solve.positive,
             sum=r"**$\Delta > 0$:** it is "
             r"$(m_1 k_2 - m_2 (k_1 + k_2))^2$ $+\; 4 m_1 m_2 k_2^2$"
             rf"$= ({E.difference})^2$ $+\; {E.coupling}$, squares that never vanish together. "
@@ -70,7 +129,7 @@ def _formulas() -> list[Paragraph]:
             free=r"**$\Delta = 0$:** there is no spring at all, and both frequencies are 0.",
         ),
         either(
-            "below",
+            Solve.below,
             wall=rf"**$\sqrt{{\Delta}} < b$:** ${E.root}$ is less than $b$ by ${E.gap}$, as "
             rf"$4 m_1 m_2 k_1 k_2 = {E.fourfold} > 0$ is subtracted from $b^2$. "
             r"So both $\omega^2$ are positive and $\omega$ is real.",
@@ -86,25 +145,25 @@ def _formulas() -> list[Paragraph]:
 def _ratios() -> list[Paragraph]:
     return [
         either(
-            "ratios",
+            Solve.ratios,
             both=r"**The shapes:** $-X_2/X_1 = (m_1 \omega_\pm^2 - k_1 - k_2)/k_2 = \gamma \pm \delta$",
             loose="**The shapes:** without $k_2$ each mass moves alone.",
         ),
-        either("gamma", shown=rf"$\gamma = m_1/(2 m_2) - (k_1 + k_2)/(2 k_2)$$= {N.gamma}$"),
-        either("gamma", shown=rf"$\delta = \sqrt{{\gamma^2 + m_1/m_2}}$$= {N.delta}$, more than $|\gamma|$"),
+        either(Solve.gamma, shown=rf"$\gamma = m_1/(2 m_2) - (k_1 + k_2)/(2 k_2)$$= {N.gamma}$"),
+        either(Solve.gamma, shown=rf"$\delta = \sqrt{{\gamma^2 + m_1/m_2}}$$= {N.delta}$, more than $|\gamma|$"),
         either(
-            "slow_shape",
+            Solve.slow_shape,
             ratio=rf"[slow|$(X_2/X_1)_- = -\gamma + \delta = {N.slow_ratio} > 0$: in phase]",
             loose="[slow|$X_1 = 0$: mass 2 alone]",
         ),
         either(
-            "fast_shape",
+            Solve.fast_shape,
             ratio=rf"[fast|$(X_2/X_1)_+ = -\gamma - \delta = {N.fast_ratio} < 0$: opposite]",
             loose="[fast|$X_2 = 0$: mass 1 alone]",
         ),
-        either("product", shown=rf"Their product is $-m_1/m_2 = {N.product}$, whatever the springs."),
+        either(Solve.product, shown=rf"Their product is $-m_1/m_2 = {N.product}$, whatever the springs."),
         either(
-            "arrows",
+            Solve.arrows,
             shown=r"**The arrows** are the $X_j e^{i \omega t}$ of the notes of D34, each mass above the tip of its "
             r"own. A real ratio $X_2/X_1$ means that they point the same way or opposite ways.",
             **ARROWS,
@@ -122,18 +181,18 @@ def _shapes() -> list[Shape]:
             line(chain.WALL * W, foot, W, foot, style="floor"),
             *_title(mode, f"*ω*_{{{sign}}} = {omega} rad/s", f"*X*_2/*X*_1 = {ratio}", top),
         ]
-        places = [chain.rest(i) + METRE * W * var(f"x{i}_{mode}") for i in (1, 2)]
-        for i in (1, 2):
-            full = chain.rest(i) + METRE * W * var(f"X{i}_{mode}")
+        places = [chain.rest(i) + METRE * W * var(Solve.x[i, mode]) for i in chain.BOTH]
+        for i in chain.BOTH:
+            full = chain.rest(i) + METRE * W * var(Solve.X[i, mode])
             shapes.append(box(full, foot, chain.side(i), "", tint=f"m{i}", style="ghost full"))
         shapes += [*chain.cups(foot, *places), *chain.masses(foot, *places)]
-        for i, place in zip((1, 2), places, strict=True):
-            rest, tip = chain.rest(i), axle - METRE * W * var(f"y{i}_{mode}")
+        for i, place in zip(chain.BOTH, places, strict=True):
+            rest, tip = chain.rest(i), axle - METRE * W * var(Solve.y[i, mode])
             shapes += [
                 line(rest, (top + 0.055) * H, rest, axle, tint="mute", style="eq told"),
                 line(place, (top + 0.062) * H, place, foot - chain.side(i), tint="mute", style="eq told"),
                 arrow(rest, (top + 0.062) * H, place, (top + 0.062) * H, tint=mode),
-                circle(rest, axle, METRE * W * var(f"R{i}_{mode}"), tint=f"m{i}", style="orbit told"),
+                circle(rest, axle, METRE * W * var(Solve.R[i, mode]), tint=f"m{i}", style="orbit told"),
                 line(place, foot, place, tip, tint="mute", style="eq told"),
                 arrow(rest, axle, place, tip, tint=f"m{i}"),
             ]
@@ -143,7 +202,7 @@ def _shapes() -> list[Shape]:
 def _title(mode: str, frequency: str, shape: str, top: float) -> list[Shape]:
     """The title of a mode over its chain; on a phone its shape stands under the arrows."""
     title = f"{mode} mode, {frequency}"
-    lines = (f"{title}, {shape}", 0.03, "wide"), (title, 0.03, "narrow"), (shape, 0.475, "narrow")
+    lines = (f"{title}, {shape}", 0.03, ON_WIDE), (title, 0.03, ON_NARROW), (shape, 0.475, ON_NARROW)
     return [
         text(chain.WALL * W, (top + share) * H, words_, "start", tint=mode, style="t2 b", show=show)
         for words_, share, show in lines
@@ -152,39 +211,16 @@ def _title(mode: str, frequency: str, shape: str, top: float) -> list[Shape]:
 
 def picture(system: TwoMassChain, damping: Pair, window: float | None, frame: Frame = FITTED) -> Picture:
     """All of the view for one chain, with its dashpots."""
-    if any(damping):
-        return braked_picture(BrakedChain(system, damping), window, frame)
-    modes = system.modes()
-    slow, fast = (float(w) for w in modes.omega)
-    axes, metres = framed(frame, {"t": time_axis(window or time_window(slow, fast))}), Axis(-1.0, 1.0, "m")
-    time = axes["t"]
-    signals: dict[str, AnySignal] = {}
-    scalars: dict[str, float] = {}
-    for mode, omega, way in zip(chain.MODES, modes.omega, chain.directions(system), strict=True):
-        for i, X in enumerate(way, start=1):
-            signals[f"x{i}_{mode}"] = sines(metres, time, (X, float(omega), math.pi / 2))
-            signals[f"y{i}_{mode}"] = sines(metres, time, (X, float(omega), 0.0))
-            scalars |= {f"X{i}_{mode}": X, f"R{i}_{mode}": abs(X)}
+    case = BrakedChain(system, damping)
+    slow, fast = system.modes().omega.tolist()
+    axes = framed(frame, by_name({Axes.t: time_axis(window or time_window(slow, fast))}))
+    plain = {} if case.brakes else E.texts(quadratic(system), axes) | N.texts(system, axes)
     return Picture(
         columns={},
         axes=axes,
-        signals=signals,
-        scalars=scalars,
+        signals=Solve.signals(case, axes),
+        scalars=Solve.scalars(case, axes) | chain.Has.scalars(damping, axes),
         pace=pace(slow or fast, fast),
-        values=E.texts(quadratic(system), axes) | N.texts(system, axes),
-        forms=_forms(system),
+        values=plain or B.texts(case, axes),
+        forms=Solve.forms(case),
     )
-
-
-def _forms(system: TwoMassChain) -> dict[str, str]:
-    coupled = bool(system.k2)
-    return {
-        "positive": "sum" if coupled else "loose" if system.k1 else "free",
-        "below": "wall" if coupled and system.k1 else "zero",
-        "ratios": "both" if coupled else "loose",
-        "gamma": "shown" if coupled else "",
-        "product": "shown" if coupled else "",
-        "slow_shape": "ratio" if coupled else "loose",
-        "fast_shape": "ratio" if coupled else "loose",
-        "arrows": "shown",
-    }
