@@ -14,7 +14,7 @@ from components.language.numbers import Name, called
 from components.language.plots import Curve, Region
 from components.layout.plots import curve, region
 from components.quantities.declared import by_name
-from physics.sampling import Sinusoid, curve_or_band, drawable
+from physics.sampling import SAMPLES_PER_CYCLE, Sinusoid, curve_or_band, drawable
 
 Floats = NDArray[np.float64]
 Columns = dict[str, Floats]
@@ -26,6 +26,11 @@ FEWEST, MOST, PER_CYCLE = 300, 680, 32
 def samples(end: float, fastest: float) -> int:
     """The times that a plot of [0, end] needs: 32 a cycle of the fastest motion (rad/s), within what a screen shows."""
     return int(min(max(PER_CYCLE * end * float(fastest) / (2 * np.pi), FEWEST), MOST)) + 1
+
+
+def resolved(end: float, fastest: float) -> bool:
+    """Whether these samples show a motion so fast (rad/s) as a line: if not, a band stands for it."""
+    return SAMPLES_PER_CYCLE * end * float(fastest) <= 2 * np.pi * (samples(end, fastest) - 1)
 
 
 @dataclass(frozen=True, eq=False)

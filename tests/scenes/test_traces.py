@@ -10,8 +10,10 @@ import pytest
 
 from components.quantities.axes import TIME_AXIS
 from components.scene import Picture
+from components.scene.traces import resolved, samples
 from components.scenes import SCENES
 from components.state.scene_sheet import column_axes, plots
+from physics.sampling import drawable
 from tests.page.told import picture_wire
 
 NEAR = {"analogues": 1e-7, "absorber": 1e-7, "phugoid": 1e-6}
@@ -54,6 +56,13 @@ def test_what_is_drawn_is_the_motion_of_the_physics(slug: str) -> None:
         for source, one in shown.traces.items():
             np.testing.assert_allclose(wire[source]["t"], shown.axes[TIME_AXIS].places(one.t), rtol=1e-14, atol=0)
     assert checked or not any(plot.time for plot in plots(scene))
+
+
+@pytest.mark.parametrize("cycles", [0.0, 1e-300, 3.0, 56.6, 56.7, 1e4, 1e300])
+@pytest.mark.parametrize("end", [1e-150, 1.0, 3e7])
+def test_a_line_stands_for_what_its_samples_resolve(end: float, cycles: float) -> None:
+    fastest = 2 * np.pi * cycles / end
+    assert resolved(end, fastest) == drawable(fastest, np.linspace(0.0, end, samples(end, fastest)))
 
 
 @pytest.mark.parametrize("slug", SCENES)

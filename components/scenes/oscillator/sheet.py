@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from components.language.blocks import Block
 from components.layout.plots import HEADING, NUMBERS, Room, curve, plot
 from components.layout.sheet import column, desk, either, phrase, row, stage, term, when, words
-from components.layout.stage import Shape
+from components.layout.stage import PlotFrame, Shape
+from components.quantities.declared import DrawnAxis, Signal
 from components.scene.traces import traced
+from components.scenes.oscillator.curves import OF_ROWS, ROWS, Axes, Pulled
+from components.scenes.oscillator.curves import Signals as S
+from components.scenes.oscillator.numbers import Forms as F
 from components.scenes.oscillator.numbers import Numbers as N
-from components.scenes.oscillator.turning import FIRST, first, hero, lead, planes
+from components.scenes.oscillator.turning import FIRST, FRAMES, LAW, LOOKS, PLANE, first, hero, lead, planes
 
-TINTS = {"x": "m1", "v": "T", "a": "F"}
-TOPS = {"x": N.top_x, "v": N.top_v, "a": N.top_a}
-SHIFTS = {"x": "", "v": r"+ \tfrac{\pi}{2}", "a": r"+ \pi"}
 GAP = 16
 TASK = "Push the mass and let go: where is it fastest, and where is it pulled hardest?"
 
@@ -28,17 +31,17 @@ WATCH = {
 """A sentence for each preset on what to watch."""
 
 CONSTANTS = (
-    (f"[m1|$A = x_0 = {N.A}$ m]", either("C", turn=rf"[m1|$C = \sqrt{{A^2 + B^2}} = {N.C}$ m]")),
+    (f"[m1|$A = x_0 = {N.A}$ m]", either(F.C, turn=rf"[m1|$C = \sqrt{{A^2 + B^2}} = {N.C}$ m]")),
     (
-        either("B", turn=rf"[T|$B = v_0 / \omega_n = {N.B}$ m]", drift=f"[T|$v_0 = {N.v_0}$ m/s]"),
-        either("phi", turn=rf"$\phi = \mathrm{{atan2}}(A, B) = {N.phi}$ rad"),
+        either(F.B, turn=rf"[T|$B = v_0 / \omega_n = {N.B}$ m]", drift=f"[T|$v_0 = {N.v_0}$ m/s]"),
+        either(F.phi, turn=rf"$\phi = \mathrm{{atan2}}(A, B) = {N.phi}$ rad"),
     ),
 )
 
 
 IDEA = (
     either(
-        "why",
+        F.why,
         **dict.fromkeys(
             ("right", "wrong", "zero"),
             "The tip of the turning arrow is as high as [m1|$x$]. An arrow a quarter turn ahead is as high as "
@@ -59,10 +62,10 @@ def oscillator_sheet() -> Block:
     paper = row(
         column(
             stage(*hero(), label=label, grow=300, height=206),
-            when("idea", words(*IDEA, style="facts", grow=176, phone=30)),
-            when("formulas", row(_why(), start, grow=176, gap=GAP)),
+            when(F.idea, words(*IDEA, style="facts", grow=176, phone=30)),
+            when(F.formulas, row(_why(), start, grow=176, gap=GAP)),
             when(
-                "formulas",
+                F.formulas,
                 row(
                     words(*CONSTANTS[0], style="constants", phone=32),
                     words(*CONSTANTS[1], style="constants", phone=32),
@@ -73,8 +76,8 @@ def oscillator_sheet() -> Block:
             ),
             grow=344,
         ),
-        column(*(_row(name) for name in TINTS), grow=400),
-        when("formulas", column(_law_words(), _plane(over_plane), _law(over_law), grow=168)),
+        column(*map(_row, range(3)), grow=400),
+        when(F.formulas, column(_law_words(), _plane(over_plane), _law(over_law), grow=168)),
         gap=0,
     )
     return column(desk(words(TASK, style="task", phone=0)), paper)
@@ -84,7 +87,7 @@ def _why() -> Block:
     """Why the phase is atan2: what the slide's atan would give for this start."""
     return words(
         either(
-            "why",
+            F.why,
             right=r"**At** $t = 0$: $\mathrm{atan}(A / B)$ gives the right angle here: it is right for $v_0 > 0$, "
             r"$\mathrm{atan2}$ always.",
             wrong=rf"**At** $t = 0$: $\mathrm{{atan}}(A / B) = {N.atan}$ points the other way: "
@@ -100,54 +103,51 @@ def _why() -> Block:
     )
 
 
-def _row(name: str) -> Block:
+def _row(i: int) -> Block:
     """x, v or a against time, under its formula."""
-    tint = TINTS[name]
-    curve, band = traced(name, tint=tint, width="sum", read=f"*{name}*", signal=name)
-    drift = {
-        "x": rf"{N.A}\, {N.drift}\,t",
-        "v": rf"{N.v_0} \text{{: constant}}",
-        "a": r"0 \text{: no force}",
-    }[name]
-    sine = rf"{TOPS[name]}\, \sin({N.omega}\,t\, {N.phi_plus} {SHIFTS[name]})"
+    one, (_, tint, *_) = ROWS[i], LOOKS[i]
+    curve, band = traced(one, tint=tint, width="sum", read=f"*{one.name}*", signal=one)
+    drift = (rf"{N.A}\, {N.drift}\,t", rf"{N.v_0} \text{{: constant}}", r"0 \text{: no force}")[i]
+    top, ahead = (N.top_x, N.top_v, N.top_a)[i], ("", r"+ \tfrac{\pi}{2}", r"+ \pi")[i]
+    sine = rf"{top}\, \sin({N.omega}\,t\, {N.phi_plus} {ahead})"
     heading = [
-        term(name, "sum", tint, formula=f"{name} ="),
-        term("", "none", tint, form="kind", turn=sine, drift=drift),
+        term(one, "sum", tint, formula=f"{one.name} ="),
+        term("", "none", tint, form=F.kind, turn=sine, drift=drift),
     ]
-    if name == "x":
+    if one is S.x:
         parts = rf"= {N.A_plain}\, \cos({N.omega}\,t)\, {N.B_plus}\, \sin({N.omega}\,t)"
-        heading.append(term("", "none", "ink", form="parts", shown=parts, left_out=""))
+        heading.append(term("", "none", "ink", form=F.parts, shown=parts, left_out=""))
     return plot(
-        name,
-        x="t",
-        y=name,
-        title={"x": "Displacement", "v": "Velocity", "a": "Acceleration"}[name] + " against time",
+        FRAMES[i],
+        x=Axes.t,
+        y=OF_ROWS[i],
+        title=("Displacement", "Velocity", "Acceleration")[i] + " against time",
         curves=(curve,),
         bands=(band,),
         heading=tuple(heading),
-        x_labels=name == "a",
+        x_labels=one is S.a,
         room=Room(62, 30),
         cursor="time",
-        shapes={"x": (), "v": lead("x", "v"), "a": lead("v", "a")}[name],
-        grow={"x": 212, "v": 153, "a": 102}[name],
-        phone={"x": 10, "v": 11, "a": 12}[name],
-        height={"x": 150, "v": 156, "a": 166}[name],
+        shapes=lead(i - 1) if i else (),
+        grow=(212, 153, 102)[i],
+        phone=10 + i,
+        height=(150, 156, 166)[i],
     )
 
 
 def _law_words() -> Block:
     return words(
-        either("force", shown=r"[F|$F = -k x =$ {F} {F_unit}]"),
-        either("kind", turn=r"$m \ddot{x} + k x = 0$ with $k > 0$", drift=r"$m \ddot{x} = 0$ as $k = 0$"),
+        either(F.force, shown=rf"[F|$F = -k x =$ {Pulled.F} {N.F_unit}]"),
+        either(F.kind, turn=r"$m \ddot{x} + k x = 0$ with $k > 0$", drift=r"$m \ddot{x} = 0$ as $k = 0$"),
         r"$\ddot{x} + \omega_n^2 x = 0$",
         either(
-            "kind",
+            F.kind,
             turn=r"[small|$x = C \sin(\omega t + \phi)$ put in: "
             r"$(\omega_n^2 - \omega^2) x = 0$, so $\omega = \omega_n$]",
             drift="",
         ),
         rf"$\omega_n = \sqrt{{\frac{{k}}{{m}}}} = {N.omega}$ rad/s",
-        either("kind", turn=rf"$\tau = 2 \pi / \omega_n = {N.tau}$ s", drift="no period"),
+        either(F.kind, turn=rf"$\tau = 2 \pi / \omega_n = {N.tau}$ s", drift="no period"),
         style="facts proof",
         grow=212,
         basis=HEADING,
@@ -156,37 +156,19 @@ def _law_words() -> Block:
 
 
 def _plane(over: tuple[Shape, ...]) -> Block:
-    return plot(
-        "plane",
-        x="x",
-        y="v",
-        title="Phase plane: velocity against displacement",
-        curves=(curve("v", source="loop", x="x", tint="ink", signal_x="x", signal="v", group="plane"),),
-        heading=(phrase("", "none", "ink", formula="**Phase plane**"),),
-        x_column="x",
-        room=Room(8, 8),
-        plain=True,
-        shapes=over,
-        grow=153,
-        phone=40,
-        height=190,
-    )
+    title, look = "Phase plane: velocity against displacement", {"plain": True, "grow": 153, "phone": 40, "height": 190}
+    return _over_x(PLANE, Axes.v, S.v, title, "**Phase plane**", shapes=over, room=Room(8, 8), **look)
 
 
 def _law(over: tuple[Shape, ...]) -> Block:
     """Newton's law with Hooke's: a straight line of slope -omega_n^2."""
-    return plot(
-        "law",
-        x="x",
-        y="a_bare",
-        title="The law: acceleration against displacement is a straight line",
-        curves=(curve("a", source="loop", x="x", tint="ink", signal_x="x", signal="a", group="law"),),
-        heading=(phrase("", "none", "ink", formula=rf"**The law:** $a = -{N.ratio}\,x$"),),
-        x_column="x",
-        x_labels=False,
-        room=Room(8, 8, bottom=NUMBERS),
-        shapes=over,
-        grow=102,
-        phone=41,
-        height=160,
-    )
+    title = "The law: acceleration against displacement is a straight line"
+    look = {"x_labels": False, "room": Room(8, 8, bottom=NUMBERS), "grow": 102, "phone": 41, "height": 160}
+    return _over_x(LAW, Axes.a_bare, S.a, title, rf"**The law:** $a = -{N.ratio}\,x$", shapes=over, **look)
+
+
+def _over_x(frame: PlotFrame, axis: DrawnAxis, row: Signal[Any], title: str, heading: str, **details: Any) -> Block:
+    """A plot of v or a against x, for one turn."""
+    line = curve(row, source="loop", x=S.x, tint="ink", signal_x=S.x, signal=row, group=frame.name)
+    head = phrase("", "none", "ink", formula=heading)
+    return plot(frame, x=Axes.x, y=axis, title=title, curves=(line,), heading=(head,), x_column=S.x, **details)
