@@ -3,25 +3,30 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from components.chain import MODES
+from components.chain import BOTH, MODES
 from components.language.blocks import Block
-from components.language.plots import Curve, Handle, Mark
+from components.language.plots import Curve, Handle
 from components.language.state import Frame
-from components.layout.plots import Room, curve, plot
+from components.layout.plots import Room, curve, mark, plot
 from components.layout.sheet import Paragraph, choice, column, either, row, term, words
+from components.layout.stage import PlotFrame
 from components.layout.text import rich
 from components.quantities.axes import Axis, log_axis
+from components.quantities.declared import Column, Declared, DrawnAxis, Family, Form, Scalar, Text, by_name
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns
 from components.scenes.modes.numbers import SweptNumbers as N
 from physics.coupled import TwoMassChain
-from physics.sweeps import PARAMETERS, Sweep, limit, sweep
+from physics.sweeps import PARAMETERS, limit, sweep
+from physics.sweeps import Sweep as Run
 from physics.valid import DOUBLES
 
 DECADES = 6
@@ -71,6 +76,38 @@ LIMITS = {
 """Each kind of limit in words, then what omega_- tends to and its X2/X1, then omega_+ and its X2/X1."""
 
 
+@dataclass(frozen=True, eq=False)
+class SweepCase:
+    """A chain, the parameter that is swept, and the limits at both ends."""
+
+    system: TwoMassChain
+    swept: str
+    kinds: dict[str, str]
+
+    @property
+    def tied(self) -> bool:
+        """Whether spring 2 ties the masses somewhere in the sweep."""
+        return bool(self.system.k2 or self.swept == "k2")
+
+
+ENDS = {"low": "0", "high": "∞"}
+"""Both ends of the sweep, and what the parameter tends to there."""
+Branches = Family[str, Column[Any]]
+
+
+class Sweep(Declared[SweepCase]):
+    """Frequencies and ratios over the parameter, those of one mass with the other one held, and the limits' words."""
+
+    p, f, q = DrawnAxis.some(3)
+    held = Column[Any].each(BOTH, source="omega_sweep")
+    omega, ratio = Column[Any].each(MODES, source=""), Column[Any].each(MODES, source="")
+    cross = Scalar[Any]()
+    limit = Family(ENDS, lambda end: Form[SweepCase](lambda c: c.kinds[end]), "{}")
+    name = Family(ENDS, lambda end: Text[SweepCase](lambda c, a: f"{SYMBOLS[c.swept]} → {ENDS[end]}"), "{}_name")
+    swept = Family(PARAMETERS, lambda one: Form[SweepCase](lambda c: c.swept == one))
+    tied = Form[SweepCase](lambda c: "shown" if c.tied else "loose")
+
+
 def sheet() -> Block:
     return row(
         column(
@@ -86,13 +123,13 @@ def sheet() -> Block:
             *_limits("low"),
             *_limits("high"),
             either(
-                "tied",
+                Sweep.tied,
                 shown="**The thin lines** are the frequency of one mass with the other one fixed. Where they cross, "
                 "the modes avoid each other: one stays below both, the other above.",
                 loose="**The thin lines** are the frequency of one mass with the other one fixed: without spring 2 "
                 "they are the modes.",
             ),
-            either("tied", shown=r"The two shapes mirror each other: $|X_2/X_1|_- \cdot |X_2/X_1|_+ = m_1/m_2$."),
+            either(Sweep.tied, shown=r"The two shapes mirror each other: $|X_2/X_1|_- \cdot |X_2/X_1|_+ = m_1/m_2$."),
             grow=288,
             phone=20,
         ),
@@ -101,89 +138,72 @@ def sheet() -> Block:
 
 def _limits(end: str) -> list[Paragraph]:
     """The limit at one end, in words and formulas, by its kind."""
-    lines: list[Paragraph] = [
-        either(end, **{kind: f"**{{{end}_name}}:** {texts[0]}" for kind, texts in LIMITS.items()})
-    ]
+
+    def told(before: str, place: int, after: str) -> Paragraph:
+        return either(Sweep.limit[end], **{kind: f"{before}{texts[place]}{after}" for kind, texts in LIMITS.items()})
+
+    lines = [told(f"**{Sweep.name[end]}:** ", 0, "")]
     for mode, sign, at in (("slow", "-", 1), ("fast", "+", 3)):
-        for name, place in ((rf"\omega_{sign}", at), ("X_2/X_1", at + 1)):
-            lines.append(
-                either(end, **{kind: rf"[{mode}|${name} \to {texts[place]}$]" for kind, texts in LIMITS.items()})
-            )
+        lines += [
+            told(rf"[{mode}|$\omega_{sign} \to ", at, "$]"),
+            told(rf"[{mode}|$X_2/X_1 \to ", at + 1, "$]"),
+        ]
     return lines
 
 
-def _curves(kind: str) -> tuple[Curve, ...]:
+def _curves(kind: str, of: Branches, labels: tuple[str, str]) -> tuple[Curve, ...]:
     """Both modes, the asymptotes at both ends, dotted; `kind` is omega or ratio."""
-    curves = [
-        curve(f"{kind}_{mode}", source=f"{kind}_{end}", tint=mode, width="dash", group="limits")
-        for end in ("low", "high")
-        for mode in MODES
+    pair = [(of[mode], mode) for mode in MODES]
+    limits = [
+        curve(one, source=f"{kind}_{end}", tint=mode, width="dash", group="limits")
+        for end in ENDS
+        for one, mode in pair
     ]
-    labels = {"omega": ("*ω*_{−}", "*ω*_{+}"), "ratio": ("in phase", "opposite")}[kind]
-    curves += [
-        curve(f"{kind}_{mode}", source=f"{kind}_sweep", tint=mode, width="sum", label=label)
-        for mode, label in zip(MODES, labels, strict=True)
+    run = [
+        curve(one, source=f"{kind}_sweep", tint=mode, width="sum", label=label)
+        for (one, mode), label in zip(pair, labels, strict=True)
     ]
-    curves += [
-        curve(f"{kind}_{mode}", source=f"{kind}_now", tint=mode, width="none", marker="disc", group="now")
-        for mode in MODES
-    ]
-    return tuple(curves)
+    now = [curve(one, source=f"{kind}_now", tint=mode, width="none", marker="disc", group="now") for one, mode in pair]
+    return (*limits, *run, *now)
 
 
 def _frequencies() -> Block:
-    held = tuple(curve(f"held{i}", source="omega_sweep", tint=f"m{i}", width="thin", group="held") for i in (1, 2))
+    held = tuple(curve(Sweep.held[i], tint=f"m{i}", width="thin", group="held") for i in BOTH)
     return plot(
-        "frequencies",
-        x="p",
-        y="f",
+        PlotFrame("frequencies"), x=Sweep.p, y=Sweep.f,
         title="Both natural frequencies against the swept parameter, with their asymptotes",
-        x_column="p",
-        curves=held + _curves("omega"),
+        x_column=Sweep.p,
+        curves=held + _curves("omega", Sweep.omega, ("*ω*_{−}", "*ω*_{+}")),
         heading=(
             term("", "none", "ink", formula=r"\omega_\pm"),
             term("held", "line", "mute", formula=r"\text{fixed: } \sqrt{(k_1 + k_2)/m_1},\ \sqrt{k_2/m_2}"),
             term("limits", "dash", "mute", formula=r"\text{limits}"),
         ),
-        x_labels=False,
-        room=Room(72, 60, top=30),
-        handles=_handles(bare=True),
-        marks=(Mark(at="cross", tint="mute", style="dashed", html=rich("these cross"), lift=0),),
-        phone=10,
-        height=230,
-    )
+        x_labels=False, room=Room(72, 60, top=30), handles=_handles(bare=True),
+        marks=(mark(at=Sweep.cross, tint="mute", style="dashed", html=rich("these cross"), lift=0),),
+        phone=10, height=230,
+    )  # fmt: skip
 
 
 def _ratios() -> Block:
     return plot(
-        "ratios",
-        x="p",
-        y="q",
+        PlotFrame("ratios"), x=Sweep.p, y=Sweep.q,
         title="Both mode ratios, without their sign, against the swept parameter",
-        x_column="p",
-        curves=_curves("ratio"),
+        x_column=Sweep.p,
+        curves=_curves("ratio", Sweep.ratio, ("in phase", "opposite")),
         heading=(term("", "none", "ink", formula=r"|X_2/X_1|"),),
-        room=Room(72, 60),
-        handles=_handles(),
-        phone=11,
-        height=200,
-    )
+        room=Room(72, 60), handles=_handles(), phone=11, height=200,
+    )  # fmt: skip
 
 
 def _handles(bare: bool = False) -> tuple[Handle, ...]:
     return tuple(
         Handle(
-            parameter=name,
-            symbol=SYMBOLS[name],
-            label=f"{SYMBOLS[name]}, swept",
-            tint="ink",
-            axis="x",
-            form=f"swept_{name}",
-            bare=bare,
-            covering=UNITS[name[0]],
+            parameter=name, symbol=SYMBOLS[name], label=f"{SYMBOLS[name]}, swept", tint="ink", axis="x",
+            form=Sweep.swept[name].name, bare=bare, covering=UNITS[name[0]],
         )
         for name in PARAMETERS
-    )
+    )  # fmt: skip
 
 
 def picture(system: TwoMassChain, swept: str, frame: Frame = FITTED) -> Picture:
@@ -192,29 +212,25 @@ def picture(system: TwoMassChain, swept: str, frame: Frame = FITTED) -> Picture:
     run = sweep(system, swept, values)
     if not np.all(np.isfinite(run.omega)):
         raise ValueError(f"a natural frequency in this sweep leaves {DOUBLES}")
-    shown = bool(system.k2 or swept == "k2")
-    if shown and not np.all(np.isfinite(run.ratio)):
+    case = SweepCase(system, swept, {})
+    if case.tied and not np.all(np.isfinite(run.ratio)):
         raise ValueError(f"a mode ratio X2/X1 in this sweep leaves {DOUBLES}")
-    kinds, columns = {}, _columns(run)
-    for end, name, part in ((0, "low", slice(None, 121)), (1, "high", slice(120, None))):
+    columns = _columns(run)
+    for end, (name, part) in enumerate(zip(ENDS, (slice(None, 121), slice(120, None)), strict=True)):
         tends = limit(system, swept, end, values[part])
-        kinds[name] = _kind(system, swept, tends.kind)
+        case.kinds[name] = _kind(system, swept, tends.kind)
         columns |= _pair(name, values[part], tends.omega, tends.ratio)
     modes = system.modes()
     columns |= _pair("now", np.array([getattr(system, swept)]), modes.omega[:, None], modes.ratio[:, None])
     decades = log_axis(float(values[0]), float(values[-1]), UNITS[swept[0]], DECADES)
-    ratios = _log_range(np.abs(run.ratio), "") if shown else log_axis(0.1, 10)
-    axes = framed(frame, {"p": decades, "f": _log_range(run.omega, "rad/s"), "q": ratios})
+    ratios = _log_range(np.abs(run.ratio), "") if case.tied else log_axis(0.1, 10)
+    axes = framed(frame, by_name({Sweep.p: decades, Sweep.f: _log_range(run.omega, "rad/s"), Sweep.q: ratios}))
     return Picture(
         columns=columns,
         axes=axes,
-        scalars=_crossing(run, axes["p"]),
-        values={
-            **N.texts(modes, axes),
-            "low_name": f"{SYMBOLS[swept]} → 0",
-            "high_name": f"{SYMBOLS[swept]} → ∞",
-        },
-        forms={**kinds, f"swept_{swept}": "shown", "tied": "shown" if shown else "loose"},
+        scalars=_crossing(run, Sweep.p(axes)),
+        values=N.texts(modes, axes) | Sweep.texts(case, axes),
+        forms=Sweep.forms(case),
     )
 
 
@@ -232,9 +248,9 @@ def _range(system: TwoMassChain, swept: str) -> tuple[float, float]:
     return float(f"1e{middle - DECADES // 2}"), float(f"1e{middle + DECADES // 2}")
 
 
-def _columns(run: Sweep) -> dict[str, Columns]:
+def _columns(run: Run) -> dict[str, Columns]:
     columns = _pair("sweep", run.values, run.omega, run.ratio)
-    columns["omega_sweep"] |= {"held1": run.held[0], "held2": run.held[1]}
+    columns["omega_sweep"] |= by_name(dict(zip(Sweep.held.values(), run.held, strict=True)))
     return columns
 
 
@@ -242,13 +258,12 @@ def _pair(
     name: str, values: NDArray[np.float64], omega: NDArray[np.float64], ratio: NDArray[np.float64]
 ) -> dict[str, Columns]:
     """Columns of both frequencies, and of both ratios without sign; none where one is infinite: nothing is coupled."""
-    columns: dict[str, Columns] = {
-        f"omega_{name}": {"p": values, "omega_slow": omega[0], "omega_fast": omega[1]},
-        f"ratio_{name}": {},
-    }
-    if np.all(np.isfinite(ratio)):
-        columns[f"ratio_{name}"] = {"p": values, "ratio_slow": np.abs(ratio[0]), "ratio_fast": np.abs(ratio[1])}
-    return columns
+
+    def over(one: Branches, rows: NDArray[np.float64]) -> Columns:
+        return by_name({Sweep.p: values, **{one[mode]: of for mode, of in zip(MODES, rows, strict=True)}})
+
+    ratios = over(Sweep.ratio, np.abs(ratio)) if np.all(np.isfinite(ratio)) else {}
+    return {f"omega_{name}": over(Sweep.omega, omega), f"ratio_{name}": ratios}
 
 
 def _log_range(rows: NDArray[np.float64], unit: str) -> Axis:
@@ -262,7 +277,7 @@ def _log_range(rows: NDArray[np.float64], unit: str) -> Axis:
     return replace(axis, ticks=axis.ticks or (float(round(high)),))
 
 
-def _crossing(run: Sweep, axis: Axis) -> dict[str, float]:
+def _crossing(run: Run, axis: Axis) -> dict[str, float]:
     """Where both masses alone, the other held, have one frequency."""
     gap = np.log(run.held[0]) - np.log(run.held[1]) if np.all(run.held > 0) else np.ones(2)
     change = np.flatnonzero(np.sign(gap[:-1]) != np.sign(gap[1:]))
@@ -271,4 +286,4 @@ def _crossing(run: Sweep, axis: Axis) -> dict[str, float]:
     i = int(change[0])
     share = float(gap[i] / (gap[i] - gap[i + 1]))
     low, high = axis.place(float(run.values[i])), axis.place(float(run.values[i + 1]))
-    return {"cross": low + share * (high - low)}
+    return by_name({Sweep.cross: low + share * (high - low)})
