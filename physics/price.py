@@ -1,7 +1,7 @@
 """The price of an error with each method: the one rule by which prices are read off measured runs."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import repeat
 from math import exp, log
 from typing import Any
@@ -43,11 +43,6 @@ IN_DOUBLES = ("eigh", "slides")
 def in_doubles(of: Mapping[str, Price]) -> Price | None:
     """The price of the closed form in doubles, of the prices by method."""
     return next((of[slug] for slug in IN_DOUBLES if slug in of), None)
-
-
-def once_more(runs: Iterable[Run]) -> list[Run]:
-    """The runs with the times that they took when the benchmark was run again, and without those not timed then."""
-    return [replace(run, time=run.again) for run in runs if run.again or run.failure]
 
 
 def grouped(runs: Iterable[Run]) -> dict[str, list[Run]]:

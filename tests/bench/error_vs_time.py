@@ -15,36 +15,23 @@ import os
 import platform
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import UTC, datetime
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
 
 from components.scenes.accuracy.measuring import LIVE
 from physics.accuracy import SYSTEMS, Limits, Run
 from physics.race import measure
 from physics.solvers import METHODS, Method
-from tests.bench.record import recalled, record
-from tests.bench.studies import Curves, costs, digits, lengths
+from tests.bench.record import Report, recalled, record
+from tests.bench.studies import costs, digits, lengths
 from tests.bench.tables import setting_text, time_text, write_tables
 
 ROOT = Path(__file__).parents[2]
 RECORDED = ROOT / "components/scenes/accuracy/recorded"
 QUICK = ("benign", "dashpot")
 Key = tuple[str, str, bool, float]
-
-
-@dataclass(frozen=True)
-class Report:
-    """All that a benchmark has found."""
-
-    about: dict[str, str]
-    seconds: float
-    runs: dict[str, list[Run]]
-    length: list[Run]
-    digits: dict[str, Curves]
-    costs: list[dict[str, Any]]
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

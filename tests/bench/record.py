@@ -4,18 +4,29 @@ the document is written of."""
 from __future__ import annotations
 
 import json
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from components.scenes.accuracy.measuring import decoded_run
 from physics.accuracy import SYSTEMS, Run
-
-if TYPE_CHECKING:
-    from tests.bench.error_vs_time import Report
+from tests.bench.studies import Curves
 
 GROWTH = ("error_growth", "energy_growth")
 FULL = ("error", "final_error", "mode_errors")
 """Errors keep four digits more than the rest: 1.0004e-3 misses what 1e-3 reaches."""
+
+
+@dataclass(frozen=True)
+class Report:
+    """All that a benchmark has found."""
+
+    about: dict[str, str]
+    seconds: float
+    runs: dict[str, list[Run]]
+    length: list[Run]
+    digits: dict[str, Curves]
+    costs: list[dict[str, Any]]
 
 
 def record(folder: Path, report: Report) -> None:
@@ -30,8 +41,6 @@ def record(folder: Path, report: Report) -> None:
 
 def recalled(folder: Path) -> Report:
     """The report that was recorded."""
-    from tests.bench.error_vs_time import Report
-
     systems = {slug: _read(folder / f"{slug}.json") for slug in SYSTEMS}
     digits = _read(folder / "digits.json")
     about, seconds, costs = (digits.pop(name) for name in ("about", "seconds", "costs"))

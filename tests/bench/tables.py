@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 import csv
+from dataclasses import replace
 from itertools import zip_longest
 from math import pi
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from physics.accuracy import SYSTEMS, Run, System
-from physics.price import Price, at_error, grouped, in_doubles, once_more, prices
+from physics.price import Price, at_error, grouped, in_doubles, prices
 from physics.solvers import METHODS
 from tests.bench.findings import findings
-
-if TYPE_CHECKING:
-    from tests.bench.error_vs_time import Report
+from tests.bench.record import Report
 
 WANTED = (1e-3, 1e-6, 1e-9)
 ASKED = (1e-3, 1e-6, 1e-9)
@@ -95,8 +93,13 @@ def markdown(report: Report) -> str:
     return "\n".join(lines)
 
 
+def _once_more(runs: list[Run]) -> list[Run]:
+    """The runs with the times that they took when the benchmark was run again, and without those not timed then."""
+    return [replace(run, time=run.again) for run in runs if run.again or run.failure]
+
+
 def _price_table(runs: list[Run], wanted: float) -> list[str]:
-    first, second = _quotes(runs, wanted), _quotes(once_more(runs), wanted)
+    first, second = _quotes(runs, wanted), _quotes(_once_more(runs), wanted)
     lines = [_line(HEAD), _line(["---"] * len(HEAD))]
     for slug, own in grouped(run for run in runs if not run.compiled).items():
         python, compiled = first.get((slug, False)), first.get((slug, True))
