@@ -8,6 +8,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.fixtures import READY
+from tests.browser.tabs import calm_context
 from tests.serving.server import Server
 
 CONNECTED = f"{READY} && document.documentElement.dataset.connected === 'true'"
@@ -35,7 +36,7 @@ def failing(server: Server, browser: Browser) -> Iterator[Open]:
     contexts = []
 
     def go(query: str, width: int, height: int) -> Page:
-        contexts.append(browser.new_context(viewport={"width": width, "height": height}, bypass_csp=True))
+        contexts.append(calm_context(browser, {"width": width, "height": height}, bypass_csp=True))
         page = contexts[-1].new_page()
         page.goto(f"{server.url}?{query}")
         return page

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NoReturn
 
 import pytest
-from playwright.sync_api import Browser, ConsoleMessage
+from playwright.sync_api import Browser, BrowserContext, ConsoleMessage
 
 LASTING = ("add_init_script", "expose_function", "expose_binding")
 """Methods of a page whose effect lasts as long as the page: a tab that tests share refuses them."""
@@ -27,18 +27,22 @@ CALMER = """{
   }
   globalThis.cancelAnimationFrame = id => waiting.delete(id)
 }"""
-"""Draws every third frame alone: without a graphics card a picture that plays takes more than a core. A test of frames
-themselves asks for a fresh tab."""
+"""Draws every third frame alone: without a graphics card a picture that plays takes more than a core."""
 FORGET = "() => { localStorage.clear(); sessionStorage.clear() }"
+
+
+def calm_context(browser: Browser, size: dict[str, int], **options: Any) -> BrowserContext:
+    """A visitor, whose pages draw less often."""
+    context = browser.new_context(viewport=size, **options)
+    context.add_init_script(CALMER)
+    return context
 
 
 class Tab:
     """A page in a context of its own: one visitor."""
 
-    def __init__(self, browser: Browser, size: dict[str, int], options: dict[str, Any], calm: bool = False) -> None:
-        self.context = browser.new_context(viewport=size, **options)
-        if calm:
-            self.context.add_init_script(CALMER)
+    def __init__(self, browser: Browser, size: dict[str, int], options: dict[str, Any]) -> None:
+        self.context = calm_context(browser, size, **options)
         self.page = self.context.new_page()
         self.faults: list[str] = []
         self.page.on("console", lambda message: self.faults.extend(_console_fault(message)))
@@ -58,7 +62,7 @@ class Tabs:
     def take(self, size: dict[str, int], options: dict[str, Any]) -> Tab:
         free = self.free.setdefault(str(sorted(options.items())), [])
         if not free:
-            tab = Tab(self.browser, size, options, calm=True)
+            tab = Tab(self.browser, size, options)
             for name in LASTING:
                 setattr(tab.page, name, _refused)
             return tab

@@ -12,6 +12,7 @@ from playwright.sync_api import Browser, Page, expect
 from tests.browser.between import between
 from tests.browser.classroom import LED, draw, joined, taught
 from tests.browser.fixtures import READY, another_version
+from tests.browser.tabs import calm_context
 from tests.live_class.caller import call
 from tests.serving.server import Server
 
@@ -42,7 +43,7 @@ def phone(browser: Browser) -> Iterator[Phone]:
     contexts = []
 
     def go(url: str, code: str) -> Page:
-        context = browser.new_context(viewport={"width": 390, "height": 844}, bypass_csp=True)
+        context = calm_context(browser, {"width": 390, "height": 844}, bypass_csp=True)
         contexts.append(context)
         page = context.new_page()
         page.goto(f"{url}?class={code}")

@@ -12,6 +12,7 @@ from playwright.sync_api import Browser, BrowserContext, Page, expect
 from tests.browser.classroom import CONNECTED, LED, counted
 from tests.browser.dropping import drop
 from tests.browser.fixtures import READY
+from tests.browser.tabs import calm_context
 from tests.live_class.caller import call
 from tests.reconnect.site import Site
 
@@ -29,7 +30,7 @@ def contexts(browser: Browser) -> Iterator[list[BrowserContext]]:
     """The browsers of the instructor, of a phone, and of the remote control, later that of another computer; they note
     as errors what a lost server refuses."""
     sizes = ((1280, 844), (390, 844), (390, 844))
-    made = [browser.new_context(viewport={"width": w, "height": h}, bypass_csp=True) for w, h in sizes]
+    made = [calm_context(browser, {"width": w, "height": h}, bypass_csp=True) for w, h in sizes]
     yield made
     for context in made:
         context.close()

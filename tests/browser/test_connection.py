@@ -10,6 +10,7 @@ import pytest
 from playwright.sync_api import Browser, Page, Route, expect
 
 from tests.browser.fixtures import READY, another_version
+from tests.browser.tabs import calm_context
 from tests.browser.waiting import unfold
 from tests.grids import spread
 from tests.reconnect.losses import CONNECTED, LINK, LOSSES, SETTLED, too_late, visit
@@ -30,7 +31,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Site]:
 @pytest.fixture
 def page(browser: Browser) -> Iterator[Page]:
     """Without the fixture of pages, which fails on what a browser says in the console of a lost connection."""
-    context = browser.new_context(viewport={"width": 1280, "height": 720}, bypass_csp=True)
+    context = calm_context(browser, {"width": 1280, "height": 720}, bypass_csp=True)
     page = context.new_page()
     faults: list[str] = []
     page.on("pageerror", lambda error: faults.append(str(error)))

@@ -10,6 +10,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.fixtures import READY
+from tests.browser.tabs import calm_context
 from tests.browser.waiting import played, unfold
 from tests.serving.server import Server
 
@@ -34,7 +35,7 @@ def quiet(browser: Browser) -> Iterator[Quiet]:
     contexts, faults = [], []
 
     def make(script: str = "", **options: Any) -> Page:
-        context = browser.new_context(viewport={"width": 1280, "height": 720}, bypass_csp=True, **options)
+        context = calm_context(browser, {"width": 1280, "height": 720}, bypass_csp=True, **options)
         contexts.append(context)
         page = context.new_page()
         page.on("pageerror", lambda error: faults.append(str(error)))

@@ -12,6 +12,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from tests.browser.classroom import CONNECTED, LED
 from tests.browser.fixtures import READY
+from tests.browser.tabs import calm_context
 from tests.serving.server import serving
 
 pytestmark = pytest.mark.browser
@@ -22,7 +23,8 @@ def test_who_opens_a_class_is_asked_for_the_passphrase_and_the_qr_code_lets_phon
     tmp_path: Path, browser: Browser, screenshot: Callable[[Page, str], object]
 ) -> None:
     with serving(tmp_path / "log", environment={"CLASS_PASSPHRASE": PHRASE}) as server:
-        page = browser.new_page(viewport={"width": 1280, "height": 800}, bypass_csp=True)
+        desk = calm_context(browser, {"width": 1280, "height": 800}, bypass_csp=True)
+        page = desk.new_page()
         page.goto(f"{server.url}?scene=coupled")
         page.wait_for_function(CONNECTED)
         page.keyboard.press("t")
@@ -38,13 +40,14 @@ def test_who_opens_a_class_is_asked_for_the_passphrase_and_the_qr_code_lets_phon
         dialog.get_by_label("Passphrase").fill(PHRASE)
         dialog.get_by_role("button", name="Open the class").click()
         page.wait_for_function(LED)
-        phone = browser.new_page(viewport={"width": 390, "height": 844}, bypass_csp=True)
+        pocket = calm_context(browser, {"width": 390, "height": 844}, bypass_csp=True)
+        phone = pocket.new_page()
         asked: list[str] = []
         phone.on("request", lambda request: asked.append(request.headers.get("authorization", "")))
         address = page.evaluate(f"{LED}.room.address")
         phone.goto(f"{server.url}{urlsplit(address).path[1:]}?{urlsplit(address).query}")
         phone.wait_for_function(f"{READY} && Boolean(oscillations.clock.lead)")
         assert f"Bearer {address.partition('join=')[2]}" in asked
-        phone.close()
-        page.close()
+        pocket.close()
+        desk.close()
         assert not server.complaints()
