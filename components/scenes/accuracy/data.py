@@ -65,7 +65,7 @@ class Known:
         return self.here.by_method.get(method) or self.before.by_method.get(method, ())
 
     def good(self, method: str) -> Sequence[Run]:
-        """Those of them that can be drawn."""
+        """The runs of a method that can be drawn."""
         return (self.here if self.is_here(method) else self.before).good.get(method, ())
 
     def is_here(self, method: str) -> bool:

@@ -92,7 +92,7 @@ class SweepCase:
 
 ENDS = {"low": "0", "high": "∞"}
 """Both ends of the sweep, and what the parameter tends to there."""
-Branches = Family[str, Column[Any]]
+BothModes = Family[str, Column[Any]]
 
 
 class Sweep(Declared[SweepCase]):
@@ -151,7 +151,7 @@ def _limits(end: str) -> list[Paragraph]:
     return lines
 
 
-def _curves(kind: str, of: Branches, labels: tuple[str, str]) -> tuple[Curve, ...]:
+def _curves(kind: str, of: BothModes, labels: tuple[str, str]) -> tuple[Curve, ...]:
     """Both modes, the asymptotes at both ends, dotted; `kind` is omega or ratio."""
     pair = [(of[mode], mode) for mode in MODES]
     limits = [
@@ -259,7 +259,7 @@ def _pair(
 ) -> dict[str, Columns]:
     """Columns of both frequencies, and of both ratios without sign; none where one is infinite: nothing is coupled."""
 
-    def over(one: Branches, rows: NDArray[np.float64]) -> Columns:
+    def over(one: BothModes, rows: NDArray[np.float64]) -> Columns:
         return by_name({Sweep.p: values, **{one[mode]: of for mode, of in zip(MODES, rows, strict=True)}})
 
     ratios = over(Sweep.ratio, np.abs(ratio)) if np.all(np.isfinite(ratio)) else {}
