@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from components.scenes import SCENES
 from components.scenes.energy import Energy
-from components.scenes.energy.hanging import PLANETS
+from components.scenes.energy.curves import PLANETS
 from components.state.link import read_query
 from components.state.standing import fitted
 from tests.page.scripts import played

@@ -5,11 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
 from msgspec.structs import replace
 
 from components.quantities.axes import Axis, nice_axis, nice_ticks, time_axis
+from components.quantities.declared import Declared, DrawnAxis, by_name
 from components.quantities.numbers import at_tick, power_unit, three
 from components.scene.frames import Windowed
+from components.scene.traces import Floats, samples
 from physics.exact import exact, precise, rounded
 from physics.hanging import HangingMass
 from physics.oscillator import OscillatorConstants
@@ -51,6 +54,10 @@ class HangingCase(Windowed):
         return periods(2 * self.omega, 6)
 
     @cached_property
+    def t(self) -> Floats:
+        return np.linspace(0.0, self.end, samples(self.end, 2 * self.omega))
+
+    @cached_property
     def E(self) -> float:
         """T_max; and V_max counted from equilibrium."""
         return self.system.total_energy(self.x_0, self.v_0)
@@ -75,21 +82,18 @@ class HangingCase(Windowed):
             return rounded("the energy m g C", exact(self.system.m) * exact(self.system.g) * exact(self.constants.C))
 
 
-def claim(case: HangingCase) -> str:
-    """Which sentence on the largest T and V holds: none swings at rest, and without weight both ways of counting V
-    are one."""
-    if not case.constants.C:
-        return "rest_apart" if case.shift else "rest"
-    return "weightless" if case.separate and not case.shift else case.datum
+class Axes(Declared[HangingCase]):
+    t, x, x_well, E, E_time = DrawnAxis.some(5)
 
 
-def case_axes(case: HangingCase) -> dict[str, Axis]:
+def axes_of(case: HangingCase) -> dict[str, Axis]:
     """The energies over time have the axis of the well, whose level has its number there alone."""
     energy = _energy_axis(case)
     total, labelled = energy.place(case.total), zip(energy.ticks, energy.labels, strict=True)
     beside = replace(energy, labels=tuple("" if tick == total else label for tick, label in labelled))
     x = _x_axis(case)
-    return {"t": time_axis(case.own_end), "x": x, "x_well": _well_axis(case, x), "E": energy, "E_time": beside}
+    own = {Axes.t: time_axis(case.own_end), Axes.x: x, Axes.x_well: _well_axis(case, x)}
+    return by_name({**own, Axes.E: energy, Axes.E_time: beside})
 
 
 def _x_axis(case: HangingCase) -> Axis:

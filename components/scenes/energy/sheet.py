@@ -7,12 +7,15 @@ from components.language.plots import Term
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import column, desk, either, phrase, row, stage, term, words
 from components.scene.traces import traced
+from components.scenes.energy.case import Axes
+from components.scenes.energy.curves import ENERGY, WELL, Well, X
+from components.scenes.energy.curves import Signals as S
 from components.scenes.energy.hanging import natural_length, shapes, well
+from components.scenes.energy.numbers import Forms as F
 from components.scenes.energy.numbers import Numbers as N
 
 UPPER, LOWER, BETWEEN, ABOVE = 300, 190, 44, 78
 """Shares of the height, pixels between the rows, and the share over x(t) where the spring hangs."""
-DATUM = "datum"
 TASK = "Pull the mass down and let go: where is all the energy kinetic, and where none of it?"
 
 
@@ -29,11 +32,11 @@ def hanging_sheet() -> Block:
 
 
 def _displacement() -> Block:
-    curve, band = traced("x", tint="m1", width="sum", label="*x*", signal="x")
+    curve, band = traced(S.x, tint="m1", width="sum", label="*x*", signal=S.x)
     return plot(
-        "x",
-        x="t",
-        y="x",
+        X,
+        x=Axes.t,
+        y=Axes.x,
         title="Displacement from equilibrium, downwards, against time",
         curves=(curve,),
         bands=(band,),
@@ -51,7 +54,7 @@ def _between() -> Block:
     """The words between the plots, on the datum of V."""
     return words(
         either(
-            "claim",
+            F.claim,
             equilibrium=rf"$T_{{\mathrm{{max}}}} = V_{{\mathrm{{max}}}} = {N.T_max}$ {N.E_unit}: all $T$ "
             rf"at equilibrium, where $v = \omega_n x_{{\mathrm{{max}}}} = {N.v_max}$ m/s; all $V$ where it turns.",
             separate=r"$V_{\mathrm{max}} = T_{\mathrm{max}} + \tfrac{1}{2} k \delta_{\mathrm{st}}^2 "
@@ -71,18 +74,18 @@ def _between() -> Block:
 
 def _energies() -> Block:
     parts = [
-        traced("spring", tint="k", width="line", label="spring"),
-        traced("gravity", tint="k", width="dash", label="gravity"),
-        traced("V", tint="V", read="*V*", signal="V"),
-        traced("T", tint="T", width="dash", read="*T*", signal="T"),
+        traced(S.spring, tint="k", width="line", label="spring"),
+        traced(S.gravity, tint="k", width="dash", label="gravity"),
+        traced(S.V, tint="V", read="*V*", signal=S.V),
+        traced(S.T, tint="T", width="dash", read="*T*", signal=S.T),
     ]
     curves, bands = zip(*parts, strict=True)
-    constant = curve("constant", tint="k", width="dots", label="const.", signal="constant")
-    total = curve("total", tint="total", width="sum", read="*T*+*V*", signal="total")
+    constant = curve(S.constant, tint="k", width="dots", label="const.", signal=S.constant)
+    total = curve(S.total, tint="total", width="sum", read="*T*+*V*", signal=S.total)
     return plot(
-        "energy",
-        x="t",
-        y="E_time",
+        ENERGY,
+        x=Axes.t,
+        y=Axes.E_time,
         title="Kinetic energy, potential energy and their constant sum against time",
         curves=(total, constant, *curves),
         bands=bands,
@@ -98,39 +101,38 @@ def _energies() -> Block:
 def _energy_terms() -> tuple[Term, ...]:
     twice = rf"at $2 \omega_n = {N.omega_2}$ rad/s"
     return (
-        term("total", "sum", "total", formula="T + V"),
-        term("V", "line", "V", formula="V"),
-        term("T", "dash", "T", formula="T"),
-        phrase("spring", "line", "k", form=DATUM, equilibrium="", separate="spring", slide="spring"),
-        phrase("gravity", "dash", "k", form=DATUM, equilibrium="", separate="gravity", slide="gravity"),
-        phrase("", "none", "mute", form=DATUM, equilibrium=twice, separate="", slide=""),
+        term(S.total, "sum", "total", formula="T + V"),
+        term(S.V, "line", "V", formula="V"),
+        term(S.T, "dash", "T", formula="T"),
+        phrase(S.spring, "line", "k", form=F.datum, equilibrium="", separate="spring", slide="spring"),
+        phrase(S.gravity, "dash", "k", form=F.datum, equilibrium="", separate="gravity", slide="gravity"),
+        phrase("", "none", "mute", form=F.datum, equilibrium=twice, separate="", slide=""),
     )
 
 
 def _well() -> Block:
-    look = {"source": "well", "x": "x"}
     return plot(
-        "well",
-        x="x_well",
-        y="E",
+        WELL,
+        x=Axes.x_well,
+        y=Axes.E,
         title="The potential well: V against displacement, with the level of the energy and the turning points",
         curves=(
-            curve("spring", tint="k", group="spring", read="spring", **look),
-            curve("gravity", tint="k", width="dash", group="gravity", read="gravity", **look),
-            curve("constant", tint="k", width="dots", group="constant", read="constant", **look),
-            curve("other", tint="V", width="dash", group="other", **look),
-            curve("V", tint="V", width="sum", group="well", read="*V*", **look),
+            curve(Well.spring, tint="k", read="spring"),
+            curve(Well.gravity, tint="k", width="dash", read="gravity"),
+            curve(Well.constant, tint="k", width="dots", read="constant"),
+            curve(Well.other, tint="V", width="dash"),
+            curve(Well.V, tint="V", width="sum", group="well", read="*V*"),
         ),
         heading=(
             term(
-                "well", "sum", "V", form=DATUM, equilibrium=r"V = \tfrac{1}{2} k x^2",
+                "well", "sum", "V", form=F.datum, equilibrium=r"V = \tfrac{1}{2} k x^2",
                 separate=r"V = \tfrac{1}{2} k (x + \delta_{\mathrm{st}})^2 - m g x",
                 slide=r"V = \tfrac{1}{2} k (x + \delta_{\mathrm{st}})^2 "
                 r"- \tfrac{1}{2} k \delta_{\mathrm{st}}^2 - m g x",
             ),
-            phrase("other", "dash", "V", form=DATUM, equilibrium="", separate="the slide's", slide=""),
+            phrase(Well.other, "dash", "V", form=F.datum, equilibrium="", separate="the slide's", slide=""),
         ),
-        x_column="x",
+        x_column=Well.x,
         room=Room(58, 40),
         shapes=well(),
         grow=LOWER,
@@ -143,7 +145,7 @@ def _gravity() -> Block:
     return words(
         rf"$\delta_{{\mathrm{{st}}}} = \frac{{m g}}{{k}} = {N.delta}$ m",
         rf"$\omega_n = \sqrt{{\frac{{k}}{{m}}}} = {N.omega}$ rad/s",
-        either("place", said="[small|Gravity sets where it hangs, not how fast it swings.]"),
+        either(F.place, said="[small|Gravity sets where it hangs, not how fast it swings.]"),
         rf"$\tau = 2 \pi / \omega_n = {N.tau}$ s",
         style="proof",
         grow=UPPER,
@@ -155,17 +157,17 @@ def _gravity() -> Block:
 def _law() -> Block:
     """d/dt (T + V) = 0, written out to the equation of motion."""
     return words(
-        rf"[T|$T = \tfrac{{1}}{{2}} m \dot{{x}}^2 = \val{{T}}$ {N.E_unit}]",
+        rf"[T|$T = \tfrac{{1}}{{2}} m \dot{{x}}^2 = {S.T}$ {N.E_unit}]",
         either(
-            DATUM,
-            equilibrium=rf"[V|$V = \tfrac{{1}}{{2}} k x^2 = \val{{V}}$ {N.E_unit}]",
-            separate=rf"[V|$V = \val{{spring}}\; \val{{gravity}} = \val{{V}}$ {N.E_unit}]",
-            slide=r"[V|$V = \val{spring}\; \val{constant}\; \val{gravity} = \val{V}$]",
+            F.datum,
+            equilibrium=rf"[V|$V = \tfrac{{1}}{{2}} k x^2 = {S.V}$ {N.E_unit}]",
+            separate=rf"[V|$V = {S.spring}\; {S.gravity} = {S.V}$ {N.E_unit}]",
+            slide=rf"[V|$V = {S.spring}\; {S.constant}\; {S.gravity} = {S.V}$]",
         ),
         f"$T + V = {N.E_total}$ {N.E_unit}",
         r"$\dfrac{\mathrm{d}}{\mathrm{d} t} (T + V) =$",
         either(
-            DATUM,
+            F.datum,
             equilibrium=r"$\dot{x} (m \ddot{x} + k x) = 0$",
             separate=r"$\dot{x} (m \ddot{x} + k (x + \delta_{\mathrm{st}}) - m g) = 0$",
             slide=r"$\dot{x} (m \ddot{x} + k (x + \delta_{\mathrm{st}}) - m g) = 0$",
