@@ -49,7 +49,7 @@ class OfTheStage:
     name: str
 
 
-ON_WIDE, ON_NARROW, AT_DESK = OfTheStage("wide"), OfTheStage("narrow"), OfTheStage("desk")
+ON_WIDE, ON_NARROW, AT_DESK, IN_HALL = (OfTheStage(one) for one in ("wide", "narrow", "desk", "hall"))
 
 
 @dataclass(frozen=True)

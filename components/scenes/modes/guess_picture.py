@@ -10,12 +10,24 @@ from functools import cached_property
 import numpy as np
 from msgspec.structs import replace
 
-from components.chain import MODES
+from components.chain import BOTH, MODES
+from components.chain.parameters import Pair
 from components.language.signals import AnySignal
 from components.language.state import Frame
+from components.quantities import declared
 from components.quantities.axes import Axis, nice_axis, squared_axis, time_axis
-from components.quantities.declared import Declared, LiveNumber
-from components.quantities.motion import pace, sines
+from components.quantities.declared import (
+    Column,
+    Declared,
+    DrawnAxis,
+    Family,
+    Form,
+    LiveNumber,
+    Scalar,
+    Signal,
+    by_name,
+)
+from components.quantities.motion import QUARTER, pace, sines
 from components.quantities.numbers import signed, ten, three
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
@@ -72,8 +84,51 @@ class Guess:
             return k1 * k2
 
     @property
-    def w_in(self) -> float:
+    def held(self) -> Decimal:
+        """D where mass 2 alone, mass 1 held, would swing."""
+        return -(Decimal(self.system.k2) ** 2)
+
+    def has_D(self, value: Decimal) -> bool:
+        """Whether a value of D is inside the frame."""
+        return inside(self.det, value.scaleb(-self.exponent))
+
+    @cached_property
+    def modes(self) -> dict[str, tuple[float, float]]:
+        """Frequency and shape of each mode."""
+        modes = self.system.modes()
+        return dict(zip(MODES, zip(modes.omega.tolist(), modes.ratio.tolist(), strict=True), strict=True))
+
+    def seen(self, mode: str) -> bool:
+        """Whether the point of a mode is inside the frame."""
+        return math.isfinite(self.modes[mode][1]) and inside(self.shape, self.modes[mode][1])
+
+    @cached_property
+    def swings(self) -> Pair:
+        """Both amplitudes."""
+        one, two = map(float, self.push.amplitude)
+        return one, two
+
+    @cached_property
+    def largest(self) -> Decimal:
+        """The largest force."""
+        return max(abs(value) for pair in self.push[1:] for value in pair)
+
+    def arrow(self, force: Decimal) -> float:
+        """The length of the arrow of a force at full swing, as a fraction of the stage's width."""
+        return REACH * float(force / self.largest) if self.largest else 0.0
+
+    @cached_property
+    def w_in(self) -> bool:
         return inside(self.frequency, self.omega)
+
+    def reading(self, row: int) -> float:
+        """The place of the shape that a row asks for."""
+        asked, shape = self.asked.rows[row - 1], self.shape
+        return 0.0 if asked is None else shape.place(float(max(min(asked, Decimal(shape.end)), Decimal(shape.start))))
+
+    def reads(self, row: int) -> bool:
+        asked = self.asked.rows[row - 1]
+        return self.w_in and asked is not None and inside(self.shape, asked)
 
     @property
     def sizes(self) -> list[Decimal]:
@@ -103,7 +158,8 @@ def added(guess: Guess) -> str:
     return "almost no extra force" if little else "force of your hand"
 
 
-number = LiveNumber[Guess]
+number, scalar, form = LiveNumber[Guess], Scalar[Guess], Form[Guess]
+METRES = Axis(-1.0, 1.0, "m")
 
 
 class GuessNumbers(Declared[Guess]):
@@ -114,7 +170,7 @@ class GuessNumbers(Declared[Guess]):
     apart = number(lambda g: g.asked.apart)
     distance = number(lambda g: None if g.asked.apart is None else abs(g.asked.apart))
     k1k2 = number(lambda g: g.at_rest)
-    k2k2 = number(lambda g: -(Decimal(g.system.k2) ** 2))
+    k2k2 = number(lambda g: g.held)
     row = row1, row2 = number.both(lambda g: g.asked.rows, signed)
     omega = omega_slow, omega_fast = number.both(lambda g: g.system.modes().omega)
     r = r_slow, r_fast = number.both(lambda g: g.system.modes().ratio, signed)
@@ -128,9 +184,74 @@ class GuessNumbers(Declared[Guess]):
     you_add = number(added)
 
 
-def inside(axis: Axis, value: float | Decimal) -> float:
-    """1 where a value is within the range of an axis, else 0."""
-    return float(axis.start <= value <= axis.end)
+class GuessAxes(Declared[Guess]):
+    t, w, r, D = DrawnAxis.some(4)
+
+
+class GuessCurves(Declared[Guess]):
+    """The shape that each equation fixes, the second one on both sides of its pole, and D."""
+
+    w = Column[Guess]("")
+    row1, D = Column[Guess]("row1"), Column[Guess]("det")
+    row2_below, row2_above = Column[Guess]("row2_below"), Column[Guess]("row2_above")
+
+
+C = GuessCurves
+
+
+def _swung(guess: Guess, axes: declared.Axes, size: float) -> AnySignal:
+    """A motion of the guess, from full swing; at omega = 0 it stays there."""
+    return sines(METRES, GuessAxes.t(axes), (size, guess.omega, QUARTER))
+
+
+class GuessPlaces(Declared[Guess]):
+    """Swings and forces, and over the plots the modes, the known values of D, the guess, and the readings of both
+    equations, in the units of the axes; `_in` tells which are inside the frame."""
+
+    swing = Signal[Guess](lambda g, a: _swung(g, a, 1.0))
+    x = Family(BOTH, lambda i: Signal[Guess](lambda g, a: _swung(g, a, g.swings[i - 1])))
+    # At full swing: both amplitudes, which of them is not the larger one, and the lengths of the arrows.
+    X = Family(BOTH, lambda i: scalar(lambda g, a: g.swings[i - 1]))
+    less = Family(BOTH, lambda i: scalar(lambda g, a: abs(g.swings[i - 1]) <= abs(g.swings[2 - i])))
+    need = Family(BOTH, lambda i: scalar(lambda g, a: g.arrow(g.push.needed[i - 1])), "need{}_N")
+    give = Family(BOTH, lambda i: scalar(lambda g, a: g.arrow(g.push.springs[i - 1])), "give{}_N")
+    # The modes, D at rest and where mass 2 would be held.
+    w_of = Family(MODES, lambda mode: scalar(lambda g, a: g.frequency.place(g.modes[mode][0])), "w_{}")
+    w_si = Family(MODES, lambda mode: scalar(lambda g, a: g.modes[mode][0]), "w_{}_si")
+    r_of = Family(MODES, lambda mode: scalar(lambda g, a: g.seen(mode) and g.shape.place(g.modes[mode][1])), "r_{}")
+    seen = Family(MODES, lambda mode: scalar(lambda g, a: g.seen(mode)), "{}_in")
+    D0 = scalar(lambda g, a: g.place_D(g.at_rest))
+    D0_in = scalar(lambda g, a: g.system.k1 > 0 < g.system.k2)
+    w_held = scalar(lambda g, a: g.frequency.place(math.sqrt(g.system.k2) / math.sqrt(g.system.m2)))
+    D_held = scalar(lambda g, a: g.place_D(g.held))
+    held_in = scalar(lambda g, a: g.system.k2 > 0 and g.has_D(g.held))
+    # The guess, D there, and what both equations ask for.
+    w = scalar(lambda g, a: g.frequency.place(min(g.omega, 2 * g.frequency.end)))
+    w_in = scalar(lambda g, a: g.w_in)
+    r = scalar(lambda g, a: g.shape.place(max(min(g.ratio, 2 * g.shape.end), 2 * g.shape.start)))
+    guess_in = scalar(lambda g, a: g.w_in and inside(g.shape, g.ratio))
+    D = scalar(lambda g, a: g.place_D(g.asked.determinant))
+    D_in = scalar(lambda g, a: g.w_in and g.has_D(g.asked.determinant))
+    row = Family(BOTH, lambda i: scalar(lambda g, a: g.reading(i)))
+    row_in = Family(BOTH, lambda i: scalar(lambda g, a: g.reads(i)), "row{}_in")
+    gap = scalar(lambda g, a: g.w_in and None not in g.asked.rows)
+
+
+class GuessForms(Declared[Guess]):
+    says = Family(BOTH, lambda i: form(lambda g: _kind(g.asked.rows[i - 1])), "row{}_says")
+    agree = form(lambda g: agreement(g))
+    D = form(lambda g: "value" if g.asked.apart is None else "product")
+    roots = form(lambda g: "loose" if not g.system.k2 else "two" if g.system.k1 else "wall")
+
+
+def _kind(asked: Decimal | None) -> str:
+    """The form of the sentence on the shape that an equation asks for."""
+    return "any" if asked is None else "number" if asked.is_finite() else "pole"
+
+
+def inside(axis: Axis, value: float | Decimal) -> bool:
+    """Whether a value is within the range of an axis."""
+    return axis.start <= value <= axis.end
 
 
 def picture(system: TwoMassChain, omega: float, ratio: float, window: float | None, frame: Frame = FITTED) -> Picture:
@@ -141,20 +262,20 @@ def picture(system: TwoMassChain, omega: float, ratio: float, window: float | No
     end = _end(float(modes.omega[1]), omega)
     reach, shape = _shape_axis(modes)
     across = replace(squared_axis(end, "(rad/s)²", 3), drawn=(0.0, max(float(modes.omega[1]), min(omega, end))))
-    own = {"w": across, "r": shape}
     time = time_axis(window or (periods(omega, 4) if omega else NOTHING_OSCILLATES))
-    axes = framed(frame, own | {"t": time})
-    columns, det, exponent = _columns(system, axes["w"].end, reach)
-    axes |= framed(frame, {"D": det})
-    guess = Guess(system, omega, ratio, frequency=axes["w"], shape=axes["r"], det=axes["D"], exponent=exponent)
+    A = GuessAxes
+    axes = framed(frame, by_name({A.w: across, A.r: shape, A.t: time}))
+    columns, det, exponent = _columns(system, A.w(axes).end, reach)
+    axes |= framed(frame, by_name({A.D: det}))
+    guess = Guess(system, omega, ratio, frequency=A.w(axes), shape=A.r(axes), det=A.D(axes), exponent=exponent)
     return Picture(
         columns=columns,
         axes=axes,
-        signals=_signals(guess.push, omega, axes["t"]),
-        scalars=_swing_scalars(guess.push) | _force_scalars(guess.push) | _known(guess) | _tried(guess),
+        signals=GuessPlaces.signals(guess, axes),
+        scalars=GuessPlaces.scalars(guess, axes),
         pace=pace(omega, omega),
         values=GuessNumbers.texts(guess, axes),
-        forms=_forms(guess),
+        forms=GuessForms.forms(guess),
     )
 
 
@@ -198,89 +319,19 @@ def _end(fast: float, omega: float) -> float:
     return (max(both, 1.1 * omega) if omega < 2 * fast or not fast else both) or 1.0
 
 
-def _signals(push: TrialForces, omega: float, time: Axis) -> dict[str, AnySignal]:
-    """The guess as a motion, from full swing; at omega = 0 it stays there."""
-    metres = Axis(-1.0, 1.0, "m")
-    sizes = {"swing": 1.0, "x1": float(push.amplitude[0]), "x2": float(push.amplitude[1])}
-    return {name: sines(metres, time, (size, omega, math.pi / 2)) for name, size in sizes.items()}
-
-
 def _columns(system: TwoMassChain, end: float, largest: float) -> tuple[dict[str, Columns], Axis, int]:
     first, second = row_curves(system, end, largest)
-    columns: dict[str, Columns] = {"row1": {"w": first.omega[0], "row1": first.ratio[0]}}
-    for name, w, r in zip(("row2_below", "row2_above"), second.omega, second.ratio, strict=False):
-        columns[name] = {"w": w, name: r}
+    columns = {C.row1.source: by_name({C.w: first.omega[0], C.row1: first.ratio[0]})}
+    for one, w, r in zip((C.row2_below, C.row2_above), second.omega, second.ratio, strict=False):
+        columns[one.source] = by_name({C.w: w, one: r})
     w = end * np.sqrt(np.linspace(0.0, 1.0, 201))
     curve, exponent = determinant_curve(system, w)
-    columns["det"] = {"w": w, "D": curve}
+    columns[C.D.source] = by_name({C.w: w, C.D: curve})
     low, at_zero = float(np.min(curve)), float(curve[0])
     unit = f"{ten(exponent)} N²/m²" if exponent else "N²/m²"
     size = max(1.2 * at_zero, -2.1 * low, 0.0) or 1.0
     det = nice_axis(min(1.33 * low, -0.1 * size), size, unit, 2, exact=True)
     return columns, replace(det, drawn=(low, at_zero)), exponent
-
-
-def _swing_scalars(push: TrialForces) -> dict[str, float]:
-    """Both amplitudes, and which of them is not the larger one."""
-    X1, X2 = (float(amplitude) for amplitude in push.amplitude)
-    return {"X1": X1, "X2": X2, "less1": float(abs(X1) <= abs(X2)), "less2": float(abs(X2) <= abs(X1))}
-
-
-def _force_scalars(push: TrialForces) -> dict[str, float]:
-    """Lengths of the arrows at full swing, as fractions of the width, each under the name of its number."""
-    size = max((abs(value) for pair in push[1:] for value in pair), default=Decimal(0))
-    scalars: dict[str, float] = {}
-    for i in (1, 2):
-        need, give = (REACH * float(pair[i - 1] / size) if size else 0.0 for pair in (push.needed, push.springs))
-        scalars |= {f"need{i}_N": need, f"give{i}_N": give, f"add{i}_N": 1.0}
-    return scalars
-
-
-def _known(guess: Guess) -> dict[str, float]:
-    """Where the modes and the two known values of D stand, in the units of the axes, and which are inside the frame."""
-    system, modes, shape = guess.system, guess.system.modes(), guess.shape
-    least = -(Decimal(system.k2) ** 2)
-    scalars = {
-        "zero": 0.0,
-        "w0": 0.0,
-        "D0": guess.place_D(guess.at_rest),
-        "D0_in": float(system.k1 > 0 < system.k2),
-        "w_held": guess.frequency.place(math.sqrt(system.k2) / math.sqrt(system.m2)),
-        "D_held": guess.place_D(least),
-        "held_in": float(system.k2 > 0) * inside(guess.det, least.scaleb(-guess.exponent)),
-    }
-    for mode, w, r in zip(MODES, modes.omega, modes.ratio, strict=True):
-        r_in = float(math.isfinite(r)) and inside(shape, float(r))
-        scalars |= {f"w_{mode}": guess.frequency.place(float(w)), f"w_{mode}_si": float(w)}
-        scalars |= {f"{mode}_in": r_in, f"r_{mode}": shape.place(float(r)) if r_in else 0.0}
-    return scalars
-
-
-def _tried(guess: Guess) -> dict[str, float]:
-    """The places of the trial point, of the shapes that the rows ask for, and of D."""
-    frequency, shape, D = guess.frequency, guess.shape, guess.asked.determinant
-    w = frequency.place(min(guess.omega, 2 * frequency.end))
-    r = shape.place(max(min(guess.ratio, 2 * shape.end), 2 * shape.start))
-    scalars = {"w": w, "w_in": guess.w_in, "r": r, "guess_in": guess.w_in * inside(shape, guess.ratio)}
-    scalars |= {"D": guess.place_D(D), "D_in": guess.w_in * inside(guess.det, D.scaleb(-guess.exponent))}
-    ends = []
-    for i, row in enumerate(guess.asked.rows, start=1):
-        place = 0.0 if row is None else shape.place(float(max(min(row, Decimal(shape.end)), Decimal(shape.start))))
-        ends.append(place)
-        scalars |= {f"row{i}": place, f"row{i}_in": guess.w_in * (row is not None and inside(shape, row))}
-    scalars |= {"gap": guess.w_in * (None not in guess.asked.rows), "gap_low": ends[0], "gap_high": ends[1]}
-    return scalars
-
-
-def _forms(guess: Guess) -> dict[str, str]:
-    system, asked = guess.system, guess.asked
-    forms: dict[str, str] = {}
-    for i, value in enumerate(asked.rows, start=1):
-        forms[f"row{i}_says"] = "any" if value is None else "number" if value.is_finite() else "pole"
-    forms["agree"] = agreement(guess)
-    forms["D"] = "value" if asked.apart is None else "product"
-    forms["roots"] = "loose" if not system.k2 else "two" if system.k1 else "wall"
-    return forms
 
 
 def agreement(guess: Guess) -> str:
