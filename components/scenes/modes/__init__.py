@@ -10,6 +10,7 @@ from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.layout.sheet import choice, column, desk, when, words
+from components.quantities.declared import Declared, Family, Form
 from components.quantities.parameters import Values, angular_frequency, finite, one_of
 from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
@@ -29,6 +30,14 @@ TASKS = {
     "hunt": "Drag the start: from where is the path a straight line?",
 }
 VIEWS = {"hunt": "Hunt", "guess": "Guess", "solve": "Solve", "sweep": "Sweep"}
+
+
+class Tasks(Declared[str]):
+    """The view that stands."""
+
+    view = Family(VIEWS, lambda one: Form[str](lambda task: task == one), "{}")
+
+
 LEFT_OUT = "Shown without the dashpots: they are part of Solve."
 ROW_OF = {"row1": 1, "row2": 2}
 """The equation, that of mass 1 or of mass 2, which an action takes the shape from."""
@@ -60,12 +69,12 @@ class ModesScene(Scene):
         Group(
             "Guess",
             ("omega", "ratio"),
-            form="guess",
+            form=Tasks.view["guess"].name,
             actions=tuple((action, f"Use equation {row}") for action, row in ROW_OF.items()),
         ),
-        Group("Start, from rest", ("x1_0", "x2_0"), "or drag the ring", form="hunt"),
+        Group("Start, from rest", ("x1_0", "x2_0"), "or drag the ring", form=Tasks.view["hunt"].name),
         chain.CHAIN,
-        replace(chain.DASHPOTS, form="solve"),
+        replace(chain.DASHPOTS, form=Tasks.view["solve"].name),
     )
     shares = chain.BRAKED
     watch = WATCH
@@ -104,11 +113,11 @@ class ModesScene(Scene):
     def sheet(cls) -> Block:
         return column(
             choice("task", VIEWS, "View", style="views", phone=-1),
-            *(desk(when(view, words(task, style="task", phone=0))) for view, task in TASKS.items()),
-            when("guess", guess.sheet()),
-            when("solve", solve.sheet()),
-            when("sweep", sweep.sheet()),
-            when("hunt", hunt.sheet()),
+            *(desk(when(Tasks.view[view], words(task, style="task", phone=0))) for view, task in TASKS.items()),
+            when(Tasks.view["guess"], guess.sheet()),
+            when(Tasks.view["solve"], solve.sheet()),
+            when(Tasks.view["sweep"], sweep.sheet()),
+            when(Tasks.view["hunt"], hunt.sheet()),
         )
 
     def picture(self, frame: Frame = FITTED) -> Picture:
@@ -118,7 +127,7 @@ class ModesScene(Scene):
             picture,
             columns={name: {} for name in SOURCES} | picture.columns,
             scalars={**chain.sizes(system, 0.88), **picture.scalars},
-            forms={self.task: "shown", **picture.forms},
+            forms=Tasks.forms(self.task) | picture.forms,
             notes=(*picture.notes, *((LEFT_OUT,) if self._brakes and self.task != "solve" else ())),
         )
 
