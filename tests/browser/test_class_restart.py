@@ -18,8 +18,8 @@ from tests.reconnect.site import Site
 
 pytestmark = pytest.mark.browser
 
-BOTH = f"Object.keys({LED}.kept.answers.get('d31/d31-03/1')).length === 2"
-COPIED = f"{LED}.kept.answers.size && !{LED}.kept.stale.size"
+BOTH = f"Object.keys({LED}.copies.answers.get('d31/d31-03/1')).length === 2"
+COPIED = f"{LED}.copies.answers.size && !{LED}.copies.stale.size"
 MINE = 'title = "Mine"\n[[step]]\nid = "pull"\nfrom = "d31-03"\n'
 AGAIN = 30_000
 """Milliseconds for whoever was left alone to come back by itself."""
