@@ -75,7 +75,7 @@ export class Tools {
  * The number of tables that the CSV export has: several are packed into one ZIP file (components/state/csv_export.py).
  * @param {page.PlotBlock[]} blocks @param {Drawn["view"]} view
  */
-function tables(blocks, view) {
+export function tables(blocks, view) {
   /** @type {Map<string, string>} the axis of each column */
   const axes = new Map()
   for (const {curves, regions, x, y} of blocks) {

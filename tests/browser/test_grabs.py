@@ -15,7 +15,7 @@ from components.scenes.coupled.starting import BY_MODES
 from tests.browser.touch import Finger, Mouse, swipe
 from tests.browser.views import choices
 from tests.browser.waiting import QUIET, passed, turned
-from tests.grids import WHOLE
+from tests.grids import WHOLE, spread
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -94,12 +94,12 @@ TURNS = list(zip(HELD_IN, itertools.cycle(["phone", *OTHERS]), strict=False))
 """Every scene on one of the screens."""
 
 
-@pytest.mark.parametrize(("slug", "screen"), itertools.product(HELD_IN, SCREENS) if WHOLE else TURNS)
+@pytest.mark.parametrize("turn", [*itertools.product(HELD_IN, SCREENS)] if WHOLE else spread(TURNS, 2), ids="-".join)
 def test_what_a_hand_has_taken_is_where_the_hand_is(
-    slug: str, screen: str, new_page: Callable[..., Page], open_scene: Open
+    turn: tuple[str, str], new_page: Callable[..., Page], open_scene: Open
 ) -> None:
     """By mouse on a desk, though answers are late there; by finger on phones."""
-    desk = screen == "desk"
+    (slug, screen), desk = turn, turn[1] == "desk"
     page = open_scene(
         new_page(*SCREENS[screen], fresh=True, **({} if desk else {"has_touch": True, "is_mobile": True})), scene=slug
     )

@@ -33,7 +33,9 @@ def arrived(page: Page, slug: str) -> None:
 
 
 def test_every_scene_is_reached_without_loading_a_page(page: Page, open_scene: Open) -> None:
+    """And each plot has the place there that Bokeh gives its figure."""
     asked: list[str] = []
+    page.set_viewport_size({"width": 1001, "height": 611})
     open_scene(page, scene="coupled", k2=3)
     page.evaluate("document.documentElement.dataset.theme = 'dark', globalThis.mine = true")
 
@@ -49,6 +51,7 @@ def test_every_scene_is_reached_without_loading_a_page(page: Page, open_scene: O
         assert page.locator(".page").count() == 1
         seen = page.evaluate("oscillations.plots.filter(plot => plot.host.offsetParent && !plot.absent).length")
         assert page.evaluate("Bokeh.documents.length") == seen + 1
+        page.wait_for_function(SAME_PLACES)
     assert page.evaluate("mine && document.documentElement.dataset.theme") == "dark"
     assert len(asked) == len(set(asked)), "a sheet is fetched once"
     assert not [url for url in asked if "/assets/" not in url]
@@ -128,13 +131,6 @@ def test_a_sheet_that_could_not_be_fetched_is_asked_for_again(browser: Browser, 
     arrived(page, "coupled")
     page.wait_for_function("oscillations.shown.settings.k2.value === 3")
     page.close()
-
-
-def test_a_plot_has_the_place_that_bokeh_gives_its_figure(new_page: Callable[..., Page], open_scene: Open) -> None:
-    page = open_scene(new_page(width=1001, height=611), scene="accuracy")
-    for slug in SCENES:
-        turn(page, slug)
-        page.wait_for_function(SAME_PLACES)
 
 
 def test_a_plot_gets_its_figure_when_it_is_first_seen(page: Page, open_scene: Open) -> None:
