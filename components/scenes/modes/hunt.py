@@ -71,12 +71,8 @@ class Hunt(Declared[HuntCase]):
 
 PLANE = PlotFrame("plane")
 START = PLANE.x(var(Hunt.start[1])), PLANE.y(var(Hunt.start[2]))
-START_GRAB = grab(
-    "Start of both masses",
-    on_plot(PLANE, "x", "x1_0", Hunt.start[1], Axes.x),
-    on_plot(PLANE, "y", "x2_0", Hunt.start[2], Axes.x),
-    inside=PLANE,
-)
+WAYS = on_plot(PLANE, "x", "x1_0", Hunt.start[1], Axes.x), on_plot(PLANE, "y", "x2_0", Hunt.start[2], Axes.x)
+START_GRAB = grab("Start of both masses", *WAYS, inside=PLANE)
 
 
 def sheet() -> Block:
@@ -88,10 +84,9 @@ def sheet() -> Block:
             stage(*_shapes(), label="The chain in motion, and how far each mode swings", grow=1, height=210),
             words(_verdict(), _answer(), style="verdict", phone=7),
             choice("answer", {"hidden": "Answer hidden", "shown": "Reveal"}, "The answer", phone=8),
-            grow=352,
-            gap=10,
+            grow=352, gap=10,
         ),
-    )
+    )  # fmt: skip
 
 
 def _verdict() -> Paragraph:
@@ -118,27 +113,21 @@ def _answer() -> Paragraph:
 
 def _plane() -> Block:
     return plot(
-        PLANE,
-        x=Axes.x,
-        y=Axes.x,
+        PLANE, x=Axes.x, y=Axes.x, x_column=S.x[1],
         title="Displacement of mass 2 against that of mass 1, from a start that can be dragged",
-        x_column=S.x[1],
         curves=(
             curve(Hunt.line["slow", 2], x=Hunt.line["slow", 1], tint="slow", width="sum"),
             curve(Hunt.line["fast", 2], x=Hunt.line["fast", 1], tint="fast", width="dash"),
             curve(S.x[2], source="path", x=S.x[1], tint="ink", signal_x=S.x[1], signal=S.x[2]),
         ),
-        room=Room(64, 10, top=10),
-        square=True,
+        room=Room(64, 10, top=10), square=True,
         handles=(
             Handle(parameter="x1_0", symbol="x₁", label="Start of mass 1", tint="m1", axis="x", covering="m"),
             Handle(parameter="x2_0", symbol="x₂", label="Start of mass 2", tint="m2", axis="y"),
         ),
         shapes=(circle(*START, 8, tint="ink", style="ring", grab=START_GRAB),),
-        grow=536,
-        phone=10,
-        height=380,
-    )
+        grow=536, phone=10, height=380,
+    )  # fmt: skip
 
 
 def _shapes() -> list[Shape]:

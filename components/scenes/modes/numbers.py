@@ -121,7 +121,7 @@ class SolvedNumbers(Declared[TwoMassChain]):
 
 
 class ShareNumbers(Declared[Mixture]):
-    share = share_slow, share_fast = LiveNumber[Mixture].both(lambda m: [f"{three(100 * part)} %" for part in m])
+    share_slow, share_fast = LiveNumber[Mixture].both(lambda m: [f"{three(100 * part)} %" for part in m])
 
 
 def off_line(one: BrakedMode) -> float:

@@ -260,7 +260,7 @@ def _pair(
     """Columns of both frequencies, and of both ratios without sign; none where one is infinite: nothing is coupled."""
 
     def over(one: BothModes, rows: NDArray[np.float64]) -> Columns:
-        return by_name({Sweep.p: values, **{one[mode]: of for mode, of in zip(MODES, rows, strict=True)}})
+        return by_name({Sweep.p: values, one["slow"]: rows[0], one["fast"]: rows[1]})
 
     ratios = over(Sweep.ratio, np.abs(ratio)) if np.all(np.isfinite(ratio)) else {}
     return {f"omega_{name}": over(Sweep.omega, omega), f"ratio_{name}": ratios}
