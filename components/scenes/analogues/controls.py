@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from components.layout.controls import Group
 from components.quantities.parameters import Quantity, count, finite, positive
-from components.scenes.analogues.reach import REACHES
+from components.scenes.analogues.numbers import Forms
+from components.scenes.analogues.reach import LARGEST, REACHES
 from physics.analogue import Analogue, Parameter
 from physics.analogues import ANALOGUES
 
@@ -12,9 +13,6 @@ SWINGING = tuple(slug for slug, system in ANALOGUES.items() if system.length_of)
 """The systems that are linear for small swings only; they share the start theta_0."""
 
 LINEAR = tuple(slug for slug in ANALOGUES if slug not in SWINGING)
-
-LARGEST = 1.5
-"""The largest start on the sliders, as a multiple of a system's own."""
 
 SHORT = {
     "spring": "Spring, mass",
@@ -126,13 +124,13 @@ def groups() -> tuple[Group, ...]:
                 tuple(f"{system.slug}_{parameter.name}" for parameter in system.parameters),
                 system.name,
                 folded=True,
-                form=system.slug,
+                form=Forms.of[system.slug].name,
                 apart=True,
             )
             for system in ANALOGUES.values()
         ),
-        *(Group("", (f"{slug}_start",), form=slug, apart=True) for slug in LINEAR),
-        Group("", ("theta_0",), form="swinging", apart=True),
+        *(Group("", (f"{slug}_start",), form=Forms.of[slug].name, apart=True) for slug in LINEAR),
+        Group("", ("theta_0",), form=Forms.swinging.name, apart=True),
     )
 
 

@@ -1,4 +1,4 @@
-"""The live numbers of the analogues."""
+"""The live numbers of the analogues, and which sentences and formulas stand."""
 
 from __future__ import annotations
 
@@ -7,9 +7,12 @@ import math
 from msgspec.structs import replace
 
 from components.quantities.axes import Axis
-from components.quantities.declared import AxisUnit, Declared, LiveNumber
+from components.quantities.declared import AxisUnit, Declared, Family, Form, LiveNumber, Text
 from components.quantities.numbers import short
 from components.scenes.analogues.case import AnalogueCase
+from components.scenes.analogues.curves import Axes
+from components.scenes.analogues.reach import REMARKS
+from physics.analogues import ANALOGUES
 
 GAP = "\N{NO-BREAK SPACE}"
 
@@ -23,7 +26,7 @@ def degrees(angle: float) -> str:
     return f"{short(math.degrees(angle))}°"
 
 
-number = LiveNumber[AnalogueCase]
+number, form = LiveNumber[AnalogueCase], Form[AnalogueCase]
 
 
 class Numbers(Declared[AnalogueCase]):
@@ -35,13 +38,24 @@ class Numbers(Declared[AnalogueCase]):
     late_percent = number(lambda c: 100 * c.excess)
     end_right = number(lambda c: abs(c.q_0), form=degrees)
     end_left = number(lambda c: -abs(c.q_0), form=degrees)
-    level_unit = AxisUnit("q", following)
+    level_unit = AxisUnit(Axes.q, following)
     system_name = number(lambda c: c.system.name)
     m = number(lambda c: c.spring.m)
     m_unit = number(lambda c: GAP + c.system.inertia_unit)
     k = number(lambda c: c.spring.k)
     k_unit = number(lambda c: GAP + c.system.stiffness_unit)
-    x_unit = number(lambda c: following(replace(c.table_axis, unit="m")))
-    q_unit = number(lambda c: following(c.table_axis))
-    J_unit = number(lambda c: following(c.energy_axis()))
-    E_unit = number(lambda c: following(c.energy_axis()) + ("/m²" if c.system.slug == "wave" else ""))
+    x_unit = AxisUnit(Axes.table, lambda axis: following(replace(axis, unit="m")))
+    q_unit = AxisUnit(Axes.table, following)
+    J_unit = AxisUnit(Axes.energy, following)
+    E_unit = Text[AnalogueCase](lambda c, a: following(Axes.energy(a)) + ("/m²" if c.system.slug == "wave" else ""))
+
+
+class Forms(Declared[AnalogueCase]):
+    system = form(lambda c: c.system.slug)
+    of = Family(ANALOGUES, lambda slug: form(lambda c: c.system.slug == slug), "{}")
+    swinging = form(lambda c: bool(c.pendulum))
+    linear = form(lambda c: not c.pendulum)
+    reach = form(lambda c: c.system.slug if c.q_0 else "rest")
+    q = form(lambda c: c.system.slug)
+    x = form(lambda c: c.system.slug if c.pendulum else "linear")
+    note = form(lambda c: c.system.slug if c.system.slug in REMARKS else "")

@@ -29,6 +29,9 @@ from components.layout.stage import (
     wall,
     wave,
 )
+from components.scenes.analogues.curves import COSINE
+from components.scenes.analogues.curves import Places as P
+from components.scenes.analogues.curves import Swinging as S
 
 WIDTH, HEIGHT = 84, 54
 TWIST = 0.9
@@ -285,22 +288,14 @@ def tiles() -> dict[str, list[Shape]]:
     """The pictures of the picker, by system: all at the same moment of their swing."""
     unit = H / HEIGHT
     canvas = Canvas(W / 2 - unit * (WIDTH / 2), 0, unit)
-    angle = 0.5 * var("cosine")
-    swing = Pose(1, var("cosine"), var("sine"), angle, *small_angle(angle), 1, 0.5, 10)
+    angle = 0.5 * COSINE
+    swing = Pose(1, COSINE, var(S.sine), angle, *small_angle(angle), 1, 0.5, 10)
     return {slug: draw(canvas, swing) for slug, draw in PICTURES.items()}
 
 
 def large(slug: str, canvas: Canvas) -> list[Shape]:
     """One picture on the stage, shown while its system is chosen."""
-    swing = Pose(
-        var("size"),
-        var("pose"),
-        var("size") * var("sine"),
-        var("angle"),
-        var("angle_sine"),
-        var("angle_cosine"),
-        var("half_waves"),
-        var("belly"),
-        var("along"),
-    )
-    return shown_by(slug, *PICTURES[slug](canvas, swing))
+    size, angle = var(P.size), (var(one) for one in (S.angle, S.angle_sine, S.angle_cosine))
+    waves = (var(one) for one in (P.half_waves, P.belly, P.along))
+    swing = Pose(size, var(S.pose), size * var(S.sine), *angle, *waves)
+    return shown_by(P.of[slug], *PICTURES[slug](canvas, swing))

@@ -2,6 +2,9 @@
 
 from typing import Literal, NamedTuple
 
+LARGEST = 1.5
+"""The largest start on the sliders, as a multiple of a system's own."""
+
 
 class Reach(NamedTuple):
     """The ends of a slider, and how it is divided."""

@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-import math
-
 from components.language.blocks import Block
 from components.language.plots import Handle, Mark
-from components.layout.plots import Room, curve, plot
+from components.layout.plots import Room, curve, mark, plot
 from components.layout.sheet import Paragraph, column, desk, either, row, stage, table, term, when, words
-from components.quantities.declared import Named
 from components.quantities.numbers import three
 from components.scene.traces import traced
-from components.scenes.analogues.case import LIMITS
 from components.scenes.analogues.controls import SWINGING
+from components.scenes.analogues.curves import ANGLES, LIMITS, Axes, Hung
+from components.scenes.analogues.curves import Lateness as L
+from components.scenes.analogues.curves import Signals as S
 from components.scenes.analogues.numbers import GAP
+from components.scenes.analogues.numbers import Forms as F
 from components.scenes.analogues.numbers import Numbers as N
 from components.scenes.analogues.reach import IN_TRUTH, REMARKS
-from components.scenes.analogues.stage import over_lateness, over_motion, shapes
+from components.scenes.analogues.stage import LATE, MOTION, over_lateness, over_motion, shapes
 from physics.analogues import ANALOGUES
-from physics.pendulum import amplitude_at_excess
 
 TASK = "Choose a system: what has the role of the mass, and what that of the spring?"
 AIRCRAFT: list[Paragraph] = [
@@ -63,8 +62,8 @@ def analogue_sheet() -> Block:
 
 def _motion() -> Block:
     (rule, rule_band), (swing, swing_band) = (
-        traced("x", tint="m1", width="dash", read="spring"),
-        traced("q", tint="m1", width="sum", read="exact", signal="level"),
+        traced(S.x, tint="m1", width="dash", read="spring"),
+        traced(S.q, tint="m1", width="sum", read="exact", signal=S.level),
     )
     exact = {slug: rf"{ANALOGUES[slug].coordinate} \text{{ exact}}" for slug in SWINGING}
     cosine = {
@@ -74,15 +73,15 @@ def _motion() -> Block:
     }
     rules = {slug: rf"{_STARTS[slug]} \cos({N.omega} t) \text{{ spring}}" for slug in SWINGING}
     return plot(
-        "motion",
-        x="t",
-        y="q",
+        MOTION,
+        x=Axes.t,
+        y=Axes.q,
         title="The coordinate of the chosen system and of the spring of equal frequency, against time",
         curves=(rule, swing),
         bands=(rule_band, swing_band),
         heading=(
-            term("q", "sum", "m1", **exact, **cosine),
-            term("x", "dash", "m1", **rules, linear=r"\text{spring}"),
+            term(S.q, "sum", "m1", form=F.q, **exact, **cosine),
+            term(S.x, "dash", "m1", form=F.x, **rules, linear=r"\text{spring}"),
             term("", "none", "mute", formula=r"\val{speed}"),
         ),
         cursor="time",
@@ -99,31 +98,24 @@ def _roles() -> Block:
     systems = ANALOGUES.items()
     T, V = ({slug: s.T_formula for slug, s in systems}, {slug: EXACT_V.get(slug, s.V_formula) for slug, s in systems})
     rows = [
-        _role("m1", "x", "x", N.x_unit, {slug: s.coordinate for slug, s in systems}, "q", N.q_unit),
-        _role("m1", "m", "m", f"{GAP}kg", {slug: s.inertia_formula for slug, s in systems}, "m", N.m_unit),
-        _role("k", "k", "k", f"{GAP}N/m", {slug: s.stiffness_formula for slug, s in systems}, "k", N.k_unit),
-        _role("T", "T", r"\tfrac{1}{2} m \dot{x}^2", N.J_unit, T, "T_q", N.E_unit),
-        _role("V", "V", r"\tfrac{1}{2} k x^2", N.J_unit, V, "V_q", N.E_unit),
+        _role("m1", "x", "x", f"{S.x}${N.x_unit}", {slug: s.coordinate for slug, s in systems}, f"{S.q}${N.q_unit}"),
+        _role("m1", "m", "m", f"{N.m}${GAP}kg", {slug: s.inertia_formula for slug, s in systems}, f"{N.m}${N.m_unit}"),
+        _role(
+            "k", "k", "k", f"{N.k}${GAP}N/m", {slug: s.stiffness_formula for slug, s in systems}, f"{N.k}${N.k_unit}"
+        ),
+        _role("T", "T", r"\tfrac{1}{2} m \dot{x}^2", f"{S.T_x}${N.J_unit}", T, f"{S.T_q}${N.E_unit}"),
+        _role("V", "V", r"\tfrac{1}{2} k x^2", f"{S.V_x}${N.J_unit}", V, f"{S.V_q}${N.E_unit}"),
     ]
     omega = {slug: f"${s.omega_formula} = {N.omega}$ rad/s" for slug, s in systems}
-    rows.append(["natural frequency", rf"$\sqrt{{k/m}} = {N.omega}$ rad/s", either("system", **omega)])
+    rows.append(["natural frequency", rf"$\sqrt{{k/m}} = {N.omega}$ rad/s", either(F.system, **omega)])
     rows.append(AIRCRAFT)
     return table(*rows, head=["", "Spring and mass", f"{N.system_name}"], phone=30, style="roles")
 
 
-def _role(
-    tint: str, symbol: str, formula: str, unit: Named | str, formulas: dict[str, str], own: str, own_unit: Named
-) -> list[Paragraph]:
-    """A row: its name, the spring's side, the chosen system's side."""
-    value = {"T": "T_x", "V": "V_x"}.get(symbol, symbol)
-    return [
-        f"role of ${symbol}$",
-        f"[{tint}|${formula} = \\val{{{value}}}${unit}]",
-        either(
-            "system",
-            **{slug: f"[{tint}|${text} = \\val{{{own}}}${own_unit}]" for slug, text in formulas.items()},
-        ),
-    ]
+def _role(tint: str, symbol: str, formula: str, value: str, formulas: dict[str, str], own: str) -> list[Paragraph]:
+    """A row: its name, the spring's side, the chosen system's side; the values end their formulas."""
+    ours = {slug: f"[{tint}|${text} = {own}]" for slug, text in formulas.items()}
+    return [f"role of ${symbol}$", f"[{tint}|${formula} = {value}]", either(F.system, **ours)]
 
 
 def _equation() -> Block:
@@ -137,7 +129,7 @@ def _equation() -> Block:
     }
     return words(
         either(
-            "system",
+            F.system,
             **{
                 slug: rf"**Exactly** ${equation}$; **for small angles** $\sin \theta \approx \theta$"
                 if slug in SWINGING
@@ -159,34 +151,32 @@ def _lateness() -> Block:
     )
     handle = Handle(parameter="theta_0", symbol="θ₀", label="Angle at the start, °", tint="m1", unit="°")
     return plot(
-        "late",
-        x="angle",
-        y="late",
+        LATE,
+        x=Axes.angle,
+        y=Axes.late,
         title="How much longer the period is than that of small swings, in percent, against the angle at the start",
         curves=(
-            curve("excess", source="late", x="angle", tint="ink", width="sum", read="longer by"),
-            *(
-                curve("excess", source=name, x="angle", tint=tint, width="none", marker="disc", group=name)
-                for name, tint in (("limits", "ink"), ("here", "m1"))
-            ),
+            curve(L.excess, x=L.angle, tint="ink", width="sum", read="longer by"),
+            curve(L.limit, x=L.limit_angle, tint="ink", width="none", marker="disc", group="limits"),
+            curve(L.here, x=L.here_angle, tint="m1", width="none", marker="disc", group="here"),
         ),
         heading=tuple(term("", "none", "ink", formula=part) for part in late),
-        x_column="angle",
+        x_column=L.angle,
         handles=(handle,),
-        marks=tuple(_flag(name, excess) for name, excess in LIMITS.items()),
+        marks=tuple(map(_flag, LIMITS)),
         shapes=over_lateness(),
         room=Room(48, 30, top=46),
         phone=20,
         height=240,
-        form="swinging",
+        form=F.swinging,
     )
 
 
-def _flag(name: str, excess: float) -> Mark:
-    """The button that starts the pendulum where its swing is late by `excess`."""
-    start = f"{three(math.degrees(amplitude_at_excess(excess)))}°"
-    return Mark(
-        at=name,
+def _flag(key: str) -> Mark:
+    """The button that starts the pendulum where its swing is late by as much."""
+    start, excess = f"{three(ANGLES[key])}°", LIMITS[key]
+    return mark(
+        Hung.late[key],
         tint="mute",
         style="dashed",
         html=f"<b>{100 * excess:g} %</b><span>{start}</span>",
@@ -199,11 +189,11 @@ def _formula() -> Block:
     """The formula of a system that is linear at any size: its frequency, large, and what there is to say of it."""
     omega = {slug: rf"$\omega_n = {s.omega_formula}$" for slug, s in ANALOGUES.items() if slug not in SWINGING}
     block = words(
-        either("system", **omega),
+        either(F.system, **omega),
         f"$= {N.omega}$ rad/s",
         f"{N.frequency} Hz, one swing takes {N.period} s",
         either(
-            "reach",
+            F.reach,
             rest="**Nothing moves:** it is let go where it rests.",
             **{
                 slug: "**This model is linear at any size:** the spring's dashed line stays under the curve, however "
@@ -211,9 +201,9 @@ def _formula() -> Block:
                 for slug, reason in IN_TRUTH.items()
             },
         ),
-        either("note", **REMARKS),
+        either(F.note, **REMARKS),
         style="omega",
         grow=1,
         phone=20,
     )
-    return when("linear", block)
+    return when(F.linear, block)

@@ -7,29 +7,33 @@ from components.language.shapes import Turn
 from components.layout.grabs import begin
 from components.layout.stage import (
     NARROW,
+    ON_WIDE,
     WIDE,
     H,
+    PlotFrame,
     Shape,
+    T,
     W,
     arc,
     arrow,
     box,
     circle,
     line,
-    on_x,
-    on_y,
     shown_by,
     spring,
     text,
     wall,
 )
 from components.scenes.analogues.case import DEGREE
+from components.scenes.analogues.curves import Ends, Hung
+from components.scenes.analogues.curves import Places as P
+from components.scenes.analogues.curves import Swinging as S
 from components.scenes.analogues.held import ANGLE, HELD, held, held_spring, rocked, turned
 from components.scenes.analogues.numbers import Numbers as N
 from components.scenes.analogues.pictures import HEIGHT, PICTURES, WIDTH, Canvas, large
 from physics.analogues import ANALOGUES
 
-PLOT = "motion"
+MOTION, LATE = PlotFrame("motion"), PlotFrame("late")
 TWIN = W - 46
 """Where the spring and mass stands."""
 SIDE = 0.112 * H
@@ -66,8 +70,8 @@ def coordinates() -> list[Shape]:
         text(
             CENTRE,
             over.get(slug, 0.55 * H - UNIT * (HEIGHT / 2) - 6),
-            f"{symbol.replace('_n*', '*_n')} = {{level}}{N.level_unit}",
-            show=slug,
+            f"{symbol.replace('_n*', '*_n')} = {S.level}{N.level_unit}",
+            show=P.of[slug],
             **look,
         )
         for slug, symbol in COORDINATES.items()
@@ -76,52 +80,52 @@ def coordinates() -> list[Shape]:
 
 def pendulum() -> list[Shape]:
     """Pivot, arc of travel, the bob, and in outline, a ring around it, where the small-angle rule would have it."""
-    x, y, rod, radius = CENTRE, var("pivot") * H, var("rod") * H, 0.066 * H
-    bob = (x + rod * var("angle_sine"), y + rod * var("angle_cosine"))
-    rule = (x + rod * var("rule_sine"), y + rod * var("rule_cosine"))
-    end, near, ends = var("theta_0"), rod - 7, []
-    turn = Turn(parameter="theta_0", moves="angle", size=DEGREE, x=x, y=y)
+    x, y, rod, radius = CENTRE, var(Hung.pivot) * H, var(Hung.rod) * H, 0.066 * H
+    bob = (x + rod * var(S.angle_sine), y + rod * var(S.angle_cosine))
+    rule = (x + rod * var(S.rule_sine), y + rod * var(S.rule_cosine))
+    end, near, ends = var(Hung.theta_0), rod - 7, []
+    turn = Turn(parameter="theta_0", moves=S.angle.name, size=DEGREE, x=x, y=y)
     swing = begin("Bob, start", turn, start=ANGLE)
     found = [wall(x - 42, y, 84, side="top"), line(x, y, x, y + rod + 34, style="eq", tint="mute")]
     found.append(arc(x, y, rod, -1 * end, end, style="eq", tint="mute"))
     for side in (-1, 1):
-        along, down = side * var("end_sine"), var("end_cosine")
+        along, down = side * var(Hung.end_sine), var(Hung.end_cosine)
         ends.append(line(x + along * near, y + down * near, x + along * (rod + 7), y + down * (rod + 7), style="floor"))
         label = f"{N.end_right}" if side > 0 else f"{N.end_left}"
         anchor = "start" if side > 0 else "end"
         place = (x + along * rod + side * (radius + 9), y + down * rod - 4)
-        ends.append(text(*place, label, anchor, tint="mute", show="wide"))
+        ends.append(text(*place, label, anchor, tint="mute", show=ON_WIDE))
     found += [
-        *shown_by("ends_seen", *ends),
+        *shown_by(Hung.ends_seen, *ends),
         line(x, y, *rule, style="faint"),
         circle(*rule, radius + 4, style="ghost", tint="m1"),
-        text(rule[0], rule[1] - radius - 10, "spring", tint="m1", style="t0 halo", show="wide"),
+        text(rule[0], rule[1] - radius - 10, "spring", tint="m1", style="t0 halo", show=ON_WIDE),
         line(x, y, *bob, style="rod"),
-        arc(x, y, 0.42 * rod, 0, var("angle"), style="sum", tint="m1"),
+        arc(x, y, 0.42 * rod, 0, var(S.angle), style="sum", tint="m1"),
         arrow(*bob, bob[0], bob[1] + 0.17 * H, tint="k", style="thick", head=17),
         circle(*bob, radius, style="body", tint="m1", grab=swing),
         text(bob[0], bob[1] + 5, "*m*", tint="m1", style="t3 on"),
         text(bob[0] + 12, bob[1] + 0.16 * H, "*m g*", anchor="start", tint="k", style="t2 b halo"),
         circle(x, y, 5, style="dot", tint="ink"),
     ]
-    return shown_by("pendulum", *found)
+    return shown_by(P.of["pendulum"], *found)
 
 
 def height(q: Number) -> Expression:
     """The height of a coordinate: on the axis of the plot beside it; on a phone, on one like it."""
-    return WIDE * on_y(PLOT, q) + NARROW * (0.45 * H - 0.24 * H * var("per_q") * q)
+    return WIDE * MOTION.y(q) + NARROW * (0.45 * H - 0.24 * H * var(P.per_q) * q)
 
 
 def twin() -> list[Shape]:
     """The spring and mass of equal omega: it stands at the plot's axis and runs along it."""
     level = height(0)
-    foot = WIDE * (var(f"{PLOT}.bottom") + 16) + NARROW * (H - 10)
-    y = height(var("rule"))
+    foot = WIDE * (MOTION.bottom + 16) + NARROW * (H - 10)
+    y = height(var(S.rule))
     return [
         wall(TWIN - 36, foot, 72, side="bottom"),
-        line(TWIN - 36, level, WIDE * var(f"{PLOT}.left") + NARROW * W, level, style="eq", tint="mute"),
+        line(TWIN - 36, level, WIDE * MOTION.left + NARROW * W, level, style="eq", tint="mute"),
         spring(TWIN, y + SIDE / 2, TWIN, foot, 2.4, height=0.036 * H),
-        line(TWIN + SIDE / 2, y, on_x(PLOT, var("t")), y, style="level", tint="m1", show="wide"),
+        line(TWIN + SIDE / 2, y, MOTION.x(T), y, style="level", tint="m1", show=ON_WIDE),
         box(TWIN, y + SIDE / 2, SIDE, "*m*", tint="m1", held=True),
         *(held_spring(slug, TWIN, height) for slug in ANALOGUES),
     ]
@@ -129,28 +133,27 @@ def twin() -> list[Shape]:
 
 def over_motion() -> tuple[Shape, ...]:
     """The spring's place on its curve; how late the third swing is, or how long one that is linear takes."""
-    y = on_y(PLOT, var("amplitude")) - 9
-    found = [circle(on_x(PLOT, var("t")), on_y(PLOT, var("rule")), 5, style="ghost", tint="m1", show="rule_seen")]
-    for show, start, end, words in (
-        ("late_seen", "third_rule", "third_swing", f"after 3 swings {N.late} s behind"),
-        ("period_seen", "first_peak", "second_peak", f"one swing {N.period} s"),
-    ):
-        a, b = on_x(PLOT, var(start)), on_x(PLOT, var(end))
-        ticks = [line(at, y - 5, at, y + 9, style="floor") for at in (a, b)]
-        heads = [arrow(a, y, b, y, head=8, style="thin")]
-        if show == "period_seen":
-            heads.append(arrow(b, y, a, y, head=8, style="thin"))
-        label = text((a + b) / 2, y - 8, words, style="b halo")
-        found += shown_by(show, *ticks, *heads, label)
+    y = MOTION.y(var(P.amplitude)) - 9
+    found = [circle(MOTION.x(T), MOTION.y(var(S.rule)), 5, style="ghost", tint="m1", show=Hung.rule_seen)]
+    a, b = MOTION.x(var(Ends.first)), MOTION.x(var(Ends.second))
+    found += shown_by(
+        Ends.second,
+        *(line(at, y - 5, at, y + 9, style="floor") for at in (a, b)),
+        arrow(a, y, b, y, head=8, style="thin"),
+        arrow(b, y, a, y, head=8, style="thin", show=Ends.period_seen),
+        text((a + b) / 2, y - 8, f"after 3 swings {N.late} s behind", style="b halo", show=Ends.late_seen),
+        text((a + b) / 2, y - 8, f"one swing {N.period} s", style="b halo", show=Ends.period_seen),
+    )
     return tuple(found)
 
 
 def over_lateness() -> tuple[Shape, ...]:
     """The shapes over T/T_0 - 1: the dotted line to the axis and the number at the point."""
-    x, y = on_x("late", var("size_angle")), on_y("late", var("late_now"))
-    return (
-        line(on_x("late", 0), y, x, y, style="level", show="rule_seen"),
-        line(x, y, x, on_y("late", 0), style="", tint="m1", show="rule_seen"),
-        text(x - 10, y - 8, f"+{N.late_percent} %", "end", style="t2 b halo", show="rule_seen late_before"),
-        text(x + 10, y - 8, f"+{N.late_percent} %", "start", style="t2 b halo", show="rule_seen late_after"),
+    x, y = LATE.x(var(Hung.size_angle)), LATE.y(var(Hung.late_now))
+    lines = (
+        line(LATE.x(0), y, x, y, style="level"),
+        line(x, y, x, LATE.y(0), style="", tint="m1"),
+        text(x - 10, y - 8, f"+{N.late_percent} %", "end", style="t2 b halo", show=Hung.late_before),
+        text(x + 10, y - 8, f"+{N.late_percent} %", "start", style="t2 b halo", show=Hung.late_after),
     )
+    return tuple(shown_by(Hung.rule_seen, *lines))

@@ -1,0 +1,195 @@
+"""The curves of the analogues, their axes and the columns of the lateness, and the places on their stage."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import numpy as np
+from msgspec.structs import replace
+
+from components.language.numbers import Expression, var
+from components.quantities import declared
+from components.quantities.axes import ONE, Axis, nice_axis, time_axis
+from components.quantities.declared import Column, Declared, DrawnAxis, Family, Scalar, Signal, by_name
+from components.quantities.motion import QUARTER, cosine_of, derived, sampled, sine_of, sines
+from components.quantities.numbers import MINUS, short
+from components.scene.traces import BAND, Columns, Floats, Traces, band_columns, samples
+from components.scenes.analogues.case import DEGREE, AnalogueCase
+from components.scenes.analogues.reach import LARGEST
+from physics.analogues import ANALOGUES
+from physics.pendulum import amplitude_at_excess, excess
+
+LIMITS = {"01": 0.001, "1": 0.01, "5": 0.05}
+"""Excesses T/T_0 - 1 that have a flag."""
+ANGLES = {key: math.degrees(amplitude_at_excess(value)) for key, value in LIMITS.items()}
+"""Starts in degrees whose swings are late by these."""
+
+signal, scalar, of_late = Signal[AnalogueCase], Scalar[AnalogueCase], Column[AnalogueCase]
+
+
+class Axes(Declared[AnalogueCase]):
+    """Axes of the plots, and axes on which the table counts x and q, and energies."""
+
+    t, q, angle, late, table, energy = DrawnAxis.some(6)
+
+
+def axes_of(case: AnalogueCase) -> dict[str, Axis]:
+    """The axes of the plots; angle and lateness reach to 90 degrees and 19 %, or as far as the start is beyond."""
+    wide = case.pendulum is not None and abs(case.q_0) > 88 * DEGREE
+    end, step = (180, 60) if wide else (90, 30)
+    ticks, here = tuple(float(tick) for tick in range(0, end + 1, step)), math.degrees(abs(case.q_0))
+    late = nice_axis(0.0, max(1.25 * case.excess, 0.19), "%", 2, exact=True, factor=0.01)
+    return by_name({
+        Axes.t: time_axis(case.own_end),
+        Axes.q: _coordinate_axis(case),
+        Axes.angle: Axis(0.0, end, "°", ticks=ticks, drawn=(0.0, here if case.pendulum else 0.0)),
+        Axes.late: replace(late, drawn=(0.0, case.excess)),
+    })  # fmt: skip
+
+
+def _coordinate_axis(case: AnalogueCase) -> Axis:
+    """The axis of the coordinate, with ticks at the amplitude; angles of pendulums in degrees."""
+    unit, factor = ("°", DEGREE) if case.pendulum else (case.system.unit, 1.0)
+    size = abs(case.q_0)
+    axis = nice_axis(-size, size, unit, factor=factor)
+    top = axis.place(size) or 1.0
+    text = f"{top:.4g}" if 1 <= top < 1000 else short(top)
+    labels = (MINUS + text, "0", text + axis.gap + axis.full_unit)
+    start, end = 1.3 * -size or axis.start, 1.3 * size or axis.end
+    return replace(axis, start=start, end=end, ticks=(-top, 0.0, top), labels=labels, drawn=(-size, size))
+
+
+def table_axes(case: AnalogueCase) -> dict[str, Axis]:
+    table = nice_axis(-abs(case.q_0), abs(case.q_0), case.system.unit)
+    return by_name({Axes.table: table, Axes.energy: nice_axis(0.0, case.energy, "J")})
+
+
+class Places(Declared[AnalogueCase]):
+    """The chosen system, its sizes on the stage, and the half waves of what vibrates."""
+
+    of = Family(ANALOGUES, lambda slug: scalar(), "{}")
+    amplitude = scalar(lambda c, a: Axes.q(a).place(abs(c.q_0)))
+    per_q = scalar(lambda c, a: 1.3 / Axes.q(a).place(Axes.q(a).end))
+    size = scalar(lambda c, a: math.copysign(min(abs(c.q_0) / (LARGEST * c.system.swing), 1.0), c.q_0))
+    half_waves = scalar(lambda c, a: c.half_waves)
+    along = scalar(lambda c, a: 10 / c.half_waves)
+    belly = scalar(lambda c, a: 0.5 / c.half_waves)
+
+
+class Signals(Declared[AnalogueCase]):
+    """cos and sin of omega t; the share of the amplitude at which q stands; numbers from these."""
+
+    cosine = signal(lambda c, a: sines(ONE, Axes.t(a), (1.0, c.omega, QUARTER)))
+    sine = signal(lambda c, a: sines(ONE, Axes.t(a), (1.0, c.omega, 0.0)))
+    share = signal(lambda c, a: sampled(Axes.t(a), c.period, *c.swings.share) if c.pendulum else derived(COSINE))
+    root = signal(lambda c, a: sampled(Axes.t(a), c.period, *c.swings.root) if c.pendulum else derived(COSINE))
+    level = signal(lambda c, a: derived(Axes.q(a).place(c.q_0) * SHARE), Axes.q, signed=True)
+    pose = signal(lambda c, a: derived(var(Places.size) * SHARE))
+    rule = signal(lambda c, a: derived(Axes.q(a).place(c.q_0) * COSINE))
+    x = signal(lambda c, a: derived(Axes.table(a).place(c.q_0) * COSINE), Axes.table, signed=True)
+    q = signal(lambda c, a: derived(Axes.table(a).place(c.q_0) * SHARE), Axes.table, signed=True)
+    T_x = signal(lambda c, a: derived(Axes.energy(a).place(c.energy) * SINE_SQUARED), Axes.energy)
+    V_x = signal(lambda c, a: derived(Axes.energy(a).place(c.energy) * COSINE_SQUARED), Axes.energy)
+    T_q = signal(lambda c, a: derived(Axes.energy(a).place(c.exact_energy) * REST), Axes.energy)
+    V_q = signal(lambda c, a: derived(Axes.energy(a).place(c.exact_energy) * ROOT_SQUARED), Axes.energy)
+
+
+class Swinging(Signals):
+    """The signals of what swings, with its angle and that of the small-angle rule."""
+
+    angle = signal(lambda c, a: derived(c.q_0 * SHARE))
+    rule_angle = signal(lambda c, a: derived(c.q_0 * COSINE))
+    angle_sine = signal(lambda c, a: sine_of(Swinging.angle))
+    angle_cosine = signal(lambda c, a: cosine_of(Swinging.angle))
+    rule_sine = signal(lambda c, a: sine_of(Swinging.rule_angle))
+    rule_cosine = signal(lambda c, a: cosine_of(Swinging.rule_angle))
+
+
+COSINE: Expression = var(Signals.cosine)
+SHARE: Expression = var(Signals.share)
+COSINE_SQUARED: Expression = COSINE * COSINE
+SINE_SQUARED: Expression = var(Signals.sine) * var(Signals.sine)
+ROOT_SQUARED: Expression = var(Signals.root) * var(Signals.root)
+REST: Expression = 1 - ROOT_SQUARED
+
+
+def exact(case: AnalogueCase, t: Floats) -> Columns:
+    """The coordinate q, and that of the spring, x."""
+    q = x = case.spring.motion(case.q_0, 0.0, t).x
+    if case.pendulum:
+        motion, size = case.swing(t)
+        q = motion.theta * (case.q_0 / size)
+    return by_name({Signals.x: x, Signals.q: q})
+
+
+def traces_of(case: AnalogueCase) -> Traces:
+    """Curves of x and q, drawn of signals on the axis of q; none where they are too fast to draw."""
+    of = {Signals.x.name: Signals.rule.name, Signals.q.name: Signals.level.name}
+    names = tuple(of) if case.drawable else ()
+    return Traces(case.end, samples(case.end, case.omega), names, lambda t: exact(case, t), of)
+
+
+class Lateness(Declared[AnalogueCase]):
+    """T/T_0 - 1 against the angle in degrees: as a curve, where there is a flag, and here."""
+
+    angle, excess = of_late.some(2, "late")
+    limit_angle = of_late("limits", lambda c: np.array(list(ANGLES.values())), "angle")
+    limit = of_late("limits", lambda c: np.array(list(LIMITS.values())), "excess")
+    here_angle = of_late("here", lambda c: np.array([math.degrees(abs(c.q_0))]), "angle")
+    here = of_late("here", lambda c: np.array([c.excess]), "excess")
+
+
+@cache
+def _lateness(end: float) -> Columns:
+    """The curve of the lateness up to `end` degrees."""
+    angles = np.linspace(0.0, min(end, 179.9), 121)
+    return by_name({Lateness.angle: angles, Lateness.excess: np.array([excess(math.radians(a)) for a in angles])})
+
+
+def columns_of(case: AnalogueCase, axes: declared.Axes) -> dict[str, Columns]:
+    """A pendulum's lateness, and the bands that q and x fill where they are too fast to draw."""
+    late = {"late": _lateness(Axes.angle(axes).end), **Lateness.columns(case)} if case.pendulum else {}
+    columns: dict[str, Columns] = {"late": {}, "limits": {}, "here": {}, **late, BAND: {}}
+    if not case.drawable:
+        t = np.linspace(0.0, case.end, samples(case.end, case.omega))
+        high = np.full_like(t, abs(case.q_0))
+        ends = [name for one in (Signals.x, Signals.q) for name in band_columns(one)]
+        columns[BAND] = {"t": t, **dict(zip(ends, (-high, high, -high, high), strict=True))}
+    return columns
+
+
+class Hung(Declared[AnalogueCase]):
+    """The places of what swings, lower and shorter where it is over its pivot, of its ends, and of its lateness."""
+
+    pivot = scalar(lambda c, a: 0.14 if abs(c.q_0) <= 91 * DEGREE else 0.46)
+    rod = scalar(lambda c, a: 0.5 if abs(c.q_0) < 61 * DEGREE else 0.43 if abs(c.q_0) <= 91 * DEGREE else 0.3)
+    theta_0 = scalar(lambda c, a: abs(c.q_0))
+    ends_seen = scalar(lambda c, a: abs(c.q_0) < 150 * DEGREE)
+    end_sine = scalar(lambda c, a: math.sin(abs(c.q_0)))
+    end_cosine = scalar(lambda c, a: math.cos(abs(c.q_0)))
+    size_angle = scalar(lambda c, a: math.degrees(abs(c.q_0)))
+    late_now = scalar(lambda c, a: Axes.late(a).place(c.excess))
+    rule_seen = scalar(lambda c, a: 1.0)
+    late_before = scalar(lambda c, a: abs(c.q_0) > 25 * DEGREE)
+    late_after = scalar(lambda c, a: abs(c.q_0) <= 25 * DEGREE)
+    late = Family(LIMITS, lambda key: scalar(lambda c, a: round(ANGLES[key], 4)))
+
+
+class Ends(Declared[AnalogueCase]):
+    """The ends of three swings of the rule and of what swings; of what is linear, the first peaks after the start."""
+
+    late_seen = scalar(lambda c, a: c.pendulum is not None)
+    period_seen = scalar(lambda c, a: c.pendulum is None)
+    first = scalar(lambda c, a: Axes.t(a).place(3 * c.spring.period if c.pendulum else c.period))
+    second = scalar(lambda c, a: Axes.t(a).place((3 if c.pendulum else 2) * c.period))
+
+
+def scalars_of(case: AnalogueCase, axes: declared.Axes) -> dict[str, float]:
+    """The places of the chosen system; no peak is marked that is not drawn or has left its frame."""
+    found = Places.scalars(case, axes) | by_name({Places.of[case.system.slug]: 1.0})
+    if case.pendulum:
+        found |= Hung.scalars(case, axes)
+    if case.drawable and abs(case.q_0) <= Axes.q(axes).end and case.end >= (3.1 if case.pendulum else 2) * case.period:
+        found |= Ends.scalars(case, axes)
+    return found
