@@ -108,14 +108,10 @@ class Guess:
         one, two = map(float, self.push.amplitude)
         return one, two
 
-    @cached_property
-    def largest(self) -> Decimal:
-        """The largest force."""
-        return max(abs(value) for pair in self.push[1:] for value in pair)
-
     def arrow(self, force: Decimal) -> float:
         """The length of the arrow of a force at full swing, as a fraction of the stage's width."""
-        return REACH * float(force / self.largest) if self.largest else 0.0
+        largest = max(abs(value) for pair in self.push[1:] for value in pair)
+        return REACH * float(force / largest) if largest else 0.0
 
     @cached_property
     def w_in(self) -> bool:
@@ -196,9 +192,6 @@ class GuessCurves(Declared[Guess]):
     row2_below, row2_above = Column[Guess]("row2_below"), Column[Guess]("row2_above")
 
 
-C = GuessCurves
-
-
 def _swung(guess: Guess, axes: declared.Axes, size: float) -> AnySignal:
     """A motion of the guess, from full swing; at omega = 0 it stays there."""
     return sines(METRES, GuessAxes.t(axes), (size, guess.omega, QUARTER))
@@ -262,8 +255,7 @@ def picture(system: TwoMassChain, omega: float, ratio: float, window: float | No
     end = _end(float(modes.omega[1]), omega)
     reach, shape = _shape_axis(modes)
     across = replace(squared_axis(end, "(rad/s)²", 3), drawn=(0.0, max(float(modes.omega[1]), min(omega, end))))
-    time = time_axis(window or (periods(omega, 4) if omega else NOTHING_OSCILLATES))
-    A = GuessAxes
+    A, time = GuessAxes, time_axis(window or (periods(omega, 4) if omega else NOTHING_OSCILLATES))
     axes = framed(frame, by_name({A.w: across, A.r: shape, A.t: time}))
     columns, det, exponent = _columns(system, A.w(axes).end, reach)
     axes |= framed(frame, by_name({A.D: det}))
@@ -320,7 +312,7 @@ def _end(fast: float, omega: float) -> float:
 
 
 def _columns(system: TwoMassChain, end: float, largest: float) -> tuple[dict[str, Columns], Axis, int]:
-    first, second = row_curves(system, end, largest)
+    C, (first, second) = GuessCurves, row_curves(system, end, largest)
     columns = {C.row1.source: by_name({C.w: first.omega[0], C.row1: first.ratio[0]})}
     for one, w, r in zip((C.row2_below, C.row2_above), second.omega, second.ratio, strict=False):
         columns[one.source] = by_name({C.w: w, one: r})
