@@ -150,7 +150,6 @@ def test_a_phone_that_wakes_has_what_was_shown_meanwhile(
         proxy.silence()  # what it had open is dead when it wakes
         lecture.evaluate("oscillations.open({scene: 'forced'})")
         lecture.wait_for_function("oscillations.page.spec.slug === 'forced'")
-        lecture.wait_for_timeout(3000)
         assert page.evaluate("oscillations.page.spec.slug") == "coupled"
         page.evaluate(HIDDEN, False)
         page.wait_for_function("oscillations.page.spec.slug === 'forced'", timeout=5000)

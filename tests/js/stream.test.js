@@ -109,6 +109,23 @@ test("a page that wakes tries in haste, and uses up what has died meanwhile", as
   assert.ok(server.asked.filter(({path}) => path === "time").every(({signal}) => signal.aborted))
 })
 
+test("a phone in a pocket has no stream and asks nothing until it is seen, then at once", async () => {
+  const seen = is => {
+    document.hidden = !is
+    document.dispatchEvent(new Event("visibilitychange"))
+  }
+  server.answers = (path, signal) => events(signal).answer
+  begin({sleeps: true})
+  await pass(10)
+  seen(false)
+  await pass(30000)
+  assert.ok(server.asked[0].signal.aborted)
+  assert.equal(server.asked.length, 1)
+  seen(true)
+  await pass(10)
+  assert.equal(server.asked.length, 2)
+})
+
 test("a page that nothing reaches asks less and less often, and at once where the network is back", async () => {
   server.answers = () => {
     throw new TypeError("Failed to fetch")
