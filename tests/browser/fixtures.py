@@ -110,6 +110,17 @@ def page(new_page: Callable[..., Page]) -> Page:
     return new_page()
 
 
+@pytest.fixture(scope="module")
+def turning(browser: Browser, server: Server) -> Iterator[Page]:
+    """A page for all tests of a module, which is turned from scene to scene."""
+    tab = Tab(browser, {"width": 1280, "height": 720}, {"bypass_csp": True})
+    tab.page.goto(f"{server.url}?scene={next(iter(SCENES))}")
+    tab.page.wait_for_function(READY)
+    yield tab.page
+    tab.close()
+    assert not tab.faults, "\n".join(tab.faults)
+
+
 @pytest.fixture
 def open_scene(server: Server) -> Callable[..., Page]:
     """Opens a link on a page and waits until the scene is drawn: `open_scene(page, scene="forced", k2=3)`.

@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Page, WebSocket, expect
 
 from components.scenes import SCENES
-from tests.browser.waiting import passed, played, seek
+from tests.browser.waiting import passed, played, seek, turned
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -48,24 +48,25 @@ SIZES = {"": (1280, 720), "-hall-dark": (1920, 1080), "-phone-dark": (390, 844)}
 
 @slugs
 def test_scene_draws_and_fits_desk_hall_and_phone(
-    slug: str, page: Page, open_scene: Open, screenshot: Callable[[Page, str], Path]
+    slug: str, turning: Page, screenshot: Callable[[Page, str], Path]
 ) -> None:
-    open_scene(page, scene=slug, folded=True)
-    expect(page.get_by_role("heading", level=1)).to_have_text(SCENES[slug].headline)
-    plots = page.evaluate(INKED)
-    assert plots
-    assert all(plot["inked"] for plot in plots), plots
+    turned(turning, slug, {})
+    expect(turning.get_by_role("heading", level=1)).to_have_text(SCENES[slug].headline)
+    turning.wait_for_function(f"(plots => plots.length && plots.every(plot => plot.inked))(({INKED})())")
+    theme = turning.get_by_role("button", name="Light or dark")
     for name, (width, height) in SIZES.items():
-        page.set_viewport_size({"width": width, "height": height})
-        passed(page)
-        fit = page.evaluate(OVERFLOW)
+        turning.set_viewport_size({"width": width, "height": height})
+        passed(turning)
+        fit = turning.evaluate(OVERFLOW)
         assert not fit["wide"], (name, fit)
         if width > 700:
             assert not fit["high"], (name, fit)
             assert fit["panel"] <= 0, (name, fit)
-        screenshot(page, f"{slug}{name}")
+        screenshot(turning, f"{slug}{name}")
         if name == "":
-            page.get_by_role("button", name="Light or dark").click()
+            theme.click()
+    turning.set_viewport_size({"width": 1280, "height": 720})
+    theme.click()
 
 
 def test_plays_without_the_server(page: Page, open_scene: Open) -> None:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 import pytest
 from playwright.sync_api import Page
 
@@ -30,11 +28,10 @@ PASSING = {"Drag what moves, and let it go.", "New here? Ten-minute tour"}
 """The hint comes after a while, and goes for good with the first drag; the tour is offered on the first visit."""
 
 
-def test_a_scene_opens_with_no_more_than_its_idea_needs(page: Page, open_scene: Callable[..., Page]) -> None:
-    open_scene(page, scene="accuracy", folded=True)
-    for slug in SCENES:
-        turned(page, slug, {})
-        seek(page, 0.0)
-        found = pieces(page)
-        assert SCENES[slug].headline in found
-        assert sum(piece not in PASSING for piece in found) <= MOST.get(slug, USUAL), found
+@pytest.mark.parametrize("slug", SCENES)
+def test_a_scene_opens_with_no_more_than_its_idea_needs(slug: str, turning: Page) -> None:
+    turned(turning, slug, {})
+    seek(turning, 0.0)
+    found = pieces(turning)
+    assert SCENES[slug].headline in found
+    assert sum(piece not in PASSING for piece in found) <= MOST.get(slug, USUAL), found
