@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Iterable
 
 import numpy as np
 import pytest
 
+from components.language.blocks import Block, WordsBlock
+from components.layout.sheet import blocks, in_force
 from components.quantities.axes import TIME_AXIS
 from components.scene import Scene
 from components.scenes import SCENES
@@ -32,21 +34,16 @@ def test_scenes_stand_in_the_lectures_order() -> None:
 @pytest.mark.parametrize("slug", [slug for slug in SCENES if slug != "accuracy"])
 def test_one_task_in_plain_words_opens_each_scene(slug: str) -> None:
     """Each view of a scene has its own; none needs a formula."""
-    found: list[Any] = []
-
-    def visit(block: Any) -> None:
-        for child in getattr(block, "blocks", ()):
-            visit(child)
-        if block.style == "task":
-            found.append(block)
-
-    visit(SCENES[slug].sheet())
-    for block in found:
+    sheet = SCENES[slug].sheet()
+    for block in _tasks(blocks(sheet)):
         (item,) = block.items
         (text,) = item.variants.values()
         assert "<math" not in text and len(text.split()) <= 25, text
-    standing = [block for block in found if not block.form or SCENES[slug]().shown.forms.get(block.form)]
-    assert len(standing) == 1
+    assert len(_tasks(in_force(sheet, SCENES[slug]().shown.forms))) == 1
+
+
+def _tasks(found: Iterable[Block]) -> list[WordsBlock]:
+    return [block for block in found if isinstance(block, WordsBlock) and block.style == "task"]
 
 
 @scenes
