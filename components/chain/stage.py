@@ -195,7 +195,7 @@ def rest(mass: int) -> Number:
     return EQUILIBRIUM[mass - 1] * W
 
 
-def place(mass: int, signal: Name | str = "") -> Number:
+def place(mass: int, signal: Name | None = None) -> Number:
     """The place of a mass, or of one that is displaced by `signal`, in pixels."""
     return rest(mass) + var(P.metre) * W * var(signal or S.x[mass])
 

@@ -14,9 +14,9 @@ class Name(Protocol):
     def name(self) -> str: ...
 
 
-def called(one: Name | str) -> str:
-    """The name that is sent."""
-    return one if isinstance(one, str) else one.name
+def called(one: Name | None) -> str:
+    """The name that is sent, "" for none."""
+    return one.name if one else ""
 
 
 class Product(Struct, frozen=True, array_like=True):
@@ -63,9 +63,14 @@ def as_expression(value: Number) -> Expression:
     return value if isinstance(value, Expression) else Expression((Product(float(value)),))
 
 
-def var(one: Name | str) -> Expression:
-    """A named quantity."""
-    return Expression((Product(1.0, (called(one),)),))
+def named(name: str) -> Expression:
+    """A quantity that the browser gives: the size of a stage, the frame of a plot."""
+    return Expression((Product(1.0, (name,)),))
+
+
+def var(one: Name) -> Expression:
+    """A quantity that is declared."""
+    return named(one.name)
 
 
 def names_in(value: Number) -> frozenset[str]:

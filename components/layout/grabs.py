@@ -10,7 +10,7 @@ from components.language.shapes import Along, AnyWay, Begin, Grab
 from components.layout.stage import PlotFrame
 
 
-def grab(label: str, *ways: AnyWay, inside: Name | str = "") -> Grab:
+def grab(label: str, *ways: AnyWay, inside: PlotFrame | None = None) -> Grab:
     """A grab that sets values and leaves the clock alone, in the frame of the plot `inside` if there is one."""
     return Grab(label=label, ways=ways, inside=called(inside))
 
@@ -24,8 +24,8 @@ def linear(
     place: Callable[[Number], Number],
     across: Literal["x", "y"],
     parameter: str,
-    moves: Name | str = "",
-    axis: Name | str = "",
+    moves: Name | None = None,
+    axis: Name | None = None,
     **more: Any,
 ) -> Along:
     """A way along which `place` says where a value stands, in proportion; it moves a signal or scalar, counted on an
@@ -35,21 +35,18 @@ def linear(
     return Along(across=across, zero=zero, unit=unit, parameter=parameter, moves=moved, axis=called(axis), **more)
 
 
-def on_plot(
-    plot: Name | str, across: Literal["x", "y"], parameter: str, moves: Name | str, axis: Name | str, **more: Any
-) -> Along:
+def on_plot(plot: PlotFrame, across: Literal["x", "y"], parameter: str, moves: Name, axis: Name, **more: Any) -> Along:
     """A way along an axis of a plot, on the stage or over that plot: `across` is x or y."""
-    frame, moved = PlotFrame(called(plot)), called(moves)
-    zero, unit = frame.at(f"{across}0"), frame.at(f"{across}1")
-    return Along(across=across, zero=zero, unit=unit, parameter=parameter, moves=moved, axis=called(axis), **more)
+    zero, unit = plot.at(f"{across}0"), plot.at(f"{across}1")
+    return Along(across=across, zero=zero, unit=unit, parameter=parameter, moves=moves.name, axis=axis.name, **more)
 
 
 def begins(
-    parameter: str, of: Name | str, axis: Name | str = "", *, per: Name | str = "", size: float = 1.0,
+    parameter: str, of: Name, axis: Name | None = None, *, per: Name | None = None, size: float = 1.0,
     exactly: bool = False, angle: bool = False,
 ) -> Begin:  # fmt: skip
     """The start of `parameter` from what is seen: components.language.shapes.Begin."""
-    return Begin(parameter, called(of), called(axis), size, called(per), exactly, angle)
+    return Begin(parameter, of.name, called(axis), size, called(per), exactly, angle)
 
 
 def at_rest(*velocities: str) -> tuple[Begin, ...]:

@@ -22,6 +22,7 @@ from components.language.numbers import Name, called
 from components.language.plots import Curve, Handle, Mark, Region, Term
 from components.language.plots import Room as Room
 from components.language.shapes import AnyShape
+from components.layout.stage import PlotFrame
 from components.layout.text import plain as plain_text
 from components.layout.text import runs
 from components.quantities.declared import Column, Named
@@ -34,46 +35,44 @@ HEADING = 24
 DASHES = {"dash": [7, 5], "dots": [1, 3]}
 
 
-def curve(
-    y: Name | str, *, source: str = "", x: Name | str = "", label: str = "", read: str = "", **look: Any
-) -> Curve:
+def curve(y: Name, *, source: str = "", x: Name | None = None, label: str = "", read: str = "", **look: Any) -> Curve:
     """A line of a plot: a column, or a signal over time, over the plot's own abscissae where no `x` is given.
 
     `label` stands at its right end and in the read-out at the pointer, `read` there alone; its `group` is `y` where
     not given. The rest is as in components.language.plots.
     """
-    named = {"group": called(y), "label": runs(label), "read": plain_text(read or label)}
-    return Curve(y=called(y), source=source or _source(y), x=called(x), **(named | _named(look)))
+    named = {"group": y.name, "label": runs(label), "read": plain_text(read or label)}
+    return Curve(y=y.name, source=source or _source(y), x=called(x), **(named | _named(look)))
 
 
 def region(
-    low: Name | str,
-    high: Name | str,
+    low: Name,
+    high: Name,
     *,
     source: str = "",
-    x: Name | str = "",
+    x: Name | None = None,
     label: str = "",
     read: str = "",
     **look: Any,
 ) -> Region:
     """A filled region between two columns or signals over time: an envelope, or a layer of a stack."""
-    ends = {"low": called(low), "high": called(high), "source": source or _source(low), "x": called(x)}
+    ends = {"low": low.name, "high": high.name, "source": source or _source(low), "x": called(x)}
     return Region(label=runs(label), read=plain_text(read or label), **(ends | _named(look)))
 
 
-def _source(one: Name | str) -> str:
+def _source(one: Name) -> str:
     """The source of a column; that of a signal is its curve over time."""
     return one.source if isinstance(one, Column) else "time"
 
 
 def _named(look: dict[str, Any]) -> dict[str, Any]:
     """Names in place of declarations."""
-    return {key: called(value) if isinstance(value, Named) else value for key, value in look.items()}
+    return {key: value.name if isinstance(value, Named) else value for key, value in look.items()}
 
 
-def mark(at: Name | str, **look: Any) -> Mark:
+def mark(at: Name, **look: Any) -> Mark:
     """A line with a flag at a scalar: components.language.plots.Mark."""
-    return Mark(at=called(at), **_named(look))
+    return Mark(at=at.name, **_named(look))
 
 
 class Details(TypedDict, total=False):
@@ -86,7 +85,7 @@ class Details(TypedDict, total=False):
     plain: bool
     x_labels: bool
     pick: str
-    form: Name | str
+    form: Name
     style: str
     grow: float
     basis: int
@@ -110,36 +109,36 @@ USUAL: Details = {
 
 
 def plot(
-    name: Name | str,
+    frame: PlotFrame,
     *,
-    x: Name | str,
-    y: Name | str,
+    x: Name,
+    y: Name,
     title: str,
     curves: Iterable[Curve] = (),
     bands: Iterable[Region] = (),
     heading: Sequence[Term] = (),
-    x_column: Name | str = "t",
+    x_column: Name | None = None,
     room: Room = USUAL_ROOM,
     cursor: str = "",
     **details: Unpack[Details],
 ) -> PlotBlock:
     """A plot as a block of the sheet.
 
-    `x` and `y` are axes of the picture, `title` is its text alternative, `x_column` the column of abscissae.
+    `x` and `y` are axes of the picture, `title` is its text alternative, `x_column` has the abscissae, else the times.
     `cursor="time"` draws the instant shown and lets it be dragged. `shapes` speak of this plot by its PlotFrame.
     """
     given: Details = {**USUAL, **details}
     given["x_labels"] = x_labels = given["x_labels"] and not given["plain"]
     room = replace(room, bottom=NUMBERS if x_labels else room.bottom)
     given["basis"] += (NUMBERS if room.bottom == NUMBERS else 0) + (HEADING if heading else 0)
-    drawn = tuple(replace(one, x=one.x or called(x_column)) for one in curves)
-    filled = tuple(replace(one, x=one.x or called(x_column)) for one in bands)
+    drawn = tuple(replace(one, x=one.x or called(x_column) or "t") for one in curves)
+    filled = tuple(replace(one, x=one.x or called(x_column) or "t") for one in bands)
     return PlotBlock(
-        name=called(name),
+        name=frame.name,
         title=title,
         brief=re.split("[,:]", title)[0],
-        x=called(x),
-        y=called(y),
+        x=x.name,
+        y=y.name,
         curves=drawn,
         regions=filled,
         heading=tuple(heading),

@@ -18,7 +18,7 @@ from components.language.blocks import (
     TableBlock,
     WordsBlock,
 )
-from components.language.numbers import Name, called
+from components.language.numbers import Name
 from components.language.plots import Term
 from components.language.shapes import AnyShape
 from components.language.text import Forms
@@ -71,18 +71,18 @@ def table(
     return TableBlock(head=heads, rows=cells, style=style, grow=grow, basis=basis, phone=phone)
 
 
-def either(form: Name | str, /, **variants: str) -> Forms:
+def either(form: Name, /, **variants: str) -> Forms:
     """A text in several forms: the picture's form of that name says which stands, "" that none does."""
-    return Forms({name: rich(text) for name, text in variants.items()}, called(form))
+    return Forms({name: rich(text) for name, text in variants.items()}, form.name)
 
 
 def _item(paragraph: Paragraph) -> Forms:
     return paragraph if isinstance(paragraph, Forms) else Forms({"": rich(paragraph)})
 
 
-def when(form: Name | str, block: Block) -> Block:
+def when(form: Name, block: Block) -> Block:
     """The block, standing only while the picture has a form of that name: how a scene has several views."""
-    return replace(block, form=called(form))
+    return replace(block, form=form.name)
 
 
 def desk(block: Block) -> Block:
@@ -107,7 +107,9 @@ def choice(
     return ChoiceBlock(name=name, options=pairs, label=label, style=style, grow=grow, basis=basis, phone=phone)
 
 
-def term(curve: Name | str = "", key: str = "line", tint: str = "ink", *, form: Name | str = "", **forms: str) -> Term:
+def term(
+    curve: Name | str = "", key: str = "line", tint: str = "ink", *, form: Name | None = None, **forms: str
+) -> Term:
     """One term of a plot's heading: the formula of a curve, its line sample and its switch.
 
     `key` is sum, line, dash, band or none. Forms are LaTeX by variant; a single form is called `formula`. `form` names
@@ -117,11 +119,12 @@ def term(curve: Name | str = "", key: str = "line", tint: str = "ink", *, form: 
 
 
 def phrase(
-    curve: Name | str = "", key: str = "line", tint: str = "ink", *, form: Name | str = "", **forms: str
+    curve: Name | str = "", key: str = "line", tint: str = "ink", *, form: Name | None = None, **forms: str
 ) -> Term:
     """A term of a heading with words in place of formulas."""
     variants = {name: rich(text) for name, text in forms.items()}
-    group, chosen = called(curve), called(form or curve)
+    group = curve if isinstance(curve, str) else curve.name
+    chosen = form.name if form else group
     return Term(curve=group, form=chosen, key=key, tint=tint, variants=variants)  # type: ignore[arg-type]
 
 

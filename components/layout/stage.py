@@ -13,7 +13,7 @@ from typing import Any, TypeAlias, cast
 
 from msgspec.structs import replace
 
-from components.language.numbers import Expression, Name, Number, called, var
+from components.language.numbers import Expression, Name, Number, named
 from components.language.shapes import (
     Anchor,
     AnyShape,
@@ -33,13 +33,13 @@ from components.language.shapes import (
 from components.layout.text import runs
 
 Shape: TypeAlias = AnyShape
-ShownBy: TypeAlias = Name | str | tuple[Name, ...]
+ShownBy: TypeAlias = Name | tuple[Name, ...]
 """The scalars that decide whether a shape is drawn."""
 Looks: TypeAlias = dict[str, Any]
 """Further attributes of a shape, as its builder takes them: each kind has its own."""
 
-W, H = var("W"), var("H")
-WIDE, NARROW, LOW, HALL, T = var("wide"), var("narrow"), var("low"), var("hall"), var("t")
+W, H, T = named("W"), named("H"), named("t")
+WIDE, NARROW, LOW, HALL = named("wide"), named("narrow"), named("low"), named("hall")
 
 
 @dataclass(frozen=True)
@@ -94,17 +94,7 @@ class PlotFrame:
 
     def at(self, what: str) -> Expression:
         """A place of the frame: left, right, top, bottom, of an axis its zero (x0) and the pixels of one (x1)."""
-        return var(f"{self.name}.{what}")
-
-
-def on_x(plot: Name | str, value: Number) -> Expression:
-    """The place of a value of a plot's horizontal axis, in pixels of the stage: stage and plots share lines."""
-    return PlotFrame(called(plot)).x(value)
-
-
-def on_y(plot: Name | str, value: Number) -> Expression:
-    """The place of a value on the vertical axis of a plot; the value is in the unit of the axis, as signals are."""
-    return PlotFrame(called(plot)).y(value)
+        return named(f"{self.name}.{what}")
 
 
 def shown_by(by: ShownBy, *shapes: Shape) -> list[Shape]:
@@ -113,10 +103,7 @@ def shown_by(by: ShownBy, *shapes: Shape) -> list[Shape]:
 
 
 def _shown(by: ShownBy) -> tuple[str, ...]:
-    """The names of scalars, given as one text with spaces, too."""
-    if isinstance(by, str):
-        return tuple(by.split())
-    return tuple(map(called, by if isinstance(by, tuple) else (by,)))
+    return tuple(one.name for one in (by if isinstance(by, tuple) else (by,)))
 
 
 def spring(x1: Number, y1: Number, x2: Number, y2: Number, wire: Number = 2.5, **more: Any) -> Shape:
@@ -191,5 +178,5 @@ def _common(more: Looks) -> Looks:
     if "show" in given:
         given["show"] = _shown(given["show"])
     if "inside" in given:
-        given["inside"] = called(given["inside"])
+        given["inside"] = given["inside"].name
     return given

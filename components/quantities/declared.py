@@ -16,7 +16,6 @@ from typing import Any, Generic, Self, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from components.language.numbers import called
 from components.language.picture import Digits
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis
@@ -129,16 +128,12 @@ class Family(dict[Key, One]):
 class AxisUnit(Named):
     """The unit in which an axis is written; `write` writes a number that is counted on it."""
 
-    axis: DrawnAxis | str
+    axis: DrawnAxis
     form: Callable[[Axis], str] = lambda axis: axis.full_unit
     write: Callable[[Axis, float], str] = Axis.number
 
     def text(self, case: object, axes: Axes) -> str:
-        return self.form(self.of(axes))
-
-    def of(self, axes: Axes) -> Axis:
-        """The axis among those in force."""
-        return axes[called(self.axis)]
+        return self.form(self.axis(axes))
 
 
 @dataclass(eq=False)
@@ -177,7 +172,7 @@ class LiveNumber(Named, Generic[Case]):
             return value or ""
         text, unit = self.form(value), self.unit
         if self.axis:
-            text, unit = self.axis.write(self.axis.of(axes), float(value)), self.axis.text(case, axes)
+            text, unit = self.axis.write(self.axis.axis(axes), float(value)), self.axis.text(case, axes)
         return f"{text} {unit}" if self.whole else text
 
     def readout(self, case: Case) -> Iterator[Readout]:

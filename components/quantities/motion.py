@@ -14,7 +14,7 @@ import numpy as np
 from msgspec.structs import replace
 from numpy.typing import NDArray
 
-from components.language.numbers import Expression, Name, Number, Product, as_expression, called
+from components.language.numbers import Expression, Name, Number, Product, as_expression
 from components.language.picture import Pace
 from components.language.signals import (
     AnySignal,
@@ -143,14 +143,14 @@ def derived(expression: Number) -> Derived:
     return Derived(value=as_expression(expression))
 
 
-def sine_of(angle: Name | str) -> SineOf:
+def sine_of(angle: Name) -> SineOf:
     """The sine of a signal in rad that stands before it: for what turns."""
-    return SineOf(of=called(angle))
+    return SineOf(of=angle.name)
 
 
-def cosine_of(angle: Name | str) -> CosineOf:
+def cosine_of(angle: Name) -> CosineOf:
     """The cosine of a signal in rad that stands before it."""
-    return CosineOf(of=called(angle))
+    return CosineOf(of=angle.name)
 
 
 def starts(signals: Mapping[str, AnySignal], scalars: Mapping[str, float]) -> dict[str, float]:
@@ -173,9 +173,9 @@ def starts(signals: Mapping[str, AnySignal], scalars: Mapping[str, float]) -> di
     return named
 
 
-def total(*signals: Name | str) -> Derived:
+def total(*signals: Name) -> Derived:
     """The sum of signals that stand before it."""
-    return Derived(value=Expression(tuple(Product(1.0, (called(one),)) for one in signals)))
+    return Derived(value=Expression(tuple(Product(1.0, (one.name,)) for one in signals)))
 
 
 def sampled(

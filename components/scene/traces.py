@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from components.language.numbers import Name, called
+from components.language.numbers import Name
 from components.language.plots import Curve, Region
-from components.layout.plots import curve, region
+from components.layout.plots import curve
 from components.quantities.declared import by_name
 from physics.sampling import SAMPLES_PER_CYCLE, Sinusoid, curve_or_band, drawable
 
@@ -73,30 +73,30 @@ class Traces:
 
 
 def over_time(
-    end: float, fastest: float, signals: Iterable[Name | str], exact: Callable[[Floats], Mapping[Any, Floats]],
+    end: float, fastest: float, signals: Iterable[Name], exact: Callable[[Floats], Mapping[Any, Floats]],
     source: str = "time",
 ) -> dict[str, Traces]:  # fmt: skip
     """The curves of a source: these signals over [0, end], dense enough for the `fastest` motion (rad/s).
 
     `exact` gives the physics' numbers of each signal.
     """
-    names = tuple(map(called, signals))
+    names = tuple(one.name for one in signals)
     return {source: Traces(end, samples(end, fastest), names, lambda t: by_name(exact(t)))}
 
 
 def trace(
-    one: Name | str, components: Sequence[Sinusoid], t: Floats, base: Floats | None = None, curve: Floats | None = None
+    one: Name, components: Sequence[Sinusoid], t: Floats, base: Floats | None = None, curve: Floats | None = None
 ) -> tuple[Columns, Columns]:
     """Columns of the curve of a signal, and of its band, as `band_columns` calls them: one of the two is empty.
 
     `curve` is the motion itself, where its owner has it to more digits than the sum of the components.
     """
     if curve is not None and drawable(max((component.omega for component in components), default=0.0), t):
-        return {called(one): curve}, {}
+        return {one.name: curve}, {}
     sum_, low, high = curve_or_band(components, t, base)
     if sum_ is not None:
-        return {called(one): sum_}, {}
-    return {}, dict(zip(band_columns(one), (low, high), strict=True))
+        return {one.name: sum_}, {}
+    return {}, dict(zip(band_columns(one.name), (low, high), strict=True))
 
 
 def bands_over_time(t: Floats, bands: Columns) -> dict[str, Columns]:
@@ -104,13 +104,18 @@ def bands_over_time(t: Floats, bands: Columns) -> dict[str, Columns]:
     return {BAND: bands and {"t": t, **bands}}
 
 
-def band_columns(one: Name | str) -> tuple[str, str]:
-    """The columns of the band that stands for the curve of a signal."""
-    return f"{called(one)}_lo", f"{called(one)}_hi"
+def band_columns(name: str) -> tuple[str, str]:
+    """The columns of the band that stands for the curve `name`."""
+    return f"{name}_lo", f"{name}_hi"
 
 
-def traced(one: Name | str, **look: Any) -> tuple[Curve, Region]:
+def band(one: Name, source: str = BAND, **look: Any) -> Region:
+    """The band of a signal, for a plot."""
+    low, high = band_columns(one.name)
+    return Region(source=source, x="", low=low, high=high, alpha=0.4, **look)
+
+
+def traced(one: Name, **look: Any) -> tuple[Curve, Region]:
     """The line of a signal over time and its band, for a plot."""
     line = curve(one, **look)
-    low, high = band_columns(one)
-    return line, region(low, high, source=BAND, tint=line.tint, alpha=0.4, group=line.group, of=one)
+    return line, band(one, tint=line.tint, group=line.group, of=one.name)

@@ -7,7 +7,7 @@ from decimal import Decimal
 import numpy as np
 import pytest
 
-from components.language.numbers import var
+from components.language.numbers import named, var
 from components.layout.plots import curve, region
 from components.layout.sheet import either, term
 from components.layout.stage import ON_WIDE, PlotFrame, circle, shown_by
@@ -113,7 +113,7 @@ def test_what_has_a_symbol_and_a_value_is_compared() -> None:
 
 def test_a_picture_has_what_is_declared_and_lacks_what_a_case_has_not() -> None:
     one, other = 2e-3 + 1e-3j, -2e-3 + 0j
-    assert Drawn.signals(one, AXES) == {"x": derived(AXES["x"].place(2e-3)), "y": total("x", "x")}
+    assert Drawn.signals(one, AXES) == {"x": derived(AXES["x"].place(2e-3)), "y": total(Drawn.x, Drawn.x)}
     assert Drawn.signals(other, AXES).keys() == {"x"}
     assert Drawn.live(AXES) == {"x": AXES["x"].digits(signed=True)}
     assert Drawn.scalars(one, AXES) == {
@@ -132,7 +132,7 @@ def test_a_picture_has_what_is_declared_and_lacks_what_a_case_has_not() -> None:
 
 
 def test_a_declaration_stands_for_its_name_in_all_that_is_built() -> None:
-    assert var(Drawn.side[2]) == var("side2") and by_name({On.t: 1, Drawn.x: 2}) == {"t": 1, "x": 2}
+    assert var(Drawn.side[2]) == named("side2") and by_name({On.t: 1, Drawn.x: 2}) == {"t": 1, "x": 2}
     line = curve(Drawn.im, x=Drawn.re, signal=Drawn.y)
     assert (line.y, line.x, line.source, line.signal, line.group) == ("im", "re", "plane", "y", "im")
     assert (curve(Drawn.x).source, curve(Drawn.again).y, region(Drawn.x, Drawn.y, of=Drawn.x).of) == ("time", "re", "x")

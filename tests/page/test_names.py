@@ -14,7 +14,7 @@ from components.language.blocks import Block, ChoiceBlock, PlotBlock, TableBlock
 from components.language.plots import Term
 from components.language.text import Forms
 from components.layout.sheet import blocks
-from components.quantities.declared import Declared, Family, Named
+from components.quantities.declared import Declared, DrawnAxis, Family, Named
 from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.accuracy.recorded import recorded
@@ -58,10 +58,6 @@ MORE: dict[str, list[dict[str, Any]]] = {
 }
 
 
-COUNTED = {"F"}
-"""Axes that numbers are counted on, and nothing is drawn on."""
-
-
 def cases(scene: type[Scene]) -> Iterator[Scene]:
     """The scene as it opens, each preset, each option of each choice, and what MORE names."""
     yield scene()
@@ -76,13 +72,18 @@ def cases(scene: type[Scene]) -> Iterator[Scene]:
 
 
 def _declared(scene: type[Scene]) -> Iterator[str]:
-    """The names that a scene itself declares; those of kits are for several scenes."""
+    """The names that a scene itself declares, but for axes, some of which numbers are only counted on; those of kits
+    are for several scenes."""
     for module in [one for name, one in sys.modules.items() if name.startswith(scene.__module__)]:
         for kind in vars(module).values():
             if isinstance(kind, type) and issubclass(kind, Declared) and kind.__module__ == module.__name__:
                 for one in vars(kind).values():
                     members = one.values() if isinstance(one, Family) else (one,)
-                    yield from (member.name for member in members if isinstance(member, Named))
+                    yield from (
+                        member.name
+                        for member in members
+                        if isinstance(member, Named) and not isinstance(member, DrawnAxis)
+                    )
 
 
 @scenes
@@ -90,9 +91,9 @@ def test_what_is_declared_is_given(slug: str) -> None:
     given: set[str] = set()
     for scene in cases(SCENES[slug]):
         shown = scene.shown
-        parts = (shown.axes, shown.signals, shown.scalars, shown.forms, shown.values, *shown.sources.values())
+        parts = (shown.signals, shown.scalars, shown.forms, shown.values, *shown.sources.values())
         given |= {name for part in parts for name in part}
-    assert set(_declared(SCENES[slug])) - given <= COUNTED
+    assert set(_declared(SCENES[slug])) - given == set()
 
 
 @scenes

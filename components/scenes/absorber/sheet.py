@@ -88,7 +88,7 @@ def _swing_plot() -> Block:
             phrase(Sweep.swing, "sum", "m1", words=r"$|X_{\mathrm{p}1}|$ with the absorber"),
             phrase(Sweep.alone, "dash", "m1", words="alone"),
             phrase(Sweep.free, "dots", "m1", undamped="undamped"),
-            phrase(F.helped, "band", "k2fill", **HELPED),
+            phrase(F.helped, "band", "k2fill", form=F.helped, **HELPED),
         ),
         x_labels=False,
         room=Room(52, 8, top=42),

@@ -14,7 +14,7 @@ from components.language.plots import Curve, Handle
 from components.language.shapes import AnyShape
 from components.layout.plots import Room, curve, mark, plot
 from components.layout.sheet import phrase
-from components.layout.stage import ON_NARROW, ON_WIDE, PlotFrame, circle, shown_by, text
+from components.layout.stage import ON_NARROW, ON_WIDE, Looks, PlotFrame, circle, shown_by, text
 from components.quantities import declared
 from components.quantities.declared import Declared, DrawnAxis, Family, Scalar
 from components.scenes.accuracy.axes import Axes
@@ -28,7 +28,7 @@ from physics.price import LEAST
 from physics.solvers import METHODS
 
 WORK = PlotFrame("work")
-LOOK: dict[str, dict[str, str]] = {
+LOOK: dict[str, Looks] = {
     "closed": {"tint": "ink", "width": "none", "marker": "disc"},
     "exact": {"tint": "mute", "width": "none", "marker": "ring"},
     "fixed": {"tint": "mute", "width": "dash", "marker": "ring"},

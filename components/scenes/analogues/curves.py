@@ -154,7 +154,7 @@ def columns_of(case: AnalogueCase, axes: declared.Axes) -> dict[str, Columns]:
     if not case.drawable:
         t = np.linspace(0.0, case.end, samples(case.end, case.omega))
         high = np.full_like(t, abs(case.q_0))
-        ends = [name for one in (Signals.x, Signals.q) for name in band_columns(one)]
+        ends = [name for one in (Signals.x, Signals.q) for name in band_columns(one.name)]
         columns[BAND] = {"t": t, **dict(zip(ends, (-high, high, -high, high), strict=True))}
     return columns
 

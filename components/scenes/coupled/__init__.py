@@ -100,7 +100,7 @@ class Coupled(Scene):
         pulled = forces(free.chain, free.motion(t), size) if self.view == "forces" else Forces()
         averaged = stacked and not drawable(2 * fast, t)
         energies = () if averaged else curves.EDGES if stacked else curves.LEVELS
-        names = (*((one for one, *_ in curves.motions(free)) if resolved else lines), *energies)
+        names = (*(one for one, *_ in curves.motions(free) if resolved or one.name in lines), *energies)
         parts = chain.free_signals(free, size, time) | chain.free_rates(free, size, time)
         parts |= starting.turns(self, free.omega.tolist(), time)
         return Picture(

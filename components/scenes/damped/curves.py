@@ -125,7 +125,7 @@ def columns_of(case: DampedCase, t: Floats) -> dict[str, Columns]:
     """Where a swing is too fast for a line: the band of x, and energies and power averaged over it."""
     one = case.oscillator
     decay = np.exp(-one.rates[0] * t)
-    low, high = band_columns(Signals.x)
+    low, high = band_columns(Signals.x.name)
     bands = {} if drawable(one.omega_d, t) else {low: -case.envelope * decay, high: case.envelope * decay}
     columns = {**Locus.columns(case), **bands_over_time(t, bands)}
     if drawable(2 * one.omega_d, t):

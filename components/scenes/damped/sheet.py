@@ -5,6 +5,7 @@ from __future__ import annotations
 from components.language.blocks import Block
 from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import column, desk, phrase, row, stage, term, when, words
+from components.layout.stage import Looks
 from components.scene.traces import traced
 from components.scenes.damped.curves import Axes, Locus
 from components.scenes.damped.curves import Signals as S
@@ -36,7 +37,7 @@ def damped_sheet() -> Block:
 
 def _displacement() -> Block:
     line, band = traced(S.x, tint="m1", width="sum", label="*x*", signal=S.x)
-    envelope = {"tint": "m1", "width": "thin", "group": "upper"}
+    envelope: Looks = {"tint": "m1", "width": "thin", "group": "upper"}
     return plot(
         X,
         x=Axes.t,

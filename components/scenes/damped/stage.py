@@ -149,7 +149,7 @@ ROOT_GRAB = grab(
         across="x", zero=ROOTS.x(0), unit=-1 * ROOTS.per_x * var(P.unit), parameter="zeta", moves=P.root.name,
         least=0.0,
     ),
-    inside=ROOTS.name,
+    inside=ROOTS,
 )  # fmt: skip
 SLOW_GRAB = grab(
     "Slow root",
@@ -157,7 +157,7 @@ SLOW_GRAB = grab(
         across="x", zero=ROOTS.x(0), unit=-1 * ROOTS.per_x * var(P.unit), parameter="zeta",
         moves=P.slow_root.name, least=0.01, most=1.0, real=True,
     ),
-    inside=ROOTS.name,
+    inside=ROOTS,
 )  # fmt: skip
 
 
@@ -187,7 +187,7 @@ def _circle(x0: Number, y0: Number, radius: Number) -> list[Shape]:
         inner, outer, name = ((x0 + far * x * radius, y0 - far * y * radius) for far in (0.97, 1.03, 1.12))
         found += [
             line(*inner, *outer, style="floor", tint="T", inside=ROOTS),
-            text(name[0], name[1] + 4, f"{zeta}", tint="T", inside=ROOTS, show="" if zeta in NAMED else "desk"),
+            text(name[0], name[1] + 4, f"{zeta}", tint="T", inside=ROOTS, show=() if zeta in NAMED else AT_DESK),
         ]
     return [*found, text(x0 - 0.94 * radius, y0 - 7, "critical 1", "start", tint="T", style="halo", inside=ROOTS)]
 

@@ -150,7 +150,7 @@ def columns_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, Columns]:
 
 def _bands(case: DrivenCase) -> dict[str, Columns]:
     """The band that x stays within, where it is too fast for a line: the steady part and what is left of the start."""
-    low, high = band_columns(Signals.x)
+    low, high = band_columns(Signals.x.name)
     if drawable(case.fastest, case.t):
         return bands_over_time(case.t, {})
     reach = np.full_like(case.t, case.reach)

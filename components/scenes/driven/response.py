@@ -44,7 +44,7 @@ def _behind(frame: PlotFrame) -> list[Shape]:
 
 def _lines(of: Column[DrivenCase], at: Scalar[DrivenCase], group: str) -> tuple[Curve, ...]:
     """The curve below an undamped resonance, with its dot, and the one above."""
-    look = {"tint": "m1", "width": "sum", "group": group}
+    look: Looks = {"tint": "m1", "width": "sum", "group": group}
     return curve(of, signal=at, signal_x=R.r_at, **look), curve(of, source="above", **look)
 
 

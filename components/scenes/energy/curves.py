@@ -76,7 +76,7 @@ def drawn(case: HangingCase) -> tuple[list[Signal[HangingCase]], dict[str, Colum
         if not drawable(max(part.omega for part in parts), case.t):
             bands |= trace(one, parts, case.t, np.full_like(case.t, base))[1]
     levels = [S.total, S.constant] if case.datum == "slide" else [S.total]
-    slow = [one for one in swings if band_columns(one)[0] not in bands]
+    slow = [one for one in swings if band_columns(one.name)[0] not in bands]
     return [*slow, *levels], bands_over_time(case.t, bands)
 
 

@@ -146,7 +146,7 @@ class Undamped(ForcedCase):
         beat = np.abs(Growth(self.growth[i - 1], self._halfway).at(t)) if self.resonant else 0.0
         size = beat + self._others(i - 1)
         drift = self.modes.free.drift_a[i - 1] + self.modes.free.drift_b[i - 1] * t
-        return dict(zip(band_columns(S.x[i]), (drift - size, drift + size), strict=True))
+        return dict(zip(band_columns(S.x[i].name), (drift - size, drift + size), strict=True))
 
     def _others(self, i: int) -> float:
         """The reach of all but the resonant response: the free motion of the start and the other mode's response."""

@@ -132,7 +132,7 @@ class Dying(ForcedCase):
             for exponent, rows in self.modes.transient:
                 powers = sum(abs(row[i - 1]) * t**j for j, row in enumerate(rows))
                 size += powers * np.exp(np.maximum(exponent.real * t, -700.0))
-            found |= dict(zip(band_columns(S.x[i]), (-size, size), strict=True))
+            found |= dict(zip(band_columns(S.x[i].name), (-size, size), strict=True))
         return found
 
     def energy(self, t: Floats) -> dict[Column[Any], Floats]:

@@ -105,7 +105,7 @@ def bands_of(case: Oscillation) -> dict[str, Columns]:
     """The bands that x, v and a fill where they are too fast to draw."""
     t, bands = np.linspace(0.0, case.end, samples(case.end, case.omega)), Columns()
     for row, size in zip(ROWS, case.amplitudes, strict=True):
-        bands |= dict(zip(band_columns(row), (np.full_like(t, -size), np.full_like(t, size)), strict=True))
+        bands |= dict(zip(band_columns(row.name), (np.full_like(t, -size), np.full_like(t, size)), strict=True))
     return bands_over_time(t, bands)
 
 

@@ -168,7 +168,7 @@ def _over_time(swing: Swing, t: Floats) -> tuple[list[Signal[Swing]], Columns]:
 
 
 def _band(one: Signal[Swing], t: Floats, *levels: float) -> Columns:
-    return {end: np.full_like(t, level) for end, level in zip(band_columns(one), levels, strict=True)}
+    return {end: np.full_like(t, level) for end, level in zip(band_columns(one.name), levels, strict=True)}
 
 
 class Limits(Declared[Swing]):

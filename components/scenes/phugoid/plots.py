@@ -9,7 +9,7 @@ from components.layout.sheet import term, words
 from components.layout.stage import PlotFrame
 from components.layout.text import rich
 from components.quantities.declared import LiveNumber, Signal
-from components.scene.traces import band_columns, traced
+from components.scene.traces import band, traced
 from components.scenes.phugoid.axes import Axes
 from components.scenes.phugoid.curves import FAMILY, Lift, Limits, Periods, Shares
 from components.scenes.phugoid.curves import Signals as S
@@ -20,7 +20,6 @@ from components.scenes.phugoid.swing import AIRCRAFT, Swing
 
 def path_plot() -> Block:
     """Height over distance, at one scale; the stage draws the rest over it."""
-    low, high = band_columns(S.y)
     return plot(
         PATH,
         x=Axes.along,
@@ -31,7 +30,7 @@ def path_plot() -> Block:
             curve(S.y_lin, source="path", x=S.x_lin, tint="m1", width="dash", group="path_lin"),
             curve(S.y, source="path", tint="m1", width="sum", group="path"),
         ),
-        bands=(region(low, high, source="path_band", tint="m1", alpha=0.4, group="path"),),
+        bands=(band(S.y, source="path_band", tint="m1", group="path"),),
         room=Room(138, 4),
         square=True,
         phone=0,
