@@ -45,7 +45,9 @@ STOP = """share => {
   clock.seek(share * clock.end)
   return document.fonts.ready.then(() => true)
 }"""
-ANSWERED = "oscillations.walks.walk?.lesson && !oscillations.shown.state.covered.length"
+COVERED = "oscillations.shown.state.covered.length"
+ANSWERED = f"before => oscillations.walks.walk?.lesson && (!{COVERED} || {COVERED} < before)"
+"""An answer takes covers away, but for those of what a later step asks."""
 
 
 class Sight(NamedTuple):
@@ -98,8 +100,9 @@ def _shoot_all(browser: Browser, url: str, folder: Path, wanted: list[Sight], sc
         _take(page, _path(folder, view.name, screen), not view.asks)
         count += 1
         if view.asks:
+            covered = page.evaluate(COVERED)
             page.evaluate("oscillations.walks.walk.show(true)")
-            page.wait_for_function(ANSWERED)
+            page.wait_for_function(ANSWERED, arg=covered)
             _take(page, _path(folder, f"{view.name} answered", screen), False)
             count += 1
     context.close()
