@@ -32,7 +32,7 @@ TALLEST = 1e30
 """The largest motion drawn from a start, over the static deflection: a number in its unit is a float32."""
 ALONE = "_alone"
 WHO: tuple[int | str, ...] = (ALONE, 1, 2)
-"""What moves: the machine alone, and mass 1 and 2 with each other."""
+"""The moving bodies by key: the machine without its absorber, then mass 1 (the machine) and mass 2 (the absorber)."""
 
 signal, column = Signal[Duty], Column[Duty]
 SignalsFound = dict[Signal[Duty], AnySignal]

@@ -12,7 +12,7 @@ from physics.price import LEAST
 REACH, LOW, TOP = 3.2, 0.4, 3.0
 """The reach of the plot of the amplification in h omega, and its ends downward and upward."""
 SWEPT = {"ratio": (1.0, 1e16), "detuning": (1e-15, 0.1), "periods": (1.0, 1e12)}
-"""How far each sweep of doubles against 80 digits goes."""
+"""The range of each sweep in which doubles are compared with 80 digits: of mass ratio, detuning and time in periods."""
 ERROR = log_axis(LEAST, 10.0, "", 3)
 """The axis of errors, whatever of."""
 

@@ -25,7 +25,7 @@ SAME = 16 * 2.0**-53
 
 
 GIVEN = ("values", "modes")
-"""What gives the motion."""
+"""The choices of `given_by`: whether starting values or the modes' amplitudes and phases set the motion."""
 
 
 class Begun(Protocol):

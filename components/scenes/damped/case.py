@@ -147,6 +147,11 @@ class DampedCase(Windowed):
         return scaled(0, self.oscillator.c, self.top.v, self.top.v)
 
     @cached_property
+    def greatest(self) -> float:
+        """The greatest force of spring or dashpot in N, in the window."""
+        return max(scaled(0, self.oscillator.k, self.reach), scaled(0, self.oscillator.c, abs(self.top.v)))
+
+    @cached_property
     def envelope(self) -> float:
         """C in m of a swing, the size of its envelope at the start."""
         return self.oscillator.decays(self.x_0, self.v_0)[0].amplitude if self.swings else 0.0

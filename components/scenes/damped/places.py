@@ -90,9 +90,7 @@ class Places(dashpot.Has):
 
 def _per(case: DampedCase, of: Axis, factor: float) -> float | None:
     """The force of one of an axis, over the greatest force of spring or dashpot."""
-    one = case.oscillator
-    most = max(scaled(0, one.k, case.reach), scaled(0, one.c, abs(case.top.v)))
-    return scaled(-of.exponent, factor, 1 / most) if most else None
+    return scaled(-of.exponent, factor, 1 / case.greatest) if case.greatest else None
 
 
 class Arrows(Declared[DampedCase]):
@@ -100,5 +98,5 @@ class Arrows(Declared[DampedCase]):
 
     per_x = scalar(lambda c, a: _per(c, A.x(a), c.oscillator.k))
     per_v = scalar(lambda c, a: _per(c, A.v(a), c.oscillator.c))
-    pulls = scalar(lambda c, a: c.oscillator.k > 0 and _per(c, A.x(a), c.oscillator.k) is not None)
-    brakes = scalar(lambda c, a: c.oscillator.c > 0 and _per(c, A.v(a), c.oscillator.c) is not None)
+    pulls = scalar(lambda c, a: c.oscillator.k > 0 and c.greatest > 0)
+    brakes = scalar(lambda c, a: c.oscillator.c > 0 and c.greatest > 0)
