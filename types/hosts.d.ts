@@ -31,6 +31,7 @@ interface PartHost {
   readonly transport: {readonly element: HTMLElement; readonly note: HTMLElement}
   send(message: page.Said): void
   redraw(): void
+  draw(at: number): void
   join(): Promise<void>
 }
 

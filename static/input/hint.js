@@ -102,7 +102,7 @@ export class Hint {
       for (const stage of page.stages) stage.frame(named)
       for (const part of page.paper.querySelectorAll("svg.stage > g")) take(part.getBoundingClientRect(), AIR)
     }
-    page.redraw()
+    page.draw(page.clock.t) // before a hand can take what stood somewhere else
     return [...taken.values()]
   }
 }

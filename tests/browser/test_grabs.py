@@ -38,6 +38,22 @@ FLICKED = """async name => {
   delete performance.now
 }"""
 RESTED = "performance.now() > oscillations.page.hand.grab.trail.at(-1).when + 200"  # letting go is no flick any more
+HINTED = """() => {
+  const {page} = oscillations, {clock} = page, drawn = clock.draw
+  const places = () => page.stages.flatMap(({grips}) => [...(grips?.grips.values() ?? [])]).map(({x, y}) => [x, y])
+  const was = JSON.stringify(places()), {update} = page.hand.hint
+  const later = setTimeout
+  window.setTimeout = call => later(call) // the moment it waits is no part of this
+  clock.draw = () => {} // no frame comes between
+  update()
+  window.setTimeout = later
+  return new Promise(done => later(() => {
+    const is = JSON.stringify(places())
+    clock.draw = drawn
+    done([was, is, page.hand.hint.element.isConnected])
+  }, 0))
+}"""
+"""The places of all grips before and after a hint looked for its own, with no frame in between."""
 NEAR = 1  # pixels
 
 
@@ -144,6 +160,17 @@ def test_no_hint_comes_once_something_has_been_grabbed(new_page: Callable[..., P
     page.wait_for_function("performance.getEntriesByType('resource').some(one => one.name.endsWith('/hint.js'))")
     passed(page)
     assert page.evaluate("oscillations.page.hand.hint === undefined")
+
+
+def test_a_hint_looks_for_room_and_leaves_what_can_be_grabbed_where_it_is_seen(
+    new_page: Callable[..., Page], open_scene: Open
+) -> None:
+    """It draws other instants for that: a hand that comes before the next frame must not take what stood there."""
+    page = open_scene(new_page(390, 844, fresh=True), scene="coupled")
+    page.wait_for_function("oscillations.page.hand.hint")
+    stopped(page)
+    was, now, stood = page.evaluate(HINTED)
+    assert stood and was == now
 
 
 @pytest.mark.parametrize("slug", ["oscillator", "coupled"])
