@@ -2,5 +2,3 @@
 
 from components.dashpot.parameters import KEPT, PARTS, SHARES, derived_one, followed, keeping, parts
 from components.dashpot.stage import NARROW_BELOW, Has, apparatus
-
-__all__ = ["KEPT", "NARROW_BELOW", "PARTS", "SHARES", "Has", "apparatus", "derived_one", "followed", "keeping", "parts"]

@@ -25,8 +25,6 @@ from components.scene.picture import Picture, draw
 from components.scene.scene_info import SceneInfo
 from components.scene.traces import Columns
 
-__all__ = ["Picture", "Scene"]
-
 NONE: Values = {}
 
 
