@@ -24,7 +24,7 @@ from components.state.standing import fitted
 from components.walks.registry import all_walks
 from tests.browser.chromium import find
 from tests.browser.fixtures import READY
-from tests.browser.views import choices
+from tests.browser.views import seen
 from tests.browser.waiting import passed, redrawn
 from tests.serving.server import serving
 
@@ -62,7 +62,7 @@ class Sight(NamedTuple):
 def views() -> Iterator[Sight]:
     """Each scene in each word of its choices and in each preset, and each step of each walk."""
     for slug, scene in SCENES.items():
-        for chosen in choices(scene):
+        for chosen in seen(scene):
             link = fitted(chosen).query
             yield Sight(link, link)
         for label, values in scene.presets.items():

@@ -13,7 +13,7 @@ from playwright.sync_api import Locator, Page, Route, expect
 from components.scenes import SCENES
 from components.scenes.coupled.starting import BY_MODES
 from tests.browser.touch import Finger, Mouse, swipe
-from tests.browser.views import choices
+from tests.browser.views import seen
 from tests.browser.waiting import QUIET, passed, turned
 from tests.grids import WHOLE, spread
 
@@ -95,7 +95,7 @@ PLACE = """grip => {
 def new_grips(page: Page, slug: str) -> Iterator[Locator]:
     """Every grip of a scene in order, each once, in the first of its views that has it; nothing plays."""
     known: set[str] = set()
-    for view in (scene.off_default() for scene in choices(SCENES[slug])):
+    for view in (scene.off_default() for scene in seen(SCENES[slug])):
         turned(page, slug, view)
         stopped(page)
         for name in page.evaluate(GRIPS):

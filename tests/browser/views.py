@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-import param
-
 from components.scene import Scene
 from components.scenes import SCENES
 from components.state.standing import fitted
 from tests.grids import WHOLE
+from tests.scenes.checks import choices
 
 SAMPLE = ((1280, 590), (1024, 768), (844, 390), (360, 640))
 GRID = (
@@ -20,17 +19,13 @@ GRID = (
 """Sizes of windows, of which a sample is looked at."""
 
 
-def choices(scene: type[Scene]) -> Iterator[Scene]:
+def seen(scene: type[Scene]) -> Iterator[Scene]:
     """The scene as it opens, then with each other word of each choice."""
-    yield scene()
-    for name, parameter in scene.linked().items():
-        if isinstance(parameter, param.Selector) and not isinstance(parameter, param.ListSelector):
-            for value in parameter.get_range().values():
-                if value != parameter.default:
-                    yield scene(**{name: value})
+    yield (opens := scene())
+    yield from (scene(**choice) for choice in choices(scene) if opens.differing(choice))
 
 
-LINKS = [fitted(view).query for scene in SCENES.values() for view in (choices(scene) if WHOLE else [scene()])]
+LINKS = [fitted(view).query for scene in SCENES.values() for view in (seen(scene) if WHOLE else [scene()])]
 """All views; a sample has each scene as it opens."""
 
 SCREENS = [(theme, width, height) for theme in ("light", "dark") for width, height in ((1280, 720), (390, 844))]

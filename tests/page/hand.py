@@ -6,10 +6,10 @@ from collections.abc import Iterator, Sequence
 
 from msgspec.structs import replace
 
-from components.language.blocks import Block, Column, PlotBlock, Row, StageBlock
+from components.language.blocks import PlotBlock, StageBlock
 from components.language.picture import View
 from components.language.shapes import AnyShape, Grab
-from components.layout.sheet import blocks
+from components.layout.sheet import blocks, in_force
 from components.scene import Picture, Scene
 from components.state.encoding import view_of
 from components.state.scene_sheet import plots
@@ -20,19 +20,9 @@ Named = dict[str, float]
 Point = tuple[float, float]
 
 
-def visible(block: Block, forms: dict[str, str]) -> Iterator[Block]:
-    """The blocks that stand, with those in them."""
-    if block.form and not forms.get(block.form):
-        return
-    yield block
-    if isinstance(block, (Row, Column)):
-        for inner in block.blocks:
-            yield from visible(inner, forms)
-
-
 def grabs(scene: type[Scene], forms: dict[str, str] | None = None) -> Iterator[tuple[AnyShape, Grab]]:
     """Each shape of a scene's sheet that is grabbed; with the forms of a picture those in blocks that stand."""
-    for block in blocks(scene.sheet()) if forms is None else visible(scene.sheet(), forms):
+    for block in blocks(scene.sheet()) if forms is None else in_force(scene.sheet(), forms):
         for shape in block.shapes if isinstance(block, (StageBlock, PlotBlock)) else ():
             if shape.grab:
                 yield shape, shape.grab

@@ -7,20 +7,20 @@ import sys
 from collections.abc import Iterator
 from typing import Any
 
-import param
 import pytest
 
 from components.language.blocks import Block, ChoiceBlock, PlotBlock, TableBlock, WordsBlock
 from components.language.plots import Term
 from components.language.text import Forms
-from components.layout.sheet import blocks
+from components.layout.sheet import blocks, in_force
 from components.quantities.declared import Declared, DrawnAxis, Family, Named
 from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.accuracy.recorded import recorded
 from components.state.scene_sheet import scene_sheet
 from physics.accuracy import SYSTEMS
-from tests.page.hand import draw, grabs, sets, visible
+from tests.page.hand import draw, grabs, sets
+from tests.scenes.checks import choices
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 
@@ -60,15 +60,8 @@ MORE: dict[str, list[dict[str, Any]]] = {
 
 def cases(scene: type[Scene]) -> Iterator[Scene]:
     """The scene as it opens, each preset, each option of each choice, and what MORE names."""
-    yield scene()
-    for values in scene.presets.values():
-        yield scene(**values)
-    for name, parameter in scene.linked().items():
-        if isinstance(parameter, param.Boolean):
-            yield from (scene(**{name: value}) for value in (False, True))
-        elif isinstance(parameter, param.Selector) and not isinstance(parameter, param.ListSelector):
-            yield from (scene(**{name: value}) for value in parameter.get_range().values())
-    yield from (scene(**values) for values in MORE.get(scene.slug, []))
+    yield from (scene(**values) for values in ({}, *scene.presets.values()))
+    yield from (scene(**values) for values in (*choices(scene), *MORE.get(scene.slug, [])))
 
 
 def _declared(scene: type[Scene]) -> Iterator[str]:
@@ -101,7 +94,7 @@ def test_every_shape_is_drawn(slug: str) -> None:
     """The page's own scripts draw them: a number that the picture lacks is a fault."""
     for scene in cases(SCENES[slug]):
         sheet, shown = scene_sheet(type(scene)), scene.shown
-        shapes = [shape for block in visible(sheet.paper, shown.forms) for shape in getattr(block, "shapes", ())]
+        shapes = [shape for block in in_force(sheet.paper, shown.forms) for shape in getattr(block, "shapes", ())]
         rows = [row for group in sheet.panel.groups for row in group.rows]
         shapes += [shape for row in rows for part in getattr(row, "pictures", {}).values() for shape in part]
         draw(type(scene), shown, shapes)
@@ -127,7 +120,7 @@ def _chosen(one: Forms | Term, forms: dict[str, str]) -> str:
 @scenes
 def test_each_form_has_its_words(slug: str) -> None:
     for scene in cases(SCENES[slug]):
-        for block in visible(scene.sheet(), scene.shown.forms):
+        for block in in_force(scene.sheet(), scene.shown.forms):
             for one in _wordings(block):
                 variant = _chosen(one, scene.shown.forms)
                 assert variant in one.variants or not variant, (one, variant)

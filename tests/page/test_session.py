@@ -6,7 +6,6 @@ from typing import Any
 
 import msgspec
 import numpy as np
-import param
 import pytest
 from msgspec.structs import replace
 
@@ -21,7 +20,7 @@ from components.state.link import read_query
 from components.state.scene_sheet import sheet_address
 from components.state.standing import fitted
 from tests.page.told import Page, unpacked
-from tests.scenes.checks import as_arguments, quantities
+from tests.scenes.checks import as_arguments, choices, quantities
 
 scenes = pytest.mark.parametrize("slug", SCENES)
 
@@ -34,10 +33,8 @@ def opening(state: State | dict[str, Any], number: int = 1) -> dict[str, Any]:
 def changed(scene: type[Scene]) -> Scene:
     """The scene with something of every kind changed: a quantity, a choice, a window, a hidden curve."""
     values: dict[str, Any] = {name: q.softbounds[1] for name, q in list(quantities(scene).items())[:2]}
-    for name, parameter in scene.linked().items():
-        if isinstance(parameter, param.Selector) and not isinstance(parameter, param.ListSelector):
-            values[name] = list(parameter.get_range().values())[-1]
-            break
+    first, *others = choices(scene)
+    values |= [first, *(other for other in others if other.keys() == first.keys())][-1]
     return scene(**values, window=12.5, hidden=["x1"])
 
 

@@ -10,7 +10,10 @@ from typing import Any
 from urllib.parse import parse_qs
 
 import numpy as np
+import param
 
+from components.layout.choices import options
+from components.layout.controls import Choice
 from components.quantities.parameters import Quantity
 from components.scene import Picture, Scene
 from components.scene.traces import Columns
@@ -33,6 +36,13 @@ EXTREME_LINKS = (
 
 def quantities(scene: type[Scene]) -> dict[str, Quantity]:
     return {name: p for name in scene.param if isinstance(p := scene.param[name], Quantity) and p.default is not None}
+
+
+def choices(scene: type[Scene]) -> Iterator[dict[str, Any]]:
+    """Every value of every choice, alone."""
+    for name, parameter in scene.linked().items():
+        if isinstance(parameter, Choice) and not isinstance(parameter, param.ListSelector):
+            yield from ({name: value} for value in options(parameter).values())
 
 
 def corners(scene: type[Scene], most: int = 64 if WHOLE else 16) -> Iterator[dict[str, float]]:

@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from html import unescape
 from typing import Any
 
+from components.layout.sheet import in_force
 from components.scene import Scene
 
 TAG, LIVE = re.compile(r"<[^>]+>"), re.compile(r'<(\w+)[^>]*data-value="(\w+)"[^>]*></\1>')
@@ -15,7 +16,7 @@ TAG, LIVE = re.compile(r"<[^>]+>"), re.compile(r'<(\w+)[^>]*data-value="(\w+)"[^
 
 def sentences(scene: Scene) -> list[str]:
     """The sentences of the sheet that stand, formulas without their markup, live numbers in place."""
-    return [text for block in _standing(scene, scene.sheet()) for text in _texts(scene, block)]
+    return [text for block in in_force(scene.sheet(), scene.shown.forms) for text in _texts(scene, block)]
 
 
 def said(scene: Scene) -> str:
@@ -26,14 +27,6 @@ def said(scene: Scene) -> str:
 def read(scene: Scene, html: str) -> str:
     """The words of a text, with the numbers of the picture."""
     return unescape(TAG.sub("", LIVE.sub(lambda live: scene.shown.values.get(live[2], ""), html)))
-
-
-def _standing(scene: Scene, block: Any) -> Iterator[Any]:
-    if block.form and not scene.shown.forms.get(block.form):
-        return
-    yield block
-    for child in getattr(block, "blocks", ()):
-        yield from _standing(scene, child)
 
 
 def _texts(scene: Scene, block: Any) -> Iterator[str]:

@@ -7,14 +7,12 @@ import csv
 import io
 import re
 import zipfile
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 from urllib.parse import parse_qs, urlsplit
 
 import numpy as np
 import pandas as pd
-import param
 import pytest
 
 from components.chain import of_scene
@@ -28,18 +26,10 @@ from components.state.standing import fitted
 from tests.grids import sample
 from tests.page.scripts import call
 from tests.page.told import Page, picture_wire, put
-from tests.scenes.checks import as_arguments, quantities
+from tests.scenes.checks import as_arguments, choices, quantities
 
 HERE = "http://lectures.example/oscillations/"
 scenes = pytest.mark.parametrize("slug", SCENES)
-
-
-def views(slug: str) -> Iterator[Scene]:
-    """A scene in each word of each of its choices."""
-    for name, parameter in SCENES[slug].linked().items():
-        if isinstance(parameter, param.Selector) and not isinstance(parameter, param.ListSelector):
-            for value in parameter.get_range().values():
-                yield SCENES[slug](**{name: value})
 
 
 def taken(scene: Scene, page: str = HERE, **state: Any) -> dict[str, bytes]:
@@ -74,7 +64,8 @@ def page_counts(scene: Scene) -> int:
 
 @scenes
 def test_pandas_reads_every_column_of_every_plot_to_the_last_digit(slug: str) -> None:
-    for scene in [SCENES[slug](), *views(slug)]:
+    for values in ({}, *choices(SCENES[slug])):
+        scene = SCENES[slug](**values)
         drawn = [plot for plot in plots(SCENES[slug]) if plot.x in scene.shown.axes and plot.y in scene.shown.axes]
         files = taken(scene)
         assert (page_counts(scene) > 1) == (len(files) > 1), "so the button says on the page"
@@ -123,7 +114,7 @@ def test_units_are_si_whatever_the_axes_count_in() -> None:
 
 @scenes
 def test_every_choice_at_every_end_of_every_slider_can_be_taken(slug: str) -> None:
-    for scene in sample([*views(slug)]):
+    for scene in sample([SCENES[slug](**choice) for choice in choices(SCENES[slug])]):
         standing = dict(scene.values)
         for name, quantity in quantities(SCENES[slug]).items():
             for end in scene.shown.spans.get(name, quantity.softbounds):

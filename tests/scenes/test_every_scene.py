@@ -17,7 +17,7 @@ from components.state.link import read_query
 from components.state.scene_sheet import column_axes
 from components.state.standing import fitted
 from tests.page.told import Page, apply_message, take_preset
-from tests.scenes.checks import as_arguments, check_picture, corners, quantities, solves, typed
+from tests.scenes.checks import as_arguments, check_picture, choices, corners, quantities, solves, typed
 
 MOST_BYTES = {"phugoid": 5000}
 """Of a change, where 3000 are not enough."""
@@ -58,6 +58,11 @@ def test_one_solve_a_change(scene_class: type[Scene]) -> None:
     counted = solves(scene)
     setattr(scene, name, quantity.softbounds[1])
     assert len(counted) == 1
+    for choice in choices(scene_class):
+        counted.clear()
+        is_another = bool(scene.differing(choice))
+        scene.set(choice)
+        assert len(counted) == is_another, choice
 
 
 @scenes
@@ -119,13 +124,14 @@ def test_sources_hold_what_another_view_draws_and_nothing_of_the_one_before() ->
 @scenes
 def test_a_bad_value_is_told_at_its_control(scene_class: type[Scene]) -> None:
     scene = scene_class()
-    name = next(iter(quantities(scene_class)))
-    before = scene.shown
-    for text in ("", "many", "nan", "1e999"):
-        errors = apply_message(scene, {"type": "typed", "name": name, "text": text})
-        assert list(errors) == [name]
-        assert errors[name].endswith(".")
-    assert scene.shown is before
+    before, values = scene.shown, dict(scene.param.values())
+    for name, quantity in quantities(scene_class).items():
+        beyond = [text for text in ("-1", "0") if quantity.refusal(float(text))]
+        for text in ("", "many", "nan", "1e999", *beyond):
+            errors = apply_message(scene, {"type": "typed", "name": name, "text": text})
+            assert list(errors) == [name]
+            assert errors[name].endswith(".")
+    assert scene.shown is before and dict(scene.param.values()) == values
 
 
 @scenes

@@ -6,7 +6,6 @@ import itertools
 from collections.abc import Iterator
 from typing import Any
 
-import param
 import pytest
 
 from components.chain import START
@@ -20,6 +19,7 @@ from physics.analogues import ANALOGUES
 from tests.page.hand import Hand, grabs, sets
 from tests.page.scripts import played
 from tests.page.told import Page
+from tests.scenes.checks import choices
 
 AT = 0.37
 """The instant at which a hand takes hold, in the unit of the time axis."""
@@ -85,9 +85,7 @@ def shown_ways(slug: str) -> Iterator[dict[str, Any]]:
     """The presets of a scene, and each word of each of its choices."""
     scene = SCENES[slug]
     yield from (*scene.presets.values(), *ALSO.get(slug, ()))
-    for name, parameter in scene.linked().items():
-        if isinstance(parameter, param.Selector) and not isinstance(parameter, param.ListSelector):
-            yield from ({name: value} for value in parameter.get_range().values())
+    yield from choices(scene)
 
 
 def dragged(hand: Hand, grab: Grab) -> bool:

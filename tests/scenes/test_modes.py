@@ -8,10 +8,7 @@ import random
 import numpy as np
 import pytest
 
-from components.scenes import SCENES
 from components.scenes.modes import VIEWS, ModesScene
-from components.state.link import read_query
-from components.state.standing import fitted
 from tests.page.told import apply_message, take_preset
 from tests.scenes.checks import check_picture
 
@@ -190,37 +187,6 @@ def test_presets_in_every_view(task: str) -> None:
         assert take_preset(scene, label) == {}
         assert (scene.preset(), scene.task) == (label, task)
         check_picture(scene)
-
-
-@views
-def test_one_solve_for_a_change_of_view(task: str) -> None:
-    scene = ModesScene(task="solve" if task == "guess" else "guess")
-    pictures: list[object] = []
-    scene.on_picture(pictures.append)
-    assert apply_message(scene, {"type": "choose", "name": "task", "value": task}) == {}
-    assert len(pictures) == 1
-    assert scene.shown.forms[task] == "shown"
-
-
-@views
-def test_a_link_brings_back_the_view(task: str) -> None:
-    scene = ModesScene(task=task, k1=0.3, omega=0.4, ratio=7.0, swept="m1", x2_0=-0.2)
-    query = fitted(scene).query
-    link = read_query({k: [v.encode()] for k, v in (pair.split("=") for pair in query.split("&"))}, SCENES)
-    assert link.problems == []
-    again = ModesScene()
-    again.set(link.values)
-    assert again.param.values() | {"name": ""} == scene.param.values() | {"name": ""}
-
-
-@views
-def test_bad_input_leaves_the_view_as_it_was(task: str) -> None:
-    scene = ModesScene(task=task)
-    before = scene.shown
-    for name, text in (("m1", "0"), ("k2", "-1"), ("ratio", "inf"), ("omega", "-2"), ("x1_0", "far")):
-        assert list(apply_message(scene, {"type": "typed", "name": name, "text": text})) == [name]
-    assert apply_message(scene, {"type": "choose", "name": "swept", "value": "omega"})
-    assert scene.shown is before
 
 
 @views

@@ -12,9 +12,7 @@ from scipy.integrate import solve_ivp
 from components.scenes import SCENES
 from components.scenes.oscillator import OscillatorScene
 from components.state.link import read_query
-from components.state.standing import fitted
 from tests.page.scripts import played
-from tests.page.told import apply_message, take_preset
 from tests.scenes.checks import check_picture
 
 starts = pytest.mark.parametrize(
@@ -128,28 +126,6 @@ def test_too_fast_to_draw_is_the_band_of_the_amplitude() -> None:
     assert "leads" not in scene.shown.scalars
 
 
-def test_presets_solve_once_and_are_recognised() -> None:
-    scene = OscillatorScene()
-    solved: list[str | None] = []
-    scene.on_picture(lambda _: solved.append(scene.preset()))
-    others = [label for label in scene.presets if label != scene.preset()]
-    for label in others:
-        assert not take_preset(scene, label)
-        check_picture(scene)
-    assert solved == others
-
-
-@pytest.mark.parametrize(
-    "name, text", [("m", "0"), ("m", "-1"), ("k", "-2"), ("x_0", "far"), ("v_0", "1e999"), ("window", "0")]
-)
-def test_bad_input_is_told_and_changes_nothing(name: str, text: str) -> None:
-    scene = OscillatorScene()
-    before, state = scene.shown, dict(scene.param.values())
-    assert name in apply_message(scene, {"type": "typed", "name": name, "text": text})
-    assert scene.shown is before
-    assert dict(scene.param.values()) == state
-
-
 def test_what_leaves_the_doubles_is_refused() -> None:
     scene = OscillatorScene()
     before = scene.shown
@@ -157,13 +133,6 @@ def test_what_leaves_the_doubles_is_refused() -> None:
         scene.set({"m": 1e-300, "k": 1e300})
     assert scene.shown is before
     assert scene.m == 1.0
-
-
-def test_link_brings_the_scene_back() -> None:
-    scene = OscillatorScene(m=0.25, v_0=1e-3, window=3.0)
-    query = dict(pair.split("=") for pair in fitted(scene).query.split("&"))
-    link = read_query({key: [value.encode()] for key, value in query.items()}, SCENES)
-    assert (link.slug, link.values, link.problems) == ("oscillator", {"m": 0.25, "v_0": 1e-3, "window": 3.0}, [])
 
 
 def test_the_force_on_demand_is_minus_k_x() -> None:
