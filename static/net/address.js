@@ -1,6 +1,7 @@
 // The address of a page: a link says all of its state, as long as a server takes a link of that length.
 
-const REST = 310 // ms from one writing of it to the next: Safari allows 100 in 30 s
+const REST = 350 // ms from one writing of it to the next, in the long run: Safari allows 100 in 30 s
+const AHEAD = 10 // so many more are free at once: a page that is loaded anew right after a change has that in its address
 const LONGEST = 8000 // of a query, in characters: components/serving/pages.py
 
 /** @param {string} query */
@@ -25,7 +26,7 @@ export class Address {
   /** @type {(() => void) | null} writes what is not written yet */
   #late = null
 
-  #wrote = -Infinity
+  #due = -Infinity // when the next writing is free
 
   /** @type {number | undefined} */
   #timer
@@ -36,13 +37,13 @@ export class Address {
   }
 
   /**
-   * Into the entry that stands: at once where nothing more is coming and nothing was written just before.
+   * Into the entry that stands: at once where nothing more is coming and not much was written just before.
    * @param {{address: string, entry: unknown}} what @param {boolean} more
    */
   write({address, entry}, more) {
     clearTimeout(this.#timer)
     this.#late = () => history.replaceState(entry, "", address)
-    const wait = more ? REST : this.#wrote + REST - Date.now()
+    const wait = more ? REST : this.#due - Date.now()
     if (wait <= 0) this.settle()
     else this.#timer = setTimeout(() => this.settle(), wait)
   }
@@ -59,6 +60,6 @@ export class Address {
     if (!this.#late) return
     this.#late()
     this.#late = null
-    this.#wrote = Date.now()
+    this.#due = Math.max(this.#due, Date.now() - AHEAD * REST) + REST
   }
 }
