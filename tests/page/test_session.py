@@ -33,8 +33,8 @@ def opening(state: State | dict[str, Any], number: int = 1) -> dict[str, Any]:
 def changed(scene: type[Scene]) -> Scene:
     """The scene with something of every kind changed: a quantity, a choice, a window, a hidden curve."""
     values: dict[str, Any] = {name: q.softbounds[1] for name, q in list(quantities(scene).items())[:2]}
-    first, *others = choices(scene)
-    values |= [first, *(other for other in others if other.keys() == first.keys())][-1]
+    chosen = [*choices(scene)]
+    values |= [one for one in chosen if one.keys() == chosen[0].keys()][-1] if chosen else {}
     return scene(**values, window=12.5, hidden=["x1"])
 
 
