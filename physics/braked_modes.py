@@ -5,19 +5,18 @@
     X2/X1 = (k2 + c2 s)/(m2 s^2 + c2 s + k2) = (m1 s^2 + (c1 + c2) s + k1 + k2)/(k2 + c2 s)
 
 The shapes are real, and those without dashpots, exactly where c1 k2 = c2 k1, whatever the masses (T. K. Caughey and M.
-E. J. O'Kelly, J. Appl. Mech. 32 (1965) 583). Exponents and shapes come from 120 digits and are rounded once.
+E. J. O'Kelly, J. Appl. Mech. 32 (1965) 583). Exponents and shapes come from 120 digits, or
+more, and are rounded once.
 """
 
 from fractions import Fraction
 from typing import Any, NamedTuple
 
 from physics.coupled import TwoMassChain
-from physics.laplace import Driven, expansion
+from physics.laplace import Driven, resolved
 from physics.roots import taxicab
 
 DIGITS = 120
-_REAL = 1e-50
-"""What is left of the imaginary part of a shape that is real, of one that is 1 long."""
 
 
 class BrakedMode(NamedTuple):
@@ -35,7 +34,7 @@ class BrakedMode(NamedTuple):
 def braked_modes(chain: TwoMassChain, c1: float, c2: float) -> tuple[BrakedMode, BrakedMode]:
     """The slow mode and the fast one; of a mode that does not swing the shape is that of the slower exponent."""
     driven = Driven(chain, c2, 0.0, 0.0, (1.0, 0.0), (0.0, 1.0), c1)
-    found = expansion(driven, DIGITS)
+    found = resolved(driven, DIGITS)
     pairs = [(p,) for p in found.exponents if p.imag > 0]
     rest = 4 - len(found.exponents)
     real = sorted([p for p in found.exponents if not p.imag] + [found.ctx.mpc(0)] * rest, key=abs)
@@ -61,4 +60,5 @@ def _shape(driven: Driven, ctx: Any, s: Any) -> tuple[complex, complex]:
     if not size:
         return 0j, 1 + 0j
     turn = abs(one) / one / size if one else 1 / two
-    return complex(abs(one) / size), complex(ctx.chop(two * turn, _REAL))
+    two *= turn
+    return complex(abs(one) / size), complex(two if s.imag and not in_line(chain, driven.c1, driven.c) else two.real)

@@ -26,6 +26,8 @@ Rows = tuple[Any, ...]  # numbers of mpmath for x1, x2, the elongation x2 - x1 a
 
 NOTHING: Polynomial = (Fraction(0),)
 _SAME = 1e-6  # relative distance below which two exponents make one term in doubles
+_SPARE = 20  # digits that are left of the smaller part of an exponent
+_MOST_DIGITS = 4000  # even doubles at both their ends need no more
 
 
 class Driven(NamedTuple):
@@ -226,6 +228,15 @@ def expansion(driven: Driven, digits: int) -> Expansion:
     """The sum in numbers of that many digits, worked out as far as it is asked for."""
     exact = transform(driven)
     return expanded(exact.P, exact.start, exact.drive, driven.omega, digits, undamped=not (driven.c or driven.c1))
+
+
+def resolved(driven: Driven, digits: int) -> Expansion:
+    """The sum in that many digits, or in as many more as leave a double's digits in the real part of each exponent: of
+    a motion that hardly dies it is a small part."""
+    found = expansion(driven, digits)
+    small = found.ctx.mpf(10) ** (_SPARE - digits)
+    lost = any(p.imag and abs(p.real) < small * abs(p.imag) for p in found.exponents)
+    return resolved(driven, 2 * digits) if lost and (driven.c or driven.c1) and digits < _MOST_DIGITS else found
 
 
 def expanded(

@@ -37,7 +37,7 @@ from physics.curves import ScaledCurve, rounded_once, scaled_sum
 from physics.elementary import LARGEST_EXPONENT, SMALLEST_EXPONENT, exponential, sine_cosine
 from physics.exact import Array, angle, pair_product, precise, rounded
 from physics.forced import REST, forced_motion
-from physics.laplace import Driven, Expansion, expansion
+from physics.laplace import Driven, Expansion, expansion, resolved
 from physics.particular import at_natural_frequency
 from physics.roots import taxicab
 from physics.valid import check_finite, check_not_negative, finite_array, in_range
@@ -110,7 +110,7 @@ class DampedModes:
     def transient(self) -> tuple[Decaying, ...]:
         """The motion beside x_p, in terms: in doubles, exponents closer than 1e-6 taken as equal."""
         self._check_particular()
-        found = expansion(self._driven, DIGITS).distinct()
+        found = resolved(self._driven, DIGITS).distinct()
         terms = [Decaying(_complex(p), np.array([_complexes(row) for row in rows])) for p, rows in found]
         return tuple(term for term in terms if np.any(term.amplitudes))
 

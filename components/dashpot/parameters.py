@@ -49,7 +49,7 @@ def parts(m: float, k: float, c: float, *, hangs: bool = True) -> tuple[Quantity
         not_negative(
             DampedOscillator(m=m, c=c, k=k).zeta, symbol="ζ", unit="", label="damping ratio", tint="T", scale="near0",
             softbounds=(0.0, 3.0), allowed=DAMPED_ONLY.replace("c is", "ζ is"),
-            says="sets c: it is c over 2√(k m). From 1 on nothing swings. Any value from 0 up.",
+            says="sets c: it is c over 2√(k m). From 1 on nothing swings by itself. Any value from 0 up.",
         ),
     )  # fmt: skip
 

@@ -161,7 +161,10 @@ def squared_axis(end: float, unit: str, count: int = 5) -> Axis:
 
 def nice_ticks(low: float, high: float, count: int) -> tuple[float, ...]:
     """Multiples of a round step within [low, high], at most `count` + 1; two at the least where the range allows."""
-    power = 10.0 ** math.floor(math.log10((high - low) / count))
+    part = (high - low) / count
+    if not 0 < part < math.inf:
+        raise ArithmeticError(f"no ticks from {low} to {high}")
+    power = 10.0 ** math.floor(math.log10(part))
     for step in (f * power for f in (1, 2, 2.5, 4, 5, 10)):
         first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
         if last - first <= count:

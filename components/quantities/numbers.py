@@ -121,7 +121,7 @@ def power_unit(value: float) -> tuple[int, str]:
     ten is itself short of digits; its reciprocal is then still a double.
     """
     if not math.isfinite(value):
-        raise ValueError(f"an axis cannot reach to {value}")
+        raise OverflowError(f"an axis cannot reach to {value}")
     if value == 0 or 1e-3 <= abs(value) < 1e4:
         return 0, ""
     exponent = max(-306, 3 * (Decimal(repr(float(value))).adjusted() // 3))

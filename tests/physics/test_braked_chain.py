@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import random
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
 from physics.absorber import damped_amplitude, damped_solution
+from physics.braked_modes import braked_modes
 from physics.coupled import TwoMassChain
 from physics.particular import particular_solution
 from physics.reference_braked import braked_points
@@ -50,6 +52,28 @@ def test_the_motion_is_that_of_an_integrator(chain: TwoMassChain, c1: float, c2:
     x, v = one.drawn(t)
     np.testing.assert_allclose([*x[:2], *v[:2]], [*motion.x, *motion.v], atol=1e-11)
     np.testing.assert_allclose(x[2], motion.e[1], atol=1e-11)
+
+
+@pytest.mark.parametrize("size", [1e-30, 1e-110, 1e-130, 1e-250])
+def test_the_hardly_damped_die_as_slowly_as_the_shapes_say(size: float) -> None:
+    """To first order a mode dies at the power of its own shape in the dashpots over twice its energy."""
+    found = braked_modes(PLAIN, 3 * size, size)
+    rates = [(3 * 1 + 1) / (2 * 6), (3 * 1 + 4) / (2 * 3)]  # shapes (1, 2) and (1, -1)
+    assert [one.exponents[0].real for one in found] == pytest.approx([-size * rate for rate in rates], rel=1e-14)
+    transient = sorted((one.exponent for one in modes(PLAIN, 3 * size, size).transient), key=abs)
+    assert [one.real for one in transient] == pytest.approx([-size * rate for rate in rates], rel=1e-14)
+    turned = [one.shape[1] / one.shape[0] for one in found]
+    assert all(0 < abs(ratio.imag) < 10 * size for ratio in turned), "not in line"
+
+
+def test_no_motion_with_dashpots_grows_over_all_decades() -> None:
+    pick = random.Random("braked")
+    for _ in range(40):
+        m1, m2, k1, k2, c1, c2 = (10 ** pick.uniform(-100, 100) for _ in range(6))
+        free = pick.choice(("", "k1", "c1", "c2"))
+        chain = TwoMassChain(m1=m1, m2=m2, k1=0.0 if free == "k1" else k1, k2=k2)
+        found = braked_modes(chain, 0.0 if free == "c1" else c1, 0.0 if free == "c2" else c2)
+        assert all(s.real <= 0 for one in found for s in one.exponents)
 
 
 @pytest.mark.parametrize(("c1", "c2"), EXTREME)

@@ -19,6 +19,7 @@ from physics.coupled import TwoMassChain
 from tests.page.scripts import played, values_of
 from tests.page.told import Page, change, put
 from tests.scenes.checks import check_picture
+from tests.scenes.said import sentences
 
 M1, K1, F_0 = 100.0, 250e3, 500.0
 
@@ -235,6 +236,24 @@ def test_a_transient_of_equal_exponents_is_played_from_a_table() -> None:
     motion = duty.damped.motion(t)
     for i in (0, 1):
         np.testing.assert_allclose(values_of(found, {}, t)[f"x{i + 1}"], motion.x[i], atol=1e-5)
+
+
+@pytest.mark.parametrize("c", [216.0, 216.0000001, 216.01, 230.0])
+def test_what_is_left_of_a_transient_is_said_as_it_is(c: float) -> None:
+    """At c = 216 its exponents are one pair twice, and t exp(s t) outlasts exp(s t)."""
+    machine = {"own": True, "m1": 400, "k1": 625, "omega": 1.0, "F_0": 100, "tuning": "free", "m2": 225, "k2": 144}
+    scene = Absorber(**machine, damping="added", c=c, played="rest", x1_0=0.3)
+    (told,) = (text for text in sentences(scene) if "dies out" in text)
+    assert "at most 1 %" not in told and ("each term to 1 % within" in told) == (c != 216.0)
+    data = scene.sources["rest"].data
+
+    def rates(t: float, y: np.ndarray) -> list[float]:
+        x1, x2, v1, v2 = y
+        link = 144 * (x2 - x1) + c * (v2 - v1)
+        return [v1, v2, (-625 * x1 + link + 100 * math.sin(t)) / 400, -link / 225]
+
+    x = solve_ivp(rates, (0, data["t"][-1]), [0.3, 0, 0, 0], "DOP853", data["t"], rtol=1e-11, atol=1e-12).y[0]
+    np.testing.assert_allclose(data["x1"], x, atol=1e-8)
 
 
 @pytest.mark.parametrize("played", ["particular", "rest"])

@@ -6,6 +6,7 @@ import math
 import re
 from typing import Any
 
+import msgspec
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -29,7 +30,7 @@ def sentence(scene: Scene) -> str:
 
 
 def numbers(text: str) -> list[float]:
-    return [parse_number(found) for found in re.findall(r"[−\d][\d.]*(?:·10[⁻⁰-⁹]+)?", text)]
+    return [parse_number(found) for found in re.findall(r"[−\d][\d.]*(?:·10[⁻⁰¹²³⁴-⁹]+)?", text)]
 
 
 def test_c_and_zeta_are_one_quantity() -> None:
@@ -131,6 +132,7 @@ def test_its_sentence_is_true(m: float, k: float, zeta: float, x_0: float, throw
         a, b = (one.motion(x_0, scene.v_0, np.array([s])).x[0] for s in (0.1 * tau, 1.1 * tau))
         share, energy, longer, *_ = numbers(told)
         assert share == pytest.approx(100 * b / a, rel=6e-3) and energy == pytest.approx(100 * (b / a) ** 2, rel=6e-3)
+        assert "100 %" not in told
         assert longer == pytest.approx(100 * (tau * omega / (2 * math.pi) - 1), rel=6e-3)
     elif told.startswith("It hardly swings"):
         half = one.motion(x_0, scene.v_0, np.array([0.3 / omega, 0.3 / omega + math.pi / one.omega_d])).x
@@ -141,6 +143,44 @@ def test_its_sentence_is_true(m: float, k: float, zeta: float, x_0: float, throw
     else:
         assert told.startswith("Within 1 % of its start") and signs.size == 0
         assert numbers(told)[1] == pytest.approx(late(scene, 0.01), rel=6e-3)
+
+
+@pytest.mark.parametrize("zeta", [1e-12, 1e-9, 1e-6, 1e-4, 7e-4])
+def test_a_swing_that_loses_little_is_not_said_to_keep_all(zeta: float) -> None:
+    scene = DAMPED(zeta=zeta)
+    lost, energy, longer = numbers(sentence(scene))
+    delta = 2 * math.pi * zeta / math.sqrt(1 - zeta**2)
+    assert "all but" in sentence(scene) and scene.shown.values["keep"].startswith("all but")
+    assert lost == pytest.approx(-100 * math.expm1(-delta), rel=6e-3)
+    assert energy == pytest.approx(100 * -math.expm1(-2 * delta) if delta < 0.0025 else 99.1, rel=6e-3)
+    assert longer == pytest.approx(50 * zeta**2, rel=6e-3)
+
+
+@pytest.mark.parametrize("zeta", [0.02, 0.1, 0.306, 0.49, 0.51, 0.9, 1.5])
+@pytest.mark.parametrize("start", [{}, {"v_0": 2.0}, {"v_0": -0.1}, {"x_0": 0.0, "v_0": 1.0}])
+def test_the_power_is_greatest_where_it_is_said_to_be(zeta: float, start: dict[str, float]) -> None:
+    """Before x = 0 on its way there, but not close to it: with much damping halfway."""
+    scene = DAMPED(zeta=zeta, **start)
+    t = np.linspace(0.0, 5.0, 50_001)
+    motion = DampedOscillator(m=scene.m, c=scene.c, k=scene.k).motion(scene.x_0, scene.v_0, t)
+    top = int(np.argmax(np.abs(motion.v)))
+    at = scene.shown.forms["fastest"]
+    assert (at == "at_start") == (top == 0)
+    if at == "before":
+        assert motion.x[top] * motion.v[top] < 0 and (motion.x[top:] * motion.x[top] < 0).any()
+    assert "just before" not in msgspec.json.encode(DAMPED.sheet()).decode()
+
+
+def test_what_does_not_swing_keeps_nothing_from_swing_to_swing() -> None:
+    assert [bool(DAMPED(**values).shown.values["keep"]) for values in ({}, {"zeta": 1.5}, {"k": 0.0})] == [1, 0, 0]
+
+
+@pytest.mark.parametrize("zeta", [1 - 9e-7, 1 - 3.6e-8, 1.0, 1 + 5e-7])
+@pytest.mark.parametrize("share", [0.0, 0.1, 0.9, 0.999, 1.01, 3.0])
+def test_next_to_critical_it_crosses_only_where_it_is_thrown_faster_than_is_said(zeta: float, share: float) -> None:
+    scene = DAMPED(zeta=zeta, v_0=-0.1 * share * math.sqrt(39.48))
+    told = sentence(scene)
+    assert told.startswith("It passes 0 once" if share > 1 else "Within 1 % of its start after"), told
 
 
 @pytest.mark.parametrize(

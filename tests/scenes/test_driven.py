@@ -20,7 +20,7 @@ from tests.grids import tries
 from tests.page.scripts import each
 from tests.page.told import Page, put
 from tests.scenes.presets import readout, taken
-from tests.scenes.said import read
+from tests.scenes.said import read, said
 
 DRIVEN = SCENES["driven"]
 KINDS = ("force", "base", "unbalance")
@@ -47,6 +47,19 @@ def forces(scene: Any) -> tuple[complex, complex, complex, complex]:
         -scene.m * w * w * X,
         scene.k * X + 1j * scene.c * w * X - scene.m * w * w * X,
     )
+
+
+def test_the_width_of_half_the_power_is_told_where_the_power_has_a_peak() -> None:
+    """Of an unbalance the power in the dashpot rises without end, or first to a peak of another width."""
+    r = np.linspace(0.01, 40.0, 400_000)
+    for kind in KINDS:
+        scene = DRIVEN(kind=kind, zeta=0.2)
+        power = (r * np.abs(magnification(r, 0.2, "force" if kind == "force" else "unbalance"))) ** 2
+        half = r[power >= power.max() / 2]
+        peaks = math.isclose(half[-1] - half[0], 0.4, rel_tol=1e-3)
+        assert peaks == (kind == "force") == ("Δω" in "".join(said(scene).split()))
+        assert ("Q=" in "".join(said(scene).split())) == (kind != "base")
+        assert "by itself" in str(DRIVEN.param["zeta"].doc), "a driven mass swings at any damping"
 
 
 SOME = st.floats(-1.0, 1.0).map(lambda power: 10.0**power)

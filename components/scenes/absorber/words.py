@@ -48,11 +48,17 @@ def _kind(duty: Duty) -> str:
     return "damped" if duty.c else "undamped" if np.all(np.isfinite(duty.X)) else "none"
 
 
+def _why_rest(duty: Duty) -> str:
+    if duty.c:
+        return "alike" if duty.alike else "damped"
+    return duty.unsolved if not duty.solved else "parts" if duty.k2 else "alone"
+
+
 class Forms(Declared[Duty]):
     first = form(_kind)
     second = form(lambda d: "still" if d.verdict == "still" else _kind(d).replace("none", ""))
     why = form(lambda d: "damped" if d.c else d.verdict)
-    why_rest = form(lambda d: "damped" if d.c else d.unsolved if not d.solved else "parts" if d.k2 else "alone")
+    why_rest = form(_why_rest)
     rest = form(lambda d: d.from_rest)
     formulas = form(lambda d: not d.from_rest)
     helped = form(lambda d: "never" if d.band is None else "above" if math.isinf(d.band[1]) else "band")
@@ -131,7 +137,8 @@ FROM_REST = either(
     beat="Next to a natural frequency the machine's swing grows for long in proportion to time, then it beats.",
     aside="Next to a natural frequency at which almost mass 2 alone swings its swing grows for long, the machine's "
     f"stays within {N.rest1} {N.x_unit}.",
-    damped=f"The particular solution, {N.swing} {N.x_unit}, is what remains. The complementary part dies out: "
-    f"after {N.dies} at most 1 % of it is left.",
+    damped=f"The particular solution, {N.swing} {N.x_unit}, is what remains. The complementary part dies out, each "
+    f"term to 1 % within {N.dies}.",
+    alike=f"The particular solution, {N.swing} {N.x_unit}, is what remains. The complementary part dies out.",
 )
 """The sentence on the motion from its start."""

@@ -81,7 +81,7 @@ class DampedCase(Windowed):
             return self.kind
         if not self.x_0:
             return "never"
-        if self.v_0 * self.x_0 < 0 and self.motion.first_zero is not None:
+        if self.v_0 * self.x_0 < 0 and abs(self.v_0) > self.crossing_speed and self.motion.first_zero is not None:
             return "crosses"
         return "thrice" if self.kind == "critical" and not self.v_0 else "home"
 

@@ -13,12 +13,21 @@ from physics.damped import DampedOscillator, FreeDecay
 
 HOME = 0.01
 """The share of x_0 within which the mass counts as home."""
+ALL_BUT = 0.005
+"""Of a logarithmic decrement: of less what is kept has not enough digits left to tell it from all."""
 
 number = LiveNumber[DampedCase]
 
 
 def percent(share: float) -> str:
     return f"{short(100 * share)} %"
+
+
+def kept(decrement: float) -> str:
+    """exp(-decrement) in percent; where nearly all of it is kept, by what is not."""
+    if 0 < decrement < ALL_BUT:
+        return f"all but {percent(-math.expm1(-decrement))}"
+    return percent(math.exp(-decrement))
 
 
 def home_thrice(case: DampedCase) -> float:
@@ -48,10 +57,10 @@ class Numbers(Declared[DampedCase]):
     B = number(lambda c: c.fading.late[1] if c.kind == "over" else c.fading.rate, form=plus)
     x_0 = number(lambda c: c.x_0)
     v_0 = number(lambda c: c.v_0, form=plus)
-    keep = number(lambda c: math.exp(-c.oscillator.log_decrement), form=percent)
+    keep = number(lambda c: c.oscillator.log_decrement if c.oscillator.omega_d else None, form=kept)
     keep_x = number(lambda c: math.exp(-c.oscillator.log_decrement), form=lambda share: f"× {three(share)}")
-    keep_energy = number(lambda c: math.exp(-2 * c.oscillator.log_decrement), form=percent)
-    half = number(lambda c: math.exp(-c.oscillator.log_decrement / 2), form=percent)
+    keep_energy = number(lambda c: 2 * c.oscillator.log_decrement, form=kept)
+    half = number(lambda c: c.oscillator.log_decrement / 2, form=kept)
     longer = number(
         lambda c: math.expm1(-math.log1p(-(c.oscillator.zeta**2)) / 2) if c.oscillator.zeta < 1 else 0.0, form=percent
     )

@@ -118,7 +118,7 @@ def _power() -> Block:
             phrase("", "none", "T", formula=f"{N.P_unit}"),
             phrase(
                 "", "none", "mute", form=F.fastest,
-                before="greatest just before *x* = 0", fastest="greatest where the mass is fastest",
+                before="greatest before *x* = 0", fastest="greatest where the mass is fastest",
                 at_start="greatest at the start",
             ),
         ),

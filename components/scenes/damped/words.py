@@ -11,8 +11,6 @@ from components.scenes.damped.numbers import Numbers as N
 from physics.sampling import drawable
 
 TASK = "Drag a root: where does the swinging end, and does still more damping bring the mass home sooner?"
-AT_ONCE = 0.5
-"""Up to this damping ratio the mass is fastest close to equilibrium."""
 
 form = Form[DampedCase]
 
@@ -22,7 +20,7 @@ def _fastest(case: DampedCase) -> str:
     one = case.oscillator
     if not (one.c and case.P_max):
         return ""
-    return "at_start" if not case.top.t else "before" if one.zeta < AT_ONCE and one.k else "fastest"
+    return "at_start" if not case.top.t else "before" if case.kind == "under" else "fastest"
 
 
 def _roots(case: DampedCase) -> str:

@@ -56,7 +56,7 @@ class Forms(Declared[DrivenCase]):
     driven = Family(KINDS, lambda kind: form(lambda c: c.kind == kind), "{}")
     size = form(lambda c: "grows" if c.swells else c.kind)
     steady = form(lambda c: c.pushed and c.steady)
-    quality = form(lambda c: c.kind != "base" and c.zeta > 0)
+    quality = form(lambda c: c.kind if c.kind != "base" and c.zeta else "")
     work = form(lambda c: ("base" if c.shaken else "push") if c.pushed and c.steady and c.oscillator.c else "")
     holds = form(_holds)
     x_p = form(lambda c: "" if c.shaken else _part(c))
@@ -81,7 +81,11 @@ FACTS: tuple[Paragraph, ...] = (
         grows=GROWTH,
     ),
     either(Forms.steady, shown=rf"[m1|$X = {N.X}$ m, $\phi = {N.phi}$ rad]"),
-    either(Forms.quality, shown=rf"$Q = 1 / (2 \zeta) = {N.Q},\ \Delta \omega = {N.width}$ rad/s"),
+    either(
+        Forms.quality,
+        force=rf"$Q = 1 / (2 \zeta) = {N.Q},\ \Delta \omega = {N.width}$ rad/s",
+        unbalance=rf"$Q = 1 / (2 \zeta) = {N.Q}$",
+    ),
 )
 WORK: Paragraph = either(
     Forms.work,
