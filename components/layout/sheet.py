@@ -24,16 +24,27 @@ from components.language.shapes import AnyShape
 from components.language.text import Forms
 from components.layout.text import rich
 
+MOST_TIMES = 50
+"""So many times as much as its neighbour a block may take."""
 Paragraph = str | Forms
 """A text, or several forms of it."""
 
 
 def row(*blocks: Block, grow: float = 1, basis: int = 0, gap: int = 24) -> Block:
-    return Row(blocks=blocks, grow=grow, basis=basis, gap=gap)
+    return Row(blocks=_sharing(blocks), grow=grow, basis=basis, gap=gap)
 
 
 def column(*blocks: Block, grow: float = 1, basis: int = 0, gap: int = 0) -> Block:
-    return Column(blocks=blocks, grow=grow, basis=basis, gap=gap)
+    return Column(blocks=_sharing(blocks), grow=grow, basis=basis, gap=gap)
+
+
+def _sharing(blocks: tuple[Block, ...]) -> tuple[Block, ...]:
+    """Blocks that share what room is left; ValueError where one would get next to none of it."""
+    shares = [block.grow for block in blocks if block.grow]
+    least, most = min(shares, default=1.0), max(shares, default=1.0)
+    if most > MOST_TIMES * least:
+        raise ValueError(f"A block with grow={least:g} has no room beside one with grow={most:g}: give it more.")
+    return blocks
 
 
 def stage(

@@ -104,6 +104,15 @@ def bands_over_time(t: Floats, bands: Columns) -> dict[str, Columns]:
     return {BAND: bands and {"t": t, **bands}}
 
 
+def bands_about_zero(t: Floats, reach: Mapping[Any, Floats | float]) -> dict[str, Columns]:
+    """The source of the bands of signals that swing so far to both sides of 0."""
+    bands = Columns()
+    for one, size in by_name(reach).items():
+        high = np.full_like(t, size)
+        bands |= dict(zip(band_columns(one), (-high, high), strict=True))
+    return bands_over_time(t, bands)
+
+
 def band_columns(name: str) -> tuple[str, str]:
     """The columns of the band that stands for the curve `name`."""
     return f"{name}_lo", f"{name}_hi"

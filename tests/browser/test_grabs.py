@@ -16,6 +16,7 @@ from tests.browser.touch import Finger, Mouse, swipe
 from tests.browser.views import seen
 from tests.browser.waiting import QUIET, passed, turned
 from tests.grids import WHOLE, spread
+from tests.page.hand import grabs
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -123,7 +124,7 @@ def test_what_a_hand_has_taken_is_where_the_hand_is(
         page.evaluate(LATE)
     hand = Mouse(page) if desk else Finger(page)
     held = [taken(page, hand, grip) for grip in new_grips(page, slug)]
-    assert len(held) > 1
+    assert held or not [*grabs(SCENES[slug])]
 
 
 def taken(page: Page, hand: Mouse | Finger, grip: Locator) -> None:

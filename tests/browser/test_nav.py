@@ -16,7 +16,7 @@ MOST = 13
 """Scenes that the head line has room for at 1024."""
 MORE = """count => {
   const links = [...document.querySelectorAll(".nav .scenes a")]
-  links.slice(-count).forEach(link => link.after(link.cloneNode(true)))
+  links.slice(links.length - count).forEach(link => link.after(link.cloneNode(true)))
 }"""
 OFF_LINE = """() => {
   const range = document.createRange()
@@ -53,8 +53,8 @@ def test_nothing_in_it_runs_into_anything_on_any_screen(page: Page, open_scene: 
 
 def test_it_has_room_for_thirteen_scenes(page: Page, open_scene: Open) -> None:
     open_scene(page, scene="coupled")
-    page.evaluate(MORE, MOST - len(SCENES))
-    assert page.locator(".nav .scenes a").count() == MOST
+    page.evaluate(MORE, max(0, MOST - len(SCENES)))
+    assert page.locator(".nav .scenes a").count() == max(MOST, len(SCENES))
     for width in (1000, 1024, 1160, 1280, 1519, 1520, 1920):
         page.set_viewport_size({"width": width, "height": 800})
         assert page.evaluate(RUN_TOGETHER) == [], width

@@ -14,7 +14,7 @@ from components.quantities.axes import ONE, Axis, nice_axis, time_axis
 from components.quantities.declared import Column, Declared, DrawnAxis, Family, Scalar, Signal, by_name
 from components.quantities.motion import QUARTER, cosine_of, derived, sampled, sine_of, sines
 from components.quantities.numbers import MINUS, short
-from components.scene.traces import BAND, Columns, Floats, Traces, band_columns, samples
+from components.scene.traces import BAND, Columns, Floats, Traces, bands_about_zero, samples
 from components.scenes.analogues.case import DEGREE, AnalogueCase
 from components.scenes.analogues.reach import LARGEST
 from physics.analogues import ANALOGUES
@@ -153,9 +153,7 @@ def columns_of(case: AnalogueCase, axes: declared.Axes) -> dict[str, Columns]:
     columns: dict[str, Columns] = {"late": {}, "limits": {}, "here": {}, **late, BAND: {}}
     if not case.drawable:
         t = np.linspace(0.0, case.end, samples(case.end, case.omega))
-        high = np.full_like(t, abs(case.q_0))
-        ends = [name for one in (Signals.x, Signals.q) for name in band_columns(one.name)]
-        columns[BAND] = {"t": t, **dict(zip(ends, (-high, high, -high, high), strict=True))}
+        columns |= bands_about_zero(t, dict.fromkeys((Signals.x, Signals.q), abs(case.q_0)))
     return columns
 
 

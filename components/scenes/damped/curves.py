@@ -11,7 +11,7 @@ from components.quantities import declared
 from components.quantities.axes import Axis, nice_axis, time_axis, whole_axis
 from components.quantities.declared import Column, Declared, DrawnAxis, Signal, by_name
 from components.quantities.motion import QUARTER, damped, decays, derived, scaled, total
-from components.scene.traces import Columns, Floats, band_columns, bands_over_time, samples
+from components.scene.traces import Columns, Floats, bands_about_zero, samples
 from components.scenes.damped.case import DampedCase
 from physics.energy import half_square
 from physics.sampling import drawable
@@ -125,9 +125,8 @@ def columns_of(case: DampedCase, t: Floats) -> dict[str, Columns]:
     """Where a swing is too fast for a line: the band of x, and energies and power averaged over it."""
     one = case.oscillator
     decay = np.exp(-one.rates[0] * t)
-    low, high = band_columns(Signals.x.name)
-    bands = {} if drawable(one.omega_d, t) else {low: -case.envelope * decay, high: case.envelope * decay}
-    columns = {**Locus.columns(case), **bands_over_time(t, bands)}
+    reach = {} if drawable(one.omega_d, t) else {Signals.x: case.envelope * decay}
+    columns = {**Locus.columns(case), **bands_about_zero(t, reach)}
     if drawable(2 * one.omega_d, t):
         return columns
     E = case.E_0 * decay * decay

@@ -15,7 +15,7 @@ from components.quantities import declared
 from components.quantities.axes import ONE, Axis, nice_axis, time_axis
 from components.quantities.declared import Column, Declared, DrawnAxis, Family, Scalar, Signal, by_name
 from components.quantities.motion import QUARTER, damped, driven, sines, total
-from components.scene.traces import Columns, Floats, band_columns, bands_over_time
+from components.scene.traces import Columns, Floats, bands_about_zero
 from components.scenes.driven.case import KINDS, DrivenCase
 from components.scenes.driven.power import Power, powers_of
 from physics.driven import highest, lag, magnification
@@ -150,12 +150,11 @@ def columns_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, Columns]:
 
 def _bands(case: DrivenCase) -> dict[str, Columns]:
     """The band that x stays within, where it is too fast for a line: the steady part and what is left of the start."""
-    low, high = band_columns(Signals.x.name)
     if drawable(case.fastest, case.t):
-        return bands_over_time(case.t, {})
+        return bands_about_zero(case.t, {})
     reach = np.full_like(case.t, case.reach)
     if case.split:
         one = case.complementary
         fading = math.hypot(one.start, one.rate / one.swing) if one.swing else abs(one.start) + sum(map(abs, one.late))
         reach = abs(case.X) + fading * np.exp(-one.slow * case.t)
-    return bands_over_time(case.t, {low: -reach, high: reach})
+    return bands_about_zero(case.t, {Signals.x: reach})

@@ -15,7 +15,7 @@ from components.quantities.axes import ONE, Axis, nice_axis, time_axis
 from components.quantities.declared import Declared, DrawnAxis, Family, Scalar, Signal, by_name
 from components.quantities.motion import QUARTER, derived, scaled, sines
 from components.quantities.numbers import MINUS, power_unit, three
-from components.scene.traces import Columns, Floats, band_columns, bands_over_time, samples
+from components.scene.traces import Columns, Floats, bands_about_zero, samples
 from components.scenes.oscillator.case import Oscillation
 
 UNITS = ("m", "m/s", "m/s²")
@@ -103,10 +103,8 @@ def exact(case: Oscillation, t: Floats) -> Columns:
 
 def bands_of(case: Oscillation) -> dict[str, Columns]:
     """The bands that x, v and a fill where they are too fast to draw."""
-    t, bands = np.linspace(0.0, case.end, samples(case.end, case.omega)), Columns()
-    for row, size in zip(ROWS, case.amplitudes, strict=True):
-        bands |= dict(zip(band_columns(row.name), (np.full_like(t, -size), np.full_like(t, size)), strict=True))
-    return bands_over_time(t, bands)
+    t = np.linspace(0.0, case.end, samples(case.end, case.omega))
+    return bands_about_zero(t, dict(zip(ROWS, case.amplitudes, strict=True)))
 
 
 class Places(Declared[Oscillation]):
