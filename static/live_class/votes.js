@@ -96,7 +96,8 @@ export class Votes {
     const of = answered > here ? "" : ` of ${here}` // some have left since
     const drawn = tally?.now.sketches.length ?? 0
     const some = drawn && drawn < answered ? `, ${drawn} of them drawn here` : "" // more would be one dark area
-    this.status.textContent = `${turn}${answered}${of} have answered${this.isOpen ? some + before : ""}`
+    const words = `${turn}${answered}${of} have answered${this.isOpen ? some + before : ""}`
+    this.status.textContent = tally ? words : "" // what is not counted yet is not 0
     if (!walk.lesson) card.forward.textContent = this.waits ? "Show the votes" : card.last
     if (!walk.lesson) card.forward.classList.remove("waiting")
     const {closed} = this.teach.news.question ?? {}
@@ -118,7 +119,7 @@ export class Votes {
     const card = /** @type {import("../walks/card.js").Card} */ (this.card)
     this.layer ??= card.question.tally(this.chips)
     this.layer.update(tally, lesson)
-    if (lesson) this.all.textContent = this.layer.headline(tally)
+    if (lesson && tally.now.answered) this.all.textContent = this.layer.headline(tally)
   }
 
   leave() {

@@ -167,12 +167,12 @@ export class Plot {
   #axes() {
     if (!this.mounted) return
     this.figure.setRanges(this.x, this.y)
-    this.figure.setLabels(this.#abscissae())
+    this.figure.setLabels(this.abscissae)
   }
 
   // Where numbers would touch, every second one is left out, or more; the last, which carries the unit, stays. So is
   // what a handle would cut.
-  #abscissae() {
+  get abscissae() {
     const {ticks, labels} = this.x
     const last = ticks.length - 1
     const spans = ticks.map((tick, i) => ({at: this.px(tick), size: textWidth(labels[i]) + 4}))

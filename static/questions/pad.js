@@ -212,9 +212,17 @@ export class Pad {
     const {column, height} = this.pen
     const pen = svg("circle", {class: "pen", r: 7, cx: this.plot.px(this.#abscissa(column)), cy: this.plot.py(height)})
     const marks = this.findings.flatMap(({has, at}) => (at ? [this.#mark(has, at)] : []))
-    this.ink.replaceChildren(...old, ...lines.flat(), ...marks, ...(this.taught ? [] : [pen]))
+    this.ink.replaceChildren(...this.#numbers(), ...old, ...lines.flat(), ...marks, ...(this.taught ? [] : [pen]))
     inUnits(this.ink, box.left + box.width + 2 * SLACK, box.top + box.height + 2 * SLACK)
     for (const [key, value] of Object.entries(box)) this.layer.style.setProperty(`--${key}`, long(value))
+  }
+
+  /** Those of an axis whose own numbers stand under another plot: the pad may be seen without it. */
+  #numbers() {
+    const {block, abscissae, frame} = this.plot
+    const y = frame.top + frame.height - 4
+    const numbers = block.x_labels ? [] : [...abscissae]
+    return numbers.map(([at, words]) => svg("text", {class: "tick", x: this.plot.px(at), y}, words))
   }
 
   /** @param {string} name @param {[number, number][]} points */

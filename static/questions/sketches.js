@@ -49,7 +49,7 @@ export class Sketches {
         for (const other of lights) other.setAttribute("aria-pressed", String(other === light))
       })
     this.chips.append(...(lesson ? lights : []), band)
-    if (lesson && this.page.host.hall.on) this.page.heading.textContent = this.headline(tally)
+    if (lesson && answered && this.page.host.hall.on) this.page.heading.textContent = this.headline(tally)
     this.#draw()
   }
 

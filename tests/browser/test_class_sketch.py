@@ -69,11 +69,19 @@ def test_the_exact_curve_from_a_phone_is_right(step: str, window: Open) -> None:
 
 
 def test_the_pad_lies_above_the_bar_of_the_class(window: Open) -> None:
-    """A hand cannot draw over the bar."""
-    _, code = taught(window, "walk=d34&step=d34-10")
+    """A hand cannot draw over the bar; the numbers of the time, which stand under another plot, are on the pad, and in
+    the hall where the sketches of all have the screen."""
+    lecture, code = taught(window, "walk=d34&step=d34-10&projector")
     phone = joined(window, code, 844, 390)
     phone.wait_for_function(TOLD, arg="d34-10")
     phone.wait_for_function(ABOVE)
+    expect(phone.locator(".strokes").get_by_text("60 s")).to_be_visible()
+    time = lecture.locator(".strokes").get_by_text("60 s")
+    expect(time).to_be_hidden()
+    clicked(lecture)
+    expect(time).to_be_visible()
+    clicked(lecture)
+    expect(lecture.locator("h1")).to_have_text("Two modes almost in tune beat")  # none was drawn of which it could tell
 
 
 def test_covers_leave_the_pad_a_frame_of_its_own() -> None:
