@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from components.language.blocks import PlotBlock
 from components.language.messages import HEIGHTS, Sketched
@@ -18,7 +17,7 @@ from components.state.scene_sheet import plots
 from components.state.standing import Standing
 from components.walks.expressions import numbers_of
 from components.walks.links import Scenes, elsewhere, name_in_state, opening_state, standing_at
-from components.walks.sketch import Ranges, Sketch, sketch
+from components.walks.sketch import Ranges, Sketch, sketch, turns
 from components.walks.types import BaseStep
 
 Traced = list[tuple[float, float]]
@@ -143,9 +142,7 @@ class Subject:
                 across, up = axes.x.places(columns[curve.x]), axes.y.places(columns[name])
                 places += zip(across.tolist(), up.tolist(), strict=True)
                 if block.time:
-                    smooth = CubicSpline(across, up)  # within 1e-7 of a motion that is drawn in 32 points a cycle
-                    turns = smooth.derivative().roots(extrapolate=False)
-                    places += zip(turns.tolist(), smooth(turns).tolist(), strict=True)
+                    places += turns(across, up)
         if not places:
             raise ValueError(f"the plot “{plot}” draws no curve “{name}”")
         return [(number_at(axes.x, x), number_at(axes.y, y)) for x, y in places]

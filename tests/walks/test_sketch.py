@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import msgspec
@@ -10,7 +11,7 @@ import pytest
 
 from components.quantities.axes import Axis
 from components.walks.features import Feature, Seen
-from components.walks.sketch import Ranges, Sketch, sketch
+from components.walks.sketch import Ranges, Sketch, sketch, turns
 from components.walks.subject import PlotAxes
 
 FRAME = Ranges((0.0, 2.0), (-0.2, 0.2))
@@ -155,3 +156,18 @@ def test_a_feature_is_told_by_expressions_of_the_scenes_numbers() -> None:
             feature(f="zero", at=text, tol=0.1).worked_out(numbers, AXES)
     with pytest.raises(ValueError, match="> 0"):
         feature(f="zero", at=0.5, tol="-tau").worked_out(numbers, AXES)
+
+
+@pytest.mark.parametrize("phase", [0.3, 1.0, 2.0, math.pi - 0.1])
+def test_a_curve_turns_where_its_motion_does(phase: float) -> None:
+    t = np.arange(150) * 2 * math.pi / 32
+    places = math.pi * np.arange(1, 12) - math.atan(0.05) - phase
+    inside = places[(t[2] < places) & (places < t[-3])]
+    found = [(x, y) for x, y in turns(t, np.exp(-0.05 * t) * np.cos(t + phase)) if t[2] < x < t[-3]]
+    assert [x for x, _ in found] == pytest.approx(inside, abs=1e-6)
+    assert [y for _, y in found] == pytest.approx(np.exp(-0.05 * inside) * np.cos(inside + phase), abs=1e-7)
+
+
+def test_what_never_turns_or_keeps_its_height_has_no_turn() -> None:
+    t = np.linspace(0, 1, 20)
+    assert turns(t, np.zeros(20)) == turns(t, t) == turns(t, np.exp(-t)) == []

@@ -6,7 +6,6 @@ import math
 from functools import lru_cache
 
 import numpy as np
-from scipy.interpolate import CubicHermiteSpline
 
 from components.quantities.declared import Column, Declared
 from components.scene.traces import Floats
@@ -42,11 +41,18 @@ def powers_of(case: DrivenCase) -> dict[Column[DrivenCase], Floats]:
         for one, inside, at in zip((Power.P_in, Power.P_lost), rates, ends, strict=True):
             pieces = inside.reshape(count, -1) @ _WEIGHTS * step / 2
             done = np.concatenate([[0.0], np.cumsum(pieces)])
-            before = CubicHermiteSpline(t, in_range("the work", done), in_range("the power", at))(
-                np.maximum(t - swing, 0)
-            )
+            before = _between(step, in_range("the work", done), in_range("the power", at), np.maximum(t - swing, 0))
             columns[one] = (done - before) / swing
     return columns
+
+
+def _between(step: float, heights: Floats, slopes: Floats, t: Floats) -> Floats:
+    """The cubics through heights with slopes at instants evenly apart, at other instants."""
+    i = np.minimum((t / step).astype(int), len(heights) - 2)
+    s, rise = t / step - i, heights[i + 1] - heights[i]
+    first, last = slopes[i] * step, slopes[i + 1] * step
+    found: Floats = heights[i] + s * (first + s * (3 * rise - 2 * first - last + s * (first + last - 2 * rise)))
+    return found
 
 
 def powers(case: DrivenCase, t: Floats) -> tuple[Floats, Floats]:
