@@ -17,12 +17,12 @@ RUN apt-get update \
     && pip uninstall --yes --root-user-action ignore pip
 COPY --from=packages /packages /packages
 WORKDIR /app
-COPY app.py ./
+COPY app.py reading.py ./
 COPY components components
 COPY physics physics
 COPY static static
 # Nothing is written when it runs: what is compiled here is not compiled at each start.
-RUN python -m compileall -q -j 0 app.py components physics
+RUN python -m compileall -q -j 0 app.py reading.py components physics
 USER 1000
 
 # The settings are environment variables; docs/deployment.md names them.

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from functools import partial
@@ -29,11 +28,10 @@ from components.state.link import Link, read_query
 from components.state.scene_sheet import sheet_address, sheet_json
 from components.state.wire import on_page
 from components.walks import Query, Walks
-from components.walks.apart import Apart, work
+from components.walks.apart import Apart
 from components.walks.cards import walk_file
 from components.walks.links import read_link
 from components.walks.registry import all_walks, asked_step
-from physics.accuracy_worker import restrain
 
 pn.config.browser_info = False
 # The page has themes of its own; Panel would decode what the link says of one, whatever that is.
@@ -96,12 +94,6 @@ class Lectured(NamedTuple):
     files: dict[str, bytes]
     bank: QuestionBank
     start: StartPage
-
-
-def read_for_others(folders: Iterable[Path]) -> None:
-    """The process that reads strangers' walks for a server: `python -m app FOLDER ...`."""
-    restrain()
-    work(all_walks(folders, SCENES), SCENES, sys.stdin.buffer, sys.stdout.buffer)
 
 
 def walked(folders: Iterable[Path]) -> Lectured:
@@ -167,7 +159,5 @@ def scene_page(query: Query) -> pn.template.BootstrapTemplate:
     return pn.template.BootstrapTemplate(title=title, sidebar=[menu, face.panel], main=main)
 
 
-if __name__ == "__main__":
-    read_for_others(map(Path, sys.argv[1:]))
-elif __name__.startswith("bokeh_app_"):  # so `panel serve` names the file that it runs
+if __name__.startswith("bokeh_app_"):  # so `panel serve` names the file that it runs
     scene_page(pn.state.session_args).servable()

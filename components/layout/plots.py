@@ -17,7 +17,8 @@ from bokeh.models import Plot as BokehPlot
 from bokeh.plotting import figure
 from msgspec.structs import replace
 
-from components.language.blocks import PlotBlock
+from components.language.blocks import Block, PlotBlock, Row
+from components.language.blocks import Column as ColumnBlock
 from components.language.numbers import Name, called
 from components.language.plots import Curve, Handle, Mark, Region, Term
 from components.language.plots import Room as Room
@@ -145,9 +146,16 @@ def plot(
         room=room,
         cursor=bool(cursor),
         time=cursor == "time",
-        figure=_written(_figure(drawn, filled, room, x_labels, given["plain"])),
+        figure={},
         **_named(dict(given)),
     )
+
+
+def with_figures(block: Block) -> Block:
+    """A block with the figures of its plots, which the browser alone needs."""
+    if isinstance(block, (Row, ColumnBlock)):
+        return replace(block, blocks=tuple(map(with_figures, block.blocks)))
+    return replace(block, figure=_written(figure_of(block))) if isinstance(block, PlotBlock) else block
 
 
 def figure_of(block: PlotBlock) -> BokehPlot:

@@ -52,7 +52,7 @@ def tell(settings: Settings, port: int) -> str:
 async def serve(settings: Settings) -> None:
     """Serve until the process is asked to end."""
     folders = [settings.walks] if settings.walks else []
-    lecture, apart = walked(map(Path, folders)), ReadingProcess("app", *folders)
+    lecture, apart = walked(map(Path, folders)), ReadingProcess("reading", *folders)
     lecture.bank.apart = apart
     live_class = LiveClass(store_at(settings.store), lecture.bank, settings.class_passphrase)
     numbers = NumbersRoute(lecture.numbers_of, settings.arrivals)

@@ -10,11 +10,13 @@ from hashlib import sha256
 from typing import Any
 
 import msgspec
+from msgspec.structs import replace
 
 from components.language.blocks import PlotBlock
 from components.language.messages import SceneSheet, Shown
 from components.language.state import State
 from components.layout.controls import panel, settings
+from components.layout.plots import with_figures
 from components.layout.sheet import axes_of_columns, blocks
 from components.scene import Scene
 from components.state.encoding import view_of
@@ -76,7 +78,8 @@ def usual(scene: type[Scene]) -> bytes:
 @cache
 def sheet_json(scene: type[Scene]) -> bytes:
     """The sheet as the browser reads it."""
-    return msgspec.json.encode(scene_sheet(scene))
+    sheet = scene_sheet(scene)
+    return msgspec.json.encode(replace(sheet, paper=with_figures(sheet.paper)))
 
 
 @cache
@@ -93,20 +96,20 @@ def plots(scene: type[Scene]) -> Iterator[PlotBlock]:
 @cache
 def live_names(scene: type[Scene]) -> frozenset[str]:
     """The live numbers that the sheet speaks of, in whatever form they stand."""
-    return frozenset(_named(msgspec.json.decode(sheet_json(scene))))
+    return frozenset(_named(msgspec.to_builtins(scene_sheet(scene))))
 
 
 @cache
 def heading_names(scene: type[Scene]) -> dict[str, frozenset[str]]:
     """The live numbers that stand in the heading of a plot and nowhere else but in headings, by plot."""
-    sheet = msgspec.json.decode(sheet_json(scene))
+    sheet = msgspec.to_builtins(scene_sheet(scene))
     headings = {plot.name: frozenset(_named(msgspec.to_builtins(plot.heading))) for plot in plots(scene)}
     elsewhere = frozenset(_named(_without_headings(sheet)))
     return {name: names - elsewhere for name, names in headings.items()}
 
 
 def _without_headings(part: Any) -> Any:
-    if isinstance(part, list):
+    if isinstance(part, (list, tuple)):
         return [_without_headings(one) for one in part]
     if isinstance(part, dict):
         return {key: _without_headings(value) for key, value in part.items() if key != "heading"}
@@ -117,7 +120,7 @@ def _named(part: Any) -> Iterator[str]:
     """Live numbers in HTML, and in the words of a stage."""
     if isinstance(part, str):
         yield from LIVE.findall(part)
-    elif isinstance(part, list):
+    elif isinstance(part, (list, tuple)):
         for one in part:
             yield from _named(one)
     elif isinstance(part, dict):

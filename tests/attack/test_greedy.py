@@ -30,7 +30,7 @@ CHANGES = [name for name in GREEDY if name not in WALKS]
 
 @pytest.fixture(scope="module")
 def process() -> Iterator[ReadingProcess]:
-    one = ReadingProcess("app")
+    one = ReadingProcess("reading")
     yield one
     one.close()
 

@@ -13,7 +13,7 @@ from tests.serving.server import ROOT, Server, free_port, serving
 
 SECRET = "a secret of more than thirty-two letters"
 COOKIE_SECRET = "another of more than thirty-two letters"
-COPIED = ("app.py", "components", "physics", "static")
+COPIED = ("app.py", "reading.py", "components", "physics", "static")
 
 
 class Site:

@@ -21,7 +21,7 @@ MINE = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 
 @pytest.fixture(scope="module")
 def beside() -> Iterator[ReadingProcess]:
-    one = ReadingProcess("app")
+    one = ReadingProcess("reading")
     yield one
     one.close()
 

@@ -18,7 +18,7 @@ from tests.browser.fixtures import SCREENSHOTS
 from tests.serving.server import ROOT, serving
 
 TUTORIAL = ROOT / "docs" / "adding-a-scene.md"
-COPIED = ("app.py", "components", "physics", "static", "tests", "pyproject.toml", "README.md", "docs")
+COPIED = ("app.py", "reading.py", "components", "physics", "static", "tests", "pyproject.toml", "README.md", "docs")
 TYPES = ".mypy_cache"
 """Left by the linters: with it mypy reads what is new alone."""
 REGISTRY = "components/scenes/__init__.py"
