@@ -70,15 +70,11 @@ class Thumbs {
     if (touched.matches) addEventListener("scroll", () => this.#middle(), {passive: true})
   }
 
-  start() {
-    this.#inOrder(0)
-  }
-
-  /** @param {number} i */
-  #inOrder(i) {
+  /** @param {number} i the first that plays */
+  inOrder(i) {
     const thumb = this.all[i]
     if (!thumb || this.playing) return
-    thumb.play(() => this.#inOrder(i + 1))
+    thumb.play(() => this.inOrder(i + 1))
   }
 
   /** One is looked at, and plays until it is not. @param {Thumbnail | null} thumb */
@@ -133,7 +129,7 @@ function join(form) {
 }
 
 const cards = [...document.querySelectorAll("a.scene-card")].filter(link => link instanceof HTMLAnchorElement)
-new Thumbs(cards).start()
+new Thumbs(cards).inOrder(0)
 const form = document.querySelector(".class-join")
 if (form instanceof HTMLFormElement) join(form)
 document.getElementById("theme")?.addEventListener("click", turnTheme)

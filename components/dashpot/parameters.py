@@ -2,30 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Self
 
 import param
 
 from components.layout.controls import Group
 from components.quantities.parameters import Quantity, Values, mass, not_negative, one_of, positive, stiffness
+from components.scene import Scene
 from physics.damped import DampedOscillator
 from physics.exact import exact, precise, rounded
 
 PARTS = Group("Mass, spring, dashpot", ("m", "k", "c", "zeta"))
 KEPT = Group("When m or k changes", ("keep",))
-SHARES = {"mass": "m", "stiffness": "k", "damping": "c"}
-"""Its parameters, by the meaning that other scenes give them too."""
 DAMPED_ONLY = "a dashpot only takes energy: c is a finite number, 0 or more"
-
-
-class Dashpot(Protocol):
-    """A scene with these parameters."""
-
-    m: float
-    k: float
-    c: float
-    zeta: float
-    keep: str
 
 
 def parts(m: float, k: float, c: float, *, hangs: bool = True) -> tuple[Quantity, Quantity, Quantity, Quantity]:
@@ -59,22 +48,31 @@ def keeping() -> param.Selector[str]:
     return one_of(default="c", objects={"keep c": "c", "keep ζ": "zeta"}, label="What stays when m or k changes")
 
 
-def followed(scene: Dashpot, changed: frozenset[str], *, opened: bool) -> Values:
-    """The damping that follows from a change: zeta from c, or c from zeta. ValueError where there is none."""
-    by_zeta = "zeta" in changed and ("c" not in changed or scene.keep == "zeta")
-    if not by_zeta and ("c" in changed or scene.keep == "c"):
-        if not scene.k or not changed & {"m", "k", "c", "zeta"}:
-            return {}
+class DashpotScene(Scene):
+    """A scene with these parameters."""
+
+    m: Quantity
+    k: Quantity
+    c: Quantity
+    zeta: Quantity
+    keep: param.Selector[str]
+    shares = {"mass": "m", "stiffness": "k", "damping": "c"}
+
+    def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
+        """The damping that follows from a change: zeta from c, or c from zeta. ValueError where there is none."""
+        by_zeta = "zeta" in changed and ("c" not in changed or self.keep == "zeta")
+        if not by_zeta and ("c" in changed or self.keep == "c"):
+            if not self.k or not changed & {"m", "k", "c", "zeta"}:
+                return {}
+            with precise():
+                ratio = exact(self.c) / (2 * (exact(self.k) * exact(self.m)).sqrt())
+            return {"zeta": rounded("the damping ratio ζ = c/(2√(k m))", ratio)}
+        if by_zeta and before and not self.k:
+            raise ValueError("Without a spring (k = 0) there is no ζ: set c instead.")
         with precise():
-            ratio = exact(scene.c) / (2 * (exact(scene.k) * exact(scene.m)).sqrt())
-        return {"zeta": rounded("the damping ratio ζ = c/(2√(k m))", ratio)}
-    if by_zeta and not opened and not scene.k:
-        raise ValueError("Without a spring (k = 0) there is no ζ: set c instead.")
-    with precise():
-        damping = 2 * exact(scene.zeta) * (exact(scene.k) * exact(scene.m)).sqrt()
-    return {"c": rounded("the damping c = 2ζ√(k m)", damping)} if changed & {"m", "k", "zeta"} else {}
+            damping = 2 * exact(self.zeta) * (exact(self.k) * exact(self.m)).sqrt()
+        return {"c": rounded("the damping c = 2ζ√(k m)", damping)} if changed & {"m", "k", "zeta"} else {}
 
-
-def derived_one(scene: Dashpot) -> frozenset[str]:
-    """The one of c and zeta that follows from the other."""
-    return frozenset({"zeta"} if scene.keep == "c" else {"c"})
+    def derived(self) -> frozenset[str]:
+        """The one of c and zeta that follows from the other."""
+        return frozenset({"zeta"} if self.keep == "c" else {"c"})

@@ -22,6 +22,9 @@ const NAMED = new Set(["text", "circle", "wave"])
 export const coveredPlots = ({covered}) =>
   covered.filter(name => name.startsWith("plot:")).map(name => name.slice("plot:".length))
 
+/** @param {{block: page.PlotBlock, shown: Drawn}} plot */
+export const isCovered = ({block, shown}) => coveredPlots(shown.state).includes(block.name)
+
 /**
  * Whether a shape would tell of what is covered: what needs it, texts, dots and waves on a plot's scale that do not
  * say what is given, what lies inside a plot.
@@ -42,17 +45,16 @@ export class Cover {
     this.plot = plot
   }
 
-  /** @param {string[]} covered */
-  update(covered) {
+  update() {
     const {block, host} = this.plot
-    const isCovered = covered.includes(`plot:${block.name}`)
-    if (isCovered && !this.element) {
+    const stands = isCovered(this.plot)
+    if (stands && !this.element) {
       const act = () => this.plot.page.compare.reveal(`plot:${block.name}`)
       const reveal = chip("Reveal", act, {"aria-label": `Reveal ${block.title}`})
       this.element = element("div", {class: "cover"}, element("span", {}, "Covered. What do you expect?"), reveal)
       host.append(this.element)
     }
-    if (this.element) this.element.hidden = !isCovered
+    if (this.element) this.element.hidden = !stands
     this.place()
   }
 

@@ -7,7 +7,7 @@ const SERIES = 20
 /** @typedef {[number, number]} Complex */
 
 /** A phase past all doubles is anywhere on the circle. @param {number} phase */
-const circled = phase => (Number.isFinite(phase) ? phase : 0)
+export const circled = phase => (Number.isFinite(phase) ? phase : 0)
 
 /** exp(re + i im). @param {number} re @param {number} im @returns {Complex} */
 function exponential(re, im) {

@@ -60,6 +60,9 @@ export function grouped(count) {
   return count < 1e6 ? Number(count.toPrecision(3)).toLocaleString("en").replaceAll(",", "\u202f") : short(count)
 }
 
+/** A number with its unit, which a degree and a power of ten follow at once. @param {string} number @param {string} unit */
+export const withUnit = (number, unit) => `${number}${unit === "°" || unit.startsWith("·") ? "" : " "}${unit}`.trim()
+
 /** A typed text as it is shown. @param {string} text */
 export const withTrueMinus = text => text.replaceAll("-", MINUS)
 

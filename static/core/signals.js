@@ -1,15 +1,15 @@
 // Signals, evaluated from a few scalars at any instant: the browser's half of components/language/signals.py.
 
-import {damped, driven} from "./damped.js"
+import {circled, damped, driven} from "./damped.js"
 
 const SERIES = 1 // below this largest angle the power series has every digit, and the closed forms cancel
 const TERMS = 9
 
-/** A phase past all doubles is anywhere on the circle. @param {number} phase */
-const sin = phase => Math.sin(Number.isFinite(phase) ? phase : 0)
+/** @param {number} phase */
+const sin = phase => Math.sin(circled(phase))
 
 /** @param {number} phase */
-const cos = phase => Math.cos(Number.isFinite(phase) ? phase : 0)
+const cos = phase => Math.cos(circled(phase))
 
 /** sin(rate t) / rate, also at rate 0. @param {number} rate @param {number} t */
 const sinc = (rate, t) => (Math.abs(rate * t) < 1e-4 ? t * (1 - (rate * t) ** 2 / 6) : sin(rate * t) / rate)

@@ -2,6 +2,7 @@
 
 import {marked} from "../core/dom.js"
 import {brief} from "../input/handles.js"
+import {withTrueMinus, withUnit} from "../core/numbers.js"
 import {indexed, plain} from "../core/plain.js"
 
 /** The parameters in the panel, as "m₁ = 2.00 kg"; then those that only stand in a table. @param {PartHost} page */
@@ -10,16 +11,13 @@ export function parameters({spec, panel, shown: {settings, view}}) {
   const rows = groups.flatMap(group => group.rows).filter(row => row.kind === "slider")
   const set = rows.map(row => {
     const {text, unit} = settings[row.name]
-    return `${indexed(row.symbol)} = ${counted(brief(text).replace("-", "−"), unit ?? row.unit)}`
+    return `${indexed(row.symbol)} = ${withUnit(withTrueMinus(brief(text)), unit ?? row.unit)}`
   })
   const lines = [...panel.querySelectorAll("section:not([hidden], :has(.control)) .cells-1")].map(row =>
     plain(row).replace(/,$/, ""),
   )
   return [...lines, ...set]
 }
-
-/** @param {string} number @param {string} unit */
-const counted = (number, unit) => `${number}${unit === "°" ? "" : " "}${unit}`.trim()
 
 /** @param {PartHost} page */
 export const link = page => new URL(page.link, location.href).href
@@ -31,7 +29,7 @@ export const instant = page => (page.shown.view.time ? `t = ${page.clock.t.toFix
 export function held({shown}, drawn) {
   const rows = shown.held?.ledger.filter(({same}) => !same) ?? []
   const told = rows.map(({symbol, held: number, unit}) => {
-    return `${plain(marked("i", {}, symbol))} = ${counted(number, unit)}`
+    return `${plain(marked("i", {}, symbol))} = ${withUnit(number, unit)}`
   })
   return told.length ? [`${drawn}: held, ${told[0]}`, ...told.slice(1)] : []
 }

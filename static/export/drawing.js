@@ -1,6 +1,6 @@
 // A plot as an SVG of its own: what the figure shows, in a frame of any size, with its names, flags and shapes.
 
-import {SPOKEN, coveredPlots} from "../compare/cover.js"
+import {SPOKEN, coveredPlots, isCovered} from "../compare/cover.js"
 import {set, svg, unitSize} from "../core/dom.js"
 import {Flags, Labels} from "../paper/labels.js"
 import {fixed} from "../core/numbers.js"
@@ -84,8 +84,8 @@ export class Drawing {
     labels.place()
     flags.place()
     if (marks.length) this.inside.append(this.#shapes(named, marks))
-    const isCovered = coveredPlots(this.page.shown.state).includes(this.block.name)
-    if (this.block.shapes.length && !isCovered) this.over.append(this.#shapes(named, this.block.shapes))
+    if (this.block.shapes.length && !isCovered({block: this.block, shown: this.page.shown}))
+      this.over.append(this.#shapes(named, this.block.shapes))
     this.over.append(...flags.marks.flatMap(({flag}) => this.#flag(flag)))
   }
 

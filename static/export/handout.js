@@ -1,7 +1,6 @@
 // A walk on paper: its steps with their pictures and space for the answers; and, printed apart, what each of them
 // means. The walk is gone through once, as a visitor would; the pages are made of what it shows.
 
-import {coveredPlots} from "../compare/cover.js"
 import {element, frame, marked} from "../core/dom.js"
 import {paged} from "./pages.js"
 import {plotPicture, stagePicture} from "./picture.js"
@@ -96,9 +95,8 @@ function question({step, card, lecture: {page}}, n) {
  */
 function pictures(page, step) {
   const {stages, plots} = things(page)
-  const covered = coveredPlots(page.shown.state)
-  const isApart = (/** @type {import("../paper/plots.js").Plot} */ {host, block}) =>
-    host.closest(".column") !== stages[0]?.host.parentElement && !covered.includes(block.name)
+  const isApart = (/** @type {import("../paper/plots.js").Plot} */ {host}) =>
+    host.closest(".column") !== stages[0]?.host.parentElement
   const asked = page.plots.filter(({block}) => block.name === step.plot)
   const others = asked.length ? asked : plots.filter(isApart).slice(0, 1)
   const drawn = [

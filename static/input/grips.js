@@ -3,6 +3,7 @@
 import {element, long, reword, surface, unitSize} from "../core/dom.js"
 import {brief} from "./handles.js"
 import {whileHeld} from "./held.js"
+import {withUnit} from "../core/numbers.js"
 import {polynomial} from "../core/signals.js"
 
 const FINGER = 44 // pixels, the least that a finger hits
@@ -109,7 +110,7 @@ export class Grips {
   #spoken(name) {
     const {text, unit} = this.page.shown.settings[name]
     const spec = this.page.controls.sliders.get(name)?.spec
-    return `${spec?.label ?? name}: ${brief(text)} ${unit ?? spec?.unit ?? ""}`.trim()
+    return `${spec?.label ?? name}: ${withUnit(brief(text), unit ?? spec?.unit ?? "")}`
   }
 
   /** The ends of the slider of a parameter. @param {string} name @returns {[number, number]} */

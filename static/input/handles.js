@@ -2,7 +2,7 @@
 
 import {element, long, reword, textWidth, units} from "../core/dom.js"
 import {whileHeld} from "./held.js"
-import {MINUS, three, tidy} from "../core/numbers.js"
+import {MINUS, three, tidy, withUnit} from "../core/numbers.js"
 import {toPlace, toSI} from "../core/ruler.js"
 
 const LONGEST = 7 // characters of a number that a handle shows as typed
@@ -138,7 +138,7 @@ export class Handles {
     const shown = this.#text(pill, text, inside)
     reword(pill.element, shown)
     pill.element.setAttribute("aria-valuenow", String(value))
-    pill.element.setAttribute("aria-valuetext", `${text ?? ""} ${this.#unit(pill)}`.trim())
+    pill.element.setAttribute("aria-valuetext", withUnit(text ?? "", this.#unit(pill)))
     pill.element.setAttribute("aria-valuemin", String(axis.start))
     pill.element.setAttribute("aria-valuemax", String(axis.end))
   }

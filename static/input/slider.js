@@ -4,7 +4,7 @@ import {element, reword} from "../core/dom.js"
 import {fitting} from "./fitting.js"
 import {Finger, keyed} from "./slider_moves.js"
 import {steady} from "./held.js"
-import {BEGINS_NUMBER, tidy, withTrueMinus} from "../core/numbers.js"
+import {BEGINS_NUMBER, tidy, withTrueMinus, withUnit} from "../core/numbers.js"
 import {sliderPlace, sliderValue, stepped} from "./scales.js"
 
 const STEPS = 1000 // of a slider moved by arrow keys
@@ -300,10 +300,8 @@ export class Slider {
   /** @param {number} value */
   #fill(value) {
     this.slider.style.setProperty("--at", this.slider.value)
-    this.slider.setAttribute(
-      "aria-valuetext",
-      `${withTrueMinus(tidy(this.#shown(value)))} ${this.unit.textContent}`.trim(),
-    )
+    const number = withTrueMinus(tidy(this.#shown(value)))
+    this.slider.setAttribute("aria-valuetext", withUnit(number, this.unit.textContent ?? ""))
   }
 }
 

@@ -15,8 +15,7 @@ export async function control(code, ticket) {
   try {
     const paired = await pairedWith(code, ticket, why => host.replaceChildren(element("h1", {}, why)))
     history.replaceState(null, "", location.search)
-    const remote = new Remote(host, code, paired)
-    remote.begin()
+    new Remote(host, code, paired).look()
   } catch (reason) {
     host.replaceChildren(element("h1", {}, inWords(reason)))
   }
@@ -68,11 +67,7 @@ class Remote {
   over = false
   doubts = 0
 
-  begin() {
-    this.#look()
-  }
-
-  async #look() {
+  async look() {
     const {code, paired} = this
     const question = await ask(`${code}/remote`, {word: paired.key}).catch(reason => this.#failed(reason))
     if (this.over) return
@@ -80,7 +75,7 @@ class Remote {
     if (question === null) this.state.textContent = "" // it waits
     if (question && !this.isIn) this.#enter()
     if (question) this.state.textContent = question.place || "No question is open now."
-    setTimeout(() => this.#look(), ASKING)
+    setTimeout(() => this.look(), ASKING)
   }
 
   #enter() {

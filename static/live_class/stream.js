@@ -6,7 +6,7 @@ const PATIENCE = 3000 // ms until an attempt that brings nothing is given up
 const HASTE = 150 // ms, in its place, for the first try of a page that wakes: its old connections may be dead
 const SLOWING = 1.5 // times as long for each try after it
 const HASTY = 6 // tries of a page that wakes
-const BUSY = 250 // ms of a patience, in which a page that was too busy to listen hlistener what has come
+const BUSY = 250 // ms of a patience, in which a page that was too busy to listen hears what has come
 const CONNECTIONS = 6 // that a browser keeps to one server
 const SILENCE = 25000 // ms after which a stream is taken up anew: the server says something every 15 s
 const ASKING = 1000 // ms between questions
@@ -66,9 +66,9 @@ export class Stream {
     this.word = word
     this.listener = listener
     const {signal} = this.listening
-    document.addEventListener("visibilitychange", () => (document.hidden ? this.#sleep() : this.#wake()), {signal})
-    addEventListener("pageshow", event => event.persisted && this.#wake(), {signal})
-    addEventListener("online", () => this.#wake(), {signal})
+    document.addEventListener("visibilitychange", () => (document.hidden ? this.#sleep() : this.wake()), {signal})
+    addEventListener("pageshow", event => event.persisted && this.wake(), {signal})
+    addEventListener("online", () => this.wake(), {signal})
     this.watching = setInterval(() => this.#watch(), ASKING)
     this.#go()
   }
@@ -77,17 +77,12 @@ export class Stream {
     return STATES[this.state].by
   }
 
-  /** A page that wakes has slept through what was said, and its stream may be dead without a word. */
-  #wake() {
+  /** The server is there, as is known; or a page wakes: it has slept through what was said, its stream may be dead. */
+  wake() {
     this.tries = 0
     this.missedAt = 0
     this.state = `${this.by} woken 0`
     this.control.abort(NOW)
-  }
-
-  /** The server is known to be there. */
-  hurry() {
-    this.#wake()
   }
 
   #sleep() {
@@ -191,7 +186,7 @@ export class Stream {
       await heard(answer, () => {
         control.abort()
         this.state = "events"
-        this.#wake()
+        this.wake()
       })
     } catch {
       // Nothing comes through as yet.

@@ -98,7 +98,7 @@ export class Teach {
 
   /** The session that is there now shows what it shows to all. */
   lead() {
-    if (this.away) this.stream.hurry()
+    if (this.away) this.stream.wake()
     this.lecture.messages.send({type: "lead", code: this.room.code, key: this.room.key})
   }
 

@@ -1,11 +1,12 @@
 // The description of a plot as it is now, in words and as a table: from the numbers that it is drawn with.
 
+import {isCovered} from "../compare/cover.js"
 import {element} from "../core/dom.js"
-import {short} from "../core/numbers.js"
+import {short, withUnit} from "../core/numbers.js"
 import {evaluate} from "../core/signals.js"
 import {indexed, plain} from "../core/plain.js"
+import {stepOf} from "../core/ruler.js"
 
-const STEPS = 2 ** 16 - 1 // of three heights of the frame, in which columns are sent: components/state/encoding.py
 const BEYOND = "outside the frame"
 const HALVINGS = 40 // of the way between two points, in which a curve turns
 const ROWS = 25 // of a table: enough to follow a curve by ear
@@ -20,18 +21,15 @@ const ROWS = 25 // of a table: enough to follow a curve by ear
  * A place of an axis as a number with its unit.
  * @param {page.Ruler} ruler @param {number} place
  */
-export function measured(ruler, place) {
-  const {unit} = ruler
-  return `${digits(ruler, place)}${unit === "°" || unit.startsWith("·") ? "" : " "}${unit}`.trim()
-}
+export const measured = (ruler, place) => withUnit(digits(ruler, place), ruler.unit)
 
 /**
  * No digit that a column does not have; what cannot be told from 0 is 0.
  * @param {page.Ruler} ruler @param {number} place
  */
-function digits({log, start, end}, place) {
-  if (log) return short(10 ** place)
-  const least = 10 ** Math.ceil(Math.log10((3 * Math.abs(end - start)) / STEPS))
+function digits(ruler, place) {
+  if (ruler.log) return short(10 ** place)
+  const least = 10 ** Math.ceil(Math.log10(stepOf(ruler)))
   return short(Number((Math.round(place / least) * least).toPrecision(12)))
 }
 
@@ -53,9 +51,8 @@ const span = axis => `${measured(axis, axis.start)} to ${measured(axis, axis.end
 /** @param {Plot} plot */
 export function description(plot) {
   const {block, shown} = plot
-  const {covered, step} = shown.state
-  if (covered.includes(`plot:${block.name}`))
-    return `${block.title}. Covered until you press ${step ? "Show the answer" : "Reveal"}.`
+  if (isCovered(plot))
+    return `${block.title}. Covered until you press ${shown.state.step ? "Show the answer" : "Reveal"}.`
   const {x, y} = axes(plot)
   const told = [...traces(plot).map(trace => course(trace, x, y)), ...bands(plot), ...layers(plot)]
   return [`${block.title}.`, `Horizontal axis ${span(x)}, vertical axis ${span(y)}.`, ...told].join(" ")

@@ -149,7 +149,7 @@ export class Plot {
     this.hidden = new Set(this.page.hidden)
     if (this.host.parentElement)
       this.host.parentElement.hidden = Boolean(this.block.form) && !view.forms[this.block.form]
-    this.cover.update(shown.state.covered)
+    this.cover.update()
     if (this.absent) return
     this.#widen()
     this.#draw()

@@ -1,10 +1,10 @@
 // The numbers at the pointer, over a plot.
 
 import {element, long, set, svg, unitSize} from "../core/dom.js"
-import {short} from "../core/numbers.js"
+import {short, withUnit} from "../core/numbers.js"
+import {stepOf} from "../core/ruler.js"
 import {evaluate} from "../core/signals.js"
 
-const STEPS = 2 ** 16 - 1 // of three heights of the frame, in which columns are sent: components/state/encoding.py
 const PRESSED = "button, .pill, .flag, .cover"
 
 export class Reading {
@@ -64,8 +64,7 @@ export class Reading {
 
   /** The steps that the heights of curves are given in. */
   get #step() {
-    const {start, end} = this.plot.view.axes[this.plot.block.y]
-    return (3 * Math.abs(end - start)) / STEPS
+    return stepOf(this.plot.view.axes[this.plot.block.y])
   }
 
   /**
@@ -123,6 +122,5 @@ export function honest(value, step) {
  * @param {number} place @param {page.Ruler} ruler @param {number} step
  */
 function measured(place, {unit, log}, step) {
-  const text = log ? honest(10 ** place, 10 ** place * (10 ** step - 1)) : honest(place, step)
-  return `${text}${unit === "°" ? "" : " "}${unit}`.trim()
+  return withUnit(log ? honest(10 ** place, 10 ** place * (10 ** step - 1)) : honest(place, step), unit)
 }

@@ -1,6 +1,6 @@
 // The numbers that a class has given, each a dot: for a point on the axis itself, for a typed number on its own line.
 
-import {short} from "../core/numbers.js"
+import {short, withUnit} from "../core/numbers.js"
 import {inUnits, set, svg, unitSize} from "../core/dom.js"
 import {places} from "../paper/places.js"
 
@@ -128,7 +128,7 @@ export class Dots {
 
   /** @param {number} value */
   #written(value) {
-    return `${short(value)} ${this.unit}`.trim()
+    return withUnit(short(value), this.unit)
   }
 
   /** @param {number} x @param {number} value @param {number} base */

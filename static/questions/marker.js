@@ -1,6 +1,6 @@
 // A place to mark on an axis of a plot: an open pill that is pressed, dragged, or moved by the arrow keys.
 
-import {short} from "../core/numbers.js"
+import {short, withUnit} from "../core/numbers.js"
 import {element, frame, long, set, unitSize} from "../core/dom.js"
 import {EVERYWHERE, places} from "../paper/places.js"
 
@@ -86,7 +86,7 @@ export class Marker {
     this.line.hidden = this.value === null
     this.pill.textContent = this.value === null ? "?" : this.number
     set(this.pill, {"aria-valuemin": start, "aria-valuemax": end, "aria-valuenow": this.value ?? (start + end) / 2})
-    set(this.pill, {"aria-valuetext": this.value === null ? "not set" : `${this.number} ${this.unit}`})
+    set(this.pill, {"aria-valuetext": this.value === null ? "not set" : withUnit(this.number, this.unit)})
     for (const [i, truth] of this.truths.entries())
       this.#put(/** @type {HTMLElement} */ (this.layer.children[i + 2]), truth)
     if (this.truths.length) void frame().then(() => this.#clear()) // then all that the plot says stands

@@ -1,6 +1,7 @@
 // The question for a number to type; a class's answers are dots on a line of their own.
 
 import {button, element} from "../core/dom.js"
+import {withUnit} from "../core/numbers.js"
 import {Dots} from "./dots.js"
 import {answerFields, answerIn, labelled, text} from "./fields.js"
 import {Question, mark} from "./question.js"
@@ -54,7 +55,7 @@ export class Numeric extends Question {
 
   said() {
     const typed = this.field.value.trim()
-    return /^[-−+]?[\d.,]+$/.test(typed) ? `${typed} ${this.step.unit}`.trim() : typed
+    return /^[-−+]?[\d.,]+$/.test(typed) ? withUnit(typed, this.step.unit) : typed
   }
 
   given() {

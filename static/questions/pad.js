@@ -2,7 +2,7 @@
 // replaces it. What leaves the frame runs along its edge; gaps stay gaps.
 
 import {element, inUnits, long, set, svg, unitSize} from "../core/dom.js"
-import {short} from "../core/numbers.js"
+import {short, withUnit} from "../core/numbers.js"
 import {toPlace, toSI} from "../core/ruler.js"
 import {mark} from "./question.js"
 
@@ -37,11 +37,7 @@ export class Pad {
     this.span = {...plot.x}
     this.before = Object.values(before ?? {}).map(sent => this.#heights(sent))
     this.status = element("p", {class: "hint", role: "status"})
-    for (const name of curves)
-      this.heights.set(
-        name,
-        Array.from({length: COLUMNS + 1}, () => null),
-      )
+    for (const name of curves) this.heights.set(name, Array(COLUMNS + 1).fill(null))
     this.name = curves[0]
     this.ink = svg("svg", {class: "strokes"})
     this.layer = element("div", {
@@ -142,8 +138,9 @@ export class Pad {
 
   #say() {
     const {column, height, down} = this.pen
-    const [x, y] = [this.#abscissa(column), height].map(number => short(number, 2))
-    this.status.textContent = `Pen at ${x} ${this.plot.x.unit}, ${y} ${this.plot.y.unit}, ${down ? "down" : "lifted"}.`
+    const x = withUnit(short(this.#abscissa(column), 2), this.plot.x.unit)
+    const y = withUnit(short(height, 2), this.plot.y.unit)
+    this.status.textContent = `Pen at ${x}, ${y}, ${down ? "down" : "lifted"}.`
   }
 
   clear() {

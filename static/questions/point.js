@@ -1,6 +1,7 @@
 // The question for a place to mark on an axis of a plot; a class's answers are dots on that axis.
 
 import {element} from "../core/dom.js"
+import {withUnit} from "../core/numbers.js"
 import {Dots} from "./dots.js"
 import {answerFields, answerIn, chooser, labelled, text} from "./fields.js"
 import {Marker} from "./marker.js"
@@ -34,7 +35,7 @@ export class AxisPlace extends Question {
   }
 
   said() {
-    return `${this.marker.number} ${this.step.unit}`.trim()
+    return withUnit(this.marker.number, this.step.unit)
   }
 
   given() {

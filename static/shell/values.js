@@ -2,7 +2,7 @@
 
 import {element} from "../core/dom.js"
 import {brief} from "../input/handles.js"
-import {MINUS, short} from "../core/numbers.js"
+import {MINUS, short, withUnit} from "../core/numbers.js"
 import {symbol} from "../input/slider.js"
 
 /** @param {PartHost} page */
@@ -17,7 +17,7 @@ export function values({spec, shown: {settings, view}, transport}) {
       "span",
       {},
       element("span", {class: `tint ${row.tint}`}, symbol(row.symbol)),
-      ` ${number} ${unit ?? row.unit}`.trimEnd(),
+      ` ${withUnit(number, unit ?? row.unit)}`,
     )
   })
   const line = transport.element.querySelector(".in-force") ?? element("div", {class: "in-force"})

@@ -96,7 +96,8 @@ def unpacked(packet: Packet) -> dict[str, Any]:
 
 def _usual(sheet: str) -> bytes:
     """The text in the sheet at an address, of whatever scenes there are."""
-    named = [scene for scene in Scene.__subclasses__() if sheet.startswith(f"sheets/{scene.slug}.")]
+    kinds = (*SCENES.values(), *Scene.__subclasses__())
+    named = [scene for scene in kinds if f"/{vars(scene).get('slug')}." in sheet]
     return next((usual(scene) for scene in named if sheet_address(scene) == sheet), b"")
 
 

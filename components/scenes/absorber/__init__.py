@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import Any, Self
 
 import param
 
 from components import chain
-from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.quantities.axes import nice_axis
@@ -143,10 +142,7 @@ class Absorber(Scene):
     lightest = positive(None, label="mass", symbol="m_2", unit="kg", softbounds=(1.0, 100.0), **RECORD)
     lightest_k2 = not_negative(None, label="stiffness", symbol="k_2", unit="N/m", softbounds=(0, 200e3), **RECORD)
 
-    @classmethod
-    @cache
-    def sheet(cls) -> Block:
-        return absorber_sheet()
+    sheet = staticmethod(absorber_sheet)
 
     def units(self) -> dict[str, Unit]:
         kilo, milli = Unit("kN/m", 1e3), Unit("mm", 1e-3)

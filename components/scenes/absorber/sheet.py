@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from msgspec.structs import replace
 
 from components.language.blocks import Block
@@ -18,6 +20,7 @@ from components.scenes.absorber.words import FORMULAS, FROM_REST, HELPED, PLAYED
 from components.scenes.absorber.words import Forms as F
 
 
+@cache
 def absorber_sheet() -> Block:
     return column(
         desk(words(TASK, style="task", phone=0)),

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-from functools import cache
 
-from components.language.blocks import Block
 from components.language.picture import Pace
 from components.language.state import Frame
 from components.layout.controls import Group
@@ -76,10 +74,7 @@ class Analogues(Scene):
 
     theta_0 = start_angle()
 
-    @classmethod
-    @cache
-    def sheet(cls) -> Block:
-        return analogue_sheet()
+    sheet = staticmethod(analogue_sheet)
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         case = self._case(frame.window)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from components.language.blocks import Block
 from components.language.plots import Handle, Mark
 from components.layout.plots import Room, curve, mark, plot
@@ -41,6 +43,7 @@ EQUATIONS = {
 _STARTS = {slug: rf"{system.coordinate.replace('_n', '')}_0" for slug, system in ANALOGUES.items()}
 
 
+@cache
 def analogue_sheet() -> Block:
     return column(
         desk(words(TASK, style="task", phone=0)),

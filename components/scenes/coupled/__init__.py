@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import math
-from functools import cache
 from typing import Self
 
 import numpy as np
 
 from components import chain
 from components.chain.forces import Forces, forces
-from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.quantities.axes import nice_axis, time_axis, whole_axis, widest
@@ -78,10 +76,7 @@ class Coupled(Scene):
         label="What is shown beside the motion",
     )
 
-    @classmethod
-    @cache
-    def sheet(cls) -> Block:
-        return coupled_sheet()
+    sheet = staticmethod(coupled_sheet)
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         case = CoupledCase(starting.motion(self), self.given_by, self.energy, self.view)

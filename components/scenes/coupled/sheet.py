@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from components import chain
 from components.chain.forces import arrows
 from components.chain.grabs import Shares, mass_grab, mode_grab, plane_grab, swing_grab
@@ -30,6 +32,7 @@ BEAT = either(
 )
 
 
+@cache
 def coupled_sheet() -> Block:
     """The paper of the scene."""
     return column(

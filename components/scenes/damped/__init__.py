@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
-from typing import Self
-
-from components.dashpot import KEPT, PARTS, SHARES, derived_one, followed, keeping, parts
-from components.language.blocks import Block
+from components.dashpot import KEPT, PARTS, DashpotScene, keeping, parts
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.quantities.motion import pace
 from components.quantities.parameters import Values, displacement, one_of, velocity
 from components.quantities.readouts import Readout
-from components.scene import Picture, Scene
+from components.scene import Picture
 from components.scene.about import About
 from components.scene.frames import FITTED, framed
 from components.scene.traces import over_time
@@ -29,7 +25,7 @@ from physics.damped import DampedOscillator
 USUAL = {"m": 1.0, "k": 39.48, "x_0": 0.1, "v_0": 0.0, "keep": "c"}
 
 
-class Damped(Scene):
+class Damped(DashpotScene):
     slug = "damped"
     title = "Damped"
     lecture = "D32, D33"
@@ -43,7 +39,6 @@ class Damped(Scene):
         "T = m v^2/2; V = k x^2/2; P = c v^2; E = T + V; E_0 - E is heat",
     )
     groups = (PARTS, KEPT, Group("Start", ("x_0", "v_0")), Group("Shown", ("view",)))
-    shares = SHARES
     watch = WATCH
     presets = {
         "Light": {**USUAL, "c": 1.257},
@@ -69,10 +64,7 @@ class Damped(Scene):
         default="motion", objects={"Motion": "motion", "Forces": "forces"}, label="What is shown beside the mass"
     )
 
-    @classmethod
-    @cache
-    def sheet(cls) -> Block:
-        return damped_sheet()
+    sheet = staticmethod(damped_sheet)
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         case = self._case(frame)
@@ -94,12 +86,6 @@ class Damped(Scene):
 
     def readouts(self) -> tuple[Readout, ...]:
         return N.readouts(self._case())
-
-    def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
-        return followed(self, changed, opened=before is None)
-
-    def derived(self) -> frozenset[str]:
-        return derived_one(self)
 
     def about(self, shown: Picture) -> About:
         return damped_about(shown, self._case())

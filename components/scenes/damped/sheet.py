@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from components.language.blocks import Block
 from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import column, desk, phrase, row, stage, term, when, words
@@ -17,6 +19,7 @@ from components.scenes.damped.words import Forms as F
 SIDES = Room(56, 30)
 
 
+@cache
 def damped_sheet() -> Block:
     label = "Mass on a spring and a dashpot, which stand on a wall"
     paper = row(

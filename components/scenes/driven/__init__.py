@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import math
-from functools import cache
-from typing import Self
 
-from components.dashpot import KEPT, PARTS, SHARES, derived_one, followed, keeping, parts
-from components.language.blocks import Block
+from components.dashpot import KEPT, PARTS, DashpotScene, keeping, parts
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.quantities.motion import pace
@@ -21,7 +18,7 @@ from components.quantities.parameters import (
     velocity,
 )
 from components.quantities.readouts import Readout
-from components.scene import Picture, Scene
+from components.scene import Picture
 from components.scene.about import About
 from components.scene.frames import FITTED, framed
 from components.scene.traces import over_time
@@ -41,7 +38,7 @@ NATURAL = math.sqrt(39.48)
 """The natural frequency of the presets, in rad/s: a period of one second."""
 
 
-class DrivenScene(Scene):
+class DrivenScene(DashpotScene):
     slug = "driven"
     title = "Driven"
     lecture = "D32, D33"
@@ -63,7 +60,6 @@ class DrivenScene(Scene):
         Group("", ("x_0", "v_0"), "Start: at rest", folded=True),
         KEPT,
     )
-    shares = SHARES
     watch = WATCH
     physical = ("kind",)
     presets = {
@@ -95,10 +91,7 @@ class DrivenScene(Scene):
     x_0 = displacement(symbol="x_0", tint="m1", softbounds=(-0.3, 0.3), says="is where the mass starts. Any number.")
     v_0 = velocity(symbol="v_0", tint="m1", softbounds=(-3.0, 3.0), says="is the velocity at the start. Any number.")
 
-    @classmethod
-    @cache
-    def sheet(cls) -> Block:
-        return driven_sheet()
+    sheet = staticmethod(driven_sheet)
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         case = self._case(frame)
@@ -119,12 +112,6 @@ class DrivenScene(Scene):
 
     def readouts(self) -> tuple[Readout, ...]:
         return N.readouts(self._case())
-
-    def following(self, changed: frozenset[str], before: Self | None, *, in_hand: bool) -> Values:
-        return followed(self, changed, opened=before is None)
-
-    def derived(self) -> frozenset[str]:
-        return derived_one(self)
 
     def about(self, shown: Picture) -> About:
         return driven_about(shown, self._case())

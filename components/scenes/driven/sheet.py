@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from components.language.blocks import Block
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
@@ -20,6 +22,7 @@ KINDS = {"force": "Force", "base": "Shaken base", "unbalance": "Unbalance"}
 SIDES = Room(48, 26)
 
 
+@cache
 def driven_sheet() -> Block:
     label = "Mass on a spring and a dashpot, and what drives it"
     return column(

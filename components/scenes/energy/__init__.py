@@ -3,9 +3,6 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.quantities.motion import pace
@@ -86,10 +83,7 @@ class Energy(Scene):
         label="Datum of V",
     )
 
-    @classmethod
-    @cache
-    def sheet(cls) -> Block:
-        return hanging_sheet()
+    sheet = staticmethod(hanging_sheet)
 
     def action(self, name: str) -> Values:
         return {"g": PLANETS[name][1]}

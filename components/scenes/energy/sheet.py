@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from components.language.blocks import Block
 from components.language.plots import Term
 from components.layout.plots import Room, curve, plot
@@ -19,6 +21,7 @@ UPPER, LOWER, BETWEEN, ABOVE = 300, 190, 44, 78
 TASK = "Pull the mass down and let go: where is all the energy kinetic, and where none of it?"
 
 
+@cache
 def hanging_sheet() -> Block:
     label = "Mass on a spring, its natural length and its equilibrium, and its energy as a bar"
     between = _between()

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from functools import cache
 from typing import Any
 
 import numpy as np
 
 from components import chain
 from components.chain.forces import Forces
-from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.quantities.axes import Axis, nice_axis, time_axis, widest
@@ -83,10 +81,7 @@ class Forced(Scene):
     axes = one_of(default="si", objects=["si", "lecture"], label="Units of the response")
     view = one_of(default="amplitudes", objects=VIEWS, label="What is shown beside the motion")
 
-    @classmethod
-    @cache
-    def sheet(cls) -> Block:
-        return forced_sheet()
+    sheet = staticmethod(forced_sheet)
 
     def action(self, name: str) -> Values:
         if name == "rest":

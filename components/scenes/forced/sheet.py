@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 from components import chain
@@ -23,6 +24,7 @@ from components.scenes.forced.words import MOTION, SOLUTION, TASK, Views
 from components.scenes.forced.words import Forms as F
 
 
+@cache
 def forced_sheet() -> Block:
     options = row(
         words("**Particular solution**", phone=9),

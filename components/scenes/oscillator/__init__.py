@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
-
-from components.language.blocks import Block
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.quantities.declared import by_name
@@ -76,10 +73,7 @@ class OscillatorScene(Scene):
         label="What is shown beside the motion",
     )
 
-    @classmethod
-    @cache
-    def sheet(cls) -> Block:
-        return oscillator_sheet()
+    sheet = staticmethod(oscillator_sheet)
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         swing = self._swing(frame)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 from components.language.blocks import Block
@@ -55,6 +56,7 @@ IDEA = (
 """In place of the formulas: the scene's idea in words."""
 
 
+@cache
 def oscillator_sheet() -> Block:
     over_plane, over_law = planes()
     label = "Mass on a spring, and the turning arrow whose height is its displacement"
