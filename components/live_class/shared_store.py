@@ -141,17 +141,17 @@ class SharedStore(Store):
     async def open(self, code: str, parts: Parts) -> bool:
         given: list[Any] = [code, time(), self._most, self._life, self._alone, QUIET, *_flat(parts)]
         async with _asked():
-            return bool(await self._open([_room(code)], given))
+            return bool(await self._open([_key("room", code)], given))
 
     async def parts(self, code: str) -> Parts:
         async with _asked():
-            return _named(await self._redis.hgetall(_room(code)))
+            return _named(await self._redis.hgetall(_key("room", code)))
 
     async def keep(self, code: str, parts: Parts) -> bool:
         news = _published(code, parts) if parts else b""
         async with _asked():
             given = [code, time(), self._life, self._alone, news, *_flat(parts)]
-            return bool(await self._keep([_room(code)], given))
+            return bool(await self._keep([_key("room", code)], given))
 
     async def tell(self, code: str, parts: Parts) -> None:
         async with _asked():
@@ -167,7 +167,7 @@ class SharedStore(Store):
             return int(await self._redis.zcount("class:rooms", time(), "+inf"))
 
     async def vote(self, code: str, question: str, voter: str, answer: bytes, most: int = MOST_VOTES) -> bool:
-        keys = [_room(code), _question(code, question), _questions(code), _size(code)]
+        keys = [_key("room", code), _key("votes", code, question), _key("questions", code), _key("size", code)]
         async with _asked():
             found = int(await self._vote(keys, [voter, answer, most, question, self._size]))
         if found < 0:
@@ -176,34 +176,34 @@ class SharedStore(Store):
 
     async def unvote(self, code: str, question: str, voter: str) -> None:
         async with _asked():
-            await self._unvote([_question(code, question), _size(code)], [voter])
+            await self._unvote([_key("votes", code, question), _key("size", code)], [voter])
 
     async def votes(self, code: str, question: str) -> Parts:
         async with _asked():
-            found = self._redis.hscan_iter(_question(code, question), count=SLICE)
+            found = self._redis.hscan_iter(_key("votes", code, question), count=SLICE)
             return {voter.decode(): answer async for voter, answer in found}
 
     async def questions(self, code: str) -> list[str]:
         async with _asked():
-            names: Any = await self._redis.zrange(_questions(code), 0, -1)
+            names: Any = await self._redis.zrange(_key("questions", code), 0, -1)
             return [name.decode() for name in names]
 
     async def present(self, code: str, replica: str, names: Collection[str]) -> int:
         now = time()
         async with _asked():
             given: list[Any] = [code, now, self._alone, replica, _named_now(names), int(bool(names))]
-            return len(_still_named(await self._present([_room(code), _here(code)], given)))
+            return len(_still_named(await self._present([_key("room", code), _key("here", code)], given)))
 
     async def name(self, code: str, replica: str, names: Collection[str]) -> None:
         async with _asked():
             pipe = self._redis.pipeline()
-            pipe.hset(_names(code), replica, _named_now(names))
-            pipe.pexpire(_names(code), int(2000 * SEEN))
+            pipe.hset(_key("names", code), replica, _named_now(names))
+            pipe.pexpire(_key("names", code), int(2000 * SEEN))
             await pipe.execute()
 
     async def named(self, code: str) -> set[str]:
         async with _asked():
-            return _still_named(await self._redis.hvals(_names(code)))
+            return _still_named(await self._redis.hvals(_key("names", code)))
 
     async def count(self, name: str, seconds: float, more: int = 1) -> int:
         key = f"class:count:{name}:{int(time() // seconds)}"
@@ -269,28 +269,9 @@ async def _asked() -> AsyncIterator[None]:
         raise AwayError(f"The store that replicas share refuses: {error}.") from error
 
 
-def _room(code: str) -> str:
-    return f"class:room:{code}"
-
-
-def _here(code: str) -> str:
-    return f"class:here:{code}"
-
-
-def _names(code: str) -> str:
-    return f"class:names:{code}"
-
-
-def _size(code: str) -> str:
-    return f"class:size:{code}"
-
-
-def _questions(code: str) -> str:
-    return f"class:questions:{code}"
-
-
-def _question(code: str, question: str) -> str:
-    return f"class:votes:{code}:{question}"
+def _key(*names: str) -> str:
+    """The name of a value in the store: class:room:CODE."""
+    return ":".join(("class", *names))
 
 
 def _flat(parts: Parts) -> list[Any]:

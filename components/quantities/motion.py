@@ -11,7 +11,6 @@ from collections.abc import Mapping
 from decimal import Decimal
 
 import numpy as np
-from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from components.language.numbers import Expression, Name, Number, Product, as_expression
@@ -50,44 +49,25 @@ def scaled(exponent: int, *factors: float) -> float:
     return result
 
 
-def sines(
-    size: Axis,
-    time: Axis,
-    *terms: tuple[float, float, float] | tuple[float, float, float, float],
-    line: tuple[float, float] = (0, 0),
-) -> Sines:
-    """a + b t + sum of A exp(-decay t) sin(omega t + phi), from (A, omega, phi) or (A, omega, phi, decay) in SI units
-    and line = (a, b)."""
-    a = scaled(size.exponent, line[0], 1 / size.factor)
-    b = scaled(size.exponent - time.exponent, line[1], 1 / size.factor)
-    found = [
-        Sine(
+Wave = tuple[float, float, float] | tuple[float, float, float, float] | tuple[float, float, float, float, float]
+
+
+def sines(size: Axis, time: Axis, *terms: Wave, line: tuple[float, float] = (0, 0)) -> Sines:
+    """a + b t + sum of (A + B t) exp(-decay t) sin(omega t + phi), in SI units: line = (a, b), and each term is (A,
+    omega, phi), (A, omega, phi, decay) or (A, omega, phi, decay, B)."""
+
+    def sine(amplitude: float, omega: float, phase: float, decay: float = 0.0, slope: float = 0.0) -> Sine:
+        return Sine(
             scaled(size.exponent, amplitude, 1 / size.factor),
             scaled(-time.exponent, omega),
             phase,
-            *(scaled(-time.exponent, rate) for rate in decay),
-        )
-        for amplitude, omega, phase, *decay in terms
-    ]
-    return Sines(sines=tuple(found), line=(a, b))
-
-
-def decays(
-    size: Axis, time: Axis, *terms: tuple[float, float, float, float, float], line: tuple[float, float] = (0, 0)
-) -> Sines:
-    """a + b t + sum of (A + B t) exp(-r t) sin(omega t + phi), from (A, B, r, omega, phi), as physics.damped.Decay has
-    them, in SI units and line = (a, b)."""
-    found = [
-        Sine(
-            scaled(size.exponent, amplitude, 1 / size.factor),
-            scaled(-time.exponent, omega),
-            phase,
-            scaled(-time.exponent, rate),
+            scaled(-time.exponent, decay),
             scaled(size.exponent - time.exponent, slope, 1 / size.factor),
         )
-        for amplitude, slope, rate, omega, phase in terms
-    ]
-    return replace(sines(size, time, line=line), sines=tuple(found))
+
+    start, drift = line
+    a, b = scaled(size.exponent, start, 1 / size.factor), scaled(size.exponent - time.exponent, drift, 1 / size.factor)
+    return Sines(sines=tuple(sine(*term) for term in terms), line=(a, b))
 
 
 def rates(size: Axis, time: Axis, *terms: tuple[float, float, float], drift: float = 0.0) -> Sines:

@@ -4,10 +4,10 @@
 export const PLAIN = {start: 0, end: 1, ticks: [], labels: [], unit: "", exponent: 0, factor: 1, power: 1, log: false}
 
 /** The steps of three heights of the frame in which columns are sent: components/state/encoding.py. */
-export const STEPS = 2 ** 16 - 1
+export const COLUMN_STEPS = 2 ** 16 - 1
 
 /** One of them, as the axis counts. @param {page.Ruler} ruler */
-export const stepOf = ({start, end}) => (3 * Math.abs(end - start)) / STEPS
+export const stepOf = ({start, end}) => (3 * Math.abs(end - start)) / COLUMN_STEPS
 
 /** The quantity in SI at a place of the axis. @param {page.Ruler} ruler @param {number} place */
 export function toSI({log, power, exponent, factor}, place) {

@@ -1,7 +1,7 @@
 // A message as it comes, made whole: inflated after the usual text that it refers to, its numbers read, its signals
 // over time as columns beside those that were sent (the browser's half of wire.py and encoding.py in components/state).
 
-import {STEPS} from "../core/ruler.js"
+import {COLUMN_STEPS} from "../core/ruler.js"
 import {over} from "../core/signals.js"
 
 const FINE = 2 ** 24 - 1
@@ -53,7 +53,7 @@ function fillPart(part, axes, numbers) {
       const {start, end} = axes[axis]
       const [low, high] = start < end ? [start, end] : [end, start]
       const height = high - low // the steps are of three heights of the frame
-      source[name] = numbers.take(count, low - height, high + height, STEPS)
+      source[name] = numbers.take(count, low - height, high + height, COLUMN_STEPS)
     }
   }
   for (const signal of Object.values(part.signals).filter(({kind}) => kind === "sampled")) {

@@ -10,7 +10,7 @@ from components.language.signals import AnySignal
 from components.quantities import declared
 from components.quantities.axes import Axis, nice_axis, time_axis, whole_axis
 from components.quantities.declared import Column, Declared, DrawnAxis, Signal, by_name
-from components.quantities.motion import QUARTER, damped, decays, derived, scaled, total
+from components.quantities.motion import QUARTER, damped, derived, scaled, sines, total
 from components.scene.traces import Columns, Floats, bands_about_zero, samples
 from components.scenes.damped.case import DampedCase
 from physics.energy import half_square
@@ -53,7 +53,7 @@ def axes_of(case: DampedCase) -> dict[str, Axis]:
 
 def _part(case: DampedCase, axes: declared.Axes, size: float, rate: int) -> AnySignal:
     """One of the exponentials, slow (0) or fast (1)."""
-    return decays(Axes.x(axes), Axes.t(axes), (size, 0.0, case.oscillator.rates[rate], 0.0, QUARTER))
+    return sines(Axes.x(axes), Axes.t(axes), (size, 0.0, QUARTER, case.oscillator.rates[rate]))
 
 
 def _square(of: Signal[DampedCase], counted: Axis, on: Axis, *factors: float) -> AnySignal:

@@ -18,7 +18,7 @@ from components.language.numbers import var
 from components.language.signals import AnySignal
 from components.quantities.axes import Axis, nice_axis
 from components.quantities.declared import Column, by_name
-from components.quantities.motion import QUARTER, decays, derived, sampled, sines, total
+from components.quantities.motion import QUARTER, derived, sampled, sines, total
 from components.scene.traces import Columns, Floats, band_columns
 from components.scenes.forced.case import ForcedCase, Found, Work, of_both
 from components.scenes.forced.case import Signals as S
@@ -165,7 +165,7 @@ class Dying(ForcedCase):
             x, x_p, x_c = S.x[i], S.x_p[i], S.x_c[i]
             steady = sines(size, time, (abs(X), omega, cmath.phase(X)))
             if self.in_doubles:
-                dying = decays(size, time, *_waves(terms, i), line=_line(terms, i))
+                dying = sines(size, time, *_waves(terms, i), line=_line(terms, i))
                 found |= {x_p: steady, x_c: dying, x: total(x_p, x_c)}
                 continue
             motion, last = self._tabled
@@ -196,8 +196,8 @@ class Dying(ForcedCase):
             return by_name(found)
         omega, terms = self.modes.omega, tuple(term.rate for term in self.modes.transient)
         for i, X in zip(BOTH, self.X, strict=True):
-            steady = (abs(omega * X), 0.0, 0.0, omega, cmath.phase(1j * omega * X))
-            found[S.v[i]] = decays(speed, time, steady, *_waves(terms, i), line=_line(terms, i))
+            steady = (abs(omega * X), omega, cmath.phase(1j * omega * X))
+            found[S.v[i]] = sines(speed, time, steady, *_waves(terms, i), line=_line(terms, i))
         return by_name(found)
 
     @cached_property
@@ -212,8 +212,8 @@ def _waves(terms: Terms, i: int) -> Iterator[tuple[float, float, float, float, f
     for exponent, rows in terms:
         for j, A in enumerate(rows[:, i - 1] if exponent else ()):
             if A:
-                sizes = (abs(A), 0.0) if j == 0 else (0.0, abs(A))
-                yield (*sizes, -exponent.real, exponent.imag, cmath.phase(A) + QUARTER)
+                size, slope = (abs(A), 0.0) if j == 0 else (0.0, abs(A))
+                yield size, exponent.imag, cmath.phase(A) + QUARTER, -exponent.real, slope
 
 
 def _line(terms: Terms, i: int) -> Pair:

@@ -16,7 +16,7 @@ from components.layout.stage import ON_NARROW, ON_WIDE, H, Shape, W, arrow, box,
 from components.quantities import declared
 from components.quantities.axes import Axis, time_axis
 from components.quantities.declared import Declared, Family, Form, Scalar, Signal, by_name
-from components.quantities.motion import QUARTER, decays, pace, sines
+from components.quantities.motion import QUARTER, pace, sines
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
 from components.scenes.modes.numbers import BrakedChain
@@ -41,7 +41,7 @@ def _turned(case: BrakedChain, axes: declared.Axes, i: int, mode: str, ahead: fl
     X, time = case.amplitudes[i, mode], Axes.t(axes)
     s = case.exponents[mode]
     if case.brakes:
-        return decays(METRES, time, (abs(X), 0.0, -s.real, s.imag, cmath.phase(X) + ahead))
+        return sines(METRES, time, (abs(X), s.imag, cmath.phase(X) + ahead, -s.real))
     return sines(METRES, time, (X.real, s.imag, ahead))
 
 
