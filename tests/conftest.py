@@ -1,5 +1,7 @@
 """Settings of all tests: one profile of Hypothesis, on every machine the same examples."""
 
+import asyncio
+import inspect
 from collections.abc import Iterator
 
 import numpy as np
@@ -32,3 +34,13 @@ def floating_point_errors_raise() -> Iterator[None]:
     """An overflow, an invalid operation or a division by zero is a defect even where its result is not used."""
     with np.errstate(all="raise", under="ignore"):
         yield
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_pyfunc_call(pyfuncitem: pytest.Function) -> bool | None:
+    """A test that is a coroutine has a loop of its own."""
+    if not inspect.iscoroutinefunction(pyfuncitem.obj):
+        return None
+    given = {name: pyfuncitem.funcargs[name] for name in inspect.signature(pyfuncitem.obj).parameters}
+    asyncio.run(pyfuncitem.obj(**given))
+    return True

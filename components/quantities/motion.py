@@ -49,10 +49,10 @@ def scaled(exponent: int, *factors: float) -> float:
     return result
 
 
-Wave = tuple[float, float, float] | tuple[float, float, float, float] | tuple[float, float, float, float, float]
+_Term = tuple[float, float, float] | tuple[float, float, float, float] | tuple[float, float, float, float, float]
 
 
-def sines(size: Axis, time: Axis, *terms: Wave, line: tuple[float, float] = (0, 0)) -> Sines:
+def sines(size: Axis, time: Axis, *terms: _Term, line: tuple[float, float] = (0, 0)) -> Sines:
     """a + b t + sum of (A + B t) exp(-decay t) sin(omega t + phi), in SI units: line = (a, b), and each term is (A,
     omega, phi), (A, omega, phi, decay) or (A, omega, phi, decay, B)."""
 

@@ -60,7 +60,7 @@ export function grouped(count) {
   return count < 1e6 ? Number(count.toPrecision(3)).toLocaleString("en").replaceAll(",", "\u202f") : short(count)
 }
 
-/** A number with its unit, which a degree and a power of ten follow at once. @param {string} number @param {string} unit */
+/** A number and its unit, which is close to it where it is a degree. @param {string} number @param {string} unit */
 export const withUnit = (number, unit) => `${number}${unit === "°" || unit.startsWith("·") ? "" : " "}${unit}`.trim()
 
 /** A typed text as it is shown. @param {string} text */

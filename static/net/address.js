@@ -1,7 +1,7 @@
 // The address of a page: a link says all of its state, as long as a server takes a link of that length.
 
 const REST = 350 // ms from one writing of it to the next, in the long run: Safari allows 100 in 30 s
-const AHEAD = 10 // so many more are free at once: a page that is loaded anew right after a change has that in its address
+const AHEAD = 10 // so many more are free at once: a page loaded anew right after a change has that in its address
 const LONGEST = 8000 // of a query, in characters: components/serving/pages.py
 
 /** @param {string} query */

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 from collections.abc import Iterator
 
 import pytest
@@ -22,16 +21,13 @@ def servers(tmp_path_factory: pytest.TempPathFactory) -> Iterator[list[Server]]:
         assert [server.complaints() for server in running] == [[], []]
 
 
-def test_visitors_of_every_scene_come_drag_and_go(servers: list[Server]) -> None:
-    async def go() -> None:
-        for slug, scene in SCENES.items():
-            seconds, visitors = await arrive(servers, f"scene={slug}", 2)
-            waits = await drag(visitors, dragged(scene), rate=20, seconds=0.1)
-            assert seconds > 0 and len(waits) >= 2 and 0 < p95(waits) <= max(waits)
-            assert all(visitor.traffic.bytes for visitor in visitors)
-            await depart(visitors)
-
-    asyncio.run(go())
+async def test_visitors_of_every_scene_come_drag_and_go(servers: list[Server]) -> None:
+    for slug, scene in SCENES.items():
+        seconds, visitors = await arrive(servers, f"scene={slug}", 2)
+        waits = await drag(visitors, dragged(scene), rate=20, seconds=0.1)
+        assert seconds > 0 and len(waits) >= 2 and 0 < p95(waits) <= max(waits)
+        assert all(visitor.traffic.bytes for visitor in visitors)
+        await depart(visitors)
 
 
 def test_a_round_of_visitors_leaves_no_session_behind(servers: list[Server]) -> None:

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import asyncio
-from collections.abc import AsyncIterator, Callable, Coroutine
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from functools import partial
 from typing import Any
@@ -17,7 +16,6 @@ from tests.live_class.caller import streams_closed
 
 LECTURE = walked([])
 CHOICE = {"walk": "d31", "step": "d31-03"}
-Test = Callable[[Server, str], Coroutine[None, None, None]]
 
 
 @asynccontextmanager
@@ -33,9 +31,8 @@ async def served(store: Store | None = None, **settings: Any) -> AsyncIterator[t
         await server.end()
 
 
-def run(test: Test, **settings: Any) -> None:
-    async def whole() -> None:
-        async with served(**settings) as (server, url), streams_closed():
-            await test(server, url)
-
-    asyncio.run(whole())
+@asynccontextmanager
+async def teaching(**settings: Any) -> AsyncIterator[tuple[Server, str]]:
+    """Such a server; no stream that a test begins outlasts the test."""
+    async with served(**settings) as serving, streams_closed():
+        yield serving

@@ -10,14 +10,13 @@ import pytest
 from components.live_class import follower_routes, instructor_routes, registry
 from components.live_class import room as rooms
 from components.live_class.room import name_of
-from components.serving.server import Server
 from tests.live_class.caller import Class, Stream, called
-from tests.live_class.served import CHOICE, run
+from tests.live_class.served import CHOICE, teaching
 
 SKETCH = {"walk": "d34", "step": "d34-14"}
 
 
-def test_no_answer_tells_whether_there_is_a_class_of_a_code() -> None:
+async def test_no_answer_tells_whether_there_is_a_class_of_a_code() -> None:
     asked = [
         ("GET", "lead", None), ("POST", "lead", {"type": "end"}), ("GET", "tally", None), ("GET", "answers.csv", None),
         ("PUT", "lead", {}), ("GET", "answers?question=d31/d31-03/1", None),
@@ -27,7 +26,7 @@ def test_no_answer_tells_whether_there_is_a_class_of_a_code() -> None:
         ("PUT", "answer", {**CHOICE, "option": 0}), ("POST", "answer", {**CHOICE, "option": 0}),
     ]  # fmt: skip
 
-    async def test(server: Server, url: str) -> None:
+    async with teaching() as (_, url):
         lesson = await Class.open(url)
         await lesson.order("put", **CHOICE)
         none = "2222" if lesson.code != "2222" else "3333"
@@ -39,11 +38,9 @@ def test_no_answer_tells_whether_there_is_a_class_of_a_code() -> None:
                 assert there[:2] == nowhere[:2], path
                 assert there.status in (403, 404, 409) and there.json["sentence"].endswith(".")
 
-    run(test)
 
-
-def test_a_remote_control_without_its_ticket_drives_nothing() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_a_remote_control_without_its_ticket_drives_nothing() -> None:
+    async with teaching() as (_, url):
         lesson = await Class.open(url)
         leader = await lesson.lead()
         path = f"/class/{lesson.code}/remote"
@@ -54,11 +51,9 @@ def test_a_remote_control_without_its_ticket_drives_nothing() -> None:
         assert not any(event.get("deed") for _, event in leader.heard)
         await leader.close()
 
-    run(test)
 
-
-def test_who_floods_an_instructors_door_does_not_close_it() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_who_floods_an_instructors_door_does_not_close_it() -> None:
+    async with teaching() as (server, url):
         server.classes.rate.most = 5
         lesson, path = await Class.open(url), "/class/{}/{}"
         for _ in range(10):
@@ -69,11 +64,9 @@ def test_who_floods_an_instructors_door_does_not_close_it() -> None:
         assert (await called(url, path.format(lesson.code, "remote"), "PUT", secret)).status == 200
         assert [(await lesson.order("withdraw")).status for _ in range(6)][-1] == 429
 
-    run(test)
 
-
-def test_sketches_that_are_too_large_are_refused_in_words() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_sketches_that_are_too_large_are_refused_in_words() -> None:
+    async with teaching() as (_, url):
         lesson = await Class.open(url)
         await lesson.order("put", **SKETCH)
         token = await lesson.token()
@@ -88,11 +81,9 @@ def test_sketches_that_are_too_large_are_refused_in_words() -> None:
         tally = (await lesson.tally())["now"]
         assert [sketch["curves"] for sketch in tally["sketches"]] == [{"Xp1": [500] * 101}]
 
-    run(test)
 
-
-def test_a_storm_of_streams_takes_no_places() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_a_storm_of_streams_takes_no_places() -> None:
+    async with teaching() as (server, url):
         lesson = await Class.open(url)
         other, token = await lesson.follow(), await lesson.token()
         streams = [await Stream(url, lesson.code, token).open() for _ in range(3 * follower_routes.MOST_STREAMS)]
@@ -109,13 +100,11 @@ def test_a_storm_of_streams_takes_no_places() -> None:
                 await asyncio.sleep(0.01)
         await other.close()
 
-    run(test)
 
-
-def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(follower_routes, "GIVEN_UP", 0.3)
 
-    async def test(server: Server, url: str) -> None:
+    async with teaching() as (server, url):
         lesson = await Class.open(url)
         mute = socket.socket()
         mute.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
@@ -131,13 +120,11 @@ def test_a_follower_that_never_reads_is_let_go(monkeypatch: pytest.MonkeyPatch) 
                 await asyncio.sleep(0.01)
         mute.close()
 
-    run(test)
 
-
-def test_a_vote_is_of_somebody_who_follows(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_vote_is_of_somebody_who_follows(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(rooms, "SILENCE", 0.05)
 
-    async def test(server: Server, url: str) -> None:
+    async with teaching() as (server, url):
         lesson = await Class.open(url)
         await lesson.order("put", **CHOICE)
         stranger = (await called(url, f"/class/{lesson.code}/token", "POST")).json["token"]
@@ -157,13 +144,11 @@ def test_a_vote_is_of_somebody_who_follows(monkeypatch: pytest.MonkeyPatch) -> N
         assert (await lesson.vote(token, **CHOICE, option=1)).status == 204
         assert (await lesson.tally())["now"]["options"] == [0, 1, 0]
 
-    run(test)
 
-
-def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(registry, "SPARE", 2)
 
-    async def test(server: Server, url: str) -> None:
+    async with teaching() as (server, url):
         lesson = await Class.open(url)
         await lesson.order("put", **CHOICE)
         early, late = await lesson.token(), await lesson.token()
@@ -178,17 +163,14 @@ def test_one_client_does_not_fill_a_vote(monkeypatch: pytest.MonkeyPatch) -> Non
         now = (await lesson.tally())["now"]
         assert now["answered"] <= 2 + 2 * 3 and now["options"][1:] == [1, 1]
 
-    run(test)
 
-
-def test_one_network_does_not_take_all_rooms(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_one_network_does_not_take_all_rooms(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(instructor_routes, "MOST_OPENED", 2)
 
-    async def test(server: Server, url: str) -> None:
+    async with teaching(trusted_proxies=("127.0.0.1",)) as (_, url):
+
         async def opened(address: str) -> int:
             return (await called(url, "/class", "POST", X_Forwarded_For=address)).status
 
         assert [await opened(f"198.51.100.{i}") for i in range(4)] == [200, 200, 429, 429]
         assert await opened("203.0.113.9") == 200
-
-    run(test, trusted_proxies=("127.0.0.1",))

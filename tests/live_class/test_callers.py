@@ -6,20 +6,16 @@ import gc
 
 import pytest
 
-from components.serving.server import Server
 from tests.live_class.caller import Class
-from tests.live_class.served import run
+from tests.live_class.served import teaching
 
 
-def test_a_test_that_fails_leaves_no_stream() -> None:
+async def test_a_test_that_fails_leaves_no_stream() -> None:
     """An unclosed stream is a warning, and so an error, of whichever test collects the garbage."""
-
-    async def test(server: Server, url: str) -> None:
-        lesson = await Class.open(url)
-        for _ in range(3):
-            await lesson.follow()
-        raise TimeoutError
-
     with pytest.raises(TimeoutError):
-        run(test)
+        async with teaching() as (_, url):
+            lesson = await Class.open(url)
+            for _ in range(3):
+                await lesson.follow()
+            raise TimeoutError
     gc.collect()

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
+from collections.abc import AsyncIterator, Awaitable, Callable
+from contextlib import asynccontextmanager
 from time import monotonic, time
 
 import msgspec
@@ -51,22 +52,19 @@ class Wayward(MemoryStore):
             raise AwayError("away")
 
 
-def in_rooms(test: Callable[[Wayward, Registry, Upkeep, str, str], Awaitable[None]]) -> None:
-    """Runs a test with a registry whose store is heard."""
-
-    async def whole() -> None:
-        store = Wayward()
-        registry = Registry(store, BANK)
-        listening = asyncio.create_task(store.listen(registry.hear, lambda: None))
-        await asyncio.sleep(0)
-        await test(store, registry, Upkeep(registry), *await registry.open())
-        listening.cancel()
-
-    asyncio.run(whole())
+@asynccontextmanager
+async def rooms() -> AsyncIterator[tuple[Wayward, Registry, Upkeep, str, str]]:
+    """A registry whose store is heard, and an open room."""
+    store = Wayward()
+    registry = Registry(store, BANK)
+    listening = asyncio.create_task(store.listen(registry.hear, lambda: None))
+    await asyncio.sleep(0)
+    yield store, registry, Upkeep(registry), *await registry.open()
+    listening.cancel()
 
 
-def test_what_is_told_while_a_room_is_looked_up_is_heard() -> None:
-    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+async def test_what_is_told_while_a_room_is_looked_up_is_heard() -> None:
+    async with rooms() as (store, registry, _, code, key):
         store.meanwhile = lambda: MemoryStore.keep(store, code, {"clock": CLOCK_PART})
         room = await registry.room(code)
         assert room.whole().clock == CLOCK and await registry.led(code, key) is room
@@ -76,11 +74,9 @@ def test_what_is_told_while_a_room_is_looked_up_is_heard() -> None:
             await registry.room(code)
         assert not registry.rooms
 
-    in_rooms(test)
 
-
-def test_a_look_at_the_store_brings_nothing_older_back() -> None:
-    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+async def test_a_look_at_the_store_brings_nothing_older_back() -> None:
+    async with rooms() as (store, registry, upkeep, code, key):
         room = await registry.led(code, key)
         listener = Listener()
         room.listeners.add(listener)
@@ -89,11 +85,9 @@ def test_a_look_at_the_store_brings_nothing_older_back() -> None:
         await upkeep._restore(room)
         assert [news.picture and news.picture.data for news in listener.news] == [b"1", b"2"]
 
-    in_rooms(test)
 
-
-def test_what_a_store_that_was_away_has_missed_takes_the_place_of_what_it_knows() -> None:
-    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+async def test_what_a_store_that_was_away_has_missed_takes_the_place_of_what_it_knows() -> None:
+    async with rooms() as (store, registry, upkeep, code, key):
         room = await registry.led(code, key)
         await registry.obey(room, PutQuestion(walk="d31", step="d31-02"))
         store.away = True
@@ -104,26 +98,22 @@ def test_what_a_store_that_was_away_has_missed_takes_the_place_of_what_it_knows(
         assert room.question.step == CHOICE[1] and not room.unsaved
         assert b'"d31-03"' in (await store.parts(code))["question"]
 
-    in_rooms(test)
 
-
-def test_a_picture_waits_for_a_store_that_is_away(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_picture_waits_for_a_store_that_is_away(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(publisher, "AGAIN", 0.01)
 
-    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+    async with rooms() as (store, registry, _, code, key):
         store.away = True  # and this replica does not know the room: its instructor's stream is elsewhere
         Publisher(registry, code, key)(lambda: {"sheet": "s", "data": b"1"})
         await asyncio.sleep(0.05)
         store.away = False
         await until(lambda: code in registry.rooms and registry.rooms[code].whole().picture)
 
-    in_rooms(test)
 
-
-def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(publisher, "AGAIN", 0.001)
 
-    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+    async with rooms() as (store, registry, _, code, key):
         store.away = True
         session, asked = Session(fitted(SCENES["coupled"]())), 0
         session.lead = lambda *given: Publisher(registry, *given)
@@ -148,21 +138,17 @@ def test_who_leads_again_and_leaves_asks_a_store_that_is_away_no_more(monkeypatc
         await asyncio.sleep(0.01)
         assert not registry.rooms
 
-    in_rooms(test)
 
-
-def test_news_that_cannot_be_read_are_no_reason_to_listen_no_more(caplog: pytest.LogCaptureFixture) -> None:
-    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+async def test_news_that_cannot_be_read_are_no_reason_to_listen_no_more(caplog: pytest.LogCaptureFixture) -> None:
+    async with rooms() as (_, registry, upkeep, code, _):
         room = await registry.room(code)
         upkeep._hear(code, {"clock": b'{"type":"another version"}'})
         upkeep._hear(code, {"clock": CLOCK_PART})
         assert room.whole().clock == CLOCK and "could not be read" in caplog.text
 
-    in_rooms(test)
 
-
-def test_who_has_no_stream_learns_who_is_here_and_leads_as_well() -> None:
-    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+async def test_who_has_no_stream_learns_who_is_here_and_leads_as_well() -> None:
+    async with rooms() as (_, registry, upkeep, code, key):
         room = await registry.led(code, key)
         assert not room.is_led
         room.polled(key, leads=True)
@@ -175,11 +161,9 @@ def test_who_has_no_stream_learns_who_is_here_and_leads_as_well() -> None:
         await upkeep._look_at(room)
         assert room.number == number  # nothing has changed: nobody is told the whole again
 
-    in_rooms(test)
 
-
-def test_who_has_no_stream_here_is_counted_as_long_as_it_asks(monkeypatch: pytest.MonkeyPatch) -> None:
-    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+async def test_who_has_no_stream_here_is_counted_as_long_as_it_asks(monkeypatch: pytest.MonkeyPatch) -> None:
+    async with rooms() as (store, registry, upkeep, code, key):
         room = await registry.led(code, key)
         room.polled("a follower's", leads=False)
         await upkeep._look_at(room)
@@ -188,11 +172,9 @@ def test_who_has_no_stream_here_is_counted_as_long_as_it_asks(monkeypatch: pytes
         await upkeep._look_at(room)
         assert room.here == 1 and room.names  # whose answers count for some time more
 
-    in_rooms(test)
 
-
-def test_who_followed_a_replica_that_ends_is_not_counted_there_any_more() -> None:
-    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+async def test_who_followed_a_replica_that_ends_is_not_counted_there_any_more() -> None:
+    async with rooms() as (store, registry, upkeep, code, key):
         room = await registry.led(code, key)
         room.polled("a follower's", leads=False)
         await upkeep._look_at(room)
@@ -200,13 +182,11 @@ def test_who_followed_a_replica_that_ends_is_not_counted_there_any_more() -> Non
         await upkeep.end()
         assert await store.present(code, "another", {"a phone"}) == 1
 
-    in_rooms(test)
 
-
-def test_a_store_that_stays_away_is_logged_once(
+async def test_a_store_that_stays_away_is_logged_once(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+    async with rooms() as (store, _, upkeep, _, _):
         asked = 0
 
         async def listen(_: object, ready: Callable[[], None]) -> None:
@@ -222,14 +202,12 @@ def test_a_store_that_stays_away_is_logged_once(
         upkeep.start()
         await until(lambda: upkeep.listening)
         await upkeep.end()
-
-    in_rooms(test)
     assert caplog.text.count("is away") == caplog.text.count("is away: no route to it") == 1
     assert caplog.text.count("is back after") == 1
 
 
-def test_clocks_that_differ_and_a_full_store_are_noticed_once(caplog: pytest.LogCaptureFixture) -> None:
-    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+async def test_clocks_that_differ_and_a_full_store_are_noticed_once(caplog: pytest.LogCaptureFixture) -> None:
+    async with rooms() as (store, registry, upkeep, code, key):
         await upkeep._look_at_store()
         assert (upkeep.rooms, caplog.text) == (1, "") and abs(upkeep.skew) < 0.1
 
@@ -250,8 +228,6 @@ def test_clocks_that_differ_and_a_full_store_are_noticed_once(caplog: pytest.Log
             await upkeep._safely(upkeep._look_at(room))
         assert caplog.text.count("The store is full.") == 1 and "Traceback" not in caplog.text
 
-    in_rooms(test)
-
 
 def test_answers_do_not_make_a_deed_forgotten() -> None:
     room = ClassRoom("K7HM", {})
@@ -262,13 +238,11 @@ def test_answers_do_not_make_a_deed_forgotten() -> None:
     assert [(news.deed, news.answers) for news in room.untold(known)] == [("next", False), ("", True)]
 
 
-def test_a_vote_that_is_asked_for_twice_is_one() -> None:
-    async def test(store: Wayward, registry: Registry, upkeep: Upkeep, code: str, key: str) -> None:
+async def test_a_vote_that_is_asked_for_twice_is_one() -> None:
+    async with rooms() as (_, registry, _, code, key):
         room, (walk, step) = await registry.led(code, key), CHOICE
         await registry.obey(room, PutQuestion(walk=walk, step=step))
         for vote, stands in ((2, 2), (2, 2), (1, 2), (9, 3)):
             await registry.obey(room, PutQuestion(walk=walk, step=step, vote=vote))
             assert room.question.vote == stands
         await registry.vote(room, "one", Given(walk=walk, step=step, option=0, vote=3))
-
-    in_rooms(test)

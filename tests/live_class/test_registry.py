@@ -5,7 +5,8 @@ from __future__ import annotations
 import asyncio
 import csv
 import io
-from collections.abc import Callable, Coroutine
+from collections.abc import AsyncIterator, Callable
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from time import time
 
 import msgspec
@@ -34,26 +35,24 @@ from components.walks.loading import read_walk
 from components.walks.questions import sketch
 from components.walks.questions.sketch import SketchStep
 from tests.live_class.listening import CHOICE, Listener, replicas, until
-from tests.live_class.stores import KINDS, Valkey, made, valkey_running
+from tests.live_class.stores import KINDS, made, valkey_running
 
 NUMBER, POINT, SKETCH = ("d31", "d31-02"), ("d34", "d34-08"), ("d34", "d34-14")
-Test = Callable[[Registry, ClassRoom], Coroutine[None, None, None]]
+Opened = Callable[[], AbstractAsyncContextManager[tuple[Registry, ClassRoom]]]
 
 
 @pytest.fixture(params=KINDS)
-def in_class(request: pytest.FixtureRequest) -> Callable[[Test], None]:
-    """Runs a test in an open room, on a store of each kind."""
+def in_class(request: pytest.FixtureRequest) -> Opened:
+    """An open room, on a store of each kind."""
     kind = request.param
     url = request.getfixturevalue("valkey").url if kind == "valkey" else ""
 
-    def run(test: Test) -> None:
-        async def whole() -> None:
-            async with made(kind, url) as store, replicas(store) as (registry,):
-                await test(registry, await registry.led(*await registry.open()))
+    @asynccontextmanager
+    async def opened() -> AsyncIterator[tuple[Registry, ClassRoom]]:
+        async with made(kind, url) as store, replicas(store) as (registry,):
+            yield registry, await registry.led(*await registry.open())
 
-        asyncio.run(whole())
-
-    return run
+    return opened
 
 
 def test_codes_have_no_signs_that_look_alike_and_are_read_as_they_are_typed() -> None:
@@ -76,19 +75,17 @@ def test_who_does_not_know_the_passphrase_makes_no_key() -> None:
         assert not Keys("swinging springs").is_own(key)
 
 
-def test_who_lacks_the_key_cannot_lead(in_class: Callable[[Test], None]) -> None:
-    async def test(registry: Registry, room: ClassRoom) -> None:
+async def test_who_lacks_the_key_cannot_lead(in_class: Opened) -> None:
+    async with in_class() as (registry, room):
         for key in ("", "x" * 32):
             with pytest.raises(ClosedError):
                 await registry.led(room.code, key)
         with pytest.raises(ClosedError):
             await registry.room("ZZZZ")
 
-    in_class(test)
 
-
-def test_followers_hear_what_is_new_and_late_ones_all_of_it(in_class: Callable[[Test], None]) -> None:
-    async def test(registry: Registry, room: ClassRoom) -> None:
+async def test_followers_hear_what_is_new_and_late_ones_all_of_it(in_class: Opened) -> None:
+    async with in_class() as (registry, room):
         follower = Listener()
         room.listeners.add(follower)
         await registry.show(room, SentPicture(sheet="s", data=b"\x01\x02"))
@@ -106,11 +103,9 @@ def test_followers_hear_what_is_new_and_late_ones_all_of_it(in_class: Callable[[
         with pytest.raises(ClosedError):
             await registry.obey(room, Withdraw())
 
-    in_class(test)
 
-
-def test_the_instructor_alone_hears_of_answers(in_class: Callable[[Test], None]) -> None:
-    async def test(registry: Registry, room: ClassRoom) -> None:
+async def test_the_instructor_alone_hears_of_answers(in_class: Opened) -> None:
+    async with in_class() as (registry, room):
         follower, leader = Listener(), Listener(leads=True)
         room.listeners |= {follower, leader}
         await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
@@ -119,11 +114,9 @@ def test_the_instructor_alone_hears_of_answers(in_class: Callable[[Test], None])
         assert not any(news.answers for news in follower.news)
         assert room.followers == 1 and room.is_led
 
-    in_class(test)
 
-
-def test_asked_again_the_first_vote_is_kept(in_class: Callable[[Test], None]) -> None:
-    async def test(registry: Registry, room: ClassRoom) -> None:
+async def test_asked_again_the_first_vote_is_kept(in_class: Opened) -> None:
+    async with in_class() as (registry, room):
         walk, step = CHOICE
         assert await registry.tally(room) is None
         await registry.obey(room, PutQuestion(walk=walk, step=step))
@@ -150,11 +143,9 @@ def test_asked_again_the_first_vote_is_kept(in_class: Callable[[Test], None]) ->
         assert sorted(phones) == ["1", "2", "3"] and len(set(phones.values())) == 2
         assert phones[again["phone"]] != again["answer"]  # of one phone, under one number
 
-    in_class(test)
 
-
-def test_numbers_points_and_sketches(in_class: Callable[[Test], None]) -> None:
-    async def test(registry: Registry, room: ClassRoom) -> None:
+async def test_numbers_points_and_sketches(in_class: Opened) -> None:
+    async with in_class() as (registry, room):
         drawn: list[int | None] = [round(10 * i) for i in range(101)]
         for (walk, step), good, bad in (
             (NUMBER, {"text": "2"}, {"text": "two"}),
@@ -178,19 +169,19 @@ def test_numbers_points_and_sketches(in_class: Callable[[Test], None]) -> None:
             else:
                 assert tally.now.numbers == (2.0 if step == NUMBER[1] else 1.5,)
 
-    in_class(test)
 
-
-def test_an_answer_is_judged_once_and_a_vote_reads_its_question_once(
-    in_class: Callable[[Test], None], monkeypatch: pytest.MonkeyPatch
+async def test_an_answer_is_judged_once_and_a_vote_reads_its_question_once(
+    in_class: Opened, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     read: list[type] = []
     decode = msgspec.json.decode
     monkeypatch.setattr(
-        room_of.msgspec.json, "decode", lambda part, type: (read.append(type), decode(part, type=type))[1]
+        room_of.msgspec.json,
+        "decode",
+        lambda part, **how: (read.append(how.get("type", object)), decode(part, **how))[1],
     )
 
-    async def test(registry: Registry, room: ClassRoom) -> None:
+    async with in_class() as (registry, room):
         judged: list[object] = []
         judge = SketchStep.judge
         monkeypatch.setattr(SketchStep, "judge", lambda *given: (judged.append(given), judge(*given))[1])
@@ -207,16 +198,14 @@ def test_an_answer_is_judged_once_and_a_vote_reads_its_question_once(
         assert tally.now.having == tuple(sum(one.has[i] for one in tally.now.sketches) for i in range(5))
         assert len((await votes_csv(registry, room)).splitlines()) == 21 and len(judged) == 20
 
-    in_class(test)
 
-
-def test_of_a_large_room_all_sketches_are_counted_and_some_are_told(
-    in_class: Callable[[Test], None], monkeypatch: pytest.MonkeyPatch
+async def test_of_a_large_room_all_sketches_are_counted_and_some_are_told(
+    in_class: Opened, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sketch, "MOST_SKETCHES", 3)
     monkeypatch.setattr(pauses, "SLICE", 0.0)
 
-    async def test(registry: Registry, room: ClassRoom) -> None:
+    async with in_class() as (registry, room):
         walk, step = SKETCH
         await registry.obey(room, PutQuestion(walk=walk, step=step))
         for voter in "abcde":
@@ -239,8 +228,6 @@ def test_of_a_large_room_all_sketches_are_counted_and_some_are_told(
         tally = await registry.tally(room)
         assert tally and (tally.now.answered, len(tally.now.sketches)) == (5, 3)
 
-    in_class(test)
-
 
 @pytest.mark.parametrize(
     ("text", "safe"),
@@ -253,8 +240,8 @@ def test_no_spreadsheet_works_a_cell_out(text: str, safe: str) -> None:
     assert cell(text) == safe
 
 
-def test_a_number_is_written_as_one(in_class: Callable[[Test], None]) -> None:
-    async def test(registry: Registry, room: ClassRoom) -> None:
+async def test_a_number_is_written_as_one(in_class: Opened) -> None:
+    async with in_class() as (registry, room):
         walk, step = NUMBER
         await registry.obey(room, PutQuestion(walk=walk, step=step))
         for voter, text in enumerate(("−2", "-1,5", "+3", "-10^3", "2")):
@@ -264,25 +251,21 @@ def test_a_number_is_written_as_one(in_class: Callable[[Test], None]) -> None:
             [("-2", "no"), ("-1.5", "no"), ("3", "no"), ("-1000", "no"), ("2", "yes")]
         )
 
-    in_class(test)
 
-
-def test_a_walk_that_the_server_does_not_know_is_refused(in_class: Callable[[Test], None]) -> None:
-    async def test(registry: Registry, room: ClassRoom) -> None:
+async def test_a_walk_that_the_server_does_not_know_is_refused(in_class: Opened) -> None:
+    async with in_class() as (registry, room):
         with pytest.raises(ValueError, match="does not know its walk"):
             await registry.obey(room, PutQuestion(walk="mine", step="one"))
         with pytest.raises(ValueError, match="No question"):
             await registry.obey(room, ShowAnswer())
 
-    in_class(test)
 
-
-def test_a_walk_from_a_file_is_read_once(in_class: Callable[[Test], None], monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_walk_from_a_file_is_read_once(in_class: Opened, monkeypatch: pytest.MonkeyPatch) -> None:
     """Not again after each other one that is handed over; where the store alone has them, each once."""
     text, read = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n', list[str]()
     monkeypatch.setattr(question_bank, "read_walk", lambda *given: (read.append(given[1]), read_walk(*given))[1])
 
-    async def test(registry: Registry, room: ClassRoom) -> None:
+    async with in_class() as (registry, room):
         for n in range(registry_of.MOST_OWN):
             await registry.obey(room, HandWalk(name=f"mine-{n}", text=text))
             await registry.obey(room, PutQuestion(walk=f"mine-{n}", step="one"))
@@ -296,13 +279,11 @@ def test_a_walk_from_a_file_is_read_once(in_class: Callable[[Test], None], monke
         registry.bank_of(elsewhere)
         assert read[-1] == "mine-0" and len(read) == registry_of.MOST_OWN + 1 and len(elsewhere.walks) == 1
 
-    in_class(test)
 
-
-def test_a_walk_from_a_file_is_asked_as_any_other(in_class: Callable[[Test], None]) -> None:
+async def test_a_walk_from_a_file_is_asked_as_any_other(in_class: Opened) -> None:
     text = 'title = "Mine"\n[[step]]\nid = "one"\nfrom = "d31-03"\n'
 
-    async def test(registry: Registry, room: ClassRoom) -> None:
+    async with in_class() as (registry, room):
         listener, (walk, step) = Listener(), ("mine", "one")
         room.listeners.add(listener)
         with pytest.raises(ValueError, match="is no step that is known"):
@@ -327,34 +308,26 @@ def test_a_walk_from_a_file_is_asked_as_any_other(in_class: Callable[[Test], Non
         with pytest.raises(ValueError, match="one too many"):
             await registry.obey(room, HandWalk(name="too-many", text=text))
 
-    in_class(test)
 
-
-def test_without_the_store_a_class_goes_on_and_is_written_back() -> None:
-    async def test(valkey: Valkey, registry: Registry, second: Registry) -> None:
-        code, key = await registry.open()
-        room, there = await registry.led(code, key), await second.room(code)
-        leader, follower = Listener(leads=True), Listener()
-        room.listeners.add(leader)
-        there.listeners.add(follower)
-        await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
-        await until(lambda: there.question.step)
-        await second.vote(there, "one", Given(walk=CHOICE[0], step=CHOICE[1], option=1))
-        assert await registry.tally(room)
-        valkey.kill()
-        await until(lambda: any(news.lost for news in follower.news) and room.lost)
-        await registry.show(room, SentPicture(sheet="s", data=b"meanwhile"))
-        assert leader.news[-1].picture and not any(news.picture for news in follower.news)
-        valkey.start()
-        await until(lambda: any(news.picture for news in follower.news) and not there.lost)
-        tally = await second.tally(there)
-        assert tally and tally.now.options == (0, 1, 0)
-        assert await second.led(code, key) is there
-
-    async def whole(valkey: Valkey) -> None:
-        one, other = made("valkey", valkey.url), made("valkey", valkey.url)
-        async with one as store, other as another, replicas(store, another) as registries:
-            await test(valkey, *registries)
-
+async def test_without_the_store_a_class_goes_on_and_is_written_back() -> None:
     with valkey_running() as valkey:
-        asyncio.run(whole(valkey))
+        one, other = made("valkey", valkey.url), made("valkey", valkey.url)
+        async with one as store, other as another, replicas(store, another) as (registry, second):
+            code, key = await registry.open()
+            room, there = await registry.led(code, key), await second.room(code)
+            leader, follower = Listener(leads=True), Listener()
+            room.listeners.add(leader)
+            there.listeners.add(follower)
+            await registry.obey(room, PutQuestion(walk=CHOICE[0], step=CHOICE[1]))
+            await until(lambda: there.question.step)
+            await second.vote(there, "one", Given(walk=CHOICE[0], step=CHOICE[1], option=1))
+            assert await registry.tally(room)
+            valkey.kill()
+            await until(lambda: any(news.lost for news in follower.news) and room.lost)
+            await registry.show(room, SentPicture(sheet="s", data=b"meanwhile"))
+            assert leader.news[-1].picture and not any(news.picture for news in follower.news)
+            valkey.start()
+            await until(lambda: any(news.picture for news in follower.news) and not there.lost)
+            tally = await second.tally(there)
+            assert tally and tally.now.options == (0, 1, 0)
+            assert await second.led(code, key) is there

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import asyncio
 from contextlib import AsyncExitStack
 
 import pytest
 
 from components.live_class import remotes
-from components.live_class.registry import Registry
 from components.live_class.remotes import begun, decided, is_in, new_digits, waits
 from components.live_class.room import ClassRoom
 from tests.live_class.listening import Listener, replicas, until
@@ -58,20 +56,15 @@ def test_no_two_phones_show_the_same_digits() -> None:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_phone_that_waits_is_known_to_a_replica_that_comes_later(kind: str) -> None:
-    async def test(registries: list[Registry]) -> None:
-        code, key = await registries[0].open()
-        await registries[0].tell(await registries[0].room(code), begun("47", "one"))
-        room = await registries[-1].led(code, key)
-        assert room.whole(leads=True).remotes == ("47",)
-        await registries[-1].tell(room, decided(room.parts, "47", is_in=True))
-        first = await registries[0].room(code)
-        await until(lambda: is_in(first.parts, "one"))
-
-    async def whole(url: str) -> None:
-        async with AsyncExitStack() as opened:
-            stores = [await opened.enter_async_context(made(kind, url)) for _ in range(1 + (kind == "valkey"))]
-            await test(await opened.enter_async_context(replicas(*stores)))
-
+async def test_a_phone_that_waits_is_known_to_a_replica_that_comes_later(kind: str) -> None:
     with valkey_running() as valkey:
-        asyncio.run(whole(valkey.url))
+        async with AsyncExitStack() as opened:
+            stores = [await opened.enter_async_context(made(kind, valkey.url)) for _ in range(1 + (kind == "valkey"))]
+            registries = await opened.enter_async_context(replicas(*stores))
+            code, key = await registries[0].open()
+            await registries[0].tell(await registries[0].room(code), begun("47", "one"))
+            room = await registries[-1].led(code, key)
+            assert room.whole(leads=True).remotes == ("47",)
+            await registries[-1].tell(room, decided(room.parts, "47", is_in=True))
+            first = await registries[0].room(code)
+            await until(lambda: is_in(first.parts, "one"))

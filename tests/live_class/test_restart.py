@@ -13,10 +13,9 @@ from components.live_class import instructor_routes
 from components.live_class.codes import Keys, code_of, new_token
 from components.live_class.registry import Registry
 from components.live_class.store import MemoryStore
-from components.serving.server import Server
 from tests.live_class.caller import Answered, Class, called, streams_closed
 from tests.live_class.listening import BANK
-from tests.live_class.served import CHOICE, run, served
+from tests.live_class.served import CHOICE, served, teaching
 from tests.live_class.stores import KINDS, Valkey, made
 
 VOTE = f"{CHOICE['walk']}/{CHOICE['step']}/1"
@@ -27,44 +26,41 @@ async def reopened(url: str, code: str, key: str, body: object = None, **more: A
     return await called(url, f"/class/{code}/lead", "PUT", body or {}, key, **more)
 
 
-def test_a_restarted_server_has_the_room_its_answers_and_its_phones_again() -> None:
-    async def whole() -> None:
-        async with streams_closed():
-            async with served() as (_, url):
-                lesson = await Class.open(url)
-                tokens = [await lesson.token() for _ in range(3)]
-                await lesson.order("put", **CHOICE)
-                for token, option in zip(tokens, (0, 1, 1), strict=True):
-                    assert (await lesson.vote(token, **CHOICE, option=option)).status == 204
-                path = f"/class/{lesson.code}/answers?question={VOTE}"
-                kept = (await called(url, path, word=lesson.key)).json
-                before = await lesson.tally()
-            async with served() as (_, url):
-                lesson.url = url
-                assert (await lesson.order("withdraw")).status == 404
-                again = await reopened(url, lesson.code, lesson.key)
-                assert again.json["key"] == lesson.key and again.json["address"].endswith(
-                    lesson.opened["address"].rpartition("/")[2]
-                )
-                assert (await lesson.order("put", **CHOICE, vote=2)).status == 204
-                assert (await lesson.order("put", **CHOICE, vote=1)).status == 204  # it goes on, never back
-                assert (await lesson.tally())["vote"] == 2
-                await lesson.order("put", **SKETCH)
-                await lesson.order("put", **CHOICE)
-                assert (await called(url, f"/class/{lesson.code}/now", word=tokens[0])).status == 200
-                assert (await lesson.vote(tokens[0], **CHOICE, option=2)).status == 204
-                assert (await reopened(url, lesson.code, lesson.key)).status == 200  # as often as it is asked for
-                assert (await lesson.order("restore", answers=kept)).status == 204
-                now = (await lesson.tally())["now"]
-                assert now["options"] == [0, 2, 1] and before["now"]["options"] == [1, 2, 0]
-                followed = await lesson.follow()
-                await followed.until(lambda event: event.get("question", {}).get("step") == CHOICE["step"])
-
-    asyncio.run(whole())
+async def test_a_restarted_server_has_the_room_its_answers_and_its_phones_again() -> None:
+    async with streams_closed():
+        async with served() as (_, url):
+            lesson = await Class.open(url)
+            tokens = [await lesson.token() for _ in range(3)]
+            await lesson.order("put", **CHOICE)
+            for token, option in zip(tokens, (0, 1, 1), strict=True):
+                assert (await lesson.vote(token, **CHOICE, option=option)).status == 204
+            path = f"/class/{lesson.code}/answers?question={VOTE}"
+            kept = (await called(url, path, word=lesson.key)).json
+            before = await lesson.tally()
+        async with served() as (_, url):
+            lesson.url = url
+            assert (await lesson.order("withdraw")).status == 404
+            again = await reopened(url, lesson.code, lesson.key)
+            assert again.json["key"] == lesson.key and again.json["address"].endswith(
+                lesson.opened["address"].rpartition("/")[2]
+            )
+            assert (await lesson.order("put", **CHOICE, vote=2)).status == 204
+            assert (await lesson.order("put", **CHOICE, vote=1)).status == 204  # it goes on, never back
+            assert (await lesson.tally())["vote"] == 2
+            await lesson.order("put", **SKETCH)
+            await lesson.order("put", **CHOICE)
+            assert (await called(url, f"/class/{lesson.code}/now", word=tokens[0])).status == 200
+            assert (await lesson.vote(tokens[0], **CHOICE, option=2)).status == 204
+            assert (await reopened(url, lesson.code, lesson.key)).status == 200  # as often as it is asked for
+            assert (await lesson.order("restore", answers=kept)).status == 204
+            now = (await lesson.tally())["now"]
+            assert now["options"] == [0, 2, 1] and before["now"]["options"] == [1, 2, 0]
+            followed = await lesson.follow()
+            await followed.until(lambda event: event.get("question", {}).get("step") == CHOICE["step"])
 
 
-def test_a_room_is_opened_anew_with_its_own_key_alone() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_a_room_is_opened_anew_with_its_own_key_alone() -> None:
+    async with teaching() as (server, url):
         lesson, other = await Class.open(url), await Class.open(url)
         forged = Keys().new()
         for code, key in (
@@ -82,24 +78,20 @@ def test_a_room_is_opened_anew_with_its_own_key_alone() -> None:
         refused = await reopened(url, lesson.code, lesson.key)
         assert (refused.status, refused.json["sentence"]) == (404, "The class is over.")
 
-    run(test)
 
-
-def test_a_code_that_is_another_class_s_by_now_stays_that_one_s(monkeypatch: pytest.MonkeyPatch) -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_a_code_that_is_another_class_s_by_now_stays_that_one_s(monkeypatch: pytest.MonkeyPatch) -> None:
+    async with teaching() as (_, url):
         lesson, key = await Class.open(url), Keys().new()
         monkeypatch.setattr("components.live_class.registry.code_of", lambda key: lesson.code)
         refused = await reopened(url, lesson.code, key)
         assert refused.status == 409 and refused.json["sentence"].startswith("Another class has this code")
         assert (await lesson.order("withdraw")).status == 204
 
-    run(test)
 
-
-def test_rooms_are_opened_anew_no_more_often_than_new_ones(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_rooms_are_opened_anew_no_more_often_than_new_ones(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(instructor_routes, "MOST_OPENED", 2)
 
-    async def test(server: Server, url: str) -> None:
+    async with teaching() as (server, url):
         keys = [Keys().new() for _ in range(3)]
         answers = [await reopened(url, code_of(key), key) for key in keys]
         assert [answer.status for answer in answers] == [200, 200, 429]
@@ -107,20 +99,16 @@ def test_rooms_are_opened_anew_no_more_often_than_new_ones(monkeypatch: pytest.M
         phrase = "swinging springs"
         assert await server.classes.registry.store.rooms() == 2 and not Keys(phrase).is_own(keys[0])
 
-    run(test)
 
-
-def test_with_a_passphrase_only_keys_of_its_servers_open_a_room_anew() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_with_a_passphrase_only_keys_of_its_servers_open_a_room_anew() -> None:
+    async with teaching(class_passphrase="swinging springs") as (_, url):
         own, strange = Keys("swinging springs").new(), Keys().new()
         assert (await reopened(url, code_of(own), own)).status == 200
         assert (await reopened(url, code_of(strange), strange)).status == 409
 
-    run(test, class_passphrase="swinging springs")
 
-
-def test_what_is_no_answer_is_not_given_back() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_what_is_no_answer_is_not_given_back() -> None:
+    async with teaching() as (_, url):
         lesson = await Class.open(url)
         token = await lesson.token()
         name = token.partition(".")[0]
@@ -142,11 +130,9 @@ def test_what_is_no_answer_is_not_given_back() -> None:
         )
         assert refused.status == 404
 
-    run(test)
 
-
-def test_a_vote_that_is_closed_takes_no_answers_until_the_next_one() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_a_vote_that_is_closed_takes_no_answers_until_the_next_one() -> None:
+    async with teaching() as (_, url):
         lesson = await Class.open(url)
         token = await lesson.token()
         assert (await lesson.order("close")).status == 409  # nothing is asked
@@ -162,43 +148,35 @@ def test_a_vote_that_is_closed_takes_no_answers_until_the_next_one() -> None:
         tally = await lesson.tally()
         assert (tally["vote"], tally["now"]["options"], tally["before"]["options"]) == (2, [0, 1, 0], [0, 0, 0])
 
-    run(test)
-
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_workers_that_share_a_store_have_it_again_from_any_of_them(kind: str, valkey: Valkey) -> None:
-    async def whole() -> None:
-        async with made(kind, valkey.url) as store:
-            first, second, third = (Registry(store, BANK) for _ in range(3))
-            code, key = await first.open()
-            room = await first.led(code, key)
-            token = new_token(room.parts["key"])
-            await first.obey(room, PutQuestion(**CHOICE))
-            voter = room.voter(token)
-            await first.vote(room, voter, Given(**CHOICE, option=2))
-            kept = await first.copied(room, VOTE)
-            await store.end(code)  # as a store that is started anew
-            again, at_once = await asyncio.gather(second.reopen(code, key, "a" * 64), third.reopen(code, key, "a" * 64))
-            assert again.parts["key"] == at_once.parts["key"] == room.parts["key"]
-            await second.obey(again, RestoreAnswers(answers=kept))
-            assert await third.copied(at_once, VOTE) == kept and isinstance(kept[voter], Voted)
-            assert await Registry(store, BANK).followed(code, token)
-            assert await store.rooms() == 1
-            await second.obey(again, PutQuestion(**CHOICE))
-            tally = await second.tally(again)
-            assert tally and tally.now.options == (0, 0, 1)
-
-    asyncio.run(whole())
+async def test_workers_that_share_a_store_have_it_again_from_any_of_them(kind: str, valkey: Valkey) -> None:
+    async with made(kind, valkey.url) as store:
+        first, second, third = (Registry(store, BANK) for _ in range(3))
+        code, key = await first.open()
+        room = await first.led(code, key)
+        token = new_token(room.parts["key"])
+        await first.obey(room, PutQuestion(**CHOICE))
+        voter = room.voter(token)
+        await first.vote(room, voter, Given(**CHOICE, option=2))
+        kept = await first.copied(room, VOTE)
+        await store.end(code)  # as a store that is started anew
+        again, at_once = await asyncio.gather(second.reopen(code, key, "a" * 64), third.reopen(code, key, "a" * 64))
+        assert again.parts["key"] == at_once.parts["key"] == room.parts["key"]
+        await second.obey(again, RestoreAnswers(answers=kept))
+        assert await third.copied(at_once, VOTE) == kept and isinstance(kept[voter], Voted)
+        assert await Registry(store, BANK).followed(code, token)
+        assert await store.rooms() == 1
+        await second.obey(again, PutQuestion(**CHOICE))
+        tally = await second.tally(again)
+        assert tally and tally.now.options == (0, 0, 1)
 
 
-def test_answers_given_back_fill_no_more_than_a_room() -> None:
-    async def whole() -> None:
-        registry = Registry(MemoryStore(size=2000), BANK)
-        code, key = await registry.open()
-        room = await registry.led(code, key)
-        answers = {f"{i:011x}abcdefgh": Voted(**CHOICE, option=1) for i in range(50)}
-        with pytest.raises(ValueError, match="keeps no more answers of this class"):
-            await registry.obey(room, RestoreAnswers(answers=answers))
-        assert 0 < len(await registry.copied(room, VOTE)) < 50
-
-    asyncio.run(whole())
+async def test_answers_given_back_fill_no_more_than_a_room() -> None:
+    registry = Registry(MemoryStore(size=2000), BANK)
+    code, key = await registry.open()
+    room = await registry.led(code, key)
+    answers = {f"{i:011x}abcdefgh": Voted(**CHOICE, option=1) for i in range(50)}
+    with pytest.raises(ValueError, match="keeps no more answers of this class"):
+        await registry.obey(room, RestoreAnswers(answers=answers))
+    assert 0 < len(await registry.copied(room, VOTE)) < 50

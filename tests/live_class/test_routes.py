@@ -16,15 +16,14 @@ from components.live_class import follower_routes
 from components.live_class.codes import join_key
 from components.serving import apart
 from components.serving.apart import ReadingProcess
-from components.serving.server import Server
 from tests.bench.visitor import Visitor
 from tests.live_class.caller import Class, Stream, called
-from tests.live_class.served import CHOICE, run, served
+from tests.live_class.served import CHOICE, served, teaching
 from tests.page.scripts import text_of
 
 
-def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> None:
+    async with teaching() as (server, url):
         lesson = await Class.open(url)
         stream = await lesson.follow()
         assert "text/event-stream" in stream.headers and "X-Accel-Buffering: no" in stream.headers
@@ -50,11 +49,9 @@ def test_what_the_instructor_shows_reaches_followers_as_the_same_message() -> No
             await each.close()
         await visitor.depart()
 
-    run(test)
 
-
-def test_a_session_that_lacks_the_key_shows_nothing() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_a_session_that_lacks_the_key_shows_nothing() -> None:
+    async with teaching() as (_, url):
         lesson = await Class.open(url)
         stream = await lesson.follow()
         visitor = await Visitor.arrive(url, "scene=coupled")
@@ -70,11 +67,9 @@ def test_a_session_that_lacks_the_key_shows_nothing() -> None:
         await stream.close()
         await visitor.depart()
 
-    run(test)
 
-
-def test_a_follower_answers_once_and_learns_what_is_said_of_it_when_it_is_shown() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_a_follower_answers_once_and_learns_what_is_said_of_it_when_it_is_shown() -> None:
+    async with teaching() as (_, url):
         lesson = await Class.open(url)
         assert (await lesson.order("put", **CHOICE)).status == 204
         token = await lesson.token()
@@ -106,11 +101,9 @@ def test_a_follower_answers_once_and_learns_what_is_said_of_it_when_it_is_shown(
             "question": "How long does one swing take?", "answer": "Just as long as it did before",
         }  # fmt: skip
 
-    run(test)
 
-
-def test_who_gets_no_stream_asks_and_is_told_all_that_is_new() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_who_gets_no_stream_asks_and_is_told_all_that_is_new() -> None:
+    async with teaching() as (server, url):
         lesson = await Class.open(url)
         token = await lesson.token()
         await lesson.order("put", **CHOICE)
@@ -122,11 +115,9 @@ def test_who_gets_no_stream_asks_and_is_told_all_that_is_new() -> None:
         assert (await called(url, path, word=token)).json["question"]["step"] == ""
         assert server.classes.registry.followers == 1
 
-    run(test)
 
-
-def test_an_instructor_who_gets_no_stream_is_told_what_it_alone_hears_one_by_one() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_an_instructor_who_gets_no_stream_is_told_what_it_alone_hears_one_by_one() -> None:
+    async with teaching() as (server, url):
         lesson = await Class.open(url)
         await lesson.order("put", **CHOICE)
         path = f"/class/{lesson.code}/now?after="
@@ -149,15 +140,13 @@ def test_an_instructor_who_gets_no_stream_is_told_what_it_alone_hears_one_by_one
         token = await lesson.token()
         assert "deed" not in (await called(url, path + f"{room.number[:-1]}0", word=token)).text
 
-    run(test)
 
-
-def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkeypatch: pytest.MonkeyPatch) -> None:
     hits = 10 * follower_routes.MISSES * 4 * 60 / 30**4
     assert hits < 1 and follower_routes.MISSES >= 300
     monkeypatch.setattr(follower_routes, "MISSES", 4)
 
-    async def test(server: Server, url: str) -> None:
+    async with teaching(trusted_proxies=("127.0.0.1",)) as (_, url):
         lesson = await Class.open(url)
 
         async def enter(code: str, address: str) -> int:
@@ -174,11 +163,9 @@ def test_codes_cannot_be_guessed_and_a_class_that_mistypes_comes_in(monkeypatch:
         assert [await enter(wrong, f"192.0.{i}.1") for i in range(3)] == [404, 404, 429]
         assert await enter(lesson.code, "203.0.113.9") == 429
 
-    run(test, trusted_proxies=("127.0.0.1",))
 
-
-def test_a_follower_that_reads_too_slowly_is_left_out_and_gets_the_latest() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_a_follower_that_reads_too_slowly_is_left_out_and_gets_the_latest() -> None:
+    async with teaching() as (server, url):
         lesson = await Class.open(url)
         token, quick = await lesson.token(), await lesson.follow()
         slow = socket.create_connection(("127.0.0.1", server.port))
@@ -202,11 +189,9 @@ def test_a_follower_that_reads_too_slowly_is_left_out_and_gets_the_latest() -> N
         slow.close()
         await quick.close()
 
-    run(test)
 
-
-def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> None:
+    async with teaching() as (_, url):
         lesson = await Class.open(url)
         leader = await lesson.lead()
         path = f"/class/{lesson.code}/remote"
@@ -235,30 +220,25 @@ def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> None:
         for stream in (leader, late):
             await stream.close()
 
-    run(test)
+
+async def test_a_class_that_ends_says_so_and_the_end_of_a_server_lets_its_followers_go() -> None:
+    streams: list[Stream] = []
+    async with served() as (_, url):
+        lesson, other = await Class.open(url), await Class.open(url)
+        streams += [await lesson.follow(), await other.follow()]
+        await lesson.order("end")
+        await streams[0].until(lambda event: event.get("ended"))
+        assert (await called(url, f"/class/{lesson.code}/token", "POST")).status == 404
+        assert not streams[1].ended
+    async with asyncio.timeout(5):
+        while not all(stream.ended for stream in streams):
+            await asyncio.sleep(0.01)
+    for stream in streams:
+        await stream.close()
 
 
-def test_a_class_that_ends_says_so_and_the_end_of_a_server_lets_its_followers_go() -> None:
-    async def whole() -> None:
-        streams: list[Stream] = []
-        async with served() as (_, url):
-            lesson, other = await Class.open(url), await Class.open(url)
-            streams += [await lesson.follow(), await other.follow()]
-            await lesson.order("end")
-            await streams[0].until(lambda event: event.get("ended"))
-            assert (await called(url, f"/class/{lesson.code}/token", "POST")).status == 404
-            assert not streams[1].ended
-        async with asyncio.timeout(5):
-            while not all(stream.ended for stream in streams):
-                await asyncio.sleep(0.01)
-        for stream in streams:
-            await stream.close()
-
-    asyncio.run(whole())
-
-
-def test_the_page_of_a_follower_has_no_session_and_another_site_leads_nothing() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_the_page_of_a_follower_has_no_session_and_another_site_leads_nothing() -> None:
+    async with teaching() as (server, url):
         page = await called(url, "/?class=K7HM")
         assert page.status == 200 and not server.lecture.get_sessions("/")
         assert "script-src 'self' 'sha256-" in page.headers["Content-Security-Policy"]
@@ -268,19 +248,15 @@ def test_the_page_of_a_follower_has_no_session_and_another_site_leads_nothing() 
         assert lesson.opened["address"] == f"{url}{lesson.code}?join={join_key(lesson.key)}"
         assert "<script" not in lesson.opened["square"] and lesson.opened["square"].startswith("<svg")
 
-    run(test)
 
-
-def test_the_address_to_join_at_is_the_public_one() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_the_address_to_join_at_is_the_public_one() -> None:
+    async with teaching(public_url="https://lecture.example/osc/") as (_, url):
         lesson = await Class.open(url)
         assert lesson.opened["address"] == f"https://lecture.example/osc/{lesson.code}?join={join_key(lesson.key)}"
 
-    run(test, public_url="https://lecture.example/osc/")
 
-
-def test_the_address_takes_the_code_and_says_what_is_none() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_the_address_takes_the_code_and_says_what_is_none() -> None:
+    async with teaching() as (_, url):
         for path, to in (
             ("/EUW5", "./?class=EUW5"), ("/euw5/", "../?class=EUW5"),
             ("/eUw5?join=a1&x=%26", "./?class=EUW5&join=a1&x=%26"),
@@ -292,11 +268,9 @@ def test_the_address_takes_the_code_and_says_what_is_none() -> None:
             answer = await called(url, path)
             assert answer.status == 404 and sentence in answer.text
 
-    run(test)
 
-
-def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_one() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_one() -> None:
+    async with teaching(class_passphrase="swinging über springs") as (server, url):
         server.classes.openings.most = 2
         for word, sentence in (("", "Opening a class here needs"), ("wrong%20words", "This is not the instructors'")):
             answer = await called(url, "/class", "POST", word=word)
@@ -307,17 +281,13 @@ def test_a_class_is_opened_with_the_instructors_passphrase_where_there_is_one() 
             assert opened.status == 200
         assert await server.classes.registry.store.rooms() == 3
 
-    run(test, class_passphrase="swinging über springs")
 
-
-def test_a_walk_that_waits_for_others_is_refused_for_a_moment_only(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_walk_that_waits_for_others_is_refused_for_a_moment_only(monkeypatch: pytest.MonkeyPatch) -> None:
     """An instructor's page hands it once more; what is refused for good it gives up."""
 
-    async def test(server: Server, url: str) -> None:
+    async with teaching() as (server, url):
         lesson = await Class.open(url)
         monkeypatch.setattr(server.classes.registry.bank, "apart", ReadingProcess("none"))
         monkeypatch.setattr(apart, "WAITING", 0)
         refused = await lesson.order("walk", name="mine", text="")
         assert (refused.status, refused.headers["Retry-After"]) == (429, "1") and refused.json["sentence"] == apart.BUSY
-
-    run(test)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import asyncio
 import time
-from collections.abc import Awaitable, Callable, Coroutine
+from collections.abc import Awaitable, Callable
+from contextlib import AbstractAsyncContextManager
+from functools import partial
 
 import pytest
 import redis
@@ -14,12 +16,12 @@ from components.live_class.codes import code_of, new_key
 from components.live_class.store import Parts, Store
 from tests.live_class.stores import KINDS, Valkey, made, valkey_running
 
-Test = Callable[[Store], Coroutine[None, None, None]]
+Kept = Callable[..., AbstractAsyncContextManager[Store]]
 
 
 @pytest.fixture(params=KINDS)
-def on(request: pytest.FixtureRequest) -> Callable[..., None]:
-    """Runs a test on a store of each kind."""
+def on(request: pytest.FixtureRequest) -> Kept:
+    """A store of each kind."""
     kind = request.param
     url = request.getfixturevalue("valkey").url if kind == "valkey" else ""
 
@@ -27,14 +29,7 @@ def on(request: pytest.FixtureRequest) -> Callable[..., None]:
         with redis.Redis.from_url(url) as client:
             client.flushall()
 
-    def run(test: Test, **options: float) -> None:
-        async def whole() -> None:
-            async with made(kind, url, **options) as kept:
-                await test(kept)
-
-        asyncio.run(whole())
-
-    return run
+    return partial(made, kind, url)
 
 
 async def until(happens: Callable[[], Awaitable[bool]], seconds: float = 5.0) -> None:
@@ -43,8 +38,8 @@ async def until(happens: Callable[[], Awaitable[bool]], seconds: float = 5.0) ->
             await asyncio.sleep(0.01)
 
 
-def test_a_room_is_opened_once_and_keeps_its_parts(on: Callable[..., None]) -> None:
-    async def test(kept: Store) -> None:
+async def test_a_room_is_opened_once_and_keeps_its_parts(on: Kept) -> None:
+    async with on() as kept:
         code = code_of(new_key())
         assert await kept.parts(code) == {}
         assert await kept.open(code, {"key": b"1"})
@@ -57,12 +52,10 @@ def test_a_room_is_opened_once_and_keeps_its_parts(on: Callable[..., None]) -> N
         assert not await kept.keep(code, {"clock": b"5"})
         assert await kept.parts(code) == {}
 
-    on(test)
-
 
 @pytest.mark.slow
-def test_a_room_ends_some_time_after_the_last_sign_of_its_instructor(on: Callable[..., None]) -> None:
-    async def test(kept: Store) -> None:
+async def test_a_room_ends_some_time_after_the_last_sign_of_its_instructor(on: Kept) -> None:
+    async with on(life=0.8) as kept:
         code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         await kept.vote(code, "d31/a/1", "one", b"1")
@@ -78,11 +71,9 @@ def test_a_room_ends_some_time_after_the_last_sign_of_its_instructor(on: Callabl
         assert await kept.votes(code, "d31/a/1") == {}
         assert not await kept.vote(code, "d31/a/1", "two", b"1")
 
-    on(test, life=0.8)
 
-
-def test_a_room_that_nobody_leads_or_follows_ends_soon(on: Callable[..., None]) -> None:
-    async def test(kept: Store) -> None:
+async def test_a_room_that_nobody_leads_or_follows_ends_soon(on: Kept) -> None:
+    async with on(alone=0.6) as kept:
         followed, alone = code_of(new_key()), code_of(new_key())
         for code in (followed, alone):
             await kept.open(code, {"key": b"1"})
@@ -98,17 +89,13 @@ def test_a_room_that_nobody_leads_or_follows_ends_soon(on: Callable[..., None]) 
         assert await kept.parts(followed) and await kept.votes(followed, "d31/a/1")
         assert await kept.votes(alone, "d31/a/1") == {} and await kept.rooms() == 1
 
-    on(test, alone=0.6)
-
 
 @pytest.mark.slow
-def test_where_all_rooms_are_taken_one_that_is_alone_makes_way(
-    on: Callable[..., None], monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_where_all_rooms_are_taken_one_that_is_alone_makes_way(on: Kept, monkeypatch: pytest.MonkeyPatch) -> None:
     for module in (store, shared_store):
         monkeypatch.setattr(module, "QUIET", 2.0)
 
-    async def test(kept: Store) -> None:
+    async with on(rooms=2) as kept:
         assert await kept.open("AAAA", {"key": b"1"}) and await kept.open("BBBB", {"key": b"1"})
         assert not await kept.open("CCCC", {"key": b"1"})
         await asyncio.sleep(2.2)
@@ -117,11 +104,9 @@ def test_where_all_rooms_are_taken_one_that_is_alone_makes_way(
         assert await kept.parts("AAAA") and not await kept.parts("BBBB")
         assert not await kept.open("BBBB", {"key": b"1"})
 
-    on(test, rooms=2)
 
-
-def test_a_room_has_so_many_bytes_of_answers_and_says_so(on: Callable[..., None]) -> None:
-    async def test(kept: Store) -> None:
+async def test_a_room_has_so_many_bytes_of_answers_and_says_so(on: Kept) -> None:
+    async with on(size=100) as kept:
         code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         assert await kept.vote(code, "a", "one", b"x" * 60)
@@ -132,15 +117,13 @@ def test_a_room_has_so_many_bytes_of_answers_and_says_so(on: Callable[..., None]
         await kept.unvote(code, "b", "two")
         assert await kept.vote(code, "b", "three", b"x" * 60)
 
-    on(test, size=100)
 
-
-def test_a_full_store_says_so_and_forgets_no_class() -> None:
-    async def test(url: str) -> None:
-        async with made("valkey", url) as kept:
+async def test_a_full_store_says_so_and_forgets_no_class() -> None:
+    with valkey_running() as server:
+        async with made("valkey", server.url) as kept:
             await kept.open("AAAA", {"key": b"1"})
             await kept.vote("AAAA", "a", "one", b"1")
-            with redis.Redis.from_url(url) as client:
+            with redis.Redis.from_url(server.url) as client:
                 client.config_set("maxmemory", 1)
             for act in (kept.keep("AAAA", {"clock": b"1"}), kept.open("BBBB", {"key": b"1"}), kept.count("x", 60)):
                 with pytest.raises(store.FullError, match="record of live classes is full"):
@@ -148,12 +131,9 @@ def test_a_full_store_says_so_and_forgets_no_class() -> None:
             assert await kept.count("x", 60, 0) == 0
             assert await kept.parts("AAAA") == {"key": b"1"} and await kept.votes("AAAA", "a") == {"one": b"1"}
 
-    with valkey_running() as server:
-        asyncio.run(test(server.url))
 
-
-def test_who_follows_is_known_to_all_replicas(on: Callable[..., None]) -> None:
-    async def test(kept: Store) -> None:
+async def test_who_follows_is_known_to_all_replicas(on: Kept) -> None:
+    async with on() as kept:
         code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         await kept.name(code, "a", ["one", "two"])
@@ -162,11 +142,9 @@ def test_who_follows_is_known_to_all_replicas(on: Callable[..., None]) -> None:
         assert await kept.named(code) == {"two", "three"}
         assert abs(await kept.time() - time.time()) < 5
 
-    on(test)
 
-
-def test_one_answer_for_a_voter_and_no_more_than_there_is_place_for(on: Callable[..., None]) -> None:
-    async def test(kept: Store) -> None:
+async def test_one_answer_for_a_voter_and_no_more_than_there_is_place_for(on: Kept) -> None:
+    async with on() as kept:
         code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         assert [await kept.vote(code, "b", voter, b"1", 2) for voter in ("one", "two", "three")] == [True, True, False]
@@ -178,21 +156,17 @@ def test_one_answer_for_a_voter_and_no_more_than_there_is_place_for(on: Callable
         assert await kept.vote(code, "b", "three", b"3", 2)
         assert await kept.votes(code, "b") == {"one": b"2", "three": b"3"}
 
-    on(test)
 
-
-def test_rooms_are_bounded(on: Callable[..., None]) -> None:
-    async def test(kept: Store) -> None:
+async def test_rooms_are_bounded(on: Kept) -> None:
+    async with on(rooms=1) as kept:
         assert await kept.open("AAAA", {"key": b"1"})
         assert not await kept.open("BBBB", {"key": b"1"})
         await kept.end("AAAA")
         assert await kept.open("BBBB", {"key": b"1"})
 
-    on(test, rooms=1)
 
-
-def test_who_listens_hears_what_is_kept_told_and_ended(on: Callable[..., None]) -> None:
-    async def test(kept: Store) -> None:
+async def test_who_listens_hears_what_is_kept_told_and_ended(on: Kept) -> None:
+    async with on() as kept:
         heard: list[tuple[str, Parts]] = []
         ready = asyncio.Event()
         task = asyncio.create_task(kept.listen(lambda code, parts: heard.append((code, dict(parts))), ready.set))
@@ -212,11 +186,9 @@ def test_who_listens_hears_what_is_kept_told_and_ended(on: Callable[..., None]) 
         task.cancel()
         await asyncio.gather(task, return_exceptions=True)
 
-    on(test)
 
-
-def test_those_present_are_counted_over_replicas(on: Callable[..., None]) -> None:
-    async def test(kept: Store) -> None:
+async def test_those_present_are_counted_over_replicas(on: Kept) -> None:
+    async with on() as kept:
         code = code_of(new_key())
         await kept.open(code, {"key": b"1"})
         assert await kept.present(code, "a", ["one", "two"]) == 2
@@ -224,11 +196,9 @@ def test_those_present_are_counted_over_replicas(on: Callable[..., None]) -> Non
         assert await kept.present(code, "a", ["one"]) == 4
         assert await kept.present(code, "b", ()) == 1
 
-    on(test)
 
-
-def test_what_is_counted_adds_up_and_what_is_lent_is_taken_once(on: Callable[..., None]) -> None:
-    async def test(kept: Store) -> None:
+async def test_what_is_counted_adds_up_and_what_is_lent_is_taken_once(on: Kept) -> None:
+    async with on() as kept:
         name = code_of(new_key())
         assert [await kept.count(name, 3600, more) for more in (1, 1, 0, 3)] == [1, 2, 2, 5]
         assert await kept.count(f"{name} too", 3600) == 1
@@ -238,31 +208,23 @@ def test_what_is_counted_adds_up_and_what_is_lent_is_taken_once(on: Callable[...
         await asyncio.sleep(0.1)
         assert await kept.take(name) == b""
 
-    on(test)
+
+async def test_a_store_that_goes_away_is_an_error_of_ours(valkey: Valkey) -> None:
+    async with made("valkey", "redis://127.0.0.1:1/0") as kept:
+        with pytest.raises(store.AwayError):
+            await kept.parts("K7HM")
+        with pytest.raises(store.AwayError):
+            await kept.listen(lambda code, parts: None, lambda: None)
 
 
-def test_a_store_that_goes_away_is_an_error_of_ours(valkey: Valkey) -> None:
-    async def test() -> None:
-        async with made("valkey", "redis://127.0.0.1:1/0") as kept:
-            with pytest.raises(store.AwayError):
-                await kept.parts("K7HM")
-            with pytest.raises(store.AwayError):
-                await kept.listen(lambda code, parts: None, lambda: None)
-
-    asyncio.run(test())
-
-
-def test_a_store_that_falls_silent_is_noticed_and_one_that_has_nothing_to_say_is_not(
+async def test_a_store_that_falls_silent_is_noticed_and_one_that_has_nothing_to_say_is_not(
     valkey: Valkey, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(shared_store, "PULSE", 0.1)
 
-    async def test() -> None:
-        async with made("valkey", valkey.url) as kept:
-            listening = asyncio.create_task(kept.listen(lambda code, parts: None, lambda: None))
-            await asyncio.sleep(1)
-            assert not listening.done()
-            with valkey.silent(), pytest.raises(store.AwayError):
-                await asyncio.wait_for(listening, 5)
-
-    asyncio.run(test())
+    async with made("valkey", valkey.url) as kept:
+        listening = asyncio.create_task(kept.listen(lambda code, parts: None, lambda: None))
+        await asyncio.sleep(1)
+        assert not listening.done()
+        with valkey.silent(), pytest.raises(store.AwayError):
+            await asyncio.wait_for(listening, 5)

@@ -12,13 +12,12 @@ from components.live_class import room as rooms
 from components.live_class.follower_routes import Events
 from components.live_class.registry import Registry
 from components.live_class.store import MemoryStore
-from components.serving.server import Server
 from tests.live_class.caller import Class, Stream, streams_closed
-from tests.live_class.served import LECTURE, run, served
+from tests.live_class.served import LECTURE, served, teaching
 from tests.live_class.stores import Valkey, made
 
 
-def test_what_is_told_while_a_stream_begins_is_heard(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_what_is_told_while_a_stream_begins_is_heard(monkeypatch: pytest.MonkeyPatch) -> None:
     usual, begun, free = Events.flush, asyncio.Event(), asyncio.Event()
 
     def slow(handler: Events, *given: Any) -> asyncio.Future[None]:
@@ -33,7 +32,7 @@ def test_what_is_told_while_a_stream_begins_is_heard(monkeypatch: pytest.MonkeyP
 
     monkeypatch.setattr(Events, "flush", slow)
 
-    async def test(server: Server, url: str) -> None:
+    async with teaching() as (server, url):
         lesson = await Class.open(url)
         leader, follower = await lesson.lead(), await lesson.follow()
         await begun.wait()
@@ -47,11 +46,9 @@ def test_what_is_told_while_a_stream_begins_is_heard(monkeypatch: pytest.MonkeyP
             assert (await stream.until(lambda event: event.get("clock")))["clock"]["t"] == 1.0
             await stream.close()
 
-    run(test)
 
-
-def test_an_instructor_that_reads_slowly_misses_no_deed_and_hears_none_twice() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_an_instructor_that_reads_slowly_misses_no_deed_and_hears_none_twice() -> None:
+    async with teaching() as (server, url):
         lesson = await Class.open(url)
         slow = socket.create_connection(("127.0.0.1", server.port))
         slow.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
@@ -73,8 +70,6 @@ def test_an_instructor_that_reads_slowly_misses_no_deed_and_hears_none_twice() -
         assert b'"sheet":"399"' in read and read.count(b'"sheet"') < 200
         slow.close()
 
-    run(test)
-
 
 def test_a_deed_of_long_ago_is_not_done(monkeypatch: pytest.MonkeyPatch) -> None:
     room = rooms.ClassRoom("K7HM", {})
@@ -86,38 +81,32 @@ def test_a_deed_of_long_ago_is_not_done(monkeypatch: pytest.MonkeyPatch) -> None
     assert [(news.deed, news.answers) for news in room.untold(before)] == [("", True)]
 
 
-def test_a_room_is_kept_while_somebody_is_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
-    async def test() -> None:
-        registry = Registry(MemoryStore(), LECTURE.bank)
-        code, key = await registry.open()
-        room = await registry.led(code, key)
-        registry.leave(room)
-        assert await registry.room(code) is room
-        monkeypatch.setattr(rooms, "SILENCE", 0.0)
-        registry.leave(room)
-        assert not registry.rooms
-
-    asyncio.run(test())
+async def test_a_room_is_kept_while_somebody_is_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    registry = Registry(MemoryStore(), LECTURE.bank)
+    code, key = await registry.open()
+    room = await registry.led(code, key)
+    registry.leave(room)
+    assert await registry.room(code) is room
+    monkeypatch.setattr(rooms, "SILENCE", 0.0)
+    registry.leave(room)
+    assert not registry.rooms
 
 
-def test_a_phone_whose_tabs_are_at_two_replicas_is_one_and_asleep_none(valkey: Valkey) -> None:
-    async def whole() -> None:
-        async with (
-            made("valkey", valkey.url) as store,
-            made("valkey", valkey.url) as other,
-            served(store) as (_, url),
-            served(other) as (_, second),
-            streams_closed(),
-        ):
-            lesson = await Class.open(url)
-            leader, token = await lesson.lead(), await lesson.token()
-            tabs = [await Stream(at, lesson.code, token).open() for at in (url, second)]
-            await lesson.follow(second)
-            heard = leader.heard
-            await leader.until(lambda event: event.get("here") == 2)
-            assert max(event.get("here", 0) for _, event in heard) == 2  # never three
-            await tabs[0].close()
-            await tabs[1].close()  # both are asleep
-            await leader.until(lambda event: event is heard[-1][1] and event.get("here") == 1)
-
-    asyncio.run(whole())
+async def test_a_phone_whose_tabs_are_at_two_replicas_is_one_and_asleep_none(valkey: Valkey) -> None:
+    async with (
+        made("valkey", valkey.url) as store,
+        made("valkey", valkey.url) as other,
+        served(store) as (_, url),
+        served(other) as (_, second),
+        streams_closed(),
+    ):
+        lesson = await Class.open(url)
+        leader, token = await lesson.lead(), await lesson.token()
+        tabs = [await Stream(at, lesson.code, token).open() for at in (url, second)]
+        await lesson.follow(second)
+        heard = leader.heard
+        await leader.until(lambda event: event.get("here") == 2)
+        assert max(event.get("here", 0) for _, event in heard) == 2  # never three
+        await tabs[0].close()
+        await tabs[1].close()  # both are asleep
+        await leader.until(lambda event: event is heard[-1][1] and event.get("here") == 1)

@@ -5,15 +5,14 @@ from __future__ import annotations
 import csv
 
 from components.live_class import lead_routes
-from components.serving.server import Server
 from tests.live_class.caller import Class, called
-from tests.live_class.served import CHOICE, run
+from tests.live_class.served import CHOICE, teaching
 
 NUMBER = {"walk": "d31", "step": "d31-02"}
 
 
-def test_a_summary_has_each_question_its_votes_and_the_mistake_that_is_made_most() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_a_summary_has_each_question_its_votes_and_the_mistake_that_is_made_most() -> None:
+    async with teaching() as (_, url):
         lesson = await Class.open(url)
         path = f"/class/{lesson.code}/summary"
         assert (await called(url, path, word=lesson.key)).json == []
@@ -31,8 +30,6 @@ def test_a_summary_has_each_question_its_votes_and_the_mistake_that_is_made_most
         assert (number["place"], number["mistaken"]) == (2, 1) and number["mistake"].endswith(" s")
         assert (await called(url, path, word=tokens[0])).status == 404
 
-    run(test)
-
 
 POLL = """
 title = "Votes"
@@ -49,8 +46,8 @@ explain = "The question was asked aloud."
 """
 
 
-def test_a_poll_is_counted_and_nobody_is_right_or_wrong() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_a_poll_is_counted_and_nobody_is_right_or_wrong() -> None:
+    async with teaching() as (_, url):
         lesson = await Class.open(url)
         poll = {"walk": "votes", "step": "vote-1"}
         assert (await lesson.order("walk", name="votes", text=POLL)).status == 204
@@ -65,11 +62,9 @@ def test_a_poll_is_counted_and_nobody_is_right_or_wrong() -> None:
         rows = list(csv.DictReader(table.splitlines()))
         assert [(row["step"], row["answer"], row["right"]) for row in rows] == [("vote-1", "B", "")]
 
-    run(test)
 
-
-def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
+    async with teaching() as (_, url):
         lesson, other = await Class.open(url), await Class.open(url)
         path, link = f"/class/{lesson.code}/word", {"query": "scene=coupled&k2=3"}
         assert (await called(url, path, "POST", link, await lesson.token())).status == 404
@@ -93,14 +88,10 @@ def test_another_computer_leads_with_a_word_that_is_good_once() -> None:
         assert (await called(url, f"/class/{other.code}/word", "PUT", {"word": word})).status == 403
         await leader.close()
 
-    run(test)
 
-
-def test_words_cannot_be_guessed() -> None:
-    async def test(server: Server, url: str) -> None:
+async def test_words_cannot_be_guessed() -> None:
+    async with teaching() as (server, url):
         lesson = await Class.open(url)
         await server.classes.registry.store.count("miss 127.0.0.0/24", 60.0, 300)
         refused = await called(url, f"/class/{lesson.code}/word", "PUT", {"word": "ZZZZZZZZ"})
         assert refused.status == 429
-
-    run(test)

@@ -92,36 +92,33 @@ def test_who_has_been_silent_for_long_gives_way_and_else_the_quietest_of_a_netwo
     assert gives_way({}, 10, "a", now) is None
 
 
-def test_idle_visitors_of_one_network_do_not_keep_all_others_out() -> None:
-    async def go() -> None:
-        settings = Settings(address="127.0.0.1", port=0, sessions=4, trusted_proxies=("127.0.0.1",))
-        server = Serving(open_page, settings, sheets=SHEETS)
-        url = f"http://127.0.0.1:{server.port}/"
+async def test_idle_visitors_of_one_network_do_not_keep_all_others_out() -> None:
+    settings = Settings(address="127.0.0.1", port=0, sessions=4, trusted_proxies=("127.0.0.1",))
+    server = Serving(open_page, settings, sheets=SHEETS)
+    url = f"http://127.0.0.1:{server.port}/"
 
-        async def page(address: str) -> Reply:
-            return await asyncio.to_thread(ask, url, "/?scene=coupled", **{"X-Forwarded-For": address})
+    async def page(address: str) -> Reply:
+        return await asyncio.to_thread(ask, url, "/?scene=coupled", **{"X-Forwarded-For": address})
 
-        first = await page("192.0.2.1")
-        socket = await connect(url, token_of(first.text))
-        assert [(await page("192.0.2.1")).status for _ in range(4)] == [200] * 3 + [503]
-        assert [(await page(f"198.51.100.{n}")).status for n in (1, 2)] == [200, 503]
-        gone = next(session for session in server.lecture.get_sessions("/") if session.expiration_requested)
-        back = await connect(url, gone.token)
-        while await back.read_message() is not None:
-            pass
-        assert back.close_code == 1013  # the place is another's by now
-        back.close()
-        admission = server.context.admission
-        for session, guest in list(admission.guests.items()):
-            admission.guests[session] = guest._replace(heard=guest.heard - IDLE)
-        admission.heard(next(s for s in server.lecture.get_sessions("/") if s.token == token_of(first.text)))
-        tickets = [await page(f"203.0.{n}.1") for n in range(5)]
-        assert sum(reply.status == 200 for reply in tickets) == 3  # who has spoken stays
-        assert socket.close_code is None
-        await Caller(socket).depart()
-        await server.end()
-
-    asyncio.run(go())
+    first = await page("192.0.2.1")
+    socket = await connect(url, token_of(first.text))
+    assert [(await page("192.0.2.1")).status for _ in range(4)] == [200] * 3 + [503]
+    assert [(await page(f"198.51.100.{n}")).status for n in (1, 2)] == [200, 503]
+    gone = next(session for session in server.lecture.get_sessions("/") if session.expiration_requested)
+    back = await connect(url, gone.token)
+    while await back.read_message() is not None:
+        pass
+    assert back.close_code == 1013  # the place is another's by now
+    back.close()
+    admission = server.context.admission
+    for session, guest in list(admission.guests.items()):
+        admission.guests[session] = guest._replace(heard=guest.heard - IDLE)
+    admission.heard(next(s for s in server.lecture.get_sessions("/") if s.token == token_of(first.text)))
+    tickets = [await page(f"203.0.{n}.1") for n in range(5)]
+    assert sum(reply.status == 200 for reply in tickets) == 3  # who has spoken stays
+    assert socket.close_code is None
+    await Caller(socket).depart()
+    await server.end()
 
 
 @pytest.mark.parametrize(

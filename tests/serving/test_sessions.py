@@ -59,32 +59,26 @@ def broken(document: Document) -> None:
     raise ArithmeticError("the word that is for the log")
 
 
-def test_a_token_opens_its_session_on_every_server_with_the_secret() -> None:
-    async def go() -> None:
-        async with (
-            served(bokeh_secret_key=SECRET) as first,
-            served(bokeh_secret_key=SECRET) as second,
-            served() as other,
-        ):
-            token = token_of((await page_of(first, "/?scene=coupled&k2=7")).text)
-            caller = Caller(await connect(url(second), token))
-            await until(lambda: len(sessions(second)) == 1)
-            assert sessions(second)[0].document.title == sessions(first)[0].document.title
-            assert await refused(url(other), token) == 403
-            await caller.depart()
-
-    asyncio.run(go())
+async def test_a_token_opens_its_session_on_every_server_with_the_secret() -> None:
+    async with (
+        served(bokeh_secret_key=SECRET) as first,
+        served(bokeh_secret_key=SECRET) as second,
+        served() as other,
+    ):
+        token = token_of((await page_of(first, "/?scene=coupled&k2=7")).text)
+        caller = Caller(await connect(url(second), token))
+        await until(lambda: len(sessions(second)) == 1)
+        assert sessions(second)[0].document.title == sessions(first)[0].document.title
+        assert await refused(url(other), token) == 403
+        await caller.depart()
 
 
-def test_a_token_holds_the_host_and_the_query() -> None:
-    async def go() -> None:
-        async with served() as server:
-            page = await page_of(server, "/?k2=3", Cookie="a=b", Authorization="Basic eDp5", User_Agent="me")
-            told = contents(token_of(page.text))
-            host = f"127.0.0.1:{server.port}"
-            assert (told["headers"], told["cookies"], set(told["arguments"])) == ({"Host": host}, {}, {"k2"})
-
-    asyncio.run(go())
+async def test_a_token_holds_the_host_and_the_query() -> None:
+    async with served() as server:
+        page = await page_of(server, "/?k2=3", Cookie="a=b", Authorization="Basic eDp5", User_Agent="me")
+        told = contents(token_of(page.text))
+        host = f"127.0.0.1:{server.port}"
+        assert (told["headers"], told["cookies"], set(told["arguments"])) == ({"Host": host}, {}, {"k2"})
 
 
 def test_tokens_expire_and_only_tokens_open() -> None:
@@ -102,43 +96,34 @@ def test_tokens_expire_and_only_tokens_open() -> None:
 
 
 @pytest.mark.parametrize("path", ["/?bokeh-session-id=klass", "/?bokeh-token=a.b", "/?k2=3&bokeh-session-id=klass"])
-def test_a_link_names_no_session(path: str) -> None:
-    async def go() -> None:
-        async with served() as server:
-            page = await page_of(server, path)
-            assert page.status == 403
-            assert "A link cannot name a session" in page.text
-            assert not sessions(server)
-
-    asyncio.run(go())
+async def test_a_link_names_no_session(path: str) -> None:
+    async with served() as server:
+        page = await page_of(server, path)
+        assert page.status == 403
+        assert "A link cannot name a session" in page.text
+        assert not sessions(server)
 
 
-def test_looking_whether_there_is_a_page_opens_no_session() -> None:
-    async def go() -> None:
-        async with served() as server:
-            reply = await asyncio.to_thread(ask, url(server), "/", "HEAD")
-            assert (reply.status, reply.text) == (200, "")
-            assert not sessions(server)
-
-    asyncio.run(go())
+async def test_looking_whether_there_is_a_page_opens_no_session() -> None:
+    async with served() as server:
+        reply = await asyncio.to_thread(ask, url(server), "/", "HEAD")
+        assert (reply.status, reply.text) == (200, "")
+        assert not sessions(server)
 
 
-def test_a_page_that_fails_says_so_in_a_sentence_and_the_log_says_why(caplog: pytest.LogCaptureFixture) -> None:
-    async def go() -> None:
-        async with served(broken, bokeh_secret_key=SECRET) as server, served(bokeh_secret_key=SECRET) as sound:
-            page = await page_of(server)
-            assert page.status == 500
-            assert "Something went wrong on the server" in page.text
-            assert page.quiet
-            assert "the word" not in page.text
-            caller = Caller(await connect(url(server), token_of((await page_of(sound)).text)))
-            assert (await caller.closed())[0] == 1011
-
-    asyncio.run(go())
+async def test_a_page_that_fails_says_so_in_a_sentence_and_the_log_says_why(caplog: pytest.LogCaptureFixture) -> None:
+    async with served(broken, bokeh_secret_key=SECRET) as server, served(bokeh_secret_key=SECRET) as sound:
+        page = await page_of(server)
+        assert page.status == 500
+        assert "Something went wrong on the server" in page.text
+        assert page.quiet
+        assert "the word" not in page.text
+        caller = Caller(await connect(url(server), token_of((await page_of(sound)).text)))
+        assert (await caller.closed())[0] == 1011
     assert "the word that is for the log" in caplog.text
 
 
-def test_what_fails_for_one_visitor_leaves_no_document_to_the_others() -> None:
+async def test_what_fails_for_one_visitor_leaves_no_document_to_the_others() -> None:
     def fail(_: object) -> None:
         raise ArithmeticError("the word that is for the log")
 
@@ -146,117 +131,96 @@ def test_what_fails_for_one_visitor_leaves_no_document_to_the_others() -> None:
         open_page(document)
         document.on_event("document_ready", fail)
 
-    async def go() -> None:
-        before = len(_PATCHED_CURDOCS)
-        async with served(broken) as server:
-            await page_of(server)
-        async with served(page) as server:
-            for message in (patch(event("document_ready")), said(None, model="p0")):
-                caller = await Caller.arrive(url(server))
-                await caller.say(*message)
-                assert (await caller.closed())[0] in (1008, 1011)
-        assert len(_PATCHED_CURDOCS) == before
-
-    asyncio.run(go())
+    before = len(_PATCHED_CURDOCS)
+    async with served(broken) as server:
+        await page_of(server)
+    async with served(page) as server:
+        for message in (patch(event("document_ready")), said(None, model="p0")):
+            caller = await Caller.arrive(url(server))
+            await caller.say(*message)
+            assert (await caller.closed())[0] in (1008, 1011)
+    assert len(_PATCHED_CURDOCS) == before
 
 
-def test_a_message_that_fails_closes_the_socket_and_the_log_says_why_once(
+async def test_a_message_that_fails_closes_the_socket_and_the_log_says_why_once(
     caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     async def fail(*_: object) -> None:
         raise ArithmeticError("the word that is for the log")
 
-    async def go() -> None:
-        async with served() as server:
-            caller = await Caller.arrive(url(server))
-            monkeypatch.setattr(ServerSession, "pull", fail)
-            await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
-            code, reason = await caller.closed()
-            assert code == 1011
-            assert "Something went wrong on the server" in reason
-
-    asyncio.run(go())
+    async with served() as server:
+        caller = await Caller.arrive(url(server))
+        monkeypatch.setattr(ServerSession, "pull", fail)
+        await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
+        code, reason = await caller.closed()
+        assert code == 1011
+        assert "Something went wrong on the server" in reason
     assert [record.levelno for record in caplog.records if record.exc_info] == [logging.ERROR]
 
 
-def test_who_leaves_at_the_door_leaves_nothing_behind(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_who_leaves_at_the_door_leaves_nothing_behind(monkeypatch: pytest.MonkeyPatch) -> None:
     create = ApplicationContext.create_session_if_needed
 
-    async def go() -> None:
-        async with served(unused_seconds=0.05) as server:
-            token = token_of((await page_of(server)).text)
+    async with served(unused_seconds=0.05) as server:
+        token = token_of((await page_of(server)).text)
 
-            async def slowly(*arguments: Any) -> ServerSession:
-                session = await create(*arguments)
-                await until(lambda: not server.context.admission.sockets)
-                return session
+        async def slowly(*arguments: Any) -> ServerSession:
+            session = await create(*arguments)
+            await until(lambda: not server.context.admission.sockets)
+            return session
 
-            monkeypatch.setattr(ApplicationContext, "create_session_if_needed", slowly)
-            await Caller(await connect(url(server), token)).depart()
-            await until(lambda: not sessions(server))
-
-    asyncio.run(go())
+        monkeypatch.setattr(ApplicationContext, "create_session_if_needed", slowly)
+        await Caller(await connect(url(server), token)).depart()
+        await until(lambda: not sessions(server))
 
 
-def test_a_session_waits_for_its_visitor_and_ends_without() -> None:
-    async def go() -> None:
-        async with served(unused_seconds=0.05) as server:
-            visitor = await Visitor.arrive(url(server), "scene=coupled")
-            await page_of(server)
-            await until(lambda: len(sessions(server)) == 1)
-            await visitor.move("k2", 3)
-            await visitor.depart()
-            await until(lambda: not sessions(server))
-
-    asyncio.run(go())
+async def test_a_session_waits_for_its_visitor_and_ends_without() -> None:
+    async with served(unused_seconds=0.05) as server:
+        visitor = await Visitor.arrive(url(server), "scene=coupled")
+        await page_of(server)
+        await until(lambda: len(sessions(server)) == 1)
+        await visitor.move("k2", 3)
+        await visitor.depart()
+        await until(lambda: not sessions(server))
 
 
-def test_a_socket_that_misses_two_pings_is_dropped() -> None:
-    async def go() -> None:
-        async with served() as server:
-            caller, silent = await Caller.arrive(url(server)), await Caller.arrive(url(server))
-            silent.socket.protocol._send_pong = lambda _: None  # type: ignore[union-attr]
-            for _ in range(MOST_MISSED + 1):
-                for socket in list(server.context.admission.sockets):
-                    socket.pulse()
-                await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
-                for _ in range(3):  # the answer comes after the pong
-                    await caller.hear()
-            assert await silent.closed() == (1001, "No answer to two pings.")
-            assert len(server.context.admission.sockets) == 1
-            await caller.depart()
-
-    asyncio.run(go())
+async def test_a_socket_that_misses_two_pings_is_dropped() -> None:
+    async with served() as server:
+        caller, silent = await Caller.arrive(url(server)), await Caller.arrive(url(server))
+        silent.socket.protocol._send_pong = lambda _: None  # type: ignore[union-attr]
+        for _ in range(MOST_MISSED + 1):
+            for socket in list(server.context.admission.sockets):
+                socket.pulse()
+            await caller.say(header("PULL-DOC-REQ"), "{}", "{}")
+            for _ in range(3):  # the answer comes after the pong
+                await caller.hear()
+        assert await silent.closed() == (1001, "No answer to two pings.")
+        assert len(server.context.admission.sockets) == 1
+        await caller.depart()
 
 
-def test_a_page_has_one_socket() -> None:
-    async def go() -> None:
-        async with served() as server:
-            token = token_of((await page_of(server)).text)
-            first, second = Caller(await connect(url(server), token)), Caller(await connect(url(server), token))
-            assert await first.closed() == (1008, "This page is connected anew.")
-            await until(lambda: len(server.context.admission.sockets) == 1)
-            for _ in range(3):  # the welcome
-                await second.hear()
-            await second.say(header("PULL-DOC-REQ"), "{}", "{}")
-            assert await second.hear()
-            await second.depart()
-
-    asyncio.run(go())
+async def test_a_page_has_one_socket() -> None:
+    async with served() as server:
+        token = token_of((await page_of(server)).text)
+        first, second = Caller(await connect(url(server), token)), Caller(await connect(url(server), token))
+        assert await first.closed() == (1008, "This page is connected anew.")
+        await until(lambda: len(server.context.admission.sockets) == 1)
+        for _ in range(3):  # the welcome
+            await second.hear()
+        await second.say(header("PULL-DOC-REQ"), "{}", "{}")
+        assert await second.hear()
+        await second.depart()
 
 
-def test_pings_without_end_close_their_socket() -> None:
-    async def go() -> None:
-        async with served() as server:
-            caller = await Caller.arrive(url(server))
-            for _ in range(MOST_PINGS):
-                caller.socket.ping(b"")
-            assert await caller.closed() == (1008, "Too many pings.")
-
-    asyncio.run(go())
+async def test_pings_without_end_close_their_socket() -> None:
+    async with served() as server:
+        caller = await Caller.arrive(url(server))
+        for _ in range(MOST_PINGS):
+            caller.socket.ping(b"")
+        assert await caller.closed() == (1008, "Too many pings.")
 
 
-def test_a_visitor_waits_for_what_the_last_answer_took(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_a_visitor_waits_for_what_the_last_answer_took(monkeypatch: pytest.MonkeyPatch) -> None:
     now, slept = [100.0], list[float]()
 
     async def answer(self: Socket, message: object) -> None:
@@ -266,39 +230,30 @@ def test_a_visitor_waits_for_what_the_last_answer_took(monkeypatch: pytest.Monke
         slept.append(seconds)
         now[0] += max(0.0, seconds)
 
-    async def go() -> None:
-        async with served() as server:
-            caller = await Caller.arrive(url(server))
-            (socket,) = server.context.admission.sockets
-            monkeypatch.setattr(Socket, "_answer", answer)
-            for clock in ("monotonic", "thread_time"):
-                monkeypatch.setattr(f"components.serving.sockets.{clock}", lambda: now[0])
-            monkeypatch.setattr("components.serving.sockets.asyncio", SimpleNamespace(sleep=sleep))
-            socket._waiting.extend([(0.0, None)] * 3)
-            await socket._work_off()
-            monkeypatch.undo()
-            await caller.depart()
-
-    asyncio.run(go())
+    async with served() as server:
+        caller = await Caller.arrive(url(server))
+        (socket,) = server.context.admission.sockets
+        monkeypatch.setattr(Socket, "_answer", answer)
+        for clock in ("monotonic", "thread_time"):
+            monkeypatch.setattr(f"components.serving.sockets.{clock}", lambda: now[0])
+        monkeypatch.setattr("components.serving.sockets.asyncio", SimpleNamespace(sleep=sleep))
+        socket._waiting.extend([(0.0, None)] * 3)
+        await socket._work_off()
+        monkeypatch.undo()
+        await caller.depart()
     assert slept == [-100.0, *[pytest.approx(3.0 + SURCHARGE * (3.0 - CHEAP))] * 2]
 
 
-def test_answers_are_not_held_back() -> None:
-    async def go() -> None:
-        async with served() as server:
-            caller = await Caller.arrive(url(server))
-            (socket,) = server.context.admission.sockets
-            assert socket.ws_connection.stream.socket.getsockopt(IPPROTO_TCP, TCP_NODELAY)
-            await caller.depart()
-
-    asyncio.run(go())
+async def test_answers_are_not_held_back() -> None:
+    async with served() as server:
+        caller = await Caller.arrive(url(server))
+        (socket,) = server.context.admission.sockets
+        assert socket.ws_connection.stream.socket.getsockopt(IPPROTO_TCP, TCP_NODELAY)
+        await caller.depart()
 
 
-def test_the_end_of_the_server_closes_its_sockets_as_going_away() -> None:
-    async def go() -> None:
-        async with served() as server:
-            caller = await Caller.arrive(url(server))
-            await server.end()
-            assert (await caller.closed())[0] == 1001
-
-    asyncio.run(go())
+async def test_the_end_of_the_server_closes_its_sockets_as_going_away() -> None:
+    async with served() as server:
+        caller = await Caller.arrive(url(server))
+        await server.end()
+        assert (await caller.closed())[0] == 1001

@@ -65,70 +65,61 @@ def test_networks_that_came_long_ago_are_forgotten() -> None:
     assert len(arrivals._left) == 1
 
 
-def test_one_page_too_many_is_refused_in_a_sentence_and_other_networks_come_in() -> None:
+async def test_one_page_too_many_is_refused_in_a_sentence_and_other_networks_come_in() -> None:
     async def page_for(server: Server, address: str) -> Reply:
         url = f"http://127.0.0.1:{server.port}/"
         return await asyncio.to_thread(ask, url, "/", **{"X-Forwarded-For": address})
 
-    async def go() -> None:
-        settings = Settings(address="127.0.0.1", port=0, arrivals=2, trusted_proxies=("127.0.0.1",))
-        server = Server(open_page, settings, sheets=SHEETS)
-        replies = [await page_for(server, "198.51.100.1") for _ in range(3)]
-        assert [reply.status for reply in replies] == [200, 200, 429]
-        assert "Too many pages were opened from this network" in replies[2].text
-        assert 0 < int(replies[2].headers["Retry-After"]) <= 30
-        assert (await page_for(server, "203.0.113.5")).status == 200
-        contexts = [session.document.session_context for session in server.lecture.get_sessions("/")]
-        known = [context.token_payload["network"] for context in contexts]
-        assert sorted(known) == ["198.51.100.0/24"] * 2 + ["203.0.113.0/24"]
-        await server.end()
-
-    asyncio.run(go())
+    settings = Settings(address="127.0.0.1", port=0, arrivals=2, trusted_proxies=("127.0.0.1",))
+    server = Server(open_page, settings, sheets=SHEETS)
+    replies = [await page_for(server, "198.51.100.1") for _ in range(3)]
+    assert [reply.status for reply in replies] == [200, 200, 429]
+    assert "Too many pages were opened from this network" in replies[2].text
+    assert 0 < int(replies[2].headers["Retry-After"]) <= 30
+    assert (await page_for(server, "203.0.113.5")).status == 200
+    contexts = [session.document.session_context for session in server.lecture.get_sessions("/")]
+    known = [context.token_payload["network"] for context in contexts]
+    assert sorted(known) == ["198.51.100.0/24"] * 2 + ["203.0.113.0/24"]
+    await server.end()
 
 
-def test_a_page_that_comes_back_is_not_counted_among_strangers() -> None:
+async def test_a_page_that_comes_back_is_not_counted_among_strangers() -> None:
     """By the token that it has had, expired or not, and no more often than a page does: its successors are still it."""
 
-    async def go() -> None:
-        server = Server(open_page, Settings(address="127.0.0.1", port=0, arrivals=2), sheets=SHEETS)
-        admission = server.context.admission
-        for rate in (admission.arrivals, admission.returns, admission.returning):
-            rate._clock = lambda: 0.0
-        url = f"http://127.0.0.1:{server.port}/"
+    server = Server(open_page, Settings(address="127.0.0.1", port=0, arrivals=2), sheets=SHEETS)
+    admission = server.context.admission
+    for rate in (admission.arrivals, admission.returns, admission.returning):
+        rate._clock = lambda: 0.0
+    url = f"http://127.0.0.1:{server.port}/"
 
-        async def page(token: str = "") -> Reply:
-            return await asyncio.to_thread(ask, url, "/", **{"Page-Token": token})
+    async def page(token: str = "") -> Reply:
+        return await asyncio.to_thread(ask, url, "/", **{"Page-Token": token})
 
-        first, other, stranger = [await page() for _ in range(3)]
-        assert [first.status, other.status, stranger.status] == [200, 200, 429]
-        token, name = token_of(first.text), contents(token_of(first.text))["page"]
-        assert name != contents(token_of(other.text))["page"]
-        for forged in (token[:-4] + "AAAA", "a.b", contents(token)["session_id"], "é"):
-            assert (await page(forged)).status == 429
-        for _ in range(RETURNS):
-            back = await page(token)
-            assert back.status == 200 and contents(token_of(back.text))["page"] == name
-            token = token_of(back.text)
-        assert (await page(token)).status == 429
-        secret = server.context.secret
-        session = generate_session_id(secret, True)
-        old = generate_jwt_token(session, secret, True, extra_payload={"page": "old"}, expiration=-1000)
-        assert (await page(old)).status == 200
-        await server.end()
-
-    asyncio.run(go())
+    first, other, stranger = [await page() for _ in range(3)]
+    assert [first.status, other.status, stranger.status] == [200, 200, 429]
+    token, name = token_of(first.text), contents(token_of(first.text))["page"]
+    assert name != contents(token_of(other.text))["page"]
+    for forged in (token[:-4] + "AAAA", "a.b", contents(token)["session_id"], "é"):
+        assert (await page(forged)).status == 429
+    for _ in range(RETURNS):
+        back = await page(token)
+        assert back.status == 200 and contents(token_of(back.text))["page"] == name
+        token = token_of(back.text)
+    assert (await page(token)).status == 429
+    secret = server.context.secret
+    session = generate_session_id(secret, True)
+    old = generate_jwt_token(session, secret, True, extra_payload={"page": "old"}, expiration=-1000)
+    assert (await page(old)).status == 200
+    await server.end()
 
 
-def test_a_page_that_comes_back_keeps_its_place_in_the_line() -> None:
-    async def go() -> None:
-        server = Server(open_page, Settings(address="127.0.0.1", port=0, sessions=1), sheets=SHEETS)
-        url, ticket = f"http://127.0.0.1:{server.port}/", ""
-        assert (await asyncio.to_thread(ask, url)).status == 200
-        for _ in range(3):
-            reply = await asyncio.to_thread(ask, url, "/", **{"Page-Ticket": ticket})
-            assert reply.status == 503 and ticket in ("", reply.headers["Page-Ticket"])
-            ticket = reply.headers["Page-Ticket"]
-            assert "you are first in line" in reply.text and len(server.context.admission.queue) == 1
-        await server.end()
-
-    asyncio.run(go())
+async def test_a_page_that_comes_back_keeps_its_place_in_the_line() -> None:
+    server = Server(open_page, Settings(address="127.0.0.1", port=0, sessions=1), sheets=SHEETS)
+    url, ticket = f"http://127.0.0.1:{server.port}/", ""
+    assert (await asyncio.to_thread(ask, url)).status == 200
+    for _ in range(3):
+        reply = await asyncio.to_thread(ask, url, "/", **{"Page-Ticket": ticket})
+        assert reply.status == 503 and ticket in ("", reply.headers["Page-Ticket"])
+        ticket = reply.headers["Page-Ticket"]
+        assert "you are first in line" in reply.text and len(server.context.admission.queue) == 1
+    await server.end()
