@@ -68,7 +68,8 @@ hooks: $(VENV)/test.stamp
 
 # One scene while it is written: make scene SCENE=damped
 scene: lint
-	$(BIN)/pytest $(BOTH_CORES) -m "not browser" -k "$(SCENE)" tests/scenes tests/page tests/components
+	$(BIN)/pytest $(BOTH_CORES) -m "not browser" -k "$(SCENE) or test_measures or table_of_scenes" \
+		tests/scenes tests/page tests/components tests/tooling/test_measures.py tests/tooling/test_commands.py
 	$(BROWSER) $(BIN)/pytest $(BOTH_CORES) -m browser -k "$(SCENE)" \
 		tests/browser/test_screens.py tests/browser/test_texts.py tests/browser/test_page.py tests/browser/test_grabs.py
 

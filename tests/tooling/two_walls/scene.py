@@ -27,7 +27,7 @@ X = PlotFrame("x")
 
 
 @dataclass(frozen=True)
-class Swing:
+class WallsCase:
     """A mass between its walls, and where it is let go."""
 
     system: Oscillator
@@ -39,19 +39,19 @@ class Swing:
         return self.system.constants(self.x_0, 0.0)
 
 
-class Axes(Declared[Swing]):
+class Axes(Declared[WallsCase]):
     t, x = DrawnAxis.some(2)
 
 
-class Numbers(Declared[Swing]):
-    x = Signal[Swing](
+class Numbers(Declared[WallsCase]):
+    x = Signal[WallsCase](
         lambda c, a: sines(Axes.x(a), Axes.t(a), (c.swing.C, c.system.omega_n, c.swing.phi)), Axes.x, signed=True
     )
-    reach = Scalar[Swing](lambda c, a: 0.2 / max(abs(Axes.x(a).ruler.start), abs(Axes.x(a).ruler.end)))
-    wire1 = Scalar[Swing](lambda c, a: wire(c.springs[0]))
-    wire2 = Scalar[Swing](lambda c, a: wire(c.springs[1]))
-    k = LiveNumber[Swing](lambda c: c.system.k)
-    omega_n = LiveNumber[Swing](lambda c: c.system.omega_n)
+    reach = Scalar[WallsCase](lambda c, a: 0.2 / max(abs(Axes.x(a).ruler.start), abs(Axes.x(a).ruler.end)))
+    wire1 = Scalar[WallsCase](lambda c, a: wire(c.springs[0]))
+    wire2 = Scalar[WallsCase](lambda c, a: wire(c.springs[1]))
+    k = LiveNumber[WallsCase](lambda c: c.system.k)
+    omega_n = LiveNumber[WallsCase](lambda c: c.system.omega_n)
     x_unit = AxisUnit(Axes.x)
 
 
@@ -88,7 +88,7 @@ class Walls(Scene):
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         system = Oscillator(m=self.m, k=self.k1 + self.k2)
-        case = Swing(system, (self.k1, self.k2), self.x_0)
+        case = WallsCase(system, (self.k1, self.k2), self.x_0)
         end, reach = frame.window or self.window or float(f"{4 * system.period:.2g}"), case.swing.C
         axes = framed(frame, by_name({Axes.t: time_axis(end), Axes.x: nice_axis(-reach, reach, "m", 3)}))
         return Picture(
