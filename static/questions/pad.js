@@ -214,7 +214,7 @@ export class Pad {
     for (const [key, value] of Object.entries(box)) this.layer.style.setProperty(`--${key}`, long(value))
   }
 
-  /** Those of an axis whose own numbers stand under another plot: the pad may be seen without it. */
+  /** Numbers of an axis whose own stand under another plot: the pad may be seen without it. */
   #numbers() {
     const {block, abscissae, frame} = this.plot
     const y = frame.top + frame.height - 4
