@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from math import fsum
 from typing import Any
 
@@ -13,7 +13,7 @@ from components.chain.modes import BOTH, MODES
 from components.chain.parameters import Pair
 from components.chain.signals import Signals as S
 from components.quantities.declared import Signal, by_name
-from components.scene.about import CheckedPoint, Place, Table, drift, few, rows
+from components.scene.about import CheckedPoint, Place, Table, drift, few_of, rows
 from components.scene.traces import Columns
 from physics.coupled import FreeModes, TwoMassChain
 from physics.energy import chain_energy
@@ -21,13 +21,13 @@ from physics.exact import precise
 from physics.problem import Problem
 from physics.reference import Point, modal_points, modes_of
 
-MASSES = by_name({S.x[i]: f"$x_{i}$" for i in BOTH})
+MASSES = {S.x[i]: f"$x_{i}$" for i in BOTH}
 DRIVE, FREQUENCY = (Place(column, r"$\omega$", "rad/s") for column in ("omega", "w"))
 ROUNDED_ONCE = 0.51
 
 
 def motion_rows(
-    names: dict[str, str],
+    names: Mapping[Signal[Any], str],
     columns: Columns,
     chain: TwoMassChain,
     x_0: Pair,
@@ -36,19 +36,19 @@ def motion_rows(
     omega: float = 0.0,
 ) -> list[CheckedPoint]:
     """x1 and x2 and their parts by mode, as far as they are drawn."""
-    at = few(columns["t"])
-    problem = Problem(chain=chain, x_0=x_0, v_0=v_0, t=columns["t"][at], F_0=F_0, omega=omega)
-    return modal_rows(names, columns, modal_points(problem))
+    t = np.array(few_of(columns["t"]))
+    return modal_rows(names, columns, modal_points(Problem(chain=chain, x_0=x_0, v_0=v_0, t=t, F_0=F_0, omega=omega)))
 
 
-def modal_rows(names: dict[str, str], columns: Columns, modal: list[list[list[Point]]]) -> list[CheckedPoint]:
+def modal_rows(
+    names: Mapping[Signal[Any], str], columns: Columns, modal: list[list[list[Point]]]
+) -> list[CheckedPoint]:
     """The checked points of a motion that is given by its modes at a few times."""
-    at = few(columns["t"])
     true: dict[Signal[Any], Sequence[Point]] = {}
     for i, both in zip(BOTH, zip(*modal, strict=True), strict=True):
         true[S.x[i]] = [_sum(parts) for parts in zip(*both, strict=True)]
         true |= {S.x_part[i, mode]: points for mode, points in zip(MODES, both, strict=True)}
-    return rows(names, columns, by_name(true), at)
+    return rows(names, columns, by_name(true))
 
 
 def _sum(parts: Iterable[Point]) -> Point:

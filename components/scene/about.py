@@ -8,11 +8,12 @@ from collections.abc import Callable, Iterable, Mapping, Sequence, Sized
 from dataclasses import dataclass
 from decimal import ROUND_CEILING, Context, Decimal
 from math import ulp
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
 from components.language.messages import AboutNumbers, AboutPoint, AboutTable
+from components.language.numbers import Name
 from components.layout.text import rich
 from components.quantities.numbers import MINUS, PLAIN_EXPONENTS, short, shortest, ten_to, three
 from components.quantities.refusals import SORRY, as_on_screen, in_words, report
@@ -29,6 +30,7 @@ READING = (
     "place, is the step from one double to the next: at most 2 in the 16th digit of the size that is named."
 )
 NO_BAND = "All curves are drawn as lines."
+One = TypeVar("One", bound=Name)
 
 
 @dataclass(frozen=True)
@@ -71,6 +73,12 @@ def few(column: Sized) -> list[int]:
     return [round(share * (len(column) - 1)) for share in SHARES] if len(column) else []
 
 
+def few_of(column: Floats) -> list[float]:
+    """A few entries: the places of `rows`."""
+    entries: list[float] = column[few(column)].tolist()
+    return entries
+
+
 def bounded(names: str, limit: float, of: str, rows: Iterable[CheckedPoint]) -> Table:
     """A table of curves: `names` are the curves, `of` what their errors are measured by; what is said is what holds."""
     limit = float(Context(prec=3, rounding=ROUND_CEILING).create_decimal(limit))
@@ -90,20 +98,20 @@ TIME = Place("t", "$t$", "s")
 
 
 def rows(
-    names: Mapping[str, str],
+    names: Mapping[One, str],
     columns: Columns,
     true: Mapping[str, Sequence[Point]],
-    indices: list[int],
     place: Place = TIME,
+    at: list[int] | None = None,
 ) -> list[CheckedPoint]:
-    """The points at `indices` of each named curve that is drawn, place by place."""
+    """A few points, or those `at` indices, of each named curve that is drawn, place by place."""
     found = []
-    for n, i in enumerate(indices):
+    for n, i in enumerate(few(columns[place.column]) if at is None else at):
         where = f"{place.symbol} = {every_digit(columns[place.column][i])} {place.unit}"
         found += [
-            CheckedPoint(name, where, float(columns[key][i]), true[key][n])
-            for key, name in names.items()
-            if key in columns
+            CheckedPoint(name, where, float(columns[one.name][i]), true[one.name][n])
+            for one, name in names.items()
+            if one.name in columns
         ]
     return found
 
@@ -123,9 +131,10 @@ def drift(total: Floats, level: float, what: str = "$T + V$", unit: str = "J") -
     return f"{what} = {three(level)} {unit}; over the window it {by}."
 
 
-def drawn_as_bands(columns: Mapping[str, Columns], names: Mapping[str, str], source: str = BAND) -> str:
+def drawn_as_bands(columns: Mapping[str, Columns], names: Mapping[One, str]) -> str:
     """Which of the named curves are drawn as bands."""
-    bands = list(dict.fromkeys(name for key, name in names.items() if band_columns(key)[0] in columns.get(source, {})))
+    drawn = columns.get(BAND, {})
+    bands = list(dict.fromkeys(name for one, name in names.items() if band_columns(one.name)[0] in drawn))
     if not bands:
         return f"{NO_BAND} Each has at least 12 points a swing."
     one = len(bands) == 1

@@ -2,30 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 
+from components.quantities.declared import by_name
 from components.scene import Picture
-from components.scene.about import About, bounded, drawn_as_bands, drift, few, rows
+from components.scene.about import About, bounded, drawn_as_bands, drift, few_of, rows
 from components.scenes.analogues.case import AnalogueCase
-from physics.reference import Point
+from components.scenes.analogues.curves import Signals as S
 from physics.reference_single import oscillator_points, pendulum_points
 
 
 def analogue_about(picture: Picture, case: AnalogueCase) -> About:
     """The coordinate, and that of the spring of equal numbers."""
     columns = picture.sources["time"]
-    at = few(columns["t"])
-    t = columns["t"][at].tolist()
+    t = few_of(columns["t"])
     spring = oscillator_points(case.spring, case.q_0, 0.0, t)["x"]
-    true: dict[str, Sequence[Point]] = {
-        "q": pendulum_points(case.pendulum, case.q_0, t) if case.pendulum else spring,
-        "x": spring,
-    }
+    true = by_name({S.q: pendulum_points(case.pendulum, case.q_0, t) if case.pendulum else spring, S.x: spring})
     symbol = f"${case.system.coordinate}$"
-    names = {"q": symbol, "x": "spring"} if case.pendulum else {"q": symbol}
-    found = rows(names, columns, true, at)
+    names = {S.q: symbol, S.x: "spring"} if case.pendulum else {S.q: symbol}
+    found = rows(names, columns, true)
     return About(
         (bounded(f"{symbol} over $t$", 4, "its amplitude, with the roles of $m$ and $k$ rounded to doubles", found),),
         _analogue_drift(case, columns["t"]),

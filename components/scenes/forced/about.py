@@ -11,7 +11,7 @@ from components.chain.parameters import Pair
 from components.quantities.declared import by_name
 from components.quantities.numbers import short
 from components.scene import Picture
-from components.scene.about import About, bounded, drawn_as_bands, few, rows
+from components.scene.about import About, bounded, drawn_as_bands, few_of, rows
 from components.scenes.forced.case import Signals as S
 from components.scenes.forced.case import Work
 from components.scenes.forced.dying import Dying
@@ -23,22 +23,21 @@ from physics.reference_single import steady_points
 from physics.sampling import drawable
 from physics.transient import DampedModes
 
-BANDS = MASSES | by_name({
+BANDS = MASSES | {
     part[i]: f"the {name} part" for i in BOTH for part, name in ((S.x_p, "particular"), (S.x_c, "complementary"))
-})  # fmt: skip
+}
 
 
 def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) -> About:
     """Displacements, and both amplitudes of the particular solution."""
     columns, sweep = picture.sources["time"], picture.sources["response"]
     motion = motion_rows(MASSES, columns, driven.chain, x_0, v_0, driven.F_0, driven.omega)
-    at = few(sweep["omega"])
-    points = steady_points(driven.chain, 0.0, driven.F_0, sweep["omega"][at].tolist())
-    swings = by_name({Swings.Xp[i]: rf"$X_{{\mathrm{{p}}{i}}}$" for i in BOTH})
-    true = dict(zip(swings, points, strict=True))
+    points = steady_points(driven.chain, 0.0, driven.F_0, few_of(sweep["omega"]))
+    swings = {Swings.Xp[i]: rf"$X_{{\mathrm{{p}}{i}}}$" for i in BOTH}
+    true = by_name(dict(zip(swings, points, strict=True)))
     tables = (
         bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement possible by then", motion),
-        bounded("the particular solution", 2, "its own value", rows(swings, sweep, true, at, DRIVE)),
+        bounded("the particular solution", 2, "its own value", rows(swings, sweep, true, DRIVE)),
     )
     return About(tables, _work_gap(driven, columns["t"]), drawn_as_bands(picture.sources, BANDS))
 
@@ -46,14 +45,12 @@ def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) ->
 def dying_about(picture: Picture, modes: DampedModes) -> About:
     """Displacements with dashpots, and both sizes of the particular solution."""
     columns, sweep = picture.sources["time"], picture.sources["response"]
-    at = few(columns["t"])
-    true = braked_points(modes, columns["t"][at].tolist())
-    inside = few(sweep["omega"])
-    swings = by_name({Swings.Xp[i]: rf"$|X_{{\mathrm{{p}}{i}}}|$" for i in BOTH})
-    steady = braked_swings(modes, sweep["omega"][inside].tolist())
+    true = braked_points(modes, few_of(columns["t"]))
+    swings = {Swings.Xp[i]: rf"$|X_{{\mathrm{{p}}{i}}}|$" for i in BOTH}
+    steady = braked_swings(modes, few_of(sweep["omega"]))
     tables = (
-        bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement by then", rows(MASSES, columns, true, at)),
-        bounded("the particular solution", 4, "its own value", rows(swings, sweep, steady, inside, DRIVE)),
+        bounded("$x_1(t)$ or $x_2(t)$", 4, "the largest displacement by then", rows(MASSES, columns, true)),
+        bounded("the particular solution", 4, "its own value", rows(swings, sweep, steady, DRIVE)),
     )
     return About(tables, _heat_gap(modes, columns["t"]), drawn_as_bands(picture.sources, BANDS))
 

@@ -8,9 +8,12 @@ from dataclasses import replace
 from components.chain.about import FREQUENCY, MASSES, free_drift, modes_table, motion_rows
 from components.chain.modes import MODES
 from components.chain.parameters import Pair
+from components.quantities.declared import by_name
 from components.quantities.numbers import ten
 from components.scene import Picture
-from components.scene.about import About, CheckedPoint, Place, bounded, few, rows
+from components.scene.about import About, CheckedPoint, Place, bounded, few_of, rows
+from components.scenes.modes.guess_picture import GuessCurves as C
+from components.scenes.modes.sweep import Sweep
 from physics.braked_modes import braked_modes
 from physics.coupled import TwoMassChain, free_modes
 from physics.modes import determinant_curve
@@ -20,12 +23,11 @@ from physics.reference_braked import braked_exponents
 
 def guess_about(picture: Picture, chain: TwoMassChain) -> About:
     """The crossings, and the curve of the determinant."""
-    columns = picture.sources["det"]
-    at = few(columns["w"])
+    columns = picture.sources[C.D.source]
     exponent = determinant_curve(chain, columns["w"])[1]
-    D = [value.scaleb(-exponent) for value in determinants(chain, columns["w"][at].tolist())]
+    D = [value.scaleb(-exponent) for value in determinants(chain, few_of(columns["w"]))]
     name = f"$D$ / {ten(exponent)}" if exponent else "$D$"
-    found = rows({"D": name}, columns, {"D": [Point(value, abs(value)) for value in D]}, at, FREQUENCY)
+    found = rows({C.D: name}, columns, by_name({C.D: [Point(value, abs(value)) for value in D]}), FREQUENCY)
     return About((modes_table(chain), bounded("$D$, next to its zeros too,", 32, "its own value", found)))
 
 
@@ -48,12 +50,11 @@ def braked_about(chain: TwoMassChain, damping: Pair) -> About:
 def sweep_about(picture: Picture, chain: TwoMassChain, swept: str) -> About:
     """The frequencies of three of the chains that are swept through."""
     columns = picture.sources["omega_sweep"]
-    at = few(columns["p"])
-    chains = [replace(chain, **{swept: float(columns["p"][i])}) for i in at]
+    chains = [replace(chain, **{swept: value}) for value in few_of(columns["p"])]
     pairs = zip(*([Point(omega, omega) for omega, _ in modes_of(each)] for each in chains), strict=True)
-    names = {"omega_slow": r"$\omega_-$", "omega_fast": r"$\omega_+$"}
+    names = {Sweep.omega["slow"]: r"$\omega_-$", Sweep.omega["fast"]: r"$\omega_+$"}
     place = Place("p", f"${swept[0]}_{swept[1]}$", {"m": "kg", "k": "N/m"}[swept[0]])
-    found = rows(names, columns, dict(zip(names, pairs, strict=True)), at, place)
+    found = rows(names, columns, by_name(dict(zip(names, pairs, strict=True))), place)
     return About((modes_table(chain), bounded("the curves of the frequencies", 8, "their own value", found)))
 
 

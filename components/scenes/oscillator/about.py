@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from components.scene import Picture
-from components.scene.about import About, bounded, drawn_as_bands, drift, few, reason_of, rows
+from components.scene.about import About, bounded, drawn_as_bands, drift, few_of, reason_of, rows
+from components.scenes.oscillator.curves import Signals as S
 from physics.energy import half_square
 from physics.hanging import HangingMass
 from physics.oscillator import Oscillator
@@ -14,10 +15,8 @@ from physics.reference_single import oscillator_points
 
 def oscillator_about(picture: Picture, oscillator: Oscillator, x_0: float, v_0: float) -> About:
     columns = picture.sources["time"]
-    at = few(columns["t"])
-    true = oscillator_points(oscillator, x_0, v_0, columns["t"][at].tolist())
-    names = {"x": "$x$", "v": "$v$", "a": "$a$"}
-    found = rows(names, columns, true, at)
+    names = {S.x: "$x$", S.v: "$v$", S.a: "$a$"}
+    found = rows(names, columns, oscillator_points(oscillator, x_0, v_0, few_of(columns["t"])))
     return About(
         (bounded("$x(t)$, $v(t)$ or $a(t)$", 4, "its amplitude", found),),
         _oscillator_drift(oscillator, x_0, v_0, columns["t"]),

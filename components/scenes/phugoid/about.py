@@ -6,7 +6,8 @@ import numpy as np
 
 from components.quantities.numbers import short, three
 from components.scene import Picture
-from components.scene.about import About, bounded, drawn_as_bands, few, rows
+from components.scene.about import About, bounded, drawn_as_bands, few_of, rows
+from components.scenes.phugoid.curves import Signals as S
 from components.scenes.phugoid.swing import Swing
 from physics.phugoid import flight, invariant
 from physics.reference_single import flight_points
@@ -18,15 +19,14 @@ FLIGHT, EACH_SWING = 32, 32
 def flight_about(picture: Picture, swing: Swing) -> About:
     columns = picture.sources["time"]
     t = columns["t"]
-    at = few(t)
-    true = flight_points(swing.v_0, swing.g, swing.excess, t[at].tolist())
-    names = {"h": "$h'$", "v": "$v'$"}
+    true = flight_points(swing.v_0, swing.g, swing.excess, few_of(t))
+    names = {S.h: "$h'$", S.v: "$v'$"}
     later = max(0.0, float(t[-1]) / swing.period - 1)
     bound = bounded(
         "the flight",
         float(np.ceil(FLIGHT + EACH_SWING * later)),
         r"$v_0^2/g$ for $h'$, of $v_0$ for $v'$",
-        rows(names, columns, true, at),
+        rows(names, columns, true),
     )
     motion = flight(swing.v_0, swing.g, swing.excess, t)
     V, u = motion.V / swing.v_0, motion.u / swing.v_0
