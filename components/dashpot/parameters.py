@@ -45,7 +45,7 @@ def parts(m: float, k: float, c: float, *, hangs: bool = True) -> tuple[Quantity
 
 def keeping() -> param.Selector[str]:
     """The choice of what stays when the mass or the spring changes."""
-    return one_of(default="c", objects={"keep c": "c", "keep ζ": "zeta"}, label="What stays when m or k changes")
+    return one_of("c", {"c": "keep c", "zeta": "keep ζ"}, "What stays when m or k changes")
 
 
 class DashpotScene(Scene):

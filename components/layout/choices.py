@@ -4,6 +4,7 @@ import re
 
 import param
 
+from components.language.blocks import Option
 from components.language.state import Value
 from components.quantities.numbers import excerpt, shortest
 from components.quantities.parameters import AnyParameter
@@ -30,6 +31,13 @@ def options(parameter: AnyParameter) -> dict[str, object]:
     """The values to choose from, by word."""
     values = (False, True) if isinstance(parameter, param.Boolean) else parameter.get_range().values()
     return {word(value): value for value in values}
+
+
+def labelled(parameter: AnyParameter) -> tuple[Option, ...]:
+    """The values to choose from, each by its word with what stands for it on the screen."""
+    labels = getattr(parameter, "names", None) or {}
+    by_word = {word(value): label for label, value in labels.items()}
+    return tuple(Option(value, by_word.get(value, value)) for value in options(parameter))
 
 
 def chosen(parameter: AnyParameter, given: object) -> object:

@@ -11,7 +11,6 @@ from typing import Any
 import param
 from msgspec.structs import replace
 
-from components.language.blocks import Option
 from components.language.controls import (
     ActionButton,
     ChoiceRow,
@@ -24,7 +23,7 @@ from components.language.controls import (
     SliderRow,
 )
 from components.language.shapes import AnyShape
-from components.layout.choices import options, stated, word
+from components.layout.choices import labelled, stated, word
 from components.layout.text import rich
 from components.quantities.numbers import MINUS, shortest, tidy
 from components.quantities.parameters import AnyParameter, Quantity, Values
@@ -131,14 +130,12 @@ def _slider(name: str, quantity: Quantity) -> SliderRow:
 
 
 def _choice(name: str, parameter: AnyParameter, pictures: Pictures) -> ChoiceRow:
-    labels = parameter.names if isinstance(parameter, param.Selector) else None
-    by_word = {word(value): label for label, value in labels.items()} if labels else {}
-    values = list(options(parameter))
+    options = labelled(parameter)
     return ChoiceRow(
         name=name,
         label=parameter.label or name,
-        options=tuple(Option(value, by_word.get(value, value)) for value in values),
-        pictures={value: tuple(pictures[value]) for value in values if value in pictures},
+        options=options,
+        pictures={one.value: tuple(pictures[one.value]) for one in options if one.value in pictures},
     )
 
 

@@ -4,14 +4,15 @@ and what stands in a sheet of them."""
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
+import param
 from msgspec.structs import replace
 
 from components.language.blocks import (
     Block,
     ChoiceBlock,
     Column,
-    Option,
     PlotBlock,
     Row,
     StageBlock,
@@ -22,6 +23,7 @@ from components.language.numbers import Name
 from components.language.plots import Term
 from components.language.shapes import AnyShape
 from components.language.text import Forms
+from components.layout.choices import labelled
 from components.layout.text import rich
 
 MOST_TIMES = 50
@@ -101,21 +103,20 @@ def desk(block: Block) -> Block:
     return replace(block, hall=False)
 
 
-def choice(
-    name: str,
-    options: Mapping[str, str],
-    label: str,
-    grow: float = 0,
-    basis: int = 34,
-    phone: int = 50,
-    style: str = "",
-) -> Block:
-    """A joined segment of two to four options that sets the Selector parameter `name`.
+def choice(parameter: param.Selector[Any], grow: float = 0, basis: int = 34, phone: int = 50, style: str = "") -> Block:
+    """A joined segment of the two to four options of a parameter, which a scene has as its own.
 
     With the style "views" it stands right of the headline and switches the views of the scene.
     """
-    pairs = tuple(Option(value, text) for value, text in options.items())
-    return ChoiceBlock(name=name, options=pairs, label=label, style=style, grow=grow, basis=basis, phone=phone)
+    return ChoiceBlock(
+        name=parameter.name or "",
+        options=labelled(parameter),
+        label=parameter.label or "",
+        style=style,
+        grow=grow,
+        basis=basis,
+        phone=phone,
+    )
 
 
 def term(

@@ -22,10 +22,10 @@ Word = TypeVar("Word", bound=str)
 
 
 def one_of(
-    default: Word, objects: Iterable[Word] | Mapping[str, Word], label: str, doc: str = ""
+    default: Word, objects: Iterable[Word] | Mapping[Word, str], label: str, doc: str = ""
 ) -> param.Selector[Word]:
-    """A choice of one among words; a mapping gives them by what stands on the screen."""
-    options = dict(objects) if isinstance(objects, Mapping) else list(objects)
+    """A choice of one among words; a mapping says what stands on the screen for each."""
+    options: Any = {text: word for word, text in objects.items()} if isinstance(objects, Mapping) else list(objects)
     return param.Selector(default=default, objects=options, label=label, doc=doc or None)
 
 

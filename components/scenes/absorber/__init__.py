@@ -125,19 +125,15 @@ class Absorber(Scene):
         softbounds=(0, 200e3),
         says="moves the valley. The machine stands still where √(k₂/m₂) is its speed.",
     )
-    tuning = one_of(
-        default="tuned",
-        objects={"Keep tuned": "tuned", "Free": "free", "Detach": "detached"},
-        label="Absorber spring",
-    )
-    damping = one_of(default="none", objects={"No damping": "none", "Add damping": "added"}, label="Damping")
+    tuning = one_of("tuned", {"tuned": "Keep tuned", "free": "Free", "detached": "Detach"}, "Absorber spring")
+    damping = one_of("none", {"none": "No damping", "added": "Add damping"}, "Damping")
     c = not_negative(
         100.0, label="damping", symbol="c", unit="N s/m", tint="ink", softbounds=(0, 2000), scale="near0",
         says="damps the motion of the masses against each other. Type any value from 0 up.",
     )  # fmt: skip
     x1_0, x2_0 = chain.start_positions()
     v1_0, v2_0 = chain.start_velocities()
-    played = one_of(default="particular", objects=list(PLAYED), label="What is played")
+    played = PLAYED
     _valley = angular_frequency(48.0, symbol="ω₂", label="tuned frequency")
     lightest = positive(None, label="mass", symbol="m_2", unit="kg", softbounds=(1.0, 100.0), **RECORD)
     lightest_k2 = not_negative(None, label="stiffness", symbol="k_2", unit="N/m", softbounds=(0, 200e3), **RECORD)

@@ -27,7 +27,7 @@ def absorber_sheet() -> Block:
         row(
             picture(),
             column(
-                choice("played", PLAYED, "What is played", phone=4),
+                choice(PLAYED, phone=4),
                 when(F.formulas, words(*FORMULAS, style="facts", grow=1, phone=5)),
                 when(F.rest, column(_rest_plot(), words(FROM_REST, style="facts", phone=6))),
                 basis=286,

@@ -8,6 +8,7 @@ import numpy as np
 
 from components.layout.sheet import either
 from components.quantities.declared import Declared, Form
+from components.quantities.parameters import one_of
 from components.scenes.absorber.duty import Duty
 from components.scenes.absorber.numbers import Numbers as N
 
@@ -20,7 +21,7 @@ WATCH = {
 }
 """A sentence for each preset on what to watch."""
 
-PLAYED = {"particular": "Particular solution", "rest": "From rest"}
+PLAYED = one_of("particular", {"particular": "Particular solution", "rest": "From rest"}, "What is played")
 HELPED = {
     "band": f"less vibration from {N.help_low} to {N.help_high} rad/s",
     "above": f"less vibration above {N.help_low} rad/s",

@@ -18,7 +18,7 @@ from components.scenes.accuracy.case import AccuracyCase
 from components.scenes.accuracy.data import MORE, Kept, work
 from components.scenes.accuracy.measurement import Measurement, known
 from components.scenes.accuracy.plots import Places
-from components.scenes.accuracy.sheet import VIEWS, paper
+from components.scenes.accuracy.sheet import VIEW, paper
 from components.scenes.accuracy.studies import STUDIES, Digits
 from components.scenes.accuracy.watch import WATCH
 from components.scenes.accuracy.words import Forms as F
@@ -54,7 +54,7 @@ class Accuracy(Scene):
         Group("", ("cost",), form=F.cost.name),
     )
 
-    system = one_of(default="benign", objects=[*SYSTEMS, OWN], label="System")
+    system = one_of("benign", [*SYSTEMS, OWN], "System")
     wanted = positive(
         1e-6, symbol="error", unit="", label="error", softbounds=(1e-15, 1.0), scale="log",
         says="is the accepted error. The list says what it costs.",
@@ -69,12 +69,10 @@ class Accuracy(Scene):
         0.1, symbol="cost", unit="s", label="run time", softbounds=(1e-3, 1.0), scale="log",
         says="is the run time that every method may spend where they are compared at equal cost.",
     )  # fmt: skip
-    equal = one_of(default="error", objects={"Equal error": "error", "Equal cost": "cost"}, label="Compared at")
-    clock = one_of(default="python", objects={"In Python": "python", "Compiled": "compiled"}, label="Time of the steps")
-    unit = one_of(
-        default="app", objects={"As the app runs it": "app", "In doubles": "doubles"}, label="Closed form compared with"
-    )
-    view = one_of(default="time", objects=list(VIEWS), label="View")
+    equal = one_of("error", {"error": "Equal error", "cost": "Equal cost"}, "Compared at")
+    clock = one_of("python", {"python": "In Python", "compiled": "Compiled"}, "Time of the steps")
+    unit = one_of("app", {"app": "As the app runs it", "doubles": "In doubles"}, "Closed form compared with")
+    view = VIEW
     picked = param.List(
         default=["rec_verlet", "5"], item_type=str, doc="The run picked: source and place among its points."
     )

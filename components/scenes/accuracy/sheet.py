@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from components.language.blocks import Block
 from components.layout.sheet import Paragraph, choice, column, desk, either, row, table, when, words
+from components.quantities.parameters import one_of
 from components.scenes.accuracy.axes import Axes
 from components.scenes.accuracy.plots import growth_plot, picked_plot, work_plot
 from components.scenes.accuracy.studies import digits_view, length_view, stability_view
@@ -12,12 +13,13 @@ from components.scenes.accuracy.words import Forms as F
 from components.scenes.accuracy.words import Numbers as N
 
 VIEWS = {"time": "Run time", "growth": "Growth", "length": "Length", "digits": "Digits", "stability": "Stability"}
+VIEW = one_of("time", VIEWS, "View")
 
 
 def paper() -> Block:
     """The five views, of which one stands."""
     return column(
-        choice("view", VIEWS, "View", basis=0, style="views"),
+        choice(VIEW, basis=0, style="views"),
         when(F.time, row(column(desk(_system_words()), work_plot()), _price_column())),
         when(F.growth, words(f"{N.compared} [mute|{N.missing}]", style="plain", phone=9)),
         growth_plot(Axes.error_growth, "Error of the motion, worst so far"),

@@ -65,12 +65,7 @@ class Analogues(Scene):
     }
     opens = presets["10°"]
 
-    system = one_of(
-        default="pendulum",
-        objects={SHORT[slug]: slug for slug in ANALOGUES},
-        label="System",
-        doc="The system shown.",
-    )
+    system = one_of("pendulum", SHORT, "System", "The system shown.")
 
     theta_0 = start_angle()
 

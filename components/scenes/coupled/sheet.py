@@ -12,6 +12,7 @@ from components.language.numbers import var
 from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import choice, column, desk, either, row, stage, table, term, when, words
 from components.layout.stage import H, PlotFrame, Shape, W, arrow, circle, line, shown_by, text
+from components.quantities.parameters import one_of
 from components.scene.traces import traced
 from components.scenes.coupled.curves import EDGES, LAYERS, Axes, Places
 from components.scenes.coupled.curves import Signals as S
@@ -22,6 +23,7 @@ from components.scenes.coupled.words import CONSTANTS, CONSTANTS_TABLE, FORCES, 
 FEET = (0.56, 0.815, 0.99)
 """Where the motion, its slow part and its fast part stand, as fractions of the stage's height."""
 PLANE = PlotFrame("plane")
+ENERGY = one_of("parts", {"parts": "Masses, springs", "modes": "Modes"}, "Energy of")
 BEAT = either(
     Forms.beat,
     both=f"Beat period {N.beat_period}",
@@ -47,7 +49,7 @@ def coupled_sheet() -> Block:
                 words("**Mass 2 against mass 1**", style="plain", phone=15),
                 _plane(),
                 words(BEAT, style="numbers", phone=17),
-                desk(choice("energy", {"parts": "Masses, springs", "modes": "Modes"}, "Energy of", phone=14)),
+                desk(choice(ENERGY, phone=14)),
                 basis=254, grow=0,
             ),
             grow=346, gap=18,

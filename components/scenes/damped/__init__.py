@@ -60,9 +60,7 @@ class Damped(DashpotScene):
         0.0, symbol="v_0", tint="m1", softbounds=(-3.0, 3.0),
         says="is the velocity at the start, positive away from the wall. Any number.",
     )  # fmt: skip
-    view = one_of(
-        default="motion", objects={"Motion": "motion", "Forces": "forces"}, label="What is shown beside the mass"
-    )
+    view = one_of("motion", {"motion": "Motion", "forces": "Forces"}, "What is shown beside the mass")
 
     sheet = staticmethod(damped_sheet)
 

@@ -8,15 +8,7 @@ from components.dashpot import KEPT, PARTS, DashpotScene, keeping, parts
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.quantities.motion import pace
-from components.quantities.parameters import (
-    Values,
-    angular_frequency,
-    displacement,
-    force,
-    not_negative,
-    one_of,
-    velocity,
-)
+from components.quantities.parameters import Values, angular_frequency, displacement, force, not_negative, velocity
 from components.quantities.readouts import Readout
 from components.scene import Picture
 from components.scene.about import About
@@ -27,7 +19,7 @@ from components.scenes.driven.case import DrivenCase
 from components.scenes.driven.curves import END, Places, Resonance, Signals, axes_of, columns_of, drawn, exact
 from components.scenes.driven.numbers import Numbers as N
 from components.scenes.driven.polygon import corners_of
-from components.scenes.driven.sheet import KINDS, driven_sheet
+from components.scenes.driven.sheet import KIND, driven_sheet
 from components.scenes.driven.watch import WATCH
 from components.scenes.driven.words import Forms, notes
 from physics.driven import Drive, DrivenOscillator
@@ -73,7 +65,7 @@ class DrivenScene(DashpotScene):
         "Spin-dry": {"kind": "unbalance", "moment": 0.05, "omega": 9.425},
     }
 
-    kind = one_of(default="force", objects={label: kind for kind, label in KINDS.items()}, label="The drive")
+    kind = KIND
     F_0 = force(2.0, says="is the amplitude of the force. Type any value from 0 up.")
     Y = not_negative(
         0.05, symbol="Y", unit="m", label="amplitude of the base", tint="F", softbounds=(0.0, 0.2),

@@ -7,6 +7,7 @@ from functools import cache
 from components.language.blocks import Block
 from components.layout.plots import Room, curve, plot
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
+from components.quantities.parameters import one_of
 from components.scene.traces import traced
 from components.scenes.driven.curves import POWER, Axes, X
 from components.scenes.driven.curves import Signals as S
@@ -18,7 +19,7 @@ from components.scenes.driven.stage import block
 from components.scenes.driven.words import FACTS, SENTENCE, TASK, WORK
 from components.scenes.driven.words import Forms as F
 
-KINDS = {"force": "Force", "base": "Shaken base", "unbalance": "Unbalance"}
+KIND = one_of("force", {"force": "Force", "base": "Shaken base", "unbalance": "Unbalance"}, "The drive")
 SIDES = Room(48, 26)
 
 
@@ -31,7 +32,7 @@ def driven_sheet() -> Block:
             stage(*block(), label=label, grow=150, height=210),
             column(_displacement(), desk(when(F.power, _power())), grow=460),
             column(
-                choice("kind", KINDS, "The drive", basis=36, phone=2),
+                choice(KIND, basis=36, phone=2),
                 words(*FACTS, style="facts", phone=13),
                 desk(words(WORK, style="facts", phone=14)),
                 words(SENTENCE, style="facts", phone=2),

@@ -78,9 +78,9 @@ class Energy(Scene):
         says="is the velocity at the start, positive downwards. Any number.",
     )  # fmt: skip
     datum = one_of(
-        default="equilibrium",
-        objects={"Equilibrium": "equilibrium", "Spring + gravity": "separate", "Three terms": "slide"},
-        label="Datum of V",
+        "equilibrium",
+        {"equilibrium": "Equilibrium", "separate": "Spring + gravity", "slide": "Three terms"},
+        "Datum of V",
     )
 
     sheet = staticmethod(hanging_sheet)

@@ -27,7 +27,7 @@ from components.scenes.forced.dying import Dying
 from components.scenes.forced.numbers import AnyCase
 from components.scenes.forced.numbers import Numbers as N
 from components.scenes.forced.response import response
-from components.scenes.forced.sheet import forced_sheet
+from components.scenes.forced.sheet import CURVE, UNITS, forced_sheet
 from components.scenes.forced.watch import WATCH
 from components.scenes.forced.words import VIEWS, Forms, Views, notes
 from physics.forced import driven_modes, steady_start
@@ -77,9 +77,8 @@ class Forced(Scene):
     c1, c2 = chain.dashpots()
     x1_0, x2_0 = chain.start_positions()
     v1_0, v2_0 = chain.start_velocities()
-    curve = one_of(default="size", objects=["size", "signed", "log"], label="Response shown as")
-    axes = one_of(default="si", objects=["si", "lecture"], label="Units of the response")
-    view = one_of(default="amplitudes", objects=VIEWS, label="What is shown beside the motion")
+    curve, axes = CURVE, UNITS
+    view = one_of("amplitudes", VIEWS, "What is shown beside the motion")
 
     sheet = staticmethod(forced_sheet)
 

@@ -15,6 +15,7 @@ from components.language.plots import Term
 from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
 from components.layout.stage import H, PlotFrame, Shape, W, arrow, circle, text
+from components.quantities.parameters import one_of
 from components.scene.traces import traced
 from components.scenes.forced.case import Axes, Work
 from components.scenes.forced.case import Signals as S
@@ -23,13 +24,16 @@ from components.scenes.forced.response import response_plot
 from components.scenes.forced.words import MOTION, SOLUTION, TASK, Views
 from components.scenes.forced.words import Forms as F
 
+CURVE = one_of("size", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as")
+UNITS = one_of("si", {"si": "SI", "lecture": "Relative"}, "Units of the response")
+
 
 @cache
 def forced_sheet() -> Block:
     options = row(
         words("**Particular solution**", phone=9),
-        choice("curve", {"size": "Size", "signed": "Signed", "log": "Log"}, "Response shown as", basis=0, phone=9),
-        when(F.lecture, choice("axes", {"si": "SI", "lecture": "Relative"}, "Units of the response", basis=0, phone=9)),
+        choice(CURVE, basis=0, phone=9),
+        when(F.lecture, choice(UNITS, basis=0, phone=9)),
         grow=0,
         basis=34,
         gap=10,

@@ -51,13 +51,13 @@ class Forms(Declared[AnyCase]):
     lecture = form(lambda c: "offered" if c.comparable else "")
 
 
-VIEWS = {"Amplitudes": "amplitudes", "Forces": "forces", "Work": "work"}
+VIEWS = {"amplitudes": "Amplitudes", "forces": "Forces", "work": "Work"}
 
 
 class Views(Declared[str]):
     """The view that is shown, and what stands in all but that of the forces."""
 
-    view = Family(VIEWS.values(), lambda name: Form[str](lambda view: view == name), "{}")
+    view = Family(VIEWS, lambda name: Form[str](lambda view: view == name), "{}")
     solution = Form[str](lambda view: view != "forces")
 
 

@@ -21,7 +21,6 @@ from components.scenes.modes.about import braked_about, guess_about, hunt_about,
 from components.scenes.modes.numbers import BrakedChain, BrakedNumbers, ComparedNumbers
 from components.scenes.modes.watch import WATCH
 from physics.coupled import TwoMassChain
-from physics.sweeps import PARAMETERS
 
 TASKS = {
     "guess": "Drag the point: where is no extra force needed?",
@@ -30,6 +29,7 @@ TASKS = {
     "hunt": "Drag the start: from where is the path a straight line?",
 }
 VIEWS = {"hunt": "Hunt", "guess": "Guess", "solve": "Solve", "sweep": "Sweep"}
+TASK = one_of("guess", VIEWS, "View")
 
 
 class Tasks(Declared[str]):
@@ -87,7 +87,7 @@ class ModesScene(Scene):
     }
     opens = {"task": "hunt"}
 
-    task = one_of(default="guess", objects=list(VIEWS), label="View")
+    task = TASK
     m1, m2, k1, k2 = chain.masses_and_springs(2.0, 1.0, 4.0, 2.0)
     c1, c2 = chain.dashpots()
     omega = angular_frequency(
@@ -104,15 +104,15 @@ class ModesScene(Scene):
         tint="F",
         says="is the shape that you try: how far mass 2 swings for 1 of mass 1. Type any value.",
     )
-    swept = one_of(default="k2", objects=list(PARAMETERS), label="Swept parameter")
+    swept = sweep.SWEPT
     x1_0, x2_0 = chain.start_positions(1.0, 0.5, how=", from rest")
-    answer = one_of(default="hidden", objects=["hidden", "shown"], label="The answer of the hunt")
+    answer = hunt.ANSWER
 
     @classmethod
     @cache
     def sheet(cls) -> Block:
         return column(
-            choice("task", VIEWS, "View", style="views", phone=-1),
+            choice(TASK, style="views", phone=-1),
             *(desk(when(Tasks.view[view], words(task, style="task", phone=0))) for view, task in TASKS.items()),
             when(Tasks.view["guess"], guess.sheet()),
             when(Tasks.view["solve"], solve.sheet()),

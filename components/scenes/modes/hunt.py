@@ -25,6 +25,7 @@ from components.layout.stage import H, PlotFrame, Shape, W, arrow, circle, line,
 from components.quantities.axes import Axis, nice_axis, time_axis
 from components.quantities.declared import Declared, Family, Form, Scalar, by_name
 from components.quantities.motion import pace, round_down
+from components.quantities.parameters import one_of
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Traces
@@ -40,8 +41,8 @@ FOUND = 0.03
 SWINGS, PER_SWING, MOST = 40, 96, 1281
 """The path is drawn over so many swings of the fast mode at most, with so many points a swing and in all."""
 
-
 TASK = "Drag the start, the ring, until the path is a straight line. There are two such directions."
+ANSWER = one_of("hidden", {"hidden": "Answer hidden", "shown": "Reveal"}, "The answer")
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +84,7 @@ def sheet() -> Block:
             words(TASK, style="task", phone=6),
             stage(*_shapes(), label="The chain in motion, and how far each mode swings", grow=1, height=210),
             words(_verdict(), _answer(), style="verdict", phone=7),
-            choice("answer", {"hidden": "Answer hidden", "shown": "Reveal"}, "The answer", phone=8),
+            choice(ANSWER, phone=8),
             grow=352, gap=10,
         ),
     )  # fmt: skip

@@ -20,6 +20,7 @@ from components.layout.stage import PlotFrame
 from components.layout.text import rich
 from components.quantities.axes import Axis, log_axis
 from components.quantities.declared import Column, Declared, DrawnAxis, Family, Form, Scalar, Text, by_name
+from components.quantities.parameters import one_of
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
 from components.scene.traces import Columns
@@ -32,6 +33,7 @@ from physics.valid import DOUBLES
 DECADES = 6
 UNITS = {"m": "kg", "k": "N/m"}
 SYMBOLS = {"m1": "m₁", "m2": "m₂", "k1": "k₁", "k2": "k₂"}
+SWEPT = one_of("k2", SYMBOLS, "Swept parameter")
 PARTNER = {"m1": "m2", "m2": "m1", "k1": "k2", "k2": "k1"}
 """The parameter of the same kind: a sweep is centred where both are alike."""
 
@@ -111,7 +113,7 @@ class Sweep(Declared[SweepCase]):
 def sheet() -> Block:
     return row(
         column(
-            choice("swept", {name: SYMBOLS[name] for name in PARAMETERS}, "Swept parameter", phone=6),
+            choice(SWEPT, phone=6),
             _frequencies(),
             _ratios(),
             grow=600,

@@ -68,9 +68,7 @@ class OscillatorScene(Scene):
         says="is the velocity at the start, positive away from the wall. Any number.",
     )  # fmt: skip
     view = one_of(
-        default="motion",
-        objects={"Motion": "swing", "Formulas": "motion", "Force": "force"},
-        label="What is shown beside the motion",
+        "motion", {"swing": "Motion", "motion": "Formulas", "force": "Force"}, "What is shown beside the motion"
     )
 
     sheet = staticmethod(oscillator_sheet)

@@ -35,7 +35,7 @@ from components.scenes.phugoid.watch import WATCH
 from physics.phugoid import CUSP_EXCESS, EXCESS_AT_LATENESS
 
 LARGEST = 3.0  # v_0; the flight is then a small circle far below the level line
-VIEWS = {"period": "Period", "lift": "Lift", "exchange": "Exchange", "limits": "Limits"}
+SHOW = one_of("period", {"period": "Period", "lift": "Lift", "exchange": "Exchange", "limits": "Limits"}, "View")
 TASK = "Change the speed v₀, the mass, the disturbance: which of them changes the period?"
 
 
@@ -96,8 +96,8 @@ class Phugoid(Scene):
         9.80665, symbol="g", unit="m/s²", label="gravity", tint="k", softbounds=(1.0, 30.0),
         says="is the gravity. A weaker one swings more slowly.",
     )  # fmt: skip
-    unit = one_of(default="ft/s", objects=list(SPEEDS), label="Unit of speed")
-    show = one_of(default="period", objects=list(VIEWS), label="View")
+    unit = one_of("ft/s", list(SPEEDS), "Unit of speed")
+    show = SHOW
 
     @classmethod
     def drawings(cls) -> dict[str, str]:
@@ -126,7 +126,7 @@ class Phugoid(Scene):
             words(f"{N.verdict}", style="narrow", phone=6),
             row(
                 column(
-                    desk(choice("show", VIEWS, "View", phone=5)),
+                    desk(choice(SHOW, phone=5)),
                     when(F.period, period_plot()),
                     *(when(F.lift, block) for block in lift_plot()),
                     *(when(F.exchange, block) for block in exchange_plots()),
