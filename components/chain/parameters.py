@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from components.language.messages import Onward
+from components.language.numbers import Name
 from components.layout.controls import Group
 from components.quantities.parameters import Quantity, displacement, mass, not_negative, stiffness, velocity
 from physics.coupled import TwoMassChain
 
 Pair = tuple[float, float]
-CHAIN = Group("Masses and springs", ("m1", "m2", "k1", "k2"))
-SHARES = {f"{name} of the chain": name for name in CHAIN.names}
+CHAIN = ("m1", "m2", "k1", "k2")
+SHARES = {f"{name} of the chain": name for name in CHAIN}
 """The parameters of the chain, by the meaning that all scenes of the same chain give them."""
-DASHPOTS = Group("", ("c1", "c2"), "Dashpots beside the springs", folded=True)
-BRAKED = SHARES | {f"{name} of the chain": name for name in DASHPOTS.names}
+DASHPOTS = ("c1", "c2")
+BRAKED = SHARES | {f"{name} of the chain": name for name in DASHPOTS}
 """The parameters of the chain and its dashpots, likewise."""
-START = Group("Start", ("x1_0", "x2_0", "v1_0", "v2_0"))
+START = ("x1_0", "x2_0", "v1_0", "v2_0")
 
 
 def masses_and_springs(
@@ -27,6 +28,14 @@ def masses_and_springs(
         stiffness(k1, symbol="k_1", says="ties mass 1 to the wall. 0 lets the pair go free; type any value from 0 up."),
         stiffness(k2, symbol="k_2", says="couples the masses. 0 lets mass 2 go free; type any value from 0 up."),
     )
+
+
+def chain_group(m1: Quantity, m2: Quantity, k1: Quantity, k2: Quantity) -> Group:
+    return Group("Masses and springs", (m1, m2, k1, k2))
+
+
+def dashpots_group(c1: Quantity, c2: Quantity, form: Name | None = None) -> Group:
+    return Group("", (c1, c2), "Dashpots beside the springs", folded=True, form=form)
 
 
 def dashpots() -> tuple[Quantity, Quantity]:
@@ -77,11 +86,11 @@ def start_of(scene: object) -> tuple[Pair, Pair]:
     return (x1, x2), (v1, v2)
 
 
-def _values(scene: object, group: Group) -> dict[str, float]:
-    return {name: getattr(scene, name) for name in group.names}
+def _values(scene: object, names: tuple[str, ...]) -> dict[str, float]:
+    return {name: getattr(scene, name) for name in names}
 
 
 def measured_by(*drive: str) -> Onward:
     """The link that hands a motion, with its drive if it has one, to the scene that measures how it is solved."""
-    names = (*CHAIN.names, *START.names, *drive)
+    names = (*CHAIN, *START, *drive)
     return Onward(label="Error and time", scene="accuracy", given={"system": "own"}, taken=names)

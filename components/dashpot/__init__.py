@@ -1,4 +1,4 @@
 """A mass on a spring and a dashpot: what the scenes about it share."""
 
-from components.dashpot.parameters import KEPT, PARTS, DashpotScene, keeping, parts
+from components.dashpot.parameters import DashpotScene, keeping, parts
 from components.dashpot.stage import NARROW_BELOW, Has, apparatus

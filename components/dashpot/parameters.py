@@ -6,14 +6,11 @@ from typing import Self
 
 import param
 
-from components.layout.controls import Group
 from components.quantities.parameters import Quantity, Values, mass, not_negative, one_of, positive, stiffness
 from components.scene import Scene
 from physics.damped import DampedOscillator
 from physics.exact import exact, precise, rounded
 
-PARTS = Group("Mass, spring, dashpot", ("m", "k", "c", "zeta"))
-KEPT = Group("When m or k changes", ("keep",))
 DAMPED_ONLY = "a dashpot only takes energy: c is a finite number, 0 or more"
 
 

@@ -22,6 +22,7 @@ from components.language.controls import (
     Setting,
     SliderRow,
 )
+from components.language.numbers import Name, called
 from components.language.shapes import AnyShape
 from components.layout.choices import labelled, stated, word
 from components.layout.text import rich
@@ -47,15 +48,23 @@ class Group:
     """
 
     title: str
-    names: tuple[str, ...]
+    parameters: tuple[AnyParameter, ...]
     hint: str = ""
     actions: tuple[tuple[str, str], ...] = ()
     folded: bool = False
-    form: str = ""
+    form: Name | None = None
     pictures: Pictures = field(default_factory=dict)
     facts: tuple[tuple[str, ...], ...] = ()
     dense: bool = False
     apart: bool = False
+
+    @property
+    def names(self) -> list[str]:
+        """The names of its parameters, which they have once a scene has them."""
+        return [one.name or "" for one in self.parameters]
+
+    def stands(self, forms: Mapping[str, str]) -> bool:
+        return self.form is None or bool(forms.get(self.form.name))
 
 
 def panel(
@@ -75,7 +84,7 @@ def panel(
         start=start,
         folded=folded,
         presets=tuple(_preset_buttons(parameters, presets or {}, drawings or {}, watch or {})),
-        groups=tuple(_section(parameters, group, frozenset(places)) for group in groups),
+        groups=tuple(_section(group, frozenset(places)) for group in groups),
     )
 
 
@@ -96,28 +105,28 @@ def preset_name(label: str) -> str:
     return "-".join(re.findall(r"\w+", label.lower()))
 
 
-def _section(parameters: Mapping[str, AnyParameter], group: Group, places: frozenset[str]) -> GroupSection:
+def _section(group: Group, places: frozenset[str]) -> GroupSection:
     return GroupSection(
         title=group.title,
         hint=group.hint,
-        rows=tuple(control(name, parameters[name], group.pictures) for name in group.names),
+        rows=tuple(control(one, group.pictures) for one in group.parameters),
         actions=tuple(ActionButton(name, label, name in places) for name, label in group.actions),
         folded=group.folded,
-        form=group.form,
+        form=called(group.form),
         dense=group.dense,
         facts=tuple(tuple(map(rich, cells)) for cells in group.facts),
     )
 
 
-def control(name: str, parameter: AnyParameter, pictures: Pictures | None = None) -> ControlRow:
+def control(parameter: AnyParameter, pictures: Pictures | None = None) -> ControlRow:
     """A slider with a field for a quantity, joined buttons or small pictures for anything else."""
-    return _slider(name, parameter) if isinstance(parameter, Quantity) else _choice(name, parameter, pictures or {})
+    return _slider(parameter) if isinstance(parameter, Quantity) else _choice(parameter, pictures or {})
 
 
-def _slider(name: str, quantity: Quantity) -> SliderRow:
+def _slider(quantity: Quantity) -> SliderRow:
     parts = (quantity.symbol.replace("_", ""), quantity.label)
     return SliderRow(
-        name=name,
+        name=quantity.name or "",
         symbol=quantity.symbol,
         unit=quantity.unit,
         tint=quantity.tint,
@@ -129,11 +138,11 @@ def _slider(name: str, quantity: Quantity) -> SliderRow:
     )
 
 
-def _choice(name: str, parameter: AnyParameter, pictures: Pictures) -> ChoiceRow:
+def _choice(parameter: AnyParameter, pictures: Pictures) -> ChoiceRow:
     options = labelled(parameter)
     return ChoiceRow(
-        name=name,
-        label=parameter.label or name,
+        name=parameter.name or "",
+        label=parameter.label or "",
         options=options,
         pictures={one.value: tuple(pictures[one.value]) for one in options if one.value in pictures},
     )

@@ -172,7 +172,7 @@ def _followed(scene: Scene, asked: Standing | None) -> set[str]:
 def _moved(now: Standing, other: Scene) -> Iterator[_Pair]:
     """The quantities that the panel now shows."""
     scene = now.scene
-    standing = [group for group in scene.groups if not group.form or now.shown.forms.get(group.form)]
+    standing = [group for group in scene.groups if group.stands(now.shown.forms)]
     for name in dict.fromkeys(name for group in standing for name in group.names):
         quantity, held, stands = now.kind.param[name], getattr(other, name), getattr(scene, name)
         if not isinstance(quantity, Quantity) or held is None or stands is None:

@@ -118,7 +118,7 @@ def as_it_stood(
     told, left_out = without(scene, before, covered)
     stood, _ = without(scene, before, covered[: covered.index(NEXT)])
     marks = _marks(covered)
-    groups = {group.form for group in scene.groups if group.form}
+    groups = {group.form.name for group in scene.groups if group.form}
     left = replace(
         told,
         signals=_less(stood.signals, _made_of(stood.signals, marks)),

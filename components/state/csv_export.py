@@ -82,7 +82,7 @@ def comments(told: Standing, picture: Picture, page: str = "") -> list[str]:
 
 def _parameters(scene: Scene, picture: Picture) -> Iterator[str]:
     """The parameters that count, a line each: none of another system, or of another way to begin."""
-    apart = (group for group in scene.groups if group.apart and not picture.forms.get(group.form))
+    apart = (group for group in scene.groups if group.apart and not group.stands(picture.forms))
     idle = {name for group in apart for name in group.names}
     for name, parameter in scene.linked().items():
         if name in idle:

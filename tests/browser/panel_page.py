@@ -46,7 +46,7 @@ class Chain(Scene):
     k2 = stiffness(2.0, symbol="k_2", says="couples the masses. Type any value from 0 up.")
     x1_0 = displacement(1.0, symbol="x_1", tint="m1")
     presets: ClassVar = {"Both": {"m1": 2.0}, "Stiff": {"k2": 50.0}}
-    groups = (Group("Chain", ("m1", "k2")), Group("Start", ("x1_0",), "or drag a mass"))
+    groups = (Group("Chain", (m1, k2)), Group("Start", (x1_0,), "or drag a mass"))
 
     @classmethod
     def sheet(cls) -> Block:

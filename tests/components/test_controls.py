@@ -120,7 +120,7 @@ def test_window_may_be_left_to_the_scene() -> None:
 
 
 def test_row_says_all_that_the_page_needs() -> None:
-    assert control("k2", Example.param.k2) == SliderRow(
+    assert control(Example.param.k2) == SliderRow(
         name="k2",
         symbol="k_2",
         unit="N/m",
@@ -143,7 +143,8 @@ def test_sliders_can_run_as_their_scale_asks() -> None:
 
 
 def test_panel_is_described_by_groups_and_presets() -> None:
-    groups = (Group("Chain", ("m1", "k2")), Group("Start", ("x1_0", "view_of"), "or drag a mass"))
+    known = Example.param
+    groups = (Group("Chain", (known.m1, known.k2)), Group("Start", (known.x1_0, known.view_of), "or drag a mass"))
     described = panel(Example.param.objects("existing"), groups, presets=Example.presets)
     assert described.presets == (
         PresetButton("stiff", "Stiff", {"k2": 50.0, "m1": 2.0}),
@@ -158,7 +159,7 @@ def test_panel_is_described_by_groups_and_presets() -> None:
 
 def test_choice_shows_the_labels_of_its_options() -> None:
     parameter: Any = param.Selector(default=1.0, objects={"SI": 1.0, "Slide 8": 2.0}, label="Axes")
-    row = control("axes", parameter)
+    row = control(parameter)
     assert isinstance(row, ChoiceRow)
     assert row.options == (Option("1", "SI"), Option("2", "Slide 8"))
 

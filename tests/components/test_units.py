@@ -68,7 +68,7 @@ def test_refusals_speak_in_the_unit_shown() -> None:
 
 
 def test_marks_and_outlines_reach_the_page() -> None:
-    slider = control("excess", Phugoid.param.excess)
+    slider = control(Phugoid.param.excess)
     assert isinstance(slider, SliderRow)
     assert [mark.text for mark in slider.marks] == ["0", "0.1 %", "1 %", "cusp", "loops"]
     assert [mark.value for mark in slider.marks] == sorted(mark.value for mark in slider.marks)

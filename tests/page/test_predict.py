@@ -68,7 +68,7 @@ def changes(scene: type[Scene]) -> Iterator[dict[str, float]]:
     for group in first.groups:
         for name in group.names:
             quantity = scene.param[name]
-            if name in quantities(scene) and (not group.form or first.shown.forms.get(group.form)):
+            if name in quantities(scene) and group.stands(first.shown.forms):
                 yield {name: 0.37 * quantity.softbounds[0] + 0.63 * quantity.softbounds[1]}
 
 

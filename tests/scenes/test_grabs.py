@@ -33,7 +33,7 @@ FOLLOWS = {
     "damped": ("c",),
     "driven": ("c",),
     "absorber": ("played", "k2"),
-    "coupled": ("given_by", *BY_MODES, *START.names),
+    "coupled": ("given_by", *BY_MODES, *START),
 }
 """Parameters that follow from one that is set: a start is played, a tuned spring follows the speed, modes a start."""
 

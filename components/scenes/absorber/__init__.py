@@ -76,26 +76,6 @@ class Absorber(Scene):
     }
     physical = ("tuning", "damping")
     reached = ("lightest", "lightest_k2")
-    groups = (
-        Group(
-            "The machine",
-            (),
-            form=Panels.fixed.name,
-            facts=(
-                (f"[m1|$m_1 = {N.m1}$ kg] on [k|$k_1 = {N.k1}$ kN/m],",),
-                (rf"shaken by [F|$F_0 = {N.F_0}$ N] at [F|$\omega = {N.omega}$ rad/s]",),
-            ),
-        ),
-        Group("Your own machine", MACHINE, form=Panels.own.name, dense=True),
-        Group(
-            "Your absorber",
-            ("m2", "k2", "tuning"),
-            facts=((rf"Mass ratio $\mu = m_2/m_1 = {N.mu}$",), (f"Your lightest solution: {N.lightest}",)),
-        ),
-        Group("", ("damping",), "Beyond the lecture: damping", folded=True),
-        Group("", ("c",), actions=(("optimum", "Den Hartog's optimum"),), form=Panels.damped.name),
-        Group("", chain.START.names, "Start", folded=True, form=Forms.rest.name),
-    )
 
     m1 = mass(100.0, symbol="m_1", tint="m1", softbounds=(10, 1000), says="is the machine. Type any value above 0.")
     k1 = positive(
@@ -137,6 +117,26 @@ class Absorber(Scene):
     _valley = angular_frequency(48.0, symbol="ω₂", label="tuned frequency")
     lightest = positive(None, label="mass", symbol="m_2", unit="kg", softbounds=(1.0, 100.0), **RECORD)
     lightest_k2 = not_negative(None, label="stiffness", symbol="k_2", unit="N/m", softbounds=(0, 200e3), **RECORD)
+    groups = (
+        Group(
+            "The machine",
+            (),
+            form=Panels.fixed,
+            facts=(
+                (f"[m1|$m_1 = {N.m1}$ kg] on [k|$k_1 = {N.k1}$ kN/m],",),
+                (rf"shaken by [F|$F_0 = {N.F_0}$ N] at [F|$\omega = {N.omega}$ rad/s]",),
+            ),
+        ),
+        Group("Your own machine", (m1, k1, F_0, omega), form=Panels.own, dense=True),
+        Group(
+            "Your absorber",
+            (m2, k2, tuning),
+            facts=((rf"Mass ratio $\mu = m_2/m_1 = {N.mu}$",), (f"Your lightest solution: {N.lightest}",)),
+        ),
+        Group("", (damping,), "Beyond the lecture: damping", folded=True),
+        Group("", (c,), actions=(("optimum", "Den Hartog's optimum"),), form=Panels.damped),
+        Group("", (x1_0, x2_0, v1_0, v2_0), "Start", folded=True, form=Forms.rest),
+    )
 
     sheet = staticmethod(absorber_sheet)
 
@@ -184,9 +184,9 @@ class Absorber(Scene):
 
     def _started(self, changed: frozenset[str]) -> Values:
         """A start is played; the particular solution has none."""
-        if self.played == "rest" or not changed & {"played", *chain.START.names}:
+        if self.played == "rest" or not changed & {"played", *chain.START}:
             return {}
-        return dict.fromkeys(chain.START.names, 0.0) if "played" in changed else {"played": "rest"}
+        return dict.fromkeys(chain.START, 0.0) if "played" in changed else {"played": "rest"}
 
     @property
     def _damping(self) -> float:

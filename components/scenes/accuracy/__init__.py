@@ -46,13 +46,6 @@ class Accuracy(Scene):
         **{system.name: {"system": slug} for slug, system in SYSTEMS.items()},
         "From a link": {"system": OWN},
     }
-    groups = (
-        Group("Run", ("wanted", "limit")),
-        Group("Time of the steps", ("clock",), form=F.time.name),
-        Group("× closed form", ("unit",), form=F.time.name),
-        Group("Compared at", ("equal",), form=F.growth.name),
-        Group("", ("cost",), form=F.cost.name),
-    )
 
     system = one_of("benign", [*SYSTEMS, OWN], "System")
     wanted = positive(
@@ -83,6 +76,13 @@ class Accuracy(Scene):
     F_0 = force(0.0)
     omega = angular_frequency(1.0)
     measured = param.Parameter(default=None, doc="The measurement that the page has asked for, as far as it has come.")
+    groups = (
+        Group("Run", (wanted, limit)),
+        Group("Time of the steps", (clock,), form=F.time),
+        Group("× closed form", (unit,), form=F.time),
+        Group("Compared at", (equal,), form=F.growth),
+        Group("", (cost,), form=F.cost),
+    )
 
     @classmethod
     @cache

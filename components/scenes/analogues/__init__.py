@@ -32,6 +32,8 @@ from components.scenes.analogues.sheet import analogue_sheet
 from components.scenes.analogues.watch import WATCH
 from physics.analogues import ANALOGUES
 
+QUANTITIES = quantities()
+"""The other parameters: those of the nine systems, as the table of physics.analogues has them."""
 UNHURRIED = (0.5, 10.0)
 """s; periods that are easy to watch as they are."""
 
@@ -47,7 +49,6 @@ class Analogues(Scene):
         "inertia q'' + stiffness q = 0; of a pendulum and a rocking body: theta'' + omega_n^2 sin(theta) = 0",
         "omega_n = sqrt(stiffness/inertia); x is the spring and mass of equal numbers",
     )
-    groups = (Group("System", ("system",), pictures=tiles()), *groups())
     shares = {"mass": "spring_m", "stiffness": "spring_k"}
     sharing = {"system": "spring"}
     start = "Examples"
@@ -68,6 +69,7 @@ class Analogues(Scene):
     system = one_of("pendulum", SHORT, "System", "The system shown.")
 
     theta_0 = start_angle()
+    groups = (Group("System", (system,), pictures=tiles()), *groups(QUANTITIES, theta_0))
 
     sheet = staticmethod(analogue_sheet)
 
@@ -101,8 +103,7 @@ class Analogues(Scene):
         return analogue_about(shown, self._case())
 
 
-# The other parameters are those of the nine systems, as the table of physics.analogues has them.
-for _name, _quantity in quantities().items():
+for _name, _quantity in QUANTITIES.items():
     Analogues.param.add_parameter(_name, _quantity)
 
 

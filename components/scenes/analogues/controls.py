@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+
 from components.layout.controls import Group
 from components.quantities.parameters import Quantity, count, finite, positive
 from components.scenes.analogues.numbers import Forms
@@ -115,23 +117,14 @@ def quantities() -> dict[str, Quantity]:
     return found
 
 
-def groups() -> tuple[Group, ...]:
+def groups(every: Mapping[str, Quantity], theta_0: Quantity) -> Iterator[Group]:
     """The group of each system, shown while it is chosen."""
-    return (
-        *tuple(
-            Group(
-                "",
-                tuple(f"{system.slug}_{parameter.name}" for parameter in system.parameters),
-                system.name,
-                folded=True,
-                form=Forms.of[system.slug].name,
-                apart=True,
-            )
-            for system in ANALOGUES.values()
-        ),
-        *(Group("", (f"{slug}_start",), form=Forms.of[slug].name, apart=True) for slug in LINEAR),
-        Group("", ("theta_0",), form=Forms.swinging.name, apart=True),
-    )
+    for slug, system in ANALOGUES.items():
+        own = tuple(every[f"{slug}_{parameter.name}"] for parameter in system.parameters)
+        yield Group("", own, system.name, folded=True, form=Forms.of[slug], apart=True)
+    for slug in LINEAR:
+        yield Group("", (every[f"{slug}_start"],), form=Forms.of[slug], apart=True)
+    yield Group("", (theta_0,), form=Forms.swinging, apart=True)
 
 
 def _quantity(name: str, parameter: Parameter) -> Quantity:

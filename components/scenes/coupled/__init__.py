@@ -39,13 +39,6 @@ class Coupled(Scene):
     headline = "Every free motion is a slow mode plus a fast mode"
     spoken = {"slow mode": N.omega_minus, "fast mode": N.omega_plus, "energy": N.E_total}
     equations = chain.FREE
-    groups = (
-        chain.CHAIN,
-        Group("Start", ("x1_0", "x2_0")),
-        Group("", starting.BY_MODES, form=Forms.start["modes"].name, apart=True),
-        Group("", ("v1_0", "v2_0", "given_by"), "Start velocities, or modes", folded=True),
-        Group("Shown", ("view",)),
-    )
     onward = (chain.measured_by(),)
     shares = chain.SHARES
     watch = WATCH
@@ -70,6 +63,13 @@ class Coupled(Scene):
     energy = ENERGY
     view = one_of(
         "modes", {"modes": "Modes", "constants": "Constants", "forces": "Forces"}, "What is shown beside the motion"
+    )
+    groups = (
+        chain.chain_group(m1, m2, k1, k2),
+        Group("Start", (x1_0, x2_0)),
+        Group("", (X_slow, phi_slow, X_fast, phi_fast), form=Forms.start["modes"], apart=True),
+        Group("", (v1_0, v2_0, given_by), "Start velocities, or modes", folded=True),
+        Group("Shown", (view,)),
     )
 
     sheet = staticmethod(coupled_sheet)

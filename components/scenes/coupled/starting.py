@@ -76,7 +76,7 @@ def turns(scene: Begun, omega: Pair, time: Axis) -> dict[str, AnySignal]:
 def followed(scene: Begun, changed: frozenset[str], before: str, *, in_hand: bool) -> Values:
     """The parameters that follow from a change, before which the motion was given by `before`. A start that is typed
     gives the motion itself; one that a hand sets has its modes, where these give it."""
-    if changed.intersection(chain.START.names) and not changed.intersection((*BY_MODES, "given_by")):
+    if changed.intersection(chain.START) and not changed.intersection((*BY_MODES, "given_by")):
         return _modes(scene) if in_hand and scene.given_by == "modes" else {"given_by": "values"}
     if scene.given_by == "values" and not changed.intersection(BY_MODES):
         return {}
@@ -105,5 +105,5 @@ def _start(scene: Begun, values: dict[str, float]) -> dict[str, float]:
     x_0, v_0 = start_given(free)
     reach = [float(sum(abs(free.amplitude[:, i]))) + abs(x_0[i]) for i in (0, 1)]
     rates = [float(sum(abs(free.amplitude[:, i] * free.omega))) for i in (0, 1)]
-    rows = zip(chain.START.names, (*x_0, *v_0), (*reach, *rates), strict=True)
+    rows = zip(chain.START, (*x_0, *v_0), (*reach, *rates), strict=True)
     return {name: value for name, value, size in rows if abs(getattr(scene, name) - value) > SAME * size}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from components.dashpot import KEPT, PARTS, DashpotScene, keeping, parts
+from components.dashpot import DashpotScene, keeping, parts
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.quantities.motion import pace
@@ -38,7 +38,6 @@ class Damped(DashpotScene):
         "omega_n/omega_d",
         "T = m v^2/2; V = k x^2/2; P = c v^2; E = T + V; E_0 - E is heat",
     )
-    groups = (PARTS, KEPT, Group("Start", ("x_0", "v_0")), Group("Shown", ("view",)))
     watch = WATCH
     presets = {
         "Light": {**USUAL, "c": 1.257},
@@ -61,6 +60,12 @@ class Damped(DashpotScene):
         says="is the velocity at the start, positive away from the wall. Any number.",
     )  # fmt: skip
     view = one_of("motion", {"motion": "Motion", "forces": "Forces"}, "What is shown beside the mass")
+    groups = (
+        Group("Mass, spring, dashpot", (m, k, c, zeta)),
+        Group("When m or k changes", (keep,)),
+        Group("Start", (x_0, v_0)),
+        Group("Shown", (view,)),
+    )
 
     sheet = staticmethod(damped_sheet)
 

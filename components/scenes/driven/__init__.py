@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from components.dashpot import KEPT, PARTS, DashpotScene, keeping, parts
+from components.dashpot import DashpotScene, keeping, parts
 from components.language.state import Frame
 from components.layout.controls import Group
 from components.quantities.motion import pace
@@ -15,17 +15,16 @@ from components.scene.about import About
 from components.scene.frames import FITTED, framed
 from components.scene.traces import over_time
 from components.scenes.driven.about import driven_about
-from components.scenes.driven.case import DrivenCase
+from components.scenes.driven.case import KINDS, DrivenCase
 from components.scenes.driven.curves import END, Places, Resonance, Signals, axes_of, columns_of, drawn, exact
 from components.scenes.driven.numbers import Numbers as N
 from components.scenes.driven.polygon import corners_of
 from components.scenes.driven.sheet import KIND, driven_sheet
 from components.scenes.driven.watch import WATCH
 from components.scenes.driven.words import Forms, notes
-from physics.driven import Drive, DrivenOscillator
+from physics.driven import DrivenOscillator
 from physics.sampling import drawable
 
-SIZES: dict[Drive, str] = {"force": "F_0", "base": "Y", "unbalance": "moment"}
 NATURAL = math.sqrt(39.48)
 """The natural frequency of the presets, in rad/s: a period of one second."""
 
@@ -44,13 +43,6 @@ class DrivenScene(DashpotScene):
         "kind = unbalance: m x'' + c x' + k x = moment omega^2 sin(omega t); moment = m_0 e",
         "r = omega/omega_n; M = |X| over F_0/k or over Y or over moment/m; lag = -arg X",
         "P_in and P_lost are means over the last 2 pi/omega; 0 before t = 0",
-    )
-    groups = (
-        Group("Drive", ("omega",)),
-        *(Group("", (name,), form=Forms.driven[kind].name) for kind, name in SIZES.items()),
-        PARTS,
-        Group("", ("x_0", "v_0"), "Start: at rest", folded=True),
-        KEPT,
     )
     watch = WATCH
     physical = ("kind",)
@@ -82,6 +74,13 @@ class DrivenScene(DashpotScene):
     keep = keeping()
     x_0 = displacement(symbol="x_0", tint="m1", softbounds=(-0.3, 0.3), says="is where the mass starts. Any number.")
     v_0 = velocity(symbol="v_0", tint="m1", softbounds=(-3.0, 3.0), says="is the velocity at the start. Any number.")
+    groups = (
+        Group("Drive", (omega,)),
+        *(Group("", (one,), form=Forms.driven[kind]) for kind, one in zip(KINDS, (F_0, Y, moment), strict=True)),
+        Group("Mass, spring, dashpot", (m, k, c, zeta)),
+        Group("", (x_0, v_0), "Start: at rest", folded=True),
+        Group("When m or k changes", (keep,)),
+    )
 
     sheet = staticmethod(driven_sheet)
 
@@ -112,7 +111,7 @@ class DrivenScene(DashpotScene):
         return DrivenCase(
             oscillator=DrivenOscillator(m=self.m, c=self.c, k=self.k),
             kind=self.kind,
-            size=getattr(self, SIZES[self.kind]),
+            size={"force": self.F_0, "base": self.Y, "unbalance": self.moment}[self.kind],
             omega=self.omega,
             x_0=self.x_0,
             v_0=self.v_0,

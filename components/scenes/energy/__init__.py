@@ -35,13 +35,6 @@ class Energy(Scene):
         "T = m v^2/2; delta_st = m g/k",
         "V = k x^2/2; with datum = separate larger by m g delta_st/2",
     )
-    groups = (
-        Group("Mass and spring", ("m", "k")),
-        Group("Start", ("x_0",)),
-        Group("", ("v_0",), "Start velocity", folded=True),
-        Group("", ("g",), "Gravity", actions=tuple((slug, name) for slug, (name, _) in PLANETS.items()), folded=True),
-        Group("V is counted from", ("datum",)),
-    )
     places = tuple(PLANETS)
     shares = {"mass": "m", "stiffness": "k"}
     watch = WATCH
@@ -81,6 +74,13 @@ class Energy(Scene):
         "equilibrium",
         {"equilibrium": "Equilibrium", "separate": "Spring + gravity", "slide": "Three terms"},
         "Datum of V",
+    )
+    groups = (
+        Group("Mass and spring", (m, k)),
+        Group("Start", (x_0,)),
+        Group("", (v_0,), "Start velocity", folded=True),
+        Group("", (g,), "Gravity", actions=tuple((slug, name) for slug, (name, _) in PLANETS.items()), folded=True),
+        Group("V is counted from", (datum,)),
     )
 
     sheet = staticmethod(hanging_sheet)

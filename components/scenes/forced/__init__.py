@@ -41,6 +41,8 @@ SLOW, FAST = (5**0.5 - 1) / 2, (5**0.5 + 1) / 2
 PARTS = 4.0
 """The parts are drawn whole while they are less than this many times as large as their sum."""
 
+STARTS = ("rest", "From rest"), ("steady", "On the particular solution")
+
 
 class Forced(Scene):
     slug = "forced"
@@ -50,13 +52,6 @@ class Forced(Scene):
     headline = "How far the masses swing depends on how fast you push"
     spoken = {"particular amplitude of mass 1": N.Xp[1], "of mass 2": N.Xp[2]}
     equations = chain.BRAKED_DRIVEN
-    groups = (
-        Group("Drive", ("F_0", "omega")),
-        chain.CHAIN,
-        chain.DASHPOTS,
-        Group("", chain.START.names, "Start", (("rest", "From rest"), ("steady", "On the particular solution")), True),
-        Group("Shown", ("view",)),
-    )
     onward = (chain.measured_by("F_0", "omega"),)
     shares = chain.BRAKED
     watch = WATCH
@@ -79,21 +74,28 @@ class Forced(Scene):
     v1_0, v2_0 = chain.start_velocities()
     curve, axes = CURVE, UNITS
     view = one_of("amplitudes", VIEWS, "What is shown beside the motion")
+    groups = (
+        Group("Drive", (F_0, omega)),
+        chain.chain_group(m1, m2, k1, k2),
+        chain.dashpots_group(c1, c2),
+        Group("", (x1_0, x2_0, v1_0, v2_0), "Start", STARTS, folded=True),
+        Group("Shown", (view,)),
+    )
 
     sheet = staticmethod(forced_sheet)
 
     def action(self, name: str) -> Values:
         if name == "rest":
-            return dict.fromkeys(chain.START.names, 0.0)
+            return dict.fromkeys(chain.START, 0.0)
         case = self._case()
         if isinstance(case, Dying):
             one, two = case.X
             start = (one.imag, two.imag, *(scaled(0, self.omega, X.real) for X in (one, two)))
-            return dict(zip(chain.START.names, start, strict=True))
+            return dict(zip(chain.START, start, strict=True))
         if case.modes.at_resonance:
             raise at_natural_frequency(self.omega)
         x_0, v_0 = steady_start(case.chain, self.F_0, self.omega)
-        return dict(zip(chain.START.names, (*x_0, *v_0), strict=True))
+        return dict(zip(chain.START, (*x_0, *v_0), strict=True))
 
     def picture(self, frame: Frame = FITTED) -> Picture:
         case = self._case(frame)

@@ -65,17 +65,6 @@ class ModesScene(Scene):
         "row 1: X2/X1 = (k1 + k2 - m1 w^2)/k2; row 2: X2/X1 = k2/(k2 - m2 w^2)",
         "D = (k1 + k2 - m1 w^2) (k2 - m2 w^2) - k2^2",
     )
-    groups = (
-        Group(
-            "Guess",
-            ("omega", "ratio"),
-            form=Tasks.view["guess"].name,
-            actions=tuple((action, f"Use equation {row}") for action, row in ROW_OF.items()),
-        ),
-        Group("Start, from rest", ("x1_0", "x2_0"), "or drag the ring", form=Tasks.view["hunt"].name),
-        chain.CHAIN,
-        replace(chain.DASHPOTS, form=Tasks.view["solve"].name),
-    )
     shares = chain.BRAKED
     watch = WATCH
     presets = {
@@ -107,6 +96,17 @@ class ModesScene(Scene):
     swept = sweep.SWEPT
     x1_0, x2_0 = chain.start_positions(1.0, 0.5, how=", from rest")
     answer = hunt.ANSWER
+    groups = (
+        Group(
+            "Guess",
+            (omega, ratio),
+            form=Tasks.view["guess"],
+            actions=tuple((action, f"Use equation {row}") for action, row in ROW_OF.items()),
+        ),
+        Group("Start, from rest", (x1_0, x2_0), "or drag the ring", form=Tasks.view["hunt"]),
+        chain.chain_group(m1, m2, k1, k2),
+        chain.dashpots_group(c1, c2, Tasks.view["solve"]),
+    )
 
     @classmethod
     @cache

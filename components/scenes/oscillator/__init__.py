@@ -41,7 +41,6 @@ class OscillatorScene(Scene):
         "m x'' + k x = 0",
         "omega_n = sqrt(k/m); v = x'; a = x''; x = x_0 and v = v_0 at t = 0",
     )
-    groups = (Group("Mass and spring", ("m", "k")), Group("Start", ("x_0", "v_0")), Group("Shown", ("view",)))
     shares = {"mass": "m", "stiffness": "k"}
     watch = WATCH
     presets = {
@@ -70,6 +69,7 @@ class OscillatorScene(Scene):
     view = one_of(
         "motion", {"swing": "Motion", "motion": "Formulas", "force": "Force"}, "What is shown beside the motion"
     )
+    groups = (Group("Mass and spring", (m, k)), Group("Start", (x_0, v_0)), Group("Shown", (view,)))
 
     sheet = staticmethod(oscillator_sheet)
 

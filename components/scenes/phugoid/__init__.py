@@ -52,17 +52,6 @@ class Phugoid(Scene):
         "h and v from those of steady flight: v = V - v_0; v = excess v_0 at t = 0 in level flight",
         "to first order: h'' + omega^2 h = 0; omega = sqrt(2) g/v_0; v = -g h/v_0",
     )
-    groups = (
-        Group("Excess of speed", ("excess",), "period longer by"),
-        Group("Aircraft", ("v_0", "m")),
-        Group(
-            "",
-            ("g", "unit"),
-            "Examples, gravity, unit of speed",
-            actions=tuple((name, label.split()[0]) for name, (label, _, _) in AIRCRAFT.items()),
-            folded=True,
-        ),
-    )
     places = tuple(AIRCRAFT)
     watch = WATCH
     presets = {
@@ -112,6 +101,18 @@ class Phugoid(Scene):
     def action(self, name: str) -> Values:
         _, speed, weight = AIRCRAFT[name]
         return {"v_0": speed, "m": weight}
+
+    groups = (
+        Group("Excess of speed", (excess,), "period longer by"),
+        Group("Aircraft", (v_0, m)),
+        Group(
+            "",
+            (g, unit),
+            "Examples, gravity, unit of speed",
+            actions=tuple((name, label.split()[0]) for name, (label, _, _) in AIRCRAFT.items()),
+            folded=True,
+        ),
+    )
 
     @classmethod
     @cache

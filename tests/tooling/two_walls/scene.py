@@ -62,7 +62,6 @@ class Walls(Scene):
     points = "springs side by side"
     headline = "Between two walls the stiffnesses of both springs add"
     equations = ("m x'' + (k1 + k2) x = 0",)
-    groups = (Group("Mass between two springs", ("m", "k1", "k2")), Group("Start, from rest", ("x_0",)))
     presets = {"Equal": {}, "One does nearly all": {"k1": 40.0, "k2": 0.4}, "Soft": {"k1": 0.5, "k2": 0.5}}
     watch = {
         "Equal": "Each spring gives half of the force.",
@@ -80,6 +79,7 @@ class Walls(Scene):
         says="is the stiffness of the right spring. Any value above 0.",
     )  # fmt: skip
     x_0 = displacement(1.0, symbol="x_0", tint="m1", says="is where the mass is let go. Any number.")
+    groups = (Group("Mass between two springs", (m, k1, k2)), Group("Start, from rest", (x_0,)))
 
     @classmethod
     @cache
