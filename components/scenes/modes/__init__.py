@@ -16,8 +16,9 @@ from components.quantities.readouts import Readout
 from components.scene import Picture, Scene
 from components.scene.about import About
 from components.scene.frames import FITTED
-from components.scenes.modes import guess, guess_picture, hunt, solve, sweep
+from components.scenes.modes import guess, hunt, solve, sweep
 from components.scenes.modes.about import braked_about, guess_about, hunt_about, solve_about, sweep_about
+from components.scenes.modes.guess_case import said
 from components.scenes.modes.numbers import BrakedChain, BrakedNumbers, ComparedNumbers
 from components.scenes.modes.watch import WATCH
 from physics.coupled import TwoMassChain
@@ -142,12 +143,12 @@ class ModesScene(Scene):
             return sweep.picture(system, self.swept, frame)
         if self.task == "hunt":
             return hunt.picture(system, (self.x1_0, self.x2_0), self.answer == "shown", self.window, frame)
-        return guess_picture.picture(system, self.omega, self.ratio, self.window, frame)
+        return guess.picture(system, self.omega, self.ratio, self.window, frame)
 
     def action(self, name: str) -> Values:
         """The shape that one of the two equations fixes at the trial frequency."""
         row = ROW_OF[name]
-        wanted = guess_picture.said(chain.of_scene(self), self.omega).rows[row - 1]
+        wanted = said(chain.of_scene(self), self.omega).rows[row - 1]
         if wanted is None:
             raise ValueError(f"equation {row} is 0 = 0 here: any shape satisfies it")
         if not wanted.is_finite():

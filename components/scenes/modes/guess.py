@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+import math
+from decimal import Decimal
+from typing import Any
+
+import numpy as np
+from msgspec.structs import replace
+
 from components import chain
+from components.chain import BOTH, MODES
 from components.language.blocks import Block
 from components.language.numbers import Number, var
 from components.language.plots import Handle
 from components.language.shapes import Along, Quotient
+from components.language.signals import AnySignal
+from components.language.state import Frame
 from components.layout.grabs import grab, on_plot
 from components.layout.plots import Room, curve, mark, plot
 from components.layout.sheet import Paragraph, column, either, phrase, row, stage, term, words
@@ -30,13 +40,114 @@ from components.layout.stage import (
     text,
 )
 from components.layout.text import rich
-from components.quantities.declared import Family, LiveNumber, Scalar
-from components.scenes.modes.guess_picture import REACH, Guess
-from components.scenes.modes.guess_picture import GuessAxes as A
-from components.scenes.modes.guess_picture import GuessCurves as C
-from components.scenes.modes.guess_picture import GuessForms as F
-from components.scenes.modes.guess_picture import GuessNumbers as N
-from components.scenes.modes.guess_picture import GuessPlaces as P
+from components.quantities import declared
+from components.quantities.axes import Axis, nice_axis, squared_axis, time_axis
+from components.quantities.declared import (
+    Column,
+    Declared,
+    DrawnAxis,
+    Family,
+    Form,
+    LiveNumber,
+    Scalar,
+    Signal,
+    by_name,
+)
+from components.quantities.motion import QUARTER, pace, sines
+from components.quantities.numbers import signed, ten, three
+from components.scene import Picture
+from components.scene.frames import FITTED, framed
+from components.scene.traces import Columns
+from components.scenes.modes.guess_case import REACH, Guess, added, agreement, inside, kind_of
+from physics.coupled import Modes, TwoMassChain
+from physics.modes import determinant_curve, row_curves
+from physics.sampling import NOTHING_OSCILLATES, periods
+from physics.valid import DOUBLES
+
+number, scalar, form = LiveNumber[Guess], Scalar[Guess], Form[Guess]
+METRES = Axis(-1.0, 1.0, "m")
+
+
+class Numbers(Declared[Guess]):
+    a11, a12 = number.both(lambda g: g.asked.matrix[0])
+    a22 = number(lambda g: g.asked.matrix[1][1])
+    D = number(lambda g: g.asked.determinant)
+    square = number(lambda g: Decimal(g.omega) ** 2)
+    apart = number(lambda g: g.asked.apart)
+    distance = number(lambda g: None if g.asked.apart is None else abs(g.asked.apart))
+    k1k2 = number(lambda g: g.at_rest)
+    k2k2 = number(lambda g: g.held)
+    row = row1, row2 = number.both(lambda g: g.asked.rows, signed)
+    omega = omega_slow, omega_fast = number.both(lambda g: g.system.modes().omega)
+    r = r_slow, r_fast = number.both(lambda g: g.system.modes().ratio, signed)
+    slow_long, fast_long = number.both(
+        lambda g: [f"{w:.5g}" if 0.1 <= w < 1e4 else three(w) for w in g.system.modes().omega]
+    )
+    X = X1, X2 = number.both(lambda g: g.push.amplitude, signed)
+    need = need1_N, need2_N = number.both(lambda g: g.push.needed, signed, unit="N", whole=True)
+    give = give1_N, give2_N = number.both(lambda g: g.push.springs, signed, unit="N", whole=True)
+    add = add1_N, add2_N = number.both(lambda g: g.left, signed, unit="N", whole=True)
+    you_add = number(added)
+
+
+class Axes(Declared[Guess]):
+    t, w, r, D = DrawnAxis.some(4)
+
+
+class Curves(Declared[Guess]):
+    """The shape that each equation fixes, the second one on both sides of its pole, and D."""
+
+    w = Column[Guess]("")
+    row1, D = Column[Guess]("row1"), Column[Guess]("det")
+    row2_below, row2_above = Column[Guess]("row2_below"), Column[Guess]("row2_above")
+
+
+def _swung(guess: Guess, axes: declared.Axes, size: float) -> AnySignal:
+    """A motion of the guess, from full swing; at omega = 0 it stays there."""
+    return sines(METRES, Axes.t(axes), (size, guess.omega, QUARTER))
+
+
+class Places(Declared[Guess]):
+    """Swings and forces, and over the plots the modes, the known values of D, the guess, and the readings of both
+    equations, in the units of the axes; `_in` tells which are inside the frame."""
+
+    swing = Signal[Guess](lambda g, a: _swung(g, a, 1.0))
+    x = Family(BOTH, lambda i: Signal[Guess](lambda g, a: _swung(g, a, g.swings[i - 1])))
+    # At full swing: both amplitudes, which of them is not the larger one, and the lengths of the arrows.
+    X = Family(BOTH, lambda i: scalar(lambda g, a: g.swings[i - 1]))
+    less = Family(BOTH, lambda i: scalar(lambda g, a: abs(g.swings[i - 1]) <= abs(g.swings[2 - i])))
+    need = Family(BOTH, lambda i: scalar(lambda g, a: g.arrow(g.push.needed[i - 1])), "need{}_N")
+    give = Family(BOTH, lambda i: scalar(lambda g, a: g.arrow(g.push.springs[i - 1])), "give{}_N")
+    # The modes, D at rest and where mass 2 would be held.
+    w_of = Family(MODES, lambda mode: scalar(lambda g, a: g.frequency.place(g.modes[mode][0])), "w_{}")
+    w_si = Family(MODES, lambda mode: scalar(lambda g, a: g.modes[mode][0]), "w_{}_si")
+    r_of = Family(MODES, lambda mode: scalar(lambda g, a: g.seen(mode) and g.shape.place(g.modes[mode][1])), "r_{}")
+    seen = Family(MODES, lambda mode: scalar(lambda g, a: g.seen(mode)), "{}_in")
+    D0 = scalar(lambda g, a: g.place_D(g.at_rest))
+    D0_in = scalar(lambda g, a: g.system.k1 > 0 < g.system.k2)
+    w_held = scalar(lambda g, a: g.frequency.place(math.sqrt(g.system.k2) / math.sqrt(g.system.m2)))
+    D_held = scalar(lambda g, a: g.place_D(g.held))
+    held_in = scalar(lambda g, a: g.system.k2 > 0 and g.has_D(g.held))
+    # The guess, D there, and what both equations ask for.
+    w = scalar(lambda g, a: g.frequency.place(min(g.omega, 2 * g.frequency.end)))
+    w_in = scalar(lambda g, a: g.w_in)
+    r = scalar(lambda g, a: g.shape.place(max(min(g.ratio, 2 * g.shape.end), 2 * g.shape.start)))
+    guess_in = scalar(lambda g, a: g.w_in and inside(g.shape, g.ratio))
+    D = scalar(lambda g, a: g.place_D(g.asked.determinant))
+    D_in = scalar(lambda g, a: g.w_in and g.has_D(g.asked.determinant))
+    row = Family(BOTH, lambda i: scalar(lambda g, a: g.reading(i)))
+    row_in = Family(BOTH, lambda i: scalar(lambda g, a: g.reads(i)), "row{}_in")
+    gap = scalar(lambda g, a: g.w_in and None not in g.asked.rows)
+
+
+class Forms(Declared[Guess]):
+    says = Family(BOTH, lambda i: form(lambda g: kind_of(g.asked.rows[i - 1])), "row{}_says")
+    agree = form(agreement)
+    D = form(lambda g: "value" if g.asked.apart is None else "product")
+    roots = form(lambda g: "loose" if not g.system.k2 else "two" if g.system.k1 else "wall")
+
+
+A, C, F, N, P = Axes, Curves, Forms, Numbers, Places
 
 SHAPE, DET = PlotFrame("shape"), PlotFrame("det")
 
@@ -154,7 +265,7 @@ def _shape_plot() -> Block:
             Handle(parameter="ratio", symbol="", label="Trial shape X2/X1", tint="F", axis="y"),
             Handle(parameter="omega", symbol="", label="Trial frequency", tint="F", axis="x", bare=True),
         ),
-        marks=tuple(mark(P.w_of[mode], tint=mode) for mode in chain.MODES),
+        marks=tuple(mark(P.w_of[mode], tint=mode) for mode in MODES),
         shapes=_over_shapes(), grow=195, phone=10, height=220,
     )  # fmt: skip
 
@@ -177,7 +288,7 @@ def _determinant_plot() -> Block:
                 P.w_of[mode], tint=mode, set="omega", exactly=P.w_si[mode], lift=23, label=f"Go to the {mode} mode",
                 html=rich(rf"$\omega_{sign}$ {omega}"), flag="one",
             )
-            for mode, sign, omega in zip(chain.MODES, "-+", N.omega, strict=True)
+            for mode, sign, omega in zip(MODES, "-+", N.omega, strict=True)
         ),
         shapes=_over_determinant(), grow=100, phone=11, height=150,
     )  # fmt: skip
@@ -187,8 +298,8 @@ def _shapes() -> list[Shape]:
     foot, gap, lift = 0.505 * H, 0.144 * H, 0.122 * H
     last = foot + 3 * gap
     shapes = [chain.standing_wall(0.09 * H, 0.415 * H), line(chain.WALL * W, foot, W, foot, style="floor")]
-    places = [chain.rest(i) + UNIT * var(P.x[i]) for i in chain.BOTH]
-    for i, place, amplitude in zip(chain.BOTH, places, N.X, strict=True):
+    places = [chain.rest(i) + UNIT * var(P.x[i]) for i in BOTH]
+    for i, place, amplitude in zip(BOTH, places, N.X, strict=True):
         rest = chain.rest(i)
         shapes += [
             line(rest, lift - 6, rest, last + 8, tint="mute", style="eq told"),
@@ -200,7 +311,7 @@ def _shapes() -> list[Shape]:
     for n, (numbers, lengths, tint, _, _) in enumerate(FORCES, start=1):
         for i, number in enumerate(numbers, start=1):
             shapes += _force(i, number, lengths, tint, foot + n * gap - 4)
-    for i in chain.BOTH:
+    for i in BOTH:
         for length, start in ((P.give[i], 2), (P.need[i], 1)):
             tip = chain.rest(i) + SWING * var(length)
             shapes.append(line(tip, foot + start * gap, tip, last + 4, tint="mute", style="eq told"))
@@ -251,13 +362,14 @@ def _over_shapes() -> tuple[Shape, ...]:
         line(w, SHAPE.y(var(P.row[1])), w, SHAPE.y(var(P.row[2])), tint="F", style="thick", show=P.gap),
         line(SHAPE.left, r, w, r, tint="F", style="dots", show=P.guess_in),
     ]
-    for mode, shift, ratio in zip(chain.MODES, ((14, -8), (11, -14)), N.r, strict=True):
+    for mode, shift, ratio in zip(MODES, ((14, -8), (11, -14)), N.r, strict=True):
         at, name = (SHAPE, var(P.w_of[mode]), var(P.r_of[mode])), f"{mode} mode {ratio}"
-        shapes += _point(*at, 7, mode, show=P.seen[mode], style="ring")
-        shapes += _label(*at, mode, shift, name, show=(P.seen[mode], ON_WIDE))
-        shapes += _label(*at, mode, (6, -14), name, "middle", show=(P.seen[mode], ON_NARROW))
-    for i in chain.BOTH:
-        shapes += _point(SHAPE, var(P.w), var(P.row[i]), 6, f"m{i}", show=P.row_in[i])
+        shapes += [
+            _point(*at, 7, mode, show=P.seen[mode], style="ring"),
+            _label(*at, mode, shift, name, show=(P.seen[mode], ON_WIDE)),
+            _label(*at, mode, (6, -14), name, "middle", show=(P.seen[mode], ON_NARROW)),
+        ]
+    shapes += [_point(SHAPE, var(P.w), var(P.row[i]), 6, f"m{i}", show=P.row_in[i]) for i in BOTH]
     return (*shapes, _guess_point(w, r))
 
 
@@ -271,33 +383,79 @@ def _guess_point(x: Number, y: Number) -> Shape:
 def _over_determinant() -> tuple[Shape, ...]:
     """Over D: its value at the trial frequency, its zeros, and the two values that alone prove them."""
     here, rest, held = (DET, var(P.w), var(P.D)), (DET, 0.0, var(P.D0)), (DET, var(P.w_held), var(P.D_held))
-    shapes = [
-        *_label(*here, "ink", (10, -9), f"*D* = {N.D}", show=P.D_in),
-        *_point(*rest, 4, "ink", show=P.D0_in),
-        *_label(*rest, "ink", (0, 0), f"*k*_1*k*_2 = {N.k1k2}", "beside", P.D0_in, "t0"),
-        *_point(*held, 4, "ink", show=P.held_in),
-        *_label(*held, "ink", (0, 0), f"−*k*_2² = {N.k2k2}", "beside", P.held_in, "t0"),
-    ]
-    for mode in chain.MODES:
-        shapes += _point(DET, var(P.w_of[mode]), 0.0, 5, mode, style="ring")
-    return (*shapes, *_point(*here, 6, "ink", show=P.D_in))
+    return (
+        _label(*here, "ink", (10, -9), f"*D* = {N.D}", show=P.D_in),
+        _point(*rest, 4, "ink", show=P.D0_in),
+        _label(*rest, "ink", (0, 0), f"*k*_1*k*_2 = {N.k1k2}", "beside", P.D0_in, "t0"),
+        _point(*held, 4, "ink", show=P.held_in),
+        _label(*held, "ink", (0, 0), f"−*k*_2² = {N.k2k2}", "beside", P.held_in, "t0"),
+        *(_point(DET, var(P.w_of[mode]), 0.0, 5, mode, style="ring") for mode in MODES),
+        _point(*here, 6, "ink", show=P.D_in),
+    )
 
 
-def _point(
-    frame: PlotFrame,
-    x: Number,
-    y: Number,
-    radius: float,
-    tint: str,
-    show: ShownBy | None = None,
-    style: str | None = None,
-) -> list[Shape]:
-    return [circle(frame.x(x), frame.y(y), radius, tint=tint, style=style, show=show)]
+def _point(frame: PlotFrame, x: Number, y: Number, radius: float, tint: str, **look: Any) -> Shape:
+    return circle(frame.x(x), frame.y(y), radius, tint=tint, **look)
 
 
 def _label(
     frame: PlotFrame, x: Number, y: Number, tint: str, shift: tuple[int, int], words_: str, anchor: str = "start",
     show: ShownBy | None = None, weight: str = "t1 b",
-) -> list[Shape]:  # fmt: skip
+) -> Shape:  # fmt: skip
     place = frame.x(x) + shift[0], frame.y(y) + shift[1]
-    return [text(*place, words_, anchor, tint=tint, style=f"{weight} halo", show=show)]
+    return text(*place, words_, anchor, tint=tint, style=f"{weight} halo", show=show)
+
+
+def picture(system: TwoMassChain, omega: float, ratio: float, window: float | None, frame: Frame = FITTED) -> Picture:
+    """All of the view for one chain and one guess; ValueError where a curve leaves the range of doubles."""
+    modes = system.modes()
+    if system.k2 and not np.all(np.isfinite(modes.ratio)):
+        raise ValueError(f"a mode ratio X2/X1 leaves {DOUBLES}")
+    end = _end(float(modes.omega[1]), omega)
+    reach, shape = _shape_axis(modes)
+    across = replace(squared_axis(end, "(rad/s)²", 3), drawn=(0.0, max(float(modes.omega[1]), min(omega, end))))
+    A, time = Axes, time_axis(window or (periods(omega, 4) if omega else NOTHING_OSCILLATES))
+    axes = framed(frame, by_name({A.w: across, A.r: shape, A.t: time}))
+    columns, det, exponent = _columns(system, A.w(axes).end, reach)
+    axes |= framed(frame, by_name({A.D: det}))
+    guess = Guess(system, omega, ratio, frequency=A.w(axes), shape=A.r(axes), det=A.D(axes), exponent=exponent)
+    return Picture(
+        columns=columns,
+        axes=axes,
+        signals=Places.signals(guess, axes),
+        scalars=Places.scalars(guess, axes),
+        pace=pace(omega, omega),
+        values=Numbers.texts(guess, axes),
+        forms=Forms.forms(guess),
+    )
+
+
+def _shape_axis(modes: Modes) -> tuple[float, Axis]:
+    """The reach of the curves of X2/X1, and their axis, which holds both modes."""
+    half = 2 * max((abs(float(r)) for r in modes.ratio if r and math.isfinite(r)), default=2.0)
+    reach = 3 * half
+    if math.isinf(reach):
+        raise ValueError(f"three times the larger mode ratio X2/X1, as far as it is drawn, leaves {DOUBLES}")
+    axis = nice_axis(-half, half, "", 4, exact=True)
+    return reach, replace(axis, ticks=axis.ticks[1:-1], drawn=(-half / 2, half / 2))
+
+
+def _end(fast: float, omega: float) -> float:
+    """The frame holds both modes, and the trial frequency where it is not far beyond them."""
+    both = math.sqrt(1.375) * fast
+    return (max(both, 1.1 * omega) if omega < 2 * fast or not fast else both) or 1.0
+
+
+def _columns(system: TwoMassChain, end: float, largest: float) -> tuple[dict[str, Columns], Axis, int]:
+    C, (first, second) = Curves, row_curves(system, end, largest)
+    columns = {C.row1.source: by_name({C.w: first.omega[0], C.row1: first.ratio[0]})}
+    for one, w, r in zip((C.row2_below, C.row2_above), second.omega, second.ratio, strict=False):
+        columns[one.source] = by_name({C.w: w, one: r})
+    w = end * np.sqrt(np.linspace(0.0, 1.0, 201))
+    curve, exponent = determinant_curve(system, w)
+    columns[C.D.source] = by_name({C.w: w, C.D: curve})
+    low, at_zero = float(np.min(curve)), float(curve[0])
+    unit = f"{ten(exponent)} N²/m²" if exponent else "N²/m²"
+    size = max(1.2 * at_zero, -2.1 * low, 0.0) or 1.0
+    det = nice_axis(min(1.33 * low, -0.1 * size), size, unit, 2, exact=True)
+    return columns, replace(det, drawn=(low, at_zero)), exponent

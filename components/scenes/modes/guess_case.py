@@ -1,0 +1,181 @@
+"""A guess as its view sees it: what both equations say at its frequency, the forces that it needs, and where it is."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+
+from components.chain import MODES
+from components.chain.parameters import Pair
+from components.quantities.axes import Axis
+from physics.coupled import TwoMassChain
+from physics.exact import exact, precise, within_an_ulp
+from physics.modes import Trial, TrialForces, trial, trial_forces
+
+REACH = 0.17
+"""The longest force arrow, as a fraction of the stage's width."""
+NEAR, ALIKE = 1e-3, Decimal("0.01")
+"""Limits: of a frequency near a natural one, and of the gap of rows, over the larger, that are nearly one equation."""
+ROUNDING = Decimal("1e-12")
+"""A typed ratio is rounded, so at a mode a force of this size, compared with the others, is left: it is shown as 0."""
+LITTLE = Decimal("0.005")
+"""The share of the other forces below which a hand's is little."""
+
+
+@dataclass(frozen=True, eq=False)
+class Guess:
+    """A chain, a trial frequency and shape, and the axes that they are drawn on, with what the physics says of them.
+
+    `det` counts D in units of 10**exponent, since D leaves the range of doubles long before the rest does.
+    """
+
+    system: TwoMassChain
+    omega: float
+    ratio: float
+    frequency: Axis
+    shape: Axis
+    det: Axis
+    exponent: int
+
+    def place_D(self, value: Decimal) -> float:
+        """A value of D on its axis, cut far outside the frame."""
+        scaled = float(value.scaleb(-self.exponent))
+        return self.det.place(scaled if abs(scaled) < 1e30 else 1e30)
+
+    @cached_property
+    def asked(self) -> Trial:
+        return said(self.system, self.omega)
+
+    @cached_property
+    def push(self) -> TrialForces:
+        return trial_forces(self.system, self.omega, self.ratio)
+
+    @cached_property
+    def at_rest(self) -> Decimal:
+        """D at omega = 0."""
+        _, _, k1, k2 = self.system.exact_parameters
+        with precise():
+            return k1 * k2
+
+    @property
+    def held(self) -> Decimal:
+        """D where mass 2 alone, mass 1 held, would swing."""
+        return -(Decimal(self.system.k2) ** 2)
+
+    def has_D(self, value: Decimal) -> bool:
+        """Whether a value of D is inside the frame."""
+        return inside(self.det, value.scaleb(-self.exponent))
+
+    @cached_property
+    def modes(self) -> dict[str, tuple[float, float]]:
+        """Frequency and shape of each mode."""
+        modes = self.system.modes()
+        return dict(zip(MODES, zip(modes.omega.tolist(), modes.ratio.tolist(), strict=True), strict=True))
+
+    def seen(self, mode: str) -> bool:
+        """Whether the point of a mode is inside the frame."""
+        return math.isfinite(self.modes[mode][1]) and inside(self.shape, self.modes[mode][1])
+
+    @cached_property
+    def swings(self) -> Pair:
+        """Both amplitudes."""
+        one, two = map(float, self.push.amplitude)
+        return one, two
+
+    def arrow(self, force: Decimal) -> float:
+        """The length of the arrow of a force at full swing, as a fraction of the stage's width."""
+        largest = max(abs(value) for pair in self.push[1:] for value in pair)
+        return REACH * float(force / largest) if largest else 0.0
+
+    @cached_property
+    def w_in(self) -> bool:
+        return inside(self.frequency, self.omega)
+
+    def reading(self, row: int) -> float:
+        """The place of the shape that a row asks for."""
+        asked, shape = self.asked.rows[row - 1], self.shape
+        return 0.0 if asked is None else shape.place(float(max(min(asked, Decimal(shape.end)), Decimal(shape.start))))
+
+    def reads(self, row: int) -> bool:
+        asked = self.asked.rows[row - 1]
+        return self.w_in and asked is not None and inside(self.shape, asked)
+
+    @property
+    def sizes(self) -> list[Decimal]:
+        """The larger of the force that is needed and that of the springs, on each mass."""
+        return [max(abs(one), abs(two)) for one, two in zip(self.push.needed, self.push.springs, strict=True)]
+
+    @cached_property
+    def left(self) -> list[Decimal]:
+        """The force missing on each mass; nothing at a mode, whose frequency and shape few doubles are."""
+        for mode in self.system.exact_modes:
+            if not mode.shape[0]:
+                continue
+            with precise():
+                ratio = mode.shape[1] / mode.shape[0]
+            alike = abs(ratio - exact(self.ratio)) <= ROUNDING * abs(ratio)
+            if alike and within_an_ulp(self.omega, mode.omega):
+                return [Decimal(0)] * 2
+        sizes = zip(self.push.missing, self.sizes, strict=True)
+        return [value if abs(value) > ROUNDING * size else Decimal(0) for value, size in sizes]
+
+
+def added(guess: Guess) -> str:
+    """The force of the hand, in words."""
+    if not any(guess.left):
+        return "no extra force: a mode"
+    little = all(abs(value) <= LITTLE * size for value, size in zip(guess.left, guess.sizes, strict=True))
+    return "almost no extra force" if little else "force of your hand"
+
+
+def said(system: TwoMassChain, omega: float) -> Trial:
+    """The two equations at `omega`; next to a zero, where hardly a double is nearer, at the zero itself."""
+    asked, none = trial(system, omega), Decimal(0)
+    for mode in system.exact_modes:
+        if not within_an_ulp(omega, mode.omega):
+            continue
+        if not system.k2:
+            if mode.shape[0]:  # mass 1 alone: row 1 is 0 = 0
+                asked = asked._replace(matrix=((none, none), asked.matrix[1]), rows=(None, asked.rows[1]))
+            return asked._replace(determinant=none)
+        with precise():
+            rows = (mode.shape[1] / mode.shape[0],) * 2
+        return asked._replace(determinant=none, rows=rows, apart=none)
+    m1, m2, k1, k2 = system.exact_parameters
+    with precise():
+        alone = ((k1 + k2) / m1).sqrt(), (k2 / m2).sqrt()
+    (a11, a12), (_, a22), (one, two) = *asked.matrix, asked.rows
+    if k2 and within_an_ulp(omega, alone[0]):
+        a11, one = none, none
+    if k2 and within_an_ulp(omega, alone[1]):
+        a22, two = none, Decimal("inf")
+    return asked._replace(matrix=((a11, a12), (a12, a22)), rows=(one, two), apart=asked.apart if a22 else None)
+
+
+def agreement(guess: Guess) -> str:
+    """Which sentence on both rows holds: how far apart they are, that they are one equation, or what obeys both."""
+    one, two = guess.asked.rows
+    if not guess.system.k2:
+        free = {(True, True): "every", (True, False): "alone_1", (False, True): "alone_2"}
+        return free.get((one is None, two is None), "pole")
+    for mode, exactly in zip(MODES, guess.system.exact_modes, strict=True):
+        if within_an_ulp(guess.omega, exactly.omega):
+            return f"same_{mode}"
+    if guess.asked.apart is None or one is None or two is None:
+        return "pole"
+    for mode, w in zip(MODES, guess.system.modes().omega, strict=True):
+        if abs(guess.omega - w) <= NEAR * w and abs(guess.asked.apart) <= ALIKE * max(abs(one), abs(two)):
+            return f"near_{mode}"
+    return "apart"
+
+
+def kind_of(asked: Decimal | None) -> str:
+    """The form of the sentence on the shape that an equation asks for."""
+    return "any" if asked is None else "number" if asked.is_finite() else "pole"
+
+
+def inside(axis: Axis, value: float | Decimal) -> bool:
+    """Whether a value is within the range of an axis."""
+    return axis.start <= value <= axis.end
