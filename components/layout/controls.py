@@ -27,7 +27,7 @@ from components.language.shapes import AnyShape
 from components.layout.choices import labelled, stated, word
 from components.layout.text import rich
 from components.quantities.numbers import MINUS, shortest, tidy
-from components.quantities.parameters import AnyParameter, Quantity, Values
+from components.quantities.parameters import AnyParameter, Quantity, Values, names_of
 from components.quantities.units import Unit
 
 Choice = (param.Selector, param.Boolean)
@@ -60,8 +60,7 @@ class Group:
 
     @property
     def names(self) -> list[str]:
-        """The names of its parameters, which they have once a scene has them."""
-        return [one.name or "" for one in self.parameters]
+        return names_of(self.parameters)
 
     def stands(self, forms: Mapping[str, str]) -> bool:
         return self.form is None or bool(forms.get(self.form.name))

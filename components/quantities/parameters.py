@@ -21,6 +21,11 @@ Values: TypeAlias = Mapping[str, object]
 Word = TypeVar("Word", bound=str)
 
 
+def names_of(parameters: Iterable[AnyParameter]) -> list[str]:
+    """Their names, which they have from the scene that declares them."""
+    return [one.name or "" for one in parameters]
+
+
 def one_of(
     default: Word, objects: Iterable[Word] | Mapping[Word, str], label: str, doc: str = ""
 ) -> param.Selector[Word]:

@@ -10,6 +10,7 @@ import param
 
 from components.language.messages import Onward
 from components.layout.controls import Group
+from components.layout.stage import PlotFrame
 from components.quantities.declared import LiveNumber
 from components.quantities.parameters import AnyParameter, Quantity, Values
 from components.scene.running import Running
@@ -38,12 +39,12 @@ class SceneInfo(param.Parameterized):
     start: ClassVar[str] = "Start from"
     start_folded: ClassVar[bool] = False
     """The title over the presets, and whether they are folded under it."""
-    physical: ClassVar[tuple[str, ...]] = ()
+    physical: ClassVar[tuple[AnyParameter, ...]] = ()
     """The choices that make another system; the others only show it in another way."""
-    reached: ClassVar[tuple[str, ...]] = ()
+    reached: ClassVar[tuple[AnyParameter, ...]] = ()
     """The parameters that record what a visitor has reached: a link carries them, and nothing is compared with them."""
-    pictured: ClassVar[tuple[str, Values]] = ("", {})
-    """The plot that stands for it on the start page, "" for the first, and the values that it is drawn with."""
+    pictured: ClassVar[tuple[PlotFrame | None, Values]] = (None, {})
+    """The plot that stands for it on the start page, else its first, and the values that it is drawn with."""
     places: ClassVar[tuple[str, ...]] = ()
     """The actions that are places rather than commands: their buttons show whether the scene is there."""
     work: ClassVar[type[Running] | None] = None

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from components.language.blocks import PlotBlock
+from components.language.numbers import called
 from components.quantities.axes import Axis
 from components.scene import Picture, Scene
 from components.state.scene_sheet import plots
@@ -30,9 +31,9 @@ class Stroke:
 
 def thumbnail(scene: type[Scene]) -> list[Stroke]:
     """The curves of the plot that stands for a scene, as it opens, from back to front."""
-    name, values = scene.pictured
+    frame, values = scene.pictured
     picture = scene(**{**scene.opens, **values}).shown
-    plot = _plot(scene, picture, name)
+    plot = _plot(scene, picture, called(frame))
     x, y = picture.axes[plot.x], picture.axes[plot.y]
     strokes = []
     for band in plot.regions:

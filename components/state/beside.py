@@ -21,11 +21,11 @@ AnyScene = TypeVar("AnyScene", bound=Scene)
 def holdable(scene: type[Scene]) -> dict[str, AnyParameter]:
     """The parameters that are held; the others say how a picture is shown, or what has been reached."""
     known = scene.linked().items()
-    return {name: one for name, one in known if name not in scene.reached and not _is_view(scene, name, one)}
+    return {name: one for name, one in known if one not in scene.reached and not _is_view(scene, name, one)}
 
 
 def _is_view(scene: type[Scene], name: str, parameter: AnyParameter) -> bool:
-    return name == WINDOW or (not isinstance(parameter, Quantity) and name not in scene.physical)
+    return name == WINDOW or (not isinstance(parameter, Quantity) and parameter not in scene.physical)
 
 
 def own_values(scene: Scene) -> dict[str, object]:

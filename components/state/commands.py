@@ -114,7 +114,7 @@ def _quantity(scene: Scene, name: str) -> Quantity | None:
 def _parameter(scene: Scene, name: str) -> AnyParameter | None:
     """A parameter of the scene; None where there is none, and for one that only records what has been reached."""
     known = type(scene).param
-    return None if name in scene.reached or name not in known else known[name]
+    return None if name not in known or known[name] in scene.reached else known[name]
 
 
 def _still(scene: Scene, name: str) -> str:

@@ -12,6 +12,7 @@ from components.language.plots import Curve
 from components.language.shapes import Label
 from components.language.text import Forms
 from components.layout.sheet import in_force
+from components.quantities.parameters import names_of
 from components.quantities.refusals import in_words
 from components.scene import Picture, Scene
 from components.state.covers import PLOT, STAGE, TABLE, VALUE, without
@@ -70,7 +71,8 @@ def _chain(scene: Scene) -> object:
     values = scene.values
     shares = scene.shares and all(values[name] == value for name, value in scene.sharing.items())
     names = set(scene.shares.values()) if shares else scene.quantities() - {"window"}
-    return scene.slug, tuple(sorted((name, values[name]) for name in {*names, *scene.sharing, *scene.physical}))
+    names = {*names, *scene.sharing, *names_of(scene.physical)}
+    return scene.slug, tuple(sorted((name, values[name]) for name in names))
 
 
 def _quantities(

@@ -29,7 +29,7 @@ def views(slug: str) -> Iterator[dict[str, Any]]:
     choices = [
         {name: value}
         for name, one in scene.linked().items()
-        if hasattr(one, "objects") and name not in scene.physical
+        if hasattr(one, "objects") and one not in scene.physical
         for value in one.objects
     ]
     for preset in ({}, *scene.presets.values()):

@@ -27,6 +27,7 @@ from components.scenes.absorber.numbers import Numbers as N
 from components.scenes.absorber.numbers import goal_texts
 from components.scenes.absorber.places import Places, drawn
 from components.scenes.absorber.sheet import absorber_sheet
+from components.scenes.absorber.stage import SWING
 from components.scenes.absorber.words import PLAYED, WATCH, Forms
 from physics.absorber import den_hartog, tuned_stiffness
 from physics.forced import antiresonance
@@ -60,7 +61,7 @@ class Absorber(Scene):
     lecture = "D34"
     points = "point 9"
     headline = "A tuned mass holds the machine still; the price is two resonances"
-    pictured = ("swing", {})
+    pictured = (SWING, {})
     spoken = {"machine": N.swing, "resonances": f"{{{N.slow.name}}} and {N.fast.aloud}"}
     equations = (
         "m1 x1'' = -k1 x1 - k2 (x1 - x2) - c (x1' - x2') + F_0 sin(omega t)",
@@ -74,8 +75,6 @@ class Absorber(Scene):
         "Above": {"omega": 60.0},
         "Own": {"own": True},
     }
-    physical = ("tuning", "damping")
-    reached = ("lightest", "lightest_k2")
 
     m1 = mass(100.0, symbol="m_1", tint="m1", softbounds=(10, 1000), says="is the machine. Type any value above 0.")
     k1 = positive(
@@ -117,6 +116,7 @@ class Absorber(Scene):
     _valley = angular_frequency(48.0, symbol="ω₂", label="tuned frequency")
     lightest = positive(None, label="mass", symbol="m_2", unit="kg", softbounds=(1.0, 100.0), **RECORD)
     lightest_k2 = not_negative(None, label="stiffness", symbol="k_2", unit="N/m", softbounds=(0, 200e3), **RECORD)
+    physical, reached = (tuning, damping), (lightest, lightest_k2)
     groups = (
         Group(
             "The machine",

@@ -37,7 +37,6 @@ class Accuracy(Scene):
     headline = "Stepping pays for digits; the formula does not"
     equations = chain.DRIVEN
     work = Measurement
-    physical = ("system",)
     shares = chain.SHARES
     sharing = {"system": OWN}
     start = "System"
@@ -48,6 +47,7 @@ class Accuracy(Scene):
     }
 
     system = one_of("benign", [*SYSTEMS, OWN], "System")
+    physical = (system,)
     wanted = positive(
         1e-6, symbol="error", unit="", label="error", softbounds=(1e-15, 1.0), scale="log",
         says="is the accepted error. The list says what it costs.",

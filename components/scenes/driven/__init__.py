@@ -16,7 +16,7 @@ from components.scene.frames import FITTED, framed
 from components.scene.traces import over_time
 from components.scenes.driven.about import driven_about
 from components.scenes.driven.case import KINDS, DrivenCase
-from components.scenes.driven.curves import END, Places, Resonance, Signals, axes_of, columns_of, drawn, exact
+from components.scenes.driven.curves import END, RESPONSE, Places, Resonance, Signals, axes_of, columns_of, drawn, exact
 from components.scenes.driven.numbers import Numbers as N
 from components.scenes.driven.polygon import corners_of
 from components.scenes.driven.sheet import KIND, driven_sheet
@@ -35,7 +35,7 @@ class DrivenScene(DashpotScene):
     lecture = "D32, D33"
     points = "forced vibration with a dashpot"
     headline = "At resonance spring and inertia cancel; only the dashpot holds the push"
-    pictured = ("response", {})
+    pictured = (RESPONSE, {})
     spoken = {"size of the swing": N.X, "r": N.r, "lag": N.phi}
     equations = (
         "kind = force: m x'' + c x' + k x = F_0 sin(omega t)",
@@ -45,7 +45,6 @@ class DrivenScene(DashpotScene):
         "P_in and P_lost are means over the last 2 pi/omega; 0 before t = 0",
     )
     watch = WATCH
-    physical = ("kind",)
     presets = {
         "Below": {"kind": "force", "F_0": 2.0, "omega": 4.398, "m": 1.0, "k": 39.48, "c": 2.513, "keep": "c"},
         "Resonance": {"omega": 6.2833},
@@ -58,6 +57,7 @@ class DrivenScene(DashpotScene):
     }
 
     kind = KIND
+    physical = (kind,)
     F_0 = force(2.0, says="is the amplitude of the force. Type any value from 0 up.")
     Y = not_negative(
         0.05, symbol="Y", unit="m", label="amplitude of the base", tint="F", softbounds=(0.0, 0.2),

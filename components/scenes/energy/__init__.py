@@ -14,7 +14,7 @@ from components.scene.frames import FITTED, framed
 from components.scene.traces import over_time
 from components.scenes.energy.about import energy_about
 from components.scenes.energy.case import HangingCase, axes_of
-from components.scenes.energy.curves import PLANETS, Places, Signals, drawn, exact, planets_of, well_columns
+from components.scenes.energy.curves import ENERGY, PLANETS, Places, Signals, drawn, exact, planets_of, well_columns
 from components.scenes.energy.numbers import Forms
 from components.scenes.energy.numbers import Numbers as N
 from components.scenes.energy.sheet import hanging_sheet
@@ -28,7 +28,7 @@ class Energy(Scene):
     lecture = "D31"
     points = "points 4 to 6"
     headline = "Energy swings between motion and position; the sum stays constant"
-    pictured = ("energy", {"window": 1.5})
+    pictured = (ENERGY, {"window": 1.5})
     spoken = {"natural frequency": N.omega, "period": N.tau, "energy": N.E_total, "static deflection": N.delta_st}
     equations = (
         "m x'' + k x = 0; x downwards from equilibrium",

@@ -59,7 +59,7 @@ class ModesScene(Scene):
     lecture = "D34"
     points = "points 3, 4"
     headline = "Both masses agree on a shape at just two frequencies"
-    pictured = ("shape", {"task": "guess"})
+    pictured = (guess.SHAPE, {"task": "guess"})
     spoken = {"slow mode": ComparedNumbers.omega_slow, "fast mode": ComparedNumbers.omega_fast}
     equations = (
         *chain.FREE,

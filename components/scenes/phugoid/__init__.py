@@ -45,7 +45,7 @@ class Phugoid(Scene):
     lecture = "D31"
     points = "points 8 to 10"
     headline = "Left alone, an aircraft swings; only its speed sets the period"
-    pictured = (PATH.name, {"excess": 0.5})
+    pictured = (PATH, {"excess": 0.5})
     spoken = {"period by the linear theory": N.tau, "this swing": N.late}
     equations = (
         "V' = -g sin(theta); V theta' = g (V/v_0)^2 - g cos(theta); lift over weight = (V/v_0)^2",
