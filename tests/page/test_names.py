@@ -17,7 +17,7 @@ from components.quantities.declared import Declared, DrawnAxis, Family, Named
 from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.accuracy.recorded import recorded
-from components.state.scene_sheet import scene_sheet
+from components.state.scene_sheet import plots, scene_sheet
 from physics.accuracy import SYSTEMS
 from tests.page.hand import draw, grabs, sets
 from tests.scenes.checks import choices
@@ -129,14 +129,20 @@ def test_each_form_has_its_words(slug: str) -> None:
 @scenes
 def test_what_a_sheet_sets_is_a_parameter(slug: str) -> None:
     scene = SCENES[slug]
-    plots = [block for block in blocks(scene.sheet()) if isinstance(block, PlotBlock)]
-    named = [handle.parameter for plot in plots for handle in plot.handles]
-    named += [mark.set for plot in plots for mark in plot.marks if mark.set]
+    marks = [mark for plot in plots(scene) for mark in plot.marks]
+    named = [handle.parameter for plot in plots(scene) for handle in plot.handles]
+    named += [mark.set for mark in marks if mark.set]
     named += [block.name for block in blocks(scene.sheet()) if isinstance(block, ChoiceBlock)]
     named += [name for _, grab in grabs(scene) for name in (*sets(grab), *(begin.parameter for begin in grab.start))]
     assert set(named) <= scene.parameters().keys()
-    acts = {mark.act for plot in plots for mark in plot.marks if mark.act}
-    assert acts <= {name for group in scene.groups for name, _ in group.actions}
+    assert {mark.act for mark in marks if mark.act} <= {name for group in scene.groups for name, _ in group.actions}
+
+
+@scenes
+def test_a_term_has_the_name_of_a_curve(slug: str) -> None:
+    """Another one's switch would do nothing."""
+    for plot in plots(SCENES[slug]):
+        assert {term.curve for term in plot.heading} <= {"", *(one.group for one in (*plot.curves, *plot.regions))}
 
 
 @scenes

@@ -16,7 +16,7 @@ from components.scenes.damped.about import damped_about
 from components.scenes.damped.case import DampedCase
 from components.scenes.damped.curves import Signals, axes_of, columns_of, drawn, exact, instants
 from components.scenes.damped.numbers import Numbers as N
-from components.scenes.damped.places import Arrows, Places
+from components.scenes.damped.places import Arrows, Places, stairs_of
 from components.scenes.damped.sheet import damped_sheet
 from components.scenes.damped.watch import WATCH
 from components.scenes.damped.words import Forms, notes
@@ -79,7 +79,7 @@ class Damped(DashpotScene):
             axes=axes,
             signals=Signals.signals(case, axes),
             traces=over_time(case.end, case.fastest, drawn(case, t), lambda t: exact(case, t)),
-            scalars=Places.scalars(case, axes) | forces,
+            scalars=Places.scalars(case, axes) | stairs_of(case, axes) | forces,
             pace=pace(case.omega, case.omega),
             values=N.texts(case, axes),
             live=Signals.live(axes),

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 from components import dashpot
 from components.layout.stage import wire
 from components.quantities import declared
 from components.quantities.axes import Axis
-from components.quantities.declared import Declared, DrawnAxis, Family, Scalar
+from components.quantities.declared import Declared, Scalar, by_name
 from components.quantities.motion import scaled
-from components.scenes.damped.case import MOST_PEAKS, DampedCase, Moment
+from components.scenes.damped.case import MOST_PEAKS, DampedCase
 from components.scenes.damped.curves import Axes as A
 
 LEAST_DROP = 0.04
@@ -19,25 +20,6 @@ TICKS, NAMED = (0.2, 0.4, 0.6, 0.8), (0.4, 0.8)
 PEAKS, STAIRS = range(MOST_PEAKS), range(MOST_PEAKS - 1)
 
 scalar = Scalar[DampedCase]
-
-
-def _peak(case: DampedCase, axes: declared.Axes, i: int) -> Moment | None:
-    """A peak in the window."""
-    x = A.x(axes)
-    peaks = case.peaks if case.kind == "under" else ()
-    seen = [peak for peak in peaks if peak.t <= case.end and x.start <= peak.x <= x.end]
-    return seen[i] if i < len(seen) else None
-
-
-def _drop(case: DampedCase, axes: declared.Axes, i: int) -> bool:
-    """Whether the drop from a peak to the next one is seen."""
-    one, two, x = _peak(case, axes, i), _peak(case, axes, i + 1), A.x(axes)
-    return bool(one and two and abs(one.x - two.x) >= LEAST_DROP * (x.end - x.start))
-
-
-def _place(case: DampedCase, axes: declared.Axes, i: int, on: DrawnAxis) -> float | None:
-    peak = _peak(case, axes, i)
-    return peak and on(axes).place(peak.t if on is A.t else peak.x)
 
 
 def _top(case: DampedCase) -> bool:
@@ -55,10 +37,7 @@ class Places(dashpot.Has):
     wire = scalar(lambda c, a: wire(c.oscillator.k))
     per_reach = scalar(lambda c, a: 1.25 / A.x(a).place(A.x(a).end))
     # The stairs: each peak in the window, and where the drop to the next one is seen.
-    peak = Family(PEAKS, lambda i: scalar(lambda c, a: _peak(c, a, i) is not None))
-    peak_t = Family(PEAKS, lambda i: scalar(lambda c, a: _place(c, a, i, A.t)))
-    peak_x = Family(PEAKS, lambda i: scalar(lambda c, a: _place(c, a, i, A.x)))
-    stair = Family(STAIRS, lambda i: scalar(lambda c, a: _drop(c, a, i)))
+    peak, peak_t, peak_x, stair = scalar.each(PEAKS), scalar.each(PEAKS), scalar.each(PEAKS), scalar.each(STAIRS)
     over = scalar(lambda c, a: math.copysign(1.0, c.peaks[0].x) if c.peaks else None)
     # Where the dashpot takes most.
     top = scalar(lambda c, a: _top(c))
@@ -86,6 +65,19 @@ class Places(dashpot.Has):
     slow_root = scalar(
         lambda c, a: scaled(0, c.oscillator.rates[0], 1 / c.oscillator.omega_n) if c.roots == "real" else 1.0
     )
+
+
+def stairs_of(case: DampedCase, axes: declared.Axes) -> dict[str, float]:
+    """The peaks in the window, and from which of them the drop to the next one is seen."""
+    P, t, x = Places, A.t(axes), A.x(axes)
+    peaks = case.peaks if case.kind == "under" else ()
+    seen = [peak for peak in peaks if peak.t <= case.end and x.start <= peak.x <= x.end]
+    found = dict.fromkeys((*P.peak.values(), *P.stair.values()), 0.0)
+    for i, one in enumerate(seen):
+        found |= {P.peak[i]: 1.0, P.peak_t[i]: t.place(one.t), P.peak_x[i]: x.place(one.x)}
+    for i, (one, two) in enumerate(pairwise(seen)):
+        found[P.stair[i]] = float(abs(one.x - two.x) >= LEAST_DROP * (x.end - x.start))
+    return by_name(found)
 
 
 def _per(case: DampedCase, of: Axis, factor: float) -> float | None:
