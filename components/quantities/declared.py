@@ -141,7 +141,7 @@ class LiveNumber(Named, Generic[Case]):
     """A number of a case, in SI units: None where there is none, a text where it stands for itself.
 
     With a symbol it is compared with that of another picture. `form` writes it, or the axis that it is counted on;
-    its text ends with its unit where it is `whole`; `angle` and `also` are those of its readout.
+    its text ends with its unit where it is `whole`; it may be an `angle`, and other numbers may tell it `also`.
     """
 
     value: Callable[[Case], float | Decimal | str | None]
@@ -152,7 +152,7 @@ class LiveNumber(Named, Generic[Case]):
     axis: AxisUnit | None = None
     whole: bool = False
     angle: bool = False
-    also: tuple[str, ...] = ()
+    also: tuple[Named, ...] = ()
 
     @classmethod
     def both(cls, values: Callable[[Case], Any], form: Callable[[Any], str] = three, **rest: Any) -> list[Self]:
@@ -178,7 +178,8 @@ class LiveNumber(Named, Generic[Case]):
     def readout(self, case: Case) -> Iterator[Readout]:
         value = self.value(case) if self.symbol else None
         if value is not None and not isinstance(value, str):
-            yield Readout(self.name, self.symbol, float(value), self.unit, self.tint, self.angle, self.also)
+            also = tuple(one.name for one in self.also)
+            yield Readout(self.name, self.symbol, float(value), self.unit, self.tint, self.angle, also)
 
 
 class Declared(Generic[Case]):

@@ -12,6 +12,7 @@ from components.chain.modes import MODES, PARTS, directions
 from components.chain.parameters import Pair
 from components.quantities.declared import Declared, LiveNumber
 from components.quantities.numbers import plus, signed, three
+from components.scenes.modes.guess import Numbers as GuessNumbers
 from physics.braked_modes import BrakedMode, braked_modes, in_line
 from physics.coupled import Modes, TwoMassChain
 from physics.laplace import Driven, transform
@@ -73,19 +74,6 @@ number = LiveNumber[Modes]
 solved = LiveNumber[TwoMassChain]
 term = LiveNumber[Quadratic]
 braked = LiveNumber[BrakedChain]
-
-
-class ComparedNumbers(Declared[Modes]):
-    """The frequencies and the shapes, with all names by which a view tells them."""
-
-    omega_slow = number(lambda m: m.omega[0], "ω_{−}", "rad/s", "slow", also=("slow_omega", "slow_long", "now_slow"))
-    ratio_slow = number(
-        lambda m: m.ratio[0], "X₂/X₁_{−}", "", "slow", also=("slow_ratio", "r_slow", "now_ratio_slow", "answer_slow")
-    )
-    omega_fast = number(lambda m: m.omega[1], "ω_{+}", "rad/s", "fast", also=("fast_omega", "fast_long", "now_fast"))
-    ratio_fast = number(
-        lambda m: m.ratio[1], "X₂/X₁_{+}", "", "fast", also=("fast_ratio", "r_fast", "now_ratio_fast", "answer_fast")
-    )
 
 
 class SweptNumbers(Declared[Modes]):
@@ -155,3 +143,24 @@ class BrakedNumbers(Declared[BrakedChain]):
     p4 = braked(lambda c: c.powers[4])
     p3, p2 = braked.both(lambda c: c.powers[3:1:-1], plus)
     p1, p0 = braked.both(lambda c: c.powers[1::-1], plus)
+
+
+class ComparedNumbers(Declared[Modes]):
+    """The frequencies and the shapes, with all numbers by which a view tells them."""
+
+    omega_slow = number(
+        lambda m: m.omega[0], "ω_{−}", "rad/s", "slow",
+        also=(SolvedNumbers.slow_omega, GuessNumbers.slow_long, SweptNumbers.now_slow),
+    )  # fmt: skip
+    ratio_slow = number(
+        lambda m: m.ratio[0], "X₂/X₁_{−}", "", "slow",
+        also=(SolvedNumbers.slow_ratio, GuessNumbers.r_slow, SweptNumbers.now_ratio_slow, AnswerNumbers.answer_slow),
+    )  # fmt: skip
+    omega_fast = number(
+        lambda m: m.omega[1], "ω_{+}", "rad/s", "fast",
+        also=(SolvedNumbers.fast_omega, GuessNumbers.fast_long, SweptNumbers.now_fast),
+    )  # fmt: skip
+    ratio_fast = number(
+        lambda m: m.ratio[1], "X₂/X₁_{+}", "", "fast",
+        also=(SolvedNumbers.fast_ratio, GuessNumbers.r_fast, SweptNumbers.now_ratio_fast, AnswerNumbers.answer_fast),
+    )  # fmt: skip

@@ -29,8 +29,8 @@ class Numbers(Declared[Swing]):
     gain = number(lambda s: s.gain, axis=AxisUnit(Axes.v, write=lambda axis, gain: signed(axis.place(gain))))
     omega = number(lambda s: s.linear.omega)
     tau = number(lambda s: s.linear.tau, "τ", "s")
-    tau_exact = number(lambda s: s.period, "τ_{exact}", "s", also=("late",))
     late = number(lambda s: f"{three(100 * abs(s.late))} % {'longer' if s.late >= 0 else 'shorter'}")
+    tau_exact = number(lambda s: s.period, "τ_{exact}", "s", also=(late,))
     C = number(lambda s: f"{s.lap.C:.3f}".replace("-0.000", "0.000").replace("-", MINUS))
     verdict = number(verdict)
     examples = tau_model, tau_glider, tau_light, tau_airliner = [example(name) for name in AIRCRAFT]
