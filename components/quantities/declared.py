@@ -26,7 +26,8 @@ Case = TypeVar("Case")
 Value = TypeVar("Value")
 One = TypeVar("One", bound="Named")
 Key = TypeVar("Key")
-Axes = Mapping[str, Axis]
+AxesInForce = Mapping[str, Axis]
+"""The axes of a picture, by name, as it is drawn."""
 
 
 @dataclass(eq=False, kw_only=True)
@@ -56,7 +57,7 @@ class Named:
 class DrawnAxis(Named):
     """An axis of a picture; called with the axes in force it is the one of them."""
 
-    def __call__(self, axes: Axes) -> Axis:
+    def __call__(self, axes: AxesInForce) -> Axis:
         return axes[self.name]
 
 
@@ -64,7 +65,7 @@ class DrawnAxis(Named):
 class Signal(Named, Generic[Case]):
     """A number that moves, None where there is none; in texts it has the digits of the axis `on`."""
 
-    value: Callable[[Case, Axes], AnySignal | None] = lambda case, axes: None
+    value: Callable[[Case, AxesInForce], AnySignal | None] = lambda case, axes: None
     on: DrawnAxis | None = None
     signed: bool = False
 
@@ -73,7 +74,7 @@ class Signal(Named, Generic[Case]):
 class Scalar(Named, Generic[Case]):
     """A number that shapes and marks use, None where there is none; what it shows is drawn unless it is 0."""
 
-    value: Callable[[Case, Axes], float | None] = lambda case, axes: None
+    value: Callable[[Case, AxesInForce], float | None] = lambda case, axes: None
 
 
 @dataclass(eq=False)
@@ -104,9 +105,9 @@ class Form(Named, Generic[Case]):
 class Text(Named, Generic[Case]):
     """A text that stands in other texts; None where there is none, or it is made elsewhere."""
 
-    value: Callable[[Case, Axes], str | None] = lambda case, axes: None
+    value: Callable[[Case, AxesInForce], str | None] = lambda case, axes: None
 
-    def text(self, case: Case, axes: Axes) -> str | None:
+    def text(self, case: Case, axes: AxesInForce) -> str | None:
         return self.value(case, axes)
 
 
@@ -132,7 +133,7 @@ class AxisUnit(Named):
     form: Callable[[Axis], str] = lambda axis: axis.full_unit
     write: Callable[[Axis, float], str] = Axis.number
 
-    def text(self, case: object, axes: Axes) -> str:
+    def text(self, case: object, axes: AxesInForce) -> str:
         return self.form(self.axis(axes))
 
 
@@ -166,7 +167,7 @@ class LiveNumber(Named, Generic[Case]):
         unit = f"{{{self.axis.name}}}" if self.axis else self.unit
         return f"{{{self.name}}}" if self.whole else f"{{{self.name}}} {unit}".rstrip()
 
-    def text(self, case: Case, axes: Axes) -> str:
+    def text(self, case: Case, axes: AxesInForce) -> str:
         value = self.value(case)
         if value is None or isinstance(value, str):
             return value or ""
@@ -187,16 +188,16 @@ class Declared(Generic[Case]):
     order in which they build on each other."""
 
     @classmethod
-    def signals(cls, case: Case, axes: Axes) -> dict[str, AnySignal]:
+    def signals(cls, case: Case, axes: AxesInForce) -> dict[str, AnySignal]:
         return {one.name: value for one in cls._all(Signal) if (value := one.value(case, axes)) is not None}
 
     @classmethod
-    def live(cls, axes: Axes) -> dict[str, Digits]:
+    def live(cls, axes: AxesInForce) -> dict[str, Digits]:
         """The digits of the signals that stand in texts."""
         return {one.name: one.on(axes).digits(one.signed) for one in cls._all(Signal) if one.on}
 
     @classmethod
-    def scalars(cls, case: Case, axes: Axes) -> dict[str, float]:
+    def scalars(cls, case: Case, axes: AxesInForce) -> dict[str, float]:
         return {one.name: float(value) for one in cls._all(Scalar) if (value := one.value(case, axes)) is not None}
 
     @classmethod
@@ -213,7 +214,7 @@ class Declared(Generic[Case]):
         return {one.name: one.variant(case) for one in cls._all(Form)}
 
     @classmethod
-    def texts(cls, case: Case, axes: Axes) -> dict[str, str]:
+    def texts(cls, case: Case, axes: AxesInForce) -> dict[str, str]:
         every = cls._all(LiveNumber, AxisUnit, Text)
         return {one.name: text for one in every if (text := one.text(case, axes)) is not None}
 

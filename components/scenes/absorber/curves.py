@@ -11,9 +11,8 @@ from msgspec.structs import replace
 
 from components.language.numbers import var
 from components.language.signals import AnySignal
-from components.quantities import declared
 from components.quantities.axes import Axis, nice_axis, nice_ticks, time_axis, widest
-from components.quantities.declared import Column, Declared, DrawnAxis, Signal, by_name
+from components.quantities.declared import AxesInForce, Column, Declared, DrawnAxis, Signal, by_name
 from components.quantities.motion import derived, responses, sampled, sines, total
 from components.scene.traces import Columns, Floats, Traces, samples
 from components.scenes.absorber.duty import Duty
@@ -71,7 +70,7 @@ class Sweep(Declared[Duty]):
     helped_lo, helped_hi = column.some(2, "helped")
 
 
-def columns_of(duty: Duty, axes: declared.Axes) -> dict[str, Columns]:
+def columns_of(duty: Duty, axes: AxesInForce) -> dict[str, Columns]:
     """The curves at all frequencies that have an amplitude."""
     w = duty.frequencies(Axes.w(axes).start, Axes.w(axes).end)
     curves = [*duty.curves(w), *(machine_curves(duty.chain, 0.0, duty.F_0, w)[:2] if duty.c else ())]
@@ -192,7 +191,7 @@ def _exact(motion: FromStart) -> Columns:
     return by_name({S.x[1]: motion.x[0], S.x1_p: motion.particular[0], S.x1_c: motion.complementary[0]})
 
 
-def signals_of(duty: Duty, motion: FromStart | None, end: float, axes: declared.Axes) -> dict[str, AnySignal]:
+def signals_of(duty: Duty, motion: FromStart | None, end: float, axes: AxesInForce) -> dict[str, AnySignal]:
     """The machine alone and with the absorber: the particular solution, or the motion from its start, and its parts."""
     size, time, push = Axes.X1(axes), Axes.t(axes), Axes.F(axes)
     found: SignalsFound = {

@@ -6,9 +6,8 @@ import math
 
 import numpy as np
 
-from components.quantities import declared
 from components.quantities.axes import Axis
-from components.quantities.declared import AxisUnit, Declared, LiveNumber, Text, by_name
+from components.quantities.declared import AxesInForce, AxisUnit, Declared, LiveNumber, Text, by_name
 from components.quantities.numbers import short, three
 from components.scenes.absorber.curves import Axes as A
 from components.scenes.absorber.duty import AWAY, Duty
@@ -89,7 +88,7 @@ class Numbers(Declared[Duty]):
     goal, found = Text[Duty].each(range(3)), Text[Duty].each(range(3))
 
 
-def goal_texts(duty: Duty, axes: declared.Axes, lightest: float | None) -> dict[str, str]:
+def goal_texts(duty: Duty, axes: AxesInForce, lightest: float | None) -> dict[str, str]:
     """Goals, what is found in the particular solution, by which they are judged, and from the start; the score."""
     j, share = duty.nearest
     near = f"{('ω₋', 'ω₊')[j]} {(Numbers.slow, Numbers.fast)[j].text(duty, axes)} rad/s"

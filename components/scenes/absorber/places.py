@@ -9,9 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from components.layout.stage import wire
-from components.quantities import declared
 from components.quantities.axes import Axis
-from components.quantities.declared import Declared, DrawnAxis, Family, Scalar, by_name
+from components.quantities.declared import AxesInForce, Declared, DrawnAxis, Family, Scalar, by_name
 from components.quantities.motion import round_down
 from components.quantities.numbers import short
 from components.scenes.absorber.curves import ALONE, FromStart, reach_alone
@@ -38,7 +37,7 @@ def _sides(duty: Duty) -> list[float]:
     return [max(LARGEST * math.sqrt(m / whole), SMALLEST) for m in (duty.m1, duty.m2)]
 
 
-def _across(axes: declared.Axes, w: float) -> float:
+def _across(axes: AxesInForce, w: float) -> float:
     """The place of a drive frequency."""
     return A.w(axes).place(min(w, 4 * A.w(axes).end))
 

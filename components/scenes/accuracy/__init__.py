@@ -78,9 +78,9 @@ class Accuracy(Scene):
     measured = param.Parameter(default=None, doc="The measurement that the page has asked for, as far as it has come.")
     groups = (
         Group("Run", (wanted, limit)),
-        Group("Time of the steps", (clock,), form=F.time),
-        Group("× closed form", (unit,), form=F.time),
-        Group("Compared at", (equal,), form=F.growth),
+        Group("Time of the steps", (clock,), form=F.view["time"]),
+        Group("× closed form", (unit,), form=F.view["time"]),
+        Group("Compared at", (equal,), form=F.view["growth"]),
         Group("", (cost,), form=F.cost),
     )
 

@@ -15,8 +15,7 @@ from components.language.shapes import AnyShape
 from components.layout.plots import Room, curve, mark, plot
 from components.layout.sheet import phrase
 from components.layout.stage import ON_NARROW, ON_WIDE, Looks, PlotFrame, circle, shown_by, text
-from components.quantities import declared
-from components.quantities.declared import Declared, DrawnAxis, Family, Scalar
+from components.quantities.declared import AxesInForce, Declared, DrawnAxis, Family, Scalar
 from components.scenes.accuracy.axes import Axes
 from components.scenes.accuracy.case import AccuracyCase
 from components.scenes.accuracy.data import ALONE, BEHIND, MORE, Kept
@@ -44,11 +43,11 @@ KEYS = (
 scalar = Scalar[AccuracyCase]
 
 
-def _time(run: Run | None, axes: declared.Axes) -> float | None:
+def _time(run: Run | None, axes: AxesInForce) -> float | None:
     return None if run is None else Axes.time(axes).place(run.time or 0.0)
 
 
-def _error(run: Run | None, axes: declared.Axes) -> float | None:
+def _error(run: Run | None, axes: AxesInForce) -> float | None:
     return None if run is None else Axes.error(axes).place(max(run.error or 0.0, LEAST))
 
 
@@ -174,7 +173,7 @@ def growth_plot(of: DrawnAxis, title: str) -> Block:
         room=Room(54, 140),
         phone=10,
         height=300,
-        form=Forms.growth,
+        form=Forms.view["growth"],
     )
 
 

@@ -8,11 +8,10 @@ from components.quantities.parameters import one_of
 from components.scenes.accuracy.axes import Axes
 from components.scenes.accuracy.plots import growth_plot, picked_plot, work_plot
 from components.scenes.accuracy.studies import digits_view, length_view, stability_view
-from components.scenes.accuracy.words import CELLS, ROWS, Cells
+from components.scenes.accuracy.words import CELLS, ROWS, VIEWS, Cells
 from components.scenes.accuracy.words import Forms as F
 from components.scenes.accuracy.words import Numbers as N
 
-VIEWS = {"time": "Run time", "growth": "Growth", "length": "Length", "digits": "Digits", "stability": "Stability"}
 VIEW = one_of("time", VIEWS, "View")
 
 
@@ -20,8 +19,8 @@ def paper() -> Block:
     """The five views, of which one stands."""
     return column(
         choice(VIEW, basis=0, style="views"),
-        when(F.time, row(column(desk(_system_words()), work_plot()), _price_column())),
-        when(F.growth, words(f"{N.compared} [mute|{N.missing}]", style="plain", phone=9)),
+        when(F.view["time"], row(column(desk(_system_words()), work_plot()), _price_column())),
+        when(F.view["growth"], words(f"{N.compared} [mute|{N.missing}]", style="plain", phone=9)),
         growth_plot(Axes.error_growth, "Error of the motion, worst so far"),
         growth_plot(
             Axes.energy_growth, "Error of the energy, worst so far: a small one does not prove the phase right"

@@ -73,7 +73,7 @@ def length_view() -> Block:
         phone=9,
     )
     plots = [_length_plot(Axes.span_time, "Run time"), _length_plot(Axes.span_error, "Largest error of the motion")]
-    return when(Forms.length, column(told, *plots))
+    return when(Forms.view["length"], column(told, *plots))
 
 
 def _length_plot(of: DrawnAxis, title: str) -> Block:
@@ -120,7 +120,7 @@ def digits_view() -> Block:
         style="plain",
         phone=9,
     )
-    return when(Forms.digits, column(told, row(*map(_digits_plot, SWEEPS))))
+    return when(Forms.view["digits"], column(told, row(*map(_digits_plot, SWEEPS))))
 
 
 def _digits_plot(sweep: str) -> Block:
@@ -186,7 +186,7 @@ class Digits(Declared[AccuracyCase]):
 
 def stability_view() -> Block:
     """Amplification a step, and how many steps stability asks for."""
-    return when(Forms.stability, column(_stability_plot(), _steps_plot()))
+    return when(Forms.view["stability"], column(_stability_plot(), _steps_plot()))
 
 
 @cache

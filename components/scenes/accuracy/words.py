@@ -14,6 +14,7 @@ from components.scenes.accuracy.recorded import Recorded, recorded, records
 from physics.accuracy import System
 from physics.solvers import METHODS
 
+VIEWS = {"time": "Run time", "growth": "Growth", "length": "Length", "digits": "Digits", "stability": "Stability"}
 ROWS = len(METHODS)
 CELLS = ("name", "evaluations", "time", "ratio", "compiled", "compiled_ratio")
 
@@ -94,11 +95,7 @@ _ORIGINS = {(True, True): "both", (True, False): "here", (False, True): "before"
 
 
 class Forms(Declared[AccuracyCase]):
-    time = form(lambda c: c.view == "time")
-    growth = form(lambda c: c.view == "growth")
-    length = form(lambda c: c.view == "length")
-    digits = form(lambda c: c.view == "digits")
-    stability = form(lambda c: c.view == "stability")
+    view = Family(VIEWS, lambda one: form(lambda c: c.view == one), "{}")
     cost = form(lambda c: (c.view, c.equal) == ("growth", "cost"))
     compiled = form(lambda c: c.clock == "compiled")
     costs = form(lambda c: bool(c.rows))

@@ -9,9 +9,8 @@ import numpy as np
 from msgspec.structs import replace
 
 from components.language.numbers import Expression, var
-from components.quantities import declared
 from components.quantities.axes import ONE, Axis, nice_axis, time_axis
-from components.quantities.declared import Column, Declared, DrawnAxis, Family, Scalar, Signal, by_name
+from components.quantities.declared import AxesInForce, Column, Declared, DrawnAxis, Family, Scalar, Signal, by_name
 from components.quantities.motion import QUARTER, cosine_of, derived, sampled, sine_of, sines
 from components.quantities.numbers import MINUS, short
 from components.scene.traces import BAND, Columns, Floats, Traces, bands_about_zero, samples
@@ -147,7 +146,7 @@ def _lateness(end: float) -> Columns:
     return by_name({Lateness.angle: angles, Lateness.excess: np.array([excess(math.radians(a)) for a in angles])})
 
 
-def columns_of(case: AnalogueCase, axes: declared.Axes) -> dict[str, Columns]:
+def columns_of(case: AnalogueCase, axes: AxesInForce) -> dict[str, Columns]:
     """A pendulum's lateness, and the bands that q and x fill where they are too fast to draw."""
     late = {"late": _lateness(Axes.angle(axes).end), **Lateness.columns(case)} if case.pendulum else {}
     columns: dict[str, Columns] = {"late": {}, "limits": {}, "here": {}, **late, BAND: {}}
@@ -183,7 +182,7 @@ class Ends(Declared[AnalogueCase]):
     second = scalar(lambda c, a: Axes.t(a).place((3 if c.pendulum else 2) * c.period))
 
 
-def scalars_of(case: AnalogueCase, axes: declared.Axes) -> dict[str, float]:
+def scalars_of(case: AnalogueCase, axes: AxesInForce) -> dict[str, float]:
     """The places of the chosen system; no peak is marked that is not drawn or has left its frame."""
     found = Places.scalars(case, axes) | by_name({Places.of[case.system.slug]: 1.0})
     if case.pendulum:

@@ -26,7 +26,7 @@ from components.scenes.coupled.curves import Axes, CoupledCase, Places, Signals
 from components.scenes.coupled.numbers import Numbers as N
 from components.scenes.coupled.sheet import ENERGY, coupled_sheet
 from components.scenes.coupled.watch import WATCH
-from components.scenes.coupled.words import Forms
+from components.scenes.coupled.words import VIEWS, Forms
 from physics.energy import mean_energy
 from physics.sampling import drawable, time_window
 
@@ -55,15 +55,13 @@ class Coupled(Scene):
     m1, m2, k1, k2 = chain.masses_and_springs(2.0, 1.0, 4.0, 2.0)
     x1_0, x2_0 = chain.start_positions(1.0)
     v1_0, v2_0 = chain.start_velocities()
-    given_by = one_of("values", {"values": "Starting values", "modes": "Modes"}, "The motion is given by")
+    given_by = one_of("values", starting.GIVEN, "The motion is given by")
     X_slow = starting.amplitude("slow", "−", 1 / 3)
     phi_slow = starting.phase("slow", "−", math.pi / 2)
     X_fast = starting.amplitude("fast", "+", 2 / 3)
     phi_fast = starting.phase("fast", "+", math.pi / 2)
     energy = ENERGY
-    view = one_of(
-        "modes", {"modes": "Modes", "constants": "Constants", "forces": "Forces"}, "What is shown beside the motion"
-    )
+    view = one_of("modes", VIEWS, "What is shown beside the motion")
     groups = (
         chain.chain_group(m1, m2, k1, k2),
         Group("Start", (x1_0, x2_0)),

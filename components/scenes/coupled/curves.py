@@ -13,8 +13,7 @@ from components import chain
 from components.chain.grabs import shares
 from components.language.numbers import var
 from components.language.signals import AnySignal
-from components.quantities import declared
-from components.quantities.declared import Declared, DrawnAxis, Family, Scalar, Signal, by_name
+from components.quantities.declared import AxesInForce, Declared, DrawnAxis, Family, Scalar, Signal, by_name
 from components.quantities.motion import derived, scaled, total
 from components.scene.traces import Columns, Floats, trace
 from components.scenes.coupled.starting import GIVEN
@@ -48,13 +47,13 @@ class Axes(chain.Axes):
     E = DrawnAxis()
 
 
-def _square(axes: declared.Axes, size: float, of: Signal[CoupledCase], per: int = 0) -> AnySignal:
+def _square(axes: AxesInForce, size: float, of: Signal[CoupledCase], per: int = 0) -> AnySignal:
     """Half the square of a displacement, or of a velocity (`per` 1), times the size of what has that energy."""
     exponent = Axes.E(axes).exponent - 2 * Axes.x(axes).exponent + 2 * per * Axes.t(axes).exponent
     return derived(scaled(exponent, 0.5, size) * var(of) * var(of))
 
 
-def _level(case: CoupledCase, axes: declared.Axes, one: str) -> AnySignal | None:
+def _level(case: CoupledCase, axes: AxesInForce, one: str) -> AnySignal | None:
     return derived(Axes.E(axes).place(case.levels[one])) if case.energy == "modes" else None
 
 
@@ -118,7 +117,7 @@ class Places(Declared[CoupledCase]):
     by = Family(GIVEN, lambda one: Scalar[CoupledCase](lambda c, a: c.given_by == one))
 
 
-def places(case: CoupledCase, axes: declared.Axes) -> dict[str, float]:
+def places(case: CoupledCase, axes: AxesInForce) -> dict[str, float]:
     """The name of the slow direction stands at its upper end, that of the fast one at its lower end; a mode is taken in
     hand where there is a fast one."""
     x, system = Axes.x(axes), case.free.chain

@@ -24,7 +24,7 @@ SAME = 16 * 2.0**-53
 """Starting values as near as this to those of the modes, over the amplitudes, are theirs but for roundings."""
 
 
-GIVEN = ("values", "modes")
+GIVEN = {"values": "Starting values", "modes": "Modes"}
 """The choices of `given_by`: whether starting values or the modes' amplitudes and phases set the motion."""
 
 

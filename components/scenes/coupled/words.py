@@ -22,6 +22,9 @@ def _slow(case: CoupledCase) -> str:
     return "sine" if slow else "two" if not fast else "drift" if case.free.chain.k2 else "free"
 
 
+VIEWS = {"modes": "Modes", "constants": "Constants", "forces": "Forces"}
+
+
 class Forms(Declared[CoupledCase]):
     slow_fact = form(_slow)
     slow_omega = form(lambda c: _slow(c).replace("free", "drift"))
@@ -30,7 +33,7 @@ class Forms(Declared[CoupledCase]):
     constants = form(lambda c: "shapes" if c.free.chain.k2 else "loose")
     beat = form(lambda c: beating(c.free))
     parts, modes = form(lambda c: c.energy == "parts"), form(lambda c: c.energy == "modes")
-    view = Family(("modes", "constants", "forces"), lambda one: form(lambda c: c.view == one))
+    view = Family(VIEWS, lambda one: form(lambda c: c.view == one))
     start = Family(GIVEN, lambda one: form(lambda c: c.given_by == one))
 
 

@@ -7,9 +7,8 @@ from msgspec.structs import replace
 
 from components.language.numbers import var
 from components.language.signals import AnySignal
-from components.quantities import declared
 from components.quantities.axes import Axis, nice_axis, time_axis, whole_axis
-from components.quantities.declared import Column, Declared, DrawnAxis, Signal, by_name
+from components.quantities.declared import AxesInForce, Column, Declared, DrawnAxis, Signal, by_name
 from components.quantities.motion import QUARTER, damped, derived, scaled, sines, total
 from components.scene.traces import Columns, Floats, bands_about_zero, samples
 from components.scenes.damped.case import DampedCase
@@ -51,7 +50,7 @@ def axes_of(case: DampedCase) -> dict[str, Axis]:
     })  # fmt: skip
 
 
-def _part(case: DampedCase, axes: declared.Axes, size: float, rate: int) -> AnySignal:
+def _part(case: DampedCase, axes: AxesInForce, size: float, rate: int) -> AnySignal:
     """One of the exponentials, slow (0) or fast (1)."""
     return sines(Axes.x(axes), Axes.t(axes), (size, 0.0, QUARTER, case.oscillator.rates[rate]))
 

@@ -7,9 +7,8 @@ from itertools import pairwise
 
 from components import dashpot
 from components.layout.stage import wire
-from components.quantities import declared
 from components.quantities.axes import Axis
-from components.quantities.declared import Declared, Scalar, by_name
+from components.quantities.declared import AxesInForce, Declared, Scalar, by_name
 from components.quantities.motion import scaled
 from components.scenes.damped.case import MOST_PEAKS, DampedCase
 from components.scenes.damped.curves import Axes as A
@@ -27,7 +26,7 @@ def _top(case: DampedCase) -> bool:
     return bool(case.P_max) and 0 < case.top.t < case.end
 
 
-def _held(case: DampedCase, axes: declared.Axes) -> bool:
+def _held(case: DampedCase, axes: AxesInForce) -> bool:
     """Whether the faster root, or the upper one of a pair, is seen."""
     return case.roots == "pair" or (case.roots == "real" and -case.oscillator.rates[1] >= A.re(axes).start)
 
@@ -67,7 +66,7 @@ class Places(dashpot.Has):
     )
 
 
-def stairs_of(case: DampedCase, axes: declared.Axes) -> dict[str, float]:
+def stairs_of(case: DampedCase, axes: AxesInForce) -> dict[str, float]:
     """The peaks in the window, and from which of them the drop to the next one is seen."""
     P, t, x = Places, A.t(axes), A.x(axes)
     peaks = case.peaks if case.kind == "under" else ()

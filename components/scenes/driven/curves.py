@@ -11,9 +11,8 @@ from msgspec.structs import replace
 from components import dashpot
 from components.language.signals import AnySignal
 from components.layout.stage import PlotFrame, wire
-from components.quantities import declared
 from components.quantities.axes import ONE, Axis, nice_axis, time_axis
-from components.quantities.declared import Column, Declared, DrawnAxis, Family, Scalar, Signal, by_name
+from components.quantities.declared import AxesInForce, Column, Declared, DrawnAxis, Family, Scalar, Signal, by_name
 from components.quantities.motion import QUARTER, damped, driven, sines, total
 from components.scene.traces import Columns, Floats, bands_about_zero
 from components.scenes.driven.case import KINDS, DrivenCase
@@ -61,7 +60,7 @@ def axes_of(case: DrivenCase) -> dict[str, Axis]:
     })  # fmt: skip
 
 
-def _edge(axes: declared.Axes, rate: float) -> AnySignal:
+def _edge(axes: AxesInForce, rate: float) -> AnySignal:
     """One of the straight lines between which a swing grows."""
     return sines(Axes.x(axes), Axes.t(axes), line=(0.0, rate))
 

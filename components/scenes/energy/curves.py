@@ -8,9 +8,8 @@ import numpy as np
 
 from components.language.numbers import Expression, var
 from components.layout.stage import PlotFrame, wire
-from components.quantities import declared
 from components.quantities.axes import ONE, Axis
-from components.quantities.declared import Column, Declared, Scalar, Signal, by_name
+from components.quantities.declared import AxesInForce, Column, Declared, Scalar, Signal, by_name
 from components.quantities.motion import QUARTER, derived, sines
 from components.scene.traces import Columns, Floats, band_columns, bands_over_time, trace
 from components.scenes.energy.case import Axes, HangingCase
@@ -23,7 +22,7 @@ X, WELL, ENERGY = map(PlotFrame, ("x", "well", "energy"))
 signal, scalar = Signal[HangingCase], Scalar[HangingCase]
 
 
-def _weight(case: HangingCase, axes: declared.Axes) -> Expression:
+def _weight(case: HangingCase, axes: AxesInForce) -> Expression:
     return Axes.E(axes).place(case.weight) * var(Signals.sine)
 
 
@@ -99,7 +98,7 @@ def well_columns(case: HangingCase, axes: dict[str, Axis]) -> Columns:
     return by_name(columns | {Well.V: slide, Well.constant: np.full_like(x, -case.constant)})
 
 
-def _tenth(axes: declared.Axes) -> float:
+def _tenth(axes: AxesInForce) -> float:
     """Less than this apart, in m, two levels have one name."""
     return 0.1 * (Axes.x(axes).start - Axes.x(axes).end)
 

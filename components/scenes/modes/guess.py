@@ -40,9 +40,9 @@ from components.layout.stage import (
     text,
 )
 from components.layout.text import rich
-from components.quantities import declared
 from components.quantities.axes import Axis, nice_axis, squared_axis, time_axis
 from components.quantities.declared import (
+    AxesInForce,
     Column,
     Declared,
     DrawnAxis,
@@ -102,7 +102,7 @@ class Curves(Declared[Guess]):
     row2_below, row2_above = Column[Guess]("row2_below"), Column[Guess]("row2_above")
 
 
-def _swung(guess: Guess, axes: declared.Axes, size: float) -> AnySignal:
+def _swung(guess: Guess, axes: AxesInForce, size: float) -> AnySignal:
     """A motion of the guess, from full swing; at omega = 0 it stays there."""
     return sines(METRES, Axes.t(axes), (size, guess.omega, QUARTER))
 

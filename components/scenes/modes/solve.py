@@ -13,9 +13,8 @@ from components.language.signals import AnySignal
 from components.language.state import Frame
 from components.layout.sheet import Paragraph, either, row, stage, words
 from components.layout.stage import ON_NARROW, ON_WIDE, H, Shape, W, arrow, box, circle, line, text
-from components.quantities import declared
 from components.quantities.axes import Axis, time_axis
-from components.quantities.declared import Declared, Family, Form, Scalar, Signal, by_name
+from components.quantities.declared import AxesInForce, Declared, Family, Form, Scalar, Signal, by_name
 from components.quantities.motion import QUARTER, pace, sines
 from components.scene import Picture
 from components.scene.frames import FITTED, framed
@@ -36,7 +35,7 @@ METRES = Axis(-1.0, 1.0, "m")
 signal, form = Signal[BrakedChain], Form[BrakedChain]
 
 
-def _turned(case: BrakedChain, axes: declared.Axes, i: int, mode: str, ahead: float) -> AnySignal:
+def _turned(case: BrakedChain, axes: AxesInForce, i: int, mode: str, ahead: float) -> AnySignal:
     """A complex amplitude as it turns: its real part, or the imaginary one, a quarter turn behind."""
     X, time = case.amplitudes[i, mode], Axes.t(axes)
     s = case.exponents[mode]

@@ -10,9 +10,8 @@ from msgspec.structs import replace
 from components.language.numbers import var
 from components.language.signals import AnySignal
 from components.layout.stage import wire
-from components.quantities import declared
 from components.quantities.axes import ONE, Axis, nice_axis, time_axis
-from components.quantities.declared import Declared, DrawnAxis, Family, Scalar, Signal, by_name
+from components.quantities.declared import AxesInForce, Declared, DrawnAxis, Family, Scalar, Signal, by_name
 from components.quantities.motion import QUARTER, derived, scaled, sines
 from components.quantities.numbers import MINUS, power_unit, three
 from components.scene.traces import Columns, Floats, bands_about_zero, samples
@@ -65,7 +64,7 @@ def force_axis(case: Oscillation) -> dict[str, Axis]:
     return by_name({Axes.F: nice_axis(0.0, largest or 1.0, "N", exact=True)})
 
 
-def _row(case: Oscillation, axes: declared.Axes, i: int) -> AnySignal:
+def _row(case: Oscillation, axes: AxesInForce, i: int) -> AnySignal:
     """x, v or a."""
     size, time = OF_ROWS[i](axes), Axes.t(axes)
     if not case.omega:
@@ -145,7 +144,7 @@ class Marks(Declared[Oscillation]):
     top = Family(range(3), lambda i: scalar(lambda c, a: OF_ROWS[i](a).place(c.amplitudes[i])))
 
 
-def scalars_of(case: Oscillation, axes: declared.Axes) -> dict[str, float]:
+def scalars_of(case: Oscillation, axes: AxesInForce) -> dict[str, float]:
     """Places of what turns or is marked are given where it does; no peak is marked that has left its frame."""
     found = Places.scalars(case, axes)
     if case.turns:

@@ -27,6 +27,7 @@ from components.scenes.phugoid.flight import (
     period_shapes,
     velocity_shapes,
 )
+from components.scenes.phugoid.numbers import VIEWS
 from components.scenes.phugoid.numbers import Forms as F
 from components.scenes.phugoid.numbers import Numbers as N
 from components.scenes.phugoid.plots import exchange_plots, lift_plot, path_plot, period_plot, swing_plot, velocity_plot
@@ -35,7 +36,7 @@ from components.scenes.phugoid.watch import WATCH
 from physics.phugoid import CUSP_EXCESS, EXCESS_AT_LATENESS
 
 LARGEST = 3.0  # v_0; the flight is then a small circle far below the level line
-SHOW = one_of("period", {"period": "Period", "lift": "Lift", "exchange": "Exchange", "limits": "Limits"}, "View")
+SHOW = one_of("period", VIEWS, "View")
 TASK = "Change the speed v₀, the mass, the disturbance: which of them changes the period?"
 
 
@@ -128,10 +129,10 @@ class Phugoid(Scene):
             row(
                 column(
                     desk(choice(SHOW, phone=5)),
-                    when(F.period, period_plot()),
-                    *(when(F.lift, block) for block in lift_plot()),
-                    *(when(F.exchange, block) for block in exchange_plots()),
-                    when(F.limits, velocity_plot()),
+                    when(F.view["period"], period_plot()),
+                    *(when(F.view["lift"], block) for block in lift_plot()),
+                    *(when(F.view["exchange"], block) for block in exchange_plots()),
+                    when(F.view["limits"], velocity_plot()),
                     grow=430,
                 ),
                 column(swing_plot(low=False), swing_plot(low=True), grow=456),

@@ -8,9 +8,8 @@ import numpy as np
 
 from components.language.numbers import Expression, var
 from components.language.signals import AnySignal
-from components.quantities import declared
 from components.quantities.axes import ONE, Axis
-from components.quantities.declared import Column, Declared, Family, Signal, by_name
+from components.quantities.declared import AxesInForce, Column, Declared, Family, Signal, by_name
 from components.quantities.motion import QUARTER, derived, sampled, scaled, sines
 from components.scene.traces import Columns, Floats, Traces, band_columns, bands_over_time, over_time, samples, trace
 from components.scenes.phugoid.axes import Axes
@@ -29,19 +28,19 @@ TURN = np.linspace(0.0, 2 * math.pi, POINTS)
 signal = Signal[Swing]
 
 
-def _told(swing: Swing, axes: declared.Axes, on: Axis, values: Floats, rates: Floats, gain: float = 0.0) -> AnySignal:
+def _told(swing: Swing, axes: AxesInForce, on: Axis, values: Floats, rates: Floats, gain: float = 0.0) -> AnySignal:
     """A number of the exact flight, from a period of it and what it gains in that."""
     return sampled(Axes.t(axes), swing.period, on.places(values), on.places(rates), on.place(gain))
 
 
 def _sine(
-    swing: Swing, axes: declared.Axes, on: Axis, size: float, phase: float, line: tuple[float, float] = (0, 0)
+    swing: Swing, axes: AxesInForce, on: Axis, size: float, phase: float, line: tuple[float, float] = (0, 0)
 ) -> AnySignal:
     """A number of the linear theory."""
     return sines(on, Axes.t(axes), (size, swing.linear.omega, phase), line=line)
 
 
-def _up(of: Signal[Swing], axes: declared.Axes) -> AnySignal:
+def _up(of: Signal[Swing], axes: AxesInForce) -> AnySignal:
     """A height in the unit of the path."""
     return derived(scaled(Axes.along(axes).exponent - Axes.h(axes).exponent, 1.0) * var(of))
 
@@ -63,7 +62,7 @@ class Signals(Declared[Swing]):
     w_lin = signal(lambda s, a: _sine(s, a, ONE, math.sqrt(2) * s.excess, 0.0))
 
 
-def _speed(swing: Swing, axes: declared.Axes) -> Expression:
+def _speed(swing: Swing, axes: AxesInForce) -> Expression:
     """The speed in v_0."""
     return 1 + var(Signals.v) * (1 / Axes.v(axes).place(swing.v_0))
 
@@ -78,7 +77,7 @@ class Lift(Signals):
     lift_up = signal(lambda s, a: derived(var(Lift.V) * var(Signals.u)))
 
 
-def _share(swing: Swing, axes: declared.Axes) -> AnySignal:
+def _share(swing: Swing, axes: AxesInForce) -> AnySignal:
     axis, t = Axes.share(axes), instants(swing)
     if not drawable(2 * swing.fastest, t):
         return derived(axis.place(exact(swing, t)[Shares.share][0]))
@@ -86,7 +85,7 @@ def _share(swing: Swing, axes: declared.Axes) -> AnySignal:
     return derived(axis.place(1.0) * V * V)
 
 
-def _twin(swing: Swing, axes: declared.Axes) -> AnySignal:
+def _twin(swing: Swing, axes: AxesInForce) -> AnySignal:
     half = Axes.share(axes).place(0.5)
     if not drawable(2 * swing.fastest, instants(swing)):
         return derived(half)
@@ -186,7 +185,7 @@ class Periods(Declared[Swing]):
     v_0, tau = Column[Swing]("periods"), Column[Swing]("periods")
 
 
-def columns_of(swing: Swing, axes: declared.Axes) -> dict[str, Columns]:
+def columns_of(swing: Swing, axes: AxesInForce) -> dict[str, Columns]:
     """The line of the periods, and the velocities where they are shown."""
     reach = np.array([0.0, Axes.v_0(axes).end])
     periods = by_name({Periods.v_0: reach, Periods.tau: linear_phugoid(1.0, swing.g).tau * reach})

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from components.quantities.axes import Axis
-from components.quantities.declared import AxisUnit, Declared, Form, LiveNumber
+from components.quantities.declared import AxisUnit, Declared, Family, Form, LiveNumber
 from components.quantities.numbers import MINUS, signed, three
 from components.scenes.phugoid.axes import Axes
 from components.scenes.phugoid.swing import AIRCRAFT, Swing, verdict
 from physics.phugoid import linear_phugoid
 
+VIEWS = {"period": "Period", "lift": "Lift", "exchange": "Exchange", "limits": "Limits"}
 number, form = LiveNumber[Swing], Form[Swing]
 
 
@@ -37,7 +38,4 @@ class Numbers(Declared[Swing]):
 
 
 class Forms(Declared[Swing]):
-    period = form(lambda s: s.show == "period")
-    lift = form(lambda s: s.show == "lift")
-    exchange = form(lambda s: s.show == "exchange")
-    limits = form(lambda s: s.show == "limits")
+    view = Family(VIEWS, lambda one: form(lambda s: s.show == one), "{}")
