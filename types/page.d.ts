@@ -407,8 +407,8 @@ declare namespace page {
    *
    * `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
    * answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
-   * remote control, or that the lead was taken over, and of all `remotes` that wait to be let in, by the two digits
-   * that each shows. */
+   * remote control, with the `step` that it is to go to, or that the lead was taken over, and of all `remotes` that wait
+   * to be let in, by the two digits that each shows. */
   interface News {
     number: string
     picture: SentPicture | null
@@ -418,7 +418,8 @@ declare namespace page {
     lost: boolean | null
     ended: boolean
     answers: boolean
-    deed: "" | "next" | "back" | "show" | "votes" | "again" | "poll" | "blank" | "close" | "taken"
+    deed: "" | "next" | "back" | "show" | "votes" | "again" | "poll" | "blank" | "close" | "go" | "taken"
+    step: string
     remotes: string[] | null
   }
 
@@ -513,10 +514,12 @@ declare namespace page {
     word: string
   }
 
-  /** A room that another computer led, the link of the page that it showed, and the walks from its files, by name. */
+  /** A room that another computer led, the link of the page that it showed, the walks from its files, by name, and
+   * what was kept of its remote control. */
   interface TakenOver extends Opened {
     query: string
     walks: Record<string, string>
+    control: string
   }
 
   /** The digits that the instructor has seen on the phone. */
@@ -524,9 +527,16 @@ declare namespace page {
     digits: string
   }
 
-  /** A press of a button on a remote control. */
+  /** A press of a button on a remote control; `step` is the one to go to. */
   interface Done {
-    deed: "next" | "back" | "show" | "votes" | "again" | "poll" | "blank" | "close"
+    deed: "next" | "back" | "show" | "votes" | "again" | "poll" | "blank" | "close" | "go"
+    step: SaidName
+  }
+
+  /** A step in the contents of a remote control, by its title. */
+  interface Listed {
+    step: string
+    title: Html
   }
 
   /** An axis as it is drawn: places are numbers in units of `factor` (SI) times 10**exponent, raised to `power`, or

@@ -99,8 +99,8 @@ class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
 
     `number` is this state's, `here` says how many follow, `lost` that the store which replicas share does not
     answer, `ended` that the class is over. The instructor's page alone hears of `answers` given, of the `deed` of a
-    remote control, or that the lead was taken over, and of all `remotes` that wait to be let in, by the two digits
-    that each shows.
+    remote control, with the `step` that it is to go to, or that the lead was taken over, and of all `remotes` that wait
+    to be let in, by the two digits that each shows.
     """
 
     number: str
@@ -111,7 +111,8 @@ class News(Struct, frozen=True, kw_only=True, omit_defaults=True):
     lost: bool | None = None
     ended: bool = False
     answers: bool = False
-    deed: Literal["", "next", "back", "show", "votes", "again", "poll", "blank", "close", "taken"] = ""
+    deed: Literal["", "next", "back", "show", "votes", "again", "poll", "blank", "close", "go", "taken"] = ""
+    step: str = ""
     remotes: tuple[str, ...] | None = None
 
 
@@ -219,10 +220,12 @@ class TakeOver(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class TakenOver(Opened, frozen=True, kw_only=True):
-    """A room that another computer led, the link of the page that it showed, and the walks from its files, by name."""
+    """A room that another computer led, the link of the page that it showed, the walks from its files, by name, and
+    what was kept of its remote control."""
 
     query: str
     walks: dict[str, str]
+    control: str
 
 
 class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
@@ -232,6 +235,14 @@ class Confirmed(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
 
 
 class Done(Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
-    """A press of a button on a remote control."""
+    """A press of a button on a remote control; `step` is the one to go to."""
 
-    deed: Literal["next", "back", "show", "votes", "again", "poll", "blank", "close"]
+    deed: Literal["next", "back", "show", "votes", "again", "poll", "blank", "close", "go"]
+    step: SaidName = ""
+
+
+class Listed(Struct, frozen=True, kw_only=True):
+    """A step in the contents of a remote control, by its title."""
+
+    step: str
+    title: Html

@@ -8,6 +8,7 @@ from components.language.room import HandOver, TakenOver, TakeOver, Ticket
 from components.live_class.codes import as_code, digest, new_word
 from components.live_class.follower_routes import MINUTE, MISSES, TOO_MANY
 from components.live_class.handler import ClassHandler
+from components.live_class.remotes import CONTROL
 from components.serving.handlers import LectureHandler, RefusedError
 from components.serving.visitors import network_of
 
@@ -46,7 +47,8 @@ class PassLead(ClassHandler):
         room = await self.outcome(self.classes.registry.led(lent.code, lent.key))
         await self.outcome(store.tell(room.code, {"deed": b'"taken"'}))
         opened = msgspec.structs.asdict(self.opened(room.code, lent.key))
-        self.reply(TakenOver(query=lent.query, walks=room.own, **opened))
+        control = room.parts.get(CONTROL, b"").decode()
+        self.reply(TakenOver(query=lent.query, walks=room.own, control=control, **opened))
 
 
 class MovedByWord(LectureHandler):

@@ -11,9 +11,9 @@ import msgspec
 from msgspec.structs import asdict, replace
 
 from components.language.messages import Given
-from components.language.room import Counted, PutTo, Voted
+from components.language.room import Counted, Listed, PutTo, Voted
 from components.language.walk import Lesson
-from components.layout.text import plain
+from components.layout.text import plain, rich
 from components.quantities.numbers import excerpt
 from components.walks import Walks
 from components.walks.apart import Apart, Here, Reading
@@ -66,6 +66,11 @@ class QuestionBank:
             if one.id == step:
                 return one
         raise ValueError(f"The step “{excerpt(step)}” cannot be asked in a class: the server does not know its walk.")
+
+    def listed(self, walk: str) -> tuple[Listed, ...]:
+        """The steps of a walk by their titles; none where it is not known."""
+        steps = self._walks[walk].steps if walk in self._walks else ()
+        return tuple(Listed(step=one.id, title=rich(one.title)) for one in steps)
 
     def put(self, walk: str, step: str, vote: int) -> PutTo:
         """A question as it is told to all."""

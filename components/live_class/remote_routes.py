@@ -40,8 +40,8 @@ class LetIn(ClassHandler):
         return room
 
 
-class RemoteControl(ClassHandler):
-    """The handler of a phone in the instructor's hand: it shows its ticket, waits to be let in, then gives orders."""
+class RemoteHandler(ClassHandler):
+    """Answers a phone in the instructor's hand."""
 
     async def _there(self, code: str) -> ClassRoom:
         """The room of a ticket; those who have shown none are not told whether there is such a room."""
@@ -50,6 +50,16 @@ class RemoteControl(ClassHandler):
             raise RefusedError(403, NOT_IN)
         self.limit(f"remote {self.word}")
         return room
+
+    async def _let_in(self, code: str) -> ClassRoom:
+        room = await self._there(code)
+        if not is_in(room.parts, self.word):
+            raise RefusedError(403, NOT_IN)
+        return room
+
+
+class RemoteControl(RemoteHandler):
+    """The handler of the remote control itself: it shows its ticket, waits to be let in, then gives orders."""
 
     async def put(self, code: str) -> None:
         registry, ticket = self.classes.registry, self.body(Ticket)
@@ -78,8 +88,16 @@ class RemoteControl(ClassHandler):
             raise RefusedError(403, NOT_IN)
 
     async def post(self, code: str) -> None:
-        room, deed = await self._there(code), self.body(Done)
-        if not is_in(room.parts, self.word):
-            raise RefusedError(403, NOT_IN)
-        await self.outcome(self.classes.registry.store.tell(room.code, {"deed": msgspec.json.encode(deed.deed)}))
+        room, done = await self._let_in(code), self.body(Done)
+        told = {"deed": done.deed} | ({"step": done.step} if done.deed == "go" else {})
+        parts = {name: msgspec.json.encode(word) for name, word in told.items()}
+        await self.outcome(self.classes.registry.store.tell(room.code, parts))
         self.set_status(204)
+
+
+class Listing(RemoteHandler):
+    """The handler of the contents on a remote control: the steps of the walk whose question is put."""
+
+    async def get(self, code: str) -> None:
+        room = await self._let_in(code)
+        self.reply(self.classes.registry.bank_of(room).listed(room.question.walk))

@@ -24,7 +24,7 @@ ASKED = 5.0
 NOTHING_PUT = PutTo()
 KINDS: dict[str, type] = {"picture": SentPicture, "clock": RunClock, "question": PutTo}
 """The parts that followers hear of."""
-LEADERS = ("deed", "answers")
+LEADERS = ("deed", "step", "answers")
 """The parts that the instructor's page alone hears of, as they come; the store keeps nothing of them."""
 KEPT = 16
 """Of which so many are told once more to a page that has missed them."""

@@ -13,7 +13,7 @@ from components.live_class.lead_routes import MovedByWord, PassLead
 from components.live_class.publisher import Publisher
 from components.live_class.question_bank import QuestionBank
 from components.live_class.registry import Registry
-from components.live_class.remote_routes import LetIn, RemoteControl
+from components.live_class.remote_routes import LetIn, Listing, RemoteControl
 from components.live_class.store import Store
 from components.live_class.upkeep import Upkeep
 from components.serving.metrics import Looked
@@ -43,6 +43,7 @@ class LiveClass:
             rf"/class/{CODE}/word": PassLead,
             rf"/class/{CODE}/tickets": LetIn,
             rf"/class/{CODE}/remote": RemoteControl,
+            rf"/class/{CODE}/steps": Listing,
             rf"/class/{CODE}/token": Enter,
             rf"/class/{CODE}/events": Events,
             rf"/class/{CODE}/now": Now,

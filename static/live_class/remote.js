@@ -1,6 +1,6 @@
 // A phone as the instructor's remote control: let in by the first screen, then two large buttons.
 
-import {button, element} from "../core/dom.js"
+import {button, element, marked} from "../core/dom.js"
 import {inWords} from "../core/notes.js"
 import {tabStorage} from "../core/storage.js"
 import {Refusal, ask, pause} from "./requests.js"
@@ -85,19 +85,37 @@ class Remote {
       ["Vote again", "again"], ["Vote A to D", "poll"], ["Blank the screen", "blank"], ["Close the QR code", "close"],
     ]) // prettier-ignore
     const buttons = deeds.map(([name, deed]) =>
-      button({class: deed === "next" ? "act filled" : "act"}, () => this.#do(deed), name),
+      button({class: deed === "next" ? "act filled" : "act"}, () => this.#do({deed}), name),
     )
-    this.host.replaceChildren(this.state, element("div", {class: "remote-deeds"}, ...buttons))
+    const contents = button({class: "act"}, () => this.#list(), "Contents")
+    this.host.replaceChildren(this.state, element("div", {class: "remote-deeds"}, ...buttons, contents))
+  }
+
+  /** The steps of the walk by their titles, in the place of the buttons: a press goes there. */
+  async #list() {
+    const {code, paired} = this
+    /** @type {page.Listed[] | undefined} */
+    const steps = await ask(`${code}/steps`, {word: paired.key}).catch(reason => this.#failed(reason))
+    if (!steps || this.over) return
+    const rows = steps.map(({step, title}) => {
+      const go = () => {
+        this.#do({deed: "go", step})
+        this.#enter()
+      }
+      return element("li", {}, button({}, go, marked("span", {}, title)))
+    })
+    const close = button({class: "act"}, () => this.#enter(), "Close")
+    this.host.replaceChildren(this.state, element("ol", {class: "remote-steps"}, ...rows), close)
   }
 
   /** Presses, one after the other. @type {Promise<unknown>} */
   deeds = Promise.resolve()
 
-  /** @param {page.Done["deed"]} deed */
-  #do(deed) {
+  /** @param {Pick<page.Done, "deed"> & Partial<page.Done>} done */
+  #do(done) {
     const {code, paired} = this
     this.deeds = this.deeds
-      .then(() => ask(`${code}/remote`, {method: "POST", body: {deed}, word: paired.key}))
+      .then(() => ask(`${code}/remote`, {method: "POST", body: done, word: paired.key}))
       .catch(reason => this.#failed(reason))
   }
 

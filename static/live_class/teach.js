@@ -134,11 +134,11 @@ export class Teach {
     if (news.answers || news.question || news.lost === false) this.votes.count()
     else if (news.here !== undefined) this.votes.update()
     if (news.remotes) this.joinScreen.wait(news.remotes)
-    if (news.deed) this.#obey(news.deed)
+    if (news.deed) this.#obey(news)
   }
 
-  /** Does what the remote control asks for. @param {page.News["deed"]} deed */
-  #obey(deed) {
+  /** Does what the remote control asks for. @param {Partial<page.News>} news */
+  #obey({deed, step}) {
     const {walks} = this.lecture
     const {walk} = walks
     if (deed === "close") this.joinScreen.close()
@@ -147,6 +147,7 @@ export class Teach {
     else if (deed === "again") this.again()
     else if (deed === "votes") this.votes.open()
     else if (deed === "poll") this.poll()
+    else if (deed === "go") walk?.go(walk.sheet.steps.findIndex(one => one.id === step))
     else if (deed === "back") walks.turn(-1)
     else if (deed === "next") walks.turn(1)
     else if (deed === "show" && walk && !walk.lesson) walk.show(true)

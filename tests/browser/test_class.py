@@ -174,6 +174,10 @@ def test_a_remote_control_is_let_in_and_turns_the_pages(window: Open) -> None:
     remote.get_by_role("button", name="Next").click()
     lecture.wait_for_function("oscillations.shown.state.step === 'd31/d31-02'")
     expect(remote.locator(".class-remote p")).to_contain_text("2 of 16")
+    remote.get_by_role("button", name="Contents").click()
+    remote.get_by_role("button", name="Where energy goes to and fro").click()
+    lecture.wait_for_function("oscillations.shown.state.step === 'd31/d31-11'")
+    expect(remote.get_by_role("button", name="Next")).to_be_visible()
 
 
 def test_a_key_asks_for_a_vote_on_what_is_said_aloud_and_leads_back(window: Open) -> None:

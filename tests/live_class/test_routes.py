@@ -208,10 +208,23 @@ async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> 
         tickets = f"/class/{lesson.code}/tickets"
         other = "10" if paired["digits"] != "10" else "11"
         assert (await called(url, tickets, "PUT", {"digits": other}, lesson.key)).status == 409
-        assert (await called(url, tickets, "PUT", {"digits": paired["digits"]}, lesson.key)).json["control"]
+        control = (await called(url, tickets, "PUT", {"digits": paired["digits"]}, lesson.key)).json["control"]
+        handed = (await called(url, f"/class/{lesson.code}/word", "POST", {"query": ""}, lesson.key)).json["address"]
+        word = {"word": handed.rpartition("-")[2]}
+        assert (await called(url, f"/class/{lesson.code}/word", "PUT", word)).json["control"] == control
         assert (await called(url, path, word=paired["key"])).json["step"] == ""
         assert (await called(url, path, "POST", {"deed": "next"}, paired["key"])).status == 204
-        assert (await leader.until(lambda event: event.get("deed")))["deed"] == "next"
+        await leader.until(lambda event: event.get("deed") == "next")
+        steps, there = f"/class/{lesson.code}/steps", {"deed": "go", "step": "d34-04"}
+        assert (await called(url, steps, word=paired["key"])).json == []
+        await lesson.order("put", walk="d34", step="d34-02")
+        listed = (await called(url, steps, word=paired["key"])).json
+        assert len(listed) == 16 and listed[0] == {"step": "d34-01", "title": "A spring feels only its own stretch"}
+        assert listed[6]["title"].endswith('<span class="v">m</span><sub>2</sub>')
+        assert (await called(url, path, "POST", there, paired["key"])).status == 204
+        assert there.items() <= (await leader.until(lambda event: event.get("deed") == "go")).items()
+        for word in ("", await lesson.token(), lesson.key):
+            assert (await called(url, steps, word=word)).status == 403
         ticket = (await called(url, tickets, "POST", word=lesson.key)).json
         other = (await called(url, path, "PUT", {"address": ticket["address"].partition("remote=")[2]})).json
         assert (await called(url, tickets, "DELETE", {"digits": other["digits"]}, lesson.key)).status == 204
