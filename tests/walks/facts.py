@@ -200,7 +200,7 @@ STATED: dict[str, dict[str, float]] = {
         "−3": -uneven.m1 / uneven.m2,
     },
     "d34-08": {"1.618": equal.modes().ratio[0], "−0.618": equal.modes().ratio[1]},
-    "d34-09": {"1.57": free_modes(plain, (1, 0.5), (0, 0)).phase[1], "1": 1, "0.5": 0.5, "3": 3},
+    "d34-09": {"1.57": free_modes(plain, (1, 0.5), (0, 0)).phase[1], "1": 1, "0.5": 0.5, "1.5": 1.5},
     "d34-10": {
         "62": end_of("?scene=coupled&m1=1&k1=0.96&m2=0.04&k2=0.04&x1_0=0.2"),
         "0.08": 2 * 0.04,
