@@ -30,7 +30,8 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
     Ticks are labelled by their numbers, or by `labels` where these are given.
     With a `power` the axis shows that power of the number: columns and handles hold omega, the axis shows omega^2.
     `drawn` is what of the range must be seen, where that is not all of it; `own` is the range that the scene has
-    chosen, where the axis stands in another one. `count` is the most steps between its round numbers.
+    chosen, where the axis stands in another one. `count` is the most steps between its round numbers. `si` is the unit
+    of `factor`, where what is counted by it has another unit or none.
     """
 
     start: float
@@ -46,6 +47,7 @@ class Axis(Struct, frozen=True, dict=True):  # a Struct is replaced ten times as
     drawn: Range | None = None
     own: Range | None = None
     count: int = 4
+    si: str = ""
 
     @property
     def chosen(self) -> Range:

@@ -45,6 +45,8 @@ def unit_of(axis: Axis | None) -> str:
     """The unit of a column in SI, whatever the axis counts in; without an axis it is a time."""
     if axis is None:
         return "s"
+    if axis.si:
+        return axis.si
     own = axis.factor == 1 and axis.unit in ("°", "%")  # some columns count in these themselves
     unit = axis.unit if own else SI.get(axis.unit, axis.unit)
     return in_ascii(unit.removeprefix("(").removesuffix(")²") if axis.power == 2 else unit)

@@ -157,7 +157,7 @@ def _lateness() -> Block:
         LATE,
         x=Axes.angle,
         y=Axes.late,
-        title="How much longer the period is than that of small swings, in percent, against the angle at the start",
+        title="How much longer the period is than that of small swings, against the angle at the start",
         curves=(
             curve(L.excess, x=L.angle, tint="ink", width="sum", read="longer by"),
             curve(L.limit, x=L.limit_angle, tint="ink", width="none", marker="disc", group="limits"),

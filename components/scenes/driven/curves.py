@@ -54,7 +54,7 @@ def axes_of(case: DrivenCase) -> dict[str, Axis]:
         Axes.x: replace(nice_axis(-ROOM * reach, ROOM * reach, "m", 2, exact=True), drawn=(-reach, reach)),
         Axes.P: replace(nice_axis(1.1 * least, 1.15 * most, "W", 1, exact=True), drawn=(least, most)),
         Axes.drive: nice_axis(0.0, 1.25 * (case.size or 1.0), unit, exact=True),
-        Axes.r: replace(r, drawn=(0.0, max(1.2, case.r) * case.omega_n)),
+        Axes.r: replace(r, drawn=(0.0, max(1.2, case.r) * case.omega_n), si="rad/s"),
         Axes.M: replace(nice_axis(0.0, top, "", 3, exact=True), drawn=(0.0, top / 1.1)),
         Axes.lag: Axis(0.0, 1.08 * math.pi, "rad", ticks=ticks, labels=("0", "π/2", "π"), drawn=(0.0, math.pi)),
     })  # fmt: skip
