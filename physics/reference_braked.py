@@ -3,6 +3,7 @@
 The state (x1, x2, v1, v2) beside the particular solution follows y' = A y: its exponential is summed as a power series.
 """
 
+import math
 from collections.abc import Sequence
 from typing import Any
 
@@ -11,6 +12,8 @@ from physics.reference import Point, point
 from physics.transient import DampedModes
 
 DIGITS = 60
+_REAL = 1e-50
+"""What is left of the imaginary part of an exponent that is real, over its modulus."""
 
 
 def braked_points(modes: DampedModes, t: Sequence[float]) -> dict[str, list[Point]]:
@@ -44,11 +47,15 @@ def braked_exponents(chain: TwoMassChain, c1: float, c2: float) -> list[tuple[Po
     import mpmath as mp
 
     modes = DampedModes(chain=chain, c=c2, c1=c1, F_0=0.0, omega=0.0)
-    with mp.workdps(2 * DIGITS):
+    sizes = [math.log10(one) for one in (chain.m1, chain.m2, chain.k1, chain.k2, c1, c2) if one]
+    digits = 2 * DIGITS + 8 * math.ceil(max(sizes) - min(sizes))  # an eigenvalue is told beside the largest
+    with mp.workdps(digits):
         found = mp.eig(_matrix(mp, modes), right=False)
-        least = mp.mpf(10) ** -50 * max(map(abs, found))
-        upper = [one for one in (mp.chop(one, least) for one in found) if mp.im(one) >= 0]
-        return [(point(mp.re(one), abs(one)), point(mp.im(one), abs(one))) for one in upper]
+        least = mp.mpf(10) ** (DIGITS - digits) * max(map(abs, found))
+        found = [mp.mpc(0) if abs(one) < least else one for one in found]
+        upper = [one for one in found if mp.im(one) > -_REAL * abs(one) or not one]
+        parts = [(mp.re(one), mp.im(one) if mp.im(one) > _REAL * abs(one) else mp.mpf(0), abs(one)) for one in upper]
+        return [(point(re, size), point(im, size)) for re, im, size in parts]
 
 
 def _matrix(mp: Any, modes: DampedModes) -> Any:

@@ -13,7 +13,7 @@ from physics.absorber import damped_amplitude, damped_solution
 from physics.braked_modes import braked_modes
 from physics.coupled import TwoMassChain
 from physics.particular import particular_solution
-from physics.reference_braked import braked_points
+from physics.reference_braked import braked_exponents, braked_points
 from physics.transient import DampedModes
 
 PLAIN = TwoMassChain(m1=2, m2=1, k1=4, k2=2)
@@ -62,6 +62,8 @@ def test_the_hardly_damped_die_as_slowly_as_the_shapes_say(size: float) -> None:
     assert [one.exponents[0].real for one in found] == pytest.approx([-size * rate for rate in rates], rel=1e-14)
     transient = sorted((one.exponent for one in modes(PLAIN, 3 * size, size).transient), key=abs)
     assert [one.real for one in transient] == pytest.approx([-size * rate for rate in rates], rel=1e-14)
+    told = sorted(braked_exponents(PLAIN, 3 * size, size), key=lambda pair: pair[1].value)
+    assert [float(re.value) for re, _ in told] == pytest.approx([-size * rate for rate in rates], rel=1e-14)
     turned = [one.shape[1] / one.shape[0] for one in found]
     assert all(0 < abs(ratio.imag) < 10 * size for ratio in turned), "not in line"
 
@@ -73,7 +75,10 @@ def test_no_motion_with_dashpots_grows_over_all_decades() -> None:
         free = pick.choice(("", "k1", "c1", "c2"))
         chain = TwoMassChain(m1=m1, m2=m2, k1=0.0 if free == "k1" else k1, k2=k2)
         found = braked_modes(chain, 0.0 if free == "c1" else c1, 0.0 if free == "c2" else c2)
-        assert all(s.real <= 0 for one in found for s in one.exponents)
+        exponents = [s for one in found for s in one.exponents]
+        assert all(s.real <= 0 for s in exponents)
+        true = braked_exponents(chain, 0.0 if free == "c1" else c1, 0.0 if free == "c2" else c2)
+        assert sorted(s.real for s in exponents) == pytest.approx(sorted(float(re.value) for re, _ in true), rel=1e-15)
 
 
 @pytest.mark.parametrize(("c1", "c2"), EXTREME)

@@ -46,7 +46,7 @@ def _rest_plot() -> Block:
         PlotFrame("rest"),
         x=Axes.t,
         y=Axes.rest,
-        title="Displacement of the machine against time, from its start, with its two parts",
+        title="Displacement of the machine against time, from its start",
         curves=(
             curve(S.x1_c, source="rest", tint="xc", width="dash", label="*x*_c"),
             curve(S.x1_p, source="rest", tint="xp", label="*x*_p"),

@@ -45,7 +45,7 @@ def _displacement() -> Block:
         X,
         x=Axes.t,
         y=Axes.x,
-        title="Displacement against time, with its envelope and its peaks",
+        title="Displacement against time",
         curves=(
             curve(S.upper, read="envelope", **envelope),
             curve(S.lower, **envelope),

@@ -51,7 +51,7 @@ def _displacement() -> Block:
         X,
         x=Axes.t,
         y=Axes.x,
-        title="Displacement against time, with its steady and its complementary part",
+        title="Displacement against time",
         curves=(
             curve(S.x_c, tint="xc", width="dash", read="complementary", signal=S.x_c),
             curve(S.x_p, tint="xp", read="steady", signal=S.x_p),

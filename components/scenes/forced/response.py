@@ -227,7 +227,7 @@ def response_plot() -> PlotBlock:
         RESPONSE,
         x=Axes.omega,
         y=Axes.X,
-        title="Amplitude of each mass against the drive frequency, with its two resonances and the antiresonance",
+        title="Amplitude of each mass against the drive frequency",
         curves=tuple(_branch(i, b) for i in BOTH for b in range(len(BRANCHES))),
         x_column=Swings.omega,
         heading=(

@@ -90,7 +90,7 @@ def _motion(i: int) -> Block:
         PlotFrame(f"x{i}"),
         x=Axes.t,
         y=Axes.x,
-        title=f"Displacement of mass {i} against time, with its particular and its complementary part",
+        title=f"Displacement of mass {i} against time",
         curves=(*(curve for curve, _ in traces), *envelope),
         bands=tuple(band for _, band in traces),
         heading=_heading(i),
