@@ -6,10 +6,12 @@ import sys
 from pathlib import Path
 
 from components.scenes import SCENES
-from components.walks.apart import work
+from components.walks.apart import prepare, work
 from components.walks.registry import all_walks
 from physics.accuracy_worker import restrain
 
 if __name__ == "__main__":
+    walks = all_walks(map(Path, sys.argv[1:]), SCENES)
+    prepare(walks, SCENES)  # at once, since somebody waits: with low priority it may take minutes
     restrain()
-    work(all_walks(map(Path, sys.argv[1:]), SCENES), SCENES, sys.stdin.buffer, sys.stdout.buffer)
+    work(walks, SCENES, sys.stdin.buffer, sys.stdout.buffer)

@@ -91,12 +91,15 @@ def replied(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
         return Replied(refused=SORRY)
 
 
-def work(walks: Walks, scenes: Scenes, come_in: BinaryIO, go_out: BinaryIO) -> None:
-    """Reply to requests until there are no more; the first word says that all is ready: the lecture's own walks have
-    been read, so that no file pays for what all scenes work out once."""
+def prepare(walks: Walks, scenes: Scenes) -> None:
+    """Read the lecture's own walks, so that no file pays for what all scenes work out once."""
     for walk in walks.values():
         list(problems(walk, scenes))
         walk_sheet(walk, scenes)
+
+
+def work(walks: Walks, scenes: Scenes, come_in: BinaryIO, go_out: BinaryIO) -> None:
+    """Reply to requests until there are no more; the first word says that all is ready."""
     send(go_out, b"")
     while message := receive(come_in):
         with _budget():

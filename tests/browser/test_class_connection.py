@@ -13,6 +13,7 @@ from tests.browser.between import between
 from tests.browser.classroom import LED, draw, joined, taught
 from tests.browser.fixtures import READY, another_version
 from tests.browser.tabs import calm_context
+from tests.browser.waiting import passed
 from tests.live_class.caller import call
 from tests.serving.server import Server
 
@@ -93,7 +94,7 @@ def test_a_phone_of_another_version_loads_the_page_anew_and_not_again_at_once(se
     page.route(f"{server.url}?*", another_version)
     page.reload(wait_until="commit")  # the page loads itself anew, perhaps before all of this one is there
     page.wait_for_function(f"{LOADS} === '2' && {HEARD}")
-    page.wait_for_timeout(500)
+    passed(page)  # it would be by now
     assert page.evaluate(f"[{LOADS}, {VERSION}]") == ["2", "x"]
     page.unroute(f"{server.url}?*", another_version)
     page.reload(wait_until="commit")
@@ -101,7 +102,7 @@ def test_a_phone_of_another_version_loads_the_page_anew_and_not_again_at_once(se
     page.evaluate("sessionStorage.removeItem('class-renewed')")
     with page.expect_response(re.compile("/events")):  # a stream of the same version again
         page.evaluate("oscillations.stream.control.abort()")
-    page.wait_for_timeout(500)
+    passed(page)  # it would be by now
     assert page.evaluate(LOADS) == "3"
     assert page.evaluate(VERSION) != "x"
 
