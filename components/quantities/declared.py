@@ -231,6 +231,6 @@ class Declared(Generic[Case]):
         return [one for members in every for one in members if isinstance(one, kinds)]
 
 
-def by_name(given: Mapping[Any, Value]) -> dict[str, Value]:
+def by_name(given: Mapping[One, Value]) -> dict[str, Value]:
     """Values by the names of their declarations."""
-    return {one if isinstance(one, str) else one.name: value for one, value in given.items()}
+    return {one.name: value for one, value in given.items()}

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from components.language.numbers import Name
 from components.language.plots import Curve, Region
 from components.layout.plots import curve
-from components.quantities.declared import by_name
+from components.quantities.declared import Signal, by_name
 from physics.sampling import SAMPLES_PER_CYCLE, Sinusoid, curve_or_band, drawable
 
 Floats = NDArray[np.float64]
@@ -73,7 +73,7 @@ class Traces:
 
 
 def over_time(
-    end: float, fastest: float, signals: Iterable[Name], exact: Callable[[Floats], Mapping[Any, Floats]],
+    end: float, fastest: float, signals: Iterable[Name], exact: Callable[[Floats], Mapping[Signal[Any], Floats]],
     source: str = "time",
 ) -> dict[str, Traces]:  # fmt: skip
     """The curves of a source: these signals over [0, end], dense enough for the `fastest` motion (rad/s).

@@ -94,7 +94,7 @@ class Coupled(Scene):
         parts |= starting.turns(self, free.omega.tolist(), time)
         return Picture(
             columns={
-                "time": curves.edges(mean_energy(free, t)) if averaged else {},
+                "time": by_name(curves.edges(mean_energy(free, t))) if averaged else {},
                 **bands_over_time(t, bands),
                 "modes": chain.direction_lines(Places.line, free.chain, 4 * max(abs(size.start), abs(size.end))),
             },

@@ -13,11 +13,11 @@ from components import chain
 from components.chain.grabs import shares
 from components.language.numbers import var
 from components.language.signals import AnySignal
-from components.quantities.declared import AxesInForce, Declared, DrawnAxis, Family, Scalar, Signal, by_name
+from components.quantities.declared import AxesInForce, Declared, DrawnAxis, Family, Scalar, Signal
 from components.quantities.motion import derived, scaled, total
 from components.scene.traces import Columns, Floats, trace
 from components.scenes.coupled.starting import GIVEN
-from physics.coupled import FreeModes
+from physics.coupled import FreeModes, Motion
 from physics.energy import ChainEnergy, chain_energy
 
 NAMED = 0.8
@@ -75,16 +75,23 @@ LAYERS: tuple[Signal[CoupledCase], ...] = (S.T1, S.V1, S.V2, S.T2)
 EDGES, LEVELS = (tuple(family.values()) for family in (S.e, S.E))
 
 
-def exact(case: CoupledCase, t: Floats) -> Columns:
+def exact(case: CoupledCase, t: Floats) -> dict[Signal[CoupledCase], Floats]:
     """All that may be drawn over time."""
-    energies = edges(chain_energy(case.free.chain, case.free.motion(t)))
-    levels = by_name({S.E[one]: np.full_like(t, level) for one, level in case.levels.items()})
-    return {**traced_motion(case.free, t)[0], **energies, **levels}
+    moved = _by_modes(case.free, t)
+    motion = {one: moved[modes].x[i] for one, i, modes in motions(case.free)}
+    levels = {S.E[one]: np.full_like(t, level) for one, level in case.levels.items()}
+    return motion | edges(chain_energy(case.free.chain, case.free.motion(t))) | levels
 
 
-def edges(energy: ChainEnergy) -> Columns:
+def edges(energy: ChainEnergy) -> dict[Signal[CoupledCase], Floats]:
     layers = [energy.T[0], energy.V[0], energy.V[1], energy.T[1]]
-    return by_name(dict(zip(EDGES, accumulate([np.zeros_like(layers[0]), *layers]), strict=True)))
+    return dict(zip(EDGES, accumulate([np.zeros_like(layers[0]), *layers]), strict=True))
+
+
+def _by_modes(free: FreeModes, t: Floats) -> dict[tuple[int, ...], Motion]:
+    """The motion in both modes, and in each."""
+    slow, fast = free.parts(t)
+    return {(0, 1): slow + fast, (0,): slow, (1,): fast}
 
 
 def motions(free: FreeModes) -> Iterator[tuple[Signal[CoupledCase], int, tuple[int, ...]]]:
@@ -99,12 +106,11 @@ def motions(free: FreeModes) -> Iterator[tuple[Signal[CoupledCase], int, tuple[i
 
 def traced_motion(free: FreeModes, t: Floats) -> tuple[Columns, Columns]:
     """Columns of the displacements and their parts: curves, and bands where too fast."""
-    parts, curves, bands = free.parts(t), Columns(), Columns()
-    exact = {(0, 1): parts[0] + parts[1], (0,): parts[0], (1,): parts[1]}
+    moved, curves, bands = _by_modes(free, t), Columns(), Columns()
     for one, i, modes in motions(free):
         drifts = any(free.omega[j] == 0 for j in modes)
         base = free.drift_a[i] + free.drift_b[i] * t if drifts else None
-        curve, band = trace(one, chain.components(free, i, modes), t, base, exact[modes].x[i])
+        curve, band = trace(one, chain.components(free, i, modes), t, base, moved[modes].x[i])
         curves, bands = curves | curve, bands | band
     return curves, bands
 

@@ -84,7 +84,7 @@ class OscillatorScene(Scene):
             signals=moving.signals(swing, counted),
             traces={
                 **over_time(swing.end, swing.omega, drawn, lambda t: exact(swing, t)),
-                "loop": Traces(*swing.loop, tuple(row.name for row in ROWS), lambda t: exact(swing, t)),
+                "loop": Traces(*swing.loop, tuple(row.name for row in ROWS), lambda t: by_name(exact(swing, t))),
             },
             scalars=scalars_of(swing, axes),
             pace=pace(swing.omega, swing.omega),

@@ -94,10 +94,10 @@ class Pulled(Signals):
 ROWS = (Signals.x, Signals.v, Signals.a)
 
 
-def exact(case: Oscillation, t: Floats) -> Columns:
+def exact(case: Oscillation, t: Floats) -> dict[Signal[Oscillation], Floats]:
     """x, v and a in SI units."""
     motion = case.oscillator.motion(case.x_0, case.v_0, t)
-    return by_name(dict(zip(ROWS, (motion.x, motion.v, motion.a), strict=True)))
+    return dict(zip(ROWS, (motion.x, motion.v, motion.a), strict=True))
 
 
 def bands_of(case: Oscillation) -> dict[str, Columns]:
