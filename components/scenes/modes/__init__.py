@@ -42,15 +42,6 @@ class Tasks(Declared[str]):
 LEFT_OUT = "Shown without the dashpots: they are part of Solve."
 ROW_OF = {"row1": 1, "row2": 2}
 """The equation, that of mass 1 or of mass 2, which an action takes the shape from."""
-SOURCES = (
-    "row1",
-    "row2_below",
-    "row2_above",
-    "det",
-    *(f"{kind}_{part}" for kind in ("omega", "ratio") for part in ("sweep", "low", "high", "now")),
-    "path",
-    "answer",
-)
 
 
 class ModesScene(Scene):
@@ -126,7 +117,6 @@ class ModesScene(Scene):
         picture = self._view(system, frame)
         return replace(
             picture,
-            columns={name: {} for name in SOURCES} | picture.columns,
             scalars={**chain.sizes(system, 0.88), **picture.scalars},
             forms=Tasks.forms(self.task) | picture.forms,
             notes=(*picture.notes, *((LEFT_OUT,) if self._brakes and self.task != "solve" else ())),

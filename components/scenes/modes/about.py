@@ -62,5 +62,5 @@ def hunt_about(picture: Picture, chain: TwoMassChain, x_0: Pair) -> About:
     """Points of the path; the modes only where the answer is shown."""
     path, rest = picture.sources["path"], (0.0, 0.0)
     points = bounded("the path", 2, "its amplitudes", motion_rows(MASSES, path, chain, x_0, rest))
-    tables = (points, modes_table(chain)) if picture.sources["answer"] else (points,)
+    tables = (points, modes_table(chain)) if "answer" in picture.sources else (points,)
     return About(tables, free_drift(free_modes(chain, x_0, rest), path["t"]))

@@ -166,7 +166,7 @@ def picture(system: TwoMassChain, x_0: Pair, revealed: bool, window: float | Non
     extremes = {f"x{i}": (-bound[i - 1], bound[i - 1]) for i in (1, 2)} | {"e2": (-bound[2], bound[2])}
     drawn = chain.to_scale(system, extremes, size, frame.scale)
     return Picture(
-        columns={"answer": chain.direction_lines(Hunt.line, system, 2 * size.end) if revealed else {}},
+        columns={"answer": chain.direction_lines(Hunt.line, system, 2 * size.end)} if revealed else {},
         axes=axes,
         signals=chain.free_signals(free, size, Axes.t(axes)) | chain.FreeSignals.signals(free, axes),
         traces={"path": _path(free, end, fast)},
