@@ -146,6 +146,14 @@ def test_a_term_has_the_name_of_a_curve(slug: str) -> None:
 
 
 @scenes
+def test_spans_units_and_what_follows_are_of_parameters(slug: str) -> None:
+    for values in SCENES[slug].presets.values():
+        scene = SCENES[slug](**values)
+        assert {*scene.shown.spans, *scene.units()} <= scene.quantities()
+        assert scene.derived() <= scene.parameters().keys()
+
+
+@scenes
 def test_what_is_read_aloud_is_there(slug: str) -> None:
     given = [scene.shown.values for scene in cases(SCENES[slug])]
     for text in scene_sheet(SCENES[slug]).spoken.values():
