@@ -15,9 +15,13 @@ Open = Callable[..., Page]
 MOST = 13
 """Scenes that the head line has room for at 1024."""
 MORE = """count => {
-  const links = [...document.querySelectorAll(".nav .scenes a")]
-  links.slice(links.length - count).forEach(link => link.after(link.cloneNode(true)))
+  const last = [...document.querySelectorAll(".nav .scene-group")].at(-1), own = last.cloneNode(true)
+  const links = [...Array(count)].map(() => last.querySelector("a").cloneNode(true))
+  own.querySelector(".lecture").textContent = own.querySelector("button").textContent = "Beyond the slides"
+  own.querySelector(".scenes").replaceChildren(...links)
+  if (count) last.after(own)
 }"""
+"""Adds scenes in a lecture of their own."""
 OFF_LINE = """() => {
   const range = document.createRange()
   range.selectNodeContents(document.querySelector(".scene-menu summary"))
