@@ -17,7 +17,7 @@ from components.quantities.declared import Declared, DrawnAxis, Family, Named
 from components.scene import Scene
 from components.scenes import SCENES
 from components.scenes.accuracy.recorded import recorded
-from components.state.scene_sheet import plots, scene_sheet
+from components.state.scene_sheet import live_names, plots, scene_sheet
 from physics.accuracy import SYSTEMS
 from tests.page.hand import draw, grabs, sets
 from tests.scenes.checks import choices
@@ -80,13 +80,25 @@ def _declared(scene: type[Scene]) -> Iterator[str]:
 
 
 @scenes
-def test_what_is_declared_is_given(slug: str) -> None:
-    given: set[str] = set()
-    for scene in cases(SCENES[slug]):
+def test_what_is_declared_is_given_and_numbers_are_told(slug: str) -> None:
+    """A number stands in a text, is read aloud or is compared with that of another picture."""
+    kind, declared = SCENES[slug], set(_declared(SCENES[slug]))
+    given, numbers = set[str](), set[str]()
+    told = live_names(kind).union(*(_spoken(text) for text in scene_sheet(kind).spoken.values()))
+    told |= {handle.text for plot in plots(kind) for handle in plot.handles}
+    for scene in cases(kind):
         shown = scene.shown
         parts = (shown.signals, shown.scalars, shown.forms, shown.values, *shown.sources.values())
         given |= {name for part in parts for name in part}
-    assert set(_declared(SCENES[slug])) - given == set()
+        numbers |= shown.values.keys()
+        told |= {name for one in scene.readouts() for name in (one.name, *one.also)}
+    assert declared - given == set()
+    assert declared & numbers - told == set()
+
+
+def _spoken(text: str) -> set[str]:
+    """The numbers in what is read aloud."""
+    return set(re.findall(r"\{(\w+)\}", text))
 
 
 @scenes
@@ -157,5 +169,5 @@ def test_spans_units_and_what_follows_are_of_parameters(slug: str) -> None:
 def test_what_is_read_aloud_is_there(slug: str) -> None:
     given = [scene.shown.values for scene in cases(SCENES[slug])]
     for text in scene_sheet(SCENES[slug]).spoken.values():
-        wanted = set(re.findall(r"\{(\w+)\}", text))
+        wanted = _spoken(text)
         assert wanted and any(all(values.get(name) for name in wanted) for values in given), text

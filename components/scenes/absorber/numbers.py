@@ -79,7 +79,6 @@ class Numbers(Declared[Duty]):
     part1 = number(lambda d: part(d, 0), axis=x_unit)
     part2 = number(lambda d: part(d, 1), axis=x_unit)
     rest1 = number(lambda d: bound(d, 0), axis=x_unit)
-    rest2 = number(lambda d: bound(d, 1), axis=x_unit)
     rest_alone = number(lambda d: d.bound_alone if d.from_rest else None, axis=x_unit)
     dies = number(dies)
     judged = number(lambda d: "particular solution" if d.plays else d.whence)

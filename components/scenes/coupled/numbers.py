@@ -53,5 +53,4 @@ class Numbers(Declared[FreeModes]):
     M = M_minus, M_plus = number.both(lambda c: [mode.mass for mode, _, _ in c.each()])
     q = q_minus, q_plus = number.both(lambda c: [coordinate for _, coordinate, _ in c.each()], signed)
     rate = rate_minus, rate_plus = number.both(lambda c: [rate for _, _, rate in c.each()], signed)
-    slow_period, fast_period = number.both(lambda c: [f"{three(math.tau / o)} s" if o else "none" for o in c.omega])
     beat_period = number(lambda c: f"{three(math.tau / c.chain.modes().beat)} s" if beating(c) == "both" else "none")

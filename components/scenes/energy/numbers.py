@@ -18,7 +18,6 @@ class Numbers(Declared[HangingCase]):
     delta = number(lambda c: c.system.delta_st)
     omega_2 = number(lambda c: 2 * c.omega)
     T_max = number(lambda c: c.E, axis=E_unit)
-    V_max = number(lambda c: c.total, axis=E_unit)
     v_max = number(lambda c: scaled(0, c.omega, c.constants.C))
     shift = number(lambda c: c.shift, axis=E_unit, whole=True)
 
