@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from components.language.numbers import named, var
+from components.layout.controls import Group
 from components.layout.plots import curve, region
 from components.layout.sheet import either, term
 from components.layout.stage import ON_WIDE, PlotFrame, circle, shown_by
@@ -29,6 +30,7 @@ from components.quantities.declared import (
 from components.quantities.motion import derived, total
 from components.quantities.numbers import plus
 from components.quantities.readouts import Readout
+from components.scene.about import rows
 from components.scenes.damped.numbers import Numbers as N
 
 number = LiveNumber[complex]
@@ -167,3 +169,13 @@ def test_a_misspelt_name_is_an_error_of_types() -> None:
         Drawn.axis  # type: ignore[attr-defined]  # noqa: B018
     with pytest.raises(KeyError):
         Drawn.side[3]
+
+
+def test_strings_are_no_names() -> None:
+    """mypy, which asks for each of these remarks, finds them; where a name is read they are refused."""
+    with pytest.raises(AttributeError):
+        by_name({"x": 1.0})  # type: ignore[type-var]
+    with pytest.raises(AttributeError):
+        rows({"x": "$x$"}, {"t": np.zeros(1)}, {})  # type: ignore[type-var]
+    with pytest.raises(AttributeError):
+        _ = Group("Start", ("x_0",)).names  # type: ignore[arg-type]
