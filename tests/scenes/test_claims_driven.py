@@ -186,6 +186,18 @@ def check_growth(scene: Absorber, why: str, near: float) -> None:
         assert largest(scene, 0, late) <= 1.006 * told
 
 
+@pytest.mark.parametrize("omega", [5.0, 30.0, 48.0, 49.0, 50.0, 60.0])
+@pytest.mark.parametrize("m2", [1e-9, 1e-6, 1e-4, 1e-3, 2.5e-3])
+def test_a_tuned_absorber_however_light_grows_as_is_said(omega: float, m2: float) -> None:
+    """The lightest solutions that somebody types: at 48 rad/s the machine swings as if it were alone from the first."""
+    scene = Absorber(omega=omega, m2=m2)
+    why = scene.shown.forms["why"]
+    if why in ("grow", "beat", "aside"):
+        check_growth(scene, why, min(abs(float(mp.sqrt(square) / scene.omega) - 1) for square in squares(scene)))
+    else:
+        assert why == "still" and m2 >= 1e-4
+
+
 @pytest.mark.parametrize(("omega", "why"), [(5.0, "same"), (30.0, "adds"), (500.0, "same")])
 def test_far_from_its_resonances_no_resonance_is_blamed(omega: float, why: str) -> None:
     scene = Absorber(own=True, omega=omega, k2=36864.0, tuning="free")

@@ -62,6 +62,13 @@ def test_the_width_of_half_the_power_is_told_where_the_power_has_a_peak() -> Non
         assert "by itself" in str(DRIVEN.param["zeta"].doc), "a driven mass swings at any damping"
 
 
+@pytest.mark.parametrize("zeta", [0.0, 0.05, 1.0])
+@pytest.mark.parametrize("beside", [-9e-4, -1e-5, 0.0, 1e-5, 4e-4, 9e-4])
+def test_it_swings_as_far_as_its_base_only_where_its_number_says_so(zeta: float, beside: float) -> None:
+    scene = DRIVEN(kind="base", zeta=zeta, omega=(math.sqrt(2.0) + beside) * math.sqrt(39.48))
+    assert ("as far as its base" in sentence(scene)) == (scene.shown.values["M"] == "1.00"), sentence(scene)
+
+
 SOME = st.floats(-1.0, 1.0).map(lambda power: 10.0**power)
 
 

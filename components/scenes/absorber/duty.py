@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from decimal import Decimal
 from functools import cached_property
 from itertools import pairwise
 
@@ -36,7 +37,10 @@ EXACT, SAME = 4e-16, 5e-4
 LEFT = 0.01
 """The share of the machine's swing alone that may be left where the absorber is almost tuned."""
 SMALL = 10.0
-"""Static deflections: a machine that swings no more of a mode at which the drive is has a small part in it."""
+"""Static deflections, or times what the machine swings of the other mode: if it swings no more of a mode at which the
+drive is, it has a small part in it."""
+FAR = 100.0
+"""So many times as far off, the other mode does not grow beside it."""
 BEND = (1 - np.cos(np.linspace(0, math.pi, 110))) / 2
 """Shares of a way, dense next to both of its ends."""
 TOLD = 1e-15
@@ -220,11 +224,14 @@ class Duty:
         """Whether of the resonance that the drive is next to the machine has a small part: then mass 2 grows alone."""
         j = self.nearest[0]
         with precise():
-            detuning, omega = abs(exact(self.driven.detuning[j])), exact(self.omega)
-            off = max(detuning, exact(TOLD) * omega) * (omega + exact(self.driven.free.omega[j]))
-            part = exact(self.F_0) * exact(self.driven.coupling[j, 0])
-            small = part <= exact(SMALL * self.deflections(1.0)) * off
-        return not self.solved and detuning > 0 and small
+            omega = exact(self.omega)
+            detunings = [abs(exact(d)) for d in self.driven.detuning.tolist()]
+            ways = zip(detunings, self.natural, strict=True)
+            off = [max(detuning, exact(TOLD) * omega) * (omega + exact(own)) for detuning, own in ways]
+            part, other = (exact(self.F_0) * exact(self.driven.coupling[i, 0]) / off[i] for i in (j, 1 - j))
+            steady = other if detunings[1 - j] > exact(FAR) * detunings[j] else Decimal(0)
+            small = part <= exact(SMALL) * max(exact(self.deflections(1.0)), steady)
+        return not self.solved and detunings[j] > 0 and small
 
     @property
     def resonates(self) -> bool:

@@ -6,6 +6,7 @@ import math
 
 from components.layout.sheet import Paragraph, either
 from components.quantities.declared import Declared, Family, Form
+from components.quantities.numbers import three
 from components.scenes.driven.case import KINDS, DrivenCase
 from components.scenes.driven.numbers import Numbers as N
 from components.scenes.driven.power import powers_of
@@ -14,7 +15,7 @@ TASK = "Drag ω through the peak: which arrow holds the push below it, at it, an
 ALONE = 0.02
 """Of the dashpot's arrow and of the spring's: where spring and inertia leave less, the dashpot holds the push alone."""
 AT_ROOT = 1e-3
-"""So near to √2 every dashpot is alike, to three digits."""
+"""So near to √2 every dashpot is alike, where three digits say so."""
 SIZES = (
     r"\dfrac{1}{\sqrt{(1 - r^2)^2 + (2 \zeta r)^2}}",
     r"\sqrt{\dfrac{1 + (2 \zeta r)^2}{(1 - r^2)^2 + (2 \zeta r)^2}}",
@@ -37,7 +38,7 @@ def _holds(case: DrivenCase) -> str:
     if not case.zeta and not math.isfinite(case.M):
         return "near"
     if case.kind == "base":
-        if abs(r - math.sqrt(2.0)) < AT_ROOT:
+        if abs(r - math.sqrt(2.0)) < AT_ROOT and three(case.M) == "1.00":
             return "alike"
         return "more" if r < math.sqrt(2.0) else "less" if case.zeta else "isolated"
     left = abs((1 - r) * (1 + r))
