@@ -34,7 +34,7 @@ class Settings(msgspec.Struct, frozen=True, kw_only=True):
     )
     port: Annotated[int, Meta(ge=0, le=65535, description="a port from 1 to 65535, or 0 for any that is free")] = 5006
     allowed_origin: Annotated[
-        tuple[str, ...],
+        tuple[Annotated[str, Meta(pattern=r"^([^\s/:@?#]+(:(\d{1,5}|\*))?)?$")], ...],
         Meta(description="the names that visitors know the server by, as host or host:port, with commas between them"),
     ] = ()
     bokeh_secret_key: Annotated[

@@ -83,6 +83,8 @@ WRONG = [
     ("ALLOWED_ORIGIN", "a:b:c"),
     ("ALLOWED_ORIGIN", "lecture.example,"),
     ("ALLOWED_ORIGIN", "https://lecture.example"),
+    ("ALLOWED_ORIGIN", "lecture.example/oscillations"),
+    ("ALLOWED_ORIGIN", "lecture.example second.example"),
     ("TRUSTED_PROXIES", "proxy.example"),
     ("TRUSTED_PROXIES", "10.0.0.1/24"),
     ("METRICS_FOR", "prometheus"),
