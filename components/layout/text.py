@@ -94,6 +94,12 @@ _INLINE = re.compile(
     r"|\*(?P<symbol>[^*\s][^*]*)\*|(?P<index>_(?:\{[^}]+\}|\w))"
 )
 
+_FORMULA = re.compile(r"\$[^$]+\$|\[\w+\|\$[^$]+\$\]")
+_CLOSING = tuple(",.;:!?)")
+"""Signs that stand on the line of the formula before them."""
+_UNIT = re.compile(r"(?<=[\d}]) (?=(?:%|[kmcµ]?(?:m|s|g|N|J|W|V|Hz|rad|ft)(?:[²³]|/\w+²?)?)(?![\w}|]))")
+"""The space between a number and its unit, where no line ends."""
+
 
 @kept
 def rich(text: str) -> Html:
@@ -105,12 +111,15 @@ def rich(text: str) -> Html:
 
 
 def _set(text: str) -> Html:
+    text = _UNIT.sub("\N{NO-BREAK SPACE}", text)
     parts, end, symbol_ends = [], 0, -1
     for match in _INLINE.finditer(text):
         parts.append(escape(text[end : match.start()]))
-        parts.append(_markup(match, indexed=match.start() == symbol_ends))
-        end = match.end()
+        html, end = _markup(match, indexed=match.start() == symbol_ends), match.end()
         symbol_ends = end if match["symbol"] else -1
+        if text[end : end + 1] in _CLOSING and _FORMULA.fullmatch(match[0]):
+            html, end = f'<span class="whole">{html}{text[end]}</span>', end + 1
+        parts.append(html)
     return "".join(parts) + escape(text[end:])
 
 

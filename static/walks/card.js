@@ -31,9 +31,9 @@ export class Card {
     this.forward = button({class: "act filled"}, () => walk.forward(), this.last)
     const asks = marked("h2", {class: "asks", tabindex: -1}, step.question)
     this.body = element("div", {class: "card-body"}, this.#head(), ...given(step), asks, this.question.element)
-    this.body.append(this.refusal, this.after)
+    this.body.append(this.after)
     this.element = element("section", {class: "card", "aria-label": "The walk"}, this.body)
-    this.element.append(element("div", {class: "foot"}, this.back, this.forward))
+    this.element.append(element("div", {class: "foot"}, this.refusal, this.back, this.forward)) // the foot stays in sight
     this.question.changed = () => this.#ready()
     page.panel.prepend(this.element)
     page.root.classList.add("walked")

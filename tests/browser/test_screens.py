@@ -135,6 +135,30 @@ def test_in_a_low_window_the_bar_goes_under_the_stage(
     }""")
 
 
+def test_on_a_phone_no_number_of_a_table_is_out_of_sight(
+    new_page: Callable[..., Page], open_scene: Callable[..., Page]
+) -> None:
+    page = open_scene(new_page(390, 844), scene="analogues", system="pipe")  # its formulas are the longest
+    for width in (390, 320):
+        page.set_viewport_size({"width": width, "height": 640})
+        passed(page)
+        assert page.evaluate("(table => table.scrollWidth - table.clientWidth)(document.querySelector('.roles'))") == 0
+    assert page.locator(".roles").get_by_role("rowheader").count() == 7  # it is a table still
+
+
+def test_on_a_low_phone_names_lie_on_no_bar(new_page: Callable[..., Page], open_scene: Callable[..., Page]) -> None:
+    """With words under the stage, which is low then."""
+    page = open_scene(new_page(320, 568), scene="modes", task="hunt")
+    assert page.locator(".transport .note").text_content()
+    seek(page, 0.0)
+    name, bar = page.evaluate("""(shapes => [
+      shapes.find(one => one.matches("text") && one.textContent.startsWith("fast")),
+      shapes.find(one => one.matches("line.thick")),
+    ].map(one => one.getBoundingClientRect().top))(
+      [...document.querySelectorAll("svg.stage *")].filter(one => one.getBoundingClientRect().width))""")
+    assert name > bar + 2, "a line of 5 px"
+
+
 @pytest.mark.parametrize(("width", "text"), [(320, "100%"), (390, "100%"), (390, "200%")])
 def test_on_a_phone_names_lie_on_no_other_part(
     width: int, text: str, new_page: Callable[..., Page], open_scene: Callable[..., Page]

@@ -211,6 +211,11 @@ def test_a_finger_draws_and_nothing_scrolls(server: Server, new_page: Callable[.
     page.goto(f"{server.url}?walk=d34&step=d34-14")
     page.wait_for_function(CARD)
     page.evaluate("oscillations.walks.walk.card.question.plot.host.scrollIntoView({block: 'center'})")
+    page.get_by_role("button", name="Show the answer", exact=True).tap()
+    assert page.evaluate("""(problem => {
+      const {left, top, height} = problem.getBoundingClientRect()
+      return document.elementFromPoint(left + 20, top + height / 2) === problem
+    })(document.querySelector(".card .problem"))"""), "why it is not shown yet is out of sight"
     scrolled = page.evaluate("scrollY")
     left, top, wide, high = page.evaluate(
         "(() => { const {layer} = oscillations.walks.walk.card.question.pad;"

@@ -26,7 +26,8 @@ def said(scene: Scene) -> str:
 
 def read(scene: Scene, html: str) -> str:
     """The words of a text, with the numbers of the picture."""
-    return unescape(TAG.sub("", LIVE.sub(lambda live: scene.shown.values.get(live[2], ""), html)))
+    words = TAG.sub("", LIVE.sub(lambda live: scene.shown.values.get(live[2], ""), html))
+    return unescape(words).replace("\N{NO-BREAK SPACE}", " ")
 
 
 def _texts(scene: Scene, block: Any) -> Iterator[str]:

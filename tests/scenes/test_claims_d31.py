@@ -186,7 +186,7 @@ def test_the_verdict_on_linear_theory_over_all_excesses() -> None:
     for _ in range(40):
         excess = round(draw.pick.choice((draw.pick.uniform(-0.9, 0.72), draw.pick.uniform(-0.2, 0.2))), 4)
         scene = Phugoid(excess=excess)
-        told = scene.shown.values["verdict"]
+        told = scene.shown.values["verdict"].replace("\N{NO-BREAK SPACE}", " ")
         late, off, loops, least = flown(excess)
         seen.add(told.split(",")[0][:20])
         if "right to 0.1 %" in told:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import Any
 
@@ -13,7 +14,7 @@ from hypothesis import strategies as st
 from components.language.shapes import Label
 from components.scene import Scene
 from components.scenes import SCENES
-from components.scenes.driven.polygon import LEFT, RIGHT, polygon
+from components.scenes.driven.polygon import BASE, LEFT, PX, RIGHT, polygon
 from components.scenes.driven.words import SENTENCE
 from physics.driven import DrivenOscillator, highest, magnification
 from tests.grids import tries
@@ -118,7 +119,7 @@ def test_the_names_of_push_and_lag_lie_on_neither_arrow(r: float, zeta: float) -
     """A push of 36 px, as in a low hall: the middles of both names are 9 px off the lines of the push and of kX."""
     scene = DRIVEN(zeta=zeta, omega=r * math.sqrt(39.48))
     at = scene.shown.scalars
-    named = {**at, "wide": 1.0, "narrow": 0.0, "W": 0.0, "H": 0.0, "per_top": 0.0, "response.y0": 0.0}
+    named = {**at, "wide": 1.0, "narrow": 0.0, "W": 0.0, "H": 0.0, "response.y0": 0.0}
     named["response.y1"] = -36 / at["scale"]
     labels = [shape for shape in polygon().shapes if isinstance(shape, Label) and "unbalance" not in shape.show]
     for name in ("F", "φ") if at["lags"] else ("F",):
@@ -128,6 +129,18 @@ def test_the_names_of_push_and_lag_lie_on_neither_arrow(r: float, zeta: float) -
         for arrow in (-36j * at["up"], 36 * complex(at["across"], -at["end"])):
             share = min(max((middle * arrow.conjugate()).real / abs(arrow) ** 2, 0.0), 1.0)
             assert abs(middle - share * arrow) > 9, (name, middle, arrow)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_on_a_phone_it_is_drawn_within_its_stage(kind: str) -> None:
+    """Nothing of it, its circle neither, lies on the formulas below; above its highest arrow is room for a name."""
+    height, names = 260.0, {"wide": 0, "narrow": 1, "W": 358, "H": 260, "response.y0": 0, "response.y1": 0}
+    for r, zeta in itertools.product((0.05, 0.5, 0.9, 1.0, 1.4, 2.4), (0.01, 0.2, 1.0, 1.5)):
+        at = DRIVEN(kind=kind, zeta=zeta, omega=r * math.sqrt(39.48)).shown.scalars
+        tail, push = each("static/core/signals.polynomial", ((one, {**names, **at}) for one in (BASE, PX)))
+        unit = push * at["scale"]
+        assert tail + unit * max(1.0, -at["end"]) < height, (r, zeta)
+        assert tail - unit * max(at["up"], at["end"]) > 18, (r, zeta)
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -178,7 +178,7 @@ def test_invariant_is_constant_along_each_curve() -> None:
     ],
 )  # fmt: skip
 def test_the_text_says_where_the_linear_theory_stops(excess: float, says: str) -> None:
-    assert says in Phugoid(excess=excess).shown.values["verdict"]
+    assert says in Phugoid(excess=excess).shown.values["verdict"].replace("\xa0", " ")
 
 
 def test_lateness_of_the_slides_numbers() -> None:

@@ -56,7 +56,7 @@ def test_every_seed_has_its_numbers_question_and_answer() -> None:
         assert isinstance(k, float) and 20 <= k <= 80
         assert one.opens.step == one.reveals.step == f"mine/swing/{seed}" and not one.variants
         assert one.reveals.parameters == {"x_0": 0.1, "m": 4.0, "k": k}, "what the answer changes stands as it is"
-        assert f"takes {three(Oscillator(m=1, k=k).period)} s at {k:g} N/m." in one.given + one.question
+        assert f"takes {three(Oscillator(m=1, k=k).period)}\xa0s at {k:g}\xa0N/m." in one.given + one.question
         true = Oscillator(m=4, k=k).period
         for text, right in ((f"{true:.3f} s", True), (f"{2 * true:.3f}", False)):
             lesson = told_of(Given(walk="mine", step="swing", seed=seed, text=text), step, SCENES).lesson
@@ -159,5 +159,5 @@ def test_a_walk_of_one_s_own_is_answered_with_its_seed() -> None:
 def test_a_class_has_the_numbers_of_the_file() -> None:
     bank = QuestionBank(WALKS, SCENES)
     card = bank.put("d31", "d31-02", 1).card
-    assert card and not card.variants and "k" not in card.opens.parameters and "1.00 s" in card.given
+    assert card and not card.variants and "k" not in card.opens.parameters and "1.00\xa0s" in card.given
     assert bank.judge(Given(walk="d31", step="d31-02", text="2.00")).right

@@ -263,4 +263,4 @@ def test_the_period_of_a_push_is_the_pushs(page: Page) -> None:
     (step,) = (step for step in WALKS["d34"].steps if step.id == "d34-15")
     assert isinstance(step, SketchStep)
     found = given(page, step.id, curves=heights(step))["lesson"]["findings"]
-    assert found[-1]["words"].endswith("true 6.28 s")
+    assert found[-1]["words"].endswith("true 6.28\xa0s")

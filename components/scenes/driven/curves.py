@@ -107,7 +107,6 @@ class Resonance(Declared[DrivenCase]):
     omega, M, lag = Column[DrivenCase].some(3, "below")
     driven = Family(KINDS, lambda kind: scalar(lambda c, a: c.kind == kind), "{}")
     r_at = scalar(lambda c, a: Axes.r(a).place(c.omega))
-    per_top = scalar(lambda c, a: 1 / Axes.M(a).place(Axes.M(a).end))
     root2 = scalar(lambda c, a: Axes.r(a).place(math.sqrt(2.0) * c.omega_n))
     steady = scalar(lambda c, a: c.steady)
     M_at = scalar(lambda c, a: Axes.M(a).place(c.M) if c.steady else None)

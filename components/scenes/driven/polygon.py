@@ -22,6 +22,8 @@ NARROWEST, ASIDE_OF_X = 0.6, 0.5
 """A lag that has no room for its name, in rad, has it on the other side of the arrow from which it is counted."""
 GROWN = 0.8
 """The height, in heights of the response, of forces that grow."""
+FILLED = 0.9
+"""So much of a stage of its own it fills, in height; the rest is for names."""
 
 
 class Polygon(Declared[DrivenCase]):
@@ -29,6 +31,7 @@ class Polygon(Declared[DrivenCase]):
 
     closed, growing, idle, level, braked, y_braked, lags = Scalar[DrivenCase].some(7)
     up, across, aside, end, scale, y_side, y_up, phi_side, phi_up, from_X, to_F = Scalar[DrivenCase].some(11)
+    push, below = Scalar[DrivenCase].some(2)
 
 
 P = Polygon
@@ -38,9 +41,9 @@ def corners_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, float]:
     """The corners: from the tail the first arrow up, the dashpot's across, the third down, where the push ends too."""
     top = Axes.M(axes).place(Axes.M(axes).end)
     if case.swells:
-        return by_name({P.growing: 1.0, P.up: GROWN * top, P.scale: 1.0})
+        return by_name({P.growing: 1.0, P.up: GROWN * top, P.scale: 1.0} | _heights(top, 1.0))
     if not (case.pushed and case.steady):
-        return by_name({P.idle: 1.0})
+        return by_name({P.idle: 1.0} | _heights(top, 1.0))
     r, M, across = case.r, case.M, 2 * case.zeta * case.r
     spring, inertia = M, r * r * M
     if case.kind == "unbalance":
@@ -51,6 +54,7 @@ def corners_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, float]:
     scale = min(1.0, 0.92 * top / reach)
     apart = math.copysign(max(abs(side), ASIDE / scale), side)
     found = {P.closed: 1.0, P.up: first, P.across: side, P.aside: apart, P.end: first - third, P.scale: scale}
+    found |= _heights(top, scale * max(1.0, third - first))
     found |= {P.level: float(scale == 1.0), P.braked: float(abs(side) > ASIDE)}
     if case.kind == "base":
         turned = math.sin(case.lag), math.cos(case.lag)
@@ -61,10 +65,16 @@ def corners_of(case: DrivenCase, axes: dict[str, Axis]) -> dict[str, float]:
     return by_name(found | {P.from_X: start, P.to_F: start + case.lag})
 
 
+def _heights(top: float, below: float) -> dict[Scalar[DrivenCase], float]:
+    """Where the response is not beside it: a push and what lies below the tail, in heights of the stage."""
+    push = FILLED / (top + below)
+    return {P.push: push, P.below: below * push}
+
+
 FORCE, BASED, UNBALANCE = ((P.closed, R.driven[kind]) for kind in KINDS)
-PX = WIDE * -1 * RESPONSE.per_y + NARROW * 0.8 * H * var(R.per_top)
+PX = WIDE * -1 * RESPONSE.per_y + NARROW * H * var(P.push)
 """Pixels of one push."""
-BASE = WIDE * RESPONSE.y(0) + NARROW * 0.86 * H
+BASE = WIDE * RESPONSE.y(0) + NARROW * H * (0.98 - var(P.below))
 MIDDLE = 0.56 * W
 
 

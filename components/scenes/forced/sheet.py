@@ -14,7 +14,7 @@ from components.language.numbers import var
 from components.language.plots import Term
 from components.layout.plots import Room, curve, plot, region
 from components.layout.sheet import choice, column, desk, phrase, row, stage, term, when, words
-from components.layout.stage import H, PlotFrame, Shape, W, arrow, circle, text
+from components.layout.stage import NARROW, WIDE, H, PlotFrame, Shape, W, arrow, circle, text
 from components.quantities.parameters import one_of
 from components.scene.traces import traced
 from components.scenes.forced.case import Axes, Work
@@ -57,7 +57,7 @@ def forced_sheet() -> Block:
 
 def _shapes() -> list[Shape]:
     foot = 0.8 * H
-    push, middle = chain.place(1), foot - 0.5 * chain.side(1)
+    push, middle = chain.place(1), foot - (0.5 * WIDE + 0.86 * NARROW) * chain.side(1)  # over the name of a small block
     tip = push + var(Arrows.push) * W * var(S.drive)
     return [
         chain.standing_wall(0.2 * H, 0.62 * H),

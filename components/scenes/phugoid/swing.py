@@ -154,7 +154,8 @@ def verdict(swing: Swing) -> str:
     if bottom >= CUSP_EXCESS - 1e-9:
         return f"The cusp: a standstill at the top, and linear theory {late} % off in the period."
     if bottom <= right:
-        return "Linear theory: its period is right to 0.1 %, its heights to 8 % of the swing."
+        verdict = "Linear theory: its period is right to 0.1 %, its heights to 8 % of the swing."
+        return verdict.replace(" %", "\N{NO-BREAK SPACE}%")
     if bottom <= near:
         return f"Linear theory is {late} % off in the period, more in the shape."
     return f"Linear theory fails in the shape, though it is only {late} % off in the period."
