@@ -50,7 +50,7 @@ class Scene(SceneInfo, metaclass=_SceneMeta):
         symbol="T",
         unit="s",
         says="the time window; empty for the scene's own choice.",
-        allowed="a time window is more than 0 s",
+        allowed="a time window is a finite time above 0 s",
     )
     hidden = param.List(default=[], item_type=str, doc="The curves switched off, by group.")
 

@@ -70,6 +70,15 @@ def test_it_swings_as_far_as_its_base_only_where_its_number_says_so(zeta: float,
     assert ("as far as its base" in sentence(scene)) == (scene.shown.values["M"] == "1.00"), sentence(scene)
 
 
+@pytest.mark.parametrize("values", [{"window": 1e-3}, {"c": 0.0, "omega": 6.2895}, {"c": 1e-9, "omega": 6.2833}])
+def test_parts_that_are_not_drawn_are_far_larger_than_their_sum(values: dict[str, float]) -> None:
+    """However small they are: in a short window from rest the sum is smaller still."""
+    scene = DRIVEN(**values)
+    (told,) = (note for note in scene.shown.notes if "not drawn" in note)
+    assert "far larger than their sum" in told
+    assert abs(steady(scene)) > 4 * np.abs(scene.sources["time"].data["x"]).max()
+
+
 SOME = st.floats(-1.0, 1.0).map(lambda power: 10.0**power)
 
 

@@ -114,7 +114,7 @@ SENTENCE = either(
 def notes(case: DrivenCase, too_fast: bool) -> tuple[str, ...]:
     found = []
     if case.pushed and not case.split and not case.grows:
-        found.append("The steady and the complementary part are huge and opposite here, so they are not drawn.")
+        found.append("The steady and the complementary part are far larger than their sum here, so they are not drawn.")
     if too_fast:
         found.append("The motion is too fast to be drawn as a line in this window: the band is what it stays within.")
     return tuple(found)

@@ -148,7 +148,7 @@ def notes(case: AnyCase, units: str, shown: str, too_fast: bool) -> list[str]:
         "With dashpots a swing is neither with the push nor against it: its size is shown.": (
             shown == "signed" and isinstance(case, Dying)
         ),
-        "Complementary and particular part are huge and opposite here, so they are not drawn.": (
+        "Complementary and particular part are far larger than their sum here, so they are not drawn.": (
             not case.split and case.kind != "resonance"
         ),
         "The lecture's units F₀/k₁ and √(k₁/m₁) need k₁ and F₀ above 0: shown in SI.": (
