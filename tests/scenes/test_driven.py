@@ -63,6 +63,10 @@ def test_the_width_of_half_the_power_is_told_where_the_power_has_a_peak() -> Non
         assert "by itself" in str(DRIVEN.param["zeta"].doc), "a driven mass swings at any damping"
 
 
+def test_the_title_over_the_start_holds_for_every_start() -> None:
+    assert [group.hint for group in DRIVEN.groups if "x_0" in group.names] == ["Start"]
+
+
 @pytest.mark.parametrize("zeta", [0.0, 0.05, 1.0])
 @pytest.mark.parametrize("beside", [-9e-4, -1e-5, 0.0, 1e-5, 4e-4, 9e-4])
 def test_it_swings_as_far_as_its_base_only_where_its_number_says_so(zeta: float, beside: float) -> None:

@@ -78,7 +78,7 @@ class DrivenScene(DashpotScene):
         Group("Drive", (omega,)),
         *(Group("", (one,), form=Forms.driven[kind]) for kind, one in zip(KINDS, (F_0, Y, moment), strict=True)),
         Group("Mass, spring, dashpot", (m, k, c, zeta)),
-        Group("", (x_0, v_0), "Start: at rest", folded=True),
+        Group("", (x_0, v_0), "Start", folded=True),
         Group("When m or k changes", (keep,)),
     )
 
