@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Iterator
+from functools import cache
 from typing import Any
 
 import pytest
@@ -64,6 +65,11 @@ def cases(scene: type[Scene]) -> Iterator[Scene]:
     yield from (scene(**values) for values in (*choices(scene), *MORE.get(scene.slug, [])))
 
 
+@cache
+def every(slug: str) -> list[Scene]:
+    return list(cases(SCENES[slug]))
+
+
 def _declared(scene: type[Scene]) -> Iterator[str]:
     """The names that a scene itself declares, but for axes, some of which numbers are only counted on; those of kits
     are for several scenes."""
@@ -86,7 +92,7 @@ def test_what_is_declared_is_given_and_numbers_are_told(slug: str) -> None:
     given, numbers = set[str](), set[str]()
     told = live_names(kind).union(*(_spoken(text) for text in scene_sheet(kind).spoken.values()))
     told |= {handle.text for plot in plots(kind) for handle in plot.handles}
-    for scene in cases(kind):
+    for scene in every(slug):
         shown = scene.shown
         parts = (shown.signals, shown.scalars, shown.forms, shown.values, *shown.sources.values())
         given |= {name for part in parts for name in part}
@@ -102,9 +108,28 @@ def _spoken(text: str) -> set[str]:
 
 
 @scenes
+def test_every_curve_has_its_numbers_and_every_block_stands(slug: str) -> None:
+    """In some picture: what has the name of another source or of no form never does."""
+    numbers = {
+        (source, name)
+        for scene in every(slug)
+        for source, columns in scene.shown.sources.items()
+        for name, column in columns.items()
+        if len(column)
+    }
+    for plot in plots(SCENES[slug]):
+        needed = {(one.source, name) for one in plot.curves for name in (one.x, one.y)}
+        needed |= {(one.source, name) for one in plot.regions for name in (one.x, one.low, one.high)}
+        assert needed - numbers == set()
+    standing = {name for scene in every(slug) for name, form in scene.shown.forms.items() if form}
+    sheet = scene_sheet(SCENES[slug])
+    assert {one.form for one in (*blocks(sheet.paper), *sheet.panel.groups) if one.form} <= standing
+
+
+@scenes
 def test_every_shape_is_drawn(slug: str) -> None:
     """The page's own scripts draw them: a number that the picture lacks is a fault."""
-    for scene in cases(SCENES[slug]):
+    for scene in every(slug):
         sheet, shown = scene_sheet(type(scene)), scene.shown
         shapes = [shape for block in in_force(sheet.paper, shown.forms) for shape in getattr(block, "shapes", ())]
         rows = [row for group in sheet.panel.groups for row in group.rows]
@@ -131,7 +156,7 @@ def _chosen(one: Forms | Term, forms: dict[str, str]) -> str:
 
 @scenes
 def test_each_form_has_its_words(slug: str) -> None:
-    for scene in cases(SCENES[slug]):
+    for scene in every(slug):
         for block in in_force(scene.sheet(), scene.shown.forms):
             for one in _wordings(block):
                 variant = _chosen(one, scene.shown.forms)
@@ -167,7 +192,7 @@ def test_spans_units_and_what_follows_are_of_parameters(slug: str) -> None:
 
 @scenes
 def test_what_is_read_aloud_is_there(slug: str) -> None:
-    given = [scene.shown.values for scene in cases(SCENES[slug])]
+    given = [scene.shown.values for scene in every(slug)]
     for text in scene_sheet(SCENES[slug]).spoken.values():
         wanted = _spoken(text)
         assert wanted and any(all(values.get(name) for name in wanted) for values in given), text
