@@ -30,7 +30,7 @@ BANDS = MASSES | {
 
 def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) -> About:
     """Displacements, and both amplitudes of the particular solution."""
-    columns, sweep = picture.sources["time"], picture.sources["response"]
+    columns, sweep = picture.sources["time"], picture.sources[Swings.omega.source]
     motion = motion_rows(MASSES, columns, driven.chain, x_0, v_0, driven.F_0, driven.omega)
     points = steady_points(driven.chain, 0.0, driven.F_0, few_of(sweep["omega"]))
     swings = {Swings.Xp[i]: rf"$X_{{\mathrm{{p}}{i}}}$" for i in BOTH}
@@ -44,7 +44,7 @@ def forced_about(picture: Picture, driven: DrivenModes, x_0: Pair, v_0: Pair) ->
 
 def dying_about(picture: Picture, modes: DampedModes) -> About:
     """Displacements with dashpots, and both sizes of the particular solution."""
-    columns, sweep = picture.sources["time"], picture.sources["response"]
+    columns, sweep = picture.sources["time"], picture.sources[Swings.omega.source]
     true = braked_points(modes, few_of(columns["t"]))
     swings = {Swings.Xp[i]: rf"$|X_{{\mathrm{{p}}{i}}}|$" for i in BOTH}
     steady = braked_swings(modes, few_of(sweep["omega"]))

@@ -103,7 +103,7 @@ def response(case: AnyCase, shown: str, lecture: bool, frame: Frame = FITTED) ->
     drawn = swings if signed else np.abs(swings)
     columns: dict[str, Columns] = {f"branch{i}": {} for i in range(len(BRANCHES))}
     columns |= {f"branch{i}": _column(w[part], drawn[:, part]) for i, part in branches.items()}
-    columns["response"] = _column(w, swings)
+    columns[Swings.omega.source] = _column(w, swings)
     return DrawnResponse(columns, axes, _marks(case, across, up, log, signed))
 
 
