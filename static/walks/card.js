@@ -33,7 +33,7 @@ export class Card {
     this.body = element("div", {class: "card-body"}, this.#head(), ...given(step), asks, this.question.element)
     this.body.append(this.after)
     this.element = element("section", {class: "card", "aria-label": "The walk"}, this.body)
-    this.element.append(element("div", {class: "foot"}, this.refusal, this.back, this.forward)) // the foot stays in sight
+    this.element.append(element("div", {class: "foot"}, this.refusal, this.back, this.forward)) // stays in sight
     this.question.changed = () => this.#ready()
     page.panel.prepend(this.element)
     page.root.classList.add("walked")

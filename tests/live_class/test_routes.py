@@ -194,8 +194,8 @@ async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> 
     async with teaching() as (_, url):
         lesson = await Class.open(url)
         leader = await lesson.lead()
-        path = f"/class/{lesson.code}/remote"
-        ticket = (await called(url, f"/class/{lesson.code}/tickets", "POST", word=lesson.key)).json
+        path, tickets, steps = (f"/class/{lesson.code}/{one}" for one in ("remote", "tickets", "steps"))
+        ticket = (await called(url, tickets, "POST", word=lesson.key)).json
         assert ticket["square"].startswith("<svg")
         secret = ticket["address"].partition("remote=")[2]
         paired = (await called(url, path, "PUT", {"address": secret})).json
@@ -205,7 +205,6 @@ async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> 
         assert (await late.until(lambda event: "remotes" in event))["remotes"] == [paired["digits"]]
         assert (await called(url, path, word=paired["key"])).json is None
         assert (await called(url, path, "POST", {"deed": "next"}, paired["key"])).status == 403
-        tickets = f"/class/{lesson.code}/tickets"
         other = "10" if paired["digits"] != "10" else "11"
         assert (await called(url, tickets, "PUT", {"digits": other}, lesson.key)).status == 409
         control = (await called(url, tickets, "PUT", {"digits": paired["digits"]}, lesson.key)).json["control"]
@@ -215,12 +214,12 @@ async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> 
         assert (await called(url, path, word=paired["key"])).json["step"] == ""
         assert (await called(url, path, "POST", {"deed": "next"}, paired["key"])).status == 204
         await leader.until(lambda event: event.get("deed") == "next")
-        steps, there = f"/class/{lesson.code}/steps", {"deed": "go", "step": "d34-04"}
         assert (await called(url, steps, word=paired["key"])).json == []
         await lesson.order("put", walk="d34", step="d34-02")
         listed = (await called(url, steps, word=paired["key"])).json
         assert len(listed) == 16 and listed[0] == {"step": "d34-01", "title": "A spring feels only its own stretch"}
         assert listed[6]["title"].endswith('<span class="v">m</span><sub>2</sub>')
+        there = {"deed": "go", "step": "d34-04"}
         assert (await called(url, path, "POST", there, paired["key"])).status == 204
         assert there.items() <= (await leader.until(lambda event: event.get("deed") == "go")).items()
         for word in ("", await lesson.token(), lesson.key):
@@ -230,8 +229,7 @@ async def test_a_remote_control_is_let_in_once_by_the_digits_that_it_shows() -> 
         assert (await called(url, tickets, "DELETE", {"digits": other["digits"]}, lesson.key)).status == 204
         refused = await called(url, path, word=other["key"])
         assert refused.status == 403 and refused.json["sentence"].startswith("The lecturer's screen has not")
-        for stream in (leader, late):
-            await stream.close()
+        await asyncio.gather(leader.close(), late.close())
 
 
 async def test_a_class_that_ends_says_so_and_the_end_of_a_server_lets_its_followers_go() -> None:
