@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from tests.browser.touch import Finger
-from tests.browser.waiting import passed, turned
+from tests.browser.waiting import QUIET, passed, turned
 
 pytestmark = pytest.mark.browser
 Open = Callable[..., Page]
@@ -52,6 +52,7 @@ def test_a_finger_drags_a_handle_from_where_it_has_taken_it_and_not_the_page(
     page = open_scene(new_page(390, 844, has_touch=True, is_mobile=True), **query)
     handle = page.get_by_role("slider", name=name, exact=True)
     page.add_style_tag(content=UNANCHORED)
+    page.wait_for_function(QUIET)
     x, y = middle(handle)
     plot = page.locator(".block.plot").filter(has=handle)
     before = top(plot)
@@ -81,8 +82,14 @@ def test_lines_that_come_above_move_nothing_under_a_hand(part: str, page: Page, 
     page.evaluate("document.querySelector('h1').style.paddingBottom = '50px'")
     passed(page)
     assert top(held) == pytest.approx(before, abs=1)
+    page.evaluate("""() => {
+      document.querySelector("h1").style.paddingBottom = "70px"
+      document.body.style.height = `${document.body.offsetHeight - 20}px`
+    }""")
+    passed(page)
+    assert top(held) == pytest.approx(before, abs=1), "the page is as tall as before"
     page.mouse.up()
-    page.evaluate("document.querySelector('h1').style.paddingBottom = ''")
+    page.evaluate("document.body.removeAttribute('style'); document.querySelector('h1').style.paddingBottom = ''")
     passed(page)
     if "grip" not in part:
         assert top(held) < before - 20, "nothing is held any more"
