@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import subprocess
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
@@ -16,8 +17,11 @@ WAITING = 8
 """Requests that may wait for their turn."""
 PATIENCE, STARTING = 10.0, 120.0
 """Seconds until a process is given up that keeps to no budget, or that is not ready."""
+OVER_BUDGET = -getattr(signal, "SIGPROF", 0)
+"""The code of a process that the system has ended for that."""
 SHARED = "Another walk from this network waits to be read already. Try again in a few seconds."
 BUSY = f"{WAITING} walks are waiting to be read. Try again in a few seconds."
+LATE = "The server had no time for this walk. Try again in a minute."
 GONE = "The process that reads walks could not be started. Try again in a minute."
 
 
@@ -73,7 +77,7 @@ class ReadingProcess:
         self._process = None
         with suppress(RuntimeError):  # the server ends
             self._turn.submit(self._ready)
-        return Replied(refused=TOO_LONG)
+        return Replied(refused=TOO_LONG if process.returncode == OVER_BUDGET else LATE)
 
     def _ready(self) -> subprocess.Popen[bytes] | None:
         if not self._process:

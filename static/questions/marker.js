@@ -1,7 +1,7 @@
 // A place to mark on an axis of a plot: an open pill that is pressed, dragged, or moved by the arrow keys.
 
 import {short, withUnit} from "../core/numbers.js"
-import {element, frame, long, set, unitSize} from "../core/dom.js"
+import {element, long, set, unitSize} from "../core/dom.js"
 import {EVERYWHERE, places} from "../paper/places.js"
 
 const STEPS = 100 // arrow keys from end to end
@@ -89,7 +89,7 @@ export class Marker {
     set(this.pill, {"aria-valuetext": this.value === null ? "not set" : withUnit(this.number, this.unit)})
     for (const [i, truth] of this.truths.entries())
       this.#put(/** @type {HTMLElement} */ (this.layer.children[i + 2]), truth)
-    if (this.truths.length) void frame().then(() => this.#clear()) // then all that the plot says stands
+    if (this.truths.length) requestAnimationFrame(() => this.#clear()) // after the clock's: all that the plot says stands
   }
 
   /** The pill moves along its line, off what the plot now shows again: its pills, flags and numbers. */

@@ -71,7 +71,7 @@ def test_a_killed_server_has_the_class_again(contexts: list[BrowserContext], tmp
         _taken_over(lecture, other)
         other.evaluate(f"{LED}.end()")
         for page in (phone, remote):
-            expect(page.locator("h1")).to_contain_text("The class is over.")
+            expect(page.locator("h1")).to_contain_text("The class is over.", timeout=AGAIN)
 
 
 def _begun(lecture: Page, site: Site) -> str:

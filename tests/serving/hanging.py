@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import time
 
 from components.walks import Walks, apart
 from components.walks.apart import Errand, Reading, Replied
@@ -12,6 +13,8 @@ from components.walks.links import Scenes
 def replied(asked: Errand, walks: Walks, scenes: Scenes) -> Replied:
     while isinstance(asked, Reading) and asked.name == "endless":
         pass
+    if isinstance(asked, Reading) and asked.name == "asleep":
+        time.sleep(60)
     return Replied(refused="read")
 
 

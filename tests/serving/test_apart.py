@@ -9,7 +9,8 @@ import pytest
 
 from components.language.messages import Given
 from components.scenes import SCENES
-from components.serving.apart import BUSY, GONE, SHARED, WAITING, ReadingProcess
+from components.serving import apart
+from components.serving.apart import BUSY, GONE, LATE, SHARED, WAITING, ReadingProcess
 from components.session.session import ONE_AT_A_TIME, Session
 from components.state.standing import fitted
 from components.state.wire import Packet
@@ -36,11 +37,14 @@ def test_a_walk_is_read_and_answered_in_a_process_of_its_own(beside: ReadingProc
     assert len(beside) == 0
 
 
-def test_what_takes_longer_is_refused_and_the_next_is_read() -> None:
+def test_what_takes_longer_is_refused_and_the_next_is_read(monkeypatch: pytest.MonkeyPatch) -> None:
     beside = ReadingProcess("tests.serving.hanging")
+    monkeypatch.setattr(apart, "PATIENCE", 100.0)  # for a second of a processor, on a busy machine
     try:
         asked = [beside.ask(Reading(name, MINE)) for name in ("mine", "endless", "mine")]
         assert [one.result(120).refused for one in asked] == ["read", TOO_LONG, "read"]
+        monkeypatch.setattr(apart, "PATIENCE", 0.2)
+        assert beside.ask(Reading("asleep", MINE)).result(120).refused == LATE  # it has used no time of its own
     finally:
         beside.close()
 
